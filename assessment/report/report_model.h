@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace torsio {
+
+/// Where a table or figure comes from; printed beneath it.
+struct Provenance {
+  std::string formula;  ///< "Eq. 26" ...
+  std::string formulaVersion;
+  std::int64_t n = 0;  ///< values used
+  std::int64_t missing = 0;
+  std::vector<std::string> flags;  ///< "renormalised", "demonstration data" ...
+};
+
+struct ReportTable {
+  std::string id;  ///< stable, "table-evaluation"
+  std::string title;
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;  ///< each as long as columns
+  std::vector<std::string> notes;
+  Provenance provenance;
+};
+
+enum class FigureKind {
+  kGroupedBars,  ///< one bar a category and series
+  kRanges,       ///< low, middle, high a category and series
+  kBoxes,        ///< five numbers a series (values), outliers and mean drawn
+  kPoints,       ///< every value of a series at its category
+  kLines,        ///< y over x
+};
+
+struct FigureSeries {
+  std::string name;
+  std::vector<double> x;                 ///< kLines, kPoints; else empty
+  std::vector<std::optional<double>> y;  ///< one a category; kBoxes: all raw values
+  std::vector<double> low;               ///< kRanges: same length as y
+  std::vector<double> high;
+};
+
+struct ReportFigure {
+  std::string id;  ///< "figure-15"
+  std::string title;
+  std::string xLabel;
+  std::string yLabel;  ///< with unit
+  FigureKind kind = FigureKind::kGroupedBars;
+  std::vector<std::string> categories;
+  std::vector<FigureSeries> series;
+  std::optional<double> yMin;
+  std::optional<double> yMax;
+  std::vector<std::string> notes;
+  Provenance provenance;
+};
+
+struct ReportSection {
+  std::string title;
+  std::vector<std::string> paragraphs;
+  std::vector<ReportFigure> figures;
+  std::vector<ReportTable> tables;
+};
+
+/// All that a cohort report says, as plain values: PDF, CSV and JSON are written from this and nothing else.
+struct ReportModel {
+  std::string title;
+  std::string subtitle;
+  std::string centre;
+  std::string softwareVersion;
+  std::int64_t createdUtc_us = 0;
+  bool demonstration = false;                              ///< then every page says so
+  std::vector<std::pair<std::string, std::string>> facts;  ///< cover: label, value
+  std::vector<ReportSection> sections;
+};
+
+}  // namespace torsio

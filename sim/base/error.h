@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace torsio {
+
+/// Why something was refused. The value is the exit code of the command line (docs/cli.md).
+enum class ErrorCode : int {
+  kUsage = 2,           ///< unknown option, missing argument
+  kFileMissing = 3,     ///< no such file or folder
+  kFileUnreadable = 4,  ///< exists, but cannot be read, or is not what its name says
+  kFileUnwritable = 5,  ///< read-only folder, full disk
+  kBadMesh = 6,         ///< empty, open, non-manifold, NaN vertices, wrong unit
+  kBadParameter = 7,    ///< a number outside its stated range
+  kBadData = 8,         ///< a table, trial or configuration that breaks its rules
+  kDatabase = 9,        ///< the database refused an operation
+  kNewerSchema = 10,    ///< the database was written by a newer version
+  kPermission = 11,     ///< the role may not do this
+  kDevice = 12,         ///< the haptic device refused or was lost
+  kVerifyFailed = 13,   ///< a replay or an integrity check found a difference
+  kInternal = 70,       ///< our own bug (ContractError)
+};
+
+/// What happened, where, and what the user can do: every refusal of input carries the three.
+class Error : public std::runtime_error {
+ public:
+  /// `what`: one sentence without a full stop. `where`: file, line, vertex, column or "".
+  /// `remedy`: one imperative sentence or "".
+  Error(ErrorCode code, const std::string& what, const std::string& where, const std::string& remedy);
+
+  [[nodiscard]] ErrorCode code() const noexcept { return code_; }
+  [[nodiscard]] const std::string& happened() const noexcept { return happened_; }
+  [[nodiscard]] const std::string& where() const noexcept { return where_; }
+  [[nodiscard]] const std::string& remedy() const noexcept { return remedy_; }
+
+ private:
+  ErrorCode code_;
+  std::string happened_;
+  std::string where_;
+  std::string remedy_;
+};
+
+/// A promise between two parts of Torsio was broken: our bug, never the user's input.
+class ContractError : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+}  // namespace torsio

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/base/file_io.h"
+
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void unwritable(const fs::path& file) {
+  throw Error(ErrorCode::kFileUnwritable, "cannot be written", file.string(),
+              "Check that the folder exists, is not read-only, and that the disk is not full");
+}
+
+}  // namespace
+
+std::string readFile(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) {
+    throw Error(ErrorCode::kFileMissing, "no such file", file.string(), "Check the path");
+  }
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream bytes;
+  if (fs::is_directory(file, ignored) || !in || (in.peek() != EOF && !(bytes << in.rdbuf()))) {
+    throw Error(ErrorCode::kFileUnreadable, "cannot be read", file.string(),
+                "Check that it is a file you may read");
+  }
+  return bytes.str();
+}
+
+fs::path temporaryBeside(const fs::path& file) {
+  fs::path temporary = file;
+  temporary += ".part";
+  return temporary;
+}
+
+void writeFileAtomically(const fs::path& file, const std::function<void(std::ostream&)>& write) {
+  const fs::path temporary = temporaryBeside(file);
+  std::error_code failed;
+  try {
+    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
+    if (!out) unwritable(file);
+    write(out);
+    out.close();
+    if (!out) unwritable(file);
+  } catch (...) {
+    fs::remove(temporary, failed);
+    throw;
+  }
+  fs::rename(temporary, file, failed);
+  if (failed) {
+    fs::remove(temporary, failed);
+    unwritable(file);
+  }
+}
+
+void writeFileAtomically(const fs::path& file, std::string_view bytes) {
+  writeFileAtomically(file, [bytes](std::ostream& out) {
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  });
+}
+
+void ensureFolder(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed || !fs::is_directory(folder, failed)) {
+    throw Error(ErrorCode::kFileUnwritable, "folder cannot be created", folder.string(),
+                "Choose a folder in which you may write");
+  }
+}
+
+}  // namespace torsio

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <span>
+#include <utility>
+
+namespace torsio {
+
+/// Random numbers that are the same on every platform: the engine is fixed by the C++ standard, the
+/// distributions are our own (those of the standard library differ between vendors). One thread.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+
+  [[nodiscard]] std::uint64_t next() { return engine_(); }
+  /// Uniform integer in [0, n), n >= 1, by rejection: no modulo bias.
+  [[nodiscard]] std::uint64_t bounded(std::uint64_t n);
+  /// Uniform in [0, 1) with 53 random bits.
+  [[nodiscard]] double uniform();
+  /// Standard normal deviate (polar method, portable logarithm).
+  [[nodiscard]] double normal();
+  /// A generator for a part of the work: same seed and stream, same numbers, whatever was drawn before.
+  [[nodiscard]] static Random forStream(std::uint64_t seed, std::uint64_t stream);
+
+  /// Fisher-Yates from the back: for i = n..2 swap(i - 1, bounded(i)).
+  template <typename T>
+  void shuffle(std::span<T> items) {
+    for (std::size_t i = items.size(); i >= 2; --i) std::swap(items[i - 1], items[bounded(i)]);
+  }
+
+ private:
+  std::mt19937_64 engine_;
+  double spare_ = 0.0;
+  bool hasSpare_ = false;
+};
+
+}  // namespace torsio

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "sim/base/live_types.h"
+
+namespace torsio {
+
+/// What a device can do; assumed values are said to be assumed.
+struct DeviceCapabilities {
+  std::string model;        ///< "Scripted hand", "Mouse and keyboard", "Touch" ...
+  double maxForce_N = 3.3;  ///< nominal, norm
+  double continuousForce_N = 0.88;
+  double maxStiffness_N_per_m = 500.0;
+  bool rendersForce = false;  ///< false: force is shown, not felt
+  bool realTime = true;       ///< false: may be driven faster than the wall clock
+};
+
+/// A hand-held device with up to six sensed degrees of freedom and a three-axis force. Vendor types never
+/// appear here. Drivers convert to SI and to the world frame, quantise at their border (device_sample.h), and
+/// honour any force they cannot render by ignoring it.
+class HapticDevice {
+ public:
+  virtual ~HapticDevice() = default;
+
+  [[nodiscard]] virtual const DeviceCapabilities& capabilities() const noexcept = 0;
+  /// The reading for servo time `time_us`. Servo thread; no allocation, no lock, no log.
+  [[nodiscard]] virtual DeviceSample read(std::int64_t time_us) noexcept = 0;
+  /// The force to render until the next write. Servo thread; no allocation, no lock, no log.
+  virtual void write(const ForceCommand& command) noexcept = 0;
+};
+
+}  // namespace torsio

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/base/live_types.h"
+
+namespace torsio {
+
+/// Everything that must be known to replay a trial. Written before the first sample.
+struct TrialHeader {
+  std::string trialId;      ///< UUID made by the application
+  std::string traineeCode;  ///< pseudonym, never a name
+  std::string sceneId;
+  std::string patternId;
+  std::string organHash;
+  std::string parameterHash;
+  std::string parametersJson;
+  std::string deviceModel;
+  std::string softwareVersion;
+  std::string phaseLabel;  ///< "virtual 0-20 min" ...; empty for free practice
+  TwistDrive drive = TwistDrive::kTangential;
+  double targetAngle_rad = 0.0;
+  double forceScale = 1.0;
+  std::int64_t tickPeriod_us = 1000;
+  std::int64_t startedUtc_us = 0;
+  bool demonstration = false;  ///< simulated people: shown as such everywhere
+};
+
+/// One second of samples, encoded (sample_codec.h). Immutable once made.
+struct TrialChunk {
+  std::int64_t index = 0;
+  std::int64_t firstTick = 0;
+  std::int64_t samples = 0;
+  std::vector<std::byte> bytes;  ///< integers, delta, byte shuffle, zstd
+  std::string digest;            ///< BLAKE2b-256 over index, firstTick, samples and bytes
+  std::string outputDigest;      ///< over the exact doubles that the model answered: the bit-for-bit check
+};
+
+enum class TrialOutcome : std::uint8_t { kCompleted, kInterrupted };
+
+/// Written after the last sample.
+struct TrialSummary {
+  std::int64_t samples = 0;
+  std::int64_t refusedSamples = 0;  ///< not recorded because the ring was full; 0 in a sound trial
+  std::int64_t lateTicks = 0;
+  TrialOutcome outcome = TrialOutcome::kCompleted;
+  std::string contentHash;  ///< chain over header and all chunk digests
+};
+
+/// A recorded trial as plain values.
+struct Trial {
+  TrialHeader header;
+  std::vector<TrialChunk> chunks;
+  TrialSummary summary;
+};
+
+/// Where a recording goes. Called from the recorder's thread, in this order, once each but append.
+/// Throws Error when it cannot keep what it was given; the recorder then retries and spills.
+class TrialSink {
+ public:
+  virtual ~TrialSink() = default;
+  virtual void begin(const TrialHeader& header) = 0;
+  virtual void append(const TrialChunk& chunk) = 0;
+  virtual void finish(const TrialSummary& summary) = 0;
+};
+
+}  // namespace torsio
