@@ -35,12 +35,24 @@ enum class FigureKind {
   kLines,        ///< y over x
 };
 
+/// A box as drawn: type-7 quartiles, whiskers to the last value within 1.5 interquartile ranges of the box.
+struct BoxSummary {
+  double lowerWhisker = 0.0;
+  double lowerQuartile = 0.0;
+  double median = 0.0;
+  double upperQuartile = 0.0;
+  double upperWhisker = 0.0;
+  double mean = 0.0;
+  std::vector<double> outliers;
+};
+
 struct FigureSeries {
   std::string name;
-  std::vector<double> x;                 ///< kLines, kPoints; else empty
+  std::vector<double> x;                 ///< kLines: abscissa; kPoints: category number from 0; else empty
   std::vector<std::optional<double>> y;  ///< one a category; kBoxes: all raw values
   std::vector<double> low;               ///< kRanges: same length as y
   std::vector<double> high;
+  std::optional<BoxSummary> box;  ///< kBoxes: required
 };
 
 struct ReportFigure {
