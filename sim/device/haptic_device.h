@@ -14,6 +14,8 @@ struct DeviceCapabilities {
   double maxForce_N = 3.3;  ///< nominal, norm
   double continuousForce_N = 0.88;
   double maxStiffness_N_per_m = 500.0;
+  Vec3 workspaceMin_m{-10.0, -10.0, -10.0};  ///< usable box, world frame; the default means "no box"
+  Vec3 workspaceMax_m{10.0, 10.0, 10.0};
   bool rendersForce = false;  ///< false: force is shown, not felt
   bool realTime = true;       ///< false: may be driven faster than the wall clock
 };

@@ -10,6 +10,18 @@
 
 namespace torsio {
 
+/// What the force governor must know of the device: part of the trial, because it shapes the recorded force.
+/// The defaults are those of a device without limits of its own (nominal values of a Touch, no workspace
+/// box).
+struct DeviceLimits {
+  double maxForce_N = 3.3;  ///< norm, short bursts
+  double continuousForce_N = 0.88;
+  double maxStiffness_N_per_m = 500.0;
+  Vec3 workspaceMin_m{-10.0, -10.0, -10.0};  ///< usable box, world frame
+  Vec3 workspaceMax_m{10.0, 10.0, 10.0};
+  friend bool operator==(const DeviceLimits&, const DeviceLimits&) = default;
+};
+
 /// Everything that must be known to replay a trial. Written before the first sample.
 struct TrialHeader {
   std::string trialId;      ///< UUID made by the application
@@ -20,6 +32,7 @@ struct TrialHeader {
   std::string parameterHash;
   std::string parametersJson;
   std::string deviceModel;
+  DeviceLimits deviceLimits;
   std::string softwareVersion;
   std::string phaseLabel;  ///< "virtual 0-20 min" ...; empty for free practice
   TwistDrive drive = TwistDrive::kTangential;
