@@ -8,6 +8,7 @@
 #include "sim/base/vec3.h"
 #include "sim/geometry/section_lattice.h"
 #include "sim/tissue/material.h"
+#include "sim/tissue/twist_operation.h"
 
 namespace torsio {
 
@@ -34,6 +35,8 @@ struct TwistModelOptions {
   Formulation formulation = Formulation::kSaintVenant;
   EndCondition ends = EndCondition::kClampedFree;
   bool warping = true;  ///< dZ = theta psi (Saint-Venant only)
+  /// What a twist does, in this order; empty: one elastic operation about the centreline.
+  std::vector<TwistOperation> operations;
 };
 
 /// How the organ answers a twist. Immutable after construction; every query below is noexcept and allocates
