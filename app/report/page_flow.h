@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <QColor>
+#include <QFont>
+#include <QPainter>
+#include <QRectF>
+#include <QString>
+
+class QPdfWriter;
+
+namespace torsio {
+
+/// Places blocks one below the other on A4 pages and draws them in a second pass, when the number of pages is
+/// known ("page 3 of 7"). All lengths in millimetres.
+class PageFlow {
+ public:
+  struct Style {
+    double marginSide_mm = 20.0;
+    double marginTop_mm = 20.0;
+    double marginBottom_mm = 20.0;
+    QString headerText;  ///< small, every page but the first
+    QString footerText;  ///< left; the page number stands right
+    QString watermark;   ///< in the head of every page, e.g. that the data are simulated; may be empty
+  };
+
+  PageFlow(QPdfWriter& writer, Style style);
+
+  /// Usable width.
+  [[nodiscard]] double width_mm() const;
+  /// Draws within a rectangle of the page (device units); `unit` is device units in a millimetre.
+  using Draw = std::function<void(QPainter&, const QRectF& area, double unit)>;
+
+  /// A block that is never split; goes to the next page when it does not fit. `keepWithNext_mm` asks for that
+  /// much more room (headings).
+  void add(double height_mm, Draw draw, double keepWithNext_mm = 0.0);
+  void space(double height_mm);
+  void newPage();
+  /// Wrapped text; splits between lines of a page only when taller than a page.
+  void text(const QString& content, double points, bool bold = false,
+            const QColor& colour = QColor(0x26, 0x32, 0x38), double keepWithNext_mm = 0.0);
+  /// A table with repeated header; column widths follow their contents.
+  void table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows);
+
+  /// Draws everything. `painter` is active on the writer.
+  void render(QPainter& painter) const;
+
+ private:
+  struct Block {
+    double top_mm;
+    double height_mm;
+    Draw draw;
+  };
+  void drawFrame(QPainter& painter, std::size_t page, double unit) const;
+  [[nodiscard]] double bottom_mm() const;
+  [[nodiscard]] QFont font(double points, bool bold) const;
+
+  QPdfWriter& writer_;
+  Style style_;
+  double unit_;  // device units in a millimetre
+  double cursor_mm_;
+  std::vector<std::vector<Block>> pages_;
+};
+
+}  // namespace torsio

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <QApplication>
+#include <QBarSeries>
+#include <QBarSet>
+#include <QBoxPlotSeries>
+#include <QBoxSet>
+#include <QChart>
+#include <gtest/gtest.h>
+
+#include "app/report/chart_builder.h"
+#include "app/report/csv_writer.h"
+#include "app/report/graphics_application.h"
+#include "app/report/pdf_report.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path freshFolder(const std::string& name) {
+  const fs::path folder = fs::temp_directory_path() / ("torsio-report-" + name);
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+ReportFigure figureOf(FigureKind kind) {
+  ReportFigure figure;
+  figure.id = "figure";
+  figure.title = "Marks by index";
+  figure.kind = kind;
+  figure.xLabel = "index";
+  figure.yLabel = "mark (0 to 10)";
+  figure.yMin = 0.0;
+  figure.yMax = 10.0;
+  for (int c = 1; c <= 9; ++c) figure.categories.push_back(std::to_string(c));
+  for (const char* name : {"proposed model", "finite elements", "mass-spring"}) {
+    FigureSeries series;
+    series.name = name;
+    for (int c = 0; c < 9; ++c) {
+      series.y.push_back(8.0 - 0.3 * c - static_cast<double>(figure.series.size()));
+      series.low.push_back(*series.y.back() - 2.0);
+      series.high.push_back(*series.y.back() + 1.5);
+      series.x.push_back(c);
+    }
+    series.box = BoxSummary{5, 6, 7, 8, 9, 6.9, {2.5}};
+    figure.series.push_back(series);
+  }
+  figure.notes = {"The whisker ends at the last value within 1.5 interquartile ranges."};
+  figure.provenance = {"Eq. 25", "1", 40, 0, {}};
+  return figure;
+}
+
+ReportModel smallReport() {
+  ReportModel model;
+  model.title = "Twist training: cohort report";
+  model.subtitle = "Three groups of ten";
+  model.softwareVersion = "0.1.0";
+  model.demonstration = true;
+  model.facts = {{"Trainees", "30"}, {"Raters", "10"}};
+  ReportSection section;
+  section.title = "Evaluation";
+  section.paragraphs = {"Forty raters marked nine indices of three models."};
+  for (const FigureKind kind : {FigureKind::kGroupedBars, FigureKind::kRanges, FigureKind::kBoxes,
+                                FigureKind::kPoints, FigureKind::kLines}) {
+    section.figures.push_back(figureOf(kind));
+  }
+  ReportTable table;
+  table.title = "A table longer than a page";
+  table.columns = {"index", "name", "M"};
+  for (int i = 0; i < 80; ++i) table.rows.push_back({std::to_string(i), "effectiveness", "7.87"});
+  section.tables.push_back(table);
+  model.sections.push_back(section);
+  return model;
+}
+
+int pagesIn(const std::string& pdf) {
+  int pages = 0;
+  for (std::size_t at = pdf.find("/Type /Page\n"); at != std::string::npos;
+       at = pdf.find("/Type /Page\n", at + 1)) {
+    ++pages;
+  }
+  return pages;
+}
+
+TEST(PdfReport, IsAVectorFileOfSeveralPages) {
+  const fs::path file = freshFolder("pdf") / "cohort.pdf";
+
+  writePdfReport(smallReport(), file);
+
+  const std::string pdf = readFile(file);
+  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+  EXPECT_GE(pagesIn(pdf), 5);
+  EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos) << "charts must stay vectors";
+  EXPECT_FALSE(fs::exists(temporaryBeside(file)));
+}
+
+TEST(PdfReport, RefusesAFolderThatDoesNotExistAndLeavesNothing) {
+  const fs::path folder = freshFolder("missing");
+  const fs::path file = folder / "no-such-folder" / "cohort.pdf";
+
+  EXPECT_THROW(writePdfReport(smallReport(), file), Error);
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST(ChartBuilder, DrawsOneBarSetASeries) {
+  const auto chart = buildChart(figureOf(FigureKind::kGroupedBars));
+  ASSERT_EQ(chart->series().size(), 1);
+  const auto* bars = qobject_cast<QBarSeries*>(chart->series().first());
+  ASSERT_NE(bars, nullptr);
+  EXPECT_EQ(bars->barSets().size(), 3);
+  EXPECT_DOUBLE_EQ(bars->barSets().first()->at(0), 8.0);
+}
+
+TEST(ChartBuilder, DrawsOneBoxASeriesWithItsMedian) {
+  const auto chart = buildChart(figureOf(FigureKind::kBoxes));
+  const auto* boxes = qobject_cast<QBoxPlotSeries*>(chart->series().first());
+  ASSERT_NE(boxes, nullptr);
+  ASSERT_EQ(boxes->count(), 3);
+  EXPECT_DOUBLE_EQ(boxes->boxSets().first()->at(QBoxSet::Median), 7.0);
+}
+
+TEST(CsvWriter, QuotesFieldsThatNeedIt) {
+  const fs::path file = freshFolder("csv") / "cohort.csv";
+
+  writeCsv(file, {"name", "value"}, {{"plain", "1.5"}, {"with, comma", "says \"no\""}});
+
+  EXPECT_EQ(readFile(file), "name,value\r\nplain,1.5\r\n\"with, comma\",\"says \"\"no\"\"\"\r\n");
+}
+
+}  // namespace
+}  // namespace torsio
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  const auto application = torsio::makeHeadlessGraphicsApplication(argc, argv);
+  return RUN_ALL_TESTS();
+}
