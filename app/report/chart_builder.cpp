@@ -55,6 +55,11 @@ Axis* styled(Axis* axis, const std::string& title) {
   return axis;
 }
 
+/// Half way to white: a fill on which the median line stays readable.
+QColor paler(const QColor& colour) {
+  return QColor((colour.red() + 255) / 2, (colour.green() + 255) / 2, (colour.blue() + 255) / 2);
+}
+
 struct Range {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -233,7 +238,7 @@ void addBoxes(QChart& chart, const ReportFigure& figure, QAbstractAxis* y) {
     const BoxSummary& box = *series.box;
     auto* set = new QBoxSet(box.lowerWhisker, box.lowerQuartile, box.median, box.upperQuartile,
                             box.upperWhisker, text(series.name));
-    set->setBrush(seriesColour(s).lighter(150));
+    set->setBrush(paler(seriesColour(s)));
     set->setPen(QPen(kInk, 1.4));
     boxes->append(set);
     means->append(static_cast<double>(s), box.mean);
@@ -268,7 +273,9 @@ std::unique_ptr<QChart> buildChart(const ReportFigure& figure) {
   chart->legend()->setAlignment(Qt::AlignTop);
   chart->legend()->setFont(chartFont(kLabelPixels));
   chart->legend()->setLabelColor(kInk);
-  chart->legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
+  // Bars have no marker of their own: asked for one, Qt leaves it white and cuts the names short.
+  chart->legend()->setMarkerShape(figure.kind == FigureKind::kGroupedBars ? QLegend::MarkerShapeRectangle
+                                                                          : QLegend::MarkerShapeFromSeries);
   QValueAxis* y = valueAxis(figure);
   chart->addAxis(y, Qt::AlignLeft);
   switch (figure.kind) {

@@ -21,7 +21,7 @@ namespace torsio {
 namespace {
 
 constexpr int kResolution_dpi = 600;
-constexpr double kChartHeight_mm = 78.0;
+constexpr double kChartHeight_mm = 66.0;
 constexpr double kChartPixelsPerMm = 3.78;  // 96 pixels an inch: chart fonts come out at about 9 points
 const QColor kAccent(0x00, 0x4A, 0x7C);
 const QColor kQuiet(0x60, 0x6E, 0x76);
