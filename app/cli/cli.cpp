@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/cli.h"
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <QCoreApplication>
+
+#include "app/cli/commands.h"
+#include "app/report/graphics_application.h"
+#include "app/session/build_info.h"
+#include "sim/base/error.h"
+
+namespace torsio::cli {
+
+namespace {
+
+/// Everything on one line: the message of a parser or library may hold several.
+std::string oneLine(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+void buildProgram(CLI::App& program) {
+  program.name("torsio");
+  program.set_version_flag("--version", "torsio " + softwareVersion());
+  program.require_subcommand(1);
+  program.footer("Without a command Torsio opens its window. Exit codes: docs/cli.md.");
+  addDemo(program);
+  addReplay(program);
+}
+
+}  // namespace
+
+bool wantsCommandLine(int argc, char** argv) {
+  if (argc < 2) return false;
+  const std::string first = argv[1];
+  return first.empty() || first[0] != '-' || first == "--help" || first == "-h" || first == "--version";
+}
+
+int reportFailure() noexcept {
+  try {
+    throw;
+  } catch (const Error& error) {
+    std::cerr << "torsio: " << oneLine(error.what()) << '\n';
+    return static_cast<int>(error.code());
+  } catch (const std::exception& error) {
+    std::cerr << "torsio: internal error: " << oneLine(error.what()) << ". Please report this\n";
+    return static_cast<int>(ErrorCode::kInternal);
+  }
+}
+
+int runCommandLine(int argc, char** argv) {
+  CLI::App program("Training and assessment of surgical twist skills");
+  buildProgram(program);
+  try {
+    // Reports are drawn by Qt without any display; the database drivers are Qt plug-ins.
+    const auto application = makeHeadlessGraphicsApplication(argc, argv);
+    program.parse(argc, argv);
+    return 0;
+  } catch (const CLI::Success& success) {
+    return program.exit(success);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "torsio: " << oneLine(error.what())
+              << ". Run 'torsio --help' for the commands and options\n";
+    return static_cast<int>(ErrorCode::kUsage);
+  } catch (...) {
+    return reportFailure();
+  }
+}
+
+}  // namespace torsio::cli

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace torsio::cli {
+
+// Each adds one command with its options; the command runs as the option parser's callback and throws
+// torsio::Error when it refuses. One source a command: command_<name>.cpp.
+void addDemo(CLI::App& program);
+void addReplay(CLI::App& program);
+
+}  // namespace torsio::cli

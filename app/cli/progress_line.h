@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "app/session/progress.h"
+
+namespace torsio::cli {
+
+/// Shows progress on standard error: one line rewritten in place on a terminal, one line a step otherwise.
+class ProgressLine {
+ public:
+  ProgressLine();
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(const Progress& progress);
+
+ private:
+  bool terminal_;
+  std::string lastStep_;
+  std::size_t lastLength_ = 0;
+};
+
+}  // namespace torsio::cli
