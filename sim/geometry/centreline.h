@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/base/vec3.h"
+
+namespace torsio {
+
+/// Right-handed frame of the centreline: e1 x e2 = tangent. Rotation-minimising along a curved organ.
+struct AxisFrame {
+  Vec3 centre_m;
+  Vec3 tangent;
+  Vec3 e1;
+  Vec3 e2;
+};
+
+/// The organ's axis: a smooth curve (continuous tangent) through equally spaced stations, with a frame that
+/// does not turn about it. Immutable; the queries allocate nothing, throw nothing and use + - * / and square
+/// roots only, so that they give the same bits on every machine.
+class Centreline {
+ public:
+  Centreline() = default;
+
+  /// Curved: `line_m` runs from the fixed to the free end, at least 2 points, no two successive ones equal;
+  /// it is resampled to `intervals` equal steps, smoothed and given rotation-minimising frames (double
+  /// reflection). The frame at the fraction `e1At` of the length has its e1 nearest to `e1`; zero: any.
+  [[nodiscard]] static Centreline curved(std::span<const Vec3> line_m, int intervals, const Vec3& e1,
+                                         double e1At);
+
+  /// Straight: all frames parallel, arc length is the height above the first plane. `centres_m`: one a
+  /// station, equally spaced along the unit vector `axis`, at least 2. They may wander sideways.
+  [[nodiscard]] static Centreline straightAlong(const Vec3& axis, std::span<const Vec3> centres_m,
+                                                const Vec3& e1);
+
+  [[nodiscard]] bool straight() const noexcept { return straight_; }
+  [[nodiscard]] double length_m() const noexcept { return length_m_; }
+  [[nodiscard]] std::span<const AxisFrame> stations() const noexcept { return stations_; }
+
+  /// Frame at an arc length, clamped to [0, length].
+  [[nodiscard]] AxisFrame frameAt(double arc_m) const noexcept;
+  /// Arc length of the point of the line nearest to `point_m`; straight: its height, clamped.
+  [[nodiscard]] double nearestArc_m(const Vec3& point_m) const noexcept;
+
+ private:
+  [[nodiscard]] Vec3 offset(const Vec3& point_m, double arc_m, Vec3& derivative) const noexcept;
+
+  bool straight_ = false;
+  double length_m_ = 0.0;
+  double spacing_m_ = 1.0;
+  std::vector<AxisFrame> stations_;  // equally spaced in arc length, from fixed to free end
+  std::vector<Vec3> slopes_;         // d centre / d arc at each station
+};
+
+}  // namespace torsio
