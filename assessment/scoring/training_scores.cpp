@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/scoring/training_scores.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include "assessment/scoring/exact_quotient.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+using BigInteger = boost::multiprecision::int256_t;  // sums of squares can pass 2^63, never 2^200
+
+constexpr std::int64_t kMaxCommonRaters = 1'000'000;
+
+using Cell = std::tuple<std::size_t, std::size_t, std::string>;  // occasion, group, trainee
+using Cells = std::map<Cell, std::vector<std::int64_t>>;
+
+void checkMark(const ScoreScale& scale, const TrainingMark& mark, const std::string& where) {
+  if (mark.steps < scale.lo || mark.steps > scale.hi)
+    throw Error(ErrorCode::kBadData,
+                "score " + std::to_string(pointsFromSteps(mark.steps, scale)) + " lies outside the scale",
+                where, "Correct the mark; marks are never clamped.");
+}
+
+Cells collect(const ScoreScale& scale, std::span<const TrainingMark> marks) {
+  validateScale(scale);
+  Cells cells;
+  std::map<std::string, std::size_t> groupOf;
+  std::set<std::tuple<std::string, std::size_t, std::string>> seen;
+  for (const TrainingMark& mark : marks) {
+    const std::string where =
+        "trainee " + mark.trainee + ", occasion " + std::to_string(mark.occasion) + ", rater " + mark.rater;
+    checkMark(scale, mark, where);
+    if (!seen.insert({mark.trainee, mark.occasion, mark.rater}).second)
+      throw Error(ErrorCode::kBadData, "the same mark appears twice", where,
+                  "Keep one; a correction supersedes the earlier mark.");
+    const auto [known, isNew] = groupOf.emplace(mark.trainee, mark.group);
+    if (!isNew && known->second != mark.group)
+      throw Error(ErrorCode::kBadData, "a trainee appears in two groups", where, "Analyse as allocated.");
+    cells[{mark.occasion, mark.group, mark.trainee}].push_back(mark.steps);
+  }
+  return cells;
+}
+
+std::int64_t sumOf(const std::vector<std::int64_t>& values) {
+  return std::accumulate(values.begin(), values.end(), std::int64_t{0});
+}
+
+/// Sum of squares about the mean is spread / n, with spread a whole number.
+BigInteger spreadOf(const std::vector<std::int64_t>& values) {
+  BigInteger squares = 0;
+  for (const std::int64_t x : values) squares += BigInteger(x) * x;
+  const BigInteger sum = sumOf(values);
+  return std::ssize(values) * squares - sum * sum;
+}
+
+double quotientOf(const BigInteger& spread, std::initializer_list<std::int64_t> divisors) {
+  BigInteger denominator = 1;
+  for (const std::int64_t divisor : divisors) denominator *= divisor;
+  return nearestQuotient<BigInteger>(spread, denominator);
+}
+
+/// Trainee scores of a group in units of 1 / denominator points, all whole numbers.
+struct CommonScores {
+  std::vector<std::int64_t> values;
+  std::int64_t denominator = 1;
+};
+
+CommonScores commonScores(const std::vector<const std::vector<std::int64_t>*>& trainees, std::int64_t q) {
+  std::int64_t lcm = 1;
+  for (const auto* marks : trainees) {
+    if (lcm <= kMaxCommonRaters) lcm = std::lcm(lcm, std::ssize(*marks));
+  }
+  // No common denominator at hand: units of a millionth of a step, far below any reporting precision.
+  const bool exact = lcm <= kMaxCommonRaters;
+  const std::int64_t common = exact ? lcm : kMaxCommonRaters;
+  CommonScores out;
+  out.denominator = common * q;
+  for (const auto* marks : trainees) {
+    const std::int64_t n = std::ssize(*marks);
+    const std::int64_t scaled = sumOf(*marks) * common;
+    out.values.push_back(exact ? scaled / n : (2 * scaled + n) / (2 * n));
+  }
+  return out;
+}
+
+GroupSummary summarise(std::size_t occasion, std::size_t group,
+                       const std::vector<const std::vector<std::int64_t>*>& trainees, std::int64_t q) {
+  GroupSummary out;
+  out.group = group;
+  out.occasion = occasion;
+  out.trainees = std::ssize(trainees);
+  CommonScores scores = commonScores(trainees, q);
+  const std::int64_t n = out.trainees;
+  const std::int64_t d = scores.denominator;
+  out.mean = roundedQuotient(sumOf(scores.values), n * d);
+  const BigInteger spread = spreadOf(scores.values);
+  out.varianceOfScores = quotientOf(spread, {n, n, d, d});
+  if (n > 1) out.sampleVarianceOfScores = quotientOf(spread, {n, n - 1, d, d});
+  std::vector<std::int64_t> all;
+  double between = 0.0;
+  BigInteger betweenNumerator = 0;
+  bool betweenDefined = true;
+  const std::int64_t k = std::ssize(*trainees.front());
+  bool sameCount = true;
+  for (const auto* marks : trainees) {
+    all.insert(all.end(), marks->begin(), marks->end());
+    const std::int64_t raters = std::ssize(*marks);
+    betweenDefined = betweenDefined && raters > 1;
+    sameCount = sameCount && raters == k;
+    betweenNumerator += spreadOf(*marks);
+    if (raters > 1) between += quotientOf(spreadOf(*marks), {raters, raters - 1, q, q});
+  }
+  out.marks = std::ssize(all);
+  out.varianceOfMarks = quotientOf(spreadOf(all), {out.marks, out.marks, q, q});
+  if (betweenDefined)
+    out.meanBetweenRaterVariance =
+        sameCount ? quotientOf(betweenNumerator, {n, k, k - 1, q, q}) : between / static_cast<double>(n);
+  std::sort(scores.values.begin(), scores.values.end());
+  out.min = roundedQuotient(scores.values.front(), d);
+  out.max = roundedQuotient(scores.values.back(), d);
+  const std::size_t half = scores.values.size() / 2;
+  out.median = scores.values.size() % 2 == 1
+                   ? roundedQuotient(scores.values[half], d)
+                   : roundedQuotient(scores.values[half - 1] + scores.values[half], 2 * d);
+  return out;
+}
+
+}  // namespace
+
+std::vector<TraineeScore> traineeScores(const ScoreScale& scale, std::span<const TrainingMark> marks) {
+  const Cells cells = collect(scale, marks);
+  std::map<std::size_t, std::set<std::string>> members;
+  for (const auto& [cell, steps] : cells) members[std::get<1>(cell)].insert(std::get<2>(cell));
+  std::vector<TraineeScore> out;
+  for (const auto& [cell, steps] : cells) {
+    const auto& [occasion, group, trainee] = cell;
+    const std::set<std::string>& of = members[group];
+    TraineeScore score{.trainee = trainee, .group = group, .occasion = occasion};
+    score.number = static_cast<std::size_t>(std::distance(of.begin(), of.find(trainee))) + 1;
+    score.sum_steps = sumOf(steps);
+    score.n = std::ssize(steps);
+    score.score = roundedQuotient(score.sum_steps, score.n * scale.stepsPerPoint);
+    out.push_back(std::move(score));
+  }
+  return out;
+}
+
+std::vector<GroupSummary> groupSummaries(const ScoreScale& scale, std::span<const TrainingMark> marks) {
+  const Cells cells = collect(scale, marks);
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<const std::vector<std::int64_t>*>> groups;
+  for (const auto& [cell, steps] : cells) groups[{std::get<0>(cell), std::get<1>(cell)}].push_back(&steps);
+  std::vector<GroupSummary> out;
+  for (const auto& [key, trainees] : groups)
+    out.push_back(summarise(key.first, key.second, trainees, scale.stepsPerPoint));
+  return out;
+}
+
+std::optional<std::vector<std::int64_t>> exactGains(std::span<const TraineeScore> scores, std::size_t from,
+                                                    std::size_t to, std::size_t group) {
+  std::map<std::string, std::int64_t> before;
+  std::map<std::string, std::int64_t> after;
+  std::optional<std::int64_t> raters;
+  for (const TraineeScore& score : scores) {
+    if (raters && *raters != score.n) return std::nullopt;
+    raters = score.n;
+    if (score.group != group) continue;
+    if (score.occasion == from) before[score.trainee] = score.sum_steps;
+    if (score.occasion == to) after[score.trainee] = score.sum_steps;
+  }
+  std::vector<std::int64_t> gains;
+  for (const auto& [trainee, sum] : before) {
+    const auto at = after.find(trainee);
+    if (at == after.end()) return std::nullopt;
+    gains.push_back(at->second - sum);
+  }
+  if (gains.size() != after.size()) return std::nullopt;
+  return gains;
+}
+
+}  // namespace torsio

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "assessment/scoring/instrument.h"
+
+namespace torsio {
+
+inline constexpr const char* kTrainingFormulaVersion = "training-1";
+
+/// One mark of the training study: a chief physician rates one trainee at one scoring point.
+struct TrainingMark {
+  std::string trainee;
+  std::size_t group = 0;     ///< 0 .. groups - 1
+  std::size_t occasion = 0;  ///< 0 before, 1 after 20 min, 2 after 40 min
+  std::string rater;
+  std::int64_t steps = 0;
+};
+
+/// A trainee's score at one scoring point: the plain mean over the raters (paper section 6).
+struct TraineeScore {
+  std::string trainee;
+  std::size_t group = 0;
+  std::size_t number = 0;  ///< 1 .. size of the group, in the order of the trainee codes
+  std::size_t occasion = 0;
+  std::int64_t sum_steps = 0;
+  std::int64_t n = 0;  ///< raters
+  double score = 0.0;  ///< points
+};
+
+/// One group at one scoring point. The three readings of the variance of Fig. 23 carry their divisor.
+struct GroupSummary {
+  std::size_t group = 0;
+  std::size_t occasion = 0;
+  std::int64_t trainees = 0;
+  std::int64_t marks = 0;
+  double mean = 0.0;                               ///< of the trainee scores
+  double varianceOfScores = 0.0;                   ///< (a) of the trainee scores, divisor n
+  std::optional<double> sampleVarianceOfScores;    ///< (a) divisor n - 1
+  double varianceOfMarks = 0.0;                    ///< (b) of all marks of the group, divisor n
+  std::optional<double> meanBetweenRaterVariance;  ///< (c) mean over trainees, divisor n - 1 in each
+  double min = 0.0;
+  double max = 0.0;
+  double median = 0.0;
+};
+
+/// Scores of every trainee at every scoring point that has marks, ordered by occasion, group, number. Throws
+/// Error{kBadData} when a mark lies outside the scale, is given twice, or a trainee appears in two groups.
+[[nodiscard]] std::vector<TraineeScore> traineeScores(const ScoreScale& scale,
+                                                      std::span<const TrainingMark> marks);
+
+/// Summary of every group and occasion that has marks, ordered by occasion, then group. Exact sums of steps;
+/// every value is rounded once unless the rater counts differ so much that no common denominator is at hand.
+[[nodiscard]] std::vector<GroupSummary> groupSummaries(const ScoreScale& scale,
+                                                       std::span<const TrainingMark> marks);
+
+/// Gains (last minus first occasion) as whole numbers that order exactly like the true differences: the
+/// difference of sums when all trainees have the same number of raters. Empty otherwise, or when an occasion
+/// is missing. Differences of doubles would break ties that exist.
+[[nodiscard]] std::optional<std::vector<std::int64_t>> exactGains(std::span<const TraineeScore> scores,
+                                                                  std::size_t from, std::size_t to,
+                                                                  std::size_t group);
+
+}  // namespace torsio
