@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The loops behind TwistKernels. Included by one source an instruction set, each inside its own anonymous
+// namespace; nothing else may include it. Plain pointers and arithmetic only: an inline function of the
+// standard library compiled here with AVX could be the copy that the linker keeps for the whole program.
+
+struct SineCosine {
+  float sine;
+  float cosine;
+};
+
+// Cody-Waite reduction to [-pi/4, pi/4] and the Cephes polynomials, no branches: error below 1e-7 for angles
+// of some ten turns. Adding and taking away 1.5 x 2^23 rounds to the nearest integer.
+inline SineCosine sineCosine(float x) {
+  const float kRound = 12582912.0F;
+  const float n = (x * 0.636619772F + kRound) - kRound;
+  const int quadrant = static_cast<int>(n);
+  float r = x - n * 1.5703125F;
+  r = r - n * 4.83751297e-4F;
+  r = r - n * 7.54978995e-8F;
+  const float z = r * r;
+  const float s = r + r * z * (-1.6666654611e-1F + z * (8.3321608736e-3F + z * -1.9515295891e-4F));
+  const float c = 1.0F - 0.5F * z +
+                  z * z * (4.166664568298827e-2F + z * (-1.388731625493765e-3F + z * 2.443315711809948e-5F));
+  const bool odd = (quadrant & 1) != 0;
+  const float a = odd ? c : s;
+  const float b = odd ? s : c;
+  return {(quadrant & 2) != 0 ? -a : a, ((quadrant + 1) & 2) != 0 ? -b : b};
+}
+
+inline float smaller(float a, float b) {
+  return a < b ? a : b;
+}
+inline float larger(float a, float b) {
+  return a > b ? a : b;
+}
+
+void curvedWarp(const float* __restrict in, int blocks, const TwistFrame& frame, float* __restrict out) {
+  const TwistFrame f = frame;
+  for (int block = 0; block < blocks; ++block) {
+    const float* __restrict v = in + static_cast<long long>(block) * (13 * 16);
+    float* __restrict o = out + static_cast<long long>(block) * (3 * 16);
+    TORSIO_VECTOR_LOOP
+    for (int i = 0; i < 16; ++i) {
+      const float c = v[144 + i];
+      const SineCosine r = sineCosine(f.torque * smaller(f.nearSlope * c, f.farBase + f.farSlope * c));
+      const float t = larger(0.0F, smaller(1.0F, 0.5F + (f.graspCompliance - c) * f.inverseBlend));
+      const float rate = f.farRate + (f.nearRate - f.farRate) * (t * t * (3.0F - 2.0F * t));
+      o[i] = v[i] + r.cosine * v[48 + i] + r.sine * v[96 + i] + rate * v[160 + i];
+      o[16 + i] = v[16 + i] + r.cosine * v[64 + i] + r.sine * v[112 + i] + rate * v[176 + i];
+      o[32 + i] = v[32 + i] + r.cosine * v[80 + i] + r.sine * v[128 + i] + rate * v[192 + i];
+    }
+  }
+}
+
+void curved(const float* __restrict in, int blocks, const TwistFrame& frame, float* __restrict out) {
+  const TwistFrame f = frame;
+  for (int block = 0; block < blocks; ++block) {
+    const float* __restrict v = in + static_cast<long long>(block) * (10 * 16);
+    float* __restrict o = out + static_cast<long long>(block) * (3 * 16);
+    TORSIO_VECTOR_LOOP
+    for (int i = 0; i < 16; ++i) {
+      const float c = v[144 + i];
+      const SineCosine r = sineCosine(f.torque * smaller(f.nearSlope * c, f.farBase + f.farSlope * c));
+      o[i] = v[i] + r.cosine * v[48 + i] + r.sine * v[96 + i];
+      o[16 + i] = v[16 + i] + r.cosine * v[64 + i] + r.sine * v[112 + i];
+      o[32 + i] = v[32 + i] + r.cosine * v[80 + i] + r.sine * v[128 + i];
+    }
+  }
+}
+
+void givenAngles(const float* __restrict in, const float* __restrict anglesAndRates, int blocks,
+                 float* __restrict out) {
+  for (int block = 0; block < blocks; ++block) {
+    const float* __restrict v = in + static_cast<long long>(block) * (13 * 16);
+    const float* __restrict a = anglesAndRates + static_cast<long long>(block) * (2 * 16);
+    float* __restrict o = out + static_cast<long long>(block) * (3 * 16);
+    TORSIO_VECTOR_LOOP
+    for (int i = 0; i < 16; ++i) {
+      const SineCosine r = sineCosine(a[i]);
+      const float rate = a[16 + i];
+      o[i] = v[i] + r.cosine * v[48 + i] + r.sine * v[96 + i] + rate * v[160 + i];
+      o[16 + i] = v[16 + i] + r.cosine * v[64 + i] + r.sine * v[112 + i] + rate * v[176 + i];
+      o[32 + i] = v[32 + i] + r.cosine * v[80 + i] + r.sine * v[128 + i] + rate * v[192 + i];
+    }
+  }
+}
+
+void paperLinear(const float* __restrict in, int blocks, const PaperFrame& frame, float* __restrict out) {
+  const PaperFrame f = frame;
+  for (int block = 0; block < blocks; ++block) {
+    const float* __restrict v = in + static_cast<long long>(block) * (11 * 16);
+    float* __restrict o = out + static_cast<long long>(block) * (3 * 16);
+    TORSIO_VECTOR_LOOP
+    for (int i = 0; i < 16; ++i) {
+      const bool near = v[112 + i] <= f.graspArc;
+      const float angle = f.torque * (near ? v[96 + i] : f.graspAngle);
+      const float lift = near ? f.torque : 0.0F;
+      o[i] = v[i] + angle * v[48 + i] + lift * v[128 + i];
+      o[16 + i] = v[16 + i] + angle * v[64 + i] + lift * v[144 + i];
+      o[32 + i] = v[32 + i] + angle * v[80 + i] + lift * v[160 + i];
+    }
+  }
+}
+
+void straight(const float* in, int blocks, const StraightFrame& frame, float* out) {
+  const StraightFrame f = frame;
+  const float* __restrict table = frame.table;
+  const float last = static_cast<float>(f.tableSize - 1);
+  for (int block = 0; block < blocks; ++block) {
+    const float* v = in + static_cast<long long>(block) * (3 * 16);
+    float* o = out + static_cast<long long>(block) * (3 * 16);
+    float way[16];
+    float share[16];
+    TORSIO_VECTOR_LOOP
+    for (int i = 0; i < 16; ++i) {
+      way[i] = f.axis[0] * (v[i] - f.origin[0]) + f.axis[1] * (v[16 + i] - f.origin[1]) +
+               f.axis[2] * (v[32 + i] - f.origin[2]);
+      share[i] = larger(0.0F, smaller(last, (way[i] - f.first) * f.inverseStep));
+    }
+    for (int i = 0; i < 16; ++i) {  // its own loop: the look-up is not vectorised everywhere
+      const int cell = static_cast<int>(share[i]);
+      const float low = table[cell];
+      share[i] = low + (table[cell + 1] - low) * (share[i] - static_cast<float>(cell));
+    }
+    TORSIO_VECTOR_LOOP
+    for (int i = 0; i < 16; ++i) {
+      const float x = v[i] - f.origin[0];
+      const float y = v[16 + i] - f.origin[1];
+      const float z = v[32 + i] - f.origin[2];
+      const SineCosine r = sineCosine(f.scale * share[i]);
+      const float along = way[i] * (1.0F - r.cosine);
+      o[i] = f.origin[0] + x * r.cosine + (f.axis[1] * z - f.axis[2] * y) * r.sine + f.axis[0] * along;
+      o[16 + i] = f.origin[1] + y * r.cosine + (f.axis[2] * x - f.axis[0] * z) * r.sine + f.axis[1] * along;
+      o[32 + i] = f.origin[2] + z * r.cosine + (f.axis[0] * y - f.axis[1] * x) * r.sine + f.axis[2] * along;
+    }
+  }
+}
+
+void lattice(const float* __restrict in, int sections, int blocksPerSection, const float* __restrict motions,
+             float* __restrict out) {
+  for (int j = 0; j < sections; ++j) {
+    const float* __restrict m = motions + 12LL * j;
+    for (int block = 0; block < blocksPerSection; ++block) {
+      const float* __restrict v = in + (static_cast<long long>(j) * blocksPerSection + block) * 48;
+      float* __restrict o = out + (static_cast<long long>(j) * blocksPerSection + block) * 48;
+      TORSIO_VECTOR_LOOP
+      for (int i = 0; i < 16; ++i) {
+        o[i] = m[9] + m[0] * v[i] + m[1] * v[16 + i] + m[2] * v[32 + i];
+        o[16 + i] = m[10] + m[3] * v[i] + m[4] * v[16 + i] + m[5] * v[32 + i];
+        o[32 + i] = m[11] + m[6] * v[i] + m[7] * v[16 + i] + m[8] * v[32 + i];
+      }
+    }
+  }
+}
+
+void latticeDouble(const double* __restrict in, int sections, int blocksPerSection,
+                   const double* __restrict motions, double* __restrict out) {
+  for (int j = 0; j < sections; ++j) {
+    const double* __restrict m = motions + 12LL * j;
+    for (int block = 0; block < blocksPerSection; ++block) {
+      const double* __restrict v = in + (static_cast<long long>(j) * blocksPerSection + block) * 48;
+      double* __restrict o = out + (static_cast<long long>(j) * blocksPerSection + block) * 48;
+      TORSIO_VECTOR_LOOP
+      for (int i = 0; i < 16; ++i) {
+        o[i] = m[9] + m[0] * v[i] + m[1] * v[16 + i] + m[2] * v[32 + i];
+        o[16 + i] = m[10] + m[3] * v[i] + m[4] * v[16 + i] + m[5] * v[32 + i];
+        o[32 + i] = m[11] + m[6] * v[i] + m[7] * v[16 + i] + m[8] * v[32 + i];
+      }
+    }
+  }
+}
+
+void componentKriging(const KrigedComponents& components, int vertices, float* __restrict out) {
+  const KrigedComponents k = components;
+  for (int v = 0; v < vertices; ++v) {
+    const float* w = k.weights + 8LL * v;
+    const float* a = k.displacements + 4LL * k.first[v];
+    const float* b = k.displacements + 4LL * k.firstNext[v];
+    const float share = k.share[v];
+    float d[4] = {0.0F, 0.0F, 0.0F, 0.0F};
+    for (int n = 0; n < 8; ++n) {
+      const float wa = w[n] * (1.0F - share);
+      const float wb = w[n] * share;
+      for (int c = 0; c < 4; ++c) d[c] += wa * a[4 * n + c] + wb * b[4 * n + c];
+    }
+    for (int c = 0; c < 3; ++c) out[3LL * v + c] = k.rest[3LL * v + c] + d[c];
+  }
+}
+
+void interleave(const float* __restrict in, int vertices, float* __restrict out, int stride) {
+  for (int v = 0; v < vertices; ++v) {
+    const float* p = in + static_cast<long long>(v / 16) * 48 + v % 16;
+    float* o = out + static_cast<long long>(v) * stride;
+    o[0] = p[0];
+    o[1] = p[16];
+    o[2] = p[32];
+  }
+}
+
+void triad(const float* __restrict a, const float* __restrict b, float factor, int count,
+           float* __restrict out) {
+  TORSIO_VECTOR_LOOP
+  for (int i = 0; i < count; ++i) out[i] = a[i] + factor * b[i];
+}
+
+const TwistKernels kKernels{curvedWarp, curved,        givenAngles,      paperLinear, straight,
+                            lattice,    latticeDouble, componentKriging, interleave,  triad};

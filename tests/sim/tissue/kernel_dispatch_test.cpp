@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/portable_math.h"
+#include "sim/base/random.h"
+#include "sim/tissue/cpu_features.h"
+#include "sim/tissue/twist_kernels.h"
+
+namespace torsio {
+namespace {
+
+// Float rounding of a product of two numbers below 1 and of an angle of a turn; "3e-7 of the radius" is the
+// promise of twist_kernels.h for unit radius, doubled for the sum with the foot point.
+constexpr double kFloatTolerance = 6e-7;
+constexpr int kBlocks = 5;
+constexpr int kVertices = kBlocks * kKernelBlock;
+
+struct Free {
+  void operator()(void* memory) const { std::free(memory); }
+};
+template <typename T>
+using Aligned = std::unique_ptr<T[], Free>;
+
+template <typename T>
+Aligned<T> aligned(std::size_t count) {
+  const std::size_t bytes = (count * sizeof(T) + 63) / 64 * 64;
+  Aligned<T> memory(static_cast<T*>(std::aligned_alloc(64, bytes)));
+  std::fill_n(memory.get(), count, T{});
+  return memory;
+}
+
+class KernelDispatch : public testing::TestWithParam<Isa> {
+ protected:
+  const TwistKernels& kernels_ = twistKernels(GetParam());
+
+  static Aligned<float> randomBlocks(int streams, std::uint64_t seed) {
+    Random random(seed);
+    auto blocks = aligned<float>(static_cast<std::size_t>(kVertices * streams));
+    for (int i = 0; i < kVertices * streams; ++i)
+      blocks[i] = static_cast<float>(2.0 * random.uniform() - 1.0);
+    return blocks;
+  }
+  static double stream(const Aligned<float>& blocks, int streams, int vertex, int which) {
+    return blocks[(vertex / kKernelBlock) * streams * kKernelBlock + which * kKernelBlock +
+                  vertex % kKernelBlock];
+  }
+};
+
+std::string isaTestName(const testing::TestParamInfo<Isa>& info) {
+  return std::string(isaName(info.param));
+}
+
+INSTANTIATE_TEST_SUITE_P(EverySet, KernelDispatch,
+                         testing::ValuesIn(usableIsas().begin(), usableIsas().end()), isaTestName);
+
+TEST(CpuFeatures, ThePortableSetIsAlwaysUsableAndTheBestIsTheLast) {
+  ASSERT_FALSE(usableIsas().empty());
+  EXPECT_EQ(usableIsas().front(), Isa::kPortable);
+  EXPECT_EQ(bestIsa(), usableIsas().back());
+}
+
+TEST_P(KernelDispatch, CurvedWarpIsTheFiniteRotationPlusTheRateTimesWarp) {
+  // Given random feet, radii and compliances in [-1, 1], and a twist of up to two turns held in the middle.
+  const auto in = randomBlocks(13, 11);
+  auto out = aligned<float>(kVertices * 3);
+  TwistFrame frame;
+  frame.torque = 9.0F;
+  frame.nearSlope = 0.75F;
+  frame.farBase = 0.3F;
+  frame.farSlope = -0.25F;
+  frame.graspCompliance = 0.3F;
+  frame.inverseBlend = 4.0F;
+  frame.nearRate = 1.5F;
+  frame.farRate = -0.5F;
+
+  kernels_.curvedWarp(in.get(), kBlocks, frame, out.get());
+
+  for (int v = 0; v < kVertices; ++v) {
+    const double c = stream(in, 13, v, 9);
+    const double angle = 9.0 * std::min(0.75 * c, static_cast<double>(0.3F) - 0.25 * c);
+    const double t = std::clamp(0.5 + (static_cast<double>(0.3F) - c) * 4.0, 0.0, 1.0);
+    const double rate = -0.5 + 2.0 * (t * t * (3.0 - 2.0 * t));
+    for (int axis = 0; axis < 3; ++axis) {
+      const double expected = stream(in, 13, v, axis) + std::cos(angle) * stream(in, 13, v, 3 + axis) +
+                              std::sin(angle) * stream(in, 13, v, 6 + axis) +
+                              rate * stream(in, 13, v, 10 + axis);
+      // The angle itself is rounded to float: 9 rad carry an error of 5e-7.
+      EXPECT_NEAR(stream(out, 3, v, axis), expected, 3.0 * kFloatTolerance) << "vertex " << v;
+    }
+  }
+}
+
+TEST_P(KernelDispatch, SineAndCosineHoldToTheLastFloatBitsOverAFullTurn) {
+  // Given unit radii along x and y, and compliances that sweep -360..360 degrees.
+  auto in = aligned<float>(kVertices * 10);
+  auto out = aligned<float>(kVertices * 3);
+  for (int v = 0; v < kVertices; ++v) {
+    float* at = in.get() + (v / kKernelBlock) * 10 * kKernelBlock + v % kKernelBlock;
+    at[3 * kKernelBlock] = 1.0F;
+    at[7 * kKernelBlock] = 1.0F;
+    at[9 * kKernelBlock] = static_cast<float>(2.0 * kPi * (2.0 * v / (kVertices - 1) - 1.0));
+  }
+  TwistFrame frame;
+  frame.torque = 1.0F;
+  frame.farBase = 100.0F;
+
+  kernels_.curved(in.get(), kBlocks, frame, out.get());
+
+  constexpr double kSineError = 1.2e-7;  // two units in the last place of a float near 1
+  for (int v = 0; v < kVertices; ++v) {
+    const double angle = stream(in, 10, v, 9);
+    EXPECT_NEAR(stream(out, 3, v, 0), std::cos(angle), kSineError) << angle;
+    EXPECT_NEAR(stream(out, 3, v, 1), std::sin(angle), kSineError) << angle;
+  }
+}
+
+TEST_P(KernelDispatch, GivenAnglesAgreeWithTheFormulaPerVertex) {
+  const auto in = randomBlocks(13, 12);
+  const auto anglesAndRates = randomBlocks(2, 13);
+  auto out = aligned<float>(kVertices * 3);
+
+  kernels_.givenAngles(in.get(), anglesAndRates.get(), kBlocks, out.get());
+
+  for (int v = 0; v < kVertices; ++v) {
+    const double angle = stream(anglesAndRates, 2, v, 0);
+    const double rate = stream(anglesAndRates, 2, v, 1);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double expected = stream(in, 13, v, axis) + std::cos(angle) * stream(in, 13, v, 3 + axis) +
+                              std::sin(angle) * stream(in, 13, v, 6 + axis) +
+                              rate * stream(in, 13, v, 10 + axis);
+      EXPECT_NEAR(stream(out, 3, v, axis), expected, kFloatTolerance);
+    }
+  }
+}
+
+TEST_P(KernelDispatch, PaperLinearTurnsRigidlyBeyondTheGraspAndLiftsBelowIt) {
+  const auto in = randomBlocks(11, 14);
+  auto out = aligned<float>(kVertices * 3);
+  PaperFrame frame;
+  frame.torque = 2.0F;
+  frame.graspArc = 0.25F;
+  frame.graspAngle = 0.5F;
+
+  kernels_.paperLinear(in.get(), kBlocks, frame, out.get());
+
+  for (int v = 0; v < kVertices; ++v) {
+    const bool near = stream(in, 11, v, 7) <= 0.25;
+    const double angle = 2.0 * (near ? stream(in, 11, v, 6) : 0.5);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double expected = stream(in, 11, v, axis) + angle * stream(in, 11, v, 3 + axis) +
+                              (near ? 2.0 * stream(in, 11, v, 8 + axis) : 0.0);
+      EXPECT_NEAR(stream(out, 3, v, axis), expected, kFloatTolerance);
+    }
+  }
+}
+
+TEST_P(KernelDispatch, StraightAxisKeepsTheWayAlongAndTheDistanceFromTheAxis) {
+  const auto in = randomBlocks(3, 15);
+  auto out = aligned<float>(kVertices * 3);
+  const std::vector<float> table{0.0F, 0.5F, 1.0F, 1.0F};
+  StraightFrame frame;
+  frame.origin[0] = 0.1F;
+  frame.origin[2] = -0.2F;
+  frame.axis[0] = 0.6F;
+  frame.axis[2] = 0.8F;
+  frame.scale = 3.0F;
+  frame.first = -1.0F;
+  frame.inverseStep = 1.0F;
+  frame.table = table.data();
+  frame.tableSize = 3;
+
+  kernels_.straight(in.get(), kBlocks, frame, out.get());
+
+  for (int v = 0; v < kVertices; ++v) {
+    const double x = stream(in, 3, v, 0) - static_cast<double>(0.1F);
+    const double y = stream(in, 3, v, 1);
+    const double z = stream(in, 3, v, 2) + static_cast<double>(0.2F);
+    const double a = 0.6F;
+    const double b = 0.8F;
+    const double way = a * x + b * z;
+    const double angle = 3.0 * std::clamp(0.5 * (way + 1.0), 0.0, 1.0);
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    EXPECT_NEAR(stream(out, 3, v, 0), static_cast<double>(0.1F) + x * c - b * y * s + a * way * (1.0 - c),
+                2.0 * kFloatTolerance);
+    EXPECT_NEAR(stream(out, 3, v, 1), y * c + (b * x - a * z) * s, 2.0 * kFloatTolerance);
+    EXPECT_NEAR(stream(out, 3, v, 2), -static_cast<double>(0.2F) + z * c + a * y * s + b * way * (1.0 - c),
+                2.0 * kFloatTolerance);
+  }
+}
+
+TEST_P(KernelDispatch, LatticeMovesEverySectionByItsOwnMatrix) {
+  constexpr int kSections = kBlocks;
+  const auto in = randomBlocks(3, 16);
+  Random random(17);
+  std::vector<float> motions(12 * kSections);
+  for (float& m : motions) m = static_cast<float>(random.uniform());
+  auto out = aligned<float>(kVertices * 3);
+  auto inDouble = aligned<double>(kVertices * 3);
+  auto outDouble = aligned<double>(kVertices * 3);
+  std::copy_n(in.get(), kVertices * 3, inDouble.get());
+  const std::vector<double> motionsDouble(motions.begin(), motions.end());
+
+  kernels_.lattice(in.get(), kSections, 1, motions.data(), out.get());
+  kernels_.latticeDouble(inDouble.get(), kSections, 1, motionsDouble.data(), outDouble.get());
+
+  for (int v = 0; v < kVertices; ++v) {
+    const double* m = motionsDouble.data() + 12 * (v / kKernelBlock);
+    for (int axis = 0; axis < 3; ++axis) {
+      double expected = m[9 + axis];
+      for (int k = 0; k < 3; ++k) expected += m[3 * axis + k] * stream(in, 3, v, k);
+      const int at = (v / kKernelBlock) * 48 + axis * 16 + v % 16;
+      EXPECT_NEAR(out[at], expected, kFloatTolerance);
+      EXPECT_NEAR(outDouble[at], expected, 1e-15);
+    }
+  }
+}
+
+TEST_P(KernelDispatch, ComponentKrigingIsTheWeightedSumOverBothRidges) {
+  // Given twenty key points of random displacement and two vertices with random weights.
+  Random random(18);
+  std::vector<float> weights(16);
+  for (float& w : weights) w = static_cast<float>(random.uniform() - 0.4);
+  std::vector<float> displacements(4 * 20);
+  for (float& d : displacements) d = static_cast<float>(random.uniform());
+  const std::vector<int> first{0, 2};
+  const std::vector<int> firstNext{10, 12};
+  const std::vector<float> share{0.25F, 1.0F};
+  const std::vector<float> rest{1, 2, 3, 4, 5, 6};
+  KrigedComponents components;
+  components.weights = weights.data();
+  components.first = first.data();
+  components.firstNext = firstNext.data();
+  components.share = share.data();
+  components.displacements = displacements.data();
+  components.rest = rest.data();
+  std::vector<float> out(6);
+
+  kernels_.componentKriging(components, 2, out.data());
+
+  for (std::size_t v = 0; v < 2; ++v) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      double expected = rest[3 * v + axis];
+      for (std::size_t n = 0; n < 8; ++n) {
+        const double here = displacements[4 * (static_cast<std::size_t>(first[v]) + n) + axis];
+        const double next = displacements[4 * (static_cast<std::size_t>(firstNext[v]) + n) + axis];
+        expected += weights[8 * v + n] * ((1.0 - share[v]) * here + share[v] * next);
+      }
+      EXPECT_NEAR(out[3 * v + axis], expected, 2.0 * kFloatTolerance);  // sums of up to 8
+    }
+  }
+}
+
+TEST_P(KernelDispatch, InterleaveWritesEveryVertexAtItsStrideAndNothingBetween) {
+  const auto in = randomBlocks(3, 19);
+  constexpr int kWritten = kVertices - 3;  // the last block is not full
+  std::vector<float> out(8 * kWritten, -7.0F);
+
+  kernels_.interleave(in.get(), kWritten, out.data(), 8);
+
+  for (int v = 0; v < kWritten; ++v) {
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_EQ(out[static_cast<std::size_t>(8 * v + axis)], static_cast<float>(stream(in, 3, v, axis)));
+    }
+    EXPECT_EQ(out[static_cast<std::size_t>(8 * v + 3)], -7.0F);
+  }
+}
+
+TEST_P(KernelDispatch, TriadIsOneProductAndOneSum) {
+  const std::vector<float> a{1.0F, 2.0F, 3.0F};
+  const std::vector<float> b{10.0F, 20.0F, 30.0F};
+  std::vector<float> out(3);
+
+  kernels_.triad(a.data(), b.data(), 0.5F, 3, out.data());
+
+  EXPECT_EQ(out, (std::vector<float>{6.0F, 12.0F, 18.0F}));
+}
+
+}  // namespace
+}  // namespace torsio
