@@ -23,12 +23,15 @@ struct DeviceCapabilities {
 /// A hand-held device with up to six sensed degrees of freedom and a three-axis force. Vendor types never
 /// appear here. Drivers convert to SI and to the world frame, quantise at their border (device_sample.h), and
 /// honour any force they cannot render by ignoring it.
+///
+/// The stylus points along the -z axis of its pose; the position is that of its tip.
 class HapticDevice {
  public:
   virtual ~HapticDevice() = default;
 
   [[nodiscard]] virtual const DeviceCapabilities& capabilities() const noexcept = 0;
-  /// The reading for servo time `time_us`. Servo thread; no allocation, no lock, no log.
+  /// The reading for servo time `time_us`, which never decreases from call to call. Servo thread; no
+  /// allocation, no lock, no log.
   [[nodiscard]] virtual DeviceSample read(std::int64_t time_us) noexcept = 0;
   /// The force to render until the next write. Servo thread; no allocation, no lock, no log.
   virtual void write(const ForceCommand& command) noexcept = 0;
