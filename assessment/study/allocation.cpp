@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/study/allocation.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <numeric>
+#include <span>
+
+#include "sim/base/digest.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr const char* kOneList = "all";          // the block list when there are no strata
+constexpr const char* kLeftovers = "leftovers";  // the list that fills the incomplete blocks of all strata
+
+[[noreturn]] void refuseDesign(const std::string& what, const std::string& remedy) {
+  throw Error(ErrorCode::kBadParameter, what, "allocation design", remedy);
+}
+
+const char* methodText(AllocationMethod method) {
+  switch (method) {
+    case AllocationMethod::kCompletePermutation:
+      return "complete permutation";
+    case AllocationMethod::kPermutedBlocks:
+      return "permuted blocks";
+    case AllocationMethod::kStratifiedBlocks:
+      return "stratified blocks";
+    case AllocationMethod::kMinimisation:
+      return "minimisation";
+  }
+  return "";
+}
+
+template <class Numbers>
+void appendNumbers(std::string& text, const Numbers& numbers) {
+  for (const auto number : numbers) {
+    text += ' ';
+    text += std::to_string(number);
+  }
+}
+
+std::vector<std::size_t> equalArms(std::size_t count, std::size_t arms) {
+  std::vector<std::size_t> labels;
+  for (std::size_t arm = 0; arm < arms; ++arm) labels.insert(labels.end(), count / arms, arm);
+  return labels;
+}
+
+std::int64_t imbalanceOf(const std::vector<std::int64_t>& counts, Imbalance measure) {
+  if (measure == Imbalance::kRange) {
+    const auto [low, high] = std::minmax_element(counts.begin(), counts.end());
+    return *high - *low;
+  }
+  // k sum x^2 - (sum x)^2 orders like the variance and stays whole.
+  std::int64_t sum = 0;
+  std::int64_t squares = 0;
+  for (const std::int64_t x : counts) {
+    sum += x;
+    squares += x * x;
+  }
+  return std::ssize(counts) * squares - sum * sum;
+}
+
+}  // namespace
+
+void validateDesign(const AllocationDesign& design) {
+  const std::size_t arms = design.arms.size();
+  if (arms < 2) refuseDesign("there are fewer than two arms", "Name at least two arms.");
+  for (const AllocationFactor& factor : design.factors)
+    if (factor.levels.empty())
+      refuseDesign("factor \"" + factor.name + "\" has no levels", "List its levels.");
+  switch (design.method) {
+    case AllocationMethod::kCompletePermutation:
+      if (design.participants == 0 || design.participants % arms != 0)
+        refuseDesign("the number of participants is no multiple of the number of arms",
+                     "Choose permuted blocks, or enrol equal arms.");
+      break;
+    case AllocationMethod::kStratifiedBlocks:
+      if (design.factors.empty())
+        refuseDesign("stratified blocks need a factor", "Name a factor with its levels.");
+      [[fallthrough]];
+    case AllocationMethod::kPermutedBlocks:
+      if (design.blockSizes.empty()) refuseDesign("no block size is given", "Give one or more block sizes.");
+      for (const std::size_t size : design.blockSizes)
+        if (size == 0 || size % arms != 0)
+          refuseDesign("block size " + std::to_string(size) + " is no multiple of the number of arms",
+                       "Give multiples of the number of arms.");
+      break;
+    case AllocationMethod::kMinimisation:
+      if (design.factors.empty())
+        refuseDesign("minimisation needs a factor", "Name a factor with its levels.");
+      if (design.bestArm_tenths < 5 || design.bestArm_tenths > 9)
+        refuseDesign("the probability of the best arm must lie between 0.5 and 0.9; 1 could be predicted",
+                     "Choose 0.8.");
+      break;
+  }
+}
+
+std::string designText(const AllocationDesign& design) {
+  std::string text = kAllocationVersion;
+  text += "; study ";
+  text += design.studyId;
+  text += "; ";
+  text += methodText(design.method);
+  text += "; arms";
+  for (const std::string& arm : design.arms) text += " [" + arm + "]";
+  text += "; participants ";
+  text += std::to_string(design.participants);
+  text += "; blocks";
+  appendNumbers(text, design.blockSizes);
+  for (const AllocationFactor& factor : design.factors) {
+    text += "; factor [" + factor.name + "]:";
+    for (const std::string& level : factor.levels) text += " [" + level + "]";
+  }
+  for (const auto& [stratum, total] : design.stratumTotals) {
+    text += "; stratum [" + stratum + "] ";
+    text += std::to_string(total);
+  }
+  text += "; best arm ";
+  text += std::to_string(design.bestArm_tenths);
+  text += "/10 by ";
+  text += design.imbalance == Imbalance::kRange ? "range" : "variance";
+  text += "; ";
+  text += kAllocationGenerator;
+  return text;
+}
+
+std::string seedCommitment(const AllocationDesign& design, std::uint64_t seed) {
+  Digest digest;
+  digest.update(designText(design));
+  digest.update(static_cast<std::int64_t>(seed));
+  return digest.hex();
+}
+
+std::string recordHash(const AllocationRecord& record) {
+  std::string numbers;
+  appendNumbers(numbers, record.levels);
+  numbers += " |";
+  appendNumbers(numbers, record.countsBefore);
+  numbers += " |";
+  appendNumbers(numbers, record.scores);
+  Digest digest;
+  digest.update(record.previousHash);
+  digest.update(static_cast<std::int64_t>(record.position));
+  for (const std::string* field : std::initializer_list<const std::string*>{
+           &record.person, &record.stratum, &numbers, &record.stamp.enrolledBy, &record.stamp.allocatedBy,
+           &record.stamp.softwareVersion}) {
+    digest.update(static_cast<std::int64_t>(field->size()));
+    digest.update(*field);
+  }
+  digest.update(static_cast<std::int64_t>(record.drawsBefore));
+  digest.update(static_cast<std::int64_t>(record.drawsAfter));
+  digest.update(static_cast<std::int64_t>(record.arm));
+  digest.update(record.stamp.utc_us);
+  return digest.hex();
+}
+
+Allocator::Allocator(AllocationDesign design, std::uint64_t seed)
+    : design_(std::move(design)), random_(seed) {
+  validateDesign(design_);
+  counts_.assign(design_.arms.size(), 0);
+}
+
+std::uint64_t Allocator::draw(std::uint64_t n) {
+  ++draws_;
+  return random_.bounded(n);
+}
+
+std::vector<std::size_t> Allocator::shuffled(std::vector<std::size_t> labels) {
+  if (labels.size() > 1) draws_ += labels.size() - 1;
+  random_.shuffle(std::span<std::size_t>(labels));
+  std::reverse(labels.begin(), labels.end());  // handed out from the back
+  return labels;
+}
+
+std::vector<std::size_t> Allocator::nextBlock() {
+  const std::size_t choices = design_.blockSizes.size();
+  const std::size_t size = design_.blockSizes[choices == 1 ? 0 : draw(choices)];
+  return shuffled(equalArms(size, design_.arms.size()));
+}
+
+std::size_t Allocator::fromBlocks(const std::string& stratum) {
+  std::vector<std::size_t>& list = waiting_[stratum];
+  if (list.empty()) list = nextBlock();
+  const std::size_t arm = list.back();
+  list.pop_back();
+  return arm;
+}
+
+std::size_t Allocator::fromStratum(const std::string& stratum) {
+  if (design_.stratumTotals.empty()) return fromBlocks(stratum);
+  const std::size_t block = *std::max_element(design_.blockSizes.begin(), design_.blockSizes.end());
+  const auto total = design_.stratumTotals.find(stratum);
+  const std::size_t known = total == design_.stratumTotals.end() ? 0 : total->second;
+  if (served_[stratum]++ < known / block * block) return fromBlocks(stratum);
+  std::vector<std::size_t>& list = waiting_[kLeftovers];
+  if (list.empty()) {
+    std::size_t leftovers = 0;
+    for (const auto& [name, persons] : design_.stratumTotals) leftovers += persons % block;
+    const std::size_t arms = design_.arms.size();
+    list = shuffled(equalArms(std::max<std::size_t>(1, (leftovers + arms - 1) / arms) * arms, arms));
+  }
+  const std::size_t arm = list.back();
+  list.pop_back();
+  return arm;
+}
+
+std::size_t Allocator::minimise(const AllocationPerson& person, std::vector<std::int64_t>& scores) {
+  const std::size_t arms = design_.arms.size();
+  scores.assign(arms, 0);
+  for (std::size_t arm = 0; arm < arms; ++arm)
+    for (std::size_t f = 0; f < person.levels.size(); ++f) {
+      std::vector<std::int64_t>& margin = margins_[{f, person.levels[f]}];
+      margin.resize(arms, 0);
+      ++margin[arm];
+      scores[arm] += imbalanceOf(margin, design_.imbalance);
+      --margin[arm];
+    }
+  const std::int64_t least = *std::min_element(scores.begin(), scores.end());
+  std::vector<std::size_t> best;
+  std::vector<std::size_t> rest;
+  for (std::size_t arm = 0; arm < arms; ++arm) (scores[arm] == least ? best : rest).push_back(arm);
+  const bool takeBest = rest.empty() || draw(10) < static_cast<std::uint64_t>(design_.bestArm_tenths);
+  const std::vector<std::size_t>& from = takeBest ? best : rest;
+  const std::size_t arm = from.size() == 1 ? from[0] : from[draw(from.size())];
+  for (std::size_t f = 0; f < person.levels.size(); ++f) ++margins_[{f, person.levels[f]}][arm];
+  return arm;
+}
+
+std::string Allocator::stratumOf(const AllocationPerson& person) const {
+  std::string stratum;
+  for (std::size_t f = 0; f < design_.factors.size(); ++f) {
+    if (!stratum.empty()) stratum += " / ";
+    stratum += design_.factors[f].levels[person.levels[f]];
+  }
+  return stratum;
+}
+
+AllocationRecord Allocator::assign(const AllocationPerson& person, const AllocationStamp& stamp) {
+  for (const AllocationRecord& record : records_)
+    if (record.person == person.code)
+      throw Error(ErrorCode::kBadData, "person " + person.code + " is already allocated", "allocation",
+                  "Enrol each person once; analyse as allocated.");
+  bool levelsKnown = person.levels.size() == design_.factors.size();
+  for (std::size_t f = 0; levelsKnown && f < person.levels.size(); ++f)
+    levelsKnown = person.levels[f] < design_.factors[f].levels.size();
+  if (!levelsKnown)
+    throw Error(ErrorCode::kBadData, "a factor of person " + person.code + " has no valid level",
+                "allocation", "Record every factor before allocation.");
+  AllocationRecord record;
+  record.position = records_.size();
+  record.person = person.code;
+  record.levels = person.levels;
+  record.stratum = stratumOf(person);
+  record.drawsBefore = draws_;
+  record.countsBefore = counts_;
+  switch (design_.method) {
+    case AllocationMethod::kCompletePermutation:
+      if (record.position >= design_.participants)
+        throw Error(ErrorCode::kBadData, "the allocation list is used up", "allocation",
+                    "Plan a new list; the old one stays as it is.");
+      if (record.position == 0)
+        waiting_[kOneList] = shuffled(equalArms(design_.participants, design_.arms.size()));
+      record.arm = fromBlocks(kOneList);
+      break;
+    case AllocationMethod::kPermutedBlocks:
+      record.arm = fromBlocks(kOneList);
+      break;
+    case AllocationMethod::kStratifiedBlocks:
+      record.arm = fromStratum(record.stratum);
+      break;
+    case AllocationMethod::kMinimisation:
+      record.arm = minimise(person, record.scores);
+      break;
+  }
+  record.drawsAfter = draws_;
+  ++counts_[record.arm];
+  record.stamp = stamp;
+  record.previousHash = records_.empty() ? std::string() : records_.back().hash;
+  record.hash = recordHash(record);
+  records_.push_back(record);
+  return record;
+}
+
+Allocation allocate(AllocationDesign design, std::uint64_t seed, const std::vector<AllocationPerson>& persons,
+                    bool jointLeftovers) {
+  if (design.method == AllocationMethod::kCompletePermutation) design.participants = persons.size();
+  if (design.method == AllocationMethod::kStratifiedBlocks && jointLeftovers) {
+    design.stratumTotals.clear();
+    for (const AllocationPerson& person : persons) {
+      std::string stratum;
+      for (std::size_t f = 0; f < design.factors.size() && f < person.levels.size(); ++f) {
+        if (!stratum.empty()) stratum += " / ";
+        stratum += design.factors[f].levels.at(person.levels[f]);
+      }
+      ++design.stratumTotals[stratum];
+    }
+  }
+  Allocator allocator(design, seed);
+  for (const AllocationPerson& person : persons) allocator.assign(person);
+  return {design, seed, seedCommitment(design, seed), allocator.records()};
+}
+
+ReplayFinding replayAllocation(const Allocation& allocation) {
+  if (seedCommitment(allocation.design, allocation.seed) != allocation.commitment)
+    return {false, std::nullopt, "seed and design do not give the published commitment"};
+  Allocator allocator(allocation.design, allocation.seed);
+  std::string previous;
+  for (std::size_t i = 0; i < allocation.records.size(); ++i) {
+    const AllocationRecord& kept = allocation.records[i];
+    if (kept.position != i || kept.previousHash != previous || recordHash(kept) != kept.hash)
+      return {false, i, "the chain of records is broken"};
+    previous = kept.hash;
+    const AllocationRecord again = allocator.assign({kept.person, kept.levels}, kept.stamp);
+    if (again.arm != kept.arm) return {false, i, "the seed gives another arm"};
+    if (again.hash != kept.hash) return {false, i, "the seed gives another record"};
+  }
+  return {};
+}
+
+}  // namespace torsio
