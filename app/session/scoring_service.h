@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "assessment/scoring/evaluation.h"
+#include "assessment/scoring/training_scores.h"
+#include "db/repository/evaluation_repository.h"
+#include "db/repository/id_source.h"
+#include "db/repository/rating_repository.h"
+
+namespace torsio {
+
+/// Stamps what a computation leaves in the record.
+struct ScoringStamp {
+  std::int64_t utc_us = 0;
+  bool demonstration = false;
+};
+
+/// The nine-index evaluation of a stored campaign.
+struct CampaignResult {
+  StoredCampaign campaign;
+  std::vector<EvaluationRating> ratings;  ///< the newest version of each mark, models by their code
+  std::vector<ModelEvaluation> models;    ///< in the campaign's order
+};
+
+/// Reads the marks of a campaign, computes Eqs. 25-27, stores the results with formula version, policy and
+/// the hash of the marks, and returns them. Throws Error{kBadData} when there is no such campaign or a class
+/// is empty.
+[[nodiscard]] CampaignResult evaluateCampaign(Connection& connection, const std::string& campaignId,
+                                              IdSource& ids, const ScoringStamp& stamp);
+
+/// The training study of a stored cohort.
+struct TrainingResult {
+  ScoreScale scale;
+  std::vector<TrainingMark> marks;  ///< assessable ones
+  std::vector<TraineeScore> trainees;
+  std::vector<GroupSummary> groups;
+};
+
+/// Reads the marks of a cohort, computes trainee scores and group summaries, stores and returns them.
+[[nodiscard]] TrainingResult scoreTraining(Connection& connection, const std::string& cohortId, IdSource& ids,
+                                           const ScoringStamp& stamp);
+
+/// The scoring points of the training study in order of time: "pre", "mid", "post" (positions 0, 1, 2).
+[[nodiscard]] const std::vector<std::string>& scoringPoints();
+
+}  // namespace torsio
