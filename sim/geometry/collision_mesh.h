@@ -18,16 +18,21 @@ struct SurfacePoint {
   double barycentric[3] = {1.0, 0.0, 0.0};  ///< of the triangle's corners
 };
 
-/// Bounding-volume hierarchy over a closed rest surface (FCL, private). Immutable after construction; queries
-/// from one thread at a time, noexcept and without allocation, so that they may run in the servo tick.
+/// Bounding-volume hierarchy over a closed rest surface (FCL, private). Immutable after construction: queries
+/// keep no state, so that any thread may ask, and are noexcept and without allocation, so that they may run
+/// in the servo tick. The answer does not depend on the shape of the hierarchy: of equally near triangles the
+/// one with the lowest index is taken, and all arithmetic is IEEE basic operations in a fixed order.
 class CollisionMesh {
  public:
-  /// `mesh`: closed and consistently oriented (checkMesh), at least 4 triangles; copied.
+  /// `mesh`: closed and consistently oriented (requireOrgan), at least 4 triangles; copied.
   explicit CollisionMesh(const TriangleMesh& mesh);
   ~CollisionMesh();
   CollisionMesh(CollisionMesh&&) noexcept;
   CollisionMesh& operator=(CollisionMesh&&) noexcept;
 
+  /// The nearest surface point. The sign comes from the pseudonormal of the face, edge or vertex on which it
+  /// lies (Baerentzen and Aanaes 2005), which is exact for a closed surface; on the surface itself the
+  /// distance is zero. A point that is not finite gets an infinite distance.
   [[nodiscard]] SurfacePoint closest(const Vec3& point_m) const noexcept;
 
  private:

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/geometry/collision_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/sphere.h>
+#include <fcl/narrowphase/distance.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/portable_math.h"
+#include "sim/base/random.h"
+#include "tests/sim/geometry/shapes.h"
+#include "tests/support/allocation_count.h"
+
+namespace torsio {
+namespace {
+
+using testing::allocationCount;
+using testing::ellipsoid;
+using testing::torus;
+
+constexpr double kRounding_m = 1e-12;  // coordinates of 0.1 m, double precision
+
+// A curved, uneven, non-convex closed surface: an ellipsoid with waves and a bend.
+TriangleMesh wavyBody() {
+  TriangleMesh mesh = ellipsoid({0.03, 0.04, 0.1}, 48, 40);
+  for (Vec3& v : mesh.vertices_m) {
+    v = v * (1.0 + 0.15 * std::sin(60.0 * v.z) * std::cos(80.0 * v.x));
+    v.x += 4.0 * v.z * v.z;
+  }
+  return mesh;
+}
+
+Vec3 nearestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const double t = std::clamp(dot(p - a, b - a) / dot(b - a, b - a), 0.0, 1.0);
+  return a + t * (b - a);
+}
+
+// Written apart from the tested one: the foot of the perpendicular if it lies inside, else the best edge.
+double distanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 n = normalized(cross(b - a, c - a));
+  const Vec3 foot = p - dot(p - a, n) * n;
+  const bool inside = dot(cross(b - a, foot - a), n) >= 0 && dot(cross(c - b, foot - b), n) >= 0 &&
+                      dot(cross(a - c, foot - c), n) >= 0;
+  if (inside) return norm(p - foot);
+  return std::min({norm(p - nearestOnSegment(p, a, b)), norm(p - nearestOnSegment(p, b, c)),
+                   norm(p - nearestOnSegment(p, c, a))});
+}
+
+double bruteForceDistance(const TriangleMesh& mesh, const Vec3& p) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    best = std::min(
+        best, distanceToTriangle(p, mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]));
+  }
+  return best;
+}
+
+// Solid angle over 4 pi (van Oosterom and Strackee 1983): 1 inside, 0 outside.
+double windingNumber(const TriangleMesh& mesh, const Vec3& p) {
+  double half = 0.0;
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    const Vec3 a = mesh.vertices_m[t[0]] - p, b = mesh.vertices_m[t[1]] - p, c = mesh.vertices_m[t[2]] - p;
+    const double na = norm(a), nb = norm(b), nc = norm(c);
+    half += std::atan2(dot(a, cross(b, c)), na * nb * nc + dot(a, b) * nc + dot(b, c) * na + dot(c, a) * nb);
+  }
+  return half / (2.0 * kPi);
+}
+
+std::vector<Vec3> randomPoints(std::size_t count, std::uint64_t seed) {
+  Random random(seed);
+  const auto within = [&random](double low, double high) { return low + (high - low) * random.uniform(); };
+  std::vector<Vec3> points(count);
+  for (Vec3& p : points) p = {within(-0.08, 0.12), within(-0.08, 0.08), within(-0.14, 0.14)};
+  return points;
+}
+
+TEST(CollisionMesh, AgreesWithBruteForceInsideAndOutside) {
+  const TriangleMesh mesh = wavyBody();
+  const CollisionMesh collision(mesh);
+
+  std::size_t inside = 0;
+  for (const Vec3& p : randomPoints(2000, 1)) {
+    const SurfacePoint s = collision.closest(p);
+
+    ASSERT_NEAR(std::abs(s.distance_m), bruteForceDistance(mesh, p), kRounding_m);
+    ASSERT_NEAR(norm(p - s.position_m), std::abs(s.distance_m), kRounding_m);
+    ASSERT_NEAR(norm(s.normal), 1.0, 1e-12);
+    const bool insideTruth = windingNumber(mesh, p) > 0.5;
+    ASSERT_EQ(s.distance_m < 0.0, insideTruth);
+    inside += insideTruth ? 1 : 0;
+    const TriangleMesh::Triangle& t = mesh.triangles[s.triangle];
+    Vec3 q;
+    for (std::size_t k = 0; k < 3; ++k) {
+      ASSERT_GE(s.barycentric[k], 0.0);
+      q += s.barycentric[k] * mesh.vertices_m[t[k]];
+    }
+    ASSERT_LT(norm(q - s.position_m), kRounding_m);
+  }
+  EXPECT_GT(inside, 100U);
+}
+
+TEST(CollisionMesh, AgreesWithTheDistanceQueryOfFcl) {
+  const TriangleMesh mesh = wavyBody();
+  const CollisionMesh collision(mesh);
+  auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+  std::vector<fcl::Vector3d> points;
+  for (const Vec3& v : mesh.vertices_m) points.emplace_back(v.x, v.y, v.z);
+  std::vector<fcl::Triangle> triangles;
+  for (const TriangleMesh::Triangle& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
+  model->beginModel();
+  model->addSubModel(points, triangles);
+  model->endModel();
+  constexpr double kProbeRadius_m = 1e-7;
+  const auto probe = std::make_shared<fcl::Sphered>(kProbeRadius_m);
+
+  for (const Vec3& p : randomPoints(500, 2)) {
+    fcl::Transform3d pose = fcl::Transform3d::Identity();
+    pose.translation() = fcl::Vector3d(p.x, p.y, p.z);
+    fcl::DistanceResultd result;
+    fcl::distance(model.get(), fcl::Transform3d::Identity(), probe.get(), pose, fcl::DistanceRequestd(true),
+                  result);
+
+    ASSERT_NEAR(std::abs(collision.closest(p).distance_m), result.min_distance + kProbeRadius_m, 1e-9);
+  }
+}
+
+TEST(CollisionMesh, FindsTheRightSideAtEdgesCornersAndOnTheSurface) {
+  // A sharp body whose corners fool plain face normals: a thin tetrahedral spike.
+  TriangleMesh spike;
+  spike.vertices_m = {{0, 0, 0.1}, {0.01, 0, 0}, {-0.005, 0.008, 0}, {-0.005, -0.008, 0}};
+  spike.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  const CollisionMesh collision(spike);
+
+  EXPECT_NEAR(collision.closest({0, 0, 0.12}).distance_m, 0.02, kRounding_m);  // above the tip
+  EXPECT_GT(collision.closest({0.004, 0.0, 0.12}).distance_m, 0.0);
+  EXPECT_GT(collision.closest({0.03, 0.0, -0.01}).distance_m, 0.0);  // beyond a base corner
+  EXPECT_LT(collision.closest({0, 0, 0.01}).distance_m, 0.0);
+  EXPECT_NEAR(collision.closest({0, 0, 0.12}).normal.z, 1.0, 0.01);  // pseudonormal of the tip
+  EXPECT_EQ(collision.closest(spike.vertices_m[2]).distance_m, 0.0);
+}
+
+TEST(CollisionMesh, TellsTheHoleOfARingFromItsInside) {
+  const CollisionMesh collision(torus(0.06, 0.02, 96, 48));
+
+  constexpr double kFacetting_m = 1e-4;  // sagitta of 96 chords on the outer circle: 0.08 (1 - cos(pi / 96))
+  EXPECT_NEAR(collision.closest({0, 0, 0}).distance_m, 0.04, kFacetting_m);
+  EXPECT_NEAR(collision.closest({0.06, 0, 0}).distance_m, -0.02, kFacetting_m);
+  EXPECT_NEAR(collision.closest({0.1, 0, 0}).distance_m, 0.02, kFacetting_m);
+}
+
+TEST(CollisionMesh, TakesTheLowestOfEquallyNearTriangles) {
+  const TriangleMesh mesh = wavyBody();
+  const CollisionMesh collision(mesh);
+
+  for (std::uint32_t v = 0; v < mesh.vertices_m.size(); v += 7) {
+    const SurfacePoint s = collision.closest(mesh.vertices_m[v]);
+
+    const auto lowest = std::find_if(mesh.triangles.begin(), mesh.triangles.end(), [v](const auto& t) {
+      return std::find(t.begin(), t.end(), v) != t.end();
+    });
+    ASSERT_EQ(s.triangle, static_cast<std::uint32_t>(lowest - mesh.triangles.begin()));
+    ASSERT_EQ(s.distance_m, 0.0);
+  }
+}
+
+TEST(CollisionMesh, AnswersMirroredQueriesWithMirroredPoints) {
+  TriangleMesh mirrored = wavyBody();
+  for (Vec3& v : mirrored.vertices_m) v.y = -v.y;
+  for (TriangleMesh::Triangle& t : mirrored.triangles) std::swap(t[1], t[2]);
+  const CollisionMesh left(wavyBody());
+  const CollisionMesh right(mirrored);
+
+  for (const Vec3& p : randomPoints(200, 3)) {
+    const SurfacePoint a = left.closest(p);
+    const SurfacePoint b = right.closest({p.x, -p.y, p.z});
+    ASSERT_NEAR(a.distance_m, b.distance_m, kRounding_m);
+  }
+}
+
+TEST(CollisionMesh, GivesAnInfiniteDistanceForAPointThatIsNone) {
+  const CollisionMesh collision(wavyBody());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+
+  for (const Vec3& p : {Vec3{nan, 0, 0}, Vec3{0, infinity, 0}, Vec3{nan, nan, nan}, Vec3{1e200, 0, 0}}) {
+    const SurfacePoint s = collision.closest(p);
+    EXPECT_EQ(s.distance_m, infinity);
+    EXPECT_TRUE(isFinite(s.position_m) && isFinite(s.normal));
+  }
+}
+
+TEST(CollisionMesh, TakesNoMemoryInAQuery) {
+  const CollisionMesh collision(wavyBody());
+  const std::vector<Vec3> points = randomPoints(1000, 4);
+  static_assert(noexcept(collision.closest(points[0])));
+
+  const std::int64_t before = allocationCount();
+  double sum = 0.0;
+  for (const Vec3& p : points) sum += collision.closest(p).distance_m;
+  const std::int64_t after = allocationCount();
+
+  EXPECT_EQ(after, before);
+  EXPECT_TRUE(std::isfinite(sum));
+  EXPECT_GT(before, 0);  // the counter is linked in
+}
+
+TEST(CollisionMesh, RefusesLessThanATetrahedron) {
+  EXPECT_ANY_THROW(CollisionMesh(TriangleMesh{}));
+}
+
+}  // namespace
+}  // namespace torsio
