@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "assessment/report/cohort_report.h"
+
+namespace torsio {
+
+/// One row of cohort.csv: one number with everything that says what it is. Empty fields do not apply.
+struct CohortCsvRow {
+  std::string section;  ///< "evaluation", "training", "trial"
+  std::string item;     ///< rater, trainee or trial; "all" for a summary
+  std::string group;
+  std::string model;
+  std::string index;
+  std::string occasion;
+  std::string statistic;
+  std::string value;  ///< shortest text that reads back as the same number; empty when undefined
+  std::string n;
+  std::string flags;  ///< joined by "; "
+};
+
+/// All numbers of a cohort in tidy form. Same inputs, same rows in the same order.
+[[nodiscard]] std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs);
+
+/// The rows as RFC 4180 text with a header line: comma, point as decimal separator, line ends \r\n. No byte
+/// order mark.
+[[nodiscard]] std::string cohortCsvText(const std::vector<CohortCsvRow>& rows);
+
+}  // namespace torsio

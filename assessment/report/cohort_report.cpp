@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/report/cohort_report.h"
+
+#include <algorithm>
+#include <map>
+
+#include "assessment/report/number_format.h"
+#include "assessment/report/report_sections.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+void checkInputs(const CohortInputs& in) {
+  const auto refuse = [](const char* what) {
+    throw Error(ErrorCode::kBadData, what, "cohort report", "Check the data that the report is made from.");
+  };
+  if (in.ratings.size() != in.evaluations.size()) refuse("ratings and evaluations name different models");
+  for (const ModelEvaluation& model : in.evaluations)
+    if (model.indices.size() != in.instrument.indices.size()) refuse("an evaluation lacks an index");
+  if (!in.evaluations.empty() && in.chiefClass >= in.instrument.classes.size())
+    refuse("the class of chief physicians does not exist");
+  for (const CohortTrainee& trainee : in.trainees)
+    if (trainee.group >= in.groups.size()) refuse("a trainee is in a group that does not exist");
+  for (const TraineeScore& score : in.scores)
+    if (score.group >= in.groups.size() || score.occasion >= in.occasions.size() || score.number == 0)
+      refuse("a score belongs to a group or a scoring point that does not exist");
+  for (const GroupSummary& summary : in.summaries)
+    if (summary.group >= in.groups.size() || summary.occasion >= in.occasions.size())
+      refuse("a summary belongs to a group or a scoring point that does not exist");
+  for (const TrialDigest& trial : in.trials)
+    if (trial.group >= in.groups.size()) refuse("a trial is in a group that does not exist");
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+std::string meanOrDash(const std::vector<double>& values, int decimals) {
+  return values.empty() ? std::string("not recorded") : formatFixed(mean(values), decimals);
+}
+
+ReportTable groupsTable(const CohortInputs& in) {
+  ReportTable table;
+  table.id = "table-participants";
+  table.title = "Participants by group";
+  table.columns = {"Group", "Protocol", "Trainees", "By sex", "By level", "Mean score before"};
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    std::map<std::string, int> sexes;
+    std::map<std::string, int> levels;
+    std::int64_t n = 0;
+    for (const CohortTrainee& trainee : in.trainees) {
+      if (trainee.group != g) continue;
+      ++n;
+      ++sexes[trainee.sex];
+      ++levels[trainee.level];
+    }
+    const auto listed = [](const std::map<std::string, int>& counts) {
+      std::string text;
+      for (const auto& [name, count] : counts) {
+        if (!text.empty()) text += ", ";
+        text += sentence({name, " ", std::to_string(count)});
+      }
+      return text;
+    };
+    std::string baseline = "not recorded";
+    for (const GroupSummary& summary : in.summaries)
+      if (summary.group == g && summary.occasion == 0) baseline = formatFixed(summary.mean, 2);
+    table.rows.push_back({in.groups[g].name, in.groups[g].protocol, std::to_string(n), listed(sexes),
+                          listed(levels), baseline});
+  }
+  table.notes = {
+      "No test of baseline differences is shown: allocation was random, so any difference is due to chance."};
+  table.provenance.formula = "counts";
+  table.provenance.n = std::ssize(in.trainees);
+  table.provenance.flags = commonFlags(in);
+  return table;
+}
+
+ReportTable flowTable(const CohortInputs& in) {
+  ReportTable table;
+  table.id = "table-flow";
+  table.title = "Flow of participants";
+  table.columns = {"Group", "Allocated", "Recorded trials", "Interrupted trials"};
+  for (const std::string& occasion : in.occasions) table.columns.push_back(sentence({"Marked ", occasion}));
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    std::int64_t allocated = 0;
+    std::int64_t trials = 0;
+    std::int64_t interrupted = 0;
+    for (const CohortTrainee& trainee : in.trainees) allocated += trainee.group == g ? 1 : 0;
+    for (const TrialDigest& trial : in.trials) {
+      trials += trial.group == g ? 1 : 0;
+      interrupted += trial.group == g && trial.interrupted ? 1 : 0;
+    }
+    std::vector<std::string> row = {in.groups[g].name, std::to_string(allocated), std::to_string(trials),
+                                    std::to_string(interrupted)};
+    for (std::size_t t = 0; t < in.occasions.size(); ++t)
+      row.push_back(
+          std::to_string(std::count_if(in.scores.begin(), in.scores.end(), [&](const TraineeScore& score) {
+            return score.group == g && score.occasion == t;
+          })));
+    table.rows.push_back(row);
+  }
+  table.provenance.formula = "counts";
+  table.provenance.n = std::ssize(in.trainees);
+  table.provenance.flags = commonFlags(in);
+  return table;
+}
+
+ReportTable trialsByPhase(const CohortInputs& in) {
+  struct Sums {
+    std::int64_t trials = 0;
+    double minutes = 0.0;
+    std::int64_t twists = 0;
+    std::int64_t onTarget = 0;
+    std::vector<double> errors;
+    std::vector<double> torques;
+    std::vector<double> forces;
+  };
+  std::map<std::pair<std::size_t, std::string>, Sums> cells;
+  for (const TrialDigest& trial : in.trials) {
+    Sums& sums = cells[{trial.group, trial.phase}];
+    ++sums.trials;
+    sums.minutes += trial.minutes;
+    sums.twists += trial.twists;
+    sums.onTarget += trial.twistsOnTarget;
+    if (trial.meanAbsoluteError_deg) sums.errors.push_back(*trial.meanAbsoluteError_deg);
+    if (trial.peakTorque_Nm) sums.torques.push_back(*trial.peakTorque_Nm);
+    if (trial.peakForce_N) sums.forces.push_back(*trial.peakForce_N);
+  }
+  ReportTable table;
+  table.id = "table-trials";
+  table.title = "Recorded trials by group and phase";
+  table.columns = {"Group",
+                   "Phase",
+                   "Trials",
+                   "Minutes recorded",
+                   "Twists",
+                   "On target",
+                   "Mean absolute angle error (deg)",
+                   "Mean peak torque (N m)",
+                   "Mean peak force (N)"};
+  for (const auto& [key, sums] : cells)
+    table.rows.push_back({in.groups[key.first].name, key.second, std::to_string(sums.trials),
+                          formatFixed(sums.minutes, 2), std::to_string(sums.twists),
+                          std::to_string(sums.onTarget), meanOrDash(sums.errors, 2),
+                          meanOrDash(sums.torques, 3), meanOrDash(sums.forces, 2)});
+  table.notes = {
+      "Means are taken over trials. Measured by the simulator; the marks of the physicians are separate."};
+  table.provenance.formula = "means over trials";
+  table.provenance.n = std::ssize(in.trials);
+  table.provenance.flags = commonFlags(in);
+  return table;
+}
+
+ReportTable pairsTable(const std::string& id, const std::string& title,
+                       const std::vector<std::pair<std::string, std::string>>& pairs) {
+  ReportTable table;
+  table.id = id;
+  table.title = title;
+  table.columns = {"Item", "Value"};
+  for (const auto& [label, value] : pairs) table.rows.push_back({label, value});
+  return table;
+}
+
+const char* policyText(MissingPolicy policy) {
+  switch (policy) {
+    case MissingPolicy::kRefuse:
+      return "none allowed";
+    case MissingPolicy::kAvailableCase:
+      return "each index uses the marks at hand (available case)";
+    case MissingPolicy::kListWise:
+      return "raters with a missing mark are left out (list-wise)";
+    case MissingPolicy::kRenormalise:
+      return "marks at hand; weights of classes without marks are divided among the others (renormalised)";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::string> commonFlags(const CohortInputs& in) {
+  if (in.demonstration) return {"demonstration data"};
+  return {};
+}
+
+ReportSection participantsSection(const CohortInputs& in) {
+  ReportSection section;
+  section.title = "Participants and allocation";
+  section.paragraphs.push_back(sentence(
+      {std::to_string(in.trainees.size()), " trainees were allocated to ", std::to_string(in.groups.size()),
+       " groups. Method: ", in.allocation.method, "; generator: ", in.allocation.generator, "."}));
+  section.paragraphs.push_back(sentence(
+      {"Commitment published before enrolment: ", in.allocation.commitment, ". ",
+       in.allocation.replayed ? "The sequence was repeated from the seed and every arm was found the same."
+                              : "The sequence has not been repeated from the seed."}));
+  section.tables = {groupsTable(in), flowTable(in)};
+  return section;
+}
+
+ReportSection trialsSection(const CohortInputs& in) {
+  ReportSection section;
+  section.title = "Recorded trials";
+  double minutes = 0.0;
+  std::int64_t refused = 0;
+  std::int64_t late = 0;
+  std::int64_t samples = 0;
+  for (const TrialDigest& trial : in.trials) {
+    minutes += trial.minutes;
+    refused += trial.refusedSamples;
+    late += trial.lateTicks;
+    samples += trial.samples;
+  }
+  section.paragraphs.push_back(sentence({std::to_string(in.trials.size()), " trials were recorded, ",
+                                         formatFixed(minutes, 1), " minutes and ", std::to_string(samples),
+                                         " samples in all; samples not recorded: ", std::to_string(refused),
+                                         "; late ticks: ", std::to_string(late), "."}));
+  if (refused > 0)
+    section.paragraphs.push_back(
+        "Trials with samples that were not recorded are incomplete and marked in the data.");
+  section.tables.push_back(trialsByPhase(in));
+  return section;
+}
+
+ReportSection methodsSection(const CohortInputs& in) {
+  ReportSection section;
+  section.title = "Methods and limits";
+  section.paragraphs = {
+      "M (Eq. 25) is the sum over rater classes of the class weight times the class mean. s2 (Eq. 26) is the "
+      "mean "
+      "squared distance of all raters' marks from M, with divisor n; it is not the usual variance, because "
+      "its centre "
+      "is the weighted mean. N (Eq. 27) is the sum over indices of the index weight times M.",
+      sentence({"Missing marks: ", policyText(in.evaluationPolicy.missing), "."}),
+      "The text under Eq. 26 of the paper speaks of the chief physicians' scores, but its sum runs over all "
+      "raters; "
+      "all raters are used here, and the chief physicians are shown alone where the figure says so.",
+      "The paper gives the scale of the model evaluation as 0 to 10 and that of the training study as 1 to "
+      "10; both "
+      "are kept.",
+      "The variance of the training evaluation is not defined in the paper. The figure shows the variance of "
+      "the "
+      "trainee scores with divisor n; the table lists the other readings.",
+      "Ratings were not blinded: raters knew the group or the model, and interns were users and raters at "
+      "once, so "
+      "marks are not independent of each other.",
+      "Groups of ten detect only very large differences: with two groups of ten, a two-sided test at 5 % has "
+      "a power "
+      "of 0.40 for a difference of 0.8 standard deviations. A difference that is not significant is no "
+      "evidence of "
+      "equality.",
+  };
+  if (in.demonstration)
+    section.paragraphs.push_back(
+        "All people and marks in this report are simulated. No conclusion about training, trainees or models "
+        "may be "
+        "drawn from it.");
+  return section;
+}
+
+ReportSection provenanceSection(const CohortInputs& in) {
+  ReportSection section;
+  section.title = "Provenance";
+  std::vector<std::pair<std::string, std::string>> rows = {
+      {"Software", in.softwareVersion},
+      {"Evaluation formulas", kEvaluationFormulaVersion},
+      {"Training formulas", kTrainingFormulaVersion},
+      {"Allocation", sentence({in.allocation.version, ", seed ", std::to_string(in.allocation.seed)})},
+      {"Allocation commitment", in.allocation.commitment},
+  };
+  rows.insert(rows.end(), in.provenance.begin(), in.provenance.end());
+  section.tables.push_back(pairsTable("table-provenance", "Where the numbers come from", rows));
+  ReportTable trials;
+  trials.id = "table-trial-hashes";
+  trials.title = "Recorded trials";
+  trials.columns = {"Trial", "Trainee", "Phase", "Model", "Minutes", "Outcome", "Content hash"};
+  for (const TrialDigest& trial : in.trials)
+    trials.rows.push_back({trial.trialId, trial.trainee, trial.phase, trial.model,
+                           formatFixed(trial.minutes, 2), trial.interrupted ? "interrupted" : "completed",
+                           trial.contentHash.substr(0, 16)});
+  trials.notes = {"The first 16 digits of each content hash."};
+  trials.provenance.n = std::ssize(in.trials);
+  section.tables.push_back(trials);
+  return section;
+}
+
+ReportModel cohortReport(const CohortInputs& in) {
+  checkInputs(in);
+  ReportModel report;
+  report.title = in.title;
+  report.subtitle =
+      in.demonstration ? "Demonstration with simulated people and marks" : "Surgical twist skills";
+  report.centre = in.centre;
+  report.softwareVersion = in.softwareVersion;
+  report.createdUtc_us = in.createdUtc_us;
+  report.demonstration = in.demonstration;
+  report.facts = {{"Trainees", std::to_string(in.trainees.size())},
+                  {"Groups", std::to_string(in.groups.size())},
+                  {"Recorded trials", std::to_string(in.trials.size())},
+                  {"Evaluated models", std::to_string(in.evaluations.size())}};
+  report.facts.insert(report.facts.end(), in.facts.begin(), in.facts.end());
+  if (!in.simulated.empty()) {
+    ReportSection section;
+    section.title = "What was simulated";
+    section.paragraphs = in.simulated;
+    report.sections.push_back(section);
+  }
+  if (!in.trainees.empty()) report.sections.push_back(participantsSection(in));
+  if (!in.evaluations.empty()) report.sections.push_back(evaluationSection(in));
+  if (!in.scores.empty()) report.sections.push_back(trainingSection(in));
+  if (!in.trials.empty()) report.sections.push_back(trialsSection(in));
+  report.sections.push_back(methodsSection(in));
+  report.sections.push_back(provenanceSection(in));
+  return report;
+}
+
+}  // namespace torsio

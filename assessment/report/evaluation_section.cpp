@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "assessment/report/number_format.h"
+#include "assessment/report/report_sections.h"
+#include "assessment/statistics/quantiles.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr int kScoreDecimals = 4;  // Eq. 25 of 20/10/10 raters ends within four decimals
+constexpr int kReadableDecimals = 2;
+
+std::vector<std::string> indexNames(const CohortInputs& in) {
+  std::vector<std::string> names;
+  for (const EvaluationIndex& index : in.instrument.indices) names.push_back(index.name);
+  return names;
+}
+
+std::vector<std::string> mergedFlags(const CohortInputs& in) {
+  std::vector<std::string> flags = commonFlags(in);
+  for (const ModelEvaluation& model : in.evaluations)
+    for (const std::string& flag : model.flags)
+      if (std::find(flags.begin(), flags.end(), flag) == flags.end()) flags.push_back(flag);
+  return flags;
+}
+
+Provenance provenance(const CohortInputs& in, const std::string& formula) {
+  Provenance out;
+  out.formula = formula;
+  out.formulaVersion = kEvaluationFormulaVersion;
+  for (const ModelEvaluation& model : in.evaluations) {
+    for (const ScoreStatistics& index : model.indices) out.n += index.n;
+    out.missing += model.missing;
+  }
+  out.flags = mergedFlags(in);
+  return out;
+}
+
+ReportFigure figure(const CohortInputs& in, const std::string& id, const std::string& title, FigureKind kind,
+                    const std::string& formula) {
+  ReportFigure out;
+  out.id = id;
+  out.title = title;
+  out.kind = kind;
+  out.yLabel = "score (points)";
+  out.yMin = pointsFromSteps(in.instrument.scale.lo, in.instrument.scale);
+  out.yMax = pointsFromSteps(in.instrument.scale.hi, in.instrument.scale);
+  out.provenance = provenance(in, formula);
+  return out;
+}
+
+ReportFigure rangesFigure(const CohortInputs& in) {
+  ReportFigure out = figure(in, "figure-15", "Lowest, weighted mean and highest score of each index",
+                            FigureKind::kRanges, "Eq. 25");
+  out.categories = indexNames(in);
+  for (const ModelEvaluation& model : in.evaluations) {
+    FigureSeries series;
+    series.name = model.model;
+    for (const ScoreStatistics& index : model.indices) {
+      series.y.emplace_back(index.m);
+      series.low.push_back(index.min);
+      series.high.push_back(index.max);
+    }
+    out.series.push_back(series);
+  }
+  out.notes = {"Corresponds to Fig. 15 of the paper. The mark in each range is the class-weighted mean M."};
+  return out;
+}
+
+ReportFigure barsFigure(const CohortInputs& in, bool variance) {
+  ReportFigure out =
+      variance
+          ? figure(in, "figure-17", "Variance of each index about the weighted mean, divisor n",
+                   FigureKind::kGroupedBars, "Eq. 26")
+          : figure(in, "figure-16", "Weighted mean score of each index", FigureKind::kGroupedBars, "Eq. 25");
+  out.categories = indexNames(in);
+  for (const ModelEvaluation& model : in.evaluations) {
+    FigureSeries series;
+    series.name = model.model;
+    for (const ScoreStatistics& index : model.indices) series.y.emplace_back(variance ? index.s2 : index.m);
+    out.series.push_back(series);
+  }
+  if (variance) {
+    out.yLabel = "variance about the weighted mean, divisor n (points squared)";
+    out.yMin = 0.0;
+    out.yMax = std::nullopt;
+    out.notes = {
+        "Corresponds to Fig. 17 of the paper. The centre is the class-weighted mean M, not the plain mean, "
+        "and every "
+        "rater counts once; the value is the population variance plus the squared distance between the two "
+        "means."};
+  } else {
+    out.notes = {"Corresponds to Fig. 16 of the paper."};
+  }
+  return out;
+}
+
+ReportFigure chiefsFigure(const CohortInputs& in) {
+  const std::string of = in.instrument.classes[in.chiefClass].name;
+  ReportFigure out =
+      figure(in, "figure-18", sentence({"Comprehensive score given by each rater of the class ", of}),
+             FigureKind::kPoints, "Eq. 27 for one rater");
+  out.xLabel = "rater";
+  for (const ModelEvaluation& model : in.evaluations) {
+    FigureSeries series;
+    series.name = model.model;
+    for (const RaterComposite& composite : model.composites) {
+      if (composite.raterClass != in.chiefClass) continue;
+      auto at = std::find(out.categories.begin(), out.categories.end(), composite.rater);
+      if (at == out.categories.end()) at = out.categories.insert(out.categories.end(), composite.rater);
+      series.x.push_back(static_cast<double>(std::distance(out.categories.begin(), at)));
+      series.y.push_back(composite.score);
+    }
+    out.series.push_back(series);
+  }
+  out.provenance.n = 0;
+  for (const FigureSeries& series : out.series)
+    for (const std::optional<double>& y : series.y) out.provenance.n += y ? 1 : 0;
+  out.notes = {
+      sentence({"Corresponds to Fig. 18 of the paper: ", of, " only, one point a rater and model."})};
+  return out;
+}
+
+std::vector<double> completeComposites(const ModelEvaluation& model) {
+  std::vector<double> scores;
+  for (const RaterComposite& composite : model.composites)
+    if (composite.score) scores.push_back(*composite.score);
+  return scores;
+}
+
+std::optional<BoxSummary> boxOf(const std::vector<double>& values) {
+  const std::optional<BoxNumbers> box = boxNumbers(values);
+  if (!box) return std::nullopt;
+  return BoxSummary{box->whiskerLow,  box->q1,   box->median,  box->q3,
+                    box->whiskerHigh, box->mean, box->outliers};
+}
+
+ReportFigure boxesFigure(const CohortInputs& in) {
+  ReportFigure out = figure(in, "figure-19", "Comprehensive scores of all raters", FigureKind::kBoxes,
+                            "Eq. 27 for one rater; quantiles of type 7");
+  out.provenance.n = 0;
+  for (const ModelEvaluation& model : in.evaluations) {
+    out.categories.push_back(model.model);
+    FigureSeries series;
+    series.name = model.model;
+    for (const double score : completeComposites(model)) series.y.emplace_back(score);
+    series.box = boxOf(completeComposites(model));
+    out.provenance.n += std::ssize(series.y);
+    out.series.push_back(series);
+  }
+  out.notes = {
+      "Corresponds to Fig. 19 of the paper. Eq. 27 gives one number for each model; what is drawn is the "
+      "distribution "
+      "of the scores that Eq. 27 gives for each single rater.",
+      "Boxes end at the quartiles (rule: Hyndman and Fan type 7); whiskers reach the most extreme value "
+      "within 1.5 "
+      "interquartile ranges of the box; values beyond are drawn singly; the separate mark is the mean."};
+  return out;
+}
+
+ReportTable comprehensiveTable(const CohortInputs& in) {
+  ReportTable table;
+  table.id = "table-comprehensive";
+  table.title = "Comprehensive score N of each model";
+  table.columns = {"Model",
+                   "N (Eq. 27)",
+                   "Raters with all marks",
+                   "Mean of raters, by class weight",
+                   "SE",
+                   "Lowest",
+                   "Lower quartile",
+                   "Median",
+                   "Upper quartile",
+                   "Highest",
+                   "Flags"};
+  for (const ModelEvaluation& model : in.evaluations) {
+    const std::vector<double> composites = completeComposites(model);
+    const std::optional<BoxNumbers> box = boxNumbers(composites);
+    std::string flags;
+    for (const std::string& flag : model.flags) flags += (flags.empty() ? "" : ", ") + flag;
+    std::vector<std::string> row = {model.model, formatFixed(model.n27, kScoreDecimals),
+                                    std::to_string(composites.size())};
+    const bool known = model.compositeStatistics.has_value();
+    row.push_back(known ? formatFixed(model.compositeStatistics->m, kScoreDecimals) : "not defined");
+    row.push_back(known ? formatFixed(model.compositeStatistics->standardError, kScoreDecimals)
+                        : "not defined");
+    for (const auto part :
+         {&BoxNumbers::min, &BoxNumbers::q1, &BoxNumbers::median, &BoxNumbers::q3, &BoxNumbers::max})
+      row.push_back(box ? formatFixed((*box).*part, kScoreDecimals) : "not defined");
+    row.push_back(flags);
+    table.rows.push_back(row);
+  }
+  table.notes = {"With no mark missing, the class-weighted mean of the raters' own scores equals N exactly."};
+  table.provenance = provenance(in, "Eq. 27");
+  return table;
+}
+
+ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
+  ReportTable table;
+  table.id = sentence({"table-indices-", model.model});
+  table.title = sentence({"Model ", model.model, ": exact values by index"});
+  table.columns = {"Index",   "Weight",      "n",          "Lowest",          "M (Eq. 25)",
+                   "Highest", "s2 (Eq. 26)", "Plain mean", "Sample variance", "SE of M"};
+  for (std::size_t j = 0; j < model.indices.size(); ++j) {
+    const ScoreStatistics& s = model.indices[j];
+    table.rows.push_back(
+        {in.instrument.indices[j].name,
+         formatFixed(static_cast<double>(in.instrument.indices[j].weight_milli) / 1000.0, 3),
+         std::to_string(s.n), formatFixed(s.min, 1), formatFixed(s.m, kScoreDecimals), formatFixed(s.max, 1),
+         formatFixed(s.s2, kScoreDecimals), formatFixed(s.plainMean, kScoreDecimals),
+         formatFixed(s.sampleVariance, kScoreDecimals), formatFixed(s.standardError, kScoreDecimals)});
+  }
+  table.notes = {
+      "s2 is taken about M with divisor n (Eq. 26). The sample variance is taken about the plain mean with "
+      "divisor "
+      "n - 1. SE is the standard error of M from the spread within the rater classes."};
+  table.provenance = provenance(in, "Eqs. 25 and 26");
+  table.provenance.n = 0;
+  for (const ScoreStatistics& s : model.indices) table.provenance.n += s.n;
+  table.provenance.missing = model.missing;
+  return table;
+}
+
+}  // namespace
+
+ReportSection evaluationSection(const CohortInputs& in) {
+  ReportSection section;
+  section.title = "Evaluation of the models";
+  std::string classes;
+  for (const RaterClass& raterClass : in.instrument.classes) {
+    std::int64_t n = 0;
+    if (!in.ratings.empty())
+      for (const RaterSheet& sheet : in.ratings.front().sheets)
+        n += in.instrument.classes[sheet.raterClass].id == raterClass.id ? 1 : 0;
+    if (!classes.empty()) classes += ", ";
+    classes += std::to_string(n);
+    classes += sentence(
+        {" ", raterClass.name, " (weight ",
+         formatFixed(static_cast<double>(raterClass.weight_milli) / 1000.0, kReadableDecimals), ")"});
+  }
+  section.paragraphs.push_back(sentence(
+      {"Each rater scored every model on ", std::to_string(in.instrument.indices.size()), " indices from ",
+       formatFixed(pointsFromSteps(in.instrument.scale.lo, in.instrument.scale), 0), " to ",
+       formatFixed(pointsFromSteps(in.instrument.scale.hi, in.instrument.scale), 0),
+       " points. Raters: ", classes, "."}));
+  std::string ranking;
+  for (const ModelEvaluation& model : in.evaluations) {
+    if (!ranking.empty()) ranking += "; ";
+    ranking += sentence({model.model, " ", formatFixed(model.n27, kScoreDecimals)});
+  }
+  section.paragraphs.push_back(sentence({"Comprehensive score N: ", ranking, "."}));
+  section.paragraphs.push_back(
+      "Marks are whole steps of the scale; M, s2 and N are computed in whole numbers and rounded once, so "
+      "the tables "
+      "do not depend on the order of the raters.");
+  section.figures = {rangesFigure(in), barsFigure(in, false), barsFigure(in, true), chiefsFigure(in),
+                     boxesFigure(in)};
+  section.tables.push_back(comprehensiveTable(in));
+  for (const ModelEvaluation& model : in.evaluations) section.tables.push_back(indexTable(in, model));
+  return section;
+}
+
+}  // namespace torsio

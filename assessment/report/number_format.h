@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace torsio {
+
+/// Fixed decimals, point as separator, the same on every machine whatever its locale; never "-0.00".
+[[nodiscard]] std::string formatFixed(double value, int decimals);
+/// The same, or "not defined" when there is no value.
+[[nodiscard]] std::string formatFixed(const std::optional<double>& value, int decimals);
+/// The shortest text that reads back as the same double: for machine-readable tables.
+[[nodiscard]] std::string formatExact(double value);
+/// A p value as journals print it: "< 0.001", else three decimals.
+[[nodiscard]] std::string formatP(double p);
+/// Joins parts into one sentence.
+[[nodiscard]] std::string sentence(std::initializer_list<std::string_view> parts);
+
+}  // namespace torsio

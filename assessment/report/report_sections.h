@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "assessment/report/cohort_report.h"
+
+// Parts of cohortReport(), one a source file.
+namespace torsio {
+
+[[nodiscard]] ReportSection participantsSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection evaluationSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection trainingSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection trialsSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs);
+
+/// Flags every figure and table of a demonstration carries.
+[[nodiscard]] std::vector<std::string> commonFlags(const CohortInputs& inputs);
+
+}  // namespace torsio

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "assessment/report/number_format.h"
+#include "assessment/report/report_sections.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr int kScoreDecimals = 2;
+constexpr int kVarianceDecimals = 4;
+
+Provenance provenance(const CohortInputs& in, const std::string& formula, std::int64_t n) {
+  Provenance out;
+  out.formula = formula;
+  out.formulaVersion = kTrainingFormulaVersion;
+  out.n = n;
+  out.missing = std::ssize(in.trainees) * std::ssize(in.occasions) - std::ssize(in.scores);
+  out.flags = commonFlags(in);
+  return out;
+}
+
+void fixScale(const CohortInputs& in, ReportFigure& figure) {
+  // One axis for the three scoring points, so that they can be compared by eye; bars start at zero.
+  figure.yMin = 0.0;
+  figure.yMax = pointsFromSteps(in.trainingScale.hi, in.trainingScale);
+}
+
+ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
+  ReportFigure out;
+  out.id = sentence({"figure-", std::to_string(20 + occasion)});
+  out.title = sentence({"Scores of the trainees ", in.occasions[occasion]});
+  out.kind = FigureKind::kGroupedBars;
+  out.xLabel = "trainee number in the group";
+  out.yLabel = "score (points)";
+  fixScale(in, out);
+  std::size_t largest = 0;
+  std::int64_t n = 0;
+  for (const TraineeScore& score : in.scores) largest = std::max(largest, score.number);
+  for (std::size_t i = 1; i <= largest; ++i) out.categories.push_back(std::to_string(i));
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    FigureSeries series;
+    series.name = in.groups[g].name;
+    series.y.assign(largest, std::nullopt);
+    for (const TraineeScore& score : in.scores)
+      if (score.group == g && score.occasion == occasion) {
+        series.y[score.number - 1] = score.score;
+        ++n;
+      }
+    out.series.push_back(series);
+  }
+  out.notes = {
+      sentence({"Corresponds to Fig. ", std::to_string(20 + occasion),
+                " of the paper. A score is the mean over the raters; the test is on the real arm."})};
+  out.provenance = provenance(in, "mean over raters", n);
+  out.provenance.missing = std::ssize(in.trainees) - n;
+  return out;
+}
+
+ReportFigure varianceFigure(const CohortInputs& in) {
+  ReportFigure out;
+  out.id = "figure-23";
+  out.title = "Variance of the trainee scores, divisor n";
+  out.kind = FigureKind::kGroupedBars;
+  out.yLabel = "variance of trainee scores, divisor n (points squared)";
+  out.yMin = 0.0;
+  out.categories = in.occasions;
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    FigureSeries series;
+    series.name = in.groups[g].name;
+    series.y.assign(in.occasions.size(), std::nullopt);
+    for (const GroupSummary& summary : in.summaries)
+      if (summary.group == g) series.y[summary.occasion] = summary.varianceOfScores;
+    out.series.push_back(series);
+  }
+  out.notes = {
+      "Corresponds to Fig. 23 of the paper, which does not define its variance. Drawn is the variance of the "
+      "trainee "
+      "scores of a group about their mean, divisor n; the table gives two other readings."};
+  out.provenance = provenance(in, "variance of trainee scores, divisor n", std::ssize(in.scores));
+  return out;
+}
+
+ReportFigure meansFigure(const CohortInputs& in) {
+  ReportFigure out;
+  out.id = "figure-training-means";
+  out.title = "Mean score of each group over the study";
+  out.kind = FigureKind::kLines;
+  out.xLabel = "scoring point";
+  out.yLabel = "score (points)";
+  fixScale(in, out);
+  out.categories = in.occasions;
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    FigureSeries series;
+    series.name = in.groups[g].name;
+    for (const GroupSummary& summary : in.summaries)
+      if (summary.group == g) {
+        series.x.push_back(static_cast<double>(summary.occasion));
+        series.y.emplace_back(summary.mean);
+      }
+    out.series.push_back(series);
+  }
+  out.provenance = provenance(in, "mean over trainees", std::ssize(in.scores));
+  return out;
+}
+
+ReportTable summaryTable(const CohortInputs& in) {
+  ReportTable table;
+  table.id = "table-training-summary";
+  table.title = "Training study: groups at each scoring point";
+  table.columns = {"Scoring point",
+                   "Group",
+                   "Trainees",
+                   "Marks",
+                   "Mean",
+                   "Median",
+                   "Lowest",
+                   "Highest",
+                   "Variance of scores, divisor n",
+                   "Variance of scores, divisor n - 1",
+                   "Variance of all marks, divisor n",
+                   "Mean variance between raters, divisor n - 1"};
+  std::int64_t n = 0;
+  for (const GroupSummary& s : in.summaries) {
+    n += s.marks;
+    table.rows.push_back({in.occasions[s.occasion], in.groups[s.group].name, std::to_string(s.trainees),
+                          std::to_string(s.marks), formatFixed(s.mean, kScoreDecimals),
+                          formatFixed(s.median, kScoreDecimals), formatFixed(s.min, kScoreDecimals),
+                          formatFixed(s.max, kScoreDecimals),
+                          formatFixed(s.varianceOfScores, kVarianceDecimals),
+                          formatFixed(s.sampleVarianceOfScores, kVarianceDecimals),
+                          formatFixed(s.varianceOfMarks, kVarianceDecimals),
+                          formatFixed(s.meanBetweenRaterVariance, kVarianceDecimals)});
+  }
+  table.notes = {
+      "The trainee is the unit of analysis: marks of several raters for one trainee are averaged first."};
+  table.provenance = provenance(in, "group summaries", n);
+  return table;
+}
+
+ReportTable scoresTable(const CohortInputs& in) {
+  ReportTable table;
+  table.id = "table-training-scores";
+  table.title = "Training study: score of every trainee";
+  table.columns = {"Group", "Number", "Trainee"};
+  table.columns.insert(table.columns.end(), in.occasions.begin(), in.occasions.end());
+  for (std::size_t g = 0; g < in.groups.size(); ++g)
+    for (const TraineeScore& first : in.scores) {
+      if (first.group != g) continue;
+      const bool listed = std::any_of(table.rows.begin(), table.rows.end(),
+                                      [&](const auto& row) { return row[2] == first.trainee; });
+      if (listed) continue;
+      std::vector<std::string> row = {in.groups[g].name, std::to_string(first.number), first.trainee};
+      for (std::size_t t = 0; t < in.occasions.size(); ++t) {
+        std::string text = "missing";
+        for (const TraineeScore& score : in.scores)
+          if (score.trainee == first.trainee && score.occasion == t)
+            text = formatFixed(score.score, kScoreDecimals);
+        row.push_back(text);
+      }
+      table.rows.push_back(row);
+    }
+  table.provenance = provenance(in, "mean over raters", std::ssize(in.scores));
+  return table;
+}
+
+}  // namespace
+
+ReportSection trainingSection(const CohortInputs& in) {
+  ReportSection section;
+  section.title = "Training study";
+  section.paragraphs.push_back(
+      sentence({std::to_string(in.trainingRaters), " physicians marked every trainee at ",
+                std::to_string(in.occasions.size()), " scoring points on a scale from ",
+                formatFixed(pointsFromSteps(in.trainingScale.lo, in.trainingScale), 0), " to ",
+                formatFixed(pointsFromSteps(in.trainingScale.hi, in.trainingScale), 0),
+                ". A trainee's score is the plain mean of these marks."}));
+  if (in.trainingTimeDivisor > 1)
+    section.paragraphs.push_back(
+        sentence({"Training was shortened for this demonstration: each minute of the protocol "
+                  "stands for ",
+                  formatFixed(60.0 / static_cast<double>(in.trainingTimeDivisor), 1),
+                  " seconds of simulated exercise (1 : ", std::to_string(in.trainingTimeDivisor), ")."}));
+  section.paragraphs.push_back(sentence({"Rests taken during training: ", std::to_string(in.rests), "."}));
+  for (std::size_t t = 0; t < in.occasions.size(); ++t) section.figures.push_back(scoresFigure(in, t));
+  section.figures.push_back(varianceFigure(in));
+  section.figures.push_back(meansFigure(in));
+  section.tables = {summaryTable(in), scoresTable(in)};
+  return section;
+}
+
+}  // namespace torsio

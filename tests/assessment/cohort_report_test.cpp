@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/report/cohort_report.h"
+
+#include <algorithm>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "assessment/report/cohort_csv.h"
+#include "assessment/report/number_format.h"
+#include "assessment/study/demonstration_marks.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+namespace {
+
+std::vector<std::string> codes(char letter, std::size_t count) {
+  std::vector<std::string> out;
+  for (std::size_t i = 1; i <= count; ++i) {
+    std::string code(1, letter);
+    code += std::to_string(100 + i);
+    out.push_back(code);
+  }
+  return out;
+}
+
+CohortInputs demonstration() {
+  CohortInputs in;
+  in.demonstration = true;
+  in.simulated = {demonstrationTrainingRule()};
+  in.softwareVersion = "0.1.0";
+  in.trainingTimeDivisor = 60;
+  in.groups = {
+      {"Group 1", "40 min virtual"}, {"Group 2", "20 min virtual, 20 min real"}, {"Group 3", "40 min real"}};
+  in.occasions = {"before", "after 20 min", "after 40 min"};
+  DemonstrationPeople people{{codes('x', 10), codes('y', 10), codes('z', 10)},
+                             codes('R', 10),
+                             {codes('A', 20), codes('B', 10), codes('C', 10)}};
+  for (std::size_t g = 0; g < 3; ++g)
+    for (std::size_t i = 0; i < 10; ++i)
+      in.trainees.push_back({people.groups[g][i], g, i % 2 == 0 ? "male" : "female", "graduate"});
+  const std::vector<std::string> models = {"PM", "FEM", "MSM"};
+  in.instrument = paperInstrument();
+  in.ratings = groupRatings(in.instrument, demonstrationEvaluationMarks(in.instrument, people, models, 3));
+  for (const ModelRatings& model : in.ratings) in.evaluations.push_back(evaluateModel(in.instrument, model));
+  const std::vector<TrainingMark> marks = demonstrationTrainingMarks(in.trainingScale, people, 3);
+  in.scores = traineeScores(in.trainingScale, marks);
+  in.summaries = groupSummaries(in.trainingScale, marks);
+  in.trainingRaters = 10;
+  TrialDigest trial;
+  trial.trialId = "t1";
+  trial.trainee = "x101";
+  trial.phase = "virtual 0-20 min";
+  trial.model = "saint_venant";
+  trial.minutes = 0.5;
+  trial.samples = 30000;
+  trial.twists = 4;
+  trial.meanAbsoluteError_deg = 3.25;
+  trial.contentHash = std::string(64, 'a');
+  in.trials = {trial};
+  return in;
+}
+
+const ReportFigure* find(const ReportModel& report, const std::string& id) {
+  for (const ReportSection& section : report.sections)
+    for (const ReportFigure& figure : section.figures)
+      if (figure.id == id) return &figure;
+  return nullptr;
+}
+
+TEST(CohortReport, HoldsEveryFigureOfThePaperWithSeriesThatFitItsCategories) {
+  const ReportModel report = cohortReport(demonstration());
+
+  for (const char* id : {"figure-15", "figure-16", "figure-17", "figure-18", "figure-19", "figure-20",
+                         "figure-21", "figure-22", "figure-23"}) {
+    const ReportFigure* figure = find(report, id);
+    ASSERT_NE(figure, nullptr) << id;
+    EXPECT_EQ(figure->series.size(), 3U) << id;
+    EXPECT_FALSE(figure->yLabel.empty());
+    EXPECT_GT(figure->provenance.n, 0) << id;
+    EXPECT_THAT(figure->provenance.flags, ::testing::Contains("demonstration data")) << id;
+    for (const FigureSeries& series : figure->series) {
+      if (figure->kind == FigureKind::kBoxes) {
+        EXPECT_EQ(series.y.size(), 40U);
+        ASSERT_TRUE(series.box.has_value());
+        EXPECT_LE(series.box->lowerQuartile, series.box->median);
+        continue;
+      }
+      EXPECT_EQ(series.y.size(), figure->categories.size()) << id;
+      if (figure->kind == FigureKind::kRanges) {
+        ASSERT_EQ(series.low.size(), series.y.size());
+        for (std::size_t i = 0; i < series.y.size(); ++i) {
+          EXPECT_LE(series.low[i], *series.y[i]);
+          EXPECT_GE(series.high[i], *series.y[i]);
+        }
+      }
+    }
+  }
+  EXPECT_THAT(find(report, "figure-17")->yLabel, ::testing::HasSubstr("about the weighted mean, divisor n"));
+  EXPECT_THAT(find(report, "figure-23")->title, ::testing::HasSubstr("divisor n"));
+  EXPECT_EQ(find(report, "figure-18")->categories.size(), 10U);
+}
+
+TEST(CohortReport, HasTablesWhoseRowsFitTheirColumnsAndUniqueNames) {
+  const ReportModel report = cohortReport(demonstration());
+  std::set<std::string> ids;
+  int tables = 0;
+  for (const ReportSection& section : report.sections)
+    for (const ReportTable& table : section.tables) {
+      ++tables;
+      EXPECT_TRUE(ids.insert(table.id).second) << table.id;
+      EXPECT_FALSE(table.rows.empty()) << table.id;
+      for (const std::vector<std::string>& row : table.rows)
+        EXPECT_EQ(row.size(), table.columns.size()) << table.id;
+    }
+  EXPECT_GE(tables, 9);
+  EXPECT_TRUE(report.demonstration);
+  EXPECT_EQ(report.sections.front().title, "What was simulated");
+}
+
+TEST(CohortReport, RefusesInputsThatDoNotBelongTogether) {
+  CohortInputs in = demonstration();
+  in.ratings.pop_back();
+  EXPECT_THROW((void)cohortReport(in), Error);
+  in = demonstration();
+  in.trainees[0].group = 7;
+  EXPECT_THROW((void)cohortReport(in), Error);
+}
+
+TEST(CohortReport, LeavesOutSectionsWithoutData) {
+  CohortInputs in;
+  in.instrument = paperInstrument();
+  const ReportModel report = cohortReport(in);
+  EXPECT_EQ(report.sections.size(), 2U);  // methods and provenance
+}
+
+TEST(CohortCsv, IsTidyCompleteAndTheSameEachTime) {
+  const CohortInputs in = demonstration();
+  const std::vector<CohortCsvRow> rows = cohortCsvRows(in);
+  const std::string text = cohortCsvText(rows);
+
+  EXPECT_EQ(text, cohortCsvText(cohortCsvRows(demonstration())));
+  EXPECT_THAT(text,
+              ::testing::StartsWith("section,item,group,model,index,occasion,statistic,value,n,flags\r\n"));
+  const auto count = [&](const char* statistic) {
+    return std::count_if(rows.begin(), rows.end(),
+                         [&](const CohortCsvRow& row) { return row.statistic == statistic; });
+  };
+  EXPECT_EQ(count("mark"), 1080);  // 40 raters, nine indices, three models
+  EXPECT_EQ(count("composite"), 120);
+  EXPECT_EQ(count("score"), 90);
+  EXPECT_EQ(count("N_eq27"), 3);
+  for (const CohortCsvRow& row : rows) EXPECT_THAT(row.flags, ::testing::HasSubstr("demonstration data"));
+  const auto n27 = std::find_if(rows.begin(), rows.end(),
+                                [](const CohortCsvRow& row) { return row.statistic == "N_eq27"; });
+  EXPECT_EQ(std::stod(n27->value), in.evaluations[0].n27);
+}
+
+TEST(CohortCsvText, QuotesFieldsThatHoldCommasAndQuotes) {
+  CohortCsvRow row;
+  row.item = "a,b";
+  row.flags = "say \"so\"";
+  EXPECT_THAT(cohortCsvText({row}), ::testing::EndsWith("\r\n,\"a,b\",,,,,,,,\"say \"\"so\"\"\"\r\n"));
+}
+
+TEST(FormatFixed, IsIndependentOfLocaleAndHasNoNegativeZero) {
+  EXPECT_EQ(formatFixed(1234.5, 2), "1234.50");
+  EXPECT_EQ(formatFixed(-0.001, 2), "0.00");
+  EXPECT_EQ(formatFixed(-0.006, 2), "-0.01");
+  EXPECT_EQ(formatFixed(std::optional<double>(), 2), "not defined");
+  EXPECT_EQ(formatExact(0.1), "0.1");
+  EXPECT_EQ(formatP(0.0001), "< 0.001");
+}
+
+}  // namespace
+}  // namespace torsio
