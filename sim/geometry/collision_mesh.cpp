@@ -12,6 +12,7 @@
 #include "sim/base/contracts.h"
 #include "sim/base/portable_math.h"
 #include "sim/geometry/mesh_repair.h"
+#include "sim/geometry/nearest_on_triangle.h"
 
 namespace torsio {
 
@@ -24,60 +25,6 @@ constexpr std::size_t kDeepest = 64;  // a median split halves: 2 million triang
 
 // The box is a lower bound only up to rounding.
 constexpr double kRoundingMargin = 1.0 - 1e-12;
-
-// Closest point of one triangle, with the feature on which it lies.
-struct Nearest {
-  double distance2 = std::numeric_limits<double>::infinity();
-  Vec3 point;
-  double u = 1.0, v = 0.0, w = 0.0;  // barycentric
-  std::uint8_t feature = 0;          // 0..2 corner, 3..5 edge from corner k - 3, 6 face
-};
-
-struct Corners {
-  Vec3 a, b, c;
-};
-
-Nearest finish(const Vec3& p, const Corners& t, double u, double v, double w, int feature) {
-  Nearest n;
-  n.point = feature < 3 ? (feature == 0 ? t.a : feature == 1 ? t.b : t.c) : u * t.a + v * t.b + w * t.c;
-  const Vec3 d = p - n.point;
-  n.distance2 = dot(d, d);
-  n.u = u, n.v = v, n.w = w;
-  n.feature = static_cast<std::uint8_t>(feature);
-  return n;
-}
-
-// Ericson, Real-Time Collision Detection, 5.1.5: by Voronoi regions. A triangle without area may give NaN,
-// which is never nearer than its neighbours.
-Nearest nearestOnTriangle(const Vec3& p, const Corners& t) {
-  const Vec3 ab = t.b - t.a, ac = t.c - t.a;
-  const Vec3 ap = p - t.a;
-  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
-  if (d1 <= 0.0 && d2 <= 0.0) return finish(p, t, 1.0, 0.0, 0.0, 0);
-  const Vec3 bp = p - t.b;
-  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
-  if (d3 >= 0.0 && d4 <= d3) return finish(p, t, 0.0, 1.0, 0.0, 1);
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
-    const double v = d1 / (d1 - d3);
-    return finish(p, t, 1.0 - v, v, 0.0, 3);
-  }
-  const Vec3 cp = p - t.c;
-  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
-  if (d6 >= 0.0 && d5 <= d6) return finish(p, t, 0.0, 0.0, 1.0, 2);
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
-    const double w = d2 / (d2 - d6);
-    return finish(p, t, 1.0 - w, 0.0, w, 5);
-  }
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
-    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return finish(p, t, 0.0, 1.0 - w, w, 4);
-  }
-  const double sum = va + vb + vc;
-  return finish(p, t, va / sum, vb / sum, vc / sum, 6);
-}
 
 double boxDistance2(const fcl::AABBd& box, const Vec3& p) {
   const double dx = std::max({box.min_[0] - p.x, 0.0, p.x - box.max_[0]});
@@ -95,14 +42,14 @@ int depthBelow(const Model& model, int node) {
 }  // namespace
 
 struct CollisionMesh::Hierarchy {
-  // Normals of the seven features of a triangle, in the order of Nearest::feature.
+  // Normals of the seven features of a triangle, in the order of NearestOnTriangle::feature.
   using FeatureNormals = std::array<Vec3, 7>;
 
   Model model;
-  std::vector<Corners> corners;
+  std::vector<TriangleCorners> corners;
   std::vector<FeatureNormals> normals;
 
-  Nearest search(const Vec3& p, std::uint32_t& triangle) const noexcept;
+  NearestOnTriangle search(const Vec3& p, std::uint32_t& triangle) const noexcept;
 };
 
 namespace {
@@ -156,7 +103,7 @@ std::vector<std::array<Vec3, 7>> featureNormals(const TriangleMesh& mesh) {
 
 // Depth first, nearer child first. FCL builds the hierarchy; its own distance query works on oriented boxes
 // with shapes and takes ten times as long for a point (docs and tests/sim/geometry/collision_mesh_test.cpp).
-Nearest CollisionMesh::Hierarchy::search(const Vec3& p, std::uint32_t& triangle) const noexcept {
+NearestOnTriangle CollisionMesh::Hierarchy::search(const Vec3& p, std::uint32_t& triangle) const noexcept {
   struct Open {
     int node;
     double bound2;
@@ -164,14 +111,14 @@ Nearest CollisionMesh::Hierarchy::search(const Vec3& p, std::uint32_t& triangle)
   std::array<Open, kDeepest> stack;
   std::size_t open = 0;
   stack[open++] = {0, 0.0};
-  Nearest best;
+  NearestOnTriangle best;
   while (open > 0) {
     const Open top = stack[--open];
     if (top.bound2 * kRoundingMargin > best.distance2) continue;
     const auto& node = model.getBV(top.node);
     if (node.isLeaf()) {
       const auto candidate = static_cast<std::uint32_t>(node.primitiveId());
-      const Nearest n = nearestOnTriangle(p, corners[candidate]);
+      const NearestOnTriangle n = nearestOnTriangle(p, corners[candidate]);
       if (n.distance2 < best.distance2 || (n.distance2 == best.distance2 && candidate < triangle)) {
         best = n;
         triangle = candidate;
@@ -205,7 +152,7 @@ CollisionMesh& CollisionMesh::operator=(CollisionMesh&&) noexcept = default;
 SurfacePoint CollisionMesh::closest(const Vec3& point_m) const noexcept {
   SurfacePoint surface;
   std::uint32_t triangle = 0;
-  const Nearest best = hierarchy_->search(point_m, triangle);
+  const NearestOnTriangle best = hierarchy_->search(point_m, triangle);
   surface.triangle = triangle;
   surface.normal = hierarchy_->normals[triangle][best.feature];
   surface.position_m = hierarchy_->corners[triangle].a;
