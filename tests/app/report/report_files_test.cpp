@@ -12,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include "app/report/chart_builder.h"
-#include "app/report/csv_writer.h"
 #include "app/report/graphics_application.h"
 #include "app/report/pdf_report.h"
 #include "sim/base/error.h"
@@ -124,14 +123,6 @@ TEST(ChartBuilder, DrawsOneBoxASeriesWithItsMedian) {
   ASSERT_NE(boxes, nullptr);
   ASSERT_EQ(boxes->count(), 3);
   EXPECT_DOUBLE_EQ(boxes->boxSets().first()->at(QBoxSet::Median), 7.0);
-}
-
-TEST(CsvWriter, QuotesFieldsThatNeedIt) {
-  const fs::path file = freshFolder("csv") / "cohort.csv";
-
-  writeCsv(file, {"name", "value"}, {{"plain", "1.5"}, {"with, comma", "says \"no\""}});
-
-  EXPECT_EQ(readFile(file), "name,value\r\nplain,1.5\r\n\"with, comma\",\"says \"\"no\"\"\"\r\n");
 }
 
 }  // namespace
