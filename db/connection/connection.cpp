@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/connection/connection.h"
+
+#include <cmath>
+#include <utility>
+
+#include <QSqlError>
+#include <QSqlQuery>
+#include <QSqlRecord>
+#include <QVariant>
+
+#include "db/connection/connection_state.h"
+#include "sim/base/contracts.h"
+
+namespace torsio {
+
+namespace {
+
+QVariant toVariant(const Value& value) {
+  struct Visitor {
+    QVariant operator()(std::monostate) const { return {}; }
+    QVariant operator()(std::int64_t number) const { return QVariant::fromValue<qlonglong>(number); }
+    QVariant operator()(double number) const {
+      TORSIO_EXPECTS(std::isfinite(number));
+      return number;
+    }
+    QVariant operator()(bool flag) const { return flag; }
+    QVariant operator()(const std::string& text) const {
+      // An empty text stays a text: a default-constructed QString would be stored as null.
+      return text.empty() ? QStringLiteral("")
+                          : QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+    }
+    QVariant operator()(const Blob& bytes) const {
+      return bytes.empty() ? QByteArray("")
+                           : QByteArray(reinterpret_cast<const char*>(bytes.data()),
+                                        static_cast<qsizetype>(bytes.size()));
+    }
+  };
+  return std::visit(Visitor{}, value.storage());
+}
+
+Blob toBlob(const QByteArray& bytes) {
+  const auto* begin = reinterpret_cast<const std::byte*>(bytes.constData());
+  return {begin, begin + bytes.size()};
+}
+
+}  // namespace
+
+/// QSqlQuery with its database kept alive and the text for messages.
+class Statement::Query {
+ public:
+  Query(std::shared_ptr<ConnectionState> connection, std::string_view sql)
+      : state(std::move(connection)), text(sql), query(state->query()) {
+    if (!query.prepare(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())))) {
+      state->fail(text, query.lastError());
+    }
+  }
+
+  std::shared_ptr<ConnectionState> state;
+  std::string text;
+  QSqlQuery query;
+  std::int64_t affectedRows = 0;
+};
+
+Statement::Statement(std::unique_ptr<Query> query) : query_(std::move(query)) {}
+Statement::Statement(Statement&&) noexcept = default;
+Statement& Statement::operator=(Statement&&) noexcept = default;
+Statement::~Statement() = default;
+
+Statement& Statement::bind(int position, const Value& value) {
+  query_->query.bindValue(position, toVariant(value));
+  return *this;
+}
+
+void Statement::execute() {
+  TORSIO_EXPECTS(!query_->state->broken);  // after a failure the transaction must be left, not continued
+  if (!query_->query.exec()) {
+    const QSqlError error = query_->query.lastError();
+    query_->query.finish();
+    query_->state->fail(query_->text, error);
+  }
+  query_->affectedRows = query_->query.numRowsAffected();
+  // SQLite refuses COMMIT while a statement is in progress, even one without rows to read.
+  if (!query_->query.isSelect()) query_->query.finish();
+}
+
+void Statement::execute(std::initializer_list<Value> values) {
+  execute(std::span<const Value>(values.begin(), values.size()));
+}
+
+void Statement::execute(std::span<const Value> values) {
+  int position = 0;
+  for (const Value& value : values) bind(position++, value);
+  execute();
+}
+
+bool Statement::step() {
+  if (query_->query.next()) return true;
+  const QSqlError error = query_->query.lastError();
+  query_->query.finish();
+  if (error.isValid()) query_->state->fail(query_->text, error);
+  return false;
+}
+
+std::int64_t Statement::affectedRows() const {
+  return query_->affectedRows;
+}
+
+bool Statement::isNull(int column) const {
+  return query_->query.value(column).isNull();
+}
+
+std::int64_t Statement::int64(int column) const {
+  return query_->query.value(column).toLongLong();
+}
+
+double Statement::real(int column) const {
+  return query_->query.value(column).toDouble();
+}
+
+bool Statement::boolean(int column) const {
+  return query_->query.value(column).toBool();
+}
+
+std::string Statement::text(int column) const {
+  return query_->query.value(column).toString().toStdString();
+}
+
+Blob Statement::blob(int column) const {
+  return toBlob(query_->query.value(column).toByteArray());
+}
+
+std::optional<std::int64_t> Statement::maybeInt64(int column) const {
+  return isNull(column) ? std::nullopt : std::optional(int64(column));
+}
+
+std::optional<double> Statement::maybeReal(int column) const {
+  return isNull(column) ? std::nullopt : std::optional(real(column));
+}
+
+std::optional<std::string> Statement::maybeText(int column) const {
+  return isNull(column) ? std::nullopt : std::optional(text(column));
+}
+
+int Statement::columnCount() const {
+  return query_->query.record().count();
+}
+
+std::string Statement::columnName(int column) const {
+  return query_->query.record().fieldName(column).toStdString();
+}
+
+Value Statement::value(int column) const {
+  const QVariant variant = query_->query.value(column);
+  if (variant.isNull()) return {};
+  switch (variant.typeId()) {
+    case QMetaType::Bool:
+      return variant.toBool();
+    case QMetaType::Double:
+      return variant.toDouble();
+    case QMetaType::QByteArray:
+      return toBlob(variant.toByteArray());
+    case QMetaType::QString:
+      return variant.toString().toStdString();
+    default:
+      return static_cast<std::int64_t>(variant.toLongLong());
+  }
+}
+
+Connection::Connection(std::shared_ptr<ConnectionState> state) : state_(std::move(state)) {}
+Connection::Connection(Connection&&) noexcept = default;
+Connection& Connection::operator=(Connection&&) noexcept = default;
+Connection::~Connection() = default;
+
+Statement Connection::prepare(std::string_view sql) {
+  return Statement(std::make_unique<Statement::Query>(state_, sql));
+}
+
+std::int64_t Connection::execute(std::string_view sql, std::initializer_list<Value> values) {
+  Statement statement = prepare(sql);
+  statement.execute(values);
+  return statement.affectedRows();
+}
+
+void Connection::executeVerbatim(std::string_view sql) {
+  state_->run(sql);
+}
+
+Engine Connection::engine() const noexcept {
+  return state_->engine;
+}
+
+const std::string& Connection::location() const noexcept {
+  return state_->location;
+}
+
+bool Connection::readOnly() const noexcept {
+  return state_->readOnly;
+}
+
+bool Connection::inTransaction() const noexcept {
+  return state_->depth > 0;
+}
+
+Connection openDatabase(const std::string& locator, OpenMode mode, int busyTimeout_ms) {
+  return Connection(std::make_shared<ConnectionState>(parseLocator(locator), mode, busyTimeout_ms));
+}
+
+Transaction::Transaction(Connection& connection) : state_(connection.state_) {
+  if (state_->depth == 0) state_->begin();
+  ++state_->depth;
+}
+
+Transaction::~Transaction() {
+  if (!open_) return;
+  if (--state_->depth == 0) {
+    state_->rollback();
+  } else {
+    state_->broken = true;
+  }
+}
+
+void Transaction::commit() {
+  TORSIO_EXPECTS(open_);
+  if (state_->depth > 1) {
+    open_ = false;
+    --state_->depth;
+    return;
+  }
+  if (state_->broken) {
+    throw DbError(DbFault::kBrokenBefore, "COMMIT", "an earlier step of this change failed: nothing was kept",
+                  state_->location, "Repeat the whole change");
+  }
+  state_->commit();  // throws: the destructor then rolls back
+  open_ = false;
+  state_->depth = 0;
+}
+
+}  // namespace torsio

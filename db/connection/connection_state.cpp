@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/connection/connection_state.h"
+
+#include <filesystem>
+
+#include <QCoreApplication>
+#include <QSqlDatabase>
+#include <QSqlError>
+#include <QSqlQuery>
+#include <QVariant>
+
+#include "sim/base/contracts.h"
+
+namespace torsio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void readOnlyFile(const std::string& what, const fs::path& path) {
+  throw Error(ErrorCode::kFileUnwritable, what, path.string(),
+              "Choose a folder in which you may write, or open the database for reading only");
+}
+
+/// Whether somebody took all write permissions away: then we do not write, even where root could.
+bool markedReadOnly(const fs::path& path) {
+  constexpr auto kWrite = fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  std::error_code failed;
+  const fs::file_status status = fs::status(path, failed);
+  return !failed && fs::exists(status) && (status.permissions() & kWrite) == fs::perms::none;
+}
+
+/// Unique while the connection lives.
+std::string connectionName(const void* state) {
+  return "torsio-" + std::to_string(reinterpret_cast<std::uintptr_t>(state));
+}
+
+/// What the engine would only report as "unable to open database file" gets a reason here.
+void checkFile(const fs::path& file, OpenMode mode) {
+  std::error_code ignored;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (fs::is_directory(file, ignored)) {
+    throw Error(ErrorCode::kFileUnreadable, "is a folder, not a database", file.string(),
+                "Name a file in that folder");
+  }
+  const bool exists = fs::exists(file, ignored);
+  if (!exists && mode != OpenMode::kCreate) {
+    throw Error(ErrorCode::kFileMissing, "no such database", file.string(), "Check the path");
+  }
+  if (!exists && !fs::is_directory(folder, ignored)) {
+    throw Error(ErrorCode::kFileMissing, "no such folder", folder.string(), "Create it, or choose another");
+  }
+  if (mode == OpenMode::kReadOnly) return;
+  if (exists && markedReadOnly(file)) readOnlyFile("database file is read-only", file);
+  // The write-ahead log is a file beside the database.
+  if (markedReadOnly(folder)) readOnlyFile("folder is read-only", folder);
+}
+
+}  // namespace
+
+ConnectionState::ConnectionState(const Locator& locator, OpenMode mode, int busyTimeout_ms)
+    : engine(locator.engine),
+      location(locator.shown()),
+      readOnly(mode == OpenMode::kReadOnly),
+      name_(connectionName(this)),
+      thread_(std::this_thread::get_id()) {
+  TORSIO_EXPECTS(QCoreApplication::instance() != nullptr);
+  const QString driver = engine == Engine::kSqlite ? QStringLiteral("QSQLITE") : QStringLiteral("QPSQL");
+  if (!QSqlDatabase::isDriverAvailable(driver)) {
+    throw DbError(DbFault::kOther, "", "Qt has no driver " + driver.toStdString(), location,
+                  engine == Engine::kSqlite ? "Install the package libqt6sql6-sqlite"
+                                            : "Install the package libqt6sql6-psql");
+  }
+  database_ =
+      std::make_unique<QSqlDatabase>(QSqlDatabase::addDatabase(driver, QString::fromStdString(name_)));
+  try {
+    if (engine == Engine::kSqlite) {
+      openSqlite(locator, mode, busyTimeout_ms);
+    } else {
+      openPostgresql(locator, mode, busyTimeout_ms);
+    }
+  } catch (...) {
+    close();
+    throw;
+  }
+}
+
+ConnectionState::~ConnectionState() {
+  if (depth > 0) rollback();
+  close();
+}
+
+void ConnectionState::close() noexcept {
+  database_->close();
+  database_.reset();
+  QSqlDatabase::removeDatabase(QString::fromStdString(name_));
+}
+
+void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busyTimeout_ms) {
+  const bool inMemory = locator.file == ":memory:";
+  if (!inMemory) checkFile(locator.file, mode);
+  database_->setDatabaseName(QString::fromStdString(locator.file));
+  QString options = QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(busyTimeout_ms);
+  if (readOnly) options += QStringLiteral(";QSQLITE_OPEN_READONLY");
+  database_->setConnectOptions(options);
+  if (!database_->open()) {
+    throw Error(mode == OpenMode::kReadOnly ? ErrorCode::kFileUnreadable : ErrorCode::kFileUnwritable,
+                "database cannot be opened", location, "Check that you may read and write in its folder");
+  }
+  try {
+    // The first read shows whether it is a database at all.
+    run("SELECT count(*) FROM sqlite_master");
+    run("PRAGMA foreign_keys = ON");
+    run("PRAGMA recursive_triggers = ON");  // so that REPLACE cannot pass the delete triggers
+    run("PRAGMA trusted_schema = OFF");
+    if (!readOnly) {
+      run("PRAGMA journal_mode = WAL");
+      run("PRAGMA synchronous = FULL");
+      run("BEGIN IMMEDIATE");  // finds a read-only file system before the first record
+      run("ROLLBACK");
+    }
+  } catch (const DbError& error) {
+    if (error.fault() == DbFault::kBusy) return;  // somebody is writing, so it can be written
+    if (error.fault() == DbFault::kReadOnly) readOnlyFile("database file is read-only", locator.file);
+    if (error.fault() == DbFault::kCorrupt) {
+      throw Error(ErrorCode::kFileUnreadable, "is not a database, or is damaged", location,
+                  "Choose another file, or restore the latest backup");
+    }
+    throw;
+  }
+}
+
+void ConnectionState::openPostgresql(const Locator& locator, OpenMode mode, int busyTimeout_ms) {
+  database_->setHostName(QString::fromStdString(locator.host));
+  database_->setPort(locator.port);
+  database_->setDatabaseName(QString::fromStdString(locator.database));
+  database_->setUserName(QString::fromStdString(locator.user));
+  database_->setPassword(QString::fromStdString(locator.password));
+  database_->setConnectOptions(QStringLiteral("connect_timeout=5;application_name=torsio"));
+  if (!database_->open()) {
+    const std::string detail =
+        database_->lastError().databaseText().section(QLatin1Char('\n'), 0, 0).trimmed().toStdString();
+    throw DbError(DbFault::kUnreachable, "", "database server cannot be reached: " + detail, location,
+                  "Check that it runs, and that address, user and password are right");
+  }
+  run("SET lock_timeout = " + std::to_string(busyTimeout_ms));
+  run("SET TIME ZONE 'UTC'");
+  run("SET synchronous_commit = on");
+  if (!locator.schema.empty()) {
+    run("SET search_path TO \"" + locator.schema + "\"");
+  }
+  if (mode == OpenMode::kReadOnly) run("SET default_transaction_read_only = on");
+}
+
+QSqlQuery ConnectionState::query() const {
+  TORSIO_EXPECTS(std::this_thread::get_id() == thread_);
+  QSqlQuery query(*database_);
+  // Not for PostgreSQL: there it means single-row mode, in which no second query may run meanwhile.
+  if (engine == Engine::kSqlite) query.setForwardOnly(true);
+  return query;
+}
+
+void ConnectionState::run(std::string_view sql) {
+  QSqlQuery statement = query();
+  if (!statement.exec(QString::fromUtf8(sql.data(), static_cast<qsizetype>(sql.size())))) {
+    fail(sql, statement.lastError());
+  }
+}
+
+void ConnectionState::begin() {
+  broken = false;
+  if (engine == Engine::kSqlite) {
+    run(readOnly ? "BEGIN" : "BEGIN IMMEDIATE");
+  } else if (!database_->transaction()) {
+    fail("BEGIN", database_->lastError());
+  }
+}
+
+void ConnectionState::commit() {
+  if (engine == Engine::kSqlite) {
+    run("COMMIT");
+  } else if (!database_->commit()) {
+    // Also when the server turned COMMIT into ROLLBACK: a plain COMMIT statement would report success.
+    fail("COMMIT", database_->lastError());
+  }
+}
+
+void ConnectionState::rollback() noexcept {
+  try {
+    if (engine == Engine::kSqlite) {
+      QSqlQuery(*database_).exec(QStringLiteral("ROLLBACK"));
+    } else {
+      database_->rollback();
+    }
+  } catch (...) {  // Qt reports by value; only memory could run out here, and then the engine rolls back
+  }
+  depth = 0;
+  broken = false;
+}
+
+}  // namespace torsio

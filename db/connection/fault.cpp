@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <utility>
+
+#include <QSqlError>
+#include <QString>
+
+#include "db/connection/connection_state.h"
+
+namespace torsio {
+
+namespace {
+
+// https://www.sqlite.org/rescode.html: extended codes, primary code in the low byte.
+DbFault sqliteFault(int code) {
+  switch (code) {
+    case 2067:  // SQLITE_CONSTRAINT_UNIQUE
+    case 1555:  // SQLITE_CONSTRAINT_PRIMARYKEY
+      return DbFault::kUnique;
+    case 787:  // SQLITE_CONSTRAINT_FOREIGNKEY
+      return DbFault::kForeignKey;
+    case 275:  // SQLITE_CONSTRAINT_CHECK
+      return DbFault::kCheck;
+    case 1299:  // SQLITE_CONSTRAINT_NOTNULL
+      return DbFault::kNotNull;
+    case 1811:  // SQLITE_CONSTRAINT_TRIGGER: only our append-only triggers raise it
+      return DbFault::kAppendOnly;
+    default:
+      break;
+  }
+  switch (code & 0xFF) {
+    case 5:  // SQLITE_BUSY
+    case 6:  // SQLITE_LOCKED
+      return DbFault::kBusy;
+    case 8:  // SQLITE_READONLY
+      return DbFault::kReadOnly;
+    case 13:  // SQLITE_FULL
+      return DbFault::kFull;
+    case 11:  // SQLITE_CORRUPT
+    case 26:  // SQLITE_NOTADB
+      return DbFault::kCorrupt;
+    default:
+      return DbFault::kOther;
+  }
+}
+
+// https://www.postgresql.org/docs/15/errcodes-appendix.html
+DbFault postgresqlFault(const QString& state) {
+  static const std::array<std::pair<const char*, DbFault>, 14> kFaults{{
+      {"23505", DbFault::kUnique},
+      {"23503", DbFault::kForeignKey},
+      {"23001", DbFault::kForeignKey},
+      {"23514", DbFault::kCheck},
+      {"23502", DbFault::kNotNull},
+      {"TR001", DbFault::kAppendOnly},  // raised by refuse_change(), db/migrations/dialect.cpp
+      {"25006", DbFault::kReadOnly},
+      {"55P03", DbFault::kBusy},
+      {"40001", DbFault::kConflict},
+      {"40P01", DbFault::kConflict},
+      {"53100", DbFault::kFull},
+      {"XX001", DbFault::kCorrupt},
+      {"57P01", DbFault::kUnreachable},
+      {"25P02", DbFault::kBrokenBefore},
+  }};
+  for (const auto& [code, fault] : kFaults) {
+    if (state == QLatin1String(code)) return fault;
+  }
+  return state.isEmpty() || state.startsWith(QLatin1String("08")) ? DbFault::kUnreachable : DbFault::kOther;
+}
+
+struct Wording {
+  const char* what;
+  const char* remedy;
+};
+
+Wording wordingOf(DbFault fault) {
+  switch (fault) {
+    case DbFault::kBusy:
+      return {"database is busy: another program is writing to it", "Try again in a moment"};
+    case DbFault::kUnique:
+      return {"this record exists already", "Give it another code, or change the existing one"};
+    case DbFault::kForeignKey:
+      return {"refers to a record that does not exist, or is still in use", "Check what it refers to"};
+    case DbFault::kCheck:
+      return {"a value breaks the rule of its column", "Correct the value"};
+    case DbFault::kNotNull:
+      return {"a required value is missing", "Fill it in"};
+    case DbFault::kAppendOnly:
+      return {"this record is sealed and cannot be changed", "Add a new version instead"};
+    case DbFault::kReadOnly:
+      return {"database is open for reading only", "Open it for writing, or copy it to a writable folder"};
+    case DbFault::kFull:
+      return {"no space left", "Free some space on the disk"};
+    case DbFault::kCorrupt:
+      return {"database is damaged", "Restore the latest backup"};
+    case DbFault::kUnreachable:
+      return {"database server does not answer", "Check that it runs and that the address is right"};
+    case DbFault::kConflict:
+      return {"another station changed the same records at the same time", "Try again"};
+    case DbFault::kBrokenBefore:
+      return {"an earlier step of this change failed: nothing was kept", "Repeat the whole change"};
+    case DbFault::kOther:
+      break;
+  }
+  return {"database refused the operation", ""};
+}
+
+}  // namespace
+
+std::string operationOf(std::string_view sql) {
+  constexpr std::size_t kWords = 3;
+  std::string words;
+  std::size_t count = 0;
+  for (const char c : sql) {
+    const bool gap = c == ' ' || c == '\n' || c == '\t';
+    if (c == '(' || c == ';' || c == '\'' || words.size() >= 60) break;
+    if (gap && (words.empty() || words.back() == ' ')) continue;
+    if (gap && ++count == kWords) break;
+    words.push_back(gap ? ' ' : c);
+  }
+  while (!words.empty() && words.back() == ' ') words.pop_back();
+  return words;
+}
+
+DbFault faultOf(Engine engine, const QSqlError& error) {
+  const QString code = error.nativeErrorCode();
+  return engine == Engine::kSqlite ? sqliteFault(code.toInt()) : postgresqlFault(code);
+}
+
+void ConnectionState::fail(std::string_view sql, const QSqlError& error) {
+  const DbFault fault = faultOf(engine, error);
+  if (depth > 0) broken = true;
+  const Wording wording = wordingOf(fault);
+  std::string what = wording.what;
+  // The driver's first line names constraint or syntax; further lines of PostgreSQL repeat values.
+  const std::string detail = error.databaseText().section(QLatin1Char('\n'), 0, 0).trimmed().toStdString();
+  if (fault == DbFault::kOther || fault == DbFault::kCheck || fault == DbFault::kNotNull ||
+      fault == DbFault::kUnique || fault == DbFault::kUnreachable) {
+    if (!detail.empty()) what += ": " + detail;
+  }
+  throw DbError(fault, operationOf(sql), what, location, wording.remedy);
+}
+
+}  // namespace torsio

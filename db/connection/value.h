@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace torsio {
+
+using Blob = std::vector<std::byte>;
+
+/// One value on its way into a statement: null, 64-bit integer, double, bool, UTF-8 text or bytes. Converts
+/// implicitly from the C++ types that mean one of these, and from std::optional of them (empty = null).
+class Value {
+ public:
+  using Storage = std::variant<std::monostate, std::int64_t, double, bool, std::string, Blob>;
+
+  Value() = default;
+  Value(std::nullptr_t) {}  // NOLINT(google-explicit-constructor): a row is written as a list of values
+  template <std::integral T>
+  requires(!std::same_as<T, bool> && (std::signed_integral<T> || sizeof(T) < sizeof(std::int64_t)))
+      Value(T number)
+      : storage_(static_cast<std::int64_t>(number)) {}  // NOLINT(google-explicit-constructor)
+  template <std::same_as<bool> T>
+  Value(T flag) : storage_(flag) {}                              // NOLINT(google-explicit-constructor)
+  Value(double number) : storage_(number) {}                     // NOLINT(google-explicit-constructor)
+  Value(std::string text) : storage_(std::move(text)) {}         // NOLINT(google-explicit-constructor)
+  Value(std::string_view text) : storage_(std::string(text)) {}  // NOLINT(google-explicit-constructor)
+  Value(const char* text) : storage_(std::string(text)) {}       // NOLINT(google-explicit-constructor)
+  Value(Blob bytes) : storage_(std::move(bytes)) {}              // NOLINT(google-explicit-constructor)
+  template <typename T>
+  Value(const std::optional<T>& maybe) {  // NOLINT(google-explicit-constructor)
+    if (maybe) *this = Value(*maybe);
+  }
+
+  [[nodiscard]] const Storage& storage() const noexcept { return storage_; }
+
+ private:
+  Storage storage_;
+};
+
+/// Text that is null when empty: for columns in which "not known" is legal and an empty text means nothing.
+[[nodiscard]] inline Value textOrNull(const std::string& text) {
+  return text.empty() ? Value() : Value(text);
+}
+
+}  // namespace torsio

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/migrations/migrations.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include <QDir>
+#include <QFile>
+
+#include "db/migrations/backup.h"
+#include "db/migrations/dialect.h"
+#include "sim/base/clock.h"
+#include "sim/base/contracts.h"
+#include "sim/base/digest.h"
+
+// Outside any namespace, as Qt demands: a static library's resources register only when asked.
+static void registerMigrationFiles() {
+  Q_INIT_RESOURCE(migrations);
+}
+
+namespace torsio {
+
+namespace {
+
+// Held while a step runs, so that a second station waits instead of running it too ("TORS" in ASCII).
+constexpr const char* kAdvisoryLock = "SELECT pg_advisory_xact_lock(1414484563)";
+
+constexpr const char* kBookkeeping =
+    "CREATE TABLE schema_migration ("
+    " version BIGINT PRIMARY KEY,"
+    " name TEXT NOT NULL,"
+    " description TEXT NOT NULL,"
+    " checksum TEXT NOT NULL,"
+    " compatible_from BIGINT NOT NULL,"
+    " software_version TEXT NOT NULL,"
+    " applied_utc_us BIGINT NOT NULL)";
+
+struct AppliedStep {
+  std::int64_t version = 0;
+  std::int64_t compatibleFrom = 0;
+  std::string checksum;
+};
+
+std::int64_t countOf(Connection& connection, std::string_view sql) {
+  Statement query = connection.prepare(sql);
+  query.execute();
+  return query.step() ? query.int64(0) : 0;
+}
+
+bool hasBookkeeping(Connection& connection) {
+  return countOf(connection, connection.engine() == Engine::kSqlite
+                                 ? "SELECT count(*) FROM sqlite_master WHERE name = 'schema_migration'"
+                                 : "SELECT count(*) FROM pg_tables WHERE tablename = 'schema_migration' "
+                                   "AND schemaname = current_schema()") > 0;
+}
+
+/// Tables that are not ours; an SQLite file of another program must never be migrated.
+bool hasForeignTables(Connection& connection) {
+  return connection.engine() == Engine::kSqlite &&
+         countOf(connection, "SELECT count(*) FROM sqlite_master WHERE type = 'table'") > 0;
+}
+
+std::vector<AppliedStep> appliedSteps(Connection& connection) {
+  std::vector<AppliedStep> steps;
+  if (!hasBookkeeping(connection)) return steps;
+  Statement query =
+      connection.prepare("SELECT version, compatible_from, checksum FROM schema_migration ORDER BY version");
+  query.execute();
+  while (query.step()) steps.push_back({query.int64(0), query.int64(1), query.text(2)});
+  return steps;
+}
+
+std::string headValue(const std::string& text, const std::string& key, const std::string& name) {
+  const std::string start = "-- " + key + ": ";
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with(start)) return line.substr(start.size());
+  }
+  throw Error(ErrorCode::kBadData, "the line \"" + start + "...\" is missing", name, "Add it");
+}
+
+void applyStep(Connection& connection, const Migration& step, const MigrationOptions& options) {
+  Transaction transaction(connection);
+  if (connection.engine() == Engine::kPostgresql) connection.executeVerbatim(kAdvisoryLock);
+  const std::vector<AppliedStep> applied = appliedSteps(connection);
+  if (!applied.empty() && applied.back().version >= step.version) return;  // another program was faster
+  if (applied.empty() && !hasBookkeeping(connection)) connection.executeVerbatim(kBookkeeping);
+  for (const std::string& sql : statementsFor(connection.engine(), step.sql, step.name)) {
+    connection.executeVerbatim(sql);
+  }
+  connection.execute(
+      "INSERT INTO schema_migration (version, name, description, checksum, compatible_from, software_version,"
+      " applied_utc_us) VALUES (?, ?, ?, ?, ?, ?, ?)",
+      {step.version, step.name, step.description, step.checksum, step.compatibleFrom, options.softwareVersion,
+       options.now_us != 0 ? options.now_us : utcNow_us()});
+  transaction.commit();
+}
+
+[[noreturn]] void newerSchema(const SchemaState& state, const std::string& where) {
+  throw Error(ErrorCode::kNewerSchema,
+              "was written by a newer version of Torsio (schema " + std::to_string(state.version) +
+                  ", this program knows " + std::to_string(state.known) + ")",
+              where, "Update Torsio on this machine");
+}
+
+}  // namespace
+
+Migration parseMigration(const std::string& name, const std::string& text) {
+  Migration step;
+  step.name = name;
+  std::copy_if(text.begin(), text.end(), std::back_inserter(step.sql), [](char c) { return c != '\r'; });
+  try {
+    step.version = std::stoll(name.substr(0, 4));
+    step.compatibleFrom = std::stoll(headValue(step.sql, "compatible_from", name));
+  } catch (const std::logic_error&) {
+    throw Error(ErrorCode::kBadData, "number of the step or of compatible_from cannot be read", name,
+                "Name it NNNN_what.sql and write -- compatible_from: N");
+  }
+  step.description = headValue(step.sql, "description", name);
+  Digest digest;
+  digest.update(std::string_view(step.sql));
+  step.checksum = digest.hex();
+  return step;
+}
+
+std::vector<Migration> embeddedMigrations() {
+  registerMigrationFiles();
+  std::vector<Migration> steps;
+  const QDir folder(QStringLiteral(":/torsio/migrations"));
+  for (const QString& entry : folder.entryList({QStringLiteral("*.sql")}, QDir::Files, QDir::Name)) {
+    QFile file(folder.filePath(entry));
+    TORSIO_EXPECTS(file.open(QIODevice::ReadOnly));
+    steps.push_back(parseMigration(entry.chopped(4).toStdString(), file.readAll().toStdString()));
+    TORSIO_EXPECTS(steps.back().version == static_cast<std::int64_t>(steps.size()));
+  }
+  TORSIO_EXPECTS(!steps.empty());
+  return steps;
+}
+
+SchemaState checkSchema(Connection& connection, const std::vector<Migration>& migrations) {
+  SchemaState state;
+  state.known = migrations.empty() ? 0 : migrations.back().version;
+  const std::vector<AppliedStep> applied = appliedSteps(connection);
+  if (applied.empty()) {
+    if (!hasBookkeeping(connection) && hasForeignTables(connection)) {
+      throw Error(ErrorCode::kFileUnreadable, "is a database of another program", connection.location(),
+                  "Choose another file");
+    }
+    return state;
+  }
+  state.version = applied.back().version;
+  state.compatibleFrom = applied.back().compatibleFrom;
+  const bool readable = connection.readOnly() && state.compatibleFrom <= state.known;
+  if (state.version > state.known && !readable) newerSchema(state, connection.location());
+  for (const AppliedStep& step : applied) {
+    if (step.version > state.known) continue;
+    const Migration& known = migrations[static_cast<std::size_t>(step.version - 1)];
+    if (known.checksum != step.checksum) {
+      throw Error(ErrorCode::kBadData, "schema step " + known.name + " differs from the one that was applied",
+                  connection.location(), "Use the program that made this database, or restore a backup");
+    }
+  }
+  return state;
+}
+
+MigrationReport migrate(Connection& connection, const std::vector<Migration>& migrations,
+                        const MigrationOptions& options) {
+  const SchemaState state = checkSchema(connection, migrations);
+  MigrationReport report{.fromVersion = state.version, .toVersion = state.known, .backup = std::nullopt};
+  if (state.version >= state.known) return report;
+  if (connection.engine() == Engine::kSqlite && state.version > 0 && options.backup &&
+      connection.location() != ":memory:") {
+    const std::filesystem::path file = connection.location();
+    std::filesystem::path copy = file;
+    copy += ".schema-" + std::to_string(state.version) + ".sqlite";
+    backupSqlite(connection, copy);
+    report.backup = copy;
+  }
+  for (const Migration& step : migrations) {
+    if (step.version > state.version) applyStep(connection, step, options);
+  }
+  return report;
+}
+
+Connection openRecord(const std::string& locator, OpenMode mode, const MigrationOptions& options) {
+  Connection connection = openDatabase(locator, mode);
+  const std::vector<Migration> migrations = embeddedMigrations();
+  if (mode != OpenMode::kReadOnly) {
+    migrate(connection, migrations, options);
+    return connection;
+  }
+  const SchemaState state = checkSchema(connection, migrations);
+  if (state.version < state.known) {
+    throw Error(ErrorCode::kDatabase,
+                state.version == 0 ? "holds no Torsio record" : "has an older schema than this program",
+                connection.location(), "Open it once for writing, so that it can be brought up to date");
+  }
+  return connection;
+}
+
+}  // namespace torsio

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "db/connection/connection.h"
+
+namespace torsio {
+
+/// Where results came from: which formula over which inputs, when. Results are computed anew, never changed.
+struct AssessmentRun {
+  std::string id{};
+  std::string formulaVersion{};
+  std::string policy{};      ///< what was done about missing marks
+  std::string inputsHash{};  ///< over the marks that went in
+  std::vector<std::string> flags{};
+  std::string softwareVersion{};
+  std::int64_t computedUtc_us = 0;
+  bool demonstration = false;
+};
+
+/// Which column of assessment_run a run belongs to.
+enum class RunOwner { kCampaign, kCohort };
+
+void insertRun(Connection& connection, RunOwner owner, const std::string& ownerId, const AssessmentRun& run);
+/// The last computed run of its owner.
+[[nodiscard]] std::optional<AssessmentRun> findLatestRun(Connection& connection, RunOwner owner,
+                                                         const std::string& ownerId);
+
+/// Flags are stored as one text, separated by `;` (no flag contains one).
+[[nodiscard]] std::string joinFlags(const std::vector<std::string>& flags);
+[[nodiscard]] std::vector<std::string> splitFlags(std::string_view text);
+
+}  // namespace torsio

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/people_repository.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr const char* kInsertPerson =
+    "INSERT INTO person (id, code, sex, level, experience, age_years, state, created_utc_us, demonstration)"
+    " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)";
+constexpr const char* kTrainees =
+    "SELECT p.id, p.code, p.sex, p.level, p.experience, p.age_years, p.state, p.created_utc_us,"
+    " p.demonstration, t.handedness FROM trainee t JOIN person p ON p.id = t.person_id";
+constexpr const char* kRaters =
+    "SELECT p.id, p.code, p.sex, p.level, p.experience, p.age_years, p.state, p.created_utc_us,"
+    " p.demonstration, r.class_code FROM rater r JOIN person p ON p.id = r.person_id"
+    " JOIN rater_class c ON c.code = r.class_code";
+constexpr int kPersonColumns = 9;
+
+void insertPerson(Statement& insert, const StoredPerson& person) {
+  insert.execute({person.id, person.code, textOrNull(person.sex), textOrNull(person.level),
+                  textOrNull(person.experience), person.age_years, person.state, person.createdUtc_us,
+                  person.demonstration});
+}
+
+StoredPerson personOf(const Statement& row) {
+  return {.id = row.text(0),
+          .code = row.text(1),
+          .sex = row.text(2),
+          .level = row.text(3),
+          .experience = row.text(4),
+          .age_years = row.maybeInt64(5),
+          .state = row.text(6),
+          .createdUtc_us = row.int64(7),
+          .demonstration = row.boolean(8)};
+}
+
+}  // namespace
+
+void PeopleRepository::addRaterClasses(std::span<const StoredRaterClass> classes) {
+  Transaction transaction(connection_);
+  Statement insert = connection_.prepare("INSERT INTO rater_class (code, label, position) VALUES (?, ?, ?)");
+  for (const StoredRaterClass& raterClass : classes) {
+    insert.execute({raterClass.code, raterClass.label, raterClass.position});
+  }
+  transaction.commit();
+}
+
+std::vector<StoredRaterClass> PeopleRepository::raterClasses() {
+  std::vector<StoredRaterClass> classes;
+  Statement row =
+      connection_.prepare("SELECT code, label, position FROM rater_class ORDER BY position, code");
+  row.execute();
+  while (row.step()) classes.push_back({row.text(0), row.text(1), row.int64(2)});
+  return classes;
+}
+
+void PeopleRepository::addTrainees(std::span<const StoredTrainee> trainees) {
+  Transaction transaction(connection_);
+  Statement person = connection_.prepare(kInsertPerson);
+  Statement part = connection_.prepare("INSERT INTO trainee (person_id, handedness) VALUES (?, ?)");
+  for (const StoredTrainee& trainee : trainees) {
+    insertPerson(person, trainee.person);
+    part.execute({trainee.person.id, textOrNull(trainee.handedness)});
+  }
+  transaction.commit();
+}
+
+void PeopleRepository::addRaters(std::span<const StoredRater> raters) {
+  Transaction transaction(connection_);
+  Statement person = connection_.prepare(kInsertPerson);
+  for (const StoredRater& rater : raters) {
+    insertPerson(person, rater.person);
+    makeRater(rater.person.id, rater.classCode);
+  }
+  transaction.commit();
+}
+
+void PeopleRepository::makeRater(const std::string& personId, const std::string& classCode) {
+  connection_.execute("INSERT INTO rater (person_id, class_code) VALUES (?, ?)", {personId, classCode});
+}
+
+std::vector<StoredTrainee> PeopleRepository::trainees() {
+  std::vector<StoredTrainee> trainees;
+  Statement row = connection_.prepare(std::string(kTrainees) + " ORDER BY p.code");
+  row.execute();
+  while (row.step()) trainees.push_back({personOf(row), row.text(kPersonColumns)});
+  return trainees;
+}
+
+std::vector<StoredRater> PeopleRepository::raters() {
+  std::vector<StoredRater> raters;
+  Statement row = connection_.prepare(std::string(kRaters) + " ORDER BY c.position, p.code");
+  row.execute();
+  while (row.step()) raters.push_back({personOf(row), row.text(kPersonColumns)});
+  return raters;
+}
+
+std::optional<StoredTrainee> PeopleRepository::findTrainee(const std::string& code) {
+  Statement row = connection_.prepare(std::string(kTrainees) + " WHERE p.code = ?");
+  row.execute({code});
+  if (!row.step()) return std::nullopt;
+  return StoredTrainee{personOf(row), row.text(kPersonColumns)};
+}
+
+std::optional<StoredRater> PeopleRepository::findRater(const std::string& code) {
+  Statement row = connection_.prepare(std::string(kRaters) + " WHERE p.code = ?");
+  row.execute({code});
+  if (!row.step()) return std::nullopt;
+  return StoredRater{personOf(row), row.text(kPersonColumns)};
+}
+
+void PeopleRepository::addIdentities(std::span<const StoredIdentity> identities) {
+  Transaction transaction(connection_);
+  Statement insert = connection_.prepare(
+      "INSERT INTO person_identity (person_id, full_name, email, external_id) VALUES (?, ?, ?, ?)");
+  for (const StoredIdentity& identity : identities) {
+    insert.execute(
+        {identity.personId, identity.fullName, textOrNull(identity.email), textOrNull(identity.externalId)});
+  }
+  transaction.commit();
+}
+
+std::optional<StoredIdentity> PeopleRepository::identity(const std::string& personId) {
+  Statement row = connection_.prepare(
+      "SELECT person_id, full_name, email, external_id FROM person_identity WHERE person_id = ?");
+  row.execute({personId});
+  if (!row.step()) return std::nullopt;
+  return StoredIdentity{row.text(0), row.text(1), row.text(2), row.text(3)};
+}
+
+}  // namespace torsio

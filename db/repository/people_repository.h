@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "db/connection/connection.h"
+
+namespace torsio {
+
+/// The coded record of a person: a pseudonym and what groups are balanced by. Never a name. The code and the
+/// demonstration flag are frozen once stored. Empty texts mean "not known".
+struct StoredPerson {
+  std::string id{};    ///< UUID
+  std::string code{};  ///< pseudonym, unique: "T-07"
+  std::string sex{};   ///< "female", "male", "other" or empty
+  std::string level{};
+  std::string experience{};
+  std::optional<std::int64_t> age_years{};
+  std::string state = "active";  ///< "active", "left", "erased"
+  std::int64_t createdUtc_us = 0;
+  bool demonstration = false;
+};
+
+/// The link from code to name, kept in a table of its own.
+struct StoredIdentity {
+  std::string personId{};
+  std::string fullName{};
+  std::string email{};
+  std::string externalId{};  ///< staff or student number; unique
+};
+
+struct StoredTrainee {
+  StoredPerson person{};
+  std::string handedness{};  ///< "left", "right" or empty
+};
+
+struct StoredRaterClass {
+  std::string code{};  ///< "intern", "deputy_chief", "chief"
+  std::string label{};
+  std::int64_t position = 0;
+};
+
+struct StoredRater {
+  StoredPerson person{};
+  std::string classCode{};
+};
+
+/// People. All writes of one call are one transaction; every call throws DbError when the database refuses.
+class PeopleRepository {
+ public:
+  explicit PeopleRepository(Connection& connection) : connection_(connection) {}
+
+  void addRaterClasses(std::span<const StoredRaterClass> classes);
+  [[nodiscard]] std::vector<StoredRaterClass> raterClasses();
+
+  void addTrainees(std::span<const StoredTrainee> trainees);
+  void addRaters(std::span<const StoredRater> raters);
+  /// Gives a person who is stored already (an intern, say) the second part of a rater.
+  void makeRater(const std::string& personId, const std::string& classCode);
+
+  /// Ordered by code.
+  [[nodiscard]] std::vector<StoredTrainee> trainees();
+  /// Ordered by class position, then code.
+  [[nodiscard]] std::vector<StoredRater> raters();
+  [[nodiscard]] std::optional<StoredTrainee> findTrainee(const std::string& code);
+  [[nodiscard]] std::optional<StoredRater> findRater(const std::string& code);
+
+  void addIdentities(std::span<const StoredIdentity> identities);
+  [[nodiscard]] std::optional<StoredIdentity> identity(const std::string& personId);
+
+ private:
+  Connection& connection_;
+};
+
+}  // namespace torsio

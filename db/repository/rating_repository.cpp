@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/rating_repository.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr const char* kMarkColumns =
+    "SELECT m.id, m.enrolment_id, m.rater_id, m.scoring_point, m.version, m.trial_id, m.score_steps,"
+    " m.scale_lo_steps, m.scale_hi_steps, m.steps_per_point, m.not_assessable_reason, m.comment, "
+    "m.amend_reason,"
+    " m.submitted_utc_us, m.demonstration, t.code, r.code, g.code, e.number_in_group"
+    " FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id JOIN person t ON t.id = e.trainee_id"
+    " JOIN person r ON r.id = m.rater_id JOIN scoring_point s ON s.code = m.scoring_point"
+    " LEFT JOIN training_group g ON g.id = e.group_id";
+
+std::vector<StoredTrainingMark> marksOf(Statement& row) {
+  std::vector<StoredTrainingMark> marks;
+  while (row.step()) {
+    marks.push_back({.id = row.text(0),
+                     .enrolmentId = row.text(1),
+                     .raterId = row.text(2),
+                     .scoringPoint = row.text(3),
+                     .version = row.int64(4),
+                     .trialId = row.text(5),
+                     .score_steps = row.maybeInt64(6),
+                     .scale = {row.int64(7), row.int64(8), row.int64(9)},
+                     .notAssessableReason = row.text(10),
+                     .comment = row.text(11),
+                     .amendReason = row.text(12),
+                     .submittedUtc_us = row.int64(13),
+                     .demonstration = row.boolean(14),
+                     .traineeCode = row.text(15),
+                     .raterCode = row.text(16),
+                     .groupCode = row.text(17),
+                     .numberInGroup = row.int64(18)});
+  }
+  return marks;
+}
+
+std::vector<StoredTrainingResult> traineeResults(Connection& connection, const std::string& runId) {
+  std::vector<StoredTrainingResult> results;
+  Statement row = connection.prepare(
+      "SELECT enrolment_id, scoring_point, mean, variance, rater_count, missing_count, flags"
+      " FROM training_result WHERE run_id = ? ORDER BY enrolment_id, scoring_point");
+  row.execute({runId});
+  while (row.step()) {
+    results.push_back({row.text(0), row.text(1), row.real(2), row.real(3), row.int64(4), row.int64(5),
+                       splitFlags(row.text(6))});
+  }
+  return results;
+}
+
+std::vector<StoredGroupResult> groupResults(Connection& connection, const std::string& runId) {
+  std::vector<StoredGroupResult> results;
+  Statement row = connection.prepare(
+      "SELECT group_id, scoring_point, trainee_count, mean, variance_n, variance_n_minus_1, flags"
+      " FROM training_group_result WHERE run_id = ? ORDER BY group_id, scoring_point");
+  row.execute({runId});
+  while (row.step()) {
+    results.push_back({row.text(0), row.text(1), row.int64(2), row.real(3), row.real(4), row.maybeReal(5),
+                       splitFlags(row.text(6))});
+  }
+  return results;
+}
+
+}  // namespace
+
+void RatingRepository::submit(std::span<const StoredTrainingMark> marks) {
+  Transaction transaction(connection_);
+  Statement insert = connection_.prepare(
+      "INSERT INTO training_mark (id, enrolment_id, rater_id, scoring_point, version, trial_id, score_steps,"
+      " scale_lo_steps, scale_hi_steps, steps_per_point, not_assessable_reason, comment, amend_reason,"
+      " submitted_utc_us, demonstration) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  for (const StoredTrainingMark& mark : marks) {
+    insert.execute({mark.id, mark.enrolmentId, mark.raterId, mark.scoringPoint, mark.version,
+                    textOrNull(mark.trialId), mark.score_steps, mark.scale.lo, mark.scale.hi,
+                    mark.scale.stepsPerPoint, textOrNull(mark.notAssessableReason), textOrNull(mark.comment),
+                    textOrNull(mark.amendReason), mark.submittedUtc_us, mark.demonstration});
+  }
+  transaction.commit();
+}
+
+std::vector<StoredTrainingMark> RatingRepository::marks(const std::string& cohortId) {
+  Statement row = connection_.prepare(
+      std::string(kMarkColumns) +
+      " WHERE e.cohort_id = ? AND NOT EXISTS (SELECT 1 FROM training_mark n"
+      "  WHERE n.enrolment_id = m.enrolment_id AND n.rater_id = m.rater_id"
+      "  AND n.scoring_point = m.scoring_point AND n.version > m.version)"
+      " ORDER BY s.position, COALESCE(g.number, 0), COALESCE(e.number_in_group, 0), t.code, r.code");
+  row.execute({cohortId});
+  return marksOf(row);
+}
+
+std::vector<StoredTrainingMark> RatingRepository::history(const std::string& enrolmentId,
+                                                          const std::string& raterId,
+                                                          const std::string& scoringPoint) {
+  Statement row = connection_.prepare(
+      std::string(kMarkColumns) +
+      " WHERE m.enrolment_id = ? AND m.rater_id = ? AND m.scoring_point = ? ORDER BY m.version");
+  row.execute({enrolmentId, raterId, scoringPoint});
+  return marksOf(row);
+}
+
+void RatingRepository::storeRun(const std::string& cohortId, const StoredTrainingRun& run) {
+  Transaction transaction(connection_);
+  insertRun(connection_, RunOwner::kCohort, cohortId, run.run);
+  Statement trainee = connection_.prepare(
+      "INSERT INTO training_result (run_id, enrolment_id, scoring_point, mean, variance, rater_count,"
+      " missing_count, flags) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+  for (const StoredTrainingResult& result : run.trainees) {
+    trainee.execute({run.run.id, result.enrolmentId, result.scoringPoint, result.mean, result.variance,
+                     result.raterCount, result.missingCount, joinFlags(result.flags)});
+  }
+  Statement group = connection_.prepare(
+      "INSERT INTO training_group_result (run_id, group_id, scoring_point, trainee_count, mean, variance_n,"
+      " variance_n_minus_1, flags) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+  for (const StoredGroupResult& result : run.groups) {
+    group.execute({run.run.id, result.groupId, result.scoringPoint, result.traineeCount, result.mean,
+                   result.varianceN, result.varianceNMinus1, joinFlags(result.flags)});
+  }
+  transaction.commit();
+}
+
+std::optional<StoredTrainingRun> RatingRepository::latestRun(const std::string& cohortId) {
+  const std::optional<AssessmentRun> run = findLatestRun(connection_, RunOwner::kCohort, cohortId);
+  if (!run) return std::nullopt;
+  return StoredTrainingRun{*run, traineeResults(connection_, run->id), groupResults(connection_, run->id)};
+}
+
+}  // namespace torsio

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/connection/connection.h"
+
+#include <cmath>
+#include <limits>
+#include <thread>
+
+#include "sim/base/error.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+class ConnectionTest : public DatabaseTest {
+ protected:
+  /// A table with every column type that the schema uses.
+  Connection openWithTable() {
+    Connection connection = open();
+    const std::string blob = onPostgresql() ? "BYTEA" : "BLOB";
+    connection.executeVerbatim(
+        "CREATE TABLE thing (id TEXT PRIMARY KEY, whole BIGINT, part DOUBLE PRECISION,"
+        " flag BOOLEAN, words TEXT, bytes " +
+        blob + ", CHECK (whole < 1000000000000000000 OR whole = 9223372036854775807))");
+    connection.executeVerbatim("CREATE TABLE other (thing_id TEXT NOT NULL REFERENCES thing (id))");
+    return connection;
+  }
+};
+
+const char* const kInsert =
+    "INSERT INTO thing (id, whole, part, flag, words, bytes) VALUES (?, ?, ?, ?, ?, ?)";
+
+TEST_F(ConnectionTest, ReturnsEveryTypeExactlyAsItWasGiven) {
+  Connection connection = openWithTable();
+  const Blob bytes{std::byte{0}, std::byte{0xFF}, std::byte{0x27}, std::byte{0x5C}, std::byte{0}};
+  const double third = 1.0 / 3.0;
+  const std::string words = "Zürich 手 'quoted' \\ ; -- ? :x";
+
+  connection.execute(kInsert, {"a", std::numeric_limits<std::int64_t>::max(), third, true, words, bytes});
+
+  Statement row = connection.prepare("SELECT whole, part, flag, words, bytes FROM thing WHERE id = ?");
+  row.execute({"a"});
+  ASSERT_TRUE(row.step());
+  EXPECT_EQ(row.int64(0), std::numeric_limits<std::int64_t>::max());
+  EXPECT_EQ(row.real(1), third);
+  EXPECT_TRUE(row.boolean(2));
+  EXPECT_EQ(row.text(3), words);
+  EXPECT_EQ(row.blob(4), bytes);
+  EXPECT_FALSE(row.step());
+}
+
+TEST_F(ConnectionTest, KeepsExtremeDoublesBitForBit) {
+  Connection connection = openWithTable();
+  const double values[] = {5e-324, std::numeric_limits<double>::max(), -0.1, 0.1 + 0.2, 1e-7, -1.0 / 0x1p60};
+  for (const double value : values) {
+    connection.execute("DELETE FROM thing");
+    connection.execute("INSERT INTO thing (id, part) VALUES (?, ?)", {"a", value});
+    Statement row = connection.prepare("SELECT part FROM thing");
+    row.execute();
+    ASSERT_TRUE(row.step());
+    EXPECT_EQ(row.real(0), value);
+  }
+}
+
+TEST_F(ConnectionTest, TellsNullFromEmpty) {
+  Connection connection = openWithTable();
+  connection.execute(kInsert, {"null", nullptr, std::optional<double>(), Value(), Value(), Value()});
+  connection.execute(kInsert, {"empty", 0, 0.0, false, "", Blob{}});
+
+  Statement row = connection.prepare("SELECT whole, part, flag, words, bytes FROM thing WHERE id = ?");
+  row.execute({"null"});
+  ASSERT_TRUE(row.step());
+  for (int column = 0; column < 5; ++column) EXPECT_TRUE(row.isNull(column)) << column;
+  row.execute({"empty"});
+  ASSERT_TRUE(row.step());
+  for (int column = 0; column < 5; ++column) EXPECT_FALSE(row.isNull(column)) << column;
+}
+
+TEST_F(ConnectionTest, RefusesNumbersThatAreNotFinite) {
+  Connection connection = openWithTable();
+
+  EXPECT_THROW(connection.execute("INSERT INTO thing (id, part) VALUES (?, ?)", {"a", std::nan("")}),
+               ContractError);
+}
+
+TEST_F(ConnectionTest, NamesTheFaultTheSameOnBothEngines) {
+  Connection connection = openWithTable();
+  connection.execute("INSERT INTO thing (id) VALUES (?)", {"a"});
+
+  EXPECT_EQ(faultFrom([&] { connection.execute("INSERT INTO thing (id) VALUES (?)", {"a"}); }),
+            DbFault::kUnique);
+  EXPECT_EQ(faultFrom([&] { connection.execute("INSERT INTO other (thing_id) VALUES (?)", {"b"}); }),
+            DbFault::kForeignKey);
+  EXPECT_EQ(faultFrom([&] { connection.execute("INSERT INTO other (thing_id) VALUES (?)", {nullptr}); }),
+            DbFault::kNotNull);
+  EXPECT_EQ(faultFrom([&] {
+              connection.execute("INSERT INTO thing (id, whole) VALUES (?, ?)", {"b", 2000000000000000000});
+            }),
+            DbFault::kCheck);
+  EXPECT_EQ(faultFrom([&] { connection.execute("SELECT nothing FROM nowhere"); }), DbFault::kOther);
+}
+
+TEST_F(ConnectionTest, ErrorNamesTheOperationButNoValues) {
+  Connection connection = openWithTable();
+  try {
+    connection.execute("INSERT INTO other (thing_id) VALUES (?)", {"Anna Bauer"});
+    FAIL();
+  } catch (const DbError& error) {
+    EXPECT_EQ(error.operation(), "INSERT INTO other");
+    EXPECT_FALSE(error.retryable());
+    EXPECT_EQ(error.code(), ErrorCode::kDatabase);
+    EXPECT_EQ(std::string(error.what()).find("Anna"), std::string::npos) << error.what();
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+  }
+}
+
+TEST_F(ConnectionTest, CountsTheRowsThatChanged) {
+  Connection connection = openWithTable();
+  connection.execute("INSERT INTO thing (id) VALUES (?)", {"a"});
+  connection.execute("INSERT INTO thing (id) VALUES (?)", {"b"});
+
+  EXPECT_EQ(connection.execute("UPDATE thing SET whole = ?", {7}), 2);
+  EXPECT_EQ(connection.execute("DELETE FROM thing WHERE id = ?", {"c"}), 0);
+}
+
+TEST_F(ConnectionTest, IsTiedToTheThreadThatOpenedIt) {
+  Connection connection = openWithTable();
+  bool refused = false;
+  std::thread other([&] {
+    try {
+      connection.execute("DELETE FROM thing");
+    } catch (const ContractError&) {
+      refused = true;
+    }
+  });
+  other.join();
+
+  EXPECT_TRUE(refused);
+}
+
+TEST_F(ConnectionTest, OpenedForReadingItRefusesToWrite) {
+  openWithTable();
+  Connection reader = openDatabase(locator(), OpenMode::kReadOnly);
+
+  EXPECT_EQ(numberFrom(reader, "SELECT count(*) FROM thing"), 0);
+  EXPECT_EQ(faultFrom([&] { reader.execute("INSERT INTO thing (id) VALUES (?)", {"a"}); }),
+            DbFault::kReadOnly);
+}
+
+using TransactionTest = ConnectionTest;
+
+TEST_F(TransactionTest, KeepsNothingUnlessCommitted) {
+  Connection connection = openWithTable();
+  {
+    const Transaction transaction(connection);
+    connection.execute("INSERT INTO thing (id) VALUES (?)", {"a"});
+    EXPECT_TRUE(connection.inTransaction());
+  }
+  EXPECT_FALSE(connection.inTransaction());
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM thing"), 0);
+}
+
+TEST_F(TransactionTest, KeepsEverythingOnceCommitted) {
+  Connection connection = openWithTable();
+  {
+    Transaction transaction(connection);
+    connection.execute("INSERT INTO thing (id) VALUES (?)", {"a"});
+    connection.execute("INSERT INTO thing (id) VALUES (?)", {"b"});
+    transaction.commit();
+  }
+  Connection again = open();
+  EXPECT_EQ(numberFrom(again, "SELECT count(*) FROM thing"), 2);
+}
+
+TEST_F(TransactionTest, CannotBeCommittedAfterAFailedStatement) {
+  Connection connection = openWithTable();
+  {
+    Transaction transaction(connection);
+    connection.execute("INSERT INTO thing (id) VALUES (?)", {"a"});
+    EXPECT_EQ(faultFrom([&] { connection.execute("INSERT INTO thing (id) VALUES (?)", {"a"}); }),
+              DbFault::kUnique);
+    EXPECT_EQ(faultFrom([&] { transaction.commit(); }), DbFault::kBrokenBefore);
+  }
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM thing"), 0);
+}
+
+TEST_F(TransactionTest, JoinsTheOuterOne) {
+  Connection connection = openWithTable();
+  {
+    const Transaction outer(connection);
+    Transaction inner(connection);
+    connection.execute("INSERT INTO thing (id) VALUES (?)", {"a"});
+    inner.commit();
+  }
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM thing"), 0);
+
+  Transaction outer(connection);
+  { const Transaction givenUp(connection); }
+  EXPECT_EQ(faultFrom([&] { outer.commit(); }), DbFault::kBrokenBefore);
+}
+
+TEST_F(TransactionTest, SaysBusyWhenAnotherConnectionHoldsTheSameRow) {
+  Connection first = openWithTable();
+  Connection second = open(50);
+  Transaction transaction(first);
+  first.execute("INSERT INTO thing (id) VALUES (?)", {"a"});
+
+  try {
+    const Transaction waiting(second);
+    second.execute("INSERT INTO thing (id) VALUES (?)", {"a"});
+    FAIL() << "nothing was refused";
+  } catch (const DbError& error) {
+    EXPECT_EQ(error.fault(), DbFault::kBusy);
+    EXPECT_TRUE(error.retryable());
+  }
+
+  transaction.commit();
+  second.execute("INSERT INTO thing (id) VALUES (?)", {"b"});
+  EXPECT_EQ(numberFrom(second, "SELECT count(*) FROM thing"), 2);
+}
+
+TEST(Locator, ReadsThePartsOfAServerAddress) {
+  const Locator locator =
+      parseLocator("postgresql://torsio:p%40ss%3A@db.example.org:6543/skills?schema=ward_2");
+
+  EXPECT_EQ(locator.engine, Engine::kPostgresql);
+  EXPECT_EQ(locator.user, "torsio");
+  EXPECT_EQ(locator.password, "p@ss:");
+  EXPECT_EQ(locator.host, "db.example.org");
+  EXPECT_EQ(locator.port, 6543);
+  EXPECT_EQ(locator.database, "skills");
+  EXPECT_EQ(locator.schema, "ward_2");
+}
+
+TEST(Locator, NeverShowsThePassword) {
+  EXPECT_EQ(parseLocator("postgresql://torsio:secret@h:1/d").shown(), "postgresql://h:1/d");
+  const Refusal refusal = refusalFrom([] { (void)parseLocator("postgresql://torsio:secret@/d"); });
+  EXPECT_EQ(refusal.code, ErrorCode::kBadParameter);
+  EXPECT_EQ(refusal.text.find("secret"), std::string::npos);
+}
+
+TEST(Locator, RefusesASchemaNameThatIsNotPlain) {
+  EXPECT_EQ(refusalFrom([] { (void)parseLocator("postgresql://u@h/d?schema=a%22b"); }).code,
+            ErrorCode::kBadParameter);
+}
+
+TEST(Locator, SaysThatAServerCannotBeReached) {
+  try {
+    (void)openDatabase("postgresql://u:secret@127.0.0.1:1/d", OpenMode::kReadWrite);
+    FAIL();
+  } catch (const DbError& error) {
+    EXPECT_EQ(error.fault(), DbFault::kUnreachable);
+    EXPECT_TRUE(error.retryable());
+    EXPECT_EQ(std::string(error.what()).find("secret"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace torsio

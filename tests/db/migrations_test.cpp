@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/migrations/migrations.h"
+
+#include <filesystem>
+
+#include "db/migrations/backup.h"
+#include "db/migrations/dialect.h"
+#include "sim/base/error.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+
+Migration step(std::int64_t version, const std::string& sql, std::int64_t compatibleFrom = 1) {
+  return parseMigration(
+      "000" + std::to_string(version) + "_test",
+      "-- description: test\n-- compatible_from: " + std::to_string(compatibleFrom) + "\n" + sql);
+}
+
+const MigrationOptions kOptions{.softwareVersion = "test", .now_us = 1'700'000'000'000'000};
+
+class MigrationsTest : public DatabaseTest {
+ protected:
+  [[nodiscard]] fs::path backupOf(std::int64_t version) const {
+    return locator() + ".schema-" + std::to_string(version) + ".sqlite";
+  }
+};
+
+TEST_F(MigrationsTest, EmbeddedStepsCountFromOneAndSayWhatTheyDo) {
+  std::int64_t version = 0;
+  for (const Migration& migration : embeddedMigrations()) {
+    EXPECT_EQ(migration.version, ++version);
+    EXPECT_FALSE(migration.description.empty());
+    EXPECT_GE(migration.compatibleFrom, 1);
+    EXPECT_LE(migration.compatibleFrom, migration.version);
+    EXPECT_EQ(migration.checksum.size(), 64U);
+  }
+}
+
+TEST_F(MigrationsTest, BringAnEmptyDatabaseToTheNewestSchema) {
+  Connection connection = openWithSchema();
+
+  const SchemaState state = checkSchema(connection, embeddedMigrations());
+
+  EXPECT_EQ(state.version, embeddedMigrations().back().version);
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM schema_migration"), state.version);
+  EXPECT_TRUE(integrityFindings(connection).empty());
+}
+
+TEST_F(MigrationsTest, DoNothingTheSecondTime) {
+  { (void)openWithSchema(); }
+  Connection connection = open();
+
+  const MigrationReport report = migrate(connection, embeddedMigrations(), kOptions);
+
+  EXPECT_EQ(report.fromVersion, report.toVersion);
+  EXPECT_FALSE(report.backup.has_value());
+}
+
+TEST_F(MigrationsTest, RefuseADatabaseOfANewerProgram) {
+  Connection connection = open();
+  migrate(connection, {step(1, "CREATE TABLE a (x BIGINT);\n"), step(2, "CREATE TABLE b (x BIGINT);\n", 2)},
+          kOptions);
+
+  const Refusal refusal =
+      refusalFrom([&] { (void)checkSchema(connection, {step(1, "CREATE TABLE a (x BIGINT);\n")}); });
+
+  EXPECT_EQ(refusal.code, ErrorCode::kNewerSchema);
+  EXPECT_NE(refusal.text.find("schema 2"), std::string::npos) << refusal.text;
+}
+
+TEST_F(MigrationsTest, AllowReadingANewerDatabaseThatSaysItIsCompatible) {
+  const Migration first = step(1, "CREATE TABLE a (x BIGINT);\n");
+  {
+    Connection connection = open();
+    migrate(connection, {first, step(2, "CREATE TABLE b (x BIGINT);\n", 1)}, kOptions);
+    EXPECT_EQ(refusalFrom([&] { (void)checkSchema(connection, {first}); }).code, ErrorCode::kNewerSchema);
+  }
+  Connection reader = openDatabase(locator(), OpenMode::kReadOnly);
+  EXPECT_EQ(checkSchema(reader, {first}).version, 2);
+}
+
+TEST_F(MigrationsTest, RefuseAStepThatWasEditedAfterItWasApplied) {
+  Connection connection = open();
+  migrate(connection, {step(1, "CREATE TABLE a (x BIGINT);\n")}, kOptions);
+
+  const Refusal refusal =
+      refusalFrom([&] { migrate(connection, {step(1, "CREATE TABLE a (y BIGINT);\n")}, kOptions); });
+
+  EXPECT_EQ(refusal.code, ErrorCode::kBadData);
+  EXPECT_NE(refusal.text.find("0001_test"), std::string::npos) << refusal.text;
+}
+
+TEST_F(MigrationsTest, LeaveTheDatabaseAtTheStepBeforeOneThatFails) {
+  Connection connection = open();
+  const std::vector<Migration> steps{step(1, "CREATE TABLE a (x BIGINT);\n"),
+                                     step(2, "CREATE TABLE b (x BIGINT);\nCREATE TABLE a (x BIGINT);\n")};
+
+  EXPECT_THROW(migrate(connection, steps, kOptions), DbError);
+
+  EXPECT_EQ(numberFrom(connection, "SELECT max(version) FROM schema_migration"), 1);
+  EXPECT_THROW((void)connection.prepare("SELECT x FROM b"), DbError);
+}
+
+TEST_F(MigrationsTest, CopyAnExistingFileBeforeTheFirstStep) {
+  if (onPostgresql()) GTEST_SKIP() << "a server is backed up by its own tools";
+  Connection connection = open();
+  const Migration first = step(1, "CREATE TABLE a (x BIGINT);\n");
+  EXPECT_FALSE(migrate(connection, {first}, kOptions).backup.has_value());
+  connection.execute("INSERT INTO a (x) VALUES (?)", {42});
+
+  const MigrationReport report =
+      migrate(connection, {first, step(2, "CREATE TABLE b (x BIGINT);\nDELETE FROM a;\n")}, kOptions);
+
+  ASSERT_TRUE(report.backup.has_value());
+  EXPECT_EQ(*report.backup, backupOf(1));
+  Connection copy = openDatabase(report.backup->string(), OpenMode::kReadOnly);
+  EXPECT_EQ(numberFrom(copy, "SELECT x FROM a"), 42);
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM a"), 0);
+}
+
+TEST(Dialect, ReplacesTheTypeOfBytes) {
+  const std::string text = "CREATE TABLE t (b {{blob}});\n";
+  EXPECT_EQ(statementsFor(Engine::kSqlite, text, "x").at(0), "CREATE TABLE t (b BLOB)");
+  EXPECT_EQ(statementsFor(Engine::kPostgresql, text, "x").at(0), "CREATE TABLE t (b BYTEA)");
+}
+
+TEST(Dialect, SplitsStatementsAtTheSemicolonThatEndsALine) {
+  const std::vector<std::string> statements =
+      statementsFor(Engine::kSqlite, "-- why; indeed\nSELECT ';'\n FROM a;\nSELECT 2;\n", "x");
+  ASSERT_EQ(statements.size(), 2U);
+  EXPECT_EQ(statements[0], "SELECT ';'\n FROM a");
+}
+
+TEST(Dialect, RefusesUnknownTokensAndOpenEnds) {
+  EXPECT_EQ(refusalFrom([] { (void)statementsFor(Engine::kSqlite, "{{nonsense}}\n", "x"); }).code,
+            ErrorCode::kBadData);
+  EXPECT_EQ(refusalFrom([] { (void)statementsFor(Engine::kSqlite, "A {{nonsense}};\n", "x"); }).code,
+            ErrorCode::kBadData);
+  EXPECT_EQ(refusalFrom([] { (void)statementsFor(Engine::kSqlite, "SELECT 1\n", "x"); }).code,
+            ErrorCode::kBadData);
+}
+
+class BackupTest : public DatabaseTest {
+ protected:
+  void SetUp() override {
+    DatabaseTest::SetUp();
+    if (onPostgresql()) GTEST_SKIP() << "a server is backed up by its own tools";
+  }
+};
+
+TEST_F(BackupTest, IsAWholeDatabaseInOneFile) {
+  Connection connection = openWithSchema();
+  connection.execute("INSERT INTO rater_class (code, label, position) VALUES (?, ?, ?)",
+                     {"chief", "chiefs", 3});
+  const fs::path target = locator() + ".copy";
+
+  backupSqlite(connection, target);
+
+  Connection copy = openRecord(target.string(), OpenMode::kReadOnly);
+  EXPECT_EQ(numberFrom(copy, "SELECT count(*) FROM rater_class"), 1);
+  EXPECT_FALSE(fs::exists(locator() + ".copy.part"));
+  EXPECT_FALSE(fs::exists(locator() + ".copy.part-wal"));
+}
+
+TEST_F(BackupTest, LeavesNothingWhenItsFolderIsMissing) {
+  Connection connection = openWithSchema();
+  EXPECT_THROW(backupSqlite(connection, fs::path(locator()).parent_path() / "none" / "copy.sqlite"), Error);
+  EXPECT_FALSE(fs::exists(fs::path(locator()).parent_path() / "none"));
+}
+
+}  // namespace
+}  // namespace torsio

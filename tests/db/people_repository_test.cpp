@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/people_repository.h"
+
+#include "tests/db/sample_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+using PeopleRepositoryTest = DatabaseTest;
+
+TEST_F(PeopleRepositoryTest, ReturnsTraineesAsTheyWereEntered) {
+  Connection connection = openWithSchema();
+  const SampleRecord sample(connection, 3);
+
+  const std::vector<StoredTrainee> trainees = PeopleRepository(connection).trainees();
+
+  ASSERT_EQ(trainees.size(), 3U);
+  const StoredPerson& person = trainees[1].person;
+  EXPECT_EQ(person.id, sample.trainees[1].person.id);
+  EXPECT_EQ(person.code, "T-02");
+  EXPECT_EQ(person.sex, "male");
+  EXPECT_EQ(person.level, "graduate");
+  EXPECT_EQ(person.experience, "");
+  EXPECT_EQ(person.age_years, 24);
+  EXPECT_EQ(person.state, "active");
+  EXPECT_EQ(person.createdUtc_us, kSampleTime_us);
+  EXPECT_TRUE(person.demonstration);
+  EXPECT_EQ(trainees[1].handedness, "right");
+}
+
+TEST_F(PeopleRepositoryTest, KeepsRatersWithTheirClassInTheOrderOfTheClasses) {
+  Connection connection = openWithSchema();
+  const SampleRecord sample(connection, 1);
+  PeopleRepository people(connection);
+
+  people.makeRater(sample.trainees[0].person.id, "intern");  // interns use the simulator and rate it
+
+  const std::vector<StoredRater> raters = people.raters();
+  ASSERT_EQ(raters.size(), 3U);
+  EXPECT_EQ(raters[0].person.code, "T-01");
+  EXPECT_EQ(raters[0].classCode, "intern");
+  EXPECT_EQ(raters[2].person.code, "C-02");
+  EXPECT_EQ(people.findRater("C-01")->classCode, "chief");
+  EXPECT_FALSE(people.findRater("C-09").has_value());
+  EXPECT_EQ(people.raterClasses().size(), 3U);
+}
+
+TEST_F(PeopleRepositoryTest, KeepsNobodyOfARosterWithADoubleCode) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  std::vector<StoredTrainee> roster(2);
+  roster[0].person = {.id = sample.ids.newUuid(), .code = "T-50"};
+  roster[1].person = {.id = sample.ids.newUuid(), .code = "T-01"};
+
+  EXPECT_EQ(faultFrom([&] { PeopleRepository(connection).addTrainees(roster); }), DbFault::kUnique);
+
+  EXPECT_EQ(PeopleRepository(connection).trainees().size(), 1U);
+}
+
+TEST_F(PeopleRepositoryTest, RefusesUnknownClassesAndSexes) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  PeopleRepository people(connection);
+
+  EXPECT_EQ(faultFrom([&] { people.makeRater(sample.trainees[0].person.id, "wizard"); }),
+            DbFault::kForeignKey);
+  std::vector<StoredTrainee> odd(1);
+  odd[0].person = {.id = sample.ids.newUuid(), .code = "T-60", .sex = "yes"};
+  EXPECT_EQ(faultFrom([&] { people.addTrainees(odd); }), DbFault::kCheck);
+}
+
+TEST_F(PeopleRepositoryTest, KeepsNamesApartFromTheCodedRecord) {
+  Connection connection = openWithSchema();
+  const SampleRecord sample(connection, 2);
+  PeopleRepository people(connection);
+  const std::string id = sample.trainees[0].person.id;
+
+  people.addIdentities(std::vector<StoredIdentity>{{id, "Änne Müller", "", "S-123"}});
+
+  EXPECT_EQ(people.identity(id)->fullName, "Änne Müller");
+  EXPECT_EQ(people.identity(id)->externalId, "S-123");
+  EXPECT_FALSE(people.identity(sample.trainees[1].person.id).has_value());
+  EXPECT_EQ(faultFrom([&] {
+              people.addIdentities(
+                  std::vector<StoredIdentity>{{sample.trainees[1].person.id, "Somebody", "", "S-123"}});
+            }),
+            DbFault::kUnique);
+}
+
+TEST_F(PeopleRepositoryTest, NeverChangesAPseudonym) {
+  Connection connection = openWithSchema();
+  const SampleRecord sample(connection, 1);
+
+  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE person SET code = ?", {"T-99"}); }),
+            DbFault::kAppendOnly);
+  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE person SET demonstration = ?", {false}); }),
+            DbFault::kAppendOnly);
+  EXPECT_EQ(connection.execute("UPDATE person SET state = ? WHERE code = ?", {"left", "T-01"}), 1);
+}
+
+TEST(IdSource, MakesVersionFourUuids) {
+  SystemIdSource system;
+  const std::string id = system.newUuid();
+  EXPECT_TRUE(isUuid(id));
+  EXPECT_EQ(id[14], '4');
+  EXPECT_NE(id, system.newUuid());
+  EXPECT_FALSE(isUuid("not-a-uuid"));
+  EXPECT_FALSE(isUuid("6F9619FF-8B86-4D01-B42D-00CF4FC964FF"));  // upper case
+}
+
+TEST(IdSource, RepeatsTheIdsOfASeed) {
+  SeededIdSource first(1);
+  SeededIdSource again(1);
+  SeededIdSource other(2);
+  const std::string id = first.newUuid();
+  EXPECT_TRUE(isUuid(id));
+  EXPECT_EQ(id, again.newUuid());
+  EXPECT_NE(id, other.newUuid());
+}
+
+}  // namespace
+}  // namespace torsio

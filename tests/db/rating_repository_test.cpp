@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/rating_repository.h"
+
+#include "tests/db/sample_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+class RatingRepositoryTest : public DatabaseTest {
+ protected:
+  static StoredTrainingMark markOf(SampleRecord& sample, std::size_t trainee, std::size_t rater,
+                                   const std::string& point, std::int64_t score_steps) {
+    StoredTrainingMark mark;
+    mark.id = sample.ids.newUuid();
+    mark.enrolmentId = sample.enrolments[trainee].id;
+    mark.raterId = sample.chiefs[rater].person.id;
+    mark.scoringPoint = point;
+    mark.score_steps = score_steps;
+    mark.submittedUtc_us = kSampleTime_us;
+    mark.demonstration = true;
+    return mark;
+  }
+};
+
+TEST_F(RatingRepositoryTest, ReturnsMarksWithTheirPeopleByScoringPoint) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 2);
+  RatingRepository ratings(connection);
+  std::vector<StoredTrainingMark> marks;
+  for (const char* point : {"post", "pre", "mid"}) {
+    for (std::size_t trainee = 0; trainee < 2; ++trainee) {
+      marks.push_back(markOf(sample, trainee, 1, point, 55));
+      marks.push_back(markOf(sample, trainee, 0, point, 73));
+    }
+  }
+  marks[0].comment = "steady hand";
+
+  ratings.submit(marks);
+
+  const std::vector<StoredTrainingMark> stored = ratings.marks(sample.cohort.id);
+  ASSERT_EQ(stored.size(), 12U);
+  EXPECT_EQ(stored[0].scoringPoint, "pre");
+  EXPECT_EQ(stored[0].traineeCode, "T-01");
+  EXPECT_EQ(stored[0].raterCode, "C-01");
+  EXPECT_EQ(stored[0].score_steps, 73);
+  EXPECT_EQ(stored[0].scale.hi, 100);
+  EXPECT_TRUE(stored[0].demonstration);
+  EXPECT_EQ(stored[9].scoringPoint, "post");
+  EXPECT_EQ(stored[9].comment, "steady hand");
+}
+
+TEST_F(RatingRepositoryTest, ACorrectionIsANewVersionWithItsReason) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  RatingRepository ratings(connection);
+  ratings.submit(std::vector<StoredTrainingMark>{markOf(sample, 0, 0, "pre", 40)});
+  StoredTrainingMark better = markOf(sample, 0, 0, "pre", 45);
+  better.version = 2;
+  EXPECT_EQ(faultFrom([&] { ratings.submit(std::vector<StoredTrainingMark>{better}); }), DbFault::kCheck);
+
+  better.amendReason = "typed the wrong key";
+  ratings.submit(std::vector<StoredTrainingMark>{better});
+
+  EXPECT_EQ(ratings.marks(sample.cohort.id).size(), 1U);
+  EXPECT_EQ(ratings.marks(sample.cohort.id)[0].score_steps, 45);
+  const auto history = ratings.history(better.enrolmentId, better.raterId, "pre");
+  ASSERT_EQ(history.size(), 2U);
+  EXPECT_EQ(history[0].score_steps, 40);
+  EXPECT_EQ(history[1].amendReason, "typed the wrong key");
+}
+
+TEST_F(RatingRepositoryTest, TheSecondOfTwoEqualVersionsIsRefused) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  RatingRepository ratings(connection);
+  ratings.submit(std::vector<StoredTrainingMark>{markOf(sample, 0, 0, "pre", 40)});
+
+  Connection station = open();
+  EXPECT_EQ(
+      faultFrom([&] {
+        RatingRepository(station).submit(std::vector<StoredTrainingMark>{markOf(sample, 0, 0, "pre", 90)});
+      }),
+      DbFault::kUnique);
+  EXPECT_EQ(ratings.marks(sample.cohort.id)[0].score_steps, 40);
+}
+
+TEST_F(RatingRepositoryTest, AMarkIsAScoreOnItsScaleOrAReason) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  RatingRepository ratings(connection);
+  StoredTrainingMark mark = markOf(sample, 0, 0, "pre", 101);
+  EXPECT_EQ(faultFrom([&] { ratings.submit(std::vector<StoredTrainingMark>{mark}); }), DbFault::kCheck);
+  mark.score_steps.reset();
+  EXPECT_EQ(faultFrom([&] { ratings.submit(std::vector<StoredTrainingMark>{mark}); }), DbFault::kCheck);
+
+  mark.notAssessableReason = "camera failed";
+  ratings.submit(std::vector<StoredTrainingMark>{mark});
+
+  EXPECT_FALSE(ratings.marks(sample.cohort.id)[0].score_steps.has_value());
+  EXPECT_EQ(ratings.marks(sample.cohort.id)[0].notAssessableReason, "camera failed");
+}
+
+TEST_F(RatingRepositoryTest, KeepsNoMarkOfABatchWithOneBadOne) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 2);
+  std::vector<StoredTrainingMark> marks{markOf(sample, 0, 0, "pre", 50), markOf(sample, 1, 0, "never", 50)};
+
+  EXPECT_EQ(faultFrom([&] { RatingRepository(connection).submit(marks); }), DbFault::kForeignKey);
+  EXPECT_TRUE(RatingRepository(connection).marks(sample.cohort.id).empty());
+}
+
+TEST_F(RatingRepositoryTest, SubmittedMarksAreSealed) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  RatingRepository(connection).submit(std::vector<StoredTrainingMark>{markOf(sample, 0, 0, "pre", 40)});
+
+  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE training_mark SET score_steps = ?", {100}); }),
+            DbFault::kAppendOnly);
+  EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM training_mark"); }), DbFault::kAppendOnly);
+}
+
+TEST_F(RatingRepositoryTest, ResultsCarryTheirFormulaAndFlags) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  RatingRepository ratings(connection);
+  EXPECT_FALSE(ratings.latestRun(sample.cohort.id).has_value());
+  StoredTrainingRun run;
+  run.run = {.id = sample.ids.newUuid(),
+             .formulaVersion = "training-1",
+             .policy = "available-case",
+             .inputsHash = "abc",
+             .flags = {"available-case", "demonstration data"},
+             .softwareVersion = "0.1.0",
+             .computedUtc_us = kSampleTime_us,
+             .demonstration = true};
+  run.trainees = {{sample.enrolments[0].id, "pre", 7.0 / 3.0, 0.1, 2, 1, {"available-case"}}};
+  run.groups = {{sample.groups[0].id, "pre", 1, 7.0 / 3.0, 0.0, std::nullopt, {}}};
+
+  ratings.storeRun(sample.cohort.id, run);
+
+  const StoredTrainingRun stored = ratings.latestRun(sample.cohort.id).value();
+  EXPECT_EQ(stored.run.formulaVersion, "training-1");
+  EXPECT_EQ(stored.run.flags, run.run.flags);
+  EXPECT_EQ(stored.run.inputsHash, "abc");
+  ASSERT_EQ(stored.trainees.size(), 1U);
+  EXPECT_EQ(stored.trainees[0].mean, 7.0 / 3.0);
+  EXPECT_EQ(stored.trainees[0].missingCount, 1);
+  EXPECT_EQ(stored.trainees[0].flags, (std::vector<std::string>{"available-case"}));
+  ASSERT_EQ(stored.groups.size(), 1U);
+  EXPECT_FALSE(stored.groups[0].varianceNMinus1.has_value());
+  EXPECT_TRUE(stored.groups[0].flags.empty());
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "db/connection/connection.h"
+#include "db/repository/id_source.h"
+#include "db/repository/people_repository.h"
+#include "db/repository/study_repository.h"
+#include "sim/record/trial.h"
+
+namespace torsio {
+
+inline constexpr std::int64_t kSampleTime_us = 1'763'712'000'000'000;  // 2025-11-21 08:00 UTC
+
+/// A small centre: three rater classes, `trainees` trainees and two chiefs, one cohort of two groups with all
+/// trainees enrolled. Ids from a fixed seed.
+struct SampleRecord {
+  SampleRecord(Connection& connection, int traineeCount);
+
+  SeededIdSource ids{20251121};
+  std::vector<StoredTrainee> trainees;
+  std::vector<StoredRater> chiefs;
+  StoredCohort cohort;
+  std::vector<StoredGroup> groups;
+  std::vector<StoredEnrolment> enrolments;
+};
+
+/// A header in which every field differs from its default.
+[[nodiscard]] TrialHeader sampleHeader(const std::string& trialId, const std::string& traineeCode);
+/// Chunk `index` of `samples` samples with `size` bytes that depend on the index.
+[[nodiscard]] TrialChunk sampleChunk(std::int64_t index, std::size_t size = 15000);
+
+}  // namespace torsio

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/study_repository.h"
+
+#include "sim/base/error.h"
+#include "tests/db/sample_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+class StudyRepositoryTest : public DatabaseTest {
+ protected:
+  static StoredAllocationDesign designFor(SampleRecord& sample) {
+    return {.id = sample.ids.newUuid(),
+            .cohortId = sample.cohort.id,
+            .algorithm = "complete",
+            .algorithmVersion = "1",
+            .parametersJson = R"({"arms":2})",
+            .generator = "mt19937_64",
+            .seedCommitment = "c0ffee",
+            .seed = "20240601",
+            .lockedUtc_us = kSampleTime_us,
+            .demonstration = true};
+  }
+  /// Trainees to the two groups in turn.
+  static std::vector<StoredAllocation> allocationsFor(SampleRecord& sample, const std::string& designId) {
+    std::vector<StoredAllocation> records;
+    for (std::size_t i = 0; i < sample.enrolments.size(); ++i) {
+      StoredAllocation record;
+      record.id = sample.ids.newUuid();
+      record.designId = designId;
+      record.sequence = static_cast<std::int64_t>(i) + 1;
+      record.enrolmentId = sample.enrolments[i].id;
+      record.groupId = sample.groups[i % 2].id;
+      record.numberInGroup = static_cast<std::int64_t>(i / 2) + 1;
+      record.covariatesJson = R"({"sex":"female"})";
+      record.countsBeforeJson = "[0,0]";
+      record.drawBefore = static_cast<std::int64_t>(i);
+      record.drawAfter = static_cast<std::int64_t>(i) + 1;
+      record.enrolledBy = "admin";
+      record.allocatedBy = "torsio";
+      record.softwareVersion = "0.1.0";
+      record.allocatedUtc_us = kSampleTime_us;
+      record.demonstration = true;
+      records.push_back(record);
+    }
+    return records;
+  }
+};
+
+TEST_F(StudyRepositoryTest, KeepsTheCentre) {
+  Connection connection = openWithSchema();
+  StudyRepository study(connection);
+  EXPECT_FALSE(study.centre().has_value());
+
+  study.setCentre({"id", "Skills Laboratory", kSampleTime_us, true});
+  study.setCentre({"id", "Surgical Skills Laboratory", kSampleTime_us, true});
+
+  EXPECT_EQ(study.centre()->name, "Surgical Skills Laboratory");
+  EXPECT_TRUE(study.centre()->demonstration);
+}
+
+TEST_F(StudyRepositoryTest, KeepsCohortsWithTheirGroups) {
+  Connection connection = openWithSchema();
+  const SampleRecord sample(connection, 1);
+  StudyRepository study(connection);
+
+  ASSERT_EQ(study.cohorts().size(), 1U);
+  EXPECT_EQ(study.cohorts()[0].name, "Autumn");
+  const std::vector<StoredGroup> groups = study.groups(sample.cohort.id);
+  ASSERT_EQ(groups.size(), 2U);
+  EXPECT_EQ(groups[1].code, "G2");
+  EXPECT_EQ(groups[1].label, "20 min virtual, 20 min real");
+}
+
+TEST_F(StudyRepositoryTest, EnrolsATraineeOncePerCohort) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  StoredEnrolment again = sample.enrolments[0];
+  again.id = sample.ids.newUuid();
+
+  EXPECT_EQ(faultFrom([&] { StudyRepository(connection).enrol(std::vector<StoredEnrolment>{again}); }),
+            DbFault::kUnique);
+}
+
+TEST_F(StudyRepositoryTest, AllocatesAndListsByGroupAndNumber) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 4);
+  StudyRepository study(connection);
+  const StoredAllocationDesign design = designFor(sample);
+  study.lockDesign(design);
+  EXPECT_EQ(study.enrolments(sample.cohort.id)[0].groupCode, "");
+
+  study.allocate(allocationsFor(sample, design.id));
+
+  const std::vector<StoredEnrolment> enrolments = study.enrolments(sample.cohort.id);
+  ASSERT_EQ(enrolments.size(), 4U);
+  const std::vector<std::string> codes{enrolments[0].traineeCode, enrolments[1].traineeCode,
+                                       enrolments[2].traineeCode, enrolments[3].traineeCode};
+  EXPECT_EQ(codes, (std::vector<std::string>{"T-01", "T-03", "T-02", "T-04"}));
+  EXPECT_EQ(enrolments[1].groupCode, "G1");
+  EXPECT_EQ(enrolments[1].numberInGroup, 2);
+}
+
+TEST_F(StudyRepositoryTest, ChainsTheRecordsOfAnAllocation) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 3);
+  StudyRepository study(connection);
+  const StoredAllocationDesign design = designFor(sample);
+  study.lockDesign(design);
+
+  const std::vector<StoredAllocation> stored = study.allocate(allocationsFor(sample, design.id));
+
+  EXPECT_EQ(stored[0].previousHash, "");
+  EXPECT_EQ(stored[1].previousHash, stored[0].recordHash);
+  EXPECT_FALSE(study.firstBrokenAllocation(design.id).has_value());
+  const std::vector<StoredAllocation> read = study.allocations(design.id);
+  ASSERT_EQ(read.size(), 3U);
+  EXPECT_EQ(read[2].recordHash, stored[2].recordHash);
+  EXPECT_EQ(read[2].drawAfter, 3);
+  EXPECT_EQ(read[2].covariatesJson, R"({"sex":"female"})");
+}
+
+TEST_F(StudyRepositoryTest, FindsARecordThatWasTamperedWith) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 3);
+  StudyRepository study(connection);
+  const StoredAllocationDesign design = designFor(sample);
+  study.lockDesign(design);
+  study.allocate(allocationsFor(sample, design.id));
+
+  // The gate of a person erase is the only way past the triggers; the chain still tells.
+  connection.execute("INSERT INTO erasure_gate (id, reason, opened_utc_us) VALUES (?, ?, ?)", {"x", "", 0});
+  connection.execute("UPDATE allocation SET group_id = ? WHERE sequence = ?", {sample.groups[0].id, 2});
+
+  EXPECT_EQ(study.firstBrokenAllocation(design.id), 2);
+}
+
+TEST_F(StudyRepositoryTest, RefusesAllocationsOutOfTurn) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 2);
+  StudyRepository study(connection);
+  const StoredAllocationDesign design = designFor(sample);
+  study.lockDesign(design);
+  std::vector<StoredAllocation> records = allocationsFor(sample, design.id);
+  records[1].sequence = 3;
+
+  EXPECT_EQ(refusalFrom([&] { study.allocate(records); }).code, ErrorCode::kBadData);
+  EXPECT_TRUE(study.allocations(design.id).empty());
+}
+
+TEST_F(StudyRepositoryTest, HidesTheSeedUntilItIsRevealed) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  StudyRepository study(connection);
+  const StoredAllocationDesign design = designFor(sample);
+  study.lockDesign(design);
+  EXPECT_EQ(study.designs(sample.cohort.id).at(0).seed, "");
+  EXPECT_EQ(study.designs(sample.cohort.id).at(0).seedCommitment, "c0ffee");
+
+  study.revealSeed(design.id, kSampleTime_us + 1);
+
+  EXPECT_EQ(study.designs(sample.cohort.id).at(0).seed, "20240601");
+}
+
+TEST_F(StudyRepositoryTest, NeverChangesAnAllocation) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  StudyRepository study(connection);
+  const StoredAllocationDesign design = designFor(sample);
+  study.lockDesign(design);
+  study.allocate(allocationsFor(sample, design.id));
+
+  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE allocation SET draw_after = ?", {9}); }),
+            DbFault::kAppendOnly);
+  EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM allocation"); }), DbFault::kAppendOnly);
+  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE allocation_seed SET seed = ?", {"1"}); }),
+            DbFault::kAppendOnly);
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/trial_repository.h"
+
+#include <thread>
+
+#include "sim/base/error.h"
+#include "tests/db/sample_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+/// Fails to compile when TrialHeader gains a field: then the schema, kInsertTrial, headerOf and this need it
+/// too.
+void expectSameHeader(const TrialHeader& a, const TrialHeader& b) {
+  const auto& [id, code, scene, pattern, organ, parameterHash, parameters, device, limits, software, phase,
+               drive, target, scale, period, started, demonstration] = a;
+  EXPECT_EQ(id, b.trialId);
+  EXPECT_EQ(code, b.traineeCode);
+  EXPECT_EQ(scene, b.sceneId);
+  EXPECT_EQ(pattern, b.patternId);
+  EXPECT_EQ(organ, b.organHash);
+  EXPECT_EQ(parameterHash, b.parameterHash);
+  EXPECT_EQ(parameters, b.parametersJson);
+  EXPECT_EQ(device, b.deviceModel);
+  EXPECT_EQ(limits, b.deviceLimits);
+  EXPECT_EQ(software, b.softwareVersion);
+  EXPECT_EQ(phase, b.phaseLabel);
+  EXPECT_EQ(drive, b.drive);
+  EXPECT_EQ(target, b.targetAngle_rad);
+  EXPECT_EQ(scale, b.forceScale);
+  EXPECT_EQ(period, b.tickPeriod_us);
+  EXPECT_EQ(started, b.startedUtc_us);
+  EXPECT_EQ(demonstration, b.demonstration);
+}
+
+void expectSameChunk(const TrialChunk& a, const TrialChunk& b) {
+  EXPECT_EQ(a.index, b.index);
+  EXPECT_EQ(a.firstTick, b.firstTick);
+  EXPECT_EQ(a.samples, b.samples);
+  EXPECT_EQ(a.bytes, b.bytes);
+  EXPECT_EQ(a.digest, b.digest);
+  EXPECT_EQ(a.outputDigest, b.outputDigest);
+}
+
+class TrialRepositoryTest : public DatabaseTest {
+ protected:
+  /// Records `chunks` seconds, finished unless `cut`.
+  static void record(TrialSink& sink, const TrialHeader& header, std::int64_t chunks, bool cut = false) {
+    sink.begin(header);
+    for (std::int64_t i = 0; i < chunks; ++i) sink.append(sampleChunk(i, 500));
+    if (!cut) sink.finish({1000 * chunks, 3, 2, TrialOutcome::kCompleted, "hash"});
+  }
+};
+
+TEST_F(TrialRepositoryTest, ReturnsATrialBitForBit) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const TrialHeader header = sampleHeader(sample.ids.newUuid(), "T-01");
+  TrialRepository trials(connection, {"station-1", sample.enrolments[0].id});
+
+  record(trials, header, 3);
+
+  Connection other = open();
+  const Trial trial = TrialRepository(other).load(header.trialId);
+  expectSameHeader(trial.header, header);
+  ASSERT_EQ(trial.chunks.size(), 3U);
+  for (std::int64_t i = 0; i < 3; ++i) {
+    expectSameChunk(trial.chunks[static_cast<std::size_t>(i)], sampleChunk(i, 500));
+  }
+  EXPECT_EQ(trial.summary.samples, 3000);
+  EXPECT_EQ(trial.summary.refusedSamples, 3);
+  EXPECT_EQ(trial.summary.lateTicks, 2);
+  EXPECT_EQ(trial.summary.outcome, TrialOutcome::kCompleted);
+  EXPECT_EQ(trial.summary.contentHash, "hash");
+}
+
+TEST_F(TrialRepositoryTest, RecordsPracticeOfNobody) {
+  Connection connection = openWithSchema();
+  SeededIdSource ids(1);
+  const TrialHeader header = sampleHeader(ids.newUuid(), "");
+  TrialRepository trials(connection, {"station-1", ""});
+
+  record(trials, header, 1);
+
+  expectSameHeader(trials.find(header.trialId).value(), header);
+}
+
+TEST_F(TrialRepositoryTest, RefusesATraineeWhoIsNotEntered) {
+  Connection connection = openWithSchema();
+  SeededIdSource ids(1);
+  TrialRepository trials(connection);
+
+  const Refusal refusal = refusalFrom([&] { trials.begin(sampleHeader(ids.newUuid(), "T-77")); });
+
+  EXPECT_EQ(refusal.code, ErrorCode::kBadData);
+  EXPECT_NE(refusal.text.find("T-77"), std::string::npos);
+  EXPECT_TRUE(trials.list().empty());
+}
+
+TEST_F(TrialRepositoryTest, FindsTheInterruptedTrialsOfItsStationOnly) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const std::string mine = sample.ids.newUuid();
+  const std::string theirs = sample.ids.newUuid();
+  const std::string done = sample.ids.newUuid();
+  {
+    Connection recorder = open();
+    TrialRepository first(recorder, {"station-1", ""});
+    TrialRepository second(recorder, {"station-2", ""});
+    TrialRepository third(recorder, {"station-1", ""});
+    record(first, sampleHeader(mine, "T-01"), 2, true);
+    record(second, sampleHeader(theirs, "T-01"), 2, true);
+    record(third, sampleHeader(done, "T-01"), 2);
+  }
+  TrialRepository trials(connection);
+
+  const std::vector<TrialListing> found = trials.unfinished("station-1");
+
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].trialId, mine);
+  EXPECT_FALSE(found[0].summary.has_value());
+  const Trial cut = trials.load(mine);
+  EXPECT_EQ(cut.chunks.size(), 2U);
+  EXPECT_EQ(cut.summary.samples, 2000);
+  EXPECT_EQ(cut.summary.outcome, TrialOutcome::kInterrupted);
+
+  trials.closeInterrupted(mine, cut.summary);
+
+  EXPECT_TRUE(trials.unfinished("station-1").empty());
+  EXPECT_EQ(trials.unfinished("station-2").size(), 1U);
+  EXPECT_EQ(trials.load(mine).summary.outcome, TrialOutcome::kInterrupted);
+}
+
+TEST_F(TrialRepositoryTest, ListsTheNewestFirstAndFilters) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 2);
+  std::vector<std::string> ids;
+  for (int i = 0; i < 4; ++i) {
+    TrialHeader header = sampleHeader(sample.ids.newUuid(), i % 2 == 0 ? "T-01" : "T-02");
+    header.startedUtc_us += i;
+    header.sceneId = i < 2 ? "arm" : "stomach";
+    ids.push_back(header.trialId);
+    TrialRepository trials(connection, {"s", sample.enrolments[static_cast<std::size_t>(i % 2)].id});
+    record(trials, header, 1, i == 3);
+  }
+  TrialRepository trials(connection);
+
+  EXPECT_EQ(trials.list().size(), 4U);
+  EXPECT_EQ(trials.list()[0].trialId, ids[3]);
+  EXPECT_EQ(trials.list()[1].summary->samples, 1000);
+  const std::vector<TrialListing> first = trials.list({.traineeCode = "T-01"});
+  ASSERT_EQ(first.size(), 2U);
+  EXPECT_EQ(first[0].trialId, ids[2]);
+  EXPECT_EQ(trials.list({.traineeCode = "T-01", .sceneId = "arm"}).at(0).trialId, ids[0]);
+  EXPECT_EQ(trials.list({.enrolmentId = sample.enrolments[1].id}).size(), 2U);
+  EXPECT_EQ(trials.list({.limit = 1, .offset = 1}).at(0).trialId, ids[2]);
+}
+
+TEST_F(TrialRepositoryTest, KeepsEventsInTheirOrder) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const std::string id = sample.ids.newUuid();
+  TrialRepository trials(connection);
+  record(trials, sampleHeader(id, "T-01"), 1);
+
+  trials.addEvents(id, std::vector<StoredTrialEvent>{{1, 120, 120000, "contact", "", std::nullopt},
+                                                     {2, 500, 500000, "bookmark", "slipped", 0.25}});
+
+  const std::vector<StoredTrialEvent> events = trials.events(id);
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(events[0].kind, "contact");
+  EXPECT_FALSE(events[0].value.has_value());
+  EXPECT_EQ(events[1].label, "slipped");
+  EXPECT_EQ(events[1].value, 0.25);
+  EXPECT_EQ(events[1].time_us, 500000);
+}
+
+TEST_F(TrialRepositoryTest, NothingRecordedCanBeChanged) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  TrialRepository trials(connection);
+  const std::string id = sample.ids.newUuid();
+  record(trials, sampleHeader(id, "T-01"), 2);
+  trials.addEvents(id, std::vector<StoredTrialEvent>{{1, 1, 1, "contact", "", std::nullopt}});
+
+  for (const std::string table : {"trial", "trial_chunk", "trial_event", "trial_end"}) {
+    EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM " + table); }), DbFault::kAppendOnly) << table;
+  }
+  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE trial_chunk SET bytes = ?", {Blob{}}); }),
+            DbFault::kAppendOnly);
+  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE trial SET organ_hash = ?", {""}); }),
+            DbFault::kAppendOnly);
+  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE trial_end SET outcome = ?", {"interrupted"}); }),
+            DbFault::kAppendOnly);
+  EXPECT_EQ(trials.load(id).chunks.size(), 2U);
+}
+
+TEST_F(TrialRepositoryTest, ReplacingARowIsAChangeToo) {
+  if (onPostgresql()) GTEST_SKIP() << "REPLACE is a word of SQLite";
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  TrialRepository trials(connection);
+  record(trials, sampleHeader(sample.ids.newUuid(), "T-01"), 1);
+
+  EXPECT_EQ(faultFrom([&] {
+              connection.execute(
+                  "INSERT OR REPLACE INTO trial_chunk SELECT trial_id, chunk_index, 7,"
+                  " sample_count, digest, output_digest, stored_utc_us, bytes FROM trial_chunk");
+            }),
+            DbFault::kAppendOnly);
+}
+
+TEST_F(TrialRepositoryTest, RefusesTheSameSecondTwice) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  TrialRepository trials(connection);
+  trials.begin(sampleHeader(sample.ids.newUuid(), "T-01"));
+  trials.append(sampleChunk(0, 100));
+
+  EXPECT_EQ(faultFrom([&] { trials.append(sampleChunk(0, 100)); }), DbFault::kUnique);
+  trials.append(sampleChunk(1, 100));
+}
+
+TEST_F(TrialRepositoryTest, SaysSoWhenThereIsNoSuchTrial) {
+  Connection connection = openWithSchema();
+  EXPECT_EQ(refusalFrom([&] { (void)TrialRepository(connection).load("none"); }).code, ErrorCode::kBadData);
+  EXPECT_FALSE(TrialRepository(connection).find("none").has_value());
+}
+
+TEST_F(TrialRepositoryTest, StoresAThousandSeconds) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const std::string id = sample.ids.newUuid();
+  TrialRepository trials(connection);
+
+  record(trials, sampleHeader(id, "T-01"), 1000);
+
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM trial_chunk"), 1000);
+  EXPECT_EQ(trials.load(id).summary.samples, 1'000'000);
+}
+
+TEST_F(TrialRepositoryTest, RecordsFromAThreadOfItsOwn) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const std::string id = sample.ids.newUuid();
+  OwnConnectionTrialSink sink(locator(), {"station-1", ""});
+
+  std::thread recorder([&] { record(sink, sampleHeader(id, "T-01"), 5); });
+  recorder.join();
+
+  EXPECT_EQ(TrialRepository(connection).load(id).chunks.size(), 5U);
+}
+
+TEST_F(TrialRepositoryTest, ASinkGivenUpInAnotherThreadLeavesAnInterruptedTrial) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  {
+    OwnConnectionTrialSink sink(locator(), {"station-1", ""});
+    std::thread recorder([&] { record(sink, sampleHeader(sample.ids.newUuid(), "T-01"), 2, true); });
+    recorder.join();
+  }
+  EXPECT_EQ(TrialRepository(connection).unfinished("station-1").size(), 1U);
+}
+
+}  // namespace
+}  // namespace torsio
