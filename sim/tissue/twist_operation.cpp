@@ -77,6 +77,11 @@ double profileSlope(const TwistOperation& operation, double x, double peak) noex
 }
 
 void checkOperations(std::span<const TwistOperation> operations) {
+  if (operations.size() > static_cast<std::size_t>(kMostOperations)) {
+    throw Error(ErrorCode::kBadParameter,
+                std::to_string(operations.size()) + " twist operations in one pattern", "twist pattern",
+                "Give at most " + std::to_string(kMostOperations) + ".");
+  }
   for (std::size_t i = 0; i < operations.size(); ++i) {
     const TwistOperation& op = operations[i];
     if (op.axis == TwistAxis::kStraight) checkStraightAxis(i, op);

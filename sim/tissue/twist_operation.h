@@ -45,6 +45,8 @@ struct TwistOperation {
   double ratio = 1.0;  ///< angle at the peak as a multiple of the grasp angle; < 0: the other way round
 };
 
+inline constexpr int kMostOperations = 8;
+
 /// Share of the full angle at fraction `x` for every profile but kElastic; `peak` in (from, to].
 [[nodiscard]] double profileShare(const TwistOperation& operation, double x, double peak) noexcept;
 /// d profileShare / dx.
