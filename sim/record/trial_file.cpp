@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/record/trial_file.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "sim/base/digest.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+#include "sim/record/content_hash.h"
+#include "sim/record/trial_bytes.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::string_view kMagic = "TORSIO TRIAL 1\n";
+enum class RecordKind : char { kHeader = 'H', kChunk = 'C', kSummary = 'S' };
+constexpr std::size_t kLengthSize = 8;
+constexpr std::size_t kDigestSize = sizeof(Digest::Value);
+
+Digest::Value recordDigest(RecordKind kind, std::span<const std::byte> payload) {
+  Digest digest;
+  digest.update(static_cast<std::int64_t>(kind));
+  digest.update(payload);
+  return digest.value();
+}
+
+/// Kind, length, payload, digest.
+std::string record(RecordKind kind, const std::vector<std::byte>& payload) {
+  std::string bytes(1, static_cast<char>(kind));
+  for (unsigned i = 0; i < kLengthSize; ++i) {
+    bytes.push_back(static_cast<char>((static_cast<std::uint64_t>(payload.size()) >> (8 * i)) & 0xFFU));
+  }
+  bytes.append(reinterpret_cast<const char*>(payload.data()), payload.size());
+  for (const std::uint8_t byte : recordDigest(kind, payload)) bytes.push_back(static_cast<char>(byte));
+  return bytes;
+}
+
+struct Record {
+  RecordKind kind = RecordKind::kHeader;
+  std::span<const std::byte> payload;
+};
+
+/// The record at the front of `rest`, which is moved on; nothing when it was cut off.
+std::optional<Record> takeRecord(std::span<const std::byte>& rest, const std::filesystem::path& file) {
+  if (rest.size() < 1 + kLengthSize) return std::nullopt;
+  std::uint64_t length = 0;
+  for (unsigned i = 0; i < kLengthSize; ++i) length |= static_cast<std::uint64_t>(rest[1 + i]) << (8 * i);
+  const std::span<const std::byte> body = rest.subspan(1 + kLengthSize);
+  if (body.size() < kDigestSize || length > body.size() - kDigestSize) return std::nullopt;
+  Record found;
+  found.kind = static_cast<RecordKind>(rest[0]);
+  found.payload = body.first(static_cast<std::size_t>(length));
+  const Digest::Value digest = recordDigest(found.kind, found.payload);
+  const auto stored = body.subspan(found.payload.size(), kDigestSize);
+  for (std::size_t i = 0; i < kDigestSize; ++i) {
+    if (stored[i] != std::byte{digest[i]}) {
+      throw Error(ErrorCode::kBadData, "a record does not match its digest", file.string(),
+                  "The file is damaged: restore it from a copy");
+    }
+  }
+  rest = body.subspan(found.payload.size() + kDigestSize);
+  return found;
+}
+
+}  // namespace
+
+TrialFileSink::TrialFileSink(std::filesystem::path file) : file_(std::move(file)) {}
+
+void TrialFileSink::write(const std::string& bytes) {
+  if (!out_.is_open()) out_.open(temporaryBeside(file_), std::ios::binary | std::ios::in | std::ios::ate);
+  out_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out_.flush();
+  if (out_) {
+    sound_ += bytes.size();
+    return;
+  }
+  // Half a record must not stand before the next attempt.
+  out_.clear();
+  out_.close();
+  std::error_code ignored;
+  std::filesystem::resize_file(temporaryBeside(file_), sound_, ignored);
+  throw Error(ErrorCode::kFileUnwritable, "the trial cannot be written", file_.string(),
+              "Check that the folder exists, is not read-only, and that the disk is not full");
+}
+
+void TrialFileSink::begin(const TrialHeader& header) {
+  out_ = std::ofstream(temporaryBeside(file_), std::ios::binary | std::ios::trunc);
+  sound_ = 0;
+  write(std::string(kMagic) + record(RecordKind::kHeader, toBytes(header)));
+}
+
+void TrialFileSink::append(const TrialChunk& chunk) {
+  write(record(RecordKind::kChunk, toBytes(chunk)));
+}
+
+void TrialFileSink::finish(const TrialSummary& summary) {
+  write(record(RecordKind::kSummary, toBytes(summary)));
+  out_.close();
+  std::error_code failed;
+  std::filesystem::rename(temporaryBeside(file_), file_, failed);
+  if (failed) {
+    throw Error(ErrorCode::kFileUnwritable, "the finished trial cannot be renamed", file_.string(),
+                "Rename the file that ends in .part by hand");
+  }
+}
+
+Trial readTrialFile(const std::filesystem::path& file) {
+  const std::string content = readFile(file);
+  if (content.substr(0, kMagic.size()) != kMagic) {
+    throw Error(ErrorCode::kFileUnreadable, "this is not a trial file", file.string(),
+                "Choose a file that Torsio recorded or exported");
+  }
+  const auto broken = [&file](const char* what) {
+    throw Error(ErrorCode::kBadData, what, file.string(), "The file is damaged: restore it from a copy");
+  };
+  std::span<const std::byte> rest = std::as_bytes(std::span(content)).subspan(kMagic.size());
+  Trial trial;
+  bool begun = false;
+  bool finished = false;
+  while (const std::optional<Record> next = takeRecord(rest, file)) {
+    if (finished || begun == (next->kind == RecordKind::kHeader)) broken("the records are out of order");
+    switch (next->kind) {
+      case RecordKind::kHeader:
+        trial.header = headerFromBytes(next->payload);
+        begun = true;
+        break;
+      case RecordKind::kChunk:
+        trial.chunks.push_back(chunkFromBytes(next->payload));
+        break;
+      case RecordKind::kSummary:
+        trial.summary = summaryFromBytes(next->payload);
+        finished = true;
+        break;
+      default:
+        broken("an unknown record");
+    }
+  }
+  if (!begun) broken("the file ends before the trial begins");
+  if (finished && !rest.empty()) broken("bytes follow after the end of the trial");
+  if (!finished) {
+    trial.summary.outcome = TrialOutcome::kInterrupted;
+    for (const TrialChunk& chunk : trial.chunks) trial.summary.samples += chunk.samples;
+    trial.summary.contentHash = contentHash(trial);
+  }
+  return trial;
+}
+
+}  // namespace torsio

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "sim/record/trial.h"
+
+namespace torsio {
+
+/// A trial as one file, written while it is recorded: where a recording goes when the database cannot take
+/// it, and how a trial travels. Each record carries its own digest and is flushed at once; until finish() the
+/// file has the ending ".part", so that a crash leaves a readable file that nobody takes for a whole one.
+class TrialFileSink final : public TrialSink {
+ public:
+  /// Nothing is written before begin(). `file`: its folder must exist.
+  explicit TrialFileSink(std::filesystem::path file);
+
+  void begin(const TrialHeader& header) override;
+  void append(const TrialChunk& chunk) override;
+  void finish(const TrialSummary& summary) override;
+
+ private:
+  void write(const std::string& bytes);
+
+  std::filesystem::path file_;
+  std::ofstream out_;
+  std::uintmax_t sound_ = 0;  // bytes of the file that are whole records
+};
+
+/// Reads a trial file, whole or cut off after any record: then the outcome is kInterrupted and the content
+/// hash that of what is there. Throws Error (kFileMissing, kFileUnreadable, kBadData).
+[[nodiscard]] Trial readTrialFile(const std::filesystem::path& file);
+
+}  // namespace torsio
