@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/look/theme.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QApplication>
+#include <QFont>
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace torsio::gui {
+
+namespace {
+
+Theme lightTheme() {
+  Theme t;
+  t.kind = ThemeKind::kLight;
+  t.window = QColor(0xF3, 0xF5, 0xF7);
+  t.surface = QColor(0xFF, 0xFF, 0xFF);
+  t.raised = QColor(0xE9, 0xEE, 0xF2);
+  t.line = QColor(0xDD, 0xE3, 0xE8);
+  t.border = QColor(0x7E, 0x8C, 0x98);
+  t.text = QColor(0x17, 0x22, 0x2B);
+  t.quietText = QColor(0x51, 0x60, 0x6C);
+  t.accent = QColor(0x0B, 0x63, 0x84);
+  t.onAccent = QColor(0xFF, 0xFF, 0xFF);
+  t.good = QColor(0x1B, 0x7A, 0x4B);
+  t.caution = QColor(0x9A, 0x5B, 0x00);
+  t.recording = QColor(0xB4, 0x2A, 0x3C);
+  t.track = QColor(0xDF, 0xE5, 0xEA);
+  t.backdropTop = QColor(0xEC, 0xF1, 0xF4);
+  t.backdropBottom = QColor(0xC3, 0xD0, 0xD9);
+  t.lattice = QColor(0x14, 0x3A, 0x4C);
+  t.wire = QColor(0x20, 0x2E, 0x38);
+  t.grasp = QColor(0x06, 0x5F, 0x7E);
+  return t;
+}
+
+Theme darkTheme() {
+  Theme t;
+  t.kind = ThemeKind::kDark;
+  t.window = QColor(0x14, 0x19, 0x1E);
+  t.surface = QColor(0x1C, 0x23, 0x2A);
+  t.raised = QColor(0x29, 0x32, 0x3B);
+  t.line = QColor(0x2F, 0x39, 0x42);
+  t.border = QColor(0x71, 0x80, 0x8D);
+  t.text = QColor(0xE8, 0xED, 0xF1);
+  t.quietText = QColor(0xA3, 0xB1, 0xBC);
+  t.accent = QColor(0x62, 0xB9, 0xD8);
+  t.onAccent = QColor(0x08, 0x1D, 0x27);
+  t.good = QColor(0x63, 0xC4, 0x93);
+  t.caution = QColor(0xF0, 0xB4, 0x4A);
+  t.recording = QColor(0xF0, 0x7C, 0x8A);
+  t.track = QColor(0x36, 0x41, 0x4B);
+  t.backdropTop = QColor(0x2A, 0x35, 0x3F);
+  t.backdropBottom = QColor(0x11, 0x16, 0x1B);
+  t.lattice = QColor(0xDC, 0xF1, 0xFA);
+  t.wire = QColor(0xD5, 0xE2, 0xEA);
+  t.grasp = QColor(0x8A, 0xDD, 0xF5);
+  return t;
+}
+
+double channel(double value) {
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+double luminance(const QColor& colour) {
+  return 0.2126 * channel(colour.redF()) + 0.7152 * channel(colour.greenF()) +
+         0.0722 * channel(colour.blueF());
+}
+
+QPalette paletteOf(const Theme& t) {
+  QPalette palette;
+  palette.setColor(QPalette::Window, t.window);
+  palette.setColor(QPalette::WindowText, t.text);
+  palette.setColor(QPalette::Base, t.surface);
+  palette.setColor(QPalette::AlternateBase, t.raised);
+  palette.setColor(QPalette::Text, t.text);
+  palette.setColor(QPalette::PlaceholderText, t.quietText);
+  palette.setColor(QPalette::Button, t.raised);
+  palette.setColor(QPalette::ButtonText, t.text);
+  palette.setColor(QPalette::BrightText, t.onAccent);
+  palette.setColor(QPalette::Highlight, t.accent);
+  palette.setColor(QPalette::HighlightedText, t.onAccent);
+  palette.setColor(QPalette::Link, t.accent);
+  palette.setColor(QPalette::ToolTipBase, t.surface);
+  palette.setColor(QPalette::ToolTipText, t.text);
+  palette.setColor(QPalette::Light, t.surface);
+  palette.setColor(QPalette::Midlight, t.raised);
+  palette.setColor(QPalette::Mid, t.line);
+  palette.setColor(QPalette::Dark, t.border);
+  palette.setColor(QPalette::Shadow, t.line);
+  for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+    palette.setColor(QPalette::Disabled, role, t.border);
+  }
+  return palette;
+}
+
+/// `%name` becomes the theme's colour of that name.
+QString styleSheetOf(const Theme& t) {
+  QString sheet = QStringLiteral(R"(
+QMainWindow, QDialog { background: %window; }
+QMenuBar { background: %window; color: %text; padding: 2px 8px; border-bottom: 1px solid %line; }
+QMenuBar::item { padding: 6px 10px; border-radius: 4px; background: transparent; }
+QMenuBar::item:selected { background: %raised; }
+QMenu { background: %surface; color: %text; border: 1px solid %line; padding: 6px; }
+QMenu::item { padding: 7px 28px 7px 28px; border-radius: 4px; }
+QMenu::item:selected { background: %accent; color: %onAccent; }
+QMenu::item:disabled { color: %border; }
+QMenu::separator { height: 1px; background: %line; margin: 6px 8px; }
+QMenu::indicator { width: 14px; height: 14px; left: 8px; }
+QToolBar { background: %window; border: none; border-bottom: 1px solid %line; spacing: 4px; padding: 6px 12px; }
+QToolBar::separator { width: 1px; background: %line; margin: 6px 8px; }
+QToolButton { color: %text; background: transparent; border: 1px solid transparent; border-radius: 6px;
+  padding: 6px 10px; }
+QToolButton:hover { background: %raised; }
+QToolButton:pressed { background: %track; }
+QToolButton:checked { background: %raised; border-color: %accent; color: %accent; }
+QToolButton:focus { border-color: %accent; }
+QToolButton:disabled { color: %border; }
+QStatusBar { background: %window; color: %quietText; border-top: 1px solid %line; }
+QStatusBar::item { border: none; }
+QStatusBar QLabel { color: %quietText; padding: 4px 12px; }
+QFrame#card { background: %surface; border: 1px solid %line; border-radius: 8px; }
+QLabel#cardTitle { color: %text; font-weight: 600; }
+QLabel[quiet="true"] { color: %quietText; }
+QComboBox, QDoubleSpinBox, QSpinBox { background: %surface; color: %text; border: 1px solid %border;
+  border-radius: 6px; padding: 5px 8px; min-height: 20px; selection-background-color: %accent;
+  selection-color: %onAccent; }
+QComboBox:focus, QDoubleSpinBox:focus, QSpinBox:focus { border: 2px solid %accent; padding: 4px 7px; }
+QComboBox:disabled, QDoubleSpinBox:disabled { color: %border; border-color: %line; }
+QComboBox::drop-down { border: none; width: 24px; }
+QComboBox::down-arrow { image: url(%chevron); width: 12px; height: 12px; }
+QComboBox QAbstractItemView { background: %surface; color: %text; border: 1px solid %line; padding: 4px;
+  selection-background-color: %accent; selection-color: %onAccent; outline: none; }
+QPushButton { background: %raised; color: %text; border: 1px solid %border; border-radius: 6px;
+  padding: 7px 16px; min-height: 20px; }
+QPushButton:hover { background: %track; }
+QPushButton:default { background: %accent; color: %onAccent; border-color: %accent; }
+QPushButton:focus { border: 2px solid %accent; padding: 6px 15px; }
+QPushButton:disabled { color: %border; border-color: %line; }
+QScrollArea { background: transparent; border: none; }
+QScrollArea > QWidget > QWidget { background: transparent; }
+QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
+QScrollBar::handle:vertical { background: %border; border-radius: 4px; min-height: 32px; margin: 0 1px; }
+QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+QToolTip { background: %surface; color: %text; border: 1px solid %border; padding: 4px 8px; }
+)");
+  const bool dark = t.kind == ThemeKind::kDark;
+  sheet.replace(QLatin1String("%chevron"), dark ? QLatin1String(":/torsio/icons/chevron-dark.svg")
+                                                : QLatin1String(":/torsio/icons/chevron-light.svg"));
+  const std::pair<const char*, QColor> colours[] = {
+      {"%window", t.window},     {"%surface", t.surface}, {"%raised", t.raised},       {"%line", t.line},
+      {"%border", t.border},     {"%text", t.text},       {"%quietText", t.quietText}, {"%accent", t.accent},
+      {"%onAccent", t.onAccent}, {"%track", t.track},
+  };
+  for (const auto& [name, colour] : colours) sheet.replace(QLatin1String(name), colour.name());
+  return sheet;
+}
+
+}  // namespace
+
+const Theme& theme(ThemeKind kind) {
+  static const Theme kLight = lightTheme();
+  static const Theme kDark = darkTheme();
+  return kind == ThemeKind::kDark ? kDark : kLight;
+}
+
+double contrast(const QColor& a, const QColor& b) {
+  const auto [dim, bright] = std::minmax(luminance(a), luminance(b));
+  return (bright + 0.05) / (dim + 0.05);
+}
+
+void applyTheme(QApplication& application, const Theme& chosen) {
+  application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QFont font = application.font();
+  font.setPointSizeF(kBodyText_pt);
+  application.setFont(font);
+  application.setPalette(paletteOf(chosen));
+  application.setStyleSheet(styleSheetOf(chosen));
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/scene/lattice_overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include <QByteArray>
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr double kStep_m = 0.0025;  // longest piece of a line before it is put onto the skin
+constexpr float kLift_mm = 0.35F;   // above the skin: chords of a round surface run below it
+
+using Attribute = QQuick3DGeometry::Attribute;
+
+SkinAnchor anchorAt(const Scene& scene, const Vec3& point_m) {
+  const SurfacePoint hit = scene.collision.closest(point_m);
+  SkinAnchor anchor;
+  anchor.corners = scene.mesh.triangles[hit.triangle];
+  for (std::size_t k = 0; k < 3; ++k) anchor.weights[k] = static_cast<float>(hit.barycentric[k]);
+  return anchor;
+}
+
+/// Refines a polyline and puts it onto the skin.
+SkinLine skinLine(const Scene& scene, std::span<const Vec3> corners_m, bool closed) {
+  SkinLine line;
+  line.closed = closed;
+  const std::size_t pieces = closed ? corners_m.size() : corners_m.size() - 1;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const Vec3& a = corners_m[i];
+    const Vec3& b = corners_m[(i + 1) % corners_m.size()];
+    const int steps = std::max(1, static_cast<int>(std::ceil(norm(b - a) / kStep_m)));
+    for (int k = 0; k < steps; ++k)
+      line.anchors.push_back(anchorAt(scene, a + (b - a) * (double(k) / steps)));
+  }
+  if (!closed) line.anchors.push_back(anchorAt(scene, corners_m.back()));
+  return line;
+}
+
+SkinLine graspLine(const Scene& scene) {
+  const SectionLattice& lattice = scene.lattice();
+  const double position = std::clamp(scene.pattern.graspArc, 0.0, 1.0) * (lattice.sections() - 1);
+  const int below = std::min(static_cast<int>(position), lattice.sections() - 2);
+  const double t = position - below;
+  std::vector<Vec3> corners;
+  for (int ridge = 0; ridge < lattice.ridges(); ++ridge) {
+    corners.push_back(lattice.keyPoint_m(ridge, below) * (1.0 - t) +
+                      lattice.keyPoint_m(ridge, below + 1) * t);
+  }
+  return skinLine(scene, corners, true);
+}
+
+struct SkinPlace {
+  QVector3D position;
+  QVector3D normal;
+};
+
+SkinPlace placeOf(const SkinAnchor& anchor, std::span<const SurfaceVertex> vertices) {
+  SkinPlace place;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SurfaceVertex& v = vertices[anchor.corners[k]];
+    place.position += anchor.weights[k] * QVector3D(v.position[0], v.position[1], v.position[2]);
+    place.normal += anchor.weights[k] * QVector3D(v.normal[0], v.normal[1], v.normal[2]);
+  }
+  place.normal.normalize();
+  return place;
+}
+
+}  // namespace
+
+LatticeLines latticeLines(const Scene& scene) {
+  const SectionLattice& lattice = scene.lattice();
+  LatticeLines lines;
+  std::vector<Vec3> corners;
+  for (int ridge = 0; ridge < lattice.ridges(); ++ridge) {
+    corners.clear();
+    for (int j = 0; j < lattice.sections(); ++j) corners.push_back(lattice.keyPoint_m(ridge, j));
+    lines.lattice.push_back(skinLine(scene, corners, false));
+  }
+  for (int j = 0; j < lattice.sections(); ++j) {
+    corners.clear();
+    for (int ridge = 0; ridge < lattice.ridges(); ++ridge) corners.push_back(lattice.keyPoint_m(ridge, j));
+    lines.lattice.push_back(skinLine(scene, corners, true));
+  }
+  lines.grasp.push_back(graspLine(scene));
+  return lines;
+}
+
+RibbonGeometry::RibbonGeometry() {
+  setStride(3 * sizeof(float));
+  setPrimitiveType(PrimitiveType::Triangles);
+  addAttribute(Attribute::PositionSemantic, 0, Attribute::F32Type);
+  addAttribute(Attribute::IndexSemantic, 0, Attribute::U32Type);
+}
+
+void RibbonGeometry::setLines(std::vector<SkinLine> lines, float width_mm, const OrganSurface& surface) {
+  lines_ = std::move(lines);
+  halfWidth_mm_ = 0.5F * width_mm;
+  std::vector<std::uint32_t> indices;
+  std::uint32_t first = 0;
+  for (const SkinLine& line : lines_) {
+    const auto count = static_cast<std::uint32_t>(line.anchors.size());
+    const std::uint32_t pieces = line.closed ? count : count - 1;
+    for (std::uint32_t i = 0; i < pieces; ++i) {
+      const std::uint32_t a = first + 2 * i;
+      const std::uint32_t b = first + 2 * ((i + 1) % count);
+      indices.insert(indices.end(), {a, a + 1, b, b, a + 1, b + 1});
+    }
+    first += 2 * count;
+  }
+  setIndexData({reinterpret_cast<const char*>(indices.data()),
+                static_cast<qsizetype>(indices.size() * sizeof(std::uint32_t))});
+  follow(surface);
+}
+
+void RibbonGeometry::follow(const OrganSurface& surface) {
+  constexpr float kHuge = std::numeric_limits<float>::max();
+  QVector3D low(kHuge, kHuge, kHuge);
+  QVector3D high(-kHuge, -kHuge, -kHuge);
+  std::size_t points = 0;
+  for (const SkinLine& line : lines_) points += line.anchors.size();
+  QByteArray bytes(static_cast<qsizetype>(points * 6 * sizeof(float)), Qt::Uninitialized);
+  auto* out = reinterpret_cast<float*>(bytes.data());
+  std::vector<SkinPlace> places;
+  for (const SkinLine& line : lines_) {
+    places.clear();
+    for (const SkinAnchor& anchor : line.anchors) places.push_back(placeOf(anchor, surface.vertices()));
+    const std::size_t count = places.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t before = i > 0 ? i - 1 : (line.closed ? count - 1 : 0);
+      const std::size_t after = i + 1 < count ? i + 1 : (line.closed ? 0 : i);
+      const QVector3D along = places[after].position - places[before].position;
+      const QVector3D side = QVector3D::crossProduct(along, places[i].normal).normalized() * halfWidth_mm_;
+      const QVector3D centre = places[i].position + kLift_mm * places[i].normal;
+      for (const QVector3D& p : {centre - side, centre + side}) {
+        for (int k = 0; k < 3; ++k) {
+          *out++ = p[k];
+          low[k] = std::min(low[k], p[k]);
+          high[k] = std::max(high[k], p[k]);
+        }
+      }
+    }
+  }
+  setVertexData(bytes);
+  if (points > 0) setBounds(low, high);
+  update();
+}
+
+}  // namespace torsio::gui

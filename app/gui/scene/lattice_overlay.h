@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <QQuick3DGeometry>
+#include <QVector3D>
+
+#include "app/gui/scene/organ_surface.h"
+#include "sim/scene/scene.h"
+
+namespace torsio::gui {
+
+/// A point fixed to the skin: three corners and their weights. It moves exactly as the drawn skin does.
+struct SkinAnchor {
+  std::array<std::uint32_t, 3> corners{};
+  std::array<float, 3> weights{};
+};
+
+/// One ridge or the outline of one section.
+struct SkinLine {
+  std::vector<SkinAnchor> anchors;
+  bool closed = false;
+};
+
+/// The lattice of the paper's section 3.1 and the section that the exercise grasps.
+struct LatticeLines {
+  std::vector<SkinLine> lattice;  ///< ridges first, then sections
+  std::vector<SkinLine> grasp;    ///< one line
+};
+
+/// Puts ridges and sections onto the skin. Asks scene.collision, which serves one thread at a time: call it
+/// before the servo uses the scene.
+[[nodiscard]] LatticeLines latticeLines(const Scene& scene);
+
+/// Flat ribbons along skin lines. GUI thread.
+class RibbonGeometry : public QQuick3DGeometry {
+  Q_OBJECT
+
+ public:
+  RibbonGeometry();
+  /// `width_mm`: of the ribbon; `surface`: the skin that the anchors mean.
+  void setLines(std::vector<SkinLine> lines, float width_mm, const OrganSurface& surface);
+  /// The skin moved.
+  void follow(const OrganSurface& surface);
+
+ private:
+  std::vector<SkinLine> lines_;
+  float halfWidth_mm_ = 0.3F;
+};
+
+}  // namespace torsio::gui

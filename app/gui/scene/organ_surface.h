@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "app/gui/scene/tissue_look.h"
+#include "sim/base/vec3.h"
+#include "sim/geometry/triangle_mesh.h"
+
+namespace torsio::gui {
+
+/// One corner as the graphics card reads it: view frame, millimetres.
+struct SurfaceVertex {
+  float position[3];
+  float normal[3];
+  float colour[4];  ///< linear, with the mottling of the tissue
+};
+static_assert(sizeof(SurfaceVertex) == 40, "the layout that OrganGeometry announces");
+
+/// The drawn skin of the organ: takes twisted vertices, makes smooth normals, keeps the tissue's colours.
+/// Plain value without a scene graph; one thread.
+class OrganSurface {
+ public:
+  OrganSurface() = default;
+  OrganSurface(const TriangleMesh& mesh, const TissueLook& look);
+
+  /// Vertices in metres, world frame, one a mesh vertex; normals are recomputed (area-weighted).
+  void update(std::span<const Vec3> vertices_m);
+
+  [[nodiscard]] std::span<const SurfaceVertex> vertices() const noexcept { return vertices_; }
+  [[nodiscard]] std::span<const TriangleMesh::Triangle> triangles() const noexcept { return triangles_; }
+  /// Every edge once: the wireframe.
+  [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> edges() const;
+
+ private:
+  std::vector<SurfaceVertex> vertices_;
+  std::vector<TriangleMesh::Triangle> triangles_;
+};
+
+}  // namespace torsio::gui

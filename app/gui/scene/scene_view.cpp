@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/scene/scene_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QGuiApplication>
+#include <QLabel>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QQmlEngine>
+#include <QQuickItem>
+#include <QQuickWidget>
+#include <QQuickWindow>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include "app/gui/look/theme.h"
+#include "app/gui/scene/instrument_geometry.h"
+#include "app/gui/scene/organ_geometry.h"
+#include "app/gui/scene/studio_light.h"
+#include "app/gui/scene/view_frame.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr float kLatticeWidth_mm = 0.55F;
+constexpr float kGraspWidth_mm = 1.8F;
+constexpr double kJawOpen_deg = 24.0;    // each jaw, fully open
+constexpr double kJawHolding_deg = 3.0;  // each jaw, closed on tissue
+
+void registerSceneTypes() {
+  static const bool kOnce = [] {
+    qmlRegisterType<OrganGeometry>("Torsio.Scene", 1, 0, "OrganGeometry");
+    qmlRegisterType<WireGeometry>("Torsio.Scene", 1, 0, "WireGeometry");
+    qmlRegisterType<RibbonGeometry>("Torsio.Scene", 1, 0, "RibbonGeometry");
+    qmlRegisterType<InstrumentGeometry>("Torsio.Scene", 1, 0, "InstrumentGeometry");
+    qmlRegisterType<StudioLight>("Torsio.Scene", 1, 0, "StudioLight");
+    return true;
+  }();
+  Q_UNUSED(kOnce)
+}
+
+bool isSoftware(const QString& renderer) {
+  for (const char* name : {"llvmpipe", "softpipe", "SwiftShader", "swrast"}) {
+    if (renderer.contains(QLatin1String(name), Qt::CaseInsensitive)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene) {
+  ViewScene view;
+  view.look = tissueLook(scene->id);
+  view.surface = OrganSurface(scene->mesh, view.look);
+  view.lines = latticeLines(*scene);
+  view.deform = [scene](const TwistState& state, std::span<Vec3> out_m) {
+    scene->model.deform(state, out_m);
+  };
+  return view;
+}
+
+SceneView::SceneView(QWidget* parent) : QWidget(parent) {
+  setAccessibleName(tr("Organ and instrument"));
+  setAccessibleDescription(tr("Three-dimensional view; the numbers beside it say the same in text."));
+  setMinimumSize(320, 240);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  if (platformCanRender()) {
+    createScene();
+    layout->addWidget(quick_);
+  } else {
+    auto* sentence = new QLabel(tr("This display cannot show the organ: it has no OpenGL."), this);
+    sentence->setAlignment(Qt::AlignCenter);
+    sentence->setWordWrap(true);
+    layout->addWidget(sentence);
+  }
+}
+
+SceneView::~SceneView() = default;
+
+bool SceneView::platformCanRender() {
+  const QString platform = QGuiApplication::platformName();
+  return platform != QLatin1String("offscreen") && platform != QLatin1String("minimal") &&
+         platform != QLatin1String("vnc");
+}
+
+void SceneView::createScene() {
+  registerSceneTypes();
+  quick_ = new QQuickWidget(this);
+  quick_->setResizeMode(QQuickWidget::SizeRootObjectToView);
+  quick_->setFocusPolicy(Qt::NoFocus);
+  quick_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  quick_->setSource(QUrl(QStringLiteral("qrc:/torsio/scene/scene_view.qml")));
+  root_ = quick_->rootObject();
+  if (root_ == nullptr) {
+    qFatal("scene_view.qml: %s",
+           qPrintable(quick_->errors().isEmpty() ? QString() : quick_->errors().front().toString()));
+  }
+  organ_ = root_->property("organ").value<OrganGeometry*>();
+  wire_ = root_->property("wire").value<WireGeometry*>();
+  lattice_ = root_->property("lattice").value<RibbonGeometry*>();
+  grasp_ = root_->property("graspBand").value<RibbonGeometry*>();
+  connect(quick_->quickWindow(), &QQuickWindow::afterRendering, this, &SceneView::noteFrame,
+          Qt::DirectConnection);
+}
+
+void SceneView::noteFrame() {
+  ++framesDrawn_;
+  if (!renderer_.isEmpty()) return;
+  if (QOpenGLContext* context = QOpenGLContext::currentContext(); context != nullptr) {
+    const GLubyte* name = context->functions()->glGetString(GL_RENDERER);
+    renderer_ = name != nullptr ? QString::fromLatin1(reinterpret_cast<const char*>(name)) : tr("unknown");
+    QMetaObject::invokeMethod(this, &SceneView::applyQuality, Qt::QueuedConnection);
+  }
+}
+
+void SceneView::setRootProperty(const char* name, const QVariant& value) {
+  if (root_ != nullptr) root_->setProperty(name, value);
+}
+
+void SceneView::setScene(const ViewScene& view) {
+  view_ = view;
+  deformed_m_.assign(view_.surface.vertices().size(), Vec3{});
+  shown_ = TwistState{};
+  QVector3D low(1e9F, 1e9F, 1e9F);
+  QVector3D high = -low;
+  for (const SurfaceVertex& v : view_.surface.vertices()) {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], v.position[k]);
+      high[k] = std::max(high[k], v.position[k]);
+    }
+  }
+  organCentre_ = 0.5F * (low + high);
+  organRadius_ = 0.5F * (high - low).length();
+  if (root_ != nullptr) {
+    organ_->setSurface(view_.surface);
+    wire_->setSurface(view_.surface);
+    lattice_->setLines(view_.lines.lattice, kLatticeWidth_mm, view_.surface);
+    grasp_->setLines(view_.lines.grasp, kGraspWidth_mm, view_.surface);
+  }
+  setRootProperty("tissueColour", view_.look.colour);
+  setRootProperty("tissueRoughness", view_.look.roughness);
+  setRootProperty("filmAmount", view_.look.clearcoat);
+  setRootProperty("filmRoughness", view_.look.filmRoughness);
+  frameOrgan();
+}
+
+void SceneView::setTwist(const TwistState& state) {
+  if (!view_.deform || (shown_.has_value() && *shown_ == state)) return;
+  shown_ = state;
+  view_.deform(state, deformed_m_);
+  view_.surface.update(deformed_m_);
+  if (root_ == nullptr) return;
+  organ_->updateVertices(view_.surface);
+  grasp_->follow(view_.surface);
+  if (wireframe_) wire_->updateVertices(view_.surface);
+  if (latticeVisible_) lattice_->follow(view_.surface);
+}
+
+void SceneView::setTool(const Pose& pose, double grip) {
+  setRootProperty("toolPosition", toView(pose.position_m));
+  setRootProperty("toolRotation", toView(pose.orientation));
+  setRootProperty("jawAngle",
+                  kJawHolding_deg + (kJawOpen_deg - kJawHolding_deg) * (1.0 - std::clamp(grip, 0.0, 1.0)));
+}
+
+void SceneView::setToolVisible(bool visible) {
+  setRootProperty("toolVisible", visible);
+}
+
+void SceneView::setWireframe(bool visible) {
+  wireframe_ = visible;
+  if (wire_ != nullptr && visible && !view_.surface.vertices().empty()) wire_->updateVertices(view_.surface);
+  setRootProperty("wireVisible", visible);
+}
+
+void SceneView::setLattice(bool visible) {
+  latticeVisible_ = visible;
+  if (lattice_ != nullptr && visible && !view_.surface.vertices().empty()) lattice_->follow(view_.surface);
+  setRootProperty("latticeVisible", visible);
+}
+
+void SceneView::setQuality(RenderQuality quality) {
+  quality_ = quality;
+  applyQuality();
+}
+
+void SceneView::applyQuality() {
+  const bool capable = !renderer_.isEmpty() && !isSoftware(renderer_);
+  setRootProperty("fine",
+                  quality_ == RenderQuality::kFine || (quality_ == RenderQuality::kAutomatic && capable));
+}
+
+void SceneView::setTheme(const Theme& theme) {
+  setRootProperty("backdropTop", theme.backdropTop);
+  setRootProperty("backdropBottom", theme.backdropBottom);
+  setRootProperty("latticeColour", theme.lattice);
+  setRootProperty("wireColour", theme.wire);
+  setRootProperty("graspColour", theme.grasp);
+}
+
+void SceneView::applyCamera() {
+  setRootProperty("cameraFieldOfView", OrbitCamera::kFieldOfView_deg);
+  setRootProperty("cameraPosition", camera_.position());
+  setRootProperty("cameraRotation", camera_.rotation());
+  setRootProperty("cameraNear", std::max(1.0F, camera_.distance() - 4.0F * organRadius_));
+  setRootProperty("cameraFar", camera_.distance() + 8.0F * organRadius_);
+  Q_EMIT cameraChanged();
+}
+
+void SceneView::frameOrgan() {
+  camera_.frame(organCentre_, organRadius_, QSizeF(size()));
+  applyCamera();
+}
+
+QImage SceneView::picture() {
+  return quick_ != nullptr ? quick_->grabFramebuffer() : QImage();
+}
+
+void SceneView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  applyCamera();
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <QColor>
+#include <QImage>
+#include <QWidget>
+
+#include "app/gui/scene/lattice_overlay.h"
+#include "app/gui/scene/orbit_camera.h"
+#include "app/gui/scene/organ_surface.h"
+#include "app/gui/scene/tissue_look.h"
+#include "sim/base/pose.h"
+#include "sim/tissue/twist_model.h"
+
+class QQuickItem;
+class QQuickWidget;
+
+namespace torsio::gui {
+
+class OrganGeometry;
+class WireGeometry;
+struct Theme;
+
+/// What the view draws for one organ; made once beside the loading.
+struct ViewScene {
+  OrganSurface surface;
+  LatticeLines lines;
+  TissueLook look;
+  /// The vertices for a state of twist, one a vertex of the surface, metres. GUI thread.
+  std::function<void(const TwistState&, std::span<Vec3>)> deform;
+};
+
+/// Surface, overlay lines and colours of a scene. Slow (fractions of a second); asks scene->collision, so
+/// call it before the servo runs.
+[[nodiscard]] ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene);
+
+enum class RenderQuality {
+  kAutomatic,  ///< fine on a graphics card, fast on a software renderer
+  kFast,
+  kFine,  ///< antialiasing, shadow, ambient occlusion
+};
+
+/// The living picture of organ and instrument. On a platform without OpenGL ("offscreen") it shows a sentence
+/// instead, so that everything round it can be built and tested anywhere.
+class SceneView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  /// False on platforms that cannot draw the scene.
+  [[nodiscard]] static bool platformCanRender();
+
+  void setScene(const ViewScene& view);
+  /// Moves the skin; does nothing when the state is the shown one.
+  void setTwist(const TwistState& state);
+  /// `grip`: 0 open .. 1 closed.
+  void setTool(const Pose& pose, double grip);
+  void setToolVisible(bool visible);
+  void setWireframe(bool visible);
+  void setLattice(bool visible);
+  void setQuality(RenderQuality quality);
+  void setTheme(const Theme& theme);
+
+  [[nodiscard]] OrbitCamera& camera() noexcept { return camera_; }
+  [[nodiscard]] const OrbitCamera& camera() const noexcept { return camera_; }
+  /// Hands a changed camera to the scene graph.
+  void applyCamera();
+  /// Shows the whole organ from the camera's present direction.
+  void frameOrgan();
+
+  /// Frames drawn so far; the window measures its rate from it.
+  [[nodiscard]] std::int64_t framesDrawn() const noexcept { return framesDrawn_; }
+  /// Name of the renderer: "llvmpipe ...", empty before the first frame.
+  [[nodiscard]] const QString& renderer() const noexcept { return renderer_; }
+  /// The picture as it is now, in device pixels; null without a renderer.
+  [[nodiscard]] QImage picture();
+
+ Q_SIGNALS:
+  void cameraChanged();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void createScene();
+  void noteFrame();
+  void applyQuality();
+  void setRootProperty(const char* name, const QVariant& value);
+
+  QQuickWidget* quick_ = nullptr;  // null on a platform without OpenGL
+  QQuickItem* root_ = nullptr;
+  OrganGeometry* organ_ = nullptr;
+  WireGeometry* wire_ = nullptr;
+  RibbonGeometry* lattice_ = nullptr;
+  RibbonGeometry* grasp_ = nullptr;
+
+  ViewScene view_;
+  std::vector<Vec3> deformed_m_;
+  std::optional<TwistState> shown_;
+  OrbitCamera camera_;
+  QVector3D organCentre_;
+  float organRadius_ = 100.0F;
+  bool wireframe_ = false;
+  bool latticeVisible_ = false;
+  RenderQuality quality_ = RenderQuality::kAutomatic;
+  QString renderer_;
+  std::int64_t framesDrawn_ = 0;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scene graph only: what is drawn and how it is lit. SceneView (C++) sets every property.
+import QtQuick
+import QtQuick3D
+import Torsio.Scene
+
+Rectangle {
+    id: root
+
+    property alias organ: organGeometry
+    property alias wire: wireGeometry
+    property alias lattice: latticeGeometry
+    property alias graspBand: graspGeometry
+
+    property vector3d cameraPosition
+    property quaternion cameraRotation
+    property real cameraFieldOfView: 32
+    property real cameraNear: 10
+    property real cameraFar: 5000
+    property vector3d toolPosition
+    property quaternion toolRotation
+    property real jawAngle: 12       // each jaw, degrees
+    property real hinge: 18          // from the tip, mm
+    property bool toolVisible: true
+
+    property color backdropTop: "#eef2f5"
+    property color backdropBottom: "#c9d4dc"
+    property color tissueColour: "#cd7a6e"
+    property real tissueRoughness: 0.45
+    property real filmAmount: 0.4
+    property real filmRoughness: 0.2
+    property color wireColour: "#20323c"
+    property color latticeColour: "#12303c"
+    property color graspColour: "#0f766e"
+
+    property bool wireVisible: false
+    property bool latticeVisible: false
+    property bool graspVisible: true
+    property bool fine: false        // antialiasing, shadow and ambient occlusion
+
+    gradient: Gradient {
+        GradientStop { position: 0; color: root.backdropTop }
+        GradientStop { position: 1; color: root.backdropBottom }
+    }
+
+    View3D {
+        anchors.fill: parent
+        camera: camera
+
+        environment: SceneEnvironment {
+            backgroundMode: SceneEnvironment.Transparent
+            lightProbe: Texture { textureData: StudioLight {} }
+            probeExposure: 0.75
+            tonemapMode: SceneEnvironment.TonemapModeFilmic
+            antialiasingMode: root.fine ? SceneEnvironment.MSAA : SceneEnvironment.NoAA
+            antialiasingQuality: SceneEnvironment.High
+            aoStrength: root.fine ? 45 : 0
+            aoDistance: 18
+            aoSoftness: 20
+            aoSampleRate: 3
+        }
+
+        PerspectiveCamera {
+            id: camera
+            position: root.cameraPosition
+            rotation: root.cameraRotation
+            fieldOfView: root.cameraFieldOfView
+            clipNear: root.cameraNear
+            clipFar: root.cameraFar
+        }
+
+        // Both lights stay where the room has them; the key light stands for the operating lamp.
+        DirectionalLight {
+            eulerRotation: Qt.vector3d(-52, -26, 0)
+            color: "#fff4ea"
+            brightness: 1.1
+            castsShadow: root.fine
+            shadowFactor: 55
+            shadowMapQuality: Light.ShadowMapQualityHigh
+            shadowBias: 4
+            shadowFilter: 6
+        }
+        DirectionalLight {
+            eulerRotation: Qt.vector3d(-8, 62, 0)
+            color: "#e4eeff"
+            brightness: 0.28
+        }
+
+        Model {
+            geometry: OrganGeometry { id: organGeometry }
+            receivesShadows: root.fine
+            castsShadows: root.fine
+            materials: PrincipledMaterial {
+                baseColor: root.tissueColour
+                metalness: 0
+                roughness: root.tissueRoughness
+                specularAmount: 0.45
+                clearcoatAmount: root.filmAmount
+                clearcoatRoughnessAmount: root.filmRoughness
+            }
+        }
+
+        Model {
+            visible: root.wireVisible
+            geometry: WireGeometry { id: wireGeometry }
+            castsShadows: false
+            materials: PrincipledMaterial {
+                lighting: PrincipledMaterial.NoLighting
+                baseColor: root.wireColour
+                opacity: 0.55
+            }
+        }
+
+        Model {
+            visible: root.latticeVisible
+            geometry: RibbonGeometry { id: latticeGeometry }
+            castsShadows: false
+            materials: PrincipledMaterial {
+                lighting: PrincipledMaterial.NoLighting
+                baseColor: root.latticeColour
+                cullMode: Material.NoCulling
+            }
+        }
+
+        Model {
+            visible: root.graspVisible
+            geometry: RibbonGeometry { id: graspGeometry }
+            castsShadows: false
+            materials: PrincipledMaterial {
+                lighting: PrincipledMaterial.NoLighting
+                baseColor: root.graspColour
+                cullMode: Material.NoCulling
+            }
+        }
+
+        Node {
+            id: tool
+            position: root.toolPosition
+            rotation: root.toolRotation
+            visible: root.toolVisible
+
+            PrincipledMaterial {
+                id: steel
+                baseColor: "#c4c9cf"
+                metalness: 0.95
+                roughness: 0.3
+            }
+            PrincipledMaterial {
+                id: insulation
+                baseColor: "#23282d"
+                metalness: 0
+                roughness: 0.5
+            }
+
+            Model {
+                geometry: InstrumentGeometry { part: InstrumentGeometry.Shaft }
+                castsShadows: root.fine
+                materials: insulation
+            }
+            Model {
+                geometry: InstrumentGeometry { part: InstrumentGeometry.Hinge }
+                castsShadows: root.fine
+                materials: steel
+            }
+            Repeater3D {
+                model: 2
+                Node {
+                    eulerRotation.y: 180 * index
+                    Model {
+                        geometry: InstrumentGeometry { part: InstrumentGeometry.Jaw }
+                        pivot: Qt.vector3d(0, root.hinge, 0)
+                        y: root.hinge
+                        eulerRotation.z: root.jawAngle
+                        castsShadows: root.fine
+                        materials: steel
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/scene/tissue_look.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace torsio::gui {
+
+namespace {
+
+/// A number in [-1, 1] for a lattice point: same picture on every machine.
+float latticeNoise(std::int64_t x, std::int64_t y, std::int64_t z) {
+  auto h = static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15ULL;
+  h ^= static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4FULL;
+  h ^= static_cast<std::uint64_t>(z) * 0x165667B19E3779F9ULL;
+  h ^= h >> 31U;
+  h *= 0xBF58476D1CE4E5B9ULL;
+  h ^= h >> 27U;
+  return static_cast<float>(h >> 40U) / static_cast<float>(1ULL << 23U) - 1.0F;
+}
+
+float ease(float t) {
+  return t * t * t * (t * (6.0F * t - 15.0F) + 10.0F);
+}
+
+float mix(float a, float b, float t) {
+  return a + (b - a) * t;
+}
+
+float smoothNoise(const Vec3& p) {
+  const double floorX = std::floor(p.x);
+  const double floorY = std::floor(p.y);
+  const double floorZ = std::floor(p.z);
+  const auto x = static_cast<std::int64_t>(floorX);
+  const auto y = static_cast<std::int64_t>(floorY);
+  const auto z = static_cast<std::int64_t>(floorZ);
+  const float tx = ease(static_cast<float>(p.x - floorX));
+  const float ty = ease(static_cast<float>(p.y - floorY));
+  const float tz = ease(static_cast<float>(p.z - floorZ));
+  const auto plane = [&](std::int64_t level) {
+    const float near = mix(latticeNoise(x, y, level), latticeNoise(x + 1, y, level), tx);
+    const float far = mix(latticeNoise(x, y + 1, level), latticeNoise(x + 1, y + 1, level), tx);
+    return mix(near, far, ty);
+  };
+  return mix(plane(z), plane(z + 1), tz);
+}
+
+/// Four octaves, about [-1, 1].
+float patchNoise(const Vec3& p) {
+  float sum = 0.0F;
+  float share = 0.55F;
+  double frequency = 1.0;
+  for (int octave = 0; octave < 4; ++octave) {
+    sum += share * smoothNoise(p * frequency);
+    share *= 0.55F;
+    frequency *= 2.17;
+  }
+  return sum;
+}
+
+}  // namespace
+
+TissueLook tissueLook(std::string_view sceneId) {
+  if (sceneId.find("arm") != std::string_view::npos) {
+    return {.colour = QColor(222, 172, 146),
+            .roughness = 0.52F,
+            .clearcoat = 0.06F,
+            .filmRoughness = 0.45F,
+            .mottling = 0.16F,
+            .patch_m = 0.022};
+  }
+  if (sceneId.find("intestine") != std::string_view::npos) {
+    return {.colour = QColor(214, 136, 120),
+            .roughness = 0.42F,
+            .clearcoat = 0.55F,
+            .filmRoughness = 0.16F,
+            .mottling = 0.28F,
+            .patch_m = 0.014};
+  }
+  return {.colour = QColor(205, 122, 110),
+          .roughness = 0.44F,
+          .clearcoat = 0.5F,
+          .filmRoughness = 0.18F,
+          .mottling = 0.26F,
+          .patch_m = 0.026};
+}
+
+std::array<float, 3> mottle(const TissueLook& look, const Vec3& rest_m) {
+  const Vec3 p = rest_m / look.patch_m;
+  const float depth = look.mottling * patchNoise(p);
+  const float warmth = look.mottling * patchNoise(p * 0.63 + Vec3{17.3, -4.1, 9.7});
+  // Blood lies under the surface: where there is more of it green and blue are lost, red hardly.
+  return {1.0F + 0.45F * depth + 0.12F * warmth, 1.0F + 0.9F * depth - 0.55F * warmth,
+          1.0F + 0.9F * depth - 0.50F * warmth};
+}
+
+}  // namespace torsio::gui
