@@ -73,7 +73,7 @@ Statement& Statement::bind(int position, const Value& value) {
 }
 
 void Statement::execute() {
-  TORSIO_EXPECTS(!query_->state->broken);  // after a failure the transaction must be left, not continued
+  TORSIO_EXPECTS(!query_->state->broken);
   if (!query_->query.exec()) {
     const QSqlError error = query_->query.lastError();
     query_->query.finish();
@@ -214,9 +214,9 @@ Transaction::Transaction(Connection& connection) : state_(connection.state_) {
 Transaction::~Transaction() {
   if (!open_) return;
   if (--state_->depth == 0) {
-    state_->rollback();
+    state_->leave();
   } else {
-    state_->broken = true;
+    state_->abandon();
   }
 }
 

@@ -86,7 +86,7 @@ ConnectionState::ConnectionState(const Locator& locator, OpenMode mode, int busy
 }
 
 ConnectionState::~ConnectionState() {
-  if (depth > 0) rollback();
+  if (depth > 0) leave();
   close();
 }
 
@@ -154,6 +154,7 @@ void ConnectionState::openPostgresql(const Locator& locator, OpenMode mode, int 
 
 QSqlQuery ConnectionState::query() const {
   TORSIO_EXPECTS(std::this_thread::get_id() == thread_);
+  TORSIO_EXPECTS(!broken);  // after a failure the transaction must be left, not continued
   QSqlQuery query(*database_);
   // Not for PostgreSQL: there it means single-row mode, in which no second query may run meanwhile.
   if (engine == Engine::kSqlite) query.setForwardOnly(true);
@@ -185,7 +186,9 @@ void ConnectionState::commit() {
   }
 }
 
-void ConnectionState::rollback() noexcept {
+void ConnectionState::abandon() noexcept {
+  if (broken) return;
+  broken = true;
   try {
     if (engine == Engine::kSqlite) {
       QSqlQuery(*database_).exec(QStringLiteral("ROLLBACK"));
@@ -194,6 +197,10 @@ void ConnectionState::rollback() noexcept {
     }
   } catch (...) {  // Qt reports by value; only memory could run out here, and then the engine rolls back
   }
+}
+
+void ConnectionState::leave() noexcept {
+  abandon();
   depth = 0;
   broken = false;
 }

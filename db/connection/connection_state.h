@@ -31,13 +31,16 @@ class ConnectionState {
 
   void begin();
   void commit();
-  void rollback() noexcept;
+  /// Rolls back at once; what still belongs to the transaction is refused until it is left.
+  void abandon() noexcept;
+  /// The outermost Transaction ends without having been kept.
+  void leave() noexcept;
 
   Engine engine;
   std::string location;
   bool readOnly = false;
   int depth = 0;        ///< open transactions, the inner ones joined
-  bool broken = false;  ///< a statement of the open transaction failed
+  bool broken = false;  ///< the open transaction was rolled back already
 
  private:
   void openSqlite(const Locator& locator, OpenMode mode, int busyTimeout_ms);

@@ -129,7 +129,7 @@ DbFault faultOf(Engine engine, const QSqlError& error) {
 
 void ConnectionState::fail(std::string_view sql, const QSqlError& error) {
   const DbFault fault = faultOf(engine, error);
-  if (depth > 0) broken = true;
+  if (depth > 0) abandon();
   const Wording wording = wordingOf(fault);
   std::string what = wording.what;
   // The driver's first line names constraint or syntax; further lines of PostgreSQL repeat values.

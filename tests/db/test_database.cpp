@@ -47,7 +47,7 @@ void DatabaseTest::SetUp() {
     return;
   }
   if (server() == nullptr) {
-    GTEST_SKIP() << "no PostgreSQL server: run eval \"$(tests/support/start-postgres.sh)\" first";
+    GTEST_SKIP() << "no PostgreSQL server: export TORSIO_TEST_POSTGRES=$(tests/support/start-postgres.sh start)";
   }
   schema_ = uniqueName();
   locator_ = std::string(server()) + "?schema=" + schema_;

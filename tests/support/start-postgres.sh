@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A private PostgreSQL for the tests, in a temporary folder on a free port, listening on this machine only.
+#
+#   export TORSIO_TEST_POSTGRES=$(tests/support/start-postgres.sh start)   prints its address
+#   tests/support/start-postgres.sh stop                                   ends the one of TORSIO_TEST_POSTGRES
+#
+# PostgreSQL refuses to run as root: then it runs as the user postgres (Debian's package makes one) or nobody.
+# Nothing it holds matters, so it does not wait for the disk.
+set -euo pipefail
+
+say() { echo "start-postgres: $*" >&2; }
+fail() { say "$*"; exit 1; }
+
+tools_folder() {
+  local folder
+  for folder in $(ls -d /usr/lib/postgresql/*/bin 2>/dev/null | sort -V -r) "$(dirname "$(command -v initdb || echo /none/x)")"; do
+    [ -x "$folder/initdb" ] && [ -x "$folder/pg_ctl" ] && { echo "$folder"; return; }
+  done
+  fail "PostgreSQL is not installed; run: apt-get install postgresql"
+}
+
+# Runs a command as somebody who is not root.
+unprivileged() {
+  if [ "$(id -u)" -ne 0 ]; then "$@"
+  elif id postgres >/dev/null 2>&1; then runuser -u postgres -- "$@"
+  else runuser -u nobody -- "$@"
+  fi
+}
+
+cluster_folder() { echo "${TMPDIR:-/tmp}/torsio-postgres-$1"; }
+
+start() {
+  local tools port folder password
+  tools=$(tools_folder)
+  password=$(od -An -N16 -tx1 /dev/urandom | tr -d ' \n')
+  for _ in 1 2 3 4 5; do
+    port=$((20000 + RANDOM % 20000))
+    folder=$(cluster_folder "$port")
+    mkdir "$folder" 2>/dev/null || continue
+    (exec 3<>"/dev/tcp/127.0.0.1/$port") 2>/dev/null && { rmdir "$folder"; continue; }
+    echo "$password" > "$folder/password"
+    [ "$(id -u)" -ne 0 ] || chown -R "$(id -u postgres 2>/dev/null || id -u nobody)" "$folder"
+    if (cd "$folder" &&
+        unprivileged "$tools/initdb" -D "$folder/data" -U torsio --pwfile="$folder/password" -A scram-sha-256 \
+          -E UTF8 --locale=C.UTF-8 --no-sync &&
+        unprivileged "$tools/pg_ctl" -D "$folder/data" -w -t 60 -l "$folder/log" start -o \
+          "-c listen_addresses=127.0.0.1 -c port=$port -c unix_socket_directories= -c fsync=off -c full_page_writes=off"
+       ) > "$folder/start.log" 2>&1; then
+      rm -f "$folder/password"
+      echo "postgresql://torsio:$password@127.0.0.1:$port/postgres"
+      return
+    fi
+    cat "$folder/start.log" "$folder/log" >&2 2>/dev/null || true
+    rm -rf "$folder"
+  done
+  fail "no cluster could be started"
+}
+
+stop() {
+  local port folder
+  port=$(sed -n 's|^postgresql://.*:\([0-9]*\)/.*$|\1|p' <<<"${TORSIO_TEST_POSTGRES:-}")
+  [ -n "$port" ] || fail "TORSIO_TEST_POSTGRES names no server"
+  folder=$(cluster_folder "$port")
+  [ -d "$folder/data" ] || fail "no cluster of ours at port $port"
+  (cd "$folder" && unprivileged "$(tools_folder)/pg_ctl" -D "$folder/data" -w -m immediate stop) >&2
+  rm -rf "$folder"
+}
+
+case "${1:-}" in
+  start) start ;;
+  stop) stop ;;
+  *) fail "say start or stop" ;;
+esac
