@@ -23,16 +23,18 @@ class Centreline {
  public:
   Centreline() = default;
 
-  /// Curved: `line_m` runs from the fixed to the free end, at least 2 points, no two successive ones equal;
-  /// it is resampled to `intervals` equal steps, smoothed and given rotation-minimising frames (double
-  /// reflection). The frame at the fraction `e1At` of the length has its e1 nearest to `e1`; zero: any.
-  [[nodiscard]] static Centreline curved(std::span<const Vec3> line_m, int intervals, const Vec3& e1,
-                                         double e1At);
+  /// Curved: `line_m` runs from the fixed to the free end, at least 2 points. It is resampled, smoothed over
+  /// `smoothing_m` (its ends stay, a straight line stays as it is) and given `intervals` equal steps with
+  /// rotation-minimising frames (double reflection). The frame at the fraction `e1At` of the length has its
+  /// e1 nearest to `e1`; zero: any. `arcs_m` receives the arc length of each point of `line_m`, never
+  /// decreasing, 0 and the length for the ends.
+  [[nodiscard]] static Centreline curved(std::span<const Vec3> line_m, double smoothing_m, int intervals,
+                                         const Vec3& e1, double e1At, std::vector<double>& arcs_m);
 
   /// Straight: all frames parallel, arc length is the height above the first plane. `centres_m`: one a
   /// station, equally spaced along the unit vector `axis`, at least 2. They may wander sideways.
-  [[nodiscard]] static Centreline straightAlong(const Vec3& axis, std::span<const Vec3> centres_m,
-                                                const Vec3& e1);
+  [[nodiscard]] static Centreline straightAlong(const Vec3& axis, double length_m,
+                                                std::span<const Vec3> centres_m, const Vec3& e1);
 
   [[nodiscard]] bool straight() const noexcept { return straight_; }
   [[nodiscard]] double length_m() const noexcept { return length_m_; }
@@ -44,7 +46,12 @@ class Centreline {
   [[nodiscard]] double nearestArc_m(const Vec3& point_m) const noexcept;
 
  private:
-  [[nodiscard]] Vec3 offset(const Vec3& point_m, double arc_m, Vec3& derivative) const noexcept;
+  void setSlopes();
+  void transportFrames(const Vec3& e1, double e1At);
+  /// Cubic Hermite curve between station i and the next; x in 0..1.
+  [[nodiscard]] Vec3 point(std::size_t i, double x) const noexcept;
+  [[nodiscard]] Vec3 slope(std::size_t i, double x) const noexcept;
+  [[nodiscard]] double footInInterval(std::size_t i, const Vec3& point_m) const noexcept;
 
   bool straight_ = false;
   double length_m_ = 0.0;

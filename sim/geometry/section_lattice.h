@@ -11,6 +11,7 @@
 
 #include "sim/base/vec3.h"
 #include "sim/geometry/centreline.h"
+#include "sim/geometry/end_caps.h"
 #include "sim/geometry/triangle_mesh.h"
 
 namespace torsio {
@@ -65,13 +66,6 @@ struct LatticePoint {
   Vec3 position_m;
   std::uint32_t triangle = 0;
   std::array<double, 3> barycentric{1.0, 0.0, 0.0};  ///< of the triangle's corners, sum 1
-};
-
-/// Where a vertex of the mesh belongs.
-enum class LatticePart : std::uint8_t {
-  kSide,      ///< between the end sections
-  kFixedCap,  ///< at or beyond the fixed end: arc 0
-  kFreeCap,   ///< at or beyond the free end: arc = length
 };
 
 struct LatticeField;
