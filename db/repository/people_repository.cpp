@@ -129,4 +129,33 @@ std::optional<StoredIdentity> PeopleRepository::identity(const std::string& pers
   return StoredIdentity{row.text(0), row.text(1), row.text(2), row.text(3)};
 }
 
+void PeopleRepository::recordConsent(const StoredConsent& consent) {
+  connection_.execute(
+      "INSERT INTO consent (person_id, purpose, sequence, granted, text_version, decided_utc_us, recorded_by,"
+      " demonstration) VALUES (?, ?, (SELECT COALESCE(MAX(c.sequence), 0) + 1 FROM consent c"
+      " WHERE c.person_id = ? AND c.purpose = ?), ?, ?, ?, ?, ?)",
+      {consent.personId, consent.purpose, consent.personId, consent.purpose, consent.granted,
+       consent.textVersion, consent.decidedUtc_us, consent.recordedBy, consent.demonstration});
+}
+
+std::vector<StoredConsent> PeopleRepository::consents(const std::string& personId) {
+  std::vector<StoredConsent> consents;
+  Statement row = connection_.prepare(
+      "SELECT person_id, purpose, granted, text_version, decided_utc_us, recorded_by, demonstration"
+      " FROM consent WHERE person_id = ? ORDER BY decided_utc_us, purpose, sequence");
+  row.execute({personId});
+  while (row.step()) {
+    consents.push_back(
+        {row.text(0), row.text(1), row.boolean(2), row.text(3), row.int64(4), row.text(5), row.boolean(6)});
+  }
+  return consents;
+}
+
+bool PeopleRepository::hasConsent(const std::string& personId, const std::string& purpose) {
+  Statement row = connection_.prepare(
+      "SELECT granted FROM consent WHERE person_id = ? AND purpose = ? ORDER BY sequence DESC LIMIT 1");
+  row.execute({personId, purpose});
+  return row.step() && row.boolean(0);
+}
+
 }  // namespace torsio

@@ -49,6 +49,17 @@ struct StoredRater {
   std::string classCode{};
 };
 
+/// A person's decision about one purpose. Append-only: the newest one counts.
+struct StoredConsent {
+  std::string personId{};
+  std::string purpose{};  ///< "training_record", "video", "research", "xapi_export", "teaching"
+  bool granted = false;
+  std::string textVersion{};  ///< of the text that was shown
+  std::int64_t decidedUtc_us = 0;
+  std::string recordedBy{};
+  bool demonstration = false;
+};
+
 /// People. All writes of one call are one transaction; every call throws DbError when the database refuses.
 class PeopleRepository {
  public:
@@ -71,6 +82,12 @@ class PeopleRepository {
 
   void addIdentities(std::span<const StoredIdentity> identities);
   [[nodiscard]] std::optional<StoredIdentity> identity(const std::string& personId);
+
+  void recordConsent(const StoredConsent& consent);
+  /// Every decision, oldest first.
+  [[nodiscard]] std::vector<StoredConsent> consents(const std::string& personId);
+  /// Whether the newest decision grants it; without one: false.
+  [[nodiscard]] bool hasConsent(const std::string& personId, const std::string& purpose);
 
  private:
   Connection& connection_;

@@ -237,4 +237,53 @@ std::optional<std::int64_t> StudyRepository::firstBrokenAllocation(const std::st
   return std::nullopt;
 }
 
+void StudyRepository::addExposures(std::span<const StoredExposure> exposures) {
+  Transaction transaction(connection_);
+  Statement insert = connection_.prepare(
+      "INSERT INTO exposure (id, enrolment_id, phase_id, kind, started_utc_us, duration_us, recorded_by,"
+      " demonstration) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+  for (const StoredExposure& exposure : exposures) {
+    insert.execute({exposure.id, exposure.enrolmentId, textOrNull(exposure.phaseId), exposure.kind,
+                    exposure.startedUtc_us, exposure.duration_us, exposure.recordedBy,
+                    exposure.demonstration});
+  }
+  transaction.commit();
+}
+
+std::vector<StoredExposure> StudyRepository::exposures(const std::string& cohortId) {
+  std::vector<StoredExposure> exposures;
+  Statement row = connection_.prepare(
+      "SELECT x.id, x.enrolment_id, x.phase_id, x.kind, x.started_utc_us, x.duration_us, x.recorded_by,"
+      " x.demonstration FROM exposure x JOIN enrolment e ON e.id = x.enrolment_id WHERE e.cohort_id = ?"
+      " ORDER BY x.enrolment_id, x.started_utc_us, x.id");
+  row.execute({cohortId});
+  while (row.step()) {
+    exposures.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.int64(4), row.int64(5),
+                         row.text(6), row.boolean(7)});
+  }
+  return exposures;
+}
+
+void StudyRepository::addDeviation(const StoredDeviation& deviation) {
+  connection_.execute(
+      "INSERT INTO deviation (id, cohort_id, enrolment_id, kind, description, happened_utc_us, reported_by,"
+      " reported_utc_us, demonstration) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      {deviation.id, deviation.cohortId, textOrNull(deviation.enrolmentId), deviation.kind,
+       textOrNull(deviation.description), deviation.happenedUtc_us, deviation.reportedBy,
+       deviation.reportedUtc_us, deviation.demonstration});
+}
+
+std::vector<StoredDeviation> StudyRepository::deviations(const std::string& cohortId) {
+  std::vector<StoredDeviation> deviations;
+  Statement row = connection_.prepare(
+      "SELECT id, cohort_id, enrolment_id, kind, description, happened_utc_us, reported_by, reported_utc_us,"
+      " demonstration FROM deviation WHERE cohort_id = ? ORDER BY happened_utc_us, id");
+  row.execute({cohortId});
+  while (row.step()) {
+    deviations.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.text(4), row.int64(5),
+                          row.text(6), row.int64(7), row.boolean(8)});
+  }
+  return deviations;
+}
+
 }  // namespace torsio

@@ -86,6 +86,31 @@ struct StoredAllocation {
   std::string recordHash{};    ///< filled by allocate()
 };
 
+/// Time that was spent training or resting. Append-only.
+struct StoredExposure {
+  std::string id{};
+  std::string enrolmentId{};
+  std::string phaseId{};  ///< empty: outside any phase
+  std::string kind{};     ///< "virtual", "real", "rest"
+  std::int64_t startedUtc_us = 0;
+  std::int64_t duration_us = 0;
+  std::string recordedBy{};
+  bool demonstration = false;
+};
+
+/// Something that did not go by the protocol. Append-only.
+struct StoredDeviation {
+  std::string id{};
+  std::string cohortId{};
+  std::string enrolmentId{};  ///< empty: the whole cohort
+  std::string kind{};         ///< "device failed", "late", "swapped" ...
+  std::string description{};
+  std::int64_t happenedUtc_us = 0;
+  std::string reportedBy{};
+  std::int64_t reportedUtc_us = 0;
+  bool demonstration = false;
+};
+
 /// Cohorts, groups, enrolments and the record of how people were allocated. One call, one transaction.
 class StudyRepository {
  public:
@@ -112,6 +137,14 @@ class StudyRepository {
   [[nodiscard]] std::vector<StoredAllocation> allocations(const std::string& designId);
   /// The sequence number of the first record whose hash does not fit; empty: the chain is whole.
   [[nodiscard]] std::optional<std::int64_t> firstBrokenAllocation(const std::string& designId);
+
+  void addExposures(std::span<const StoredExposure> exposures);
+  /// Of one cohort, by enrolment and time.
+  [[nodiscard]] std::vector<StoredExposure> exposures(const std::string& cohortId);
+
+  void addDeviation(const StoredDeviation& deviation);
+  /// Oldest first.
+  [[nodiscard]] std::vector<StoredDeviation> deviations(const std::string& cohortId);
 
  private:
   Connection& connection_;

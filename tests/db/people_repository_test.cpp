@@ -99,6 +99,31 @@ TEST_F(PeopleRepositoryTest, NeverChangesAPseudonym) {
   EXPECT_EQ(connection.execute("UPDATE person SET state = ? WHERE code = ?", {"left", "T-01"}), 1);
 }
 
+TEST_F(PeopleRepositoryTest, TheNewestConsentCounts) {
+  Connection connection = openWithSchema();
+  const SampleRecord sample(connection, 1);
+  PeopleRepository people(connection);
+  const std::string id = sample.trainees[0].person.id;
+  EXPECT_FALSE(people.hasConsent(id, "video"));
+
+  people.recordConsent({id, "video", true, "2", kSampleTime_us, "admin", true});
+  EXPECT_TRUE(people.hasConsent(id, "video"));
+  EXPECT_FALSE(people.hasConsent(id, "research"));
+  people.recordConsent({id, "video", false, "2", kSampleTime_us + 1, "admin", true});
+
+  EXPECT_FALSE(people.hasConsent(id, "video"));
+  const std::vector<StoredConsent> decisions = people.consents(id);
+  ASSERT_EQ(decisions.size(), 2U);
+  EXPECT_TRUE(decisions[0].granted);
+  EXPECT_EQ(decisions[1].textVersion, "2");
+  EXPECT_EQ(faultFrom([&] {
+              people.recordConsent({id, "selling", true, "1", 0, "admin", true});
+            }),
+            DbFault::kCheck);
+  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE consent SET granted = ?", {true}); }),
+            DbFault::kAppendOnly);
+}
+
 TEST(IdSource, MakesVersionFourUuids) {
   SystemIdSource system;
   const std::string id = system.newUuid();

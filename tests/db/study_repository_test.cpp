@@ -178,5 +178,27 @@ TEST_F(StudyRepositoryTest, NeverChangesAnAllocation) {
             DbFault::kAppendOnly);
 }
 
+TEST_F(StudyRepositoryTest, LogsExposureRestAndDeviations) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  StudyRepository study(connection);
+  const std::string enrolment = sample.enrolments[0].id;
+
+  study.addExposures(std::vector<StoredExposure>{
+      {sample.ids.newUuid(), enrolment, "", "virtual", kSampleTime_us, 600'000'000, "station-1", true},
+      {sample.ids.newUuid(), enrolment, "", "rest", kSampleTime_us + 1, 300'000'000, "station-1", true}});
+  study.addDeviation({sample.ids.newUuid(), sample.cohort.id, enrolment, "device failed", "cable",
+                      kSampleTime_us, "admin", kSampleTime_us + 5, true});
+
+  const std::vector<StoredExposure> exposures = study.exposures(sample.cohort.id);
+  ASSERT_EQ(exposures.size(), 2U);
+  EXPECT_EQ(exposures[1].kind, "rest");
+  EXPECT_EQ(exposures[1].duration_us, 300'000'000);
+  const std::vector<StoredDeviation> deviations = study.deviations(sample.cohort.id);
+  ASSERT_EQ(deviations.size(), 1U);
+  EXPECT_EQ(deviations[0].description, "cable");
+  EXPECT_EQ(deviations[0].enrolmentId, enrolment);
+}
+
 }  // namespace
 }  // namespace torsio

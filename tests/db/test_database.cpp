@@ -47,7 +47,8 @@ void DatabaseTest::SetUp() {
     return;
   }
   if (server() == nullptr) {
-    GTEST_SKIP() << "no PostgreSQL server: export TORSIO_TEST_POSTGRES=$(tests/support/start-postgres.sh start)";
+    GTEST_SKIP()
+        << "no PostgreSQL server: export TORSIO_TEST_POSTGRES=$(tests/support/start-postgres.sh start)";
   }
   schema_ = uniqueName();
   locator_ = std::string(server()) + "?schema=" + schema_;

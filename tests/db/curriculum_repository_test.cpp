@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/curriculum_repository.h"
+
+#include "sim/base/error.h"
+#include "tests/db/sample_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+constexpr std::int64_t kMinute_us = 60'000'000;
+
+class CurriculumRepositoryTest : public DatabaseTest {
+ protected:
+  /// Paper section 6, groups 1 and 2: 40 min virtual; 20 min virtual and 20 min real; marks before, between,
+  /// after.
+  static StoredCurriculumVersion versionFor(Connection& connection, SampleRecord& sample) {
+    const StoredCurriculum curriculum{sample.ids.newUuid(), "Paper protocol", "", kSampleTime_us, true};
+    CurriculumRepository(connection).addCurriculum(curriculum);
+    StoredCurriculumVersion version;
+    version.id = sample.ids.newUuid();
+    version.curriculumId = curriculum.id;
+    version.note = "first";
+    version.createdUtc_us = kSampleTime_us;
+    StoredModule basic{.id = sample.ids.newUuid(), .code = "basic", .title = "Turn to 30 degrees"};
+    basic.targetAngle_rad = 1.0 / 3.0;
+    basic.maxForce_N = 3.3;
+    basic.mastery = {{"path length", "at_most", 0.25, "m", 2}, {"time", "at_most", 12.5, "s", 3}};
+    StoredModule hard{.id = sample.ids.newUuid(), .code = "hard", .title = "Turn and hold"};
+    hard.mode = "graded";
+    hard.attemptLimit = 5;
+    hard.requires_ = {basic.id};
+    version.modules = {basic, hard};
+    version.arms = {{sample.ids.newUuid(), "A", "40 min virtual", 5 * kMinute_us, false, {}},
+                    {sample.ids.newUuid(), "B", "20 min virtual, 20 min real", 5 * kMinute_us, true, {}}};
+    version.arms[0].phases = {
+        {sample.ids.newUuid(), "virtual", "virtual 0-40 min", 40 * kMinute_us, basic.id}};
+    version.arms[1].phases = {{sample.ids.newUuid(), "virtual", "virtual 0-20 min", 20 * kMinute_us, ""},
+                              {sample.ids.newUuid(), "real", "real 20-40 min", 20 * kMinute_us, ""}};
+    version.scoringPoints = {{"pre", 0}, {"mid", 20 * kMinute_us}, {"post", 40 * kMinute_us}};
+    return version;
+  }
+};
+
+TEST_F(CurriculumRepositoryTest, ReturnsAVersionWithAllItsParts) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  CurriculumRepository curricula(connection);
+  const StoredCurriculumVersion version = versionFor(connection, sample);
+
+  curricula.addVersion(version, "admin");
+
+  const StoredCurriculumVersion stored = curricula.version(version.id).value();
+  EXPECT_EQ(stored.state, "draft");
+  ASSERT_EQ(stored.modules.size(), 2U);
+  EXPECT_EQ(stored.modules[0].targetAngle_rad, 1.0 / 3.0);
+  EXPECT_EQ(stored.modules[0].maxForce_N, 3.3);
+  EXPECT_FALSE(stored.modules[0].attemptLimit.has_value());
+  ASSERT_EQ(stored.modules[0].mastery.size(), 2U);
+  EXPECT_EQ(stored.modules[0].mastery[1].threshold, 12.5);
+  EXPECT_EQ(stored.modules[0].mastery[1].consecutive, 3);
+  EXPECT_EQ(stored.modules[1].attemptLimit, 5);
+  EXPECT_EQ(stored.modules[1].requires_, (std::vector<std::string>{version.modules[0].id}));
+  ASSERT_EQ(stored.arms.size(), 2U);
+  EXPECT_EQ(stored.arms[0].phases.at(0).moduleId, version.modules[0].id);
+  EXPECT_TRUE(stored.arms[1].restSplittable);
+  ASSERT_EQ(stored.arms[1].phases.size(), 2U);
+  EXPECT_EQ(stored.arms[1].phases[1].kind, "real");
+  EXPECT_EQ(stored.arms[1].phases[1].duration_us, 20 * kMinute_us);
+  ASSERT_EQ(stored.scoringPoints.size(), 3U);
+  EXPECT_EQ(stored.scoringPoints[2].code, "post");
+  EXPECT_EQ(curricula.versionIds(version.curriculumId), (std::vector<std::string>{version.id}));
+  EXPECT_EQ(curricula.curricula().at(0).name, "Paper protocol");
+}
+
+TEST_F(CurriculumRepositoryTest, RefusesPrerequisitesInACircle) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  StoredCurriculumVersion version = versionFor(connection, sample);
+  version.modules[0].requires_ = {version.modules[1].id};
+  EXPECT_EQ(refusalFrom([&] { CurriculumRepository(connection).addVersion(version, "admin"); }).code,
+            ErrorCode::kBadData);
+
+  version.modules[0].requires_ = {"elsewhere"};
+  EXPECT_EQ(refusalFrom([&] { CurriculumRepository(connection).addVersion(version, "admin"); }).code,
+            ErrorCode::kBadData);
+  EXPECT_TRUE(CurriculumRepository(connection).versionIds(version.curriculumId).empty());
+}
+
+TEST_F(CurriculumRepositoryTest, MovesFromDraftToRunningToClosedOnly) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  CurriculumRepository curricula(connection);
+  const StoredCurriculumVersion version = versionFor(connection, sample);
+  curricula.addVersion(version, "admin");
+  const auto move = [&](const char* state) { curricula.moveTo(version.id, state, "admin", kSampleTime_us); };
+
+  EXPECT_EQ(refusalFrom([&] { move("closed"); }).code, ErrorCode::kBadData);
+  move("running");
+  EXPECT_EQ(refusalFrom([&] { move("draft"); }).code, ErrorCode::kBadData);
+  move("closed");
+  EXPECT_EQ(refusalFrom([&] { move("running"); }).code, ErrorCode::kBadData);
+  EXPECT_EQ(curricula.version(version.id)->state, "closed");
+}
+
+TEST_F(CurriculumRepositoryTest, AVersionNeverChanges) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  CurriculumRepository(connection).addVersion(versionFor(connection, sample), "admin");
+
+  for (const std::string table :
+       {"curriculum_version", "curriculum_state", "module", "module_prerequisite", "mastery_rule",
+        "curriculum_arm", "curriculum_phase", "curriculum_scoring_point"}) {
+    EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM " + table); }), DbFault::kAppendOnly) << table;
+  }
+}
+
+TEST_F(CurriculumRepositoryTest, TiesACohortToARunningVersion) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  CurriculumRepository curricula(connection);
+  const StoredCurriculumVersion version = versionFor(connection, sample);
+  curricula.addVersion(version, "admin");
+  EXPECT_EQ(refusalFrom([&] { curricula.assign(sample.cohort.id, version.id); }).code, ErrorCode::kBadData);
+  curricula.moveTo(version.id, "running", "admin", kSampleTime_us);
+
+  curricula.assign(sample.cohort.id, version.id);
+
+  EXPECT_EQ(numberFrom(connection,
+                       "SELECT count(*) FROM training_group g JOIN curriculum_arm a ON a.id = g.arm_id"
+                       " WHERE a.number = g.number"),
+            2);
+}
+
+TEST_F(CurriculumRepositoryTest, NeverOverwritesADraftThatSomebodyElseSaved) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  CurriculumRepository curricula(connection);
+  const std::string id = versionFor(connection, sample).curriculumId;
+  EXPECT_FALSE(curricula.draft(id).has_value());
+  StoredDraft draft{0, "{}", "anna", kSampleTime_us};
+  EXPECT_EQ(curricula.saveDraft(id, draft), 1);
+
+  Connection other = open();
+  EXPECT_EQ(faultFrom([&] {
+              CurriculumRepository(other).saveDraft(id, {0, "[]", "ben", 1});
+            }),
+            DbFault::kConflict);
+  EXPECT_EQ(CurriculumRepository(other).saveDraft(id, {1, "[1]", "ben", 2}), 2);
+  EXPECT_EQ(faultFrom([&] { curricula.saveDraft(id, {1, "{}", "anna", 3}); }), DbFault::kConflict);
+
+  EXPECT_EQ(curricula.draft(id)->contentJson, "[1]");
+  EXPECT_EQ(curricula.draft(id)->changedBy, "ben");
+}
+
+}  // namespace
+}  // namespace torsio
