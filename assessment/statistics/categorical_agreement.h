@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "assessment/statistics/values.h"
+
+namespace torsio {
+
+enum class AlphaMetric { kNominal, kOrdinal, kInterval, kRatio };
+
+struct KrippendorffResult {
+  double alpha = 0.0;
+  double observed = 0.0;       ///< disagreement within units
+  double expected = 0.0;       ///< disagreement between all values
+  std::int64_t pairable = 0;   ///< values in units that have at least two
+  std::vector<double> values;  ///< the distinct values, ascending
+  NumberTable coincidences;    ///< one row and column a value
+};
+
+using IncompleteRatings = std::vector<std::vector<std::optional<double>>>;  ///< coders x units
+
+/// Krippendorff's alpha for any pattern of missing ratings. Undefined when fewer than two values can be
+/// paired or all are the same (agreement without variation is not perfect reliability).
+[[nodiscard]] Outcome<KrippendorffResult> krippendorffAlpha(const IncompleteRatings& codersByUnit,
+                                                            AlphaMetric metric);
+
+/// Percentile interval from resampled units. Resamples without variation are left out and counted.
+struct AlphaBootstrap {
+  Interval interval;
+  std::int64_t resamples = 0;
+  std::int64_t undefined = 0;
+};
+[[nodiscard]] Outcome<AlphaBootstrap> krippendorffInterval(const IncompleteRatings& codersByUnit,
+                                                           AlphaMetric metric, std::uint64_t seed,
+                                                           int resamples = 9999,
+                                                           double confidence = kUsualConfidence);
+
+enum class KappaWeights { kUnweighted, kLinear, kQuadratic };
+
+struct KappaResult {
+  double kappa = 0.0;
+  double observed = 0.0;  ///< weighted agreement; shown beside kappa because of the prevalence effect
+  double expected = 0.0;
+  double error = 0.0;           ///< standard error for intervals
+  double errorUnderNull = 0.0;  ///< standard error for the test
+  std::optional<double> z;
+  Interval interval;
+};
+
+/// Two raters; `table`: counts, categories of the first rater x categories of the second, the full list of
+/// categories even when one is unused. Undefined for an empty table or when both raters use one category
+/// only.
+[[nodiscard]] Outcome<KappaResult> cohenKappa(const NumberTable& table, KappaWeights weights,
+                                              double confidence = kUsualConfidence);
+/// The same with own disagreements (0 on the diagonal); agreement is 1 - disagreement / largest disagreement.
+[[nodiscard]] Outcome<KappaResult> cohenKappa(const NumberTable& table, const NumberTable& disagreement,
+                                              double confidence = kUsualConfidence);
+
+struct FleissResult {
+  double kappa = 0.0;
+  double observed = 0.0;
+  double expected = 0.0;
+  double errorUnderNull = 0.0;
+  double z = 0.0;
+  std::vector<std::optional<double>> byCategory;  ///< empty for a category that nobody or everybody used
+  double errorByCategory = 0.0;
+};
+
+/// Many exchangeable raters; `counts`: subjects x categories, every row with the same number of raters (at
+/// least two). Throws Error{kBadData} when the rows differ in their sums. Undefined when only one category
+/// was used.
+[[nodiscard]] Outcome<FleissResult> fleissKappa(const NumberTable& counts);
+
+}  // namespace torsio

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/statistics/descriptive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sim/base/contracts.h"
+
+namespace torsio {
+
+namespace {
+
+template <class T>
+DoubledRanks ranksOf(std::span<const T> values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  DoubledRanks out;
+  out.ranks.resize(values.size());
+  for (std::size_t first = 0; first < order.size();) {
+    std::size_t end = first;
+    while (end < order.size() && !(values[order[first]] < values[order[end]])) ++end;
+    const auto ties = static_cast<std::int64_t>(end - first);
+    out.tieTerm += ties * ties * ties - ties;
+    // Ranks first + 1 .. end have the middle (first + 1 + end) / 2.
+    for (std::size_t i = first; i < end; ++i)
+      out.ranks[order[i]] = static_cast<std::int64_t>(first + 1 + end);
+    first = end;
+  }
+  return out;
+}
+
+}  // namespace
+
+double meanOf(std::span<const double> values) {
+  TORSIO_EXPECTS(!values.empty());
+  // Neumaier's compensated sum.
+  double sum = 0.0;
+  double correction = 0.0;
+  for (const double x : values) {
+    const double next = sum + x;
+    correction += std::abs(sum) >= std::abs(x) ? (sum - next) + x : (x - next) + sum;
+    sum = next;
+  }
+  return (sum + correction) / static_cast<double>(values.size());
+}
+
+double sumOfSquares(std::span<const double> values) {
+  const double mean = meanOf(values);
+  double squares = 0.0;
+  double deviations = 0.0;
+  for (const double x : values) {
+    const double d = x - mean;
+    squares += d * d;
+    deviations += d;
+  }
+  return squares - deviations * deviations / static_cast<double>(values.size());
+}
+
+std::optional<double> sampleVariance(std::span<const double> values) {
+  if (values.size() < 2) return std::nullopt;
+  return sumOfSquares(values) / static_cast<double>(values.size() - 1);
+}
+
+std::optional<double> sampleDeviation(std::span<const double> values) {
+  const std::optional<double> variance = sampleVariance(values);
+  if (!variance) return std::nullopt;
+  return std::sqrt(*variance);
+}
+
+double medianOf(std::span<const double> values) {
+  TORSIO_EXPECTS(!values.empty());
+  std::vector<double> sorted(values.begin(), values.end());
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t half = sorted.size() / 2;
+  return sorted.size() % 2 == 1 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
+}
+
+DoubledRanks doubledRanks(std::span<const double> values) {
+  return ranksOf(values);
+}
+DoubledRanks doubledRanks(std::span<const std::int64_t> values) {
+  return ranksOf(values);
+}
+
+std::optional<std::vector<std::int64_t>> asWholeNumbers(std::span<const double> values) {
+  constexpr double kLargest = 9e15;      // whole doubles are exact below
+  constexpr double kRounding = 4.5e-16;  // a decimal is within half a unit of its double
+  for (double scale = 1.0; scale <= 1e6; scale *= 10.0) {
+    std::vector<std::int64_t> whole;
+    for (const double x : values) {
+      const double scaled = x * scale;
+      const double nearest = std::round(scaled);
+      if (std::abs(scaled) > kLargest || std::abs(scaled - nearest) > kRounding * std::abs(scaled)) break;
+      whole.push_back(static_cast<std::int64_t>(nearest));
+    }
+    if (whole.size() == values.size()) return whole;
+  }
+  return std::nullopt;
+}
+
+}  // namespace torsio

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "assessment/statistics/values.h"
+
+namespace torsio {
+
+/// Why a person or a rater has no estimate of its own.
+enum class RaschStatus {
+  kEstimated,
+  kExtremeLow,   ///< every rating in the lowest category: minus infinity
+  kExtremeHigh,  ///< every rating in the highest category: plus infinity
+  kNoRatings,
+};
+
+struct RaschPerson {
+  RaschStatus status = RaschStatus::kEstimated;
+  std::optional<double> ability;      ///< logits
+  std::optional<double> error;        ///< given the raters and thresholds
+  std::optional<double> jointError;   ///< from the inverse of the whole information
+  std::optional<double> fairAverage;  ///< expected rating by a rater of severity 0, in categories
+  std::optional<double> infit;        ///< information-weighted mean square; about 1
+  std::optional<double> outfit;       ///< unweighted; sensitive to single surprises
+};
+
+struct RaschRater {
+  RaschStatus status = RaschStatus::kEstimated;
+  std::optional<double> severity;  ///< logits; severities sum to 0
+  std::optional<double> error;
+  std::optional<double> infit;
+  std::optional<double> outfit;
+};
+
+struct RaschResult {
+  std::vector<RaschPerson> persons;
+  std::vector<RaschRater> raters;
+  std::vector<double> thresholds;  ///< tau_1 .. tau_K, sum 0
+  double logLikelihood = 0.0;
+  int iterations = 0;
+};
+
+/// Many-facet rating scale model, ln(P_k / P_(k-1)) = ability - severity - tau_k, by joint maximum likelihood
+/// (Newton). `ratings`: persons x raters, categories 0 .. `highest`, holes allowed. Persons and raters with
+/// only extreme ratings are set aside in turn and reported. Undefined when the rating plan falls into parts
+/// that cannot be compared, when a category is never used (collapse categories first), or when the maximum
+/// lies at infinity. Joint estimates are too far apart for short designs; no correction is applied.
+[[nodiscard]] Outcome<RaschResult> manyFacetRasch(const std::vector<std::vector<std::optional<int>>>& ratings,
+                                                  int highest);
+
+}  // namespace torsio

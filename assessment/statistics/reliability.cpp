@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/statistics/reliability.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assessment/statistics/descriptive.h"
+#include "assessment/statistics/distributions.h"
+
+namespace torsio {
+
+namespace {
+
+struct TwoWay {
+  double n = 0.0;
+  double k = 0.0;
+  double rows = 0.0;
+  double columns = 0.0;
+  double error = 0.0;
+  double within = 0.0;
+};
+
+/// Sums of squares from residuals, not from differences of large totals.
+TwoWay twoWay(const NumberTable& x) {
+  TwoWay ss;
+  ss.n = static_cast<double>(x.rows());
+  ss.k = static_cast<double>(x.columns());
+  std::vector<double> rowMeans;
+  std::vector<double> columnMeans;
+  for (std::size_t i = 0; i < x.rows(); ++i) rowMeans.push_back(meanOf(x.row(i)));
+  for (std::size_t j = 0; j < x.columns(); ++j) columnMeans.push_back(meanOf(x.column(j)));
+  const double grand = meanOf(rowMeans);
+  for (const double mean : rowMeans) ss.rows += ss.k * (mean - grand) * (mean - grand);
+  for (const double mean : columnMeans) ss.columns += ss.n * (mean - grand) * (mean - grand);
+  for (std::size_t i = 0; i < x.rows(); ++i)
+    for (std::size_t j = 0; j < x.columns(); ++j) {
+      const double residual = x.at(i, j) - rowMeans[i] - columnMeans[j] + grand;
+      const double inside = x.at(i, j) - rowMeans[i];
+      ss.error += residual * residual;
+      ss.within += inside * inside;
+    }
+  return ss;
+}
+
+double spearmanBrown(double r, double k) {
+  return k * r / (1.0 + (k - 1.0) * r);
+}
+
+void addOneWay(IccResult& out, double tail) {
+  const double n = static_cast<double>(out.targets);
+  const double k = static_cast<double>(out.raters);
+  const double df1 = n - 1.0;
+  const double df2 = n * (k - 1.0);
+  const double f = out.bms / out.wms;
+  out.fOneWay = f;
+  out.pOneWay = fUpper(f, df1, df2);
+  const double low = f / fQuantile(1.0 - tail, df1, df2);
+  const double high = f * fQuantile(1.0 - tail, df2, df1);
+  out.oneWaySingle = {(out.bms - out.wms) / (out.bms + (k - 1.0) * out.wms),
+                      Interval{(low - 1.0) / (low + k - 1.0), (high - 1.0) / (high + k - 1.0)}};
+  out.oneWayMean = {(out.bms - out.wms) / out.bms, Interval{1.0 - 1.0 / low, 1.0 - 1.0 / high}};
+}
+
+void addConsistency(IccResult& out, double tail) {
+  const double n = static_cast<double>(out.targets);
+  const double k = static_cast<double>(out.raters);
+  const double df1 = n - 1.0;
+  const double df2 = (n - 1.0) * (k - 1.0);
+  const double f = out.bms / out.ems;
+  out.fTwoWay = f;
+  out.pTwoWay = fUpper(f, df1, df2);
+  out.fRaters = out.jms / out.ems;
+  out.pRaters = fUpper(out.fRaters, k - 1.0, df2);
+  const double low = f / fQuantile(1.0 - tail, df1, df2);
+  const double high = f * fQuantile(1.0 - tail, df2, df1);
+  out.consistencySingle = {(out.bms - out.ems) / (out.bms + (k - 1.0) * out.ems),
+                           Interval{(low - 1.0) / (low + k - 1.0), (high - 1.0) / (high + k - 1.0)}};
+  out.consistencyMean = {(out.bms - out.ems) / out.bms, Interval{1.0 - 1.0 / low, 1.0 - 1.0 / high}};
+}
+
+/// McGraw and Wong's interval; the interval of the mean is its Spearman-Brown transform.
+void addAgreement(IccResult& out, double tail) {
+  const double n = static_cast<double>(out.targets);
+  const double k = static_cast<double>(out.raters);
+  const double r = (out.bms - out.ems) / (out.bms + (k - 1.0) * out.ems + k * (out.jms - out.ems) / n);
+  const double a = k * r / (n * (1.0 - r));
+  const double b = 1.0 + k * r * (n - 1.0) / (n * (1.0 - r));
+  const double sum = a * out.jms + b * out.ems;
+  const double v =
+      sum * sum /
+      ((a * out.jms) * (a * out.jms) / (k - 1.0) + (b * out.ems) * (b * out.ems) / ((n - 1.0) * (k - 1.0)));
+  out.agreementDf = v;
+  out.agreementSingle.estimate = r;
+  out.agreementMean.estimate = (out.bms - out.ems) / (out.bms + (out.jms - out.ems) / n);
+  if (!(v > 0.0) || !std::isfinite(v)) return;
+  const double f1 = fQuantile(1.0 - tail, n - 1.0, v);
+  const double f2 = fQuantile(1.0 - tail, v, n - 1.0);
+  const double spread = k * out.jms + (k * n - k - n) * out.ems;
+  const Interval single{n * (out.bms - f1 * out.ems) / (f1 * spread + n * out.bms),
+                        n * (f2 * out.bms - out.ems) / (spread + n * f2 * out.bms)};
+  out.agreementSingle.interval = single;
+  out.agreementMean.interval = Interval{spearmanBrown(single.lower, k), spearmanBrown(single.upper, k)};
+}
+
+}  // namespace
+
+Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings, double confidence) {
+  if (ratings.rows() < 2) return Outcome<IccResult>::undefined("there are fewer than two targets");
+  if (ratings.columns() < 2) return Outcome<IccResult>::undefined("there are fewer than two raters");
+  const TwoWay ss = twoWay(ratings);
+  if (ss.rows + ss.within == 0.0) return Outcome<IccResult>::undefined("every rating is the same");
+  IccResult out;
+  out.targets = ratings.rows();
+  out.raters = ratings.columns();
+  out.bms = ss.rows / (ss.n - 1.0);
+  out.wms = ss.within / (ss.n * (ss.k - 1.0));
+  out.jms = ss.columns / (ss.k - 1.0);
+  out.ems = ss.error / ((ss.n - 1.0) * (ss.k - 1.0));
+  constexpr double kRounding = 1e-13;  // of the total: what remains of a residual that is truly zero
+  if (ss.error <= kRounding * (ss.rows + ss.within))
+    return Outcome<IccResult>::undefined(
+        "the raters differ by constants only, so there is no residual variance");
+  if (ss.rows <= kRounding * (ss.rows + ss.within))
+    return Outcome<IccResult>::undefined("the targets do not differ");
+  const double tail = 0.5 * (1.0 - confidence);
+  addOneWay(out, tail);
+  addConsistency(out, tail);
+  addAgreement(out, tail);
+  out.varianceTargets = (out.bms - out.ems) / ss.k;
+  out.varianceRaters = (out.jms - out.ems) / ss.n;
+  out.varianceResidual = out.ems;
+  out.semConsistency = std::sqrt(out.ems);
+  out.semAgreement = std::sqrt(std::max(0.0, out.varianceRaters) + out.ems);
+  return out;
+}
+
+namespace {
+
+std::optional<double> alphaOf(const NumberTable& x, std::optional<std::size_t> without) {
+  std::vector<double> sums(x.rows(), 0.0);
+  double itemVariances = 0.0;
+  double items = 0.0;
+  for (std::size_t j = 0; j < x.columns(); ++j) {
+    if (without == j) continue;
+    const std::vector<double> column = x.column(j);
+    itemVariances += *sampleVariance(column);
+    for (std::size_t i = 0; i < x.rows(); ++i) sums[i] += column[i];
+    items += 1.0;
+  }
+  const double total = *sampleVariance(sums);
+  if (items < 2.0 || total == 0.0) return std::nullopt;
+  return items / (items - 1.0) * (1.0 - itemVariances / total);
+}
+
+std::optional<double> standardizedAlpha(const NumberTable& x) {
+  double correlations = 0.0;
+  double pairs = 0.0;
+  for (std::size_t a = 0; a < x.columns(); ++a)
+    for (std::size_t b = a + 1; b < x.columns(); ++b) {
+      const std::vector<double> u = x.column(a);
+      const std::vector<double> v = x.column(b);
+      const double meanU = meanOf(u);
+      const double meanV = meanOf(v);
+      double product = 0.0;
+      for (std::size_t i = 0; i < u.size(); ++i) product += (u[i] - meanU) * (v[i] - meanV);
+      const double scale = std::sqrt(sumOfSquares(u) * sumOfSquares(v));
+      if (scale == 0.0) return std::nullopt;
+      correlations += product / scale;
+      pairs += 1.0;
+    }
+  return spearmanBrown(correlations / pairs, static_cast<double>(x.columns()));
+}
+
+}  // namespace
+
+Outcome<CronbachResult> cronbachAlpha(const NumberTable& answers, double confidence) {
+  if (answers.rows() < 2 || answers.columns() < 2)
+    return Outcome<CronbachResult>::undefined("alpha needs at least two persons and two items");
+  const std::optional<double> alpha = alphaOf(answers, std::nullopt);
+  if (!alpha) return Outcome<CronbachResult>::undefined("the sums over the items do not vary");
+  CronbachResult out;
+  out.alpha = *alpha;
+  const double df1 = static_cast<double>(answers.rows() - 1);
+  const double df2 = df1 * static_cast<double>(answers.columns() - 1);
+  const double tail = 0.5 * (1.0 - confidence);
+  out.interval = {1.0 - (1.0 - *alpha) * fQuantile(1.0 - tail, df1, df2),
+                  1.0 - (1.0 - *alpha) * fQuantile(tail, df1, df2)};
+  for (std::size_t j = 0; j < answers.columns(); ++j) out.alphaWithout.push_back(alphaOf(answers, j));
+  out.standardized = standardizedAlpha(answers);
+  return out;
+}
+
+Outcome<KendallResult> kendallW(const NumberTable& ratings) {
+  if (ratings.rows() < 2 || ratings.columns() < 2)
+    return Outcome<KendallResult>::undefined("concordance needs at least two targets and two raters");
+  const double n = static_cast<double>(ratings.rows());
+  const double m = static_cast<double>(ratings.columns());
+  std::vector<std::int64_t> doubledSums(ratings.rows(), 0);
+  std::int64_t ties = 0;
+  for (std::size_t j = 0; j < ratings.columns(); ++j) {
+    const DoubledRanks ranks = doubledRanks(ratings.column(j));
+    ties += ranks.tieTerm;
+    for (std::size_t i = 0; i < ratings.rows(); ++i) doubledSums[i] += ranks.ranks[i];
+  }
+  KendallResult out;
+  out.tieTerm = static_cast<double>(ties);
+  const double middle = m * (n + 1.0);  // of the doubled sums
+  for (const std::int64_t sum : doubledSums) {
+    const double d = static_cast<double>(sum) - middle;
+    out.s += 0.25 * d * d;
+  }
+  const double denominator = m * m * (n * n * n - n) - m * out.tieTerm;
+  if (denominator <= 0.0) return Outcome<KendallResult>::undefined("every rater ties all targets");
+  out.w = 12.0 * out.s / denominator;
+  out.wUncorrected = 12.0 * out.s / (m * m * (n * n * n - n));
+  out.df = n - 1.0;
+  out.chiSquared = m * (n - 1.0) * out.w;
+  out.p = chiSquaredUpper(out.chiSquared, out.df);
+  return out;
+}
+
+Outcome<BlandAltmanResult> blandAltman(std::span<const double> x, std::span<const double> y,
+                                       double multiplier, double confidence) {
+  TORSIO_EXPECTS(x.size() == y.size());
+  if (x.size() < 2)
+    return Outcome<BlandAltmanResult>::undefined("limits of agreement need at least two pairs");
+  BlandAltmanResult out;
+  out.n = x.size();
+  const double n = static_cast<double>(x.size());
+  std::vector<double> differences;
+  std::vector<double> means;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    differences.push_back(x[i] - y[i]);
+    means.push_back(0.5 * (x[i] + y[i]));
+  }
+  out.meanDifference = meanOf(differences);
+  out.deviation = *sampleDeviation(differences);
+  out.limits = {out.meanDifference - multiplier * out.deviation,
+                out.meanDifference + multiplier * out.deviation};
+  const double t = tQuantile(0.5 * (1.0 + confidence), n - 1.0);
+  const double meanReach = t * out.deviation / std::sqrt(n);
+  out.meanInterval = {out.meanDifference - meanReach, out.meanDifference + meanReach};
+  out.limitError = std::sqrt(3.0 / n) * out.deviation;
+  out.limitErrorExact = std::sqrt(1.0 / n + multiplier * multiplier / (2.0 * (n - 1.0))) * out.deviation;
+  const double reach = t * out.limitError;
+  out.lowerLimitInterval = {out.limits.lower - reach, out.limits.lower + reach};
+  out.upperLimitInterval = {out.limits.upper - reach, out.limits.upper + reach};
+  const double spread = sumOfSquares(means);
+  if (spread > 0.0) {
+    const double meanOfMeans = meanOf(means);
+    double product = 0.0;
+    for (std::size_t i = 0; i < means.size(); ++i)
+      product += (means[i] - meanOfMeans) * (differences[i] - out.meanDifference);
+    out.slope = product / spread;
+  }
+  return out;
+}
+
+std::vector<Outcome<BlandAltmanResult>> blandAltmanAgainstPanel(const NumberTable& ratings) {
+  TORSIO_EXPECTS(ratings.columns() >= 2);
+  std::vector<Outcome<BlandAltmanResult>> out;
+  for (std::size_t rater = 0; rater < ratings.columns(); ++rater) {
+    std::vector<double> others;
+    for (std::size_t i = 0; i < ratings.rows(); ++i) {
+      std::vector<double> row = ratings.row(i);
+      row.erase(row.begin() + static_cast<std::ptrdiff_t>(rater));
+      others.push_back(meanOf(row));
+    }
+    out.push_back(blandAltman(ratings.column(rater), others));
+  }
+  return out;
+}
+
+}  // namespace torsio

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "assessment/statistics/values.h"
+
+namespace torsio {
+
+struct IccForm {
+  double estimate = 0.0;             ///< may be negative; reported as it is
+  std::optional<Interval> interval;  ///< empty when the error variance is zero
+};
+
+/// Intraclass correlations of Shrout and Fleiss (1979), with the mean squares they come from.
+struct IccResult {
+  std::size_t targets = 0;
+  std::size_t raters = 0;
+  double bms = 0.0;           ///< between targets
+  double wms = 0.0;           ///< within targets
+  double jms = 0.0;           ///< between raters
+  double ems = 0.0;           ///< residual
+  IccForm oneWaySingle;       ///< ICC(1,1): other raters for every target
+  IccForm agreementSingle;    ///< ICC(2,1): same raters, absolute agreement
+  IccForm consistencySingle;  ///< ICC(3,1): same raters, order only
+  IccForm oneWayMean;         ///< ICC(1,k)
+  IccForm agreementMean;      ///< ICC(2,k): the reported form, as scores are means over the same raters
+  IccForm consistencyMean;    ///< ICC(3,k)
+  double agreementDf = 0.0;   ///< Satterthwaite degrees of freedom of the ICC(2,1) interval
+  double fOneWay = 0.0;
+  double pOneWay = 0.0;
+  double fTwoWay = 0.0;
+  double pTwoWay = 0.0;  ///< of ICC(2,.) and ICC(3,.) = 0, degrees of freedom n - 1 and (n - 1)(k - 1)
+  double fRaters = 0.0;
+  double pRaters = 0.0;
+  double varianceTargets = 0.0;
+  double varianceRaters = 0.0;
+  double varianceResidual = 0.0;
+  double semConsistency = 0.0;  ///< sqrt(EMS), in score points
+  double semAgreement = 0.0;    ///< sqrt(rater variance + EMS); negative rater variance counts as 0
+};
+
+/// `ratings`: targets x raters, complete. Undefined with fewer than two of either, without any variation, or
+/// when the residual variance is zero.
+[[nodiscard]] Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings,
+                                                       double confidence = kUsualConfidence);
+
+struct CronbachResult {
+  double alpha = 0.0;
+  Interval interval;                                ///< Feldt
+  std::vector<std::optional<double>> alphaWithout;  ///< one an item
+  std::optional<double> standardized;               ///< from the mean correlation between items
+};
+
+/// `answers`: persons x items. Undefined with fewer than two of either or when the sums do not vary.
+[[nodiscard]] Outcome<CronbachResult> cronbachAlpha(const NumberTable& answers,
+                                                    double confidence = kUsualConfidence);
+
+struct KendallResult {
+  double w = 0.0;             ///< with tie correction
+  double wUncorrected = 0.0;  ///< shown only to explain a difference to other programs
+  double s = 0.0;
+  double tieTerm = 0.0;  ///< sum of t^3 - t over all raters
+  double chiSquared = 0.0;
+  double df = 0.0;
+  double p = 0.0;
+};
+
+/// Concordance of raters; `ratings`: targets x raters. Undefined when every rater ties all targets.
+[[nodiscard]] Outcome<KendallResult> kendallW(const NumberTable& ratings);
+
+struct BlandAltmanResult {
+  std::size_t n = 0;
+  double meanDifference = 0.0;
+  double deviation = 0.0;
+  Interval limits;  ///< mean +- multiplier x deviation
+  Interval meanInterval;
+  double limitError = 0.0;       ///< sqrt(3/n) x deviation
+  double limitErrorExact = 0.0;  ///< sqrt(1/n + z^2 / (2 (n - 1))) x deviation
+  Interval lowerLimitInterval;
+  Interval upperLimitInterval;
+  std::optional<double>
+      slope;  ///< of the difference on the pair mean: not near 0 means a proportional difference
+};
+
+inline constexpr double kAgreementLimit = 1.96;
+
+/// Differences x - y against pair means. Undefined for fewer than two pairs.
+[[nodiscard]] Outcome<BlandAltmanResult> blandAltman(std::span<const double> x, std::span<const double> y,
+                                                     double multiplier = kAgreementLimit,
+                                                     double confidence = kUsualConfidence);
+
+/// Every rater against the mean of the others; a mean that contains the rater would agree by construction.
+/// `ratings`: targets x raters, at least two raters.
+[[nodiscard]] std::vector<Outcome<BlandAltmanResult>> blandAltmanAgainstPanel(const NumberTable& ratings);
+
+}  // namespace torsio

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "assessment/statistics/generalizability.h"
+#include "assessment/statistics/rasch.h"
+#include "sim/base/error.h"
+#include "tests/assessment/reference_case.h"
+
+namespace torsio {
+namespace {
+
+using Rows = std::vector<std::vector<double>>;
+using test::matches;
+using test::numbers;
+using test::ReferenceCase;
+using test::referenceCase;
+
+TEST(GStudy, AgreesWithBrennansRatersInTasks) {
+  const ReferenceCase c = referenceCase("generalizability", "g_brennan_synth4_p_x_r_in_t");
+  std::vector<NumberTable> byTask(3, NumberTable(10, 4));
+  const nlohmann::json& data = c.input.at("persons_by_(task*4+rater)");
+  for (std::size_t p = 0; p < 10; ++p)
+    for (std::size_t j = 0; j < 12; ++j) byTask[j / 4].at(p, j % 4) = data[p][j].get<double>();
+
+  const Outcome<GStudy> got = gStudyPRinT(byTask);
+
+  const std::vector<std::pair<const char*, const char*>> names = {
+      {"p", "p"}, {"t", "t"}, {"rt", "r:t"}, {"pt", "pt"}, {"prt", "pr:t"}};
+  for (const auto& [key, effect] : names) {
+    EXPECT_TRUE(matches(got->at(effect).sumOfSquares, c.expected.at("SS").at(key).get<double>(), c.tolerance))
+        << key;
+    EXPECT_TRUE(matches(got->at(effect).meanSquare, c.expected.at("MS").at(key).get<double>(), c.tolerance))
+        << key;
+    EXPECT_TRUE(matches(got->at(effect).variance, c.expected.at("var").at(key).get<double>(), c.tolerance))
+        << key;
+    EXPECT_EQ(got->at(effect).df, c.expected.at("df").at(key).get<double>());
+  }
+  const Outcome<DStudy> d = dStudyPRinT(*got, 3, 4);
+  EXPECT_TRUE(matches(d->relativeError, c.expected.at("rel_err").get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(d->absoluteError, c.expected.at("abs_err").get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(d->generalizability, c.expected.at("Erho2").get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(d->dependability, c.expected.at("Phi").get<double>(), c.tolerance));
+}
+
+TEST(GStudy, AgreesWithBrennansCrossedDesign) {
+  const ReferenceCase c = referenceCase("generalizability", "g_brennan_synth3_p_x_i_x_o");
+  std::vector<NumberTable> byOccasion(2, NumberTable(10, 4));
+  for (std::size_t o = 0; o < 2; ++o)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t p = 0; p < 10; ++p)
+        byOccasion[o].at(p, i) = c.input.at("o_i_p")[o][i][p].get<double>();
+
+  const Outcome<GStudy> got = gStudyPRO(byOccasion);
+
+  const std::vector<std::pair<const char*, const char*>> names = {
+      {"p", "p"}, {"i", "r"}, {"o", "o"}, {"pi", "pr"}, {"po", "po"}, {"io", "ro"}, {"pio", "pro"}};
+  for (const auto& [key, effect] : names) {
+    EXPECT_TRUE(matches(got->at(effect).sumOfSquares, c.expected.at("SS").at(key).get<double>(), c.tolerance))
+        << key;
+    EXPECT_TRUE(matches(got->at(effect).variance, c.expected.at("var").at(key).get<double>(), c.tolerance))
+        << key;
+  }
+  for (const auto& [key, raters, occasions] : std::vector<std::tuple<const char*, double, double>>{
+           {"D_4_2", 4, 2}, {"D_1_1", 1, 1}, {"D_10_1", 10, 1}, {"D_10_3", 10, 3}}) {
+    const Outcome<DStudy> d = dStudyPRO(*got, raters, occasions);
+    const nlohmann::json& expected = c.expected.at(key);
+    EXPECT_TRUE(matches(d->relativeError, expected.at("rel_err").get<double>(), c.tolerance)) << key;
+    EXPECT_TRUE(matches(d->absoluteError, expected.at("abs_err").get<double>(), c.tolerance)) << key;
+    EXPECT_TRUE(matches(d->generalizability, expected.at("Erho2").get<double>(), c.tolerance)) << key;
+    EXPECT_TRUE(matches(d->dependability, expected.at("Phi").get<double>(), c.tolerance)) << key;
+  }
+}
+
+TEST(GStudy, AgreesOnTheSyntheticTrainingStudy) {
+  const ReferenceCase c = referenceCase("training_study", "training_study_synthetic");
+  std::vector<NumberTable> byOccasion(3, NumberTable(30, 10));
+  for (std::size_t g = 0; g < 3; ++g)
+    for (std::size_t i = 0; i < 10; ++i)
+      for (std::size_t t = 0; t < 3; ++t)
+        for (std::size_t r = 0; r < 10; ++r)
+          byOccasion[t].at(10 * g + i, r) = c.input.at("data_g_i_t_r")[g][i][t][r].get<double>();
+  const Outcome<GStudy> got = gStudyPRO(byOccasion);
+  for (const char* effect : {"p", "r", "o", "pr", "po", "ro", "pro"})
+    EXPECT_TRUE(matches(got->at(effect).variance,
+                        c.expected.at("g_study_p_r_o").at("var").at(effect).get<double>(), 1e-9))
+        << effect;
+  const Outcome<DStudy> d = dStudyPRO(*got, 10, 3);
+  EXPECT_TRUE(matches(d->generalizability,
+                      c.expected.at("g_study_p_r_o").at("D_r10_o3").at("Erho2").get<double>(), 1e-9));
+  EXPECT_TRUE(
+      matches(d->dependability, c.expected.at("g_study_p_r_o").at("D_r10_o3").at("Phi").get<double>(), 1e-9));
+}
+
+TEST(GStudy, ShowsNegativeComponentsAndUsesZeroOnlyForTheDStudy) {
+  // Persons differ less than chance would have it: the interaction exceeds the person effect.
+  const Outcome<GStudy> got = gStudyPR(NumberTable({{1, 5}, {5, 1}, {3, 3}}));
+  EXPECT_LT(got->at("p").variance, 0.0);
+  EXPECT_TRUE(got->negativeComponent);
+  EXPECT_EQ(dStudyPR(*got, 10)->generalizability, 0.0);
+  EXPECT_FALSE(gStudyPR(NumberTable(Rows{{1, 5}})));
+}
+
+std::vector<std::vector<std::optional<int>>> ratingsOf(const nlohmann::json& rows) {
+  std::vector<std::vector<std::optional<int>>> out;
+  for (const nlohmann::json& row : rows) {
+    out.emplace_back();
+    for (const nlohmann::json& mark : row) out.back().emplace_back(mark.get<int>());
+  }
+  return out;
+}
+
+TEST(ManyFacetRasch, AgreesWithNewtonAndThePoissonModel) {
+  const ReferenceCase c = referenceCase("rasch", "mfrm_jml_12x4");
+  const Outcome<RaschResult> got = manyFacetRasch(ratingsOf(c.input.at("ratings_0_4")), 4);
+  ASSERT_TRUE(got) << got.reason();
+  for (std::size_t n = 0; n < 12; ++n) {
+    const RaschPerson& person = got->persons[n];
+    EXPECT_TRUE(matches(*person.ability, c.expected.at("theta")[n].get<double>(), c.tolerance));
+    EXPECT_TRUE(matches(*person.error, c.expected.at("se_theta")[n].get<double>(), c.tolerance));
+    EXPECT_TRUE(matches(*person.jointError, c.expected.at("joint_se")[n].get<double>(), c.tolerance));
+    EXPECT_TRUE(matches(*person.infit, c.expected.at("infit_person")[n].get<double>(), c.tolerance));
+    EXPECT_TRUE(matches(*person.outfit, c.expected.at("outfit_person")[n].get<double>(), c.tolerance));
+  }
+  for (std::size_t r = 0; r < 4; ++r) {
+    const RaschRater& rater = got->raters[r];
+    EXPECT_TRUE(matches(*rater.severity, c.expected.at("severity")[r].get<double>(), c.tolerance));
+    EXPECT_TRUE(matches(*rater.error, c.expected.at("se_severity")[r].get<double>(), c.tolerance));
+    EXPECT_TRUE(matches(*rater.infit, c.expected.at("infit_rater")[r].get<double>(), c.tolerance));
+    EXPECT_TRUE(matches(*rater.outfit, c.expected.at("outfit_rater")[r].get<double>(), c.tolerance));
+    EXPECT_TRUE(matches(got->thresholds[r], c.expected.at("tau")[r].get<double>(), c.tolerance));
+  }
+  EXPECT_TRUE(matches(got->logLikelihood, c.expected.at("loglik").get<double>(), c.tolerance));
+}
+
+TEST(ManyFacetRasch, SetsExtremePersonsAsideAndReportsThem) {
+  std::vector<std::vector<std::optional<int>>> ratings =
+      ratingsOf(referenceCase("rasch", "mfrm_jml_12x4").input.at("ratings_0_4"));
+  const Outcome<RaschResult> without = manyFacetRasch(ratings, 4);
+  ratings.push_back({4, 4, 4, 4});
+  ratings.push_back({0, 0, 0, 0});
+  ratings.push_back({std::nullopt, std::nullopt, std::nullopt, std::nullopt});
+  const Outcome<RaschResult> with = manyFacetRasch(ratings, 4);
+  EXPECT_EQ(with->persons[12].status, RaschStatus::kExtremeHigh);
+  EXPECT_EQ(with->persons[13].status, RaschStatus::kExtremeLow);
+  EXPECT_EQ(with->persons[14].status, RaschStatus::kNoRatings);
+  EXPECT_FALSE(with->persons[12].ability.has_value());
+  EXPECT_NEAR(*with->raters[0].severity, *without->raters[0].severity, 1e-10);
+}
+
+TEST(ManyFacetRasch, RefusesDisconnectedPlansUnusedCategoriesAndOrderlyData) {
+  const std::optional<int> hole;
+  const Outcome<RaschResult> apart =
+      manyFacetRasch({{0, 1, hole, hole}, {1, 0, hole, hole}, {hole, hole, 0, 1}, {hole, hole, 1, 0}}, 1);
+  EXPECT_THAT(apart.reason(), ::testing::HasSubstr("parts"));
+  EXPECT_THAT(manyFacetRasch({{0, 1}, {1, 0}, {3, 1}}, 3).reason(), ::testing::HasSubstr("collapse"));
+  EXPECT_THAT(manyFacetRasch({{0, 1}, {0, 1}, {0, 1}}, 1).reason(), ::testing::HasSubstr("fewer than two"));
+  EXPECT_THROW((void)manyFacetRasch({{0, 5}, {1, 2}}, 3), Error);
+}
+
+TEST(ManyFacetRasch, EstimatesAnIncompletePlan) {
+  std::vector<std::vector<std::optional<int>>> ratings =
+      ratingsOf(referenceCase("rasch", "mfrm_jml_12x4").input.at("ratings_0_4"));
+  ratings[2][3] = std::nullopt;
+  ratings[9][0] = std::nullopt;
+  const Outcome<RaschResult> got = manyFacetRasch(ratings, 4);
+  ASSERT_TRUE(got) << got.reason();
+  double sum = 0.0;
+  for (const RaschRater& rater : got->raters) sum += *rater.severity;
+  EXPECT_NEAR(sum, 0.0, 1e-12);
+  // A fair average undoes the luck of the draw of raters: higher ability, higher fair average.
+  EXPECT_GT(*got->persons[10].fairAverage, *got->persons[3].fairAverage);
+}
+
+}  // namespace
+}  // namespace torsio
