@@ -223,18 +223,28 @@ bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) noexcept {
 }
 
 std::vector<EdgeUse> sortedEdges(const TriangleMesh& mesh) {
-  std::vector<EdgeUse> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+  // By counting on the lower index, then a short sort of each vertex's few edges.
+  std::vector<std::size_t> first(mesh.vertices_m.size() + 1, 0);
+  const auto lower = [](const Triangle& t, std::size_t k) { return std::min(t[k], t[(k + 1) % 3]); };
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) ++first[lower(t, k) + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<EdgeUse> edges(3 * mesh.triangles.size());
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::uint8_t k = 0; k < 3; ++k) {
       const std::uint32_t from = mesh.triangles[t][k];
       const std::uint32_t to = mesh.triangles[t][(k + 1U) % 3];
-      edges.push_back({std::min(from, to), std::max(from, to), static_cast<std::uint32_t>(t), k, from < to});
+      edges[next[std::min(from, to)]++] = {std::min(from, to), std::max(from, to), t, k, from < to};
     }
   }
-  std::sort(edges.begin(), edges.end(), [](const EdgeUse& a, const EdgeUse& b) {
-    return std::tie(a.low, a.high, a.triangle, a.side) < std::tie(b.low, b.high, b.triangle, b.side);
-  });
+  const auto at = [&edges](std::size_t i) { return edges.begin() + static_cast<std::ptrdiff_t>(i); };
+  for (std::size_t v = 0; v + 1 < first.size(); ++v) {
+    std::sort(at(first[v]), at(first[v + 1]), [](const EdgeUse& a, const EdgeUse& b) {
+      return std::tie(a.high, a.triangle, a.side) < std::tie(b.high, b.triangle, b.side);
+    });
+  }
   return edges;
 }
 

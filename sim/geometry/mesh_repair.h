@@ -35,7 +35,8 @@ struct EdgeUse {
   bool ascending = false;  ///< the triangle runs from low to high
 };
 
-/// All sides of all triangles, equal edges next to each other, in a fixed order. O(T log T).
+/// All sides of all triangles, equal edges next to each other, in a fixed order. All
+/// indices must be in range.
 [[nodiscard]] std::vector<EdgeUse> sortedEdges(const TriangleMesh& mesh);
 
 /// Index of the connected piece (through shared vertices) of each triangle, numbered from 0 in the order of
