@@ -9,7 +9,7 @@ constexpr const char* kMarkColumns =
     "SELECT m.id, m.enrolment_id, m.rater_id, m.scoring_point, m.version, m.trial_id, m.score_steps,"
     " m.scale_lo_steps, m.scale_hi_steps, m.steps_per_point, m.not_assessable_reason, m.comment, "
     "m.amend_reason,"
-    " m.submitted_utc_us, m.demonstration, t.code, r.code, g.code, e.number_in_group"
+    " m.submitted_utc_us, m.demonstration, t.code, r.code, g.code, e.number_in_group, m.assignment_id"
     " FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id JOIN person t ON t.id = e.trainee_id"
     " JOIN person r ON r.id = m.rater_id JOIN scoring_point s ON s.code = m.scoring_point"
     " LEFT JOIN training_group g ON g.id = e.group_id";
@@ -27,6 +27,7 @@ std::vector<StoredTrainingMark> marksOf(Statement& row) {
                      .scale = {row.int64(7), row.int64(8), row.int64(9)},
                      .notAssessableReason = row.text(10),
                      .comment = row.text(11),
+                     .assignmentId = row.text(19),
                      .amendReason = row.text(12),
                      .submittedUtc_us = row.int64(13),
                      .demonstration = row.boolean(14),
@@ -71,12 +72,21 @@ void RatingRepository::submit(std::span<const StoredTrainingMark> marks) {
   Statement insert = connection_.prepare(
       "INSERT INTO training_mark (id, enrolment_id, rater_id, scoring_point, version, trial_id, score_steps,"
       " scale_lo_steps, scale_hi_steps, steps_per_point, not_assessable_reason, comment, amend_reason,"
-      " submitted_utc_us, demonstration) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      " submitted_utc_us, demonstration, assignment_id) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+      "?)");
+  Statement insertRow = connection_.prepare(
+      "INSERT INTO training_mark_row (mark_id, revision_id, row_code, score_steps, not_assessable_reason)"
+      " VALUES (?, ?, ?, ?, ?)");
   for (const StoredTrainingMark& mark : marks) {
     insert.execute({mark.id, mark.enrolmentId, mark.raterId, mark.scoringPoint, mark.version,
                     textOrNull(mark.trialId), mark.score_steps, mark.scale.lo, mark.scale.hi,
                     mark.scale.stepsPerPoint, textOrNull(mark.notAssessableReason), textOrNull(mark.comment),
-                    textOrNull(mark.amendReason), mark.submittedUtc_us, mark.demonstration});
+                    textOrNull(mark.amendReason), mark.submittedUtc_us, mark.demonstration,
+                    textOrNull(mark.assignmentId)});
+    for (const StoredMarkRow& row : mark.rows) {
+      insertRow.execute(
+          {mark.id, row.rubricRevisionId, row.rowCode, row.score_steps, textOrNull(row.notAssessableReason)});
+    }
   }
   transaction.commit();
 }

@@ -13,6 +13,14 @@
 
 namespace torsio {
 
+/// One row of the sheet behind a mark: a score on the scale of its rubric row, or why there is none.
+struct StoredMarkRow {
+  std::string rubricRevisionId{};
+  std::string rowCode{};
+  std::optional<std::int64_t> score_steps{};
+  std::string notAssessableReason{};
+};
+
 /// One submitted mark of the training study: one rater, one trainee, one scoring point. Sealed by the
 /// database: a correction is a new version with a reason.
 struct StoredTrainingMark {
@@ -26,7 +34,9 @@ struct StoredTrainingMark {
   ScoreScale scale{.lo = 10, .hi = 100, .stepsPerPoint = 10};  ///< paper section 6: 1 to 10
   std::string notAssessableReason{};
   std::string comment{};
-  std::string amendReason{};  ///< from version 2 on
+  std::string assignmentId{};         ///< the request that it answers; empty: entered without one
+  std::vector<StoredMarkRow> rows{};  ///< written by submit(); read by SheetRepository::submitted()
+  std::string amendReason{};          ///< from version 2 on
   std::int64_t submittedUtc_us = 0;
   bool demonstration = false;
   std::string traineeCode{};       ///< filled when read

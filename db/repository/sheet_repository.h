@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "assessment/scoring/instrument.h"
+#include "db/connection/connection.h"
+
+namespace torsio {
+
+/// What a score of a row means, in words.
+struct StoredAnchor {
+  std::int64_t score_steps = 0;
+  std::string meaning{};
+};
+
+/// One line of a rubric.
+struct StoredRubricRow {
+  std::string code{};  ///< "proficiency"
+  std::string label{};
+  ScoreScale scale{};
+  std::vector<StoredAnchor> anchors{};
+};
+
+/// A rubric as it was at one time. Never changes once stored.
+struct StoredRubricRevision {
+  std::string id{};
+  std::string rubricId{};
+  std::int64_t number = 1;
+  std::string note{};
+  ScoreScale overall{};  ///< of the overall mark
+  std::vector<StoredRubricRow> rows{};
+  std::string createdBy{};
+  std::int64_t createdUtc_us = 0;
+};
+
+/// One rater is asked for one sheet about one trainee at one scoring point.
+struct StoredAssignment {
+  std::string id{};
+  std::string raterId{};
+  std::string enrolmentId{};
+  std::string scoringPoint{};
+  std::string trialId{};  ///< empty: live, on the real arm
+  std::string rubricRevisionId{};
+  std::string caseLabel{};    ///< all that the rater sees: "7F"
+  std::int64_t position = 0;  ///< shuffled order of this rater
+  std::optional<std::int64_t> dueUtc_us{};
+  std::string assignedBy{};
+  std::int64_t assignedUtc_us = 0;
+  bool demonstration = false;
+};
+
+enum class SheetState { kOpen, kDraft, kSubmitted, kWithdrawn };
+
+/// One line of a rater's queue: nothing in it tells who, which group or which stage.
+struct QueueEntry {
+  std::string assignmentId{};
+  std::string caseLabel{};
+  std::string trialId{};
+  std::string rubricRevisionId{};
+  std::optional<std::int64_t> dueUtc_us{};
+  SheetState state = SheetState::kOpen;
+};
+
+/// One row of a sheet: a score, or why there is none. Both empty: not answered yet (drafts only).
+struct SheetRow {
+  std::string code{};
+  std::optional<std::int64_t> score_steps{};
+  std::string notAssessableReason{};
+};
+
+/// What a rater has filled in.
+struct Sheet {
+  std::int64_t revision = 0;  ///< of the draft: counts the saves; 0: never saved
+  std::optional<std::int64_t> overall_steps{};
+  std::string notAssessableReason{};
+  std::string comment{};
+  std::vector<SheetRow> rows{};
+  std::int64_t changedUtc_us = 0;
+};
+
+/// Rubrics, who is asked to judge what, the sheets while they are written, and their sealing. One call, one
+/// transaction.
+class SheetRepository {
+ public:
+  explicit SheetRepository(Connection& connection) : connection_(connection) {}
+
+  void addRubric(const std::string& id, const std::string& name, std::int64_t createdUtc_us,
+                 bool demonstration);
+  void addRevision(const StoredRubricRevision& revision);
+  [[nodiscard]] std::optional<StoredRubricRevision> revision(const std::string& revisionId);
+  /// Ids of a rubric's revisions, oldest first.
+  [[nodiscard]] std::vector<std::string> revisionIds(const std::string& rubricId);
+
+  void assign(std::span<const StoredAssignment> assignments);
+  /// Throws Error (kBadData) when the sheet was submitted already.
+  void withdraw(const std::string& assignmentId, const std::string& reason, const std::string& withdrawnBy,
+                std::int64_t utc_us);
+  /// In the rater's own order, without the withdrawn ones.
+  [[nodiscard]] std::vector<QueueEntry> queue(const std::string& raterId);
+
+  /// `sheet.revision` is the one that was read. Returns the new one. Throws DbError (kConflict) when the
+  /// draft was saved elsewhere in between, Error (kBadData) when the sheet was submitted or withdrawn.
+  std::int64_t saveDraft(const std::string& assignmentId, const Sheet& sheet);
+  [[nodiscard]] std::optional<Sheet> draft(const std::string& assignmentId);
+
+  /// Seals the first version, or with `amendReason` the next one, as mark `markId` with its rows, and removes
+  /// the draft. Throws Error (kBadData) when a row of the rubric is missing or unknown, or a score lies
+  /// outside its scale; DbError (kUnique) when another station sealed it first.
+  void submit(const std::string& assignmentId, const std::string& markId, const Sheet& sheet,
+              const std::string& amendReason, std::int64_t submittedUtc_us);
+  /// The newest sealed version; empty: not submitted.
+  [[nodiscard]] std::optional<Sheet> submitted(const std::string& assignmentId);
+
+  /// Whether every rater who is asked about this case has submitted: until then each sees only their own
+  /// sheet.
+  [[nodiscard]] bool allSubmitted(const std::string& enrolmentId, const std::string& scoringPoint);
+
+  void setReleased(const std::string& cohortId, const std::string& scoringPoint, bool released,
+                   const std::string& reason, const std::string& decidedBy, std::int64_t utc_us);
+  [[nodiscard]] bool isReleased(const std::string& cohortId, const std::string& scoringPoint);
+
+ private:
+  [[nodiscard]] SheetState stateOf(const std::string& assignmentId);
+  Connection& connection_;
+};
+
+}  // namespace torsio
