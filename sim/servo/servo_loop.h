@@ -3,12 +3,12 @@
 
 #include <cstdint>
 
-#include "sim/base/clock.h"
 #include "sim/base/latest_value.h"
 #include "sim/base/live_types.h"
 #include "sim/base/spsc_ring.h"
 #include "sim/device/force_governor.h"
 #include "sim/device/haptic_device.h"
+#include "sim/record/trial.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/exercise.h"
 
@@ -20,6 +20,9 @@ struct ServoOptions {
   double forceScale = 1.0;  ///< 0..1, shown; the material is never rescaled
   std::int64_t tickPeriod_us = 1000;
 };
+
+/// The part of the device's capabilities that a trial must remember (TrialHeader::deviceLimits).
+[[nodiscard]] DeviceLimits deviceLimits(const DeviceCapabilities& capabilities) noexcept;
 
 /// One exercise at 1 kHz. It has no thread: ServoThread calls tick() on deadlines, replay and tests call it
 /// with a manual clock. All pointees outlive the loop.
@@ -33,21 +36,36 @@ class ServoLoop {
     SpscRing<ServoCommand>* commands = nullptr;  ///< may be null
   };
 
+  /// Throws Error{kBadParameter} for options out of range or a device whose limits make no sense.
   ServoLoop(const Links& links, const ServoOptions& options);
 
-  /// Drain one command, read, collide, step the tissue, govern, write, record, publish.
+  /// Drain one command, read, collide, step the tissue, govern, write, record, publish. `time_us` never
+  /// decreases; it is the time of the sample, whatever the device says.
   /// Allocates nothing, locks nothing, logs nothing; on any doubt the force is zero.
   void tick(std::int64_t time_us) noexcept;
 
   [[nodiscard]] const Sample& lastSample() const noexcept { return sample_; }
+  /// ExerciseEvent bits of the last tick.
+  [[nodiscard]] std::uint32_t lastEvents() const noexcept { return events_; }
+  [[nodiscard]] GovernorState governorState() const noexcept { return governor_.state(); }
+  /// Ticks that did not come in time: whole periods missing between two ticks.
+  [[nodiscard]] std::int64_t lateTicks() const noexcept { return lateTicks_; }
+  [[nodiscard]] std::int64_t ticks() const noexcept { return nextTick_; }
 
  private:
+  [[nodiscard]] ServoCommand nextCommand() noexcept;
+  void obey(const ServoCommand& command) noexcept;
+  void countLate(std::int64_t time_us) noexcept;
+  void publish() noexcept;
+
   Links links_;
   ServoOptions options_;
   Exercise exercise_;
   ForceGovernor governor_;
   Sample sample_;
+  std::uint32_t events_ = kEventNone;
   std::int64_t nextTick_ = 0;
+  std::int64_t last_us_ = 0;
   double lastTickDuration_us_ = 0.0;
   std::int64_t lateTicks_ = 0;
 };

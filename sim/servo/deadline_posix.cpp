@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cerrno>
+#include <ctime>
+#include <pthread.h>
+#include <sched.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include "sim/servo/deadline.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+// Above ordinary real-time work, below the kernel's own threads (99).
+constexpr int kPriority = 80;
+
+}  // namespace
+
+std::int64_t deadlineNow_ns() noexcept {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return static_cast<std::int64_t>(now.tv_sec) * kSecond_ns + now.tv_nsec;
+}
+
+void sleepUntil(std::int64_t deadline_ns) noexcept {
+  timespec deadline{};
+  deadline.tv_sec = static_cast<decltype(deadline.tv_sec)>(deadline_ns / kSecond_ns);
+  deadline.tv_nsec = static_cast<decltype(deadline.tv_nsec)>(deadline_ns % kSecond_ns);
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &deadline, nullptr) == EINTR) {
+  }
+}
+
+bool requestRealTime() noexcept {
+#ifdef __linux__
+  // The default timer slack of 50 us would delay every wake-up of an ordinary thread.
+  prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
+#endif
+  sched_param parameters{};
+  parameters.sched_priority = kPriority;
+  return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
+}
+
+}  // namespace torsio

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/servo/exercise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "sim/base/error.h"
+#include "sim/base/portable_math.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::uint32_t kHandGone = kDeviceLost | kDeviceUncalibrated | kDeviceEnded;
+// How far a rest normal is followed to see where the deformed organ carries it.
+constexpr double kNormalProbe_m = 1e-4;
+// Turn of the organ with which a grip is tried out, and the least share of it that the section must follow.
+constexpr double kGainProbe_rad = 1e-4;
+constexpr double kLeastShare = 0.1;
+// The probe is exact to about 1e-9: a share this near to one is one.
+constexpr double kShareRounding = 1e-6;
+
+struct Cylindrical {
+  double height_m = 0.0;
+  double radius_m = 0.0;
+  Vec3 outwards;
+};
+
+Cylindrical about(const AxisFrame& axis, const Vec3& point_m) noexcept {
+  const Vec3 way = point_m - axis.centre_m;
+  Cylindrical c;
+  c.height_m = dot(way, axis.tangent);
+  const Vec3 across = way - axis.tangent * c.height_m;
+  c.radius_m = norm(across);
+  c.outwards = normalized(across);
+  return c;
+}
+
+/// Turn of `to` against `from` about the unit vector `axis`, (-2 pi, 2 pi]: the twist of swing and twist.
+double turnAbout(const Vec3& axis, const Quat& from, const Quat& to) noexcept {
+  const Quat q = to * conjugate(from);
+  return 2.0 * portableAtan2(q.x * axis.x + q.y * axis.y + q.z * axis.z, q.w);
+}
+
+/// Share of a small turn that the organ makes at the point, about the axis.
+double shareAt(const TwistModel& model, const AxisFrame& axis, double arc_m, const Vec3& rest_m) noexcept {
+  const Vec3 more = model.toDeformed_m(rest_m, {arc_m, kGainProbe_rad});
+  const Vec3 less = model.toDeformed_m(rest_m, {arc_m, -kGainProbe_rad});
+  const double radius_m = about(axis, rest_m).radius_m;
+  if (!(radius_m > kNearAxis_m)) return 0.0;
+  const Vec3 forward = cross(axis.tangent, rest_m - axis.centre_m);
+  return dot(more - less, forward) / (2.0 * kGainProbe_rad * radius_m * radius_m);
+}
+
+}  // namespace
+
+Exercise::Exercise(const ExerciseOptions& options) : options_(options) {
+  if (!(options.maxStiffness_N_per_m > 0.0) || !std::isfinite(options.maxStiffness_N_per_m) ||
+      options.tickPeriod_us <= 0) {
+    throw Error(ErrorCode::kBadParameter,
+                "stiffness and tick period must be above zero, got " +
+                    std::to_string(options.maxStiffness_N_per_m) + " N/m and " +
+                    std::to_string(options.tickPeriod_us) + " us",
+                "exercise", "Check what the device reports");
+  }
+  contactStiffness_N_per_m_ = std::min(kContactStiffness_N_per_m, options.maxStiffness_N_per_m);
+  returnFactor_ = portableExp(-static_cast<double>(options.tickPeriod_us) * 1e-6 / kReturnTime_s);
+}
+
+bool Exercise::updateJaw(const ToolState& tool) noexcept {
+  const bool wasClosed = jawClosed_;
+  const bool button = (tool.buttons & kButtonGrip) != 0;
+  jawClosed_ = button || tool.grip > (wasClosed ? kJawOpens : kJawCloses);
+  return jawClosed_ && !wasClosed;
+}
+
+Exercise::Touch Exercise::touch(const Vec3& tip_m, const Scene& scene) const noexcept {
+  const bool atRest = twist_.graspAngle_rad == 0.0;
+  const Vec3 rest_m = atRest ? tip_m : scene.model.toRest_m(tip_m, twist_);
+  const SurfacePoint surface = scene.collision.closest(rest_m);
+  Touch found;
+  found.gap_m = surface.distance_m - scene.instrument.tipRadius_m;
+  found.normal = surface.normal;
+  if (!atRest && found.gap_m < 0.0) {
+    const Vec3 foot_m = scene.model.toDeformed_m(surface.position_m, twist_);
+    const Vec3 above_m =
+        scene.model.toDeformed_m(surface.position_m + surface.normal * kNormalProbe_m, twist_);
+    found.normal = normalized(above_m - foot_m);
+  }
+  return found;
+}
+
+bool Exercise::grip(const ToolState& tool, const Scene& scene) noexcept {
+  const Vec3& tip_m = tool.pose.position_m;
+  const SurfacePoint surface = scene.collision.closest(tip_m);
+  const double arc_m = scene.lattice().nearestArc_m(surface.position_m);
+  axis_ = scene.model.graspFrame(arc_m);
+  const double share = shareAt(scene.model, axis_, arc_m, surface.position_m);
+  if (!(std::abs(share) > kLeastShare)) return false;  // held there: nothing to twist
+  gain_ = std::abs(share - 1.0) < kShareRounding ? 1.0 : 1.0 / share;
+  twist_ = {arc_m, 0.0};
+  grippedAt_ = tool.pose;
+  const Cylindrical at = about(axis_, tip_m);
+  gripRadius_m_ = at.radius_m;
+  gripHeight_m_ = at.height_m;
+  angle_rad_ = 0.0;
+  firstAngle_rad_ = driveAngle(tool);
+  angle_rad_ = firstAngle_rad_;
+  return true;
+}
+
+double Exercise::driveAngle(const ToolState& tool) const noexcept {
+  if (options_.drive == TwistDrive::kRoll) {
+    return unwrapNear(turnAbout(axis_.tangent, grippedAt_.orientation, tool.pose.orientation), angle_rad_);
+  }
+  const Vec3 way = tool.pose.position_m - axis_.centre_m;
+  const double x = dot(way, axis_.e1);
+  const double y = dot(way, axis_.e2);
+  if (x * x + y * y < kNearAxis_m * kNearAxis_m) return angle_rad_;
+  return unwrapNear(portableAtan2(y, x), angle_rad_);
+}
+
+Vec3 Exercise::gripOffset(const ToolState& tool) const noexcept {
+  if (options_.drive == TwistDrive::kRoll) return tool.pose.position_m - grippedAt_.position_m;
+  const Cylindrical at = about(axis_, tool.pose.position_m);
+  return at.outwards * (at.radius_m - gripRadius_m_) + axis_.tangent * (at.height_m - gripHeight_m_);
+}
+
+bool Exercise::follow(const ToolState& tool) noexcept {
+  angle_rad_ = driveAngle(tool);
+  twist_.graspAngle_rad = (angle_rad_ - firstAngle_rad_) * gain_;
+  const Vec3 offset = gripOffset(tool);
+  return dot(offset, offset) <= kSlipWay_m * kSlipWay_m;
+}
+
+void Exercise::letGo(std::uint32_t why, std::uint32_t& events) noexcept {
+  phase_ = ExercisePhase::kReleased;
+  events |= why;
+}
+
+void Exercise::relax(bool touching, std::uint32_t& events) noexcept {
+  twist_.graspAngle_rad *= returnFactor_;
+  if (std::abs(twist_.graspAngle_rad) > kAtRest_rad) return;
+  twist_ = {};
+  phase_ = touching ? ExercisePhase::kContact : ExercisePhase::kTracking;
+  events |= touching ? (kEventReturned | kEventTouched) : kEventReturned;
+}
+
+ExerciseStep Exercise::step(const ToolState& tool, const Scene& scene) noexcept {
+  ExerciseStep answer;
+  const bool closing = updateJaw(tool);
+  const bool handGone = (tool.status & kHandGone) != 0;
+  const bool letGoNow = !jawClosed_ || handGone || releaseAsked_;
+  releaseAsked_ = false;
+  if (phase_ == ExercisePhase::kTwisting) {
+    if (letGoNow) {
+      letGo(kEventReleased, answer.events);
+    } else if (!follow(tool)) {
+      letGo(kEventReleased | kEventSlipped, answer.events);
+    }
+  }
+
+  const Touch at = touch(tool.pose.position_m, scene);
+  const bool touching = at.gap_m < 0.0;
+  const bool inReach = at.gap_m <= scene.instrument.gripReach_m;
+  const bool wantsGrip = (closing || gripPending_) && inReach && !letGoNow;
+  gripPending_ = false;
+  switch (phase_) {
+    case ExercisePhase::kTracking:
+      if (!touching && !wantsGrip) break;
+      phase_ = ExercisePhase::kContact;
+      answer.events |= kEventTouched;
+      gripPending_ = wantsGrip;  // a grip begins with one tick of contact
+      break;
+    case ExercisePhase::kContact:
+      if (wantsGrip && grip(tool, scene)) {
+        phase_ = ExercisePhase::kTwisting;
+        answer.events |= kEventGripped;
+      } else if (at.gap_m > kContactHysteresis_m) {
+        phase_ = ExercisePhase::kTracking;
+        answer.events |= kEventLeft;
+      }
+      break;
+    case ExercisePhase::kTwisting:
+      break;
+    case ExercisePhase::kReleased:
+      relax(touching, answer.events);
+      break;
+  }
+
+  answer.phase = phase_;
+  TwistResponse& response = answer.response;
+  response.depth_m = std::max(0.0, -at.gap_m);
+  response.angle_rad = twist_.graspAngle_rad;
+  response.graspArc_m = twist_.graspArc_m;
+  if (phase_ == ExercisePhase::kTwisting) {
+    response.torque_Nm = scene.model.torque_Nm(twist_);
+    response.force_N =
+        scene.model.graspForce_N(twist_, tool.pose.position_m) - gripOffset(tool) * kGripStiffness_N_per_m;
+  } else if (touching) {
+    response.force_N = at.normal * (contactStiffness_N_per_m_ * -at.gap_m);
+  }
+  return answer;
+}
+
+}  // namespace torsio

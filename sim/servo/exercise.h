@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "sim/base/live_types.h"
+#include "sim/scene/scene.h"
+
+namespace torsio {
+
+/// What happened in one tick; bits of ExerciseStep::events.
+enum ExerciseEvent : std::uint32_t {
+  kEventNone = 0,
+  kEventTouched = 1U << 0,   ///< Tracking to Contact
+  kEventLeft = 1U << 1,      ///< Contact to Tracking
+  kEventGripped = 1U << 2,   ///< Contact to Twisting: the jaw holds the organ
+  kEventReleased = 1U << 3,  ///< Twisting to Released: the jaw opened, or a view or a lost device let go
+  kEventSlipped = 1U << 4,   ///< with kEventReleased: the tool pulled itself free
+  kEventReturned = 1U << 5,  ///< the organ is at rest again
+};
+
+/// Stiffness of the contact spring, softer than any device's limit; the device's own limit caps it.
+inline constexpr double kContactStiffness_N_per_m = 400.0;
+/// Spring that keeps the jaw on the grasped section, across the twist.
+inline constexpr double kGripStiffness_N_per_m = 100.0;
+/// The jaw slips off when it is pulled this far from the grasped section.
+inline constexpr double kSlipWay_m = 0.020;
+/// A contact ends only this far above the surface, so that tremor does not end it; its force ends at once.
+inline constexpr double kContactHysteresis_m = 0.0005;
+/// The jaw counts as closed above the first and as open below the second closure.
+inline constexpr double kJawCloses = 0.5;
+inline constexpr double kJawOpens = 0.4;
+/// The tangential drive holds its angle while the tip is nearer to the axis than this.
+inline constexpr double kNearAxis_m = 0.002;
+/// Time constant of the elastic return after a release, and the angle below which the organ is at rest.
+inline constexpr double kReturnTime_s = 0.12;
+inline constexpr double kAtRest_rad = 1e-3;
+
+struct ExerciseOptions {
+  TwistDrive drive = TwistDrive::kTangential;
+  double maxStiffness_N_per_m = 500.0;  ///< of the device; > 0
+  std::int64_t tickPeriod_us = 1000;    ///< > 0
+};
+
+/// Answer of one tick.
+struct ExerciseStep {
+  TwistResponse response;
+  ExercisePhase phase = ExercisePhase::kTracking;
+  std::uint32_t events = kEventNone;  ///< ExerciseEvent bits
+};
+
+/// The flow of paper Fig. 6 as a state machine: tracking, contact, twisting, released. Outside contact there
+/// is no force and no deformation; while the jaw holds the organ, the hand prescribes the angle of the
+/// grasped section and the model answers with the torque (docs/model.md). A jaw grips only by closing near
+/// the surface, never by arriving closed.
+///
+/// A plain value: a copy continues on its own. It knows neither time nor thread; one step is one tick. What
+/// it computes consists of IEEE basic operations and portable functions, so that a replay repeats it bit for
+/// bit.
+class Exercise {
+ public:
+  /// Throws Error{kBadParameter}.
+  explicit Exercise(const ExerciseOptions& options);
+
+  /// Servo thread; noexcept, no allocation.
+  [[nodiscard]] ExerciseStep step(const ToolState& tool, const Scene& scene) noexcept;
+
+  /// Lets go in the next step, as if the jaw had opened; it must open and close to grip again.
+  void releaseTissue() noexcept { releaseAsked_ = true; }
+
+  [[nodiscard]] ExercisePhase phase() const noexcept { return phase_; }
+  /// The organ's deformation now.
+  [[nodiscard]] const TwistState& twist() const noexcept { return twist_; }
+
+ private:
+  struct Touch {
+    double gap_m = 0.0;  // between tip and surface, negative inside
+    Vec3 normal;         // world frame, deformed organ
+    double arc_m = 0.0;  // of the contact point; set by grip() only
+  };
+
+  [[nodiscard]] bool updateJaw(const ToolState& tool) noexcept;
+  [[nodiscard]] Touch touch(const Vec3& tip_m, const Scene& scene) const noexcept;
+  [[nodiscard]] bool grip(const ToolState& tool, const Scene& scene) noexcept;
+  [[nodiscard]] double driveAngle(const ToolState& tool) const noexcept;
+  /// Turns the organ with the tool. False when the jaw slipped off.
+  [[nodiscard]] bool follow(const ToolState& tool) noexcept;
+  [[nodiscard]] Vec3 gripOffset(const ToolState& tool) const noexcept;
+  void letGo(std::uint32_t why, std::uint32_t& events) noexcept;
+  void relax(bool touching, std::uint32_t& events) noexcept;
+
+  ExerciseOptions options_;
+  double contactStiffness_N_per_m_;
+  double returnFactor_;  // of the angle, a tick
+  ExercisePhase phase_ = ExercisePhase::kTracking;
+  TwistState twist_;
+  bool jawClosed_ = true;  // a jaw that is closed at the start grips nothing
+  bool gripPending_ = false;
+  bool releaseAsked_ = false;
+
+  // Of the current grip.
+  AxisFrame axis_;     // that the grasped section turns about
+  double gain_ = 1.0;  // model angle for one radian of the tool
+  double firstAngle_rad_ = 0.0;
+  double angle_rad_ = 0.0;  // of the tool about the axis, unwrapped
+  Pose grippedAt_;
+  double gripRadius_m_ = 0.0;
+  double gripHeight_m_ = 0.0;
+};
+static_assert(std::is_trivially_copyable_v<Exercise>);
+
+}  // namespace torsio

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/servo/replay_trial.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "sim/base/error.h"
+#include "sim/device/replay_device.h"
+#include "sim/record/content_hash.h"
+#include "sim/record/sample_codec.h"
+#include "sim/servo/servo_loop.h"
+
+namespace torsio {
+
+namespace {
+
+void requireSameScene(const Scene& scene, const TrialHeader& header) {
+  const bool sameOrgan = scene.organHash == header.organHash;
+  if (sameOrgan && scene.parameterHash == header.parameterHash) return;
+  throw Error(ErrorCode::kVerifyFailed,
+              sameOrgan ? "the trial was recorded with other parameters of the model"
+                        : "the trial was recorded with another organ",
+              "trial " + header.trialId, "Replay it with the scene and the version that recorded it");
+}
+
+DeviceCapabilities capabilitiesOf(const TrialHeader& header) {
+  DeviceCapabilities device;
+  device.model = header.deviceModel;
+  device.maxForce_N = header.deviceLimits.maxForce_N;
+  device.continuousForce_N = header.deviceLimits.continuousForce_N;
+  device.maxStiffness_N_per_m = header.deviceLimits.maxStiffness_N_per_m;
+  device.workspaceMin_m = header.deviceLimits.workspaceMin_m;
+  device.workspaceMax_m = header.deviceLimits.workspaceMax_m;
+  return device;
+}
+
+/// The first field in which the two differ, if any.
+std::optional<ReplayDifference> difference(const Sample& recorded, const Sample& replayed) {
+  using Field = std::pair<const char*, double (*)(const Sample&)>;
+  static constexpr std::array<Field, 13> kFields{{
+      {"time", [](const Sample& s) { return static_cast<double>(s.device.time_us); }},
+      {"phase", [](const Sample& s) { return static_cast<double>(s.phase); }},
+      {"limits", [](const Sample& s) { return static_cast<double>(s.limits); }},
+      {"angle", [](const Sample& s) { return s.response.angle_rad; }},
+      {"torque", [](const Sample& s) { return s.response.torque_Nm; }},
+      {"depth", [](const Sample& s) { return s.response.depth_m; }},
+      {"grasp arc", [](const Sample& s) { return s.response.graspArc_m; }},
+      {"wanted force x", [](const Sample& s) { return s.response.force_N.x; }},
+      {"wanted force y", [](const Sample& s) { return s.response.force_N.y; }},
+      {"wanted force z", [](const Sample& s) { return s.response.force_N.z; }},
+      {"sent force x", [](const Sample& s) { return s.force_N.x; }},
+      {"sent force y", [](const Sample& s) { return s.force_N.y; }},
+      {"sent force z", [](const Sample& s) { return s.force_N.z; }},
+  }};
+  if (recorded == replayed) return std::nullopt;
+  for (const auto& [name, value] : kFields) {
+    if (value(recorded) != value(replayed)) {
+      return ReplayDifference{recorded.tick, name, value(recorded), value(replayed)};
+    }
+  }
+  return ReplayDifference{recorded.tick, "device or command", 0.0, 0.0};
+}
+
+/// The servo loop on recorded input.
+class Rerun {
+ public:
+  Rerun(const Scene& scene, const TrialHeader& header, const std::vector<Sample>& recorded)
+      : device_(deviceSamples(recorded), capabilitiesOf(header)),
+        loop_({.device = &device_, .scene = &scene, .commands = &commands_},
+              {.drive = header.drive,
+               .targetAngle_rad = header.targetAngle_rad,
+               .forceScale = header.forceScale,
+               .tickPeriod_us = header.tickPeriod_us}) {}
+
+  const Sample& next(const Sample& recorded) {
+    if (recorded.command.kind != ServoCommand::Kind::kNone) (void)commands_.push(recorded.command);
+    loop_.tick(recorded.device.time_us);
+    return loop_.lastSample();
+  }
+
+ private:
+  static std::vector<DeviceSample> deviceSamples(const std::vector<Sample>& recorded) {
+    std::vector<DeviceSample> samples;
+    samples.reserve(recorded.size());
+    for (const Sample& sample : recorded) samples.push_back(sample.device);
+    return samples;
+  }
+
+  SpscRing<ServoCommand> commands_{1};
+  ReplayDevice device_;
+  ServoLoop loop_;
+};
+
+}  // namespace
+
+ReplayReport replayTrial(const Scene& scene, const Trial& trial) {
+  requireSameScene(scene, trial.header);
+  const std::vector<Sample> recorded = decodeTrial(trial);
+  ReplayReport report;
+  report.chunks = static_cast<std::int64_t>(trial.chunks.size());
+  report.contentIntact = contentHash(trial) == trial.summary.contentHash;
+
+  Rerun rerun(scene, trial.header, recorded);
+  std::size_t at = 0;
+  std::int64_t expectedTick = 0;
+  for (const TrialChunk& chunk : trial.chunks) {
+    const std::size_t first = at;
+    std::vector<Sample> replayed;
+    for (; at < first + static_cast<std::size_t>(chunk.samples); ++at) {
+      if (recorded[at].tick != expectedTick) {
+        report.gapAfterTick = expectedTick - 1;
+        return report;
+      }
+      ++expectedTick;
+      replayed.push_back(rerun.next(recorded[at]));
+      ++report.samples;
+      const auto differs = difference(recorded[at], inStoredSteps(replayed.back()));
+      if (!differs) continue;
+      ++report.differentSamples;
+      if (!report.first) report.first = differs;
+    }
+    if (outputDigest(replayed) == chunk.outputDigest) continue;
+    ++report.differentChunks;
+    if (!report.first) report.first = ReplayDifference{chunk.firstTick, "exact answers", 0.0, 0.0};
+  }
+  return report;
+}
+
+}  // namespace torsio

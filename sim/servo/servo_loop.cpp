@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/servo/servo_loop.h"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "sim/base/contracts.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+const HapticDevice& deviceOf(const ServoLoop::Links& links) {
+  TORSIO_EXPECTS(links.device != nullptr && links.scene != nullptr);
+  return *links.device;
+}
+
+ExerciseOptions exerciseOptions(const ServoLoop::Links& links, const ServoOptions& options) {
+  return {.drive = options.drive,
+          .maxStiffness_N_per_m = deviceOf(links).capabilities().maxStiffness_N_per_m,
+          .tickPeriod_us = options.tickPeriod_us};
+}
+
+GovernorLimits governorLimits(const ServoLoop::Links& links, const ServoOptions& options) {
+  const DeviceCapabilities& device = deviceOf(links).capabilities();
+  return {.maxForce_N = device.maxForce_N,
+          .continuousForce_N = device.continuousForce_N,
+          .workspaceMin_m = device.workspaceMin_m,
+          .workspaceMax_m = device.workspaceMax_m,
+          .tickPeriod_us = options.tickPeriod_us};
+}
+
+bool isFinite(const TwistResponse& response) noexcept {
+  return std::isfinite(response.angle_rad) && std::isfinite(response.torque_Nm) &&
+         torsio::isFinite(response.force_N) && std::isfinite(response.depth_m) &&
+         std::isfinite(response.graspArc_m);
+}
+
+bool inUnitRange(double value) noexcept {
+  return value >= 0.0 && value <= 1.0;  // false for NaN
+}
+
+}  // namespace
+
+DeviceLimits deviceLimits(const DeviceCapabilities& capabilities) noexcept {
+  return {.maxForce_N = capabilities.maxForce_N,
+          .continuousForce_N = capabilities.continuousForce_N,
+          .maxStiffness_N_per_m = capabilities.maxStiffness_N_per_m,
+          .workspaceMin_m = capabilities.workspaceMin_m,
+          .workspaceMax_m = capabilities.workspaceMax_m};
+}
+
+ServoLoop::ServoLoop(const Links& links, const ServoOptions& options)
+    : links_(links),
+      options_(options),
+      exercise_(exerciseOptions(links, options)),
+      governor_(governorLimits(links, options)) {
+  if (!inUnitRange(options.forceScale) || !std::isfinite(options.targetAngle_rad)) {
+    throw Error(ErrorCode::kBadParameter,
+                "the force scale must lie in 0..1 and the target be finite, got " +
+                    std::to_string(options.forceScale) + " and " + std::to_string(options.targetAngle_rad),
+                "servo loop", "Check the exercise's options");
+  }
+}
+
+void ServoLoop::tick(std::int64_t time_us) noexcept {
+  const auto begun = std::chrono::steady_clock::now();
+  countLate(time_us);
+  sample_.tick = nextTick_++;
+  sample_.command = nextCommand();
+  obey(sample_.command);
+
+  sample_.device = links_.device->read(time_us);
+  sample_.device.time_us = time_us;
+  const ToolState tool = toolState(sample_.device);
+  const ExerciseStep step = exercise_.step(tool, *links_.scene);
+  sample_.phase = step.phase;
+  sample_.response = step.response;
+  events_ = step.events;
+
+  Vec3 wanted_N = step.response.force_N * options_.forceScale;
+  if (!isFinite(step.response)) {
+    sample_.response = {};  // no NaN enters a record; the governor still sees it and inhibits
+    wanted_N.x = std::numeric_limits<double>::quiet_NaN();
+  }
+  const ForceCommand force = governor_.govern({.now_us = time_us,
+                                               .computed_us = time_us,
+                                               .wanted_N = wanted_N,
+                                               .tip_m = tool.pose.position_m,
+                                               .deviceStatus = tool.status});
+  links_.device->write(force);
+  sample_.force_N = force.force_N;
+  sample_.limits = force.limits;
+
+  // A refused sample is counted by the ring.
+  if (links_.recording != nullptr) (void)links_.recording->push(sample_);
+  publish();
+  lastTickDuration_us_ =
+      std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begun).count();
+}
+
+ServoCommand ServoLoop::nextCommand() noexcept {
+  ServoCommand command;
+  if (links_.commands == nullptr || !links_.commands->pop(command)) return {};
+  // What makes no sense is not obeyed and not recorded.
+  if (!std::isfinite(command.value)) return {};
+  if (command.kind == ServoCommand::Kind::kSetForceScale && !inUnitRange(command.value)) return {};
+  return command;
+}
+
+void ServoLoop::obey(const ServoCommand& command) noexcept {
+  switch (command.kind) {
+    case ServoCommand::Kind::kNone:
+      break;
+    case ServoCommand::Kind::kReleaseTissue:
+      exercise_.releaseTissue();
+      break;
+    case ServoCommand::Kind::kSetForceScale:
+      options_.forceScale = command.value;
+      break;
+    case ServoCommand::Kind::kSetTarget:
+      options_.targetAngle_rad = command.value;
+      break;
+    case ServoCommand::Kind::kEnableForce:
+      governor_.enable(command.value != 0.0);
+      break;
+  }
+}
+
+void ServoLoop::countLate(std::int64_t time_us) noexcept {
+  // More than half a period late counts as a missed tick; a gap of n periods as n - 1 missed ones.
+  const std::int64_t period_us = options_.tickPeriod_us;
+  if (nextTick_ > 0) {
+    const std::int64_t periods = (time_us - last_us_ + period_us / 2) / period_us;
+    if (periods > 1) lateTicks_ += periods - 1;
+  }
+  last_us_ = time_us;
+}
+
+void ServoLoop::publish() noexcept {
+  if (links_.live == nullptr) return;
+  const ToolState tool = toolState(sample_.device);
+  LiveState live;
+  live.time_us = sample_.device.time_us;
+  live.tick = sample_.tick;
+  live.tool = tool.pose;
+  live.grip = tool.grip;
+  live.phase = sample_.phase;
+  live.response = sample_.response;
+  live.force_N = sample_.force_N;
+  live.limits = sample_.limits;
+  live.targetAngle_rad = options_.targetAngle_rad;
+  live.tickDuration_us = lastTickDuration_us_;
+  live.refusedSamples =
+      links_.recording != nullptr ? static_cast<std::int64_t>(links_.recording->refused()) : 0;
+  live.lateTicks = lateTicks_;
+  links_.live->publish(live);
+}
+
+}  // namespace torsio

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/servo/servo_thread.h"
+
+#include "sim/base/contracts.h"
+#include "sim/servo/deadline.h"
+
+namespace torsio {
+
+ServoThread::ServoThread(ServoLoop& loop, std::int64_t period_us)
+    : loop_(loop), period_ns_(period_us * 1000) {
+  TORSIO_EXPECTS(period_us > 0);
+}
+
+ServoThread::~ServoThread() {
+  stop();
+}
+
+void ServoThread::start() {
+  TORSIO_EXPECTS(!thread_.joinable());
+  stop_.store(false, std::memory_order_relaxed);
+  thread_ = std::thread([this] { run(); });
+}
+
+void ServoThread::stop() noexcept {
+  stop_.store(true, std::memory_order_relaxed);
+  if (thread_.joinable()) thread_.join();
+}
+
+void ServoThread::run() noexcept {
+  realTime_.store(requestRealTime(), std::memory_order_relaxed);
+  const std::int64_t begun_ns = deadlineNow_ns();
+  std::int64_t deadline_ns = begun_ns;
+  while (!stop_.load(std::memory_order_relaxed)) {
+    sleepUntil(deadline_ns);
+    const std::int64_t awake_ns = deadlineNow_ns();
+    wakeUp_.add_ns(awake_ns - deadline_ns);
+    loop_.tick((awake_ns - begun_ns) / 1000);
+    const std::int64_t done_ns = deadlineNow_ns();
+    duration_.add_ns(done_ns - awake_ns);
+
+    deadline_ns += period_ns_;
+    if (done_ns >= deadline_ns + period_ns_) {
+      const std::int64_t missed = (done_ns - deadline_ns) / period_ns_;
+      skipped_.fetch_add(missed, std::memory_order_relaxed);
+      deadline_ns += missed * period_ns_;
+    }
+  }
+}
+
+}  // namespace torsio

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+
+#include "sim/servo/servo_loop.h"
+#include "sim/servo/timing_histogram.h"
+
+namespace torsio {
+
+/// Calls ServoLoop::tick on absolute deadlines in a thread of its own, with real-time scheduling where the
+/// system permits it. A deadline that has passed by a whole period or more is skipped: late ticks are counted
+/// (ServoLoop::lateTicks) and never caught up in a burst.
+class ServoThread {
+ public:
+  /// `loop` outlives the thread and is touched by nobody else while it runs. `period_us` > 0.
+  ServoThread(ServoLoop& loop, std::int64_t period_us);
+  /// Stops.
+  ~ServoThread();
+  ServoThread(const ServoThread&) = delete;
+  ServoThread& operator=(const ServoThread&) = delete;
+
+  /// Begins with a tick at time 0. Not while running.
+  void start();
+  /// Returns after the last tick; the loop is free again.
+  void stop() noexcept;
+
+  /// True when the system granted real-time scheduling.
+  [[nodiscard]] bool realTime() const noexcept { return realTime_.load(std::memory_order_relaxed); }
+  /// From each deadline to the beginning of its tick. Any thread.
+  [[nodiscard]] TimingSummary wakeUp() const noexcept { return wakeUp_.summary(); }
+  /// Duration of the ticks. Any thread.
+  [[nodiscard]] TimingSummary duration() const noexcept { return duration_.summary(); }
+  /// Deadlines that were skipped. Any thread.
+  [[nodiscard]] std::int64_t skipped() const noexcept { return skipped_.load(std::memory_order_relaxed); }
+
+ private:
+  void run() noexcept;
+
+  ServoLoop& loop_;
+  std::int64_t period_ns_;
+  std::thread thread_;
+  std::atomic<bool> stop_{false};
+  std::atomic<bool> realTime_{false};
+  std::atomic<std::int64_t> skipped_{0};
+  TimingHistogram wakeUp_;
+  TimingHistogram duration_;
+};
+
+}  // namespace torsio
