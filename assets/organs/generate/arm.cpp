@@ -51,12 +51,19 @@ void smooth(TriangleMesh& mesh, int passes) {
   }
 }
 
-// Finer towards the fingers, whose girth is small.
-double edgeLength_mm(const Vec3& p, double wristZ) {
-  constexpr double kForearm = 4.6;
+double ramp(double x, double low, double high) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+// Finer towards the fingers, whose girth is small, and finest at the webs between them.
+double edgeLength_mm(const Vec3& p, double wristZ, double websZ) {
+  constexpr double kForearm = 5.0;
   constexpr double kFingers = 2.8;
-  const double t = std::clamp((p.z - wristZ + 30.0) / 90.0, 0.0, 1.0);
-  return kForearm + t * t * (3.0 - 2.0 * t) * (kFingers - kForearm);
+  constexpr double kWebs = 2.0;
+  const double coarse = kForearm + ramp(p.z, wristZ - 30.0, wristZ + 60.0) * (kFingers - kForearm);
+  const double nearWebs = 1.0 - ramp(std::abs(p.z - websZ), 6.0, 20.0);
+  return coarse + nearWebs * (kWebs - coarse);
 }
 
 // The point of the skin that a ray from the axis meets, at height `z` and direction `angle_deg`.
@@ -108,7 +115,8 @@ Arm makeArm(const ArmMeasures& measures) {
   constexpr int kSmoothing = 6;
   smooth(fine, kSmoothing);
   Arm arm;
-  arm.surface = remeshed(fine, [&shape](const Vec3& p) { return edgeLength_mm(p, shape.wristZ()); });
+  const double websZ = shape.wristZ() + measures.palmLength_mm;
+  arm.surface = remeshed(fine, [&](const Vec3& p) { return edgeLength_mm(p, shape.wristZ(), websZ); });
   constexpr double kOnPlane_mm = 1e-6;
   for (Vec3& v : arm.surface.vertices_m) {
     if (std::abs(v.z) < kOnPlane_mm) v.z = 0.0;

@@ -111,10 +111,10 @@ ArmShape::ArmShape(const ArmMeasures& m)
   struct Root {
     double x, height, splay_deg, radiusRoot, radiusTip;
   };
-  constexpr std::array<Root, 4> kRoots{{{31.5, 0.95, 7.0, 9.6, 7.3},
-                                        {10.2, 1.00, 1.5, 9.8, 7.5},
-                                        {-11.0, 0.96, -4.5, 9.4, 7.2},
-                                        {-31.0, 0.86, -11.5, 8.4, 6.4}}};
+  constexpr std::array<Root, 4> kRoots{{{33.3, 0.95, 8.0, 9.1, 7.3},
+                                        {11.2, 1.00, 2.2, 9.3, 7.5},
+                                        {-11.2, 0.96, -4.2, 9.0, 7.2},
+                                        {-32.4, 0.86, -12.0, 8.1, 6.4}}};
   for (std::size_t k = 0; k < kRoots.size(); ++k) {
     const Root& r = kRoots[k];
     const Vec3 crease{w * r.x, 0.0, z + r.height * palm};
@@ -160,7 +160,7 @@ double ArmShape::tube(const Vec3& p) const {
 double ArmShape::operator()(const Vec3& p) const {
   constexpr double kFleshy = 12.0;  // widths of the roundings, mm
   constexpr double kBony = 8.0;
-  constexpr double kWebs = 2.5;
+  constexpr double kWebs = 8.0;
   constexpr double kJoints = 3.0;
   constexpr double kRim = 5.0;
   double d = tube(p);
