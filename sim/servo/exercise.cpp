@@ -185,7 +185,8 @@ ExerciseStep Exercise::step(const ToolState& tool, const Scene& scene) noexcept 
     case ExercisePhase::kTwisting:
       break;
     case ExercisePhase::kReleased:
-      relax(touching, answer.events);
+      // A release is seen for one tick at least, also of an organ that was not turned.
+      if ((answer.events & kEventReleased) == 0) relax(touching, answer.events);
       break;
   }
 

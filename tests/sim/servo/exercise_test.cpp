@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/servo/exercise.h"
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+#include "sim/base/random.h"
+#include "tests/sim/servo/bar_scene.h"
+
+namespace torsio {
+namespace {
+
+constexpr double kTipRadius_m = 0.0025;
+constexpr double kArc_m = 0.200;
+// The bar is a prism of 72 sides: its torsional stiffness lies 0.4 % below the circle's (inscribed polygon,
+// area ratio squared), its surface at most 40 um inside.
+constexpr double kPolygon = 0.006;
+constexpr double kFlat_m = 4e-5;
+// Sums of a dozen rounded doubles around one.
+constexpr double kRounding = 1e-12;
+
+const Scene& scene() {
+  static const Scene kScene = barScene();
+  return kScene;
+}
+
+/// The tool on the surface of the bar, pressed in by `depth_m`, `angle_rad` round it.
+ToolState onSurface(double angle_rad, double depth_m, double grip = 0.0, double z_m = kArc_m) {
+  ToolState tool;
+  const double radius_m = kBarRadius_m + kTipRadius_m - depth_m;
+  tool.pose.position_m = {radius_m * std::cos(angle_rad), radius_m * std::sin(angle_rad), z_m};
+  tool.grip = grip;
+  return tool;
+}
+
+class ExerciseTest : public ::testing::Test {
+ protected:
+  ExerciseStep step(const ToolState& tool) { return exercise.step(tool, scene()); }
+  /// Touches, closes the jaw and holds; the angle is 0.
+  void gripAt(double angle_rad, TwistDrive drive = TwistDrive::kTangential) {
+    exercise = Exercise({.drive = drive});
+    (void)step(onSurface(angle_rad, 0.001));
+    (void)step(onSurface(angle_rad, 0.001, 1.0));
+    ASSERT_EQ(exercise.phase(), ExercisePhase::kTwisting);
+  }
+  /// Turns the gripped tool in steps of a degree.
+  ExerciseStep turn(double from_rad, double to_rad) {
+    const double step_rad = to_rad > from_rad ? kDegree : -kDegree;
+    ExerciseStep answer;
+    for (double a = from_rad; (to_rad - a) * step_rad > 0.0; a += step_rad) {
+      answer = step(onSurface(a, 0.001, 1.0));
+    }
+    return step(onSurface(to_rad, 0.001, 1.0));
+  }
+
+  Exercise exercise{ExerciseOptions{}};
+};
+
+TEST_F(ExerciseTest, AnswersWithNothingAtAllOutOfContact) {
+  Random random(1);
+  for (int i = 0; i < 2'000; ++i) {
+    ToolState tool;
+    const double radius_m = kBarRadius_m + kTipRadius_m + 0.0045 + 0.1 * random.uniform();
+    const double angle_rad = 2.0 * kPi * random.uniform();
+    tool.pose.position_m = {radius_m * std::cos(angle_rad), radius_m * std::sin(angle_rad),
+                            0.3 * random.uniform()};
+    tool.grip = random.uniform();
+
+    const ExerciseStep answer = step(tool);
+
+    ASSERT_EQ(answer.response, TwistResponse{});
+    ASSERT_EQ(answer.phase, ExercisePhase::kTracking);
+    ASSERT_EQ(exercise.twist(), TwistState{});
+  }
+}
+
+TEST_F(ExerciseTest, PushesBackAlongTheNormalInContactAndDeformsNothing) {
+  const ExerciseStep answer = step(onSurface(0.0, 0.001));
+
+  EXPECT_EQ(answer.phase, ExercisePhase::kContact);
+  EXPECT_EQ(answer.events, static_cast<std::uint32_t>(kEventTouched));
+  EXPECT_NEAR(answer.response.depth_m, 0.001, kFlat_m);
+  // 400 N/m times 1 mm, outwards along x.
+  EXPECT_NEAR(answer.response.force_N.x, 0.4, 400.0 * kFlat_m);
+  EXPECT_NEAR(answer.response.force_N.z, 0.0, 1e-9);
+  EXPECT_EQ(answer.response.torque_Nm, 0.0);
+  EXPECT_EQ(exercise.twist(), TwistState{});
+}
+
+TEST_F(ExerciseTest, KeepsTheContactSpringBelowTheDevicesStiffness) {
+  exercise = Exercise({.maxStiffness_N_per_m = 100.0});
+
+  const ExerciseStep answer = step(onSurface(0.0, 0.001));
+
+  EXPECT_NEAR(norm(answer.response.force_N), 0.1, 100.0 * kFlat_m);
+}
+
+TEST_F(ExerciseTest, EndsTheContactForceAtTheSurfaceAndTheContactALittleAbove) {
+  (void)step(onSurface(0.0, 0.001));
+
+  const ExerciseStep justAbove = step(onSurface(0.0, -0.0003));
+  const ExerciseStep above = step(onSurface(0.0, -0.0010));
+
+  EXPECT_EQ(justAbove.phase, ExercisePhase::kContact);
+  EXPECT_EQ(justAbove.response.force_N, Vec3{});
+  EXPECT_EQ(above.phase, ExercisePhase::kTracking);
+  EXPECT_EQ(above.events, static_cast<std::uint32_t>(kEventLeft));
+}
+
+TEST_F(ExerciseTest, GripsOnlyByClosingTheJawNearTheSurface) {
+  (void)step(onSurface(0.0, -0.002));  // open, within the reach of 4 mm, not touching
+
+  const ExerciseStep first = step(onSurface(0.0, -0.002, 1.0));
+  const ExerciseStep second = step(onSurface(0.0, -0.002, 1.0));
+
+  EXPECT_EQ(first.phase, ExercisePhase::kContact);  // Fig. 6: contact comes before twisting
+  EXPECT_EQ(second.phase, ExercisePhase::kTwisting);
+  EXPECT_EQ(second.events, static_cast<std::uint32_t>(kEventGripped));
+  EXPECT_NEAR(second.response.graspArc_m, kArc_m, 1e-9);
+  EXPECT_EQ(second.response.angle_rad, 0.0);
+}
+
+TEST_F(ExerciseTest, GripsNothingWhenTheJawArrivesClosedOrClosesTooFarAway) {
+  (void)step(onSurface(0.0, -0.010));
+  (void)step(onSurface(0.0, -0.010, 1.0));  // closed 10 mm away
+  ExerciseStep answer;
+  for (int i = 0; i < 10; ++i) answer = step(onSurface(0.0, 0.001, 1.0));
+
+  EXPECT_EQ(answer.phase, ExercisePhase::kContact);
+}
+
+TEST_F(ExerciseTest, GripsWithTheButtonLikeWithTheJaw) {
+  ToolState tool = onSurface(0.0, 0.001);
+  (void)step(tool);
+  tool.buttons = kButtonGrip;
+  (void)step(tool);
+
+  EXPECT_EQ(exercise.phase(), ExercisePhase::kTwisting);
+}
+
+TEST_F(ExerciseTest, TurnsTheOrganWithTheTipRoundItsAxis) {
+  gripAt(0.0);
+
+  const ExerciseStep answer = turn(0.0, 90.0 * kDegree);
+
+  const double expected_Nm = barStiffness_Nm(kArc_m) * 90.0 * kDegree;
+  EXPECT_NEAR(answer.response.angle_rad, 90.0 * kDegree, kRounding);
+  EXPECT_NEAR(answer.response.torque_Nm, expected_Nm, kPolygon * expected_Nm);
+  // The tool feels torque over arm against its motion: it stands at +y and moved towards -x.
+  const double force_N = answer.response.torque_Nm / (kBarRadius_m + kTipRadius_m - 0.001);
+  EXPECT_NEAR(answer.response.force_N.x, force_N, 1e-6);
+  EXPECT_NEAR(answer.response.force_N.y, 0.0, 1e-6);
+}
+
+TEST_F(ExerciseTest, CountsMoreThanOneTurn) {
+  gripAt(0.0);
+
+  const ExerciseStep answer = turn(0.0, 540.0 * kDegree);
+
+  EXPECT_NEAR(answer.response.angle_rad, 540.0 * kDegree, 1e-9);
+}
+
+TEST_F(ExerciseTest, TurnsTheOrganWithTheStylusWhenItIsDrivenByRoll) {
+  gripAt(0.0, TwistDrive::kRoll);
+  ToolState tool = onSurface(0.0, 0.001, 1.0);
+  ExerciseStep answer;
+  for (int degrees = 1; degrees <= 400; ++degrees) {
+    // A swing across the axis must not count as a turn about it.
+    const Quat swing = axisAngle({1.0, 0.0, 0.0}, 0.3 * std::sin(0.05 * degrees));
+    tool.pose.orientation = swing * axisAngle({0.0, 0.0, 1.0}, degrees * kDegree);
+    answer = step(tool);
+  }
+
+  EXPECT_NEAR(answer.response.angle_rad, 400.0 * kDegree, 1e-9);
+  EXPECT_EQ(answer.phase, ExercisePhase::kTwisting);
+}
+
+TEST_F(ExerciseTest, MeasuresThePureRollExactly) {
+  gripAt(0.0, TwistDrive::kRoll);
+  ToolState tool = onSurface(0.0, 0.001, 1.0);
+  for (const double angle_rad : {0.5, 1.0, 0.2, -1.0}) {
+    tool.pose.orientation = axisAngle({0.0, 0.0, 1.0}, angle_rad);
+    EXPECT_NEAR(step(tool).response.angle_rad, angle_rad, kRounding);
+  }
+}
+
+TEST_F(ExerciseTest, AnswersMirroredMotionWithMirroredTorqueAndForce) {
+  gripAt(0.0);
+  std::vector<ExerciseStep> there;
+  for (int i = 0; i <= 120; ++i) there.push_back(step(onSurface(i * kDegree, 0.001, 1.0)));
+  gripAt(0.0);
+  for (int i = 0; i <= 120; ++i) {
+    const TwistResponse back = step(onSurface(-i * kDegree, 0.001, 1.0)).response;
+    const TwistResponse& forth = there[static_cast<std::size_t>(i)].response;
+
+    ASSERT_NEAR(back.angle_rad, -forth.angle_rad, kRounding);
+    ASSERT_NEAR(back.torque_Nm, -forth.torque_Nm, kRounding);
+    ASSERT_NEAR(back.force_N.x, forth.force_N.x, 1e-9);
+    ASSERT_NEAR(back.force_N.y, -forth.force_N.y, 1e-9);
+  }
+}
+
+TEST_F(ExerciseTest, ReturnsElasticallyAfterTheReleaseAndThenTracks) {
+  gripAt(0.0);
+  (void)turn(0.0, 90.0 * kDegree);
+  ToolState away = onSurface(90.0 * kDegree, -0.05);
+
+  const ExerciseStep released = step(away);
+  double before_rad = released.response.angle_rad;
+  int ticks = 1;
+  ExerciseStep answer = released;
+  while (answer.phase == ExercisePhase::kReleased) {
+    answer = step(away);
+    ++ticks;
+    ASSERT_LT(answer.response.angle_rad, before_rad);
+    ASSERT_GE(answer.response.angle_rad, 0.0);
+    ASSERT_EQ(answer.response.force_N, Vec3{});
+    ASSERT_EQ(answer.response.torque_Nm, 0.0);
+    before_rad = answer.response.angle_rad;
+  }
+
+  EXPECT_TRUE(released.events & kEventReleased);
+  EXPECT_EQ(answer.phase, ExercisePhase::kTracking);
+  EXPECT_EQ(answer.events, static_cast<std::uint32_t>(kEventReturned));
+  EXPECT_EQ(exercise.twist(), TwistState{});
+  // ln(pi/2 / 1e-3) time constants of 120 ms.
+  EXPECT_NEAR(ticks, 120.0 * std::log(kPi / 2.0 / kAtRest_rad), 2.0);
+}
+
+TEST_F(ExerciseTest, LetsGoWhenAViewAsksAndGripsOnlyAfterTheJawOpenedAgain) {
+  gripAt(0.0);
+  (void)turn(0.0, 20.0 * kDegree);
+  exercise.releaseTissue();
+  const ExerciseStep released = step(onSurface(20.0 * kDegree, 0.001, 1.0));
+  ExerciseStep answer = released;
+  for (int i = 0; i < 2'000; ++i) answer = step(onSurface(20.0 * kDegree, 0.001, 1.0));
+  const ExercisePhase stillClosed = answer.phase;
+  (void)step(onSurface(20.0 * kDegree, 0.001, 0.0));
+  (void)step(onSurface(20.0 * kDegree, 0.001, 1.0));
+
+  EXPECT_EQ(released.phase, ExercisePhase::kReleased);
+  EXPECT_EQ(stillClosed, ExercisePhase::kContact);
+  EXPECT_EQ(exercise.phase(), ExercisePhase::kTwisting);
+}
+
+TEST_F(ExerciseTest, LetsGoWhenTheDeviceIsLost) {
+  for (const std::uint32_t status : {kDeviceLost, kDeviceUncalibrated, kDeviceEnded}) {
+    gripAt(0.0);
+    ToolState tool = onSurface(0.0, 0.001, 1.0);
+    tool.status = status;
+
+    EXPECT_EQ(step(tool).phase, ExercisePhase::kReleased);
+  }
+}
+
+TEST_F(ExerciseTest, PullsTheJawBackToTheSectionAndSlipsOffBeyondItsWay) {
+  gripAt(0.0);
+
+  const ExerciseStep pulled = step(onSurface(0.0, 0.001 - 0.010, 1.0));
+  const ExerciseStep along = step(onSurface(0.0, 0.001, 1.0, kArc_m + 0.010));
+  const ExerciseStep slipped = step(onSurface(0.0, 0.001 - 0.021, 1.0));
+
+  // 100 N/m over 10 mm.
+  EXPECT_NEAR(pulled.response.force_N.x, -1.0, 1e-9);
+  EXPECT_NEAR(along.response.force_N.z, -1.0, 1e-9);
+  EXPECT_EQ(slipped.phase, ExercisePhase::kReleased);
+  EXPECT_EQ(slipped.events, static_cast<std::uint32_t>(kEventReleased | kEventSlipped));
+}
+
+TEST_F(ExerciseTest, FeelsTheTwistedSurfaceWhileTheOrganReturns) {
+  gripAt(0.0);
+  (void)turn(0.0, 90.0 * kDegree);
+
+  // Open jaw, still pressed in: the round section looks the same twisted, the force stays normal.
+  const ExerciseStep released = step(onSurface(90.0 * kDegree, 0.001));
+
+  EXPECT_EQ(released.phase, ExercisePhase::kReleased);
+  EXPECT_NEAR(released.response.depth_m, 0.001, kFlat_m);
+  EXPECT_NEAR(released.response.force_N.y, 0.4, 400.0 * kFlat_m);
+  EXPECT_NEAR(released.response.force_N.x, 0.0, 0.02);  // a facet may tilt by 2.5 degrees
+}
+
+TEST_F(ExerciseTest, RefusesToTwistWhatIsHeldFast) {
+  (void)step(onSurface(0.0, 0.001, 0.0, 0.0));
+  for (int i = 0; i < 5; ++i) {
+    const ExerciseStep answer = step(onSurface(0.0, 0.001, 1.0, 0.0));
+    ASSERT_TRUE(std::isfinite(norm(answer.response.force_N)));
+    ASSERT_TRUE(std::isfinite(answer.response.torque_Nm));
+  }
+}
+
+TEST_F(ExerciseTest, ObeysItsRulesUnderWildMotion) {
+  Random random(7);
+  ToolState tool = onSurface(0.0, 0.0);
+  ExercisePhase before = ExercisePhase::kTracking;
+  double angle_rad = 0.0;
+  double depth_m = 0.0;
+  int grips = 0;
+  for (int i = 0; i < 30'000; ++i) {
+    angle_rad += 0.02 * random.normal();
+    depth_m += 0.001 * random.normal() - 0.002 * depth_m;
+    tool = onSurface(angle_rad, depth_m, random.bounded(2) == 0 ? tool.grip : random.uniform(),
+                     0.25 * random.uniform());
+    if (random.bounded(4'000) == 0) tool.status = kDeviceLost;
+
+    const ExerciseStep answer = step(tool);
+
+    ASSERT_TRUE(std::isfinite(answer.response.angle_rad) && std::isfinite(answer.response.torque_Nm) &&
+                isFinite(answer.response.force_N));
+    ASSERT_GE(answer.response.depth_m, 0.0);
+    switch (answer.phase) {
+      case ExercisePhase::kTracking:
+        ASSERT_EQ(answer.response, TwistResponse{}) << "tick " << i;
+        ASSERT_NE(before, ExercisePhase::kTwisting);
+        break;
+      case ExercisePhase::kContact:
+        ASSERT_EQ(answer.response.angle_rad, 0.0);
+        ASSERT_EQ(answer.response.torque_Nm, 0.0);
+        ASSERT_NE(before, ExercisePhase::kTwisting);
+        break;
+      case ExercisePhase::kTwisting:
+        grips += before == ExercisePhase::kTwisting ? 0 : 1;
+        ASSERT_TRUE(before == ExercisePhase::kContact || before == ExercisePhase::kTwisting);
+        break;
+      case ExercisePhase::kReleased:
+        ASSERT_EQ(answer.response.torque_Nm, 0.0);
+        ASSERT_TRUE(before == ExercisePhase::kTwisting || before == ExercisePhase::kReleased);
+        break;
+    }
+    before = answer.phase;
+  }
+  EXPECT_GT(grips, 20);
+}
+
+TEST_F(ExerciseTest, ContinuesFromACopyBitForBit) {
+  gripAt(0.3);
+  (void)turn(0.3, 1.0);
+  Exercise copy = exercise;
+  for (int i = 0; i < 100; ++i) {
+    const ToolState tool = onSurface(1.0 + 0.01 * i, 0.001, i < 80 ? 1.0 : 0.0);
+    ASSERT_EQ(step(tool).response, copy.step(tool, scene()).response);
+  }
+}
+
+TEST(Exercise, RefusesAStiffnessThatIsNone) {
+  EXPECT_THROW(Exercise({.maxStiffness_N_per_m = 0.0}), Error);
+  EXPECT_THROW(Exercise({.maxStiffness_N_per_m = std::nan("")}), Error);
+  EXPECT_THROW(Exercise({.tickPeriod_us = 0}), Error);
+}
+
+}  // namespace
+}  // namespace torsio
