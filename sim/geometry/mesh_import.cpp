@@ -21,7 +21,7 @@
 
 #include "sim/base/error.h"
 #include "sim/geometry/mesh_check.h"
-#include "sim/geometry/mesh_file_header.h"
+#include "sim/geometry/mesh_file_check.h"
 
 namespace torsio {
 
@@ -219,7 +219,7 @@ TriangleMesh importMesh(const fs::path& file, const MeshImportOptions& options, 
                 "M02 files with the extension \"" + oneLine(extension) + "\" are not read", file.string(),
                 "Use obj, stl, ply, off, glb, gltf or dae");
   }
-  requirePlausibleHeader(file, extension);
+  requirePlausibleFile(file, extension);
   TriangleMesh mesh = readWithAssimp(file, extension, options.scale_m);
   requireSound(mesh, file.string());
   MeshRepairs done;
