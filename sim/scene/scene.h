@@ -11,6 +11,7 @@
 #include "sim/geometry/section_lattice.h"
 #include "sim/geometry/triangle_mesh.h"
 #include "sim/tissue/twist_model.h"
+#include "sim/tissue/twist_operation.h"
 
 namespace torsio {
 
@@ -33,6 +34,8 @@ struct TwistPattern {
   double forceLimit_N = 3.3;  ///< tissue safety limit of the exercise
   double torqueLimit_Nm = 0.5;
   std::string source;  ///< clinical source of the angles
+  /// What the twist does to the organ, in this order; empty: one elastic twist about its own axis.
+  std::vector<TwistOperation> operations;
 };
 
 /// What to load: a scene file of assets/scenes, possibly with another organ.
@@ -67,6 +70,10 @@ struct Scene {
 
 /// Scene ids in assets/scenes, sorted.
 [[nodiscard]] std::vector<std::string> sceneIds(const std::filesystem::path& assets);
+
+/// The request that rebuilds the model of a recorded trial from its TrialHeader::parametersJson; the caller
+/// adds assets, scene id and, if it was a user's mesh, the organ file. Throws Error{kBadData}.
+[[nodiscard]] SceneRequest sceneRequestFor(const std::string& parametersJson);
 
 /// Throws Error for a missing or malformed scene or organ file.
 [[nodiscard]] Scene loadScene(const SceneRequest& request);

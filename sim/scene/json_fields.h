@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/base/vec3.h"
+
+namespace torsio {
+
+// Private to sim/scene's .cpp files: nlohmann stays out of its public headers.
+
+/// One JSON object of a data file, read field by field. Every refusal names file and field; finish() refuses
+/// fields that nobody asked for, so that a misspelt one never passes silently.
+class JsonFields {
+ public:
+  /// `json` outlives the reader. `where`: file and place for messages.
+  JsonFields(const nlohmann::json& json, std::string where);
+
+  [[nodiscard]] bool has(const std::string& name) const;
+  [[nodiscard]] std::string text(const std::string& name);
+  [[nodiscard]] std::string text(const std::string& name, const std::string& fallback);
+  /// Finite and within [low, high].
+  [[nodiscard]] double number(const std::string& name, double low, double high);
+  [[nodiscard]] double number(const std::string& name, double low, double high, double fallback);
+  [[nodiscard]] int integer(const std::string& name, int low, int high, int fallback);
+  [[nodiscard]] Vec3 vector(const std::string& name);
+  /// One of `names`; returns its position.
+  [[nodiscard]] std::size_t choice(const std::string& name, const std::vector<std::string>& names,
+                                   std::size_t fallback);
+  /// The child object or array; it must exist.
+  [[nodiscard]] const nlohmann::json& child(const std::string& name);
+  [[nodiscard]] const std::string& where() const noexcept { return where_; }
+
+  void finish() const;
+  [[noreturn]] void refuse(const std::string& name, const std::string& problem,
+                           const std::string& remedy) const;
+
+ private:
+  const nlohmann::json& find(const std::string& name);
+
+  const nlohmann::json& json_;
+  std::string where_;
+  std::set<std::string> asked_;
+};
+
+}  // namespace torsio
