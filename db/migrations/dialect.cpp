@@ -40,19 +40,20 @@ Statements appendOnlySupport(Engine engine) {
       "END $$"};
 }
 
-Statements appendOnly(Engine engine, const std::string& table) {
+/// `gated`: an open erasure_gate lets the change pass.
+Statements appendOnly(Engine engine, const std::string& table, bool gated) {
   if (engine == Engine::kPostgresql) {
+    const std::string function = gated ? "refuse_change()" : "refuse_thaw()";
     return {"CREATE TRIGGER " + table + "_append_only BEFORE UPDATE OR DELETE ON " + table +
-                " FOR EACH ROW EXECUTE FUNCTION refuse_change()",
+                " FOR EACH ROW EXECUTE FUNCTION " + function,
             "CREATE TRIGGER " + table + "_no_truncate BEFORE TRUNCATE ON " + table +
-                " FOR EACH STATEMENT EXECUTE FUNCTION refuse_change()"};
+                " FOR EACH STATEMENT EXECUTE FUNCTION " + function};
   }
+  const std::string gate = gated ? " WHEN NOT EXISTS (SELECT 1 FROM erasure_gate)" : "";
   Statements triggers;
   for (const char* act : {"UPDATE", "DELETE"}) {
-    triggers.push_back(
-        "CREATE TRIGGER " + table + "_no_" + act + " BEFORE " + act + " ON " + table +
-        " WHEN NOT EXISTS (SELECT 1 FROM erasure_gate) BEGIN SELECT RAISE(ABORT, 'append-only: " + table +
-        "'); END");
+    triggers.push_back("CREATE TRIGGER " + table + "_no_" + act + " BEFORE " + act + " ON " + table + gate +
+                       " BEGIN SELECT RAISE(ABORT, 'append-only: " + table + "'); END");
   }
   return triggers;
 }
@@ -71,7 +72,8 @@ Statements frozen(Engine engine, const std::string& table, const std::string& co
 Statements macro(Engine engine, const std::string& token, const std::string& where) {
   const std::vector<std::string> words = wordsOf(token);
   if (words.size() == 1 && words[0] == "append_only_support") return appendOnlySupport(engine);
-  if (words.size() == 2 && words[0] == "append_only") return appendOnly(engine, words[1]);
+  if (words.size() == 2 && words[0] == "append_only") return appendOnly(engine, words[1], true);
+  if (words.size() == 2 && words[0] == "immutable") return appendOnly(engine, words[1], false);
   if (words.size() == 3 && words[0] == "frozen") return frozen(engine, words[1], words[2]);
   bad("unknown token {{" + token + "}}", where);
 }

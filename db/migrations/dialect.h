@@ -17,6 +17,7 @@ namespace torsio {
 ///   {{append_only TABLE}}      rows may be added; changing or deleting one is refused by a trigger, unless
 ///   the
 ///                              same transaction put a row into erasure_gate (person erase, demo removal)
+///   {{immutable TABLE}}        the same without that gate: not even an erase may touch it
 ///   {{frozen TABLE COLUMN}}    the column keeps the value it was inserted with, always
 ///
 /// A statement ends with `;` at the end of a line; a line that starts with `--` is a comment.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/evaluation_repository.h"
 
+#include "db/repository/audit_repository.h"
+#include "db/repository/seals.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -147,6 +149,7 @@ std::optional<StoredCampaign> EvaluationRepository::campaign(const std::string& 
 
 void EvaluationRepository::submit(const std::string& campaignId,
                                   std::span<const StoredEvaluationMark> marks) {
+  if (marks.empty()) return;
   Transaction transaction(connection_);
   const ScoreScale scale = scaleOf(connection_, campaignId);
   Statement insert = connection_.prepare(
@@ -166,6 +169,24 @@ void EvaluationRepository::submit(const std::string& campaignId,
                     mark.score_steps, textOrNull(mark.amendReason), mark.submittedUtc_us,
                     mark.demonstration});
   }
+  std::vector<std::string> ids;
+  ids.reserve(marks.size());
+  for (const StoredEvaluationMark& mark : marks) ids.push_back(mark.id);
+  const std::map<std::string, std::string> hashes = evaluationMarkHashes(connection_, ids);
+  std::vector<AuditEntry> seals;
+  for (const StoredEvaluationMark& mark : marks) {
+    AuditEntry seal;
+    seal.atUtc_us = mark.submittedUtc_us;
+    seal.actor = mark.raterId;
+    seal.station = station_;
+    seal.action = mark.version == 1 ? "evaluation.submit" : "evaluation.amend";
+    seal.objectKind = kSealedEvaluationMark;
+    seal.objectId = mark.id;
+    seal.reason = mark.amendReason;
+    seal.objectHash = hashes.at(mark.id);
+    seals.push_back(seal);
+  }
+  AuditRepository(connection_).append(seals);
   transaction.commit();
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "assessment/scoring/instrument.h"
@@ -89,7 +90,9 @@ struct StoredEvaluationRun {
 /// Campaigns, their marks and results. One call, one transaction.
 class EvaluationRepository {
  public:
-  explicit EvaluationRepository(Connection& connection) : connection_(connection) {}
+  /// `station`: for the audit trail.
+  explicit EvaluationRepository(Connection& connection, std::string station = {})
+      : connection_(connection), station_(std::move(station)) {}
 
   /// Throws Error (kBadParameter) when the instrument breaks its rules (weights that do not sum to 1).
   void addCampaign(const StoredCampaign& campaign);
@@ -97,8 +100,9 @@ class EvaluationRepository {
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> campaigns();
   [[nodiscard]] std::optional<StoredCampaign> campaign(const std::string& campaignId);
 
-  /// Throws Error (kBadData) naming rater, model and index when a score lies outside the campaign's scale,
-  /// DbError when a mark exists already or belongs to no rater, model or index of the campaign.
+  /// Seals marks, each with an entry in the audit trail. Throws Error (kBadData) naming rater, model and
+  /// index when a score lies outside the campaign's scale, DbError when a mark exists already or belongs to
+  /// no rater, model or index of the campaign.
   void submit(const std::string& campaignId, std::span<const StoredEvaluationMark> marks);
   /// The newest version of every mark, ordered by model, class, rater code, index.
   [[nodiscard]] std::vector<StoredEvaluationMark> marks(const std::string& campaignId);
@@ -108,6 +112,7 @@ class EvaluationRepository {
 
  private:
   Connection& connection_;
+  std::string station_;
 };
 
 }  // namespace torsio

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating_repository.h"
 
+#include "db/repository/audit_repository.h"
+#include "db/repository/seals.h"
+
 namespace torsio {
 
 namespace {
@@ -68,12 +71,14 @@ std::vector<StoredGroupResult> groupResults(Connection& connection, const std::s
 }  // namespace
 
 void RatingRepository::submit(std::span<const StoredTrainingMark> marks) {
+  if (marks.empty()) return;
   Transaction transaction(connection_);
   Statement insert = connection_.prepare(
       "INSERT INTO training_mark (id, enrolment_id, rater_id, scoring_point, version, trial_id, score_steps,"
       " scale_lo_steps, scale_hi_steps, steps_per_point, not_assessable_reason, comment, amend_reason,"
-      " submitted_utc_us, demonstration, assignment_id) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-      "?)");
+      " submitted_utc_us, demonstration, assignment_id, comment_hash) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+      "?, ?, ?, ?, ?, "
+      "?, ?)");
   Statement insertRow = connection_.prepare(
       "INSERT INTO training_mark_row (mark_id, revision_id, row_code, score_steps, not_assessable_reason)"
       " VALUES (?, ?, ?, ?, ?)");
@@ -82,12 +87,30 @@ void RatingRepository::submit(std::span<const StoredTrainingMark> marks) {
                     textOrNull(mark.trialId), mark.score_steps, mark.scale.lo, mark.scale.hi,
                     mark.scale.stepsPerPoint, textOrNull(mark.notAssessableReason), textOrNull(mark.comment),
                     textOrNull(mark.amendReason), mark.submittedUtc_us, mark.demonstration,
-                    textOrNull(mark.assignmentId)});
+                    textOrNull(mark.assignmentId), textOrNull(textHash(mark.comment))});
     for (const StoredMarkRow& row : mark.rows) {
       insertRow.execute(
           {mark.id, row.rubricRevisionId, row.rowCode, row.score_steps, textOrNull(row.notAssessableReason)});
     }
   }
+  std::vector<std::string> ids;
+  ids.reserve(marks.size());
+  for (const StoredTrainingMark& mark : marks) ids.push_back(mark.id);
+  const std::map<std::string, std::string> hashes = markHashes(connection_, ids);
+  std::vector<AuditEntry> seals;
+  for (const StoredTrainingMark& mark : marks) {
+    AuditEntry seal;
+    seal.atUtc_us = mark.submittedUtc_us;
+    seal.actor = mark.raterId;
+    seal.station = station_;
+    seal.action = mark.version == 1 ? "mark.submit" : "mark.amend";
+    seal.objectKind = kSealedMark;
+    seal.objectId = mark.id;
+    seal.reason = mark.amendReason;
+    seal.objectHash = hashes.at(mark.id);
+    seals.push_back(seal);
+  }
+  AuditRepository(connection_).append(seals);
   transaction.commit();
 }
 

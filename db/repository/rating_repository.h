@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "assessment/scoring/instrument.h"
@@ -76,10 +77,13 @@ struct StoredTrainingRun {
 /// Marks and results of the training study. One call, one transaction.
 class RatingRepository {
  public:
-  explicit RatingRepository(Connection& connection) : connection_(connection) {}
+  /// `station`: for the audit trail.
+  explicit RatingRepository(Connection& connection, std::string station = {})
+      : connection_(connection), station_(std::move(station)) {}
 
-  /// Seals first versions and amendments alike. Throws DbError: kUnique when this version exists (another
-  /// station was faster: nothing is overwritten), kCheck for a score outside its scale.
+  /// Seals first versions and amendments alike, each with an entry in the audit trail. Throws DbError:
+  /// kUnique when this version exists (another station was faster: nothing is overwritten), kCheck for a
+  /// score outside its scale.
   void submit(std::span<const StoredTrainingMark> marks);
   /// The newest version of every mark of a cohort, ordered by scoring point, group, number, rater code.
   [[nodiscard]] std::vector<StoredTrainingMark> marks(const std::string& cohortId);
@@ -93,6 +97,7 @@ class RatingRepository {
 
  private:
   Connection& connection_;
+  std::string station_;
 };
 
 }  // namespace torsio

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/trial_repository.h"
 
+#include <algorithm>
 #include <utility>
 
+#include "db/repository/audit_repository.h"
+#include "db/repository/seals.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
+#include "sim/record/content_hash.h"
 
 namespace torsio {
 
@@ -95,6 +99,14 @@ TrialHeader headerOf(const Statement& row) {
           .demonstration = row.boolean(24)};
 }
 
+void insertChunk(Connection& connection, const std::string& trialId, const TrialChunk& chunk) {
+  connection.execute(
+      "INSERT INTO trial_chunk (trial_id, chunk_index, first_tick, sample_count, digest, output_digest,"
+      " stored_utc_us, bytes) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+      {trialId, chunk.index, chunk.firstTick, chunk.samples, chunk.digest, chunk.outputDigest, utcNow_us(),
+       chunk.bytes});
+}
+
 Value traineeId(Connection& connection, const std::string& code) {
   if (code.empty()) return {};
   Statement row = connection.prepare(
@@ -141,26 +153,44 @@ void TrialRepository::begin(const TrialHeader& header) {
 
 void TrialRepository::append(const TrialChunk& chunk) {
   TORSIO_EXPECTS(!current_.empty());
-  connection_.execute(
-      "INSERT INTO trial_chunk (trial_id, chunk_index, first_tick, sample_count, digest, output_digest,"
-      " stored_utc_us, bytes) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
-      {current_, chunk.index, chunk.firstTick, chunk.samples, chunk.digest, chunk.outputDigest, utcNow_us(),
-       chunk.bytes});
+  insertChunk(connection_, current_, chunk);
 }
 
 void TrialRepository::finish(const TrialSummary& summary) {
   TORSIO_EXPECTS(!current_.empty());
-  end(current_, summary);
+  end(current_, context_.station, summary);
   current_.clear();
 }
 
-void TrialRepository::end(const std::string& trialId, const TrialSummary& summary) {
+void TrialRepository::import(const Trial& trial) {
+  verifyContent(trial);
+  Transaction transaction(connection_);
+  begin(trial.header);
+  current_.clear();  // whatever happens now, nothing is being recorded
+  for (const TrialChunk& chunk : trial.chunks) insertChunk(connection_, trial.header.trialId, chunk);
+  end(trial.header.trialId, context_.station, trial.summary);
+  transaction.commit();
+}
+
+void TrialRepository::end(const std::string& trialId, const std::string& station,
+                          const TrialSummary& summary) {
+  Transaction transaction(connection_);
+  const std::int64_t now_us = utcNow_us();
   connection_.execute(
       "INSERT INTO trial_end (trial_id, sample_count, refused_samples, late_ticks, outcome, content_hash,"
       " ended_utc_us) VALUES (?, ?, ?, ?, ?, ?, ?)",
       {trialId, summary.samples, summary.refusedSamples, summary.lateTicks,
-       summary.outcome == TrialOutcome::kCompleted ? kCompleted : kInterrupted, summary.contentHash,
-       utcNow_us()});
+       summary.outcome == TrialOutcome::kCompleted ? kCompleted : kInterrupted, summary.contentHash, now_us});
+  AuditEntry seal;
+  seal.atUtc_us = now_us;
+  seal.actor = "torsio";
+  seal.station = station;
+  seal.action = summary.outcome == TrialOutcome::kCompleted ? "trial.finish" : "trial.interrupted";
+  seal.objectKind = kSealedTrial;
+  seal.objectId = trialId;
+  seal.objectHash = trialHashes(connection_, std::span(&trialId, 1)).at(trialId);
+  AuditRepository(connection_).append(seal);
+  transaction.commit();
 }
 
 void TrialRepository::addEvents(const std::string& trialId, std::span<const StoredTrialEvent> events) {
@@ -244,9 +274,22 @@ std::vector<TrialListing> TrialRepository::unfinished(const std::string& station
   return listingsOf(row);
 }
 
-void TrialRepository::closeInterrupted(const std::string& trialId, const TrialSummary& summary) {
-  TORSIO_EXPECTS(summary.outcome == TrialOutcome::kInterrupted);
-  end(trialId, summary);
+std::vector<TrialListing> TrialRepository::closeInterrupted(const std::string& station,
+                                                            std::int64_t quietSinceUtc_us) {
+  std::vector<TrialListing> closed;
+  Statement last = connection_.prepare("SELECT max(stored_utc_us) FROM trial_chunk WHERE trial_id = ?");
+  for (TrialListing& listing : unfinished(station)) {
+    last.execute({listing.trialId});
+    std::int64_t lastSign_us = listing.startedUtc_us;
+    while (last.step()) lastSign_us = std::max(lastSign_us, last.int64(0));
+    if (lastSign_us > quietSinceUtc_us) continue;
+    Trial trial = load(listing.trialId);
+    trial.summary.contentHash = contentHash(trial);
+    end(listing.trialId, station, trial.summary);
+    listing.summary = trial.summary;
+    closed.push_back(std::move(listing));
+  }
+  return closed;
 }
 
 struct OwnConnectionTrialSink::Open {

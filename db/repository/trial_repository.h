@@ -78,11 +78,17 @@ class TrialRepository final : public TrialSink {
 
   /// Trials of `station` without a closing row: at program start, the interrupted ones. Oldest first.
   [[nodiscard]] std::vector<TrialListing> unfinished(const std::string& station);
-  /// Closes a trial that was found unfinished; `summary` as counted and hashed from what is stored.
-  void closeInterrupted(const std::string& trialId, const TrialSummary& summary);
+  /// Closes those of `station` that have shown no sign of life after `quietSinceUtc_us` (another window of
+  /// the same machine may be recording), with the content hash of what is there. Returns them with their
+  /// summaries.
+  std::vector<TrialListing> closeInterrupted(const std::string& station, std::int64_t quietSinceUtc_us);
+
+  /// Stores a trial that went to a file because the database was away, in one transaction. Throws Error
+  /// (kVerifyFailed) when the file is not what was recorded.
+  void import(const Trial& trial);
 
  private:
-  void end(const std::string& trialId, const TrialSummary& summary);
+  void end(const std::string& trialId, const std::string& station, const TrialSummary& summary);
 
   Connection& connection_;
   TrialContext context_;

@@ -125,8 +125,11 @@ TEST_F(TrialRepositoryTest, FindsTheInterruptedTrialsOfItsStationOnly) {
   EXPECT_EQ(cut.summary.samples, 2000);
   EXPECT_EQ(cut.summary.outcome, TrialOutcome::kInterrupted);
 
-  trials.closeInterrupted(mine, cut.summary);
+  EXPECT_TRUE(trials.closeInterrupted("station-1", kSampleTime_us).empty());  // its last second is younger
+  const std::vector<TrialListing> closed = trials.closeInterrupted("station-1", INT64_MAX);
 
+  ASSERT_EQ(closed.size(), 1U);
+  EXPECT_EQ(closed[0].summary->samples, 2000);
   EXPECT_TRUE(trials.unfinished("station-1").empty());
   EXPECT_EQ(trials.unfinished("station-2").size(), 1U);
   EXPECT_EQ(trials.load(mine).summary.outcome, TrialOutcome::kInterrupted);

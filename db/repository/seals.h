@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+
+#include "db/connection/connection.h"
+
+namespace torsio {
+
+/// What can be sealed: rows on which careers hang.
+inline constexpr const char* kSealedMark = "training_mark";
+inline constexpr const char* kSealedEvaluationMark = "evaluation_mark";
+inline constexpr const char* kSealedTrial = "trial";
+
+/// The hash of every submitted training mark with its rows, as the tables have them now; `markId` empty: of
+/// all. A comment enters by its stored hash, so that it may be erased.
+[[nodiscard]] std::map<std::string, std::string> markHashes(Connection& connection,
+                                                            std::span<const std::string> ids = {});
+[[nodiscard]] std::map<std::string, std::string> evaluationMarkHashes(Connection& connection,
+                                                                      std::span<const std::string> ids = {});
+/// Of every trial that has ended: its closing row with the content hash.
+[[nodiscard]] std::map<std::string, std::string> trialHashes(Connection& connection,
+                                                             std::span<const std::string> ids = {});
+
+/// Hash of a free text; empty for an empty text.
+[[nodiscard]] std::string textHash(const std::string& text);
+
+}  // namespace torsio

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/access_repository.h"
+
+#include <map>
+
+#include "sim/base/error.h"
+#include "tests/db/sample_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+const char* const kPassword = "the organ turns slowly";
+constexpr std::int64_t kSecond_us = 1'000'000;
+
+class AccessRepositoryTest : public DatabaseTest {
+ protected:
+  static AccessRepository access(Connection& connection) {
+    return AccessRepository(connection, PasswordCost::kTest);
+  }
+  static StoredUser anna() {
+    return {.id = "u1", .login = "anna", .createdUtc_us = kSampleTime_us, .roles = {"rater"}};
+  }
+};
+
+/// The matrix as a person would write it down (docs/database.md); every cell of the database is compared with
+/// it.
+const std::map<std::string, std::set<std::string>> kExpected{
+    {"trainee", {"practice", "trial.record_own", "trial.view_own", "mark.view_own", "evaluation.submit"}},
+    {"rater", {"practice", "trial.view_assigned", "mark.submit", "evaluation.submit"}},
+    {"administrator",
+     {"practice",
+      "trial.view_coded",
+      "mark.release",
+      "evaluation.setup",
+      "person.view_coded",
+      "person.view_identity",
+      "person.edit",
+      "person.export",
+      "person.erase",
+      "consent.record",
+      "curriculum.edit",
+      "study.setup",
+      "study.enrol",
+      "allocation.view",
+      "results.compute",
+      "report.export_coded",
+      "report.export_named",
+      "user.manage",
+      "audit.view",
+      "database.backup",
+      "database.restore",
+      "retention.manage",
+      "settings.edit"}},
+    {"allocator", {"person.view_coded", "allocation.run", "allocation.view", "allocation.reveal"}},
+    {"statistician",
+     {"trial.view_coded", "mark.view_coded", "person.view_coded", "allocation.view", "results.compute",
+      "report.export_coded", "audit.view"}}};
+
+TEST_F(AccessRepositoryTest, EveryCellOfTheMatrixIsAsWritten) {
+  Connection connection = openWithSchema();
+  AccessRepository repository = access(connection);
+  const std::set<std::pair<std::string, std::string>> permissions = repository.permissions();
+  ASSERT_EQ(repository.roles().size(), kExpected.size());
+
+  std::size_t cells = 0;
+  for (const std::string& role : repository.roles()) {
+    for (const std::string& operation : repository.operations()) {
+      ++cells;
+      EXPECT_EQ(permissions.contains({role, operation}), kExpected.at(role).contains(operation))
+          << role << " / " << operation;
+    }
+  }
+  EXPECT_EQ(cells, 5U * 32U);
+}
+
+TEST_F(AccessRepositoryTest, AnAdministratorCannotTouchMarksAndAnAllocatorCannotEnrol) {
+  Connection connection = openWithSchema();
+  const auto permissions = access(connection).permissions();
+  EXPECT_FALSE(permissions.contains({"administrator", "mark.submit"}));
+  EXPECT_FALSE(permissions.contains({"administrator", "allocation.run"}));
+  EXPECT_FALSE(permissions.contains({"allocator", "study.enrol"}));
+  EXPECT_FALSE(permissions.contains({"statistician", "person.view_identity"}));
+}
+
+TEST_F(AccessRepositoryTest, AllowsWhatARoleAllowsAndNothingElse) {
+  Connection connection = openWithSchema();
+  AccessRepository repository = access(connection);
+  repository.addUser(anna(), kPassword);
+
+  EXPECT_TRUE(repository.allowed("u1", "mark.submit"));
+  EXPECT_FALSE(repository.allowed("u1", "person.erase"));
+  EXPECT_FALSE(repository.allowed("u1", "no such operation"));
+  EXPECT_FALSE(repository.allowed("nobody", "practice"));
+  repository.setRoles("u1", {"rater", "administrator"});
+  EXPECT_TRUE(repository.allowed("u1", "person.erase"));
+  repository.setActive("u1", false);
+  EXPECT_FALSE(repository.allowed("u1", "mark.submit"));
+}
+
+TEST_F(AccessRepositoryTest, HasNobodyAtTheStart) {
+  Connection connection = openWithSchema();
+  EXPECT_TRUE(access(connection).users().empty());
+}
+
+TEST_F(AccessRepositoryTest, AsksForANewPasswordAtTheFirstSignIn) {
+  Connection connection = openWithSchema();
+  AccessRepository repository = access(connection);
+  repository.addUser(anna(), kPassword);
+  EXPECT_EQ(repository.signIn("anna", kPassword, kSampleTime_us).outcome, SignIn::kMustChange);
+
+  repository.setPassword("u1", "a sentence of her own", false);
+
+  EXPECT_EQ(repository.signIn("anna", kPassword, kSampleTime_us).outcome, SignIn::kWrong);
+  const SignInResult result = repository.signIn("anna", "a sentence of her own", kSampleTime_us);
+  EXPECT_EQ(result.outcome, SignIn::kOk);
+  EXPECT_EQ(result.userId, "u1");
+}
+
+TEST_F(AccessRepositoryTest, StoresOnlyASaltedHash) {
+  Connection connection = openWithSchema();
+  AccessRepository repository = access(connection);
+  repository.addUser(anna(), kPassword);
+  StoredUser ben = anna();
+  ben.id = "u2";
+  ben.login = "ben";
+  repository.addUser(ben, kPassword);
+
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM app_user WHERE password_hash LIKE '$argon2id$%'"),
+            2);
+  EXPECT_EQ(numberFrom(connection, "SELECT count(DISTINCT password_hash) FROM app_user"), 2);
+}
+
+TEST_F(AccessRepositoryTest, DoesNotTellAWrongLoginFromAWrongPassword) {
+  Connection connection = openWithSchema();
+  AccessRepository repository = access(connection);
+  repository.addUser(anna(), kPassword);
+  EXPECT_EQ(repository.signIn("nobody", kPassword, 0).outcome, SignIn::kWrong);
+  EXPECT_EQ(repository.signIn("anna", "something else entirely", 0).outcome, SignIn::kWrong);
+}
+
+TEST_F(AccessRepositoryTest, MakesGuessingSlowAndForgetsAfterASuccess) {
+  Connection connection = openWithSchema();
+  AccessRepository repository = access(connection);
+  repository.addUser(anna(), kPassword);
+  std::int64_t now_us = kSampleTime_us;
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(repository.signIn("anna", "guess", now_us).outcome, SignIn::kWrong);
+
+  const SignInResult wait = repository.signIn("anna", kPassword, now_us);
+  EXPECT_EQ(wait.outcome, SignIn::kWait);
+  EXPECT_EQ(wait.waitUntilUtc_us, now_us + kSecond_us);
+  now_us = wait.waitUntilUtc_us;
+  EXPECT_EQ(repository.signIn("anna", "guess", now_us).outcome, SignIn::kWrong);
+  EXPECT_EQ(repository.signIn("anna", kPassword, now_us + kSecond_us).outcome, SignIn::kWait);
+  EXPECT_EQ(repository.signIn("anna", kPassword, now_us + 2 * kSecond_us).outcome, SignIn::kMustChange);
+  EXPECT_EQ(repository.signIn("anna", "guess", now_us + 2 * kSecond_us).outcome, SignIn::kWrong);
+  EXPECT_EQ(repository.signIn("anna", kPassword, now_us + 2 * kSecond_us).outcome, SignIn::kMustChange);
+}
+
+TEST_F(AccessRepositoryTest, NeverWaitsLongerThanAQuarterOfAnHour) {
+  Connection connection = openWithSchema();
+  AccessRepository repository = access(connection);
+  repository.addUser(anna(), kPassword);
+  connection.execute("UPDATE app_user SET failed_count = ?", {1000});
+
+  EXPECT_EQ(repository.signIn("anna", "guess", 0).outcome, SignIn::kWrong);
+
+  EXPECT_EQ(repository.signIn("anna", kPassword, 0).waitUntilUtc_us, kLongestWait_us);
+}
+
+TEST_F(AccessRepositoryTest, ADisabledUserStaysOut) {
+  Connection connection = openWithSchema();
+  AccessRepository repository = access(connection);
+  repository.addUser(anna(), kPassword);
+  repository.setActive("u1", false);
+  EXPECT_EQ(repository.signIn("anna", kPassword, 0).outcome, SignIn::kDisabled);
+}
+
+TEST_F(AccessRepositoryTest, APinOpensPracticeOnly) {
+  Connection connection = openWithSchema();
+  AccessRepository repository = access(connection);
+  repository.addUser(anna(), kPassword);
+  EXPECT_EQ(repository.signInForPractice("anna", "4711", 0).outcome, SignIn::kWrong);
+  EXPECT_EQ(refusalFrom([&] { repository.setPin("u1", "123"); }).code, ErrorCode::kBadParameter);
+  repository.setPin("u1", "4711");
+
+  EXPECT_EQ(repository.signInForPractice("anna", "4711", 0).outcome, SignIn::kOk);
+  EXPECT_EQ(repository.signIn("anna", "4711", 0).outcome, SignIn::kWrong);
+  EXPECT_EQ(repository.signInForPractice("anna", kPassword, 0).outcome, SignIn::kWrong);
+  EXPECT_TRUE(repository.users().at(0).hasPin);
+}
+
+TEST(Password, CountsLengthNotComposition) {
+  checkPassword("all lower case letters", "anna");
+  checkPassword("手手足足手足手足手足手足手足手", "anna");  // fifteen characters, 45 bytes
+  for (const char* weak : {"Sh0rt!", "fourteen chars", "aaaaaaaaaaaaaaaaaaaa", "abcabcabcabcabcabc",
+                           "1234567890123456", "qwertyuiopasdfgh", "annabauer-anna12"}) {
+    EXPECT_EQ(refusalFrom([&] { checkPassword(weak, "annabauer-anna"); }).code, ErrorCode::kBadParameter)
+        << weak;
+  }
+}
+
+TEST(Password, MatchesOnlyItself) {
+  const std::string hash = hashPassword(kPassword, PasswordCost::kTest);
+  EXPECT_TRUE(passwordMatches(hash, kPassword));
+  EXPECT_FALSE(passwordMatches(hash, "the organ turns slowlY"));
+  EXPECT_FALSE(passwordMatches("not a hash", kPassword));
+}
+
+}  // namespace
+}  // namespace torsio
