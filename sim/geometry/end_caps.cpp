@@ -9,6 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
 #include "sim/geometry/flat_faces.h"
+#include "sim/geometry/rounded_end.h"
 
 namespace torsio {
 
@@ -24,6 +25,7 @@ constexpr const char* kGiveEnds = "Give two end points further apart, or a small
 struct Cap {
   std::vector<Index> vertices;
   Vec3 centre_m;
+  bool flat = false;
 };
 
 class CapFinder {
@@ -41,6 +43,8 @@ class CapFinder {
     EndCaps caps;
     caps.fixedCentre_m = fixed.centre_m;
     caps.freeCentre_m = free.centre_m;
+    caps.fixedFlat = fixed.flat;
+    caps.freeFlat = free.flat;
     caps.parts.assign(mesh_.vertices_m.size(), LatticePart::kSide);
     for (const Index v : fixed.vertices) caps.parts[v] = LatticePart::kFixedCap;
     for (const Index v : free.vertices) {
@@ -66,9 +70,9 @@ class CapFinder {
     const std::vector<double> fromFree = distances({&freeSeed, 1});
     setMeanRadius(fromFixed[freeSeed]);
     Cap fixed = request_.fixedCut != Vec3{} ? beyond(request_.fixedEnd_m, request_.fixedCut, "fixed")
-                                            : faceOrDisc(faceOfTriangle_[fixedTriangle], fromFree, fixedSeed);
+                                            : faceOrTip(faceOfTriangle_[fixedTriangle], fromFree, fixedSeed);
     Cap free = request_.freeCut != Vec3{} ? beyond(request_.freeEnd_m, request_.freeCut, "free")
-                                          : faceOrDisc(faceOfTriangle_[freeTriangle], fromFixed, freeSeed);
+                                          : faceOrTip(faceOfTriangle_[freeTriangle], fromFixed, freeSeed);
     return {std::move(fixed), std::move(free)};
   }
 
@@ -79,10 +83,10 @@ class CapFinder {
     const std::vector<double> fromFirst = distances({&first, 1});
     const Index second = farthest(fromFirst);
     setMeanRadius(fromFirst[second]);
-    Cap one = faceOrDisc(bestFace(fromFirst, second), fromFirst, second);
+    Cap one = faceOrTip(bestFace(fromFirst, second), fromFirst, second);
     const std::vector<double> fromOne = distances(one.vertices);
     const Index other = farthest(fromOne);
-    Cap two = faceOrDisc(bestFace(fromOne, other), fromOne, other);
+    Cap two = faceOrTip(bestFace(fromOne, other), fromOne, other);
     if (isLower(two.centre_m, one.centre_m, norm(two.centre_m - one.centre_m))) std::swap(one, two);
     return {std::move(one), std::move(two)};
   }
@@ -134,12 +138,23 @@ class CapFinder {
     return best;
   }
 
-  Cap faceOrDisc(Index face, const std::vector<double>& fromOther, Index seed) const {
+  Cap faceOrTip(Index face, const std::vector<double>& fromOther, Index seed) const {
     const double length = fromOther[seed];
     if (face != kNoFace && nearest(faces_[face], fromOther) >= kFarEnough * length) {
-      return {faces_[face].vertices, faces_[face].centroid_m};
+      return {faces_[face].vertices, faces_[face].centroid_m, true};
     }
-    Cap disc{{seed}, mesh_.vertices_m[seed]};
+    if (!(request_.capRadius_m > 0.0)) {
+      Cap tip{roundedEnd(mesh_, topology_, seed, meanRadius_m_), {}, false};
+      for (const Index v : tip.vertices) {
+        tip.centre_m += mesh_.vertices_m[v] / static_cast<double>(tip.vertices.size());
+      }
+      if (!tip.vertices.empty()) return tip;
+    }
+    return disc(seed);
+  }
+
+  Cap disc(Index seed) const {
+    Cap disc{{seed}, mesh_.vertices_m[seed], false};
     const std::vector<double> fromSeed = distances({&seed, 1});
     const double radius = request_.capRadius_m > 0.0 ? request_.capRadius_m : kCapShare * meanRadius_m_;
     for (Index v = 0; v < fromSeed.size(); ++v) {
@@ -159,9 +174,9 @@ class CapFinder {
     for (Index v = 0; v < open.size(); ++v) {
       open[v] = dot(mesh_.vertices_m[v] - point, direction) >= 0.0 ? 1 : 0;
     }
-    Cap largest{{}, point};
+    Cap largest{{}, point, false};
     for (Index v = 0; v < open.size(); ++v) {
-      std::vector<Index> piece = flood(open, v);
+      std::vector<Index> piece = takeConnected(topology_, open, v);
       if (piece.size() > largest.vertices.size()) largest.vertices = std::move(piece);
     }
     if (largest.vertices.empty()) {
@@ -172,28 +187,11 @@ class CapFinder {
     return largest;
   }
 
-  /// The connected set of open vertices about `seed`, which is closed by it.
-  std::vector<Index> flood(std::vector<std::uint8_t>& open, Index seed) const {
-    std::vector<Index> reached;
-    if (open[seed] == 0) return reached;
-    open[seed] = 0;
-    reached.push_back(seed);
-    for (std::size_t i = 0; i < reached.size(); ++i) {
-      for (const Index half : topology_.outgoing(reached[i])) {
-        const Index v = topology_.target(half);
-        if (open[v] == 0) continue;
-        open[v] = 0;
-        reached.push_back(v);
-      }
-    }
-    return reached;
-  }
-
   /// What `cap` cuts off from the other end belongs to it.
   void fillHoles(std::vector<LatticePart>& parts, LatticePart cap, Index otherEnd) const {
     std::vector<std::uint8_t> open(parts.size(), 0);
     for (Index v = 0; v < parts.size(); ++v) open[v] = parts[v] != cap ? 1 : 0;
-    flood(open, otherEnd);
+    static_cast<void>(takeConnected(topology_, open, otherEnd));
     for (Index v = 0; v < parts.size(); ++v) {
       if (open[v] != 0) parts[v] = cap;
     }

@@ -35,9 +35,13 @@ struct EndCaps {
   std::vector<LatticePart> parts;  ///< one a vertex
   Vec3 fixedCentre_m;
   Vec3 freeCentre_m;
+  bool fixedFlat =
+      false;  ///< the cap is a flat face: its rim is the organ's end, not a jagged line of vertices
+  bool freeFlat = false;
 };
 
-/// Flat faces where the organ has them at its ends, cuts where asked for, else discs on the surface. Throws
+/// Flat faces where the organ has them at its ends, cuts where asked for, discs of the given radius, else the
+/// rounded tips (roundedEnd). Throws
 /// Error{kBadMesh, kBadParameter}: caps that touch, a cut beyond which nothing lies, an end not finite.
 [[nodiscard]] EndCaps findEndCaps(const TriangleMesh& mesh, const SurfaceTopology& topology,
                                   const CapRequest& request);

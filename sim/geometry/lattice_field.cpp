@@ -19,7 +19,10 @@ constexpr int kWaySteps = 256;          // of the ridge angle at a station
 constexpr std::size_t kStations = 400;  // level lines traced for the axis of a curved organ
 constexpr double kSmoothing = 0.012;    // of the length; removes the steps of the mesh from the axis
 constexpr double kSmoothingOfRadius = 0.25;
-constexpr double kSpeck = 1e-3;                  // of the perimeter: a loop of rounding noise
+constexpr double kMostSmoothingOfRadius = 0.5;
+constexpr double kBeforeBranch = 0.5;  // of the last section's radius: what is left out before a branching
+constexpr double kStride = 0.25;       // of a section's radius: over this way its centre must advance
+constexpr double kSpeck = 1e-3;        // of the perimeter: a loop of rounding noise
 constexpr double kSharpestTurn_rad = 0.5 * kPi;  // of the axis within one mean radius of the section
 
 std::string degrees(double angle_rad) {
@@ -77,6 +80,7 @@ std::vector<double> quantileLevels(const LatticeField& field) {
 struct Station {
   Vec3 centre_m;
   double radius_m = 0.0;  ///< of the circle with the section's area
+  Vec3 normal;            ///< of the loop's plane, towards the free end
 };
 
 class FieldBuilder {
@@ -137,6 +141,7 @@ class FieldBuilder {
     field_.harmonic = solveHarmonicField(field_.mesh, field_.topology, field_.parts);
     field_.stationLevels = quantileLevels(field_);
     traceStations();
+    trimEnds(caps);
     std::vector<Vec3> line;
     std::vector<double> radii;
     for (const Station& station : stations_) {
@@ -145,24 +150,103 @@ class FieldBuilder {
     }
     double length = 0.0;
     for (std::size_t k = 1; k < line.size(); ++k) length += norm(line[k] - line[k - 1]);
-    std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2),
-                     radii.end());
-    const double smoothing = std::min(kSmoothing * length, kSmoothingOfRadius * radii[radii.size() / 2]);
     if (!(length > 0.0)) {
       throw Error(ErrorCode::kBadMesh, "the axis of the organ has no length", "",
                   "Give two end points further apart.");
     }
-    field_.centreline =
-        Centreline::curved(line, smoothing, intervalsFor(options_.sections), options_.ridgeZero,
-                           options_.ridgeZeroFraction, field_.stationArcs_m);
-    refuseKinks();
+    std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2),
+                     radii.end());
+    // Where the levels climb over a bump (a thumb, the cardia) their centroids jump aside: smoothed more.
+    const double radius = radii[radii.size() / 2];
+    double smoothing = std::min(kSmoothing * length, kSmoothingOfRadius * radius);
+    for (;; smoothing *= 2.0) {
+      field_.centreline =
+          Centreline::curved(line, smoothing, intervalsFor(options_.sections), options_.ridgeZero,
+                             options_.ridgeZeroFraction, field_.stationArcs_m);
+      const Turn turn = sharpestTurn();
+      if (turn.angle_rad <= kSharpestTurn_rad) return;
+      if (2.0 * smoothing > kMostSmoothingOfRadius * radius) refuseKink(turn);
+    }
+  }
+
+  /// Where a cap is no flat face its rim is a jagged line of vertices; the field smooths that out within an
+  /// edge length, and there the organ begins and ends. With caps that were found, not given, it also ends
+  /// where it branches, as at the knuckles: what lies beyond follows the end section.
+  void trimEnds(const EndCaps& caps) {
+    std::vector<double> way(stations_.size(), 0.0);
+    for (std::size_t k = 1; k < way.size(); ++k) {
+      way[k] = way[k - 1] + norm(stations_[k].centre_m - stations_[k - 1].centre_m);
+    }
+    const auto [first, last] = capRequest().automatic() ? unbranchedPart(way) : wholePart();
+    const double edge = std::min(meanEdge_m(), 0.1 * way.back());
+    double low = field_.stationLevels[first];
+    double high = field_.stationLevels[last];
+    if (first == 0 && !caps.fixedFlat) low = interpolate(way, field_.stationLevels, edge);
+    if (last + 1 == way.size() && !caps.freeFlat) {
+      high = interpolate(way, field_.stationLevels, way.back() - edge);
+    }
+    if (low == 0.0 && high == 1.0) return;
+    for (std::size_t v = 0; v < field_.parts.size(); ++v) {
+      double& level = field_.harmonic.level[v];
+      level = (level - low) / (high - low);
+      if (level <= 0.0) field_.parts[v] = LatticePart::kFixedCap;
+      if (level >= 1.0) field_.parts[v] = LatticePart::kFreeCap;
+    }
+    field_.stationLevels = quantileLevels(field_);
+    traceStations();
+  }
+
+  [[nodiscard]] std::pair<std::size_t, std::size_t> wholePart() const { return {0, stations_.size() - 1}; }
+
+  /// First and last station of the longest part on which the centres advance. Where a level line runs up and
+  /// down several fingers its centre turns back instead.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> unbranchedPart(const std::vector<double>& way) const {
+    std::pair<std::size_t, std::size_t> best{0, 0};
+    for (std::size_t first = 0; first < stations_.size(); ++first) {
+      std::size_t last = first;
+      while (last + 1 < stations_.size() && advances(last, way)) ++last;
+      if (way[last] - way[first] > way[best.second] - way[best.first]) best = {first, last};
+      first = last;
+    }
+    // Shortly before it branches the organ is no tube any more.
+    auto [from, to] = best;
+    while (best.first > 0 && from < to &&
+           way[from] - way[best.first] < kBeforeBranch * stations_[best.first].radius_m) {
+      ++from;
+    }
+    while (best.second + 1 < stations_.size() && from < to &&
+           way[best.second] - way[to] < kBeforeBranch * stations_[best.second].radius_m) {
+      --to;
+    }
+    return from < to ? std::pair{from, to} : wholePart();
+  }
+
+  /// True when the centre a stride further on lies ahead of this one.
+  [[nodiscard]] bool advances(std::size_t k, const std::vector<double>& way) const {
+    const auto further =
+        std::lower_bound(way.begin(), way.end() - 1, way[k] + kStride * stations_[k].radius_m);
+    const auto next = static_cast<std::size_t>(further - way.begin());
+    return dot(stations_[next].centre_m - stations_[k].centre_m, stations_[k].normal) >= 0.0;
+  }
+
+  [[nodiscard]] double meanEdge_m() const {
+    double total = 0.0;
+    for (std::uint32_t half = 0; half < field_.topology.halfEdges(); ++half) {
+      total += norm(field_.mesh.vertices_m[field_.topology.target(half)] -
+                    field_.mesh.vertices_m[field_.topology.origin(half)]);
+    }
+    return total / field_.topology.halfEdges();
   }
 
   void traceStations() {
+    stations_.clear();
+    field_.stationWays.clear();
+    allStarShaped_ = true;
     const LevelTracer tracer(field_.mesh, field_.topology, field_.harmonic);
     tracer.traceAll(field_.stationLevels, [this](std::size_t k, std::vector<LevelLoop> loops) {
       const LevelLoop loop = stationLoop(k, std::move(loops));
-      stations_.push_back({loop.centroid_m, std::sqrt(norm(loop.areaVector_m2) / kPi)});
+      stations_.push_back(
+          {loop.centroid_m, std::sqrt(norm(loop.areaVector_m2) / kPi), normalized(loop.areaVector_m2)});
       field_.stationWays.push_back(wayAtAngles(loop, kWaySteps));
       if (options_.spacing == RidgeSpacing::kAngle && allStarShaped_) {
         const Vec3 along = normalized(loop.areaVector_m2);
@@ -196,22 +280,32 @@ class FieldBuilder {
                       "level " + std::to_string(field_.stationLevels[k]) + " of the harmonic field");
   }
 
-  void refuseKinks() const {
+  struct Turn {
+    double angle_rad = 0.0;
+    double radius_m = 0.0;  ///< of the section; the turn is taken over this length
+    double arc_m = 0.0;
+  };
+
+  [[nodiscard]] Turn sharpestTurn() const {
     const Centreline& line = field_.centreline;
+    Turn sharpest;
     for (std::size_t k = 0; k < stations_.size(); ++k) {
       const double arc = field_.stationArcs_m[k];
       const double half = 0.5 * stations_[k].radius_m;
       const Vec3 before = line.frameAt(arc - half).tangent;
       const Vec3 after = line.frameAt(arc + half).tangent;
       const double turn = portableAtan2(norm(cross(before, after)), dot(before, after));
-      if (turn <= kSharpestTurn_rad) continue;
-      throw Error(ErrorCode::kBadMesh,
-                  "the centreline has a kink: it turns by " + degrees(turn) + " within one radius (" +
-                      millimetres(2.0 * half) + ") of the organ, " + millimetres(arc) +
-                      " from the fixed end; at most " + degrees(kSharpestTurn_rad) + " are allowed",
-                  "",
-                  "Move the end points so that the axis follows the organ, or cut the organ at the kink.");
+      if (turn > sharpest.angle_rad) sharpest = {turn, 2.0 * half, arc};
     }
+    return sharpest;
+  }
+
+  [[noreturn]] static void refuseKink(const Turn& turn) {
+    throw Error(ErrorCode::kBadMesh,
+                "the centreline has a kink: it turns by " + degrees(turn.angle_rad) + " within one radius (" +
+                    millimetres(turn.radius_m) + ") of the organ, " + millimetres(turn.arc_m) +
+                    " from the fixed end; at most " + degrees(kSharpestTurn_rad) + " are allowed",
+                "", "Move the end points so that the axis follows the organ, or cut the organ at the kink.");
   }
 
   LatticeField field_;

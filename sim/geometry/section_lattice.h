@@ -47,15 +47,16 @@ struct LatticeOptions {
   LatticeMode mode = LatticeMode::kHarmonic;
   RidgeSpacing spacing = RidgeSpacing::kArcLength;
   /// Some point near the middle of each end cap; when both are equal the caps are found automatically, and
-  /// the lower one (smaller z, then y, then x) is the fixed end, as in the paper's cylinder.
+  /// the lower one (smaller z, then y, then x) is the fixed end, as in the paper's cylinder. A lattice with
+  /// caps that were found also ends where the organ branches, as at the thumb: the rest is free cap.
   Vec3 fixedEnd_m;
   Vec3 freeEnd_m;
   /// Outward direction of a cut through an end point: everything beyond that plane belongs to the cap and
-  /// follows the end section rigidly (the hand beyond the wrist). Zero: the flat face at the end point, or a
-  /// disc on the surface about it. Straight mode always cuts at right angles to the axis.
+  /// follows the end section rigidly (the hand beyond the wrist). Zero: the flat face at the end point, or
+  /// the rounded tip. Straight mode always cuts at right angles to the axis.
   Vec3 fixedCut;
   Vec3 freeCut;
-  double capRadius_m = 0.0;  ///< of a cap that is a disc; 0: three tenths of the organ's mean radius
+  double capRadius_m = 0.0;  ///< > 0: a disc on the surface about the end point instead of the rounded tip
   /// Ridge 0 starts nearest to this direction (world frame); zero: the frame's e1.
   Vec3 ridgeZero;
   double ridgeZeroFraction = 0.0;  ///< where along the length `ridgeZero` is meant, 0..1

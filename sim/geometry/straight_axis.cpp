@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 
 #include "sim/base/error.h"
 #include "sim/geometry/flat_faces.h"
+#include "sim/geometry/level_loops.h"
 
 namespace torsio {
 
@@ -18,9 +20,11 @@ namespace {
 
 constexpr double kAcross = 0.98480775;  // cosine of 10 degrees: a flat end lies across the axis
 constexpr double kAtEnd = 0.02;         // of the length: how near to the extreme a flat end must be
-constexpr double kInset = 0.02;         // of the length: what a rounded end loses
-constexpr double kOnPlane = 1e-9;       // of the length: rounding of a vertex on an end plane
-constexpr double kSlenderness = 1.2;    // least ratio of the longest to the next extent
+constexpr double kInsets[] = {0.002, 0.005, 0.01, 0.02};  // of the length: what a rounded end may lose
+constexpr double kFurther = 0.01;     // of the length: the plane behind an end plane, for comparison
+constexpr double kWhole = 0.85;       // of its area: then the end plane is off the rounding
+constexpr double kOnPlane = 1e-9;     // of the length: rounding of a vertex on an end plane
+constexpr double kSlenderness = 1.2;  // least ratio of the longest to the next extent
 constexpr const char* kGiveEnds = "Give the two end points of the axis, or use the harmonic mode.";
 
 /// The direction of the largest spread of the surface, weighted by area.
@@ -106,14 +110,35 @@ StraightAxis between(const std::optional<FlatFace>& fixedFace, const std::option
   return axis;
 }
 
-/// Keeps the end planes off rounded ends.
-void insetRoundedEnds(StraightAxis& axis, const TriangleMesh& mesh, bool flatFixed, bool flatFree) {
+/// How far the end plane must stay from the extreme of a rounded end: the rim of a cut takes little, a dome
+/// the most that is given.
+double insetOf(const LevelTracer& tracer, double extreme, double inwards, double length) {
+  const auto area = [&](double share) {
+    double sum = 0.0;
+    for (const LevelLoop& loop : tracer.trace(extreme + share * inwards * length)) {
+      sum += norm(loop.areaVector_m2);
+    }
+    return sum;
+  };
+  for (const double inset : kInsets) {
+    if (area(inset) > kWhole * area(inset + kFurther)) return inset * length;
+  }
+  return std::end(kInsets)[-1] * length;
+}
+
+/// Keeps the end planes off rounded ends: a plane that touches a dome cuts nothing.
+void insetRoundedEnds(StraightAxis& axis, const TriangleMesh& mesh, const SurfaceTopology& topology) {
+  if (!axis.fixedFace.empty() && !axis.freeFace.empty()) return;
+  HarmonicField heights;
+  for (const Vec3& p : mesh.vertices_m) heights.level.push_back(dot(p, axis.direction));
+  heights.angle_rad.assign(mesh.vertices_m.size(), 0.0);
+  heights.turns.assign(topology.halfEdges(), 0);
+  const LevelTracer tracer(mesh, topology, heights);
   const auto [low, high] = extent_m(mesh, axis.direction);
-  const double margin = kInset * (high - low);
   double from = dot(axis.origin_m, axis.direction);
   double to = from + axis.length_m;
-  if (!flatFixed) from = std::max(from, low + margin);
-  if (!flatFree) to = std::min(to, high - margin);
+  if (axis.fixedFace.empty()) from = std::max(from, low + insetOf(tracer, low, 1.0, high - low));
+  if (axis.freeFace.empty()) to = std::min(to, high - insetOf(tracer, high, -1.0, high - low));
   axis.origin_m += (from - dot(axis.origin_m, axis.direction)) * axis.direction;
   axis.length_m = to - from;
 }
@@ -145,7 +170,7 @@ StraightAxis findStraightAxis(const TriangleMesh& mesh, const SurfaceTopology& t
   StraightAxis axis = between(fixedFace, freeFace, direction, low, high);
   if (fixedFace) axis.fixedFace = fixedFace->vertices;
   if (freeFace) axis.freeFace = freeFace->vertices;
-  insetRoundedEnds(axis, mesh, fixedFace.has_value(), freeFace.has_value());
+  insetRoundedEnds(axis, mesh, topology);
   if (!(axis.length_m > 0.0)) {
     throw Error(ErrorCode::kBadParameter, "the end planes of the axis lie outside the organ or coincide", "",
                 "Give end points inside the organ.");

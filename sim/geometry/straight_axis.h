@@ -27,7 +27,7 @@ struct StraightAxis {
 
 /// The axis through the given end points, or the principal axis of the surface (weighted by area). Where the
 /// organ has flat ends across it, the planes are parallel to them and begin and end with them; rounded ends
-/// are left out by a fiftieth of the length, because a plane that touches a dome cuts nothing. Throws
+/// are left out by up to a fiftieth of the length, because a plane that touches a dome cuts nothing. Throws
 /// Error{kBadMesh} when no direction is the longest by a fifth.
 [[nodiscard]] StraightAxis findStraightAxis(const TriangleMesh& mesh, const SurfaceTopology& topology,
                                             const CapRequest& request);

@@ -112,4 +112,21 @@ std::vector<double> edgeDistances_m(const TriangleMesh& mesh, const SurfaceTopol
   return distance;
 }
 
+std::vector<std::uint32_t> takeConnected(const SurfaceTopology& topology, std::vector<std::uint8_t>& open,
+                                         std::uint32_t seed) {
+  std::vector<std::uint32_t> reached;
+  if (open[seed] == 0) return reached;
+  open[seed] = 0;
+  reached.push_back(seed);
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    for (const std::uint32_t half : topology.outgoing(reached[i])) {
+      const std::uint32_t v = topology.target(half);
+      if (open[v] == 0) continue;
+      open[v] = 0;
+      reached.push_back(v);
+    }
+  }
+  return reached;
+}
+
 }  // namespace torsio

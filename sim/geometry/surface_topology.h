@@ -46,4 +46,9 @@ class SurfaceTopology {
 [[nodiscard]] std::vector<double> edgeDistances_m(const TriangleMesh& mesh, const SurfaceTopology& topology,
                                                   std::span<const std::uint32_t> sources);
 
+/// The vertices that hang together with `seed` among those whose `open` is not 0; they are closed by it. None
+/// when `seed` is closed.
+[[nodiscard]] std::vector<std::uint32_t> takeConnected(const SurfaceTopology& topology,
+                                                       std::vector<std::uint8_t>& open, std::uint32_t seed);
+
 }  // namespace torsio
