@@ -36,7 +36,7 @@ using NoncentralT = bm::non_central_t_distribution<double, Policy>;
 using NoncentralF = bm::non_central_f_distribution<double, Policy>;
 
 constexpr double kTailProbability = 1e-17;  // of the scale factor that the outer integral leaves out
-constexpr int kPanels = 24;
+constexpr int kPanels = 12;
 
 /// Composite Gauss-Legendre rule, 20 points a panel.
 template <class Function>
@@ -62,8 +62,8 @@ double rangeUpper(double w, int groups) {
     return normalDensity(z) * lower * sum;
   };
   constexpr double kReach = 8.5;
-  const int panels = 2 + static_cast<int>(2.0 * kReach);
-  return groups * integrate(integrand, -kReach, kReach, panels);
+  constexpr int kInnerPanels = 10;
+  return groups * integrate(integrand, -kReach, kReach, kInnerPanels);
 }
 
 }  // namespace

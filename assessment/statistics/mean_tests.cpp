@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/statistics/mean_tests.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "assessment/statistics/descriptive.h"
+#include "assessment/statistics/distributions.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr const char* kTooFew = "a group has fewer than two values";
+constexpr const char* kNoSpread = "the values do not vary";
+
+double countOf(std::span<const double> x) {
+  return static_cast<double>(x.size());
+}
+
+TTest finished(double difference, double error, double df, double confidence) {
+  TTest out;
+  out.difference = difference;
+  out.error = error;
+  out.t = difference / error;
+  out.df = df;
+  out.p = tTwoSided(out.t, df);
+  const double reach = tQuantile(0.5 * (1.0 + confidence), df) * error;
+  out.interval = {difference - reach, difference + reach};
+  return out;
+}
+
+double pooledVariance(std::span<const double> x, std::span<const double> y) {
+  return (sumOfSquares(x) + sumOfSquares(y)) / (countOf(x) + countOf(y) - 2.0);
+}
+
+bool everyGroupHas(const Groups& groups, std::size_t n) {
+  return std::all_of(groups.begin(), groups.end(), [n](const auto& group) { return group.size() >= n; });
+}
+
+}  // namespace
+
+Outcome<TTest> welchT(std::span<const double> x, std::span<const double> y, double confidence) {
+  if (x.size() < 2 || y.size() < 2) return Outcome<TTest>::undefined(kTooFew);
+  const double a = *sampleVariance(x) / countOf(x);
+  const double b = *sampleVariance(y) / countOf(y);
+  if (a + b == 0.0) return Outcome<TTest>::undefined(kNoSpread);
+  const double df = (a + b) * (a + b) / (a * a / (countOf(x) - 1.0) + b * b / (countOf(y) - 1.0));
+  return finished(meanOf(x) - meanOf(y), std::sqrt(a + b), df, confidence);
+}
+
+Outcome<TTest> studentT(std::span<const double> x, std::span<const double> y, double confidence) {
+  if (x.size() < 2 || y.size() < 2) return Outcome<TTest>::undefined(kTooFew);
+  const double variance = pooledVariance(x, y);
+  if (variance == 0.0) return Outcome<TTest>::undefined(kNoSpread);
+  return finished(meanOf(x) - meanOf(y), std::sqrt(variance * (1.0 / countOf(x) + 1.0 / countOf(y))),
+                  countOf(x) + countOf(y) - 2.0, confidence);
+}
+
+Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y, double confidence) {
+  TORSIO_EXPECTS(x.size() == y.size());
+  if (x.size() < 2) return Outcome<TTest>::undefined("there are fewer than two pairs");
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < x.size(); ++i) differences.push_back(x[i] - y[i]);
+  const double variance = *sampleVariance(differences);
+  if (variance == 0.0) return Outcome<TTest>::undefined("the differences do not vary");
+  return finished(meanOf(differences), std::sqrt(variance / countOf(x)), countOf(x) - 1.0, confidence);
+}
+
+Outcome<HedgesG> hedgesG(std::span<const double> x, std::span<const double> y, double confidence) {
+  if (x.size() < 2 || y.size() < 2) return Outcome<HedgesG>::undefined(kTooFew);
+  const double variance = pooledVariance(x, y);
+  if (variance == 0.0) return Outcome<HedgesG>::undefined(kNoSpread);
+  const double df = countOf(x) + countOf(y) - 2.0;
+  const double scale = std::sqrt(1.0 / countOf(x) + 1.0 / countOf(y));
+  HedgesG out;
+  out.d = (meanOf(x) - meanOf(y)) / std::sqrt(variance);
+  out.correction = std::exp(std::lgamma(0.5 * df) - 0.5 * std::log(0.5 * df) - std::lgamma(0.5 * (df - 1.0)));
+  out.g = out.correction * out.d;
+  const double t = out.d / scale;
+  const double tail = 0.5 * (1.0 - confidence);
+  out.noncentrality = {noncentralityOfT(t, df, 1.0 - tail), noncentralityOfT(t, df, tail)};
+  out.dInterval = {out.noncentrality.lower * scale, out.noncentrality.upper * scale};
+  out.interval = {out.correction * out.dInterval.lower, out.correction * out.dInterval.upper};
+  const double n = countOf(x) + countOf(y);
+  out.error = out.correction * std::sqrt(n / (countOf(x) * countOf(y)) + out.d * out.d / (2.0 * n));
+  const double reach = normalQuantile(1.0 - tail) * out.error;
+  out.normalInterval = {out.g - reach, out.g + reach};
+  return out;
+}
+
+Outcome<OneWayAnova> oneWayAnova(const Groups& groups) {
+  if (groups.size() < 2) return Outcome<OneWayAnova>::undefined("there are fewer than two groups");
+  if (!everyGroupHas(groups, 1)) return Outcome<OneWayAnova>::undefined("a group is empty");
+  OneWayAnova out;
+  std::vector<double> all;
+  for (const std::vector<double>& group : groups) all.insert(all.end(), group.begin(), group.end());
+  const double grand = meanOf(all);
+  for (const std::vector<double>& group : groups) {
+    const double shift = meanOf(group) - grand;
+    out.ssBetween += countOf(group) * shift * shift;
+    out.ssWithin += sumOfSquares(group);
+  }
+  out.df1 = static_cast<double>(groups.size() - 1);
+  out.df2 = countOf(all) - static_cast<double>(groups.size());
+  if (out.df2 <= 0.0 || out.ssWithin == 0.0)
+    return Outcome<OneWayAnova>::undefined("the values do not vary within groups");
+  out.msBetween = out.ssBetween / out.df1;
+  out.msWithin = out.ssWithin / out.df2;
+  out.f = out.msBetween / out.msWithin;
+  out.p = fUpper(out.f, out.df1, out.df2);
+  const double total = out.ssBetween + out.ssWithin;
+  out.etaSquared = out.ssBetween / total;
+  out.omegaSquared = (out.ssBetween - out.df1 * out.msWithin) / (total + out.msWithin);
+  out.epsilonSquared = (out.ssBetween - out.df1 * out.msWithin) / total;
+  return out;
+}
+
+Outcome<FTest> welchAnova(const Groups& groups) {
+  if (groups.size() < 2) return Outcome<FTest>::undefined("there are fewer than two groups");
+  if (!everyGroupHas(groups, 2)) return Outcome<FTest>::undefined(kTooFew);
+  const double k = static_cast<double>(groups.size());
+  std::vector<double> weights;
+  double weightSum = 0.0;
+  double mean = 0.0;
+  for (const std::vector<double>& group : groups) {
+    const double variance = *sampleVariance(group);
+    if (variance == 0.0) return Outcome<FTest>::undefined("a group does not vary");
+    weights.push_back(countOf(group) / variance);
+    weightSum += weights.back();
+    mean += weights.back() * meanOf(group);
+  }
+  mean /= weightSum;
+  double between = 0.0;
+  double lambda = 0.0;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const double shift = meanOf(groups[i]) - mean;
+    between += weights[i] * shift * shift;
+    const double share = 1.0 - weights[i] / weightSum;
+    lambda += share * share / (countOf(groups[i]) - 1.0);
+  }
+  FTest out;
+  out.df1 = k - 1.0;
+  out.df2 = (k * k - 1.0) / (3.0 * lambda);
+  out.f = between / (k - 1.0) / (1.0 + 2.0 * (k - 2.0) / (k * k - 1.0) * lambda);
+  out.p = fUpper(out.f, out.df1, out.df2);
+  return out;
+}
+
+Outcome<FTest> brownForsythe(const Groups& groups) {
+  if (!everyGroupHas(groups, 1)) return Outcome<FTest>::undefined("a group is empty");
+  Groups distances = groups;
+  for (std::vector<double>& group : distances) {
+    const double median = medianOf(group);
+    for (double& x : group) x = std::abs(x - median);
+  }
+  const Outcome<OneWayAnova> anova = oneWayAnova(distances);
+  if (!anova) return Outcome<FTest>::undefined(anova.reason());
+  return FTest{anova->f, anova->df1, anova->df2, anova->p};
+}
+
+Outcome<ChiSquaredTest> bartlett(const Groups& groups) {
+  if (groups.size() < 2) return Outcome<ChiSquaredTest>::undefined("there are fewer than two groups");
+  if (!everyGroupHas(groups, 2)) return Outcome<ChiSquaredTest>::undefined(kTooFew);
+  double dfSum = 0.0;
+  double pooled = 0.0;
+  double logs = 0.0;
+  double reciprocals = 0.0;
+  for (const std::vector<double>& group : groups) {
+    const double df = countOf(group) - 1.0;
+    const double variance = *sampleVariance(group);
+    if (variance == 0.0) return Outcome<ChiSquaredTest>::undefined("a group does not vary");
+    dfSum += df;
+    pooled += df * variance;
+    logs += df * std::log(variance);
+    reciprocals += 1.0 / df;
+  }
+  pooled /= dfSum;
+  ChiSquaredTest out;
+  out.df = static_cast<double>(groups.size() - 1);
+  out.statistic = (dfSum * std::log(pooled) - logs) / (1.0 + (reciprocals - 1.0 / dfSum) / (3.0 * out.df));
+  out.p = chiSquaredUpper(out.statistic, out.df);
+  return out;
+}
+
+namespace {
+
+PairComparison comparedPair(const Groups& groups, std::size_t i, std::size_t j, double error, double df,
+                            double confidence) {
+  const int k = static_cast<int>(groups.size());
+  PairComparison pair;
+  pair.first = i;
+  pair.second = j;
+  pair.difference = meanOf(groups[j]) - meanOf(groups[i]);
+  pair.df = df;
+  // The studentised range statistic is sqrt(2) times the t statistic.
+  const double scale = error / std::sqrt(2.0);
+  pair.q = std::abs(pair.difference) / scale;
+  pair.p = studentizedRangeUpper(pair.q, k, df);
+  const double reach = studentizedRangeQuantile(confidence, k, df) * scale;
+  pair.interval = {pair.difference - reach, pair.difference + reach};
+  return pair;
+}
+
+}  // namespace
+
+Outcome<std::vector<PairComparison>> tukeyPairs(const Groups& groups, double confidence) {
+  const Outcome<OneWayAnova> anova = oneWayAnova(groups);
+  if (!anova) return Outcome<std::vector<PairComparison>>::undefined(anova.reason());
+  std::vector<PairComparison> out;
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    for (std::size_t j = i + 1; j < groups.size(); ++j) {
+      const double error = std::sqrt(anova->msWithin * (1.0 / countOf(groups[i]) + 1.0 / countOf(groups[j])));
+      out.push_back(comparedPair(groups, i, j, error, anova->df2, confidence));
+    }
+  return out;
+}
+
+Outcome<std::vector<PairComparison>> gamesHowellPairs(const Groups& groups, double confidence) {
+  using Undefined = Outcome<std::vector<PairComparison>>;
+  std::vector<PairComparison> out;
+  for (std::size_t i = 0; i < groups.size(); ++i)
+    for (std::size_t j = i + 1; j < groups.size(); ++j) {
+      const Outcome<TTest> test = welchT(groups[i], groups[j]);
+      if (!test) return Undefined::undefined(test.reason());
+      out.push_back(comparedPair(groups, i, j, test->error, test->df, confidence));
+    }
+  if (out.empty()) return Undefined::undefined("there are fewer than two groups");
+  return out;
+}
+
+namespace {
+
+double polynomial(std::initializer_list<double> coefficients, double x) {
+  double value = 0.0;
+  for (auto it = std::rbegin(coefficients); it != std::rend(coefficients); ++it) value = value * x + *it;
+  return value;
+}
+
+/// Royston's approximate weights of the upper half, largest first.
+std::vector<double> shapiroWeights(std::size_t count) {
+  const double n = static_cast<double>(count);
+  const std::size_t half = count / 2;
+  std::vector<double> m;
+  double squares = 0.0;
+  for (std::size_t i = 1; i <= half; ++i) {
+    m.push_back(normalQuantile((static_cast<double>(i) - 0.375) / (n + 0.25)));
+    squares += 2.0 * m.back() * m.back();
+  }
+  const double root = 1.0 / std::sqrt(n);
+  const double length = std::sqrt(squares);
+  const double first =
+      polynomial({0.0, 0.221157, -0.147981, -2.07119, 4.434685, -2.706056}, root) - m[0] / length;
+  std::vector<double> a;
+  a.push_back(first);
+  std::size_t from = 1;
+  double rest = squares - 2.0 * m[0] * m[0];
+  double share = 1.0 - 2.0 * first * first;
+  if (count > 5) {
+    const double second =
+        polynomial({0.0, 0.042981, -0.293762, -1.752461, 5.682633, -3.582633}, root) - m[1] / length;
+    a.push_back(second);
+    from = 2;
+    rest -= 2.0 * m[1] * m[1];
+    share -= 2.0 * second * second;
+  }
+  const double factor = std::sqrt(rest / share);
+  for (std::size_t i = from; i < half; ++i) a.push_back(-m[i] / factor);
+  return a;
+}
+
+}  // namespace
+
+Outcome<NormalityTest> shapiroWilk(std::span<const double> values) {
+  if (values.size() < 4 || values.size() > 5000)
+    return Outcome<NormalityTest>::undefined("the test is made for 4 to 5000 values");
+  std::vector<double> x(values.begin(), values.end());
+  std::sort(x.begin(), x.end());
+  const double squares = sumOfSquares(x);
+  if (squares == 0.0) return Outcome<NormalityTest>::undefined(kNoSpread);
+  const std::vector<double> a = shapiroWeights(x.size());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * (x[x.size() - 1 - i] - x[i]);
+  NormalityTest out;
+  out.w = sum * sum / squares;
+  const double n = static_cast<double>(x.size());
+  double z = std::log(1.0 - out.w);
+  if (x.size() <= 11) {
+    const double gamma = -2.273 + 0.459 * n;
+    if (z >= gamma) return NormalityTest{out.w, 1e-99};
+    const double mean = polynomial({0.5440, -0.39978, 0.025054, -6.714e-4}, n);
+    const double deviation = std::exp(polynomial({1.3822, -0.77857, 0.062767, -0.0020322}, n));
+    z = (-std::log(gamma - z) - mean) / deviation;
+  } else {
+    const double logN = std::log(n);
+    const double mean = polynomial({-1.5861, -0.31082, -0.083751, 0.0038915}, logN);
+    const double deviation = std::exp(polynomial({-0.4803, -0.082676, 0.0030302}, logN));
+    z = (z - mean) / deviation;
+  }
+  out.p = normalUpper(z);
+  return out;
+}
+
+}  // namespace torsio

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "assessment/statistics/values.h"
+
+namespace torsio {
+
+using Groups = std::vector<std::vector<double>>;  ///< one list of values a group
+
+struct TTest {
+  double difference = 0.0;  ///< first minus second
+  double error = 0.0;
+  double t = 0.0;
+  double df = 0.0;
+  double p = 0.0;  ///< two-sided
+  Interval interval;
+};
+
+/// Unequal variances (the default for two groups). Undefined for fewer than two values a group or no
+/// variation.
+[[nodiscard]] Outcome<TTest> welchT(std::span<const double> x, std::span<const double> y,
+                                    double confidence = kUsualConfidence);
+/// Pooled variance.
+[[nodiscard]] Outcome<TTest> studentT(std::span<const double> x, std::span<const double> y,
+                                      double confidence = kUsualConfidence);
+[[nodiscard]] Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y,
+                                     double confidence = kUsualConfidence);
+
+/// Standardised difference with the pooled standard deviation, corrected for small groups.
+struct HedgesG {
+  double d = 0.0;
+  double correction = 0.0;  ///< J, exact
+  double g = 0.0;
+  Interval noncentrality;
+  Interval dInterval;
+  Interval interval;        ///< of g, from the noncentral t distribution
+  double error = 0.0;       ///< large-sample standard error of g
+  Interval normalInterval;  ///< for comparison with programs that use it
+};
+[[nodiscard]] Outcome<HedgesG> hedgesG(std::span<const double> x, std::span<const double> y,
+                                       double confidence = kUsualConfidence);
+
+struct OneWayAnova {
+  double ssBetween = 0.0;
+  double ssWithin = 0.0;
+  double df1 = 0.0;
+  double df2 = 0.0;
+  double msBetween = 0.0;
+  double msWithin = 0.0;
+  double f = 0.0;
+  double p = 0.0;
+  double etaSquared = 0.0;
+  double omegaSquared = 0.0;
+  double epsilonSquared = 0.0;
+};
+/// Equal variances. Undefined for fewer than two groups, an empty group, or no variation within groups.
+[[nodiscard]] Outcome<OneWayAnova> oneWayAnova(const Groups& groups);
+
+struct FTest {
+  double f = 0.0;
+  double df1 = 0.0;
+  double df2 = 0.0;
+  double p = 0.0;
+};
+/// Unequal variances (the default for three groups). Undefined when a group does not vary.
+[[nodiscard]] Outcome<FTest> welchAnova(const Groups& groups);
+/// Equality of spread: analysis of variance of distances from the group medians.
+[[nodiscard]] Outcome<FTest> brownForsythe(const Groups& groups);
+
+struct ChiSquaredTest {
+  double statistic = 0.0;
+  double df = 0.0;
+  double p = 0.0;
+};
+/// Equality of variances of normal groups; never a gate for choosing a test.
+[[nodiscard]] Outcome<ChiSquaredTest> bartlett(const Groups& groups);
+
+struct PairComparison {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  double difference = 0.0;  ///< mean of second minus mean of first
+  double q = 0.0;           ///< studentised range statistic, absolute
+  double df = 0.0;
+  double p = 0.0;  ///< adjusted for all pairs
+  Interval interval;
+};
+/// All pairs with equal variances (Tukey-Kramer), ordered (0,1), (0,2), ..., (1,2).
+[[nodiscard]] Outcome<std::vector<PairComparison>> tukeyPairs(const Groups& groups,
+                                                              double confidence = kUsualConfidence);
+/// All pairs with unequal variances; follows Welch's analysis of variance.
+[[nodiscard]] Outcome<std::vector<PairComparison>> gamesHowellPairs(const Groups& groups,
+                                                                    double confidence = kUsualConfidence);
+
+struct NormalityTest {
+  double w = 0.0;
+  double p = 0.0;
+};
+/// Shapiro and Wilk's test (Royston 1995) for 4 to 5000 values; for looking at residuals, not for choosing
+/// tests.
+[[nodiscard]] Outcome<NormalityTest> shapiroWilk(std::span<const double> values);
+
+}  // namespace torsio

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "assessment/statistics/mean_tests.h"
+#include "assessment/statistics/values.h"
+
+namespace torsio {
+
+// Ranks equal only what is equal: values that come from subtraction must be whole numbers (exactGains).
+
+struct MannWhitney {
+  double u = 0.0;            ///< number of pairs with x > y, ties half
+  double superiority = 0.0;  ///< P(X > Y) = u / (n1 n2), ties half
+  double cliffDelta = 0.0;
+  bool ties = false;
+  double zCorrected = 0.0;  ///< tie-corrected, with continuity correction
+  double pCorrected = 0.0;
+  double z = 0.0;
+  double pNormal = 0.0;
+  /// Exact conditional distribution given the ties, by counting whole numbers; empty when there are more than
+  /// 2^53 arrangements.
+  std::optional<std::int64_t> arrangements;
+  std::optional<std::int64_t> countTwoSided;  ///< arrangements at least as far from the middle
+  std::optional<std::int64_t> countGreater;   ///< arrangements with u at least as large
+  std::optional<double> pExact;               ///< two-sided
+  std::optional<double> pGreater;
+  double hodgesLehmann = 0.0;                     ///< median of all x - y
+  std::optional<Interval> hodgesLehmannInterval;  ///< exact, without ties only
+};
+/// Undefined for an empty group or when all values are the same.
+[[nodiscard]] Outcome<MannWhitney> mannWhitney(std::span<const double> x, std::span<const double> y,
+                                               double confidence = kUsualConfidence);
+
+struct PermutationTest {
+  std::int64_t count = 0;  ///< arrangements at least as extreme, both sides
+  std::int64_t total = 0;
+  double p = 0.0;
+};
+/// Difference of means of whole numbers over all arrangements, by dynamic programming; never a difference of
+/// doubles. Undefined when the sums are too large or the arrangements too many to count.
+[[nodiscard]] Outcome<PermutationTest> permutationTest(std::span<const std::int64_t> x,
+                                                       std::span<const std::int64_t> y);
+/// Sign changes of paired differences.
+[[nodiscard]] Outcome<PermutationTest> pairedPermutationTest(std::span<const std::int64_t> differences);
+
+struct SignedRank {
+  double v = 0.0;         ///< sum of the ranks of positive differences
+  std::size_t n = 0;      ///< differences that are not zero
+  std::size_t zeros = 0;  ///< left out (Wilcoxon)
+  double pTwoSided = 0.0;
+  double pGreater = 0.0;
+  double hodgesLehmann = 0.0;  ///< median of the pairwise means of differences
+};
+/// Exact, also with ties. `differences` must be free of rounding noise. Undefined when all are zero or n
+/// > 60.
+[[nodiscard]] Outcome<SignedRank> signedRank(std::span<const double> differences);
+
+struct DunnPair {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  double difference = 0.0;  ///< mean rank of second minus mean rank of first
+  double error = 0.0;
+  double z = 0.0;
+  double p = 0.0;
+  double pHolm = 0.0;
+};
+
+struct KruskalWallis {
+  double h = 0.0;
+  double hUncorrected = 0.0;
+  double tieCorrection = 1.0;
+  double tieTerm = 0.0;
+  double df = 0.0;
+  double p = 0.0;
+  std::vector<double> meanRanks;
+  double epsilonSquared = 0.0;  ///< H / (N - 1)
+  double etaSquaredH = 0.0;     ///< (H - k + 1) / (N - k); some call this epsilon squared
+  std::optional<std::int64_t> exactCount;
+  std::optional<std::int64_t> exactTotal;
+  std::optional<double> pExact;  ///< for at most two million arrangements
+  std::vector<DunnPair> pairs;   ///< on the joint ranks
+};
+/// Undefined for fewer than two groups, an empty group, or when all values are the same.
+[[nodiscard]] Outcome<KruskalWallis> kruskalWallis(const Groups& groups);
+
+struct Friedman {
+  std::vector<double> rankSums;
+  double chiSquared = 0.0;
+  double df = 0.0;
+  double p = 0.0;
+  double kendallW = 0.0;
+  std::optional<double> imanDavenport;  ///< F; empty when every block ranks alike (W = 1)
+  std::optional<double> pImanDavenport;
+};
+/// `values`: blocks (raters) x treatments (models). Undefined when every block ties everything.
+[[nodiscard]] Outcome<Friedman> friedman(const NumberTable& values);
+
+}  // namespace torsio

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/statistics/distributions.h"
+
+#include <gtest/gtest.h>
+
+#include "assessment/statistics/power.h"
+#include "assessment/statistics/resampling.h"
+#include "tests/assessment/reference_case.h"
+
+namespace torsio {
+namespace {
+
+using test::matches;
+using test::numbers;
+using test::ReferenceCase;
+using test::referenceCase;
+
+double valueOf(const std::string& f, const std::vector<double>& a) {
+  if (f == "t_cdf") return tCdf(a[0], a[1]);
+  if (f == "t_quantile") return tQuantile(a[0], a[1]);
+  if (f == "F_sf") return fUpper(a[0], a[1], a[2]);
+  if (f == "F_quantile") return fQuantile(a[0], a[1], a[2]);
+  if (f == "chi2_sf") return chiSquaredUpper(a[0], a[1]);
+  if (f == "chi2_quantile") return chiSquaredQuantile(a[0], a[1]);
+  if (f == "beta_cdf") return betaCdf(a[0], a[1], a[2]);
+  if (f == "beta_quantile") return betaQuantile(a[0], a[1], a[2]);
+  if (f == "norm_quantile") return normalQuantile(a[0]);
+  if (f == "norm_sf") return normalUpper(a[0]);
+  if (f == "nct_cdf") return noncentralTCdf(a[0], a[1], a[2]);
+  if (f == "ncF_cdf") return noncentralFCdf(a[0], a[1], a[2], a[3]);
+  if (f == "binom_cdf") return binomialCdf(static_cast<int>(a[0]), static_cast<int>(a[1]), a[2]);
+  if (f == "poisson_cdf") return poissonCdf(static_cast<int>(a[0]), a[1]);
+  if (f == "hyper_cdf")
+    return hypergeometricCdf(static_cast<int>(a[0]), static_cast<int>(a[1]), static_cast<int>(a[2]),
+                             static_cast<int>(a[3]));
+  if (f == "tukey_sf") return studentizedRangeUpper(a[0], static_cast<int>(a[1]), a[2]);
+  if (f == "tukey_quantile") return studentizedRangeQuantile(a[0], static_cast<int>(a[1]), a[2]);
+  throw std::runtime_error("unknown function " + f);
+}
+
+TEST(Distributions, AgreeWithTheReferenceProgramsAndHighPrecisionValues) {
+  const ReferenceCase c = referenceCase("distributions", "distributions");
+  for (const nlohmann::json& row : c.expected) {
+    const auto f = row.at("f").get<std::string>();
+    const std::vector<double> args = row.at("args").is_array()
+                                         ? numbers(row.at("args"))
+                                         : std::vector<double>{row.at("args").get<double>()};
+    const double expected = row.contains("exact") ? row.at("exact").get<double>() : row.at("R").get<double>();
+    EXPECT_TRUE(matches(valueOf(f, args), expected, c.tolerance)) << f;
+  }
+}
+
+TEST(Power, AgreesForTAnovaAndIntraclassCorrelation) {
+  const ReferenceCase c = referenceCase("groups", "power");
+  const auto expectValue = [&](const char* name, double got) {
+    EXPECT_TRUE(matches(got, c.expected.at(name).get<double>(), c.tolerance)) << name;
+  };
+  expectValue("t_n10_d08", powerTwoSampleT(10, 0.8));
+  expectValue("t_n20_d08", powerTwoSampleT(20, 0.8));
+  expectValue("t_d05_80", sizeTwoSampleT(0.5, 0.8));
+  expectValue("t_d08_80", sizeTwoSampleT(0.8, 0.8));
+  expectValue("t_n10_80_d", detectableTwoSampleT(10, 0.8));
+  expectValue("paired_n10_80_d", detectablePairedT(10, 0.8));
+  expectValue("aov_k3_n10_f04", powerAnova(3, 10, 0.4));
+  expectValue("aov_k3_f04_80", sizeAnova(3, 0.4, 0.8));
+  expectValue("aov_k3_f025_80", sizeAnova(3, 0.25, 0.8));
+  const nlohmann::json& icc = c.expected.at("bonett_icc");
+  EXPECT_TRUE(matches(sizeIccWidth(0.7, 10, 0.2), icc.at("rho07_k10_w02").get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(sizeIccWidth(0.7, 3, 0.2), icc.at("rho07_k3_w02").get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(sizeIccWidth(0.8, 2, 0.2), icc.at("rho08_k2_w02").get<double>(), c.tolerance));
+  EXPECT_DOUBLE_EQ(sizeWithCovariate(25.0, 0.6), 16.0);
+}
+
+TEST(Bootstrap, AgreesWithTheEnumerationOfAllResamples) {
+  const ReferenceCase c = referenceCase("groups", "bootstrap_exact_enumeration");
+  const std::vector<double> data = numbers(c.input.at("data"));
+  const ResampledStatistic mean = [&](std::span<const std::size_t> rows) {
+    double sum = 0.0;
+    for (const std::size_t row : rows) sum += data[row];
+    return sum / static_cast<double>(rows.size());
+  };
+  const Outcome<Bootstrap> got = bootstrap(data.size(), mean, {.everyResample = true});
+  const auto expectValue = [&](const char* name, double value) {
+    EXPECT_TRUE(matches(value, c.expected.at(name).get<double>(), c.tolerance)) << name;
+  };
+  const auto expectInterval = [&](const char* name, const Interval& value) {
+    EXPECT_TRUE(matches(value.lower, c.expected.at(name)[0].get<double>(), c.tolerance)) << name;
+    EXPECT_TRUE(matches(value.upper, c.expected.at(name)[1].get<double>(), c.tolerance)) << name;
+  };
+  EXPECT_EQ(got->resamples, 3125);
+  expectValue("theta", got->estimate);
+  expectValue("boot_se", got->error);
+  expectValue("z0_half", got->z0);
+  expectValue("a", got->acceleration);
+  expectInterval("perc", got->percentile);
+  expectInterval("basic", got->basic);
+  expectInterval("bca_levels", got->bcaLevels);
+  expectInterval("bca", got->bca);
+}
+
+TEST(Bootstrap, RepeatsForTheSameSeedAndIsUndefinedForAConstant) {
+  const std::vector<double> data = {1, 4, 2, 8, 5, 7};
+  const ResampledStatistic mean = [&](std::span<const std::size_t> rows) {
+    double sum = 0.0;
+    for (const std::size_t row : rows) sum += data[row];
+    return sum / static_cast<double>(rows.size());
+  };
+  EXPECT_EQ(bootstrap(6, mean, {.seed = 3})->bca.lower, bootstrap(6, mean, {.seed = 3})->bca.lower);
+  EXPECT_FALSE(bootstrap(6, [](std::span<const std::size_t>) { return 1.0; }));
+}
+
+TEST(Jackknife, AgreesOnTheLawSchoolData) {
+  const ReferenceCase c = referenceCase("groups", "jackknife_law_school");
+  const std::vector<double> x = numbers(c.input.at("LSAT"));
+  const std::vector<double> y = numbers(c.input.at("GPA"));
+  const Outcome<Correlation> r = pearson(x, y);
+  EXPECT_TRUE(matches(r->r, c.expected.at("r").get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(r->fisherInterval->lower, c.expected.at("fisher_ci")[0].get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(r->fisherInterval->upper, c.expected.at("fisher_ci")[1].get<double>(), c.tolerance));
+  const Outcome<Jackknife> got = jackknife(x.size(), [&](std::span<const std::size_t> rows) {
+    std::vector<double> u;
+    std::vector<double> v;
+    for (const std::size_t row : rows) {
+      u.push_back(x[row]);
+      v.push_back(y[row]);
+    }
+    return pearson(u, v)->r;
+  });
+  EXPECT_TRUE(matches(got->error, c.expected.at("jack_se").get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(got->acceleration, c.expected.at("a").get<double>(), c.tolerance));
+}
+
+}  // namespace
+}  // namespace torsio
