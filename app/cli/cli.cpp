@@ -32,6 +32,8 @@ void buildProgram(CLI::App& program) {
   program.footer("Without a command Torsio opens its window. Exit codes: docs/cli.md.");
   addDemo(program);
   addReplay(program);
+  addSection(program);
+  addTwist(program);
 }
 
 }  // namespace

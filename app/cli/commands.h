@@ -11,5 +11,7 @@ namespace torsio::cli {
 // torsio::Error when it refuses. One source a command: command_<name>.cpp.
 void addDemo(CLI::App& program);
 void addReplay(CLI::App& program);
+void addSection(CLI::App& program);
+void addTwist(CLI::App& program);
 
 }  // namespace torsio::cli

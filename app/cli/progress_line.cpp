@@ -2,6 +2,7 @@
 #include "app/cli/progress_line.h"
 
 #include <iostream>
+#include <sstream>
 
 #include "app/cli/terminal.h"
 
@@ -9,16 +10,22 @@ namespace torsio::cli {
 
 namespace {
 
-std::string lineOf(const Progress& progress) {
-  std::string line =
-      "[" + std::to_string(static_cast<int>(100.0 * progress.fraction)) + " %] " + progress.step;
-  if (progress.remaining_s >= 1.0) {
-    const int seconds = static_cast<int>(progress.remaining_s + 0.5);
-    line += ", about " +
-            (seconds >= 90 ? std::to_string((seconds + 30) / 60) + " min" : std::to_string(seconds) + " s") +
-            " left";
+std::string remainingText(double remaining_s) {
+  std::ostringstream text;
+  const int seconds = static_cast<int>(remaining_s + 0.5);
+  if (seconds >= 90) {
+    text << (seconds + 30) / 60 << " min";
+  } else {
+    text << seconds << " s";
   }
-  return line;
+  return text.str();
+}
+
+std::string lineOf(const Progress& progress) {
+  std::ostringstream line;
+  line << "[" << static_cast<int>(100.0 * progress.fraction) << " %] " << progress.step;
+  if (progress.remaining_s >= 1.0) line << ", about " << remainingText(progress.remaining_s) << " left";
+  return line.str();
 }
 
 }  // namespace

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/organ_option.h"
+#include "app/cli/progress_line.h"
+#include "app/session/assets.h"
+#include "app/session/demonstration.h"
+#include "assessment/report/number_format.h"
+#include "sim/base/clock.h"
+
+namespace torsio::cli {
+
+namespace {
+
+struct DemoArguments {
+  std::string out;
+  std::uint64_t seed = 1;
+  std::int64_t shorten = 60;
+  bool full = false;
+  OrganArguments organ;
+};
+
+void runDemo(const DemoArguments& arguments) {
+  DemonstrationOptions options;
+  options.out = arguments.out;
+  options.seed = arguments.seed;
+  options.shortening = arguments.full ? 1 : arguments.shorten;
+  options.training = sceneRequest(arguments.organ);
+  options.example.assets = assetsFolder();
+  options.example.id = "stomach";
+  options.createdUtc_us = utcNow_us();
+  DemonstrationSummary summary;
+  {
+    ProgressLine line;
+    options.progress = [&line](const Progress& progress) { line.show(progress); };
+    summary = runDemonstration(options);
+  }
+  std::cout << "Demonstration with simulated people, seed " << arguments.seed << "\n"
+            << "  " << summary.trials << " trials, " << formatFixed(summary.recorded_min, 1)
+            << " minutes recorded, " << summary.samples << " samples, " << summary.twists << " twists\n"
+            << "  report    " << summary.report.string() << "\n"
+            << "  table     " << summary.table.string() << "\n"
+            << "  database  " << summary.database.string() << "\n"
+            << "Replay a trial: torsio replay " << summary.firstTrialId << " --database "
+            << summary.database.string() << " --verify\n";
+}
+
+}  // namespace
+
+void addDemo(CLI::App& program) {
+  auto arguments = std::make_shared<DemoArguments>();
+  CLI::App* command = program.add_subcommand(
+      "demo", "The whole main job with simulated people: twist, record, mark, evaluate, report");
+  command->add_option("--out", arguments->out, "Folder for cohort.pdf, cohort.csv and torsio.sqlite")
+      ->required();
+  command->add_option("--seed", arguments->seed, "Same seed, same results")->capture_default_str();
+  command->add_option("--shorten", arguments->shorten, "Training time is shortened by this factor")
+      ->check(CLI::Range(1, 600))
+      ->capture_default_str();
+  command->add_flag("--full", arguments->full, "Full length: twenty minutes a phase");
+  addOrganOptions(*command, arguments->organ);
+  command->callback([arguments] { runDemo(*arguments); });
+}
+
+}  // namespace torsio::cli

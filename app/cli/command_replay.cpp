@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/organ_option.h"
+#include "app/session/replay_service.h"
+#include "sim/base/error.h"
+
+namespace torsio::cli {
+
+namespace {
+
+struct ReplayArguments {
+  std::string trial;
+  std::string database = "torsio.sqlite";
+  OrganArguments organ;
+  bool verify = false;
+  bool json = false;
+};
+
+std::string differenceText(const ReplayReport& report) {
+  if (!report.contentIntact) return "the record's own hashes do not fit: it was changed or damaged";
+  if (report.gapAfterTick) return "samples are missing after tick " + std::to_string(*report.gapAfterTick);
+  if (!report.first) return "none";
+  return report.first->field + " at tick " + std::to_string(report.first->tick);
+}
+
+void print(const ReplayResult& result, bool json) {
+  const ReplayReport& report = result.report;
+  if (!json) {
+    std::cout << "trial " << result.header.trialId << ", scene " << result.header.sceneId << ", pattern "
+              << result.header.patternId << ", " << report.samples << " samples\n"
+              << (report.identical() ? std::string("replay is bit-identical to the recording")
+                                     : "replay differs: " + differenceText(report))
+              << "\n";
+    return;
+  }
+  nlohmann::ordered_json out;
+  out["trial"] = result.header.trialId;
+  out["scene"] = result.header.sceneId;
+  out["pattern"] = result.header.patternId;
+  out["recorded_with"] = result.header.softwareVersion;
+  out["samples"] = report.samples;
+  out["chunks"] = report.chunks;
+  out["identical"] = report.identical();
+  out["content_hash"] = result.summary.contentHash;
+  if (!report.identical()) out["first_difference"] = differenceText(report);
+  std::cout << out.dump(2) << '\n';
+}
+
+void runReplay(const ReplayArguments& arguments) {
+  const SceneRequest scene = sceneRequest(arguments.organ);
+  ReplayRequest request;
+  request.database = arguments.database;
+  request.trialId = arguments.trial;
+  request.assets = scene.assets;
+  request.organFile = scene.organFile;
+  request.organScale_m = scene.organScale_m;
+  const ReplayResult result = replayStoredTrial(request);
+  print(result, arguments.json);
+  if (arguments.verify && !result.report.identical()) {
+    throw Error(ErrorCode::kVerifyFailed,
+                "the replay differs from the recording (" + differenceText(result.report) + ")",
+                "trial " + result.header.trialId,
+                "Check that the recording was made by this version (" + result.header.softwareVersion + ")");
+  }
+}
+
+}  // namespace
+
+void addReplay(CLI::App& program) {
+  auto arguments = std::make_shared<ReplayArguments>();
+  CLI::App* command = program.add_subcommand("replay", "Run a recorded trial again from its device samples");
+  command->add_option("TRIAL", arguments->trial, "Id of the trial, or its first characters")->required();
+  command
+      ->add_option("--database", arguments->database,
+                   "SQLite file or postgresql://user:password@host:port/database")
+      ->capture_default_str();
+  command->add_option("--organ", arguments->organ.organ, "The mesh file that the trial was recorded on");
+  command->add_option("--organ-unit", arguments->organ.unit, "Unit of that file")
+      ->check(CLI::IsMember({"mm", "cm", "m"}));
+  command->add_flag("--verify", arguments->verify, "Exit with code 13 unless the replay is bit-identical");
+  command->add_flag("--json", arguments->json, "Print JSON");
+  command->callback([arguments] { runReplay(*arguments); });
+}
+
+}  // namespace torsio::cli

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "assessment/study/demonstration_marks.h"
+#include "db/connection/connection.h"
+#include "db/repository/id_source.h"
+
+namespace torsio {
+
+/// One simulated trainee of the demonstration.
+struct DemonstrationTrainee {
+  std::string code;  ///< "T-07"
+  std::string enrolmentId;
+  std::size_t group = 0;   ///< 0, 1, 2
+  std::size_t number = 0;  ///< 1..10 within the group
+};
+
+/// The people and the study of the paper's section 6, as stored.
+struct DemonstrationStudy {
+  std::string cohortId;
+  std::string campaignId;
+  std::vector<std::string> groupLabels;        ///< "40 min virtual" ...
+  std::vector<DemonstrationTrainee> trainees;  ///< by group, then number
+  DemonstrationPeople people;                  ///< codes, for the rule that simulates marks
+  std::string seedCommitment;
+  std::int64_t allocationSeed = 0;
+};
+
+/// Stores 30 trainees in three groups by seeded allocation, ten chief physicians who mark them, 20/10/10
+/// raters of three tissue models and the campaign. Every row carries the demonstration flag.
+[[nodiscard]] DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& ids,
+                                                          std::uint64_t seed, std::int64_t utc_us);
+
+/// Simulates all marks by the stated rules and submits them: 900 training marks, 1,080 evaluation marks.
+void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& study, IdSource& ids,
+                              std::uint64_t seed, std::int64_t utc_us);
+
+}  // namespace torsio

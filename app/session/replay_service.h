@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "sim/servo/replay_trial.h"
+
+namespace torsio {
+
+struct ReplayRequest {
+  std::string database;  ///< file or postgresql:// locator, opened read-only
+  std::string trialId;   ///< or its first characters, when no other trial begins so
+  std::filesystem::path assets;
+  std::optional<std::filesystem::path> organFile;  ///< when the trial was recorded on a user's mesh
+  double organScale_m = 0.001;
+};
+
+/// A trial that was run again.
+struct ReplayResult {
+  TrialHeader header;
+  TrialSummary summary;
+  ReplayReport report;
+};
+
+/// Loads a stored trial, rebuilds its scene, runs it again from its device samples and compares every tick.
+/// Throws Error: no such trial, damaged chunks, or an organ or parameters that are not those of the
+/// recording.
+[[nodiscard]] ReplayResult replayStoredTrial(const ReplayRequest& request);
+
+}  // namespace torsio

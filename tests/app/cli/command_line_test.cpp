@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bad input as a user would give it: one line on standard error, the documented exit code, nothing left
+// behind.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+#include "tests/app/cli/program.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+using test::emptyFolder;
+using test::ProgramRun;
+using test::runTorsio;
+
+void write(const fs::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+}
+
+/// A closed box of the given side, 12 triangles, as OBJ.
+std::string boxObj(const std::string& side) {
+  std::string text;
+  for (const char* corner : {"0 0 0", "s 0 0", "s s 0", "0 s 0", "0 0 s", "s 0 s", "s s s", "0 s s"}) {
+    std::string line = "v " + std::string(corner);
+    for (std::size_t at = line.find('s'); at != std::string::npos; at = line.find('s'))
+      line.replace(at, 1, side);
+    text += line + "\n";
+  }
+  return text +
+         "f 1 3 2\nf 1 4 3\nf 5 6 7\nf 5 7 8\nf 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\nf 4 1 "
+         "5\nf 4 5 8\n";
+}
+
+/// The refusal is one line with the code; the output folder stays empty.
+void expectRefused(const std::string& arguments, ErrorCode code, const std::string& mentions) {
+  SCOPED_TRACE(arguments);
+  const fs::path scratch = emptyFolder("refused-run");
+  const ProgramRun run = runTorsio(arguments, scratch);
+  EXPECT_EQ(run.code, static_cast<int>(code)) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_NE(run.err.find(mentions), std::string::npos) << run.err;
+  const std::string last =
+      run.err.substr(run.err.rfind("torsio: ") == std::string::npos ? 0 : run.err.rfind("torsio: "));
+  EXPECT_EQ(std::count(last.begin(), last.end(), '\n'), 1) << run.err;
+}
+
+class BadInput : public testing::Test {
+ protected:
+  fs::path folder_ = emptyFolder("bad-input");
+  [[nodiscard]] std::string demoWith(const std::string& organ) const {
+    return "demo --out " + (folder_ / "out").string() + " --organ " + (folder_ / organ).string();
+  }
+  void expectNothingWritten() const {
+    EXPECT_TRUE(!fs::exists(folder_ / "out") || fs::is_empty(folder_ / "out"));
+  }
+};
+
+TEST_F(BadInput, UnknownCommandsAndOptionsAreNamed) {
+  expectRefused("dmeo", ErrorCode::kUsage, "dmeo");
+  expectRefused("demo --out /tmp --sed 3", ErrorCode::kUsage, "--sed");
+  expectRefused("demo", ErrorCode::kUsage, "--out");
+  expectRefused("twist --organ liver", ErrorCode::kUsage, "liver");
+}
+
+TEST_F(BadInput, AMissingOrganFileIsNamed) {
+  expectRefused(demoWith("missing.obj"), ErrorCode::kFileMissing, "missing.obj");
+  expectNothingWritten();
+}
+
+TEST_F(BadInput, AnEmptyMeshIsRefused) {
+  write(folder_ / "empty.obj", "");
+  expectRefused(demoWith("empty.obj"), ErrorCode::kBadMesh, "empty.obj");
+  expectNothingWritten();
+}
+
+TEST_F(BadInput, AnOpenMeshIsRefused) {
+  std::string box = boxObj("100");
+  box.erase(box.rfind("f 4 5 8"));
+  write(folder_ / "open.obj", box);
+  expectRefused(demoWith("open.obj"), ErrorCode::kBadMesh, "open.obj");
+  expectNothingWritten();
+}
+
+TEST_F(BadInput, ANonManifoldMeshIsRefused) {
+  write(folder_ / "fin.obj", boxObj("100") + "v 50 50 200\nf 5 6 9\nf 6 5 9\n");
+  expectRefused(demoWith("fin.obj"), ErrorCode::kBadMesh, "fin.obj");
+  expectNothingWritten();
+}
+
+TEST_F(BadInput, NotANumberIsRefused) {
+  write(folder_ / "nan.obj", boxObj("nan"));
+  expectRefused(demoWith("nan.obj"), ErrorCode::kBadMesh, "nan.obj");
+  expectNothingWritten();
+}
+
+TEST_F(BadInput, MetresInsteadOfMillimetresAreRecognised) {
+  write(folder_ / "metres.obj", boxObj("0.2"));
+  expectRefused(demoWith("metres.obj"), ErrorCode::kBadMesh, "organ-unit m");
+  expectNothingWritten();
+}
+
+TEST_F(BadInput, AFolderThatCannotBeWrittenIsNamed) {
+  // Root may write anywhere, so the folder is made impossible instead of read-only: it would lie below a
+  // file.
+  write(folder_ / "file", "");
+  expectRefused("demo --out " + (folder_ / "file" / "out").string(), ErrorCode::kFileUnwritable, "file");
+}
+
+TEST_F(BadInput, ADatabaseThatIsNoneIsRefused) {
+  write(folder_ / "text.sqlite", "This is not a database, but it is longer than a header of one would be.\n");
+  const fs::path file = folder_ / "text.sqlite";
+  expectRefused("replay 0 --database " + file.string(), ErrorCode::kFileUnreadable, "text.sqlite");
+  expectRefused("replay 0 --database " + (folder_ / "none.sqlite").string(), ErrorCode::kFileMissing,
+                "none.sqlite");
+  EXPECT_FALSE(fs::exists(folder_ / "none.sqlite"));
+}
+
+TEST_F(BadInput, SectionsThatAreNoneAreRefused) {
+  write(folder_ / "bow.csv", "0,0\n1,1\n1,0\n0,1\n");
+  expectRefused("section " + (folder_ / "bow.csv").string(), ErrorCode::kBadParameter, "cross");
+  write(folder_ / "words.csv", "0,0\n1,0\nhello,1\n");
+  expectRefused("section " + (folder_ / "words.csv").string(), ErrorCode::kBadData, "3");
+  expectRefused("section " + (folder_ / "none.csv").string(), ErrorCode::kFileMissing, "none.csv");
+}
+
+TEST_F(BadInput, ParametersOutOfRangeNameTheLimit) {
+  expectRefused("twist --organ arm --ridges 2", ErrorCode::kBadParameter, "3");
+  expectRefused("twist --organ arm --sections 361", ErrorCode::kBadParameter, "360");
+  expectRefused("twist --organ arm --grasp 1.5", ErrorCode::kBadParameter, "1.5");
+}
+
+TEST(CommandLine, SaysItsVersionAndHelpsOnStandardOutput) {
+  const fs::path scratch = emptyFolder("version");
+  const ProgramRun version = runTorsio("--version", scratch);
+  EXPECT_EQ(version.code, 0);
+  EXPECT_EQ(version.out.rfind("torsio ", 0), 0U) << version.out;
+  const ProgramRun help = runTorsio("--help", scratch);
+  EXPECT_EQ(help.code, 0);
+  EXPECT_NE(help.out.find("demo"), std::string::npos);
+}
+
+TEST(CommandLine, ASquareSectionHasItsTabledTorsionConstant) {
+  // Saint-Venant: J = 0.1405770150 a^4, membrane height 0.07367135 a^2 for the unit square.
+  const fs::path scratch = emptyFolder("square");
+  write(scratch / "square.csv", "0,0\n1,0\n1,1\n0,1\n");
+  const ProgramRun run = runTorsio("section " + (scratch / "square.csv").string() + " --json", scratch);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::size_t at = run.out.find("\"J\":");
+  ASSERT_NE(at, std::string::npos) << run.out;
+  EXPECT_NEAR(std::stod(run.out.substr(at + 4)), 0.140577014955, 1e-4 * 0.140577014955);
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <sys/wait.h>
+
+#include "sim/base/file_io.h"
+
+namespace torsio::test {
+
+/// What one call of the program said.
+struct ProgramRun {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+/// A new empty folder for one test, below the system's temporary folder.
+inline std::filesystem::path emptyFolder(const std::string& name) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("torsio-cli-" + name);
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+/// Runs the built program without a display, as a user would.
+inline ProgramRun runTorsio(const std::string& arguments, const std::filesystem::path& scratch) {
+  const std::string out = (scratch / ".out").string();
+  const std::string err = (scratch / ".err").string();
+  const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY " TORSIO_PROGRAM " " + arguments + " >" +
+                              out + " 2>" + err + " </dev/null";
+  const int status = std::system(command.c_str());
+  ProgramRun run{WIFEXITED(status) ? WEXITSTATUS(status) : -1, readFile(out), readFile(err)};
+  std::filesystem::remove(out);
+  std::filesystem::remove(err);
+  return run;
+}
+
+}  // namespace torsio::test
