@@ -100,7 +100,7 @@ bool Exercise::grip(const ToolState& tool, const Scene& scene) noexcept {
   if (!(std::abs(share) > kLeastShare)) return false;  // held there: nothing to twist
   gain_ = std::abs(share - 1.0) < kShareRounding ? 1.0 : 1.0 / share;
   twist_ = {arc_m, 0.0};
-  grippedAt_ = tool.pose;
+  grippedAt_ = tool.pose.orientation;
   const Cylindrical at = about(axis_, tip_m);
   gripRadius_m_ = at.radius_m;
   gripHeight_m_ = at.height_m;
@@ -112,7 +112,7 @@ bool Exercise::grip(const ToolState& tool, const Scene& scene) noexcept {
 
 double Exercise::driveAngle(const ToolState& tool) const noexcept {
   if (options_.drive == TwistDrive::kRoll) {
-    return unwrapNear(turnAbout(axis_.tangent, grippedAt_.orientation, tool.pose.orientation), angle_rad_);
+    return unwrapNear(turnAbout(axis_.tangent, grippedAt_, tool.pose.orientation), angle_rad_);
   }
   const Vec3 way = tool.pose.position_m - axis_.centre_m;
   const double x = dot(way, axis_.e1);
@@ -122,7 +122,6 @@ double Exercise::driveAngle(const ToolState& tool) const noexcept {
 }
 
 Vec3 Exercise::gripOffset(const ToolState& tool) const noexcept {
-  if (options_.drive == TwistDrive::kRoll) return tool.pose.position_m - grippedAt_.position_m;
   const Cylindrical at = about(axis_, tool.pose.position_m);
   return at.outwards * (at.radius_m - gripRadius_m_) + axis_.tangent * (at.height_m - gripHeight_m_);
 }

@@ -22,7 +22,8 @@ enum ExerciseEvent : std::uint32_t {
 
 /// Stiffness of the contact spring, softer than any device's limit; the device's own limit caps it.
 inline constexpr double kContactStiffness_N_per_m = 400.0;
-/// Spring that keeps the jaw on the grasped section, across the twist.
+/// Spring that keeps the jaw on the grasped section: along the axis and towards or away from it. Round the
+/// axis the tip is free: there the twist itself pulls back.
 inline constexpr double kGripStiffness_N_per_m = 100.0;
 /// The jaw slips off when it is pulled this far from the grasped section.
 inline constexpr double kSlipWay_m = 0.020;
@@ -86,6 +87,7 @@ class Exercise {
   [[nodiscard]] double driveAngle(const ToolState& tool) const noexcept;
   /// Turns the organ with the tool. False when the jaw slipped off.
   [[nodiscard]] bool follow(const ToolState& tool) noexcept;
+  /// Way of the tip along and across the axis since the grip.
   [[nodiscard]] Vec3 gripOffset(const ToolState& tool) const noexcept;
   void letGo(std::uint32_t why, std::uint32_t& events) noexcept;
   void relax(bool touching, std::uint32_t& events) noexcept;
@@ -104,7 +106,7 @@ class Exercise {
   double gain_ = 1.0;  // model angle for one radian of the tool
   double firstAngle_rad_ = 0.0;
   double angle_rad_ = 0.0;  // of the tool about the axis, unwrapped
-  Pose grippedAt_;
+  Quat grippedAt_;          // orientation of the tool
   double gripRadius_m_ = 0.0;
   double gripHeight_m_ = 0.0;
 };

@@ -179,6 +179,19 @@ TEST_F(ExerciseTest, TurnsTheOrganWithTheStylusWhenItIsDrivenByRoll) {
   EXPECT_EQ(answer.phase, ExercisePhase::kTwisting);
 }
 
+TEST_F(ExerciseTest, HoldsTheOrganByRollWhetherTheTipStaysOrGoesRound) {
+  gripAt(0.0, TwistDrive::kRoll);
+  ExerciseStep answer;
+  for (int degrees = 1; degrees <= 90; ++degrees) {
+    ToolState tool = onSurface(degrees * kDegree, 0.001, 1.0);
+    tool.pose.orientation = axisAngle({0.0, 0.0, 1.0}, degrees * kDegree);
+    answer = step(tool);
+  }
+
+  EXPECT_EQ(answer.phase, ExercisePhase::kTwisting);
+  EXPECT_NEAR(answer.response.angle_rad, 90.0 * kDegree, 1e-9);
+}
+
 TEST_F(ExerciseTest, MeasuresThePureRollExactly) {
   gripAt(0.0, TwistDrive::kRoll);
   ToolState tool = onSurface(0.0, 0.001, 1.0);
