@@ -89,11 +89,22 @@ class Marcher {
       ++inside;
     }
     const auto on = [this, base, &c](std::size_t p, std::size_t q) { return vertex(base, c[p], c[q]); };
-    if (inside == 1) add(on(0, 1), on(0, 2), on(0, 3), turned);
-    if (inside == 3) add(on(3, 0), on(3, 1), on(3, 2), turned);
+    // One after another: in which order arguments are evaluated, compilers choose differently.
+    if (inside == 1 || inside == 3) {
+      const std::size_t apex = inside == 1 ? 0 : 3;
+      const std::size_t first = inside == 1 ? 1 : 0;
+      const std::uint32_t p = on(apex, first);
+      const std::uint32_t q = on(apex, first + 1);
+      const std::uint32_t r = on(apex, first + 2);
+      add(p, q, r, turned);
+    }
     if (inside == 2) {
-      add(on(0, 2), on(0, 3), on(1, 3), turned);
-      add(on(0, 2), on(1, 3), on(1, 2), turned);
+      const std::uint32_t p = on(0, 2);
+      const std::uint32_t q = on(0, 3);
+      const std::uint32_t r = on(1, 3);
+      const std::uint32_t s = on(1, 2);
+      add(p, q, r, turned);
+      add(p, r, s, turned);
     }
   }
 
