@@ -5,8 +5,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 
-#include "sim/base/contracts.h"
+#include "sim/base/error.h"
 #include "sim/base/portable_math.h"
 #include "sim/tissue/twist_model_map.h"
 #include "sim/tissue/twist_model_tables.h"
@@ -15,8 +16,9 @@ namespace torsio {
 
 namespace {
 
-constexpr double kForceProbe_rad = 1e-5;    // to see which way a grip moves under several operations
-constexpr double kDeterminantProbe = 1e-4;  // of the organ's length
+constexpr double kForceProbe_rad = 1e-5;  // to see which way a grip moves under several operations
+constexpr int kTorqueSteps = 60;
+constexpr double kDeterminantProbe = 1e-5;  // of the organ's length
 constexpr double kSmallestArm = 1e-9;       // m
 
 // det of the map at a point, from the movement of its six neighbours.
@@ -76,16 +78,18 @@ void deformByComponents(const TwistModel::Tables& tables, const SectionLattice& 
     lifted[static_cast<std::size_t>(j)] = arc <= grasp ? torque : 0.0;
   }
   for (std::size_t v = 0; v < out_m.size(); ++v) {
-    const KrigedVertex& kriged = tables.kriged[v];
-    const int next = kriged.ridge + 1 < n ? kriged.ridge + 1 : 0;
+    const RidgePlace& place = tables.ridgePlaces[v];
+    const int next = place.ridge + 1 < n ? place.ridge + 1 : 0;
+    const std::size_t first = static_cast<std::size_t>(tables.alongRidge->first()[v]);
+    const std::span<const double> lambda = tables.alongRidge->row(static_cast<int>(v));
     Vec3 sum;
-    for (std::size_t i = 0; i < kriged.lambda.size() && kriged.first + static_cast<int>(i) < m; ++i) {
-      const std::size_t j = static_cast<std::size_t>(kriged.first) + i;
-      const std::size_t here = j * static_cast<std::size_t>(n) + static_cast<std::size_t>(kriged.ridge);
+    for (std::size_t i = 0; i < lambda.size(); ++i) {
+      const std::size_t j = first + i;
+      const std::size_t here = j * static_cast<std::size_t>(n) + static_cast<std::size_t>(place.ridge);
       const std::size_t there = j * static_cast<std::size_t>(n) + static_cast<std::size_t>(next);
       const Vec3 a = angle[j] * tables.keyTurn_m[here] + lifted[j] * tables.keyLift_m[here];
       const Vec3 b = angle[j] * tables.keyTurn_m[there] + lifted[j] * tables.keyLift_m[there];
-      sum += kriged.lambda[i] * (a + kriged.share * (b - a));
+      sum += lambda[i] * (a + place.share * (b - a));
     }
     out_m[v] = tables.vertices[v].rest_m + sum;
   }
@@ -110,6 +114,24 @@ double TwistModel::graspCompliance(double graspArc_m) const noexcept {
 
 double TwistModel::torque_Nm(const TwistState& state) const noexcept {
   return loadOf(*tables_, state).torque_Nm;
+}
+
+TwistState TwistModel::stateForTorque(double graspArc_m, double torque_Nm) const {
+  if (!std::isfinite(torque_Nm) || !std::isfinite(graspArc_m)) {
+    throw Error(ErrorCode::kBadParameter,
+                "the torque " + std::to_string(torque_Nm) + " N m at arc length " +
+                    std::to_string(graspArc_m) + " m is not finite",
+                "twist", "Give finite numbers.");
+  }
+  TwistState state{graspArc_m, torque_Nm / linearStiffness(*tables_, graspArc_m)};
+  // Newton from above on a rising, convex curve; linear tissue is there at once.
+  for (int i = 0; i < kTorqueSteps; ++i) {
+    const Load load = loadOf(*tables_, state);
+    const double step = (load.torque_Nm - torque_Nm) / load.stiffness_Nm;
+    if (step == 0.0) break;
+    state.graspAngle_rad -= step;
+  }
+  return state;
 }
 
 double TwistModel::angleAt(double arc_m, const TwistState& state) const noexcept {

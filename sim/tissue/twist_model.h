@@ -111,6 +111,9 @@ class TwistModel {
   [[nodiscard]] double graspCompliance(double graspArc_m) const noexcept;
   /// Torque that holds the state, N m.
   [[nodiscard]] double torque_Nm(const TwistState& state) const noexcept;
+  /// The state that a torque at this arc length leads to (the paper's forward problem: M_T is given).
+  /// Throws Error{kBadParameter} for a torque that is not finite.
+  [[nodiscard]] TwistState stateForTorque(double graspArc_m, double torque_Nm) const;
   /// Twist angle at arc length s, rad: the sum over the operations, each at the centreline point of s.
   [[nodiscard]] double angleAt(double arc_m, const TwistState& state) const noexcept;
   /// d angle / ds about the organ's own axis, rad/m.

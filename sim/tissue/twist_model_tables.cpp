@@ -17,7 +17,7 @@ namespace torsio {
 namespace {
 
 constexpr int kStrainNodes = 65;
-constexpr int kShortWindow = 8;  // of component kriging: the kernels know no other
+constexpr double kHeldFade = 0.5;  // of the radius
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -75,9 +75,7 @@ class TableMaker {
                                             .points = options.sectionPoints,
                                             .aboutShearCentre = options.centre == TwistCentre::kShearCentre,
                                             .solver = options.sectionSolver,
-                                            .kriging = options.kriging})),
-        fixedRim_m_(rim(0)),
-        freeRim_m_(rim(lattice.sections() - 1)) {}
+                                            .kriging = options.kriging})) {}
 
   TwistModel::Tables make() {
     makeCompliance();
@@ -113,24 +111,16 @@ class TableMaker {
   void makeElongation();
   void makeComponents();
   void makeStrain();
-  [[nodiscard]] std::vector<double> rim(int j) const;
-  [[nodiscard]] double capShare(const Vec3& rest_m, const LatticeCoordinate& at, bool fixedEnd) const;
+  [[nodiscard]] double warpingShare(std::size_t vertex, std::span<const double> freeRim_m) const;
+  [[nodiscard]] std::vector<double> freeRim() const;
 
   const TriangleMesh& mesh_;
   const SectionLattice& lattice_;
   const Material& material_;
   const TwistModelOptions& options_;
   SolvedSections solved_;
-  std::vector<double> fixedRim_m_;  // distance of the end outlines from the axis, by ridge angle
-  std::vector<double> freeRim_m_;
   TwistModel::Tables tables_;
 };
-
-std::vector<double> TableMaker::rim(int j) const {
-  std::vector<double> radii;
-  for (const Point2& p : lattice_.outline_m(j)) radii.push_back(std::sqrt(p[0] * p[0] + p[1] * p[1]));
-  return onEqualAngles(lattice_.outlineAngles_rad(j), radii, SolvedSections::kAngles);
-}
 
 void TableMaker::makeCompliance() {
   tables_.linear = options_.formulation == Formulation::kPaper;
@@ -200,15 +190,32 @@ void TableMaker::makeProfiles() {
   tables_.centreY = table([&](double s) { return solved_.shearCentre_m(s)[1]; });
 }
 
-// Inside an end cap psi falls with the square of the distance from the axis, as it does for an ellipse, and
-// beyond the end section it dies away within a radius.
-double TableMaker::capShare(const Vec3& rest_m, const LatticeCoordinate& coordinate, bool fixedEnd) const {
-  const double rim = atAngle(fixedEnd ? fixedRim_m_ : freeRim_m_, coordinate.angle_rad);
+// Distance of the free end's outline from the axis, by ridge angle.
+std::vector<double> TableMaker::freeRim() const {
+  const int j = lattice_.sections() - 1;
+  std::vector<double> radii;
+  for (const Point2& p : lattice_.outline_m(j)) radii.push_back(std::sqrt(p[0] * p[0] + p[1] * p[1]));
+  return onEqualAngles(lattice_.outlineAngles_rad(j), radii, SolvedSections::kAngles);
+}
+
+// A held end keeps its section flat: psi fades in over half a radius. In the cap of a free end psi falls with
+// the square of the distance from the axis, as it does for an ellipse, and dies away within a radius beyond
+// it.
+double TableMaker::warpingShare(std::size_t vertex, std::span<const double> freeRim_m) const {
+  const LatticeCoordinate& coordinate = lattice_.vertexCoordinates()[vertex];
+  const auto fade = [&](double fromEnd, double end) {
+    const double t = std::clamp(fromEnd / (kHeldFade * tables_.radius.value(end)), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+  };
+  double share = fade(coordinate.arc_m, 0.0);
+  if (options_.ends == EndCondition::kBothHeld) return share * fade(length() - coordinate.arc_m, length());
+  if (lattice_.vertexParts()[vertex] != LatticePart::kFreeCap) return share;
+  const double rim = atAngle(freeRim_m, coordinate.angle_rad);
   const AxisFrame frame = lattice_.frameAt(coordinate.arc_m);
-  const Vec3 u = rest_m - frame.centre_m;
+  const Vec3 u = mesh_.vertices_m[vertex] - frame.centre_m;
   const double along = dot(u, frame.tangent);
   const double across2 = std::max(0.0, dot(u, u) - along * along);
-  return std::min(1.0, across2 / (rim * rim)) / (1.0 + along * along / (rim * rim));
+  return share * std::min(1.0, across2 / (rim * rim)) / (1.0 + along * along / (rim * rim));
 }
 
 void TableMaker::makeVertices() {
@@ -216,23 +223,22 @@ void TableMaker::makeVertices() {
   TORSIO_EXPECTS(coordinates.size() == mesh_.vertices_m.size());
   const bool warped = options_.warping && !tables_.linear;
   std::vector<std::vector<double>> rows;
-  for (int i = 0; warped && i <= intervals(); ++i)
-    rows.push_back(solved_.warping_m2(length() * i / intervals()));
+  if (warped) {
+    for (int i = 0; i <= intervals(); ++i) rows.push_back(solved_.warping_m2(length() * i / intervals()));
+  }
+  const std::vector<double> rim = freeRim();
   tables_.vertices.reserve(coordinates.size());
   const TwistMap map(tables_, lattice_, {});
   for (std::size_t v = 0; v < coordinates.size(); ++v) {
     const double arc = coordinates[v].arc_m;
     TwistVertex vertex{mesh_.vertices_m[v], map.centreAt(arc), arc, 0.0};
     if (warped) {
-      const double place = std::clamp(vertex.arc_m / step(), 0.0, static_cast<double>(intervals()));
+      const double place = std::clamp(arc / step(), 0.0, static_cast<double>(intervals()));
       const std::size_t low = std::min(static_cast<std::size_t>(place), at(intervals() - 1));
       const double t = place - static_cast<double>(low);
       const double angle = coordinates[v].angle_rad;
-      vertex.warp_m2 = (1.0 - t) * atAngle(rows[low], angle) + t * atAngle(rows[low + 1], angle);
-      const LatticePart part = lattice_.vertexParts()[v];
-      if (part != LatticePart::kSide) {
-        vertex.warp_m2 *= capShare(vertex.rest_m, coordinates[v], part == LatticePart::kFixedCap);
-      }
+      const double psi = (1.0 - t) * atAngle(rows[low], angle) + t * atAngle(rows[low + 1], angle);
+      vertex.warp_m2 = psi * warpingShare(v, rim);
     }
     tables_.vertices.push_back(vertex);
   }
@@ -290,21 +296,14 @@ void TableMaker::makeComponents() {
   }
   std::vector<double> arcs;
   for (int j = 0; j < m; ++j) arcs.push_back(lattice_.sectionArc_m(j));
-  KrigingOptions window = options_.kriging;
-  window.window = std::min(m, kShortWindow);
-  const Kriging1d along(arcs, window);
+  std::vector<double> queries;
   for (const LatticeCoordinate& coordinate : lattice_.vertexCoordinates()) {
-    const KrigingWeights weights = along.weights(coordinate.arc_m);
-    KrigedVertex vertex;
-    vertex.first = std::max(0, std::min(weights.first, m - kShortWindow));
-    for (std::size_t i = 0; i < weights.lambda.size(); ++i) {
-      vertex.lambda[at(weights.first - vertex.first) + i] = weights.lambda[i];
-    }
+    queries.push_back(coordinate.arc_m);
     const double place = coordinate.angle_rad * n / (2.0 * kPi);
-    vertex.ridge = std::min(static_cast<int>(place), n - 1);
-    vertex.share = std::clamp(place - vertex.ridge, 0.0, 1.0);
-    tables_.kriged.push_back(vertex);
+    const int ridge = std::min(static_cast<int>(place), n - 1);
+    tables_.ridgePlaces.push_back({ridge, std::clamp(place - ridge, 0.0, 1.0)});
   }
+  tables_.alongRidge = std::make_shared<const KrigingTable>(Kriging1d(arcs, options_.kriging), queries);
 }
 
 void TableMaker::makeStrain() {

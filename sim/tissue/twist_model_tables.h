@@ -2,8 +2,7 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <span>
+#include <memory>
 #include <vector>
 
 #include "sim/tissue/twist_model.h"
@@ -26,12 +25,10 @@ struct TwistVertex {
   double warp_m2 = 0.0;  ///< psi: displacement along the axis for a twist rate of 1 rad/m
 };
 
-/// One vertex between two ridges, for component kriging (Eq. 15).
-struct KrigedVertex {
-  int first = 0;       ///< first section of the window
-  int ridge = 0;       ///< K
-  double share = 0.0;  ///< towards ridge K + 1
-  std::array<double, 8> lambda{};
+/// A vertex between ridge K and the next one, for component kriging (Eq. 15).
+struct RidgePlace {
+  int ridge = 0;
+  double share = 0.0;  ///< towards the next ridge
 };
 
 /// What TwistModel works out once. Everything the queries need; immutable.
@@ -65,9 +62,10 @@ struct TwistModel::Tables {
   HermiteTable lift;  ///< m^2 per N m: dZ = lift h / sqrt(X^2 + Y^2 + h^2)
   double spacing_m = 0.0;
   bool components = false;
-  std::vector<Vec3> keyTurn_m;  ///< [section N + ridge]: displacement for one radian of the section
-  std::vector<Vec3> keyLift_m;  ///< for 1 N m
-  std::vector<KrigedVertex> kriged;
+  std::vector<Vec3> keyTurn_m;          ///< [section N + ridge]: displacement for one radian of the section
+  std::vector<Vec3> keyLift_m;          ///< for 1 N m
+  std::vector<RidgePlace> ridgePlaces;  ///< one a vertex
+  std::shared_ptr<const KrigingTable> alongRidge;  ///< one row a vertex
 
   std::vector<TwistVertex> vertices;
   std::vector<double> patchArc_m;
