@@ -126,6 +126,9 @@ double noncentralTCdf(double t, double df, double noncentrality) {
 double noncentralTUpper(double t, double df, double noncentrality) {
   return bm::cdf(bm::complement(NoncentralT(df, noncentrality), t));
 }
+double noncentralTQuantile(double p, double df, double noncentrality) {
+  return bm::quantile(NoncentralT(df, noncentrality), p);
+}
 double noncentralFCdf(double f, double df1, double df2, double noncentrality) {
   return bm::cdf(NoncentralF(df1, df2, noncentrality), f);
 }

@@ -30,6 +30,7 @@ namespace torsio {
 
 [[nodiscard]] double noncentralTCdf(double t, double df, double noncentrality);
 [[nodiscard]] double noncentralTUpper(double t, double df, double noncentrality);
+[[nodiscard]] double noncentralTQuantile(double p, double df, double noncentrality);
 [[nodiscard]] double noncentralFCdf(double f, double df1, double df2, double noncentrality);
 /// The noncentrality d for which P(T <= t; df, d) = p.
 [[nodiscard]] double noncentralityOfT(double t, double df, double p);

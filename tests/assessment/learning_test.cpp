@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "assessment/statistics/curve_fit.h"
+#include "assessment/statistics/cusum.h"
+#include "assessment/statistics/standard_setting.h"
+#include "tests/assessment/reference_case.h"
+
+namespace torsio {
+namespace {
+
+using test::matches;
+using test::numbers;
+using test::ReferenceCase;
+using test::referenceCase;
+
+void expectFit(const CurveFit& got, const nlohmann::json& e, const char* coefficients, double tolerance) {
+  for (std::size_t i = 0; i < got.parameters.size(); ++i) {
+    EXPECT_TRUE(matches(got.parameters[i], e.at(coefficients)[i].get<double>(), tolerance)) << i;
+    EXPECT_TRUE(matches(got.errors[i], e.at("se")[i].get<double>(), tolerance)) << i;
+  }
+  EXPECT_TRUE(matches(got.rss, e.at("rss").get<double>(), tolerance));
+}
+
+TEST(FitCurve, ReachesTheCertifiedValuesOfMisra1aFromBothStarts) {
+  const ReferenceCase c = referenceCase("learning", "nist_misra1a");
+  const Curve curve = [](std::span<const double> b, double x, std::span<double> d) {
+    const double e = std::exp(-b[1] * x);
+    d[0] = 1.0 - e;
+    d[1] = b[0] * x * e;
+    return b[0] * (1.0 - e);
+  };
+  for (const char* start : {"start1", "start2"}) {
+    const Outcome<CurveFit> got =
+        fitCurve(curve, numbers(c.input.at("x")), numbers(c.input.at("y")), numbers(c.input.at(start)));
+    ASSERT_TRUE(got) << got.reason();
+    expectFit(*got, c.expected, "b", c.tolerance);
+    EXPECT_TRUE(matches(got->sigma, c.expected.at("sd").get<double>(), c.tolerance));
+  }
+}
+
+TEST(FitCurve, ReachesTheCertifiedValuesOfDanWoodFromBothStarts) {
+  const ReferenceCase c = referenceCase("learning", "nist_danwood");
+  const Curve curve = [](std::span<const double> b, double x, std::span<double> d) {
+    d[0] = std::pow(x, b[1]);
+    d[1] = b[0] * d[0] * std::log(x);
+    return b[0] * d[0];
+  };
+  for (const char* start : {"start1", "start2"}) {
+    const Outcome<CurveFit> got =
+        fitCurve(curve, numbers(c.input.at("x")), numbers(c.input.at("y")), numbers(c.input.at(start)));
+    ASSERT_TRUE(got) << got.reason();
+    expectFit(*got, c.expected, "b", c.tolerance);
+  }
+}
+
+TEST(FitLearningCurve, AgreesForBothFamiliesOnBothDataSets) {
+  const ReferenceCase c = referenceCase("learning", "learning_curves_rule");
+  const std::vector<double> t = numbers(c.input.at("t"));
+  for (const auto& [name, family, data] : std::vector<std::tuple<const char*, LearningFamily, const char*>>{
+           {"exp_on_exp", LearningFamily::kExponential, "y_exp"},
+           {"pow_on_exp", LearningFamily::kPower, "y_exp"},
+           {"pow_on_pow", LearningFamily::kPower, "y_pow"},
+           {"exp_on_pow", LearningFamily::kExponential, "y_pow"}}) {
+    const Outcome<LearningCurve> got = fitLearningCurve(family, t, numbers(c.input.at(data)), false);
+    ASSERT_TRUE(got) << name << got.reason();
+    expectFit(got->fit, c.expected.at(name), "coef", c.tolerance);
+    EXPECT_TRUE(matches(got->fit.sigma, c.expected.at(name).at("sigma").get<double>(), c.tolerance));
+    EXPECT_TRUE(matches(got->fit.aicc, c.expected.at(name).at("AICc_rss_form").get<double>(), c.tolerance))
+        << name;
+    const Interval band = learningBandAt(*got, 5.0);
+    EXPECT_LT(band.lower, learningCurveAt(*got, 5.0));
+    EXPECT_GT(band.upper, learningCurveAt(*got, 5.0));
+  }
+  const Outcome<LogLogLine> line = logLogLine(t, numbers(c.input.at("y_pow")));
+  const nlohmann::json& e = c.expected.at("loglog");
+  EXPECT_TRUE(matches(line->slope, e.at("slope").get<double>(), 1e-9));
+  EXPECT_TRUE(matches(line->intercept, e.at("intercept").get<double>(), 1e-9));
+  EXPECT_TRUE(matches(line->ratePerDoubling, e.at("learning_rate_per_doubling").get<double>(), 1e-9));
+  EXPECT_TRUE(matches(line->rSquared, e.at("r2").get<double>(), 1e-9));
+}
+
+TEST(FitLearningCurve, HoldsAnAbsurdAsymptoteAtZeroAndRefusesThreeAttempts) {
+  const ReferenceCase c = referenceCase("learning", "learning_curves_rule");
+  const Outcome<LearningCurve> held =
+      fitLearningCurve(LearningFamily::kPower, numbers(c.input.at("t")), numbers(c.input.at("y_exp")));
+  EXPECT_TRUE(held->asymptoteAtZero);
+  EXPECT_EQ(held->asymptote, 0.0);
+  const std::vector<double> three = {1, 2, 3};
+  EXPECT_THAT(fitLearningCurve(LearningFamily::kPower, three, three).reason(), ::testing::HasSubstr("eight"));
+}
+
+TEST(TabularCusum, AgreesWithMontgomerysTable) {
+  const ReferenceCase c = referenceCase("learning", "cusum_tabular_montgomery");
+  const TabularCusum got = tabularCusum(numbers(c.input.at("x")), 10.0, 0.5, 5.0);
+  const nlohmann::json& rows = c.expected.at("rows_i_x_Cplus_Nplus_Cminus_Nminus");
+  for (std::size_t i = 0; i < got.points.size(); ++i) {
+    // The printed rows are exact decimals; sums of doubles differ in the last bits.
+    EXPECT_NEAR(got.points[i].upper, rows[i][2].get<double>(), 1e-12);
+    EXPECT_NEAR(got.points[i].lower, rows[i][4].get<double>(), 1e-12);
+    EXPECT_EQ(got.points[i].upperRun, rows[i][3].get<int>());
+    EXPECT_EQ(got.points[i].lowerRun, rows[i][5].get<int>());
+  }
+  EXPECT_EQ(got.firstSignal, c.expected.at("first_signal").get<std::size_t>());
+}
+
+TEST(AverageRunLength, AgreesInAndOutOfControl) {
+  const ReferenceCase c = referenceCase("learning", "cusum_arl");
+  for (const auto& [name, h, shift] :
+       std::vector<std::tuple<const char*, double, double>>{{"k0.5_h4_shift0", 4, 0},
+                                                            {"k0.5_h4_shift1", 4, 1},
+                                                            {"k0.5_h5_shift0", 5, 0},
+                                                            {"k0.5_h5_shift1", 5, 1}}) {
+    const nlohmann::json& e = c.expected.at(name);
+    EXPECT_TRUE(
+        matches(averageRunLengthTwoSided(0.5, h, shift), e.at("two_sided").get<double>(), c.tolerance))
+        << name;
+    EXPECT_TRUE(matches(averageRunLengthSiegmund(0.5, h, shift), e.at("siegmund_two").get<double>(), 1e-9))
+        << name;
+  }
+  EXPECT_TRUE(
+      matches(averageRunLengthOneSided(0.5, 4, 0), c.expected.at("one_sided_h4").get<double>(), c.tolerance));
+  EXPECT_TRUE(
+      matches(averageRunLengthOneSided(0.5, 5, 0), c.expected.at("one_sided_h5").get<double>(), c.tolerance));
+}
+
+std::vector<bool> outcomes(const nlohmann::json& list) {
+  std::vector<bool> out;
+  for (const nlohmann::json& value : list) out.push_back(value.get<int>() == 1);
+  return out;
+}
+
+TEST(BinaryCusum, AgreesWithTheSeries) {
+  const ReferenceCase c = referenceCase("learning", "cusum_binary_and_lc");
+  const nlohmann::json& e = c.expected.at("cusum_sprt");
+  const BinaryCusum got = binaryCusum(outcomes(c.input.at("outcomes_failure1")), 0.1, 0.2, 0.1, 0.1);
+  EXPECT_TRUE(matches(got.s, e.at("s").get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(got.h0, e.at("h0").get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(got.h1, e.at("h1").get<double>(), c.tolerance));
+  for (std::size_t i = 0; i < got.sums.size(); ++i)
+    EXPECT_TRUE(matches(got.sums[i], e.at("S")[i].get<double>(), c.tolerance)) << i;
+}
+
+TEST(LcCusum, SignalsWhereTheSeriesSays) {
+  const ReferenceCase c = referenceCase("learning", "cusum_binary_and_lc");
+  const nlohmann::json& e = c.expected.at("lc_cusum");
+  const LcCusum got = lcCusum(outcomes(c.input.at("outcomes_failure1")), {0.1, 0.2, 1.25});
+  EXPECT_TRUE(matches(got.successWeight, e.at("w_success").get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(got.failureWeight, e.at("w_failure").get<double>(), c.tolerance));
+  for (std::size_t i = 0; i < got.sums.size(); ++i)
+    EXPECT_NEAR(got.sums[i], e.at("S")[i].get<double>(), 1e-12) << i;
+  EXPECT_EQ(got.competentAt, 32U);  // stated with the series: signals at trial 32 with h = 1.25
+}
+
+TEST(LcCusumProbability, AgreesWithTheExactTable) {
+  const ReferenceCase c = referenceCase("learning", "cusum_binary_and_lc");
+  const nlohmann::json* table = nullptr;
+  for (const auto& [key, value] : c.expected.items())
+    if (value.is_object() && value.contains("1.25")) table = &value;
+  if (table == nullptr)
+    for (const auto& [key, value] : c.expected.at("lc_cusum").items())
+      if (value.is_object() && value.contains("1.25")) table = &c.expected.at("lc_cusum").at(key);
+  ASSERT_NE(table, nullptr);
+  int compared = 0;
+  for (const auto& [h, byAttempts] : table->items())
+    for (const auto& [attempts, byRate] : byAttempts.items())
+      for (const auto& [rate, probability] : byRate.items()) {
+        const double got =
+            lcCusumProbability({0.1, 0.2, std::stod(h)}, std::stod(rate), std::stoul(attempts.substr(1)));
+        EXPECT_TRUE(matches(got, probability.get<double>(), c.tolerance))
+            << h << " " << attempts << " " << rate;
+        ++compared;
+      }
+  EXPECT_EQ(compared, 72);
+}
+
+TEST(ChooseLcCusumLimit, KeepsTheFalsePassRate) {
+  const std::optional<double> limit = chooseLcCusumLimit(0.1, 0.2, 50, 0.05);
+  ASSERT_TRUE(limit.has_value());
+  // At h = 3 the rate is 0.036 (exact table); the chosen limit is the smallest that keeps 0.05.
+  EXPECT_LE(*limit, 3.0);
+  EXPECT_LE(lcCusumProbability({0.1, 0.2, *limit}, 0.2, 50), 0.05);
+  EXPECT_GT(lcCusumProbability({0.1, 0.2, *limit - 0.01}, 0.2, 50), 0.05);
+  EXPECT_FALSE(chooseLcCusumLimit(0.1, 0.2, 3, 0.05).has_value());
+}
+
+TEST(WatchForRelapse, AlarmsAfterFailuresAndNotAfterSuccesses) {
+  EXPECT_FALSE(watchForRelapse(std::vector<bool>(50, false), {0.1, 0.2, 1.25}).alarmAt.has_value());
+  EXPECT_EQ(watchForRelapse({false, true, true, true}, {0.1, 0.2, 1.25}).alarmAt,
+            3U);  // 2 ln 2 = 1.386 >= 1.25
+}
+
+TEST(RiskAdjustedWeight, AgreesWithSteinersScores) {
+  const ReferenceCase c = referenceCase("learning", "ra_cusum_scores_steiner");
+  for (const double parsonnet : {0.0, 50.0})
+    for (const bool died : {false, true})
+      for (const char* ratio : {"2", "0.5"}) {
+        const double risk = 1.0 / (1.0 + std::exp(3.68 - 0.077 * parsonnet));
+        std::string name = parsonnet == 0.0 ? "parsonnet0_y" : "parsonnet50_y";
+        name += died ? "1_RA" : "0_RA";
+        name += ratio;
+        EXPECT_TRUE(matches(riskAdjustedWeight(died, risk, std::stod(ratio)),
+                            c.expected.at(name).get<double>(), c.tolerance))
+            << name;
+      }
+}
+
+TEST(ContrastingGroups, AgreesForTheNormalAndTheLogisticCut) {
+  const ReferenceCase c = referenceCase("learning", "contrasting_groups");
+  std::vector<double> novices;
+  std::vector<double> masters;
+  for (std::size_t i = 0; i < c.input.at("score").size(); ++i)
+    (c.input.at("master")[i].get<int>() == 1 ? masters : novices)
+        .push_back(c.input.at("score")[i].get<double>());
+  const Outcome<ContrastingGroups> got = contrastingGroups(novices, masters);
+  const auto expectValue = [&](const char* name, double value) {
+    EXPECT_TRUE(matches(value, c.expected.at(name).get<double>(), c.tolerance)) << name;
+  };
+  expectValue("cut_normal_intersection", got->cutNormal);
+  expectValue("cut_logistic50", got->cutLogistic.value());
+  expectValue("false_pos_normal", got->falsePass);
+  expectValue("false_neg_normal", got->falseFail);
+  expectValue("midpoint", got->midpoint);
+  EXPECT_TRUE(matches(got->otherRoot.value(), c.expected.at("roots")[0].get<double>(), c.tolerance));
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE(matches(got->logistic[i], c.expected.at("logit_coef")[i].get<double>(), c.tolerance));
+    // R stops its iteration at a relative change of 1e-8, which its standard errors show.
+    EXPECT_TRUE(matches(got->logisticErrors[i], c.expected.at("logit_se")[i].get<double>(), 1e-5));
+  }
+}
+
+TEST(ContrastingGroups, HasNoLogisticCutWhenTheGroupsDoNotOverlap) {
+  const std::vector<double> novices = {1, 2, 3};
+  const std::vector<double> masters = {11, 12, 14};
+  EXPECT_FALSE(contrastingGroups(novices, masters)->cutLogistic.has_value());
+  EXPECT_FALSE(contrastingGroups(masters, novices));
+}
+
+TEST(Angoff, AgreesWithTheJudges) {
+  const ReferenceCase c = referenceCase("learning", "angoff");
+  const Outcome<Angoff> got =
+      angoff(NumberTable(c.input.at("judge_by_item_percent").get<std::vector<std::vector<double>>>()));
+  EXPECT_TRUE(matches(got->cut, c.expected.at("cut_raw").get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(got->percent, c.expected.at("cut_percent").get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(*got->deviation, c.expected.at("sd_judges").get<double>(), c.tolerance));
+  EXPECT_TRUE(matches(*got->error, c.expected.at("se_judges").get<double>(), c.tolerance));
+}
+
+TEST(BorderlineRegression, ReadsTheScoreAtTheBorderlineRating) {
+  // Exact line: score = 10 + 12 x rating, with +-1 that is uncorrelated with the rating.
+  const std::vector<double> rating = {1, 1, 2, 2, 3, 3};
+  const std::vector<double> score = {21, 23, 33, 35, 45, 47};
+  const Outcome<BorderlineRegression> got = borderlineRegression(rating, score, 2.0);
+  EXPECT_NEAR(got->cut, 34.0, 1e-12);
+  EXPECT_NEAR(got->slope, 12.0, 1e-12);
+  EXPECT_FALSE(borderlineRegression(std::vector<double>{2, 2, 2}, std::vector<double>{1, 2, 3}, 2.0));
+}
+
+TEST(ProficiencyThreshold, AgreesWithTheToleranceTables) {
+  const ReferenceCase c = referenceCase("learning", "proficiency_threshold");
+  const Outcome<ProficiencyThreshold> got = proficiencyThreshold(numbers(c.input.at("expert_times_s")));
+  const auto expectValue = [&](const char* name, double value) {
+    EXPECT_TRUE(matches(value, c.expected.at(name).get<double>(), c.tolerance)) << name;
+  };
+  expectValue("mean", got->mean);
+  expectValue("sd", got->deviation);
+  expectValue("mean_plus_sd", got->oneDeviation);
+  expectValue("mean_plus_2sd", got->twoDeviations);
+  expectValue("k_factor", got->toleranceFactor);
+  expectValue("upper_tol", got->toleranceBound);
+}
+
+TEST(ProficientAt, NeedsConsecutivePassesAndFurtherOnes) {
+  const std::vector<double> times = {60, 40, 50, 39, 38, 50, 41};
+  EXPECT_EQ(proficientAt(times, 42.0, Better::kLower), 5U);
+  EXPECT_EQ(proficientAt(times, 42.0, Better::kLower, 2, 1), 7U);
+  EXPECT_FALSE(proficientAt(times, 42.0, Better::kLower, 3).has_value());
+}
+
+}  // namespace
+}  // namespace torsio
