@@ -28,8 +28,9 @@ class Value {
       Value(T number)
       : storage_(static_cast<std::int64_t>(number)) {}  // NOLINT(google-explicit-constructor)
   template <std::same_as<bool> T>
-  Value(T flag) : storage_(flag) {}                              // NOLINT(google-explicit-constructor)
-  Value(double number) : storage_(number) {}                     // NOLINT(google-explicit-constructor)
+  Value(T flag) : storage_(flag) {}  // NOLINT(google-explicit-constructor)
+  template <std::floating_point T>
+  Value(T number) : storage_(static_cast<double>(number)) {}     // NOLINT(google-explicit-constructor)
   Value(std::string text) : storage_(std::move(text)) {}         // NOLINT(google-explicit-constructor)
   Value(std::string_view text) : storage_(std::string(text)) {}  // NOLINT(google-explicit-constructor)
   Value(const char* text) : storage_(std::string(text)) {}       // NOLINT(google-explicit-constructor)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/migrations/backup.h"
 
+#include <array>
 #include <system_error>
 
+#include "db/migrations/migrations.h"
 #include "sim/base/contracts.h"
 #include "sim/base/file_io.h"
 
@@ -11,6 +13,14 @@ namespace torsio {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// A database and what may lie beside it.
+constexpr std::array<const char*, 4> kParts{"", "-wal", "-shm", "-journal"};
+
+fs::path withSuffix(fs::path file, const char* suffix) {
+  file += suffix;
+  return file;
+}
 
 /// Opens the copy, reads all of it, and writes one page in rollback mode: the commit makes the system flush
 /// the whole file to the disk, which VACUUM INTO leaves open.
@@ -28,10 +38,37 @@ void checkAndFlush(const fs::path& copy) {
 
 void removeWithLogs(const fs::path& file) noexcept {
   std::error_code ignored;
-  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) {
-    fs::path part = file;
-    part += suffix;
-    fs::remove(part, ignored);
+  for (const char* suffix : kParts) fs::remove(withSuffix(file, suffix), ignored);
+}
+
+std::int64_t countOf(Connection& connection, const char* table) {
+  Statement row = connection.prepare(std::string("SELECT count(*) FROM ") + table);
+  row.execute();
+  return row.step() ? row.int64(0) : 0;
+}
+
+/// Folds the write-ahead log into the file, which needs it for ourselves: fails while anybody else has it
+/// open. A file that is too damaged for that is put aside with its log as it is.
+void takeOver(const fs::path& target) {
+  try {
+    Connection connection = openDatabase(target.string(), OpenMode::kReadWrite, 0);
+    connection.executeVerbatim("PRAGMA journal_mode = DELETE");
+  } catch (const DbError& error) {
+    if (error.fault() == DbFault::kBusy) {
+      throw Error(ErrorCode::kDatabase, "is open in another program", target.string(),
+                  "Close Torsio at every station and try again");
+    }
+  } catch (const Error&) {
+    return;  // not a database any more
+  }
+}
+
+void moveAside(const fs::path& target) {
+  const fs::path aside = withSuffix(target, ".before-restore");
+  removeWithLogs(aside);
+  for (const char* suffix : kParts) {
+    const fs::path part = withSuffix(target, suffix);
+    if (fs::exists(part)) fs::rename(part, withSuffix(aside, suffix));
   }
 }
 
@@ -71,6 +108,45 @@ void backupSqlite(Connection& connection, const fs::path& target) {
     removeWithLogs(temporary);
     throw Error(ErrorCode::kFileUnwritable, "backup cannot be written", target.string(),
                 "Choose a folder in which you may write");
+  }
+}
+
+BackupContent checkBackup(const fs::path& backup) {
+  Connection connection = openDatabase(backup.string(), OpenMode::kReadOnly);
+  BackupContent content;
+  content.schemaVersion = checkSchema(connection, embeddedMigrations()).version;
+  if (content.schemaVersion == 0) {
+    throw Error(ErrorCode::kFileUnreadable, "holds no Torsio record", backup.string(), "Choose another file");
+  }
+  const std::vector<std::string> findings = integrityFindings(connection);
+  if (!findings.empty()) {
+    throw Error(ErrorCode::kVerifyFailed, "backup is damaged: " + findings.front(), backup.string(),
+                "Use an older backup");
+  }
+  content.trials = countOf(connection, "trial");
+  content.marks = countOf(connection, "training_mark") + countOf(connection, "evaluation_mark");
+  return content;
+}
+
+void restoreSqlite(const fs::path& backup, const fs::path& target) {
+  (void)checkBackup(backup);
+  const fs::path temporary = temporaryBeside(target);
+  removeWithLogs(temporary);
+  try {
+    fs::copy_file(backup, temporary);
+    checkAndFlush(temporary);
+    if (fs::exists(target)) {
+      takeOver(target);
+      moveAside(target);
+    }
+    fs::rename(temporary, target);
+  } catch (const fs::filesystem_error& error) {
+    removeWithLogs(temporary);
+    throw Error(ErrorCode::kFileUnwritable, "backup cannot be restored: " + error.code().message(),
+                target.string(), "Check the folder and the free space");
+  } catch (...) {
+    removeWithLogs(temporary);
+    throw;
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,6 +14,22 @@ namespace torsio {
 /// to `target` (an older file of that name is replaced). On failure nothing is left behind and an older
 /// `target` is untouched. Throws Error, DbError.
 void backupSqlite(Connection& connection, const std::filesystem::path& target);
+
+/// What a backup holds, after it was read from end to end.
+struct BackupContent {
+  std::int64_t schemaVersion = 0;
+  std::int64_t trials = 0;
+  std::int64_t marks = 0;
+};
+
+/// Reads and checks a backup without changing it. Throws Error (kFileMissing, kFileUnreadable, kNewerSchema,
+/// kVerifyFailed).
+[[nodiscard]] BackupContent checkBackup(const std::filesystem::path& backup);
+
+/// Puts a checked copy of `backup` in place of `target`; what was there is kept beside it as
+/// "<target>.before-restore". Throws Error (kDatabase) when another program has `target` open; nothing is
+/// changed then, nor when the backup does not pass its check.
+void restoreSqlite(const std::filesystem::path& backup, const std::filesystem::path& target);
 
 /// What the engine finds wrong with the file or its references; empty: nothing.
 [[nodiscard]] std::vector<std::string> integrityFindings(Connection& connection);

@@ -2,6 +2,7 @@
 #include "db/migrations/migrations.h"
 
 #include <filesystem>
+#include <fstream>
 
 #include "db/migrations/backup.h"
 #include "db/migrations/dialect.h"
@@ -169,6 +170,62 @@ TEST_F(BackupTest, LeavesNothingWhenItsFolderIsMissing) {
   Connection connection = openWithSchema();
   EXPECT_THROW(backupSqlite(connection, fs::path(locator()).parent_path() / "none" / "copy.sqlite"), Error);
   EXPECT_FALSE(fs::exists(fs::path(locator()).parent_path() / "none"));
+}
+
+TEST_F(BackupTest, IsRestoredOverADatabaseThatNobodyUses) {
+  const fs::path copy = locator() + ".copy";
+  {
+    Connection connection = openWithSchema();
+    connection.execute("INSERT INTO rater_class (code, label, position) VALUES (?, ?, ?)",
+                       {"a", "before", 1});
+    backupSqlite(connection, copy);
+    connection.execute("UPDATE rater_class SET label = ?", {"after"});
+    EXPECT_EQ(refusalFrom([&] { restoreSqlite(copy, locator()); }).code, ErrorCode::kDatabase);
+    EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM rater_class WHERE label = 'after'"), 1);
+  }
+
+  restoreSqlite(copy, locator());
+
+  Connection restored = openWithSchema();
+  EXPECT_EQ(numberFrom(restored, "SELECT count(*) FROM rater_class WHERE label = 'before'"), 1);
+  Connection aside = openDatabase(locator() + ".before-restore", OpenMode::kReadOnly);
+  EXPECT_EQ(numberFrom(aside, "SELECT count(*) FROM rater_class WHERE label = 'after'"), 1);
+}
+
+TEST_F(BackupTest, IsCheckedBeforeItReplacesAnything) {
+  const fs::path copy = locator() + ".copy";
+  {
+    Connection connection = openWithSchema();
+    backupSqlite(connection, copy);
+  }
+  EXPECT_EQ(checkBackup(copy).schemaVersion, embeddedMigrations().back().version);
+  EXPECT_EQ(checkBackup(copy).trials, 0);
+  {
+    std::fstream stream(copy, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(3 * 4096);
+    stream << std::string(4096, '\xA5');
+  }
+
+  EXPECT_THROW(restoreSqlite(copy, locator()), Error);
+
+  Connection untouched = openWithSchema();
+  EXPECT_TRUE(integrityFindings(untouched).empty());
+  EXPECT_FALSE(fs::exists(locator() + ".part"));
+}
+
+TEST_F(BackupTest, ReplacesADatabaseThatIsBeyondRepair) {
+  const fs::path copy = locator() + ".copy";
+  {
+    Connection connection = openWithSchema();
+    backupSqlite(connection, copy);
+  }
+  std::ofstream(locator(), std::ios::binary | std::ios::trunc) << "no database any more";
+
+  restoreSqlite(copy, locator());
+
+  Connection restored = openWithSchema();
+  EXPECT_TRUE(integrityFindings(restored).empty());
+  EXPECT_TRUE(fs::exists(locator() + ".before-restore"));
 }
 
 }  // namespace

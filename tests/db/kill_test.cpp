@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A program is killed while it records, at random instants: whatever it had reported as stored must be there.
+// The program is this one, started again with --record. Runs 20 times, or TORSIO_KILL_TEST_RUNS times.
+#include <cstdlib>
+#include <iostream>
+
+#include <QCoreApplication>
+#include <QProcess>
+#include <gtest/gtest.h>
+
+#include "db/migrations/backup.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/audit_repository.h"
+#include "db/repository/rating_repository.h"
+#include "db/repository/trial_repository.h"
+#include "sim/base/clock.h"
+#include "sim/base/random.h"
+#include "sim/record/content_hash.h"
+#include "sim/record/sample_codec.h"
+#include "tests/db/sample_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+constexpr const char* kRecord = "--record";
+constexpr std::size_t kChunkBytes = 20'000;  // about one second of samples, encoded
+
+TrialChunk wholeChunk(std::int64_t index) {
+  TrialChunk chunk = sampleChunk(index, kChunkBytes);
+  chunk.digest = chunkDigest(chunk);
+  return chunk;
+}
+
+/// Records chunks and submits marks without end; a line on standard output follows each commit.
+[[noreturn]] void recordForever(const std::string& locator) {
+  Connection connection = openDatabase(locator, OpenMode::kReadWrite);
+  PeopleRepository people(connection);
+  SystemIdSource ids;
+  TrialRepository trials(connection, {"killed", ""});
+  trials.begin(sampleHeader(ids.newUuid(), "T-01"));
+  StoredTrainingMark mark;
+  mark.enrolmentId =
+      StudyRepository(connection).enrolments(StudyRepository(connection).cohorts().at(0).id).at(0).id;
+  mark.raterId = people.raters().at(0).person.id;
+  mark.scoringPoint = "pre";
+  mark.score_steps = 50;
+  const std::int64_t versions = static_cast<std::int64_t>(
+      RatingRepository(connection).history(mark.enrolmentId, mark.raterId, "pre").size());
+  for (std::int64_t i = 0;; ++i) {
+    trials.append(wholeChunk(i));
+    std::cout << "chunk\n" << std::flush;
+    mark.id = ids.newUuid();
+    mark.version = versions + i + 1;
+    mark.amendReason = mark.version == 1 ? "" : "again";
+    RatingRepository(connection).submit(std::span(&mark, 1));
+    std::cout << "mark\n" << std::flush;
+  }
+}
+
+struct Reported {
+  std::int64_t chunks = 0;
+  std::int64_t marks = 0;
+};
+
+class KillTest : public DatabaseTest {
+ protected:
+  static int runs() {
+    const char* wanted = std::getenv("TORSIO_KILL_TEST_RUNS");
+    return wanted == nullptr ? 20 : std::atoi(wanted);
+  }
+
+  /// Lets the program commit a few times, then kills it after a further random moment, usually inside a
+  /// commit.
+  Reported recordAndKill(Random& random) const {
+    QProcess program;
+    program.start(QCoreApplication::applicationFilePath(),
+                  {QString::fromLatin1(kRecord), QString::fromStdString(locator())});
+    const std::int64_t lines = 1 + static_cast<std::int64_t>(random.bounded(12));
+    QByteArray said;
+    while (said.count('\n') < lines && program.waitForReadyRead(30'000))
+      said += program.readAllStandardOutput();
+    const MonotonicClock clock;
+    const std::int64_t until_us = clock.now_us() + static_cast<std::int64_t>(random.bounded(3'000));
+    while (clock.now_us() < until_us) {
+    }
+    program.kill();
+    program.waitForFinished();
+    said += program.readAllStandardOutput();
+    EXPECT_EQ(program.exitStatus(), QProcess::CrashExit) << program.readAllStandardError().toStdString();
+    return {said.count("chunk\n"), said.count("mark\n")};
+  }
+};
+
+TEST_F(KillTest, NothingCommittedIsLostAndTheTrialIsFoundAsInterrupted) {
+  {
+    Connection connection = openWithSchema();
+    const SampleRecord sample(connection, 1);
+  }
+  Random random(20251121);
+  std::int64_t marksBefore = 0;
+  for (int run = 0; run < runs(); ++run) {
+    const Reported reported = recordAndKill(random);
+
+    Connection connection = openWithSchema();
+    EXPECT_TRUE(integrityFindings(connection).empty());
+    TrialRepository trials(connection);
+    const std::vector<TrialListing> closed = trials.closeInterrupted("killed", INT64_MAX);
+    ASSERT_EQ(closed.size(), 1U);
+    const Trial trial = trials.load(closed[0].trialId);
+    // What was reported is there; at most one commit more, whose report was cut off.
+    EXPECT_GE(static_cast<std::int64_t>(trial.chunks.size()), reported.chunks);
+    EXPECT_LE(static_cast<std::int64_t>(trial.chunks.size()), reported.chunks + 1);
+    verifyContent(trial);
+    const std::int64_t marks = numberFrom(connection, "SELECT count(*) FROM training_mark") - marksBefore;
+    EXPECT_GE(marks, reported.marks);
+    EXPECT_LE(marks, reported.marks + 1);
+    EXPECT_TRUE(AuditRepository(connection).verify().empty());
+    marksBefore += marks;
+  }
+}
+
+}  // namespace
+}  // namespace torsio
+
+int main(int argc, char** argv) {
+  const QCoreApplication application(argc, argv);
+  if (argc == 3 && std::string(argv[1]) == torsio::kRecord) torsio::recordForever(argv[2]);
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
