@@ -43,6 +43,14 @@ double interpolate(std::span<const double> from, std::span<const double> to, dou
   return to[i - 1] + share * (to[i] - to[i - 1]);
 }
 
+/// Linear in a table of wayAtAngles.
+double shareAtAngle(const std::vector<double>& ways, double angle_rad) {
+  const double turns = angle_rad / (2.0 * kPi);
+  const double place = (turns - std::floor(turns)) * kWaySteps;
+  const auto i = std::min(static_cast<std::size_t>(place), static_cast<std::size_t>(kWaySteps - 1));
+  return ways[i] + (place - static_cast<double>(i)) * (ways[i + 1] - ways[i]);
+}
+
 /// Stations of the axis: a multiple of the section spacing, so that every section lies on one.
 int intervalsFor(int sections) {
   const int steps = sections - 1;
@@ -95,10 +103,12 @@ class FieldBuilder {
     }
     const double start_m = options_.ridgeZeroFraction * field_.centreline.length_m();
     const LevelLoop loop = field_.loopAt(start_m, "the section on which ridge 0 starts");
-    field_.rule.anchor_rad = angleAlongE1_rad(loop, field_.centreline.frameAt(start_m));
+    field_.rule.anchor_rad = exitAlongE1(loop, field_.centreline.frameAt(start_m)).angle_rad;
+    field_.rule.alongE1 = field_.centreline.straight() && allStarShaped_;
     field_.rule.spacing = options_.spacing == RidgeSpacing::kAngle && allStarShaped_
                               ? RidgeSpacing::kAngle
                               : RidgeSpacing::kArcLength;
+    findStarts();
     return std::move(field_);
   }
 
@@ -173,17 +183,20 @@ class FieldBuilder {
   /// edge length, and there the organ begins and ends. With caps that were found, not given, it also ends
   /// where it branches, as at the knuckles: what lies beyond follows the end section.
   void trimEnds(const EndCaps& caps) {
-    std::vector<double> way(stations_.size(), 0.0);
+    std::vector<double> way(stations_.size(), 0.0);      // of the centres
+    std::vector<double> surface(stations_.size(), 0.0);  // along the surface: a dome opens up as it advances
     for (std::size_t k = 1; k < way.size(); ++k) {
-      way[k] = way[k - 1] + norm(stations_[k].centre_m - stations_[k - 1].centre_m);
+      const double step = norm(stations_[k].centre_m - stations_[k - 1].centre_m);
+      way[k] = way[k - 1] + step;
+      surface[k] = surface[k - 1] + std::hypot(step, stations_[k].radius_m - stations_[k - 1].radius_m);
     }
     const auto [first, last] = capRequest().automatic() ? unbranchedPart(way) : wholePart();
-    const double edge = std::min(meanEdge_m(), 0.1 * way.back());
+    const double edge = std::min(meanEdge_m(), 0.1 * surface.back());
     double low = field_.stationLevels[first];
     double high = field_.stationLevels[last];
-    if (first == 0 && !caps.fixedFlat) low = interpolate(way, field_.stationLevels, edge);
+    if (first == 0 && !caps.fixedFlat) low = interpolate(surface, field_.stationLevels, edge);
     if (last + 1 == way.size() && !caps.freeFlat) {
-      high = interpolate(way, field_.stationLevels, way.back() - edge);
+      high = interpolate(surface, field_.stationLevels, surface.back() - edge);
     }
     if (low == 0.0 && high == 1.0) return;
     for (std::size_t v = 0; v < field_.parts.size(); ++v) {
@@ -248,11 +261,28 @@ class FieldBuilder {
       stations_.push_back(
           {loop.centroid_m, std::sqrt(norm(loop.areaVector_m2) / kPi), normalized(loop.areaVector_m2)});
       field_.stationWays.push_back(wayAtAngles(loop, kWaySteps));
-      if (options_.spacing == RidgeSpacing::kAngle && allStarShaped_) {
+      if (allStarShaped_) {
         const Vec3 along = normalized(loop.areaVector_m2);
         const Vec3 across = anyPerpendicular(along);
         allStarShaped_ = isStarShaped(loop, {loop.centroid_m, along, across, cross(along, across)});
       }
+    });
+  }
+
+  void findStarts() {
+    std::vector<double>& starts = field_.stationStarts;
+    const auto add = [&starts](double share) {
+      starts.push_back(starts.empty() ? share : share + std::round(starts.back() - share));
+    };
+    if (!field_.rule.alongE1) {
+      for (const std::vector<double>& ways : field_.stationWays)
+        add(shareAtAngle(ways, field_.rule.anchor_rad));
+      return;
+    }
+    const LevelTracer tracer(field_.mesh, field_.topology, field_.harmonic);
+    tracer.traceAll(field_.stationLevels, [&](std::size_t k, std::vector<LevelLoop> loops) {
+      const LevelLoop loop = stationLoop(k, std::move(loops));
+      add(shareOfWay(loop, exitAlongE1(loop, field_.centreline.frameAt(field_.stationArcs_m[k])).way_m));
     });
   }
 
@@ -329,15 +359,10 @@ double LatticeField::ridgeAngle_rad(double level, double angle_rad) const {
   const auto k = static_cast<std::size_t>(after - stationLevels.begin());
   const double step = stationLevels[k] - stationLevels[k - 1];
   const double share = std::clamp((level - stationLevels[k - 1]) / step, 0.0, 1.0);
-  const auto wayAt = [&](double angle) {
-    const double turns = angle / (2.0 * kPi);
-    const double place = (turns - std::floor(turns)) * kWaySteps;
-    const auto i = std::min(static_cast<std::size_t>(place), static_cast<std::size_t>(kWaySteps - 1));
-    const double x = place - static_cast<double>(i);
-    const auto at = [&](const std::vector<double>& ways) { return ways[i] + x * (ways[i + 1] - ways[i]); };
-    return at(stationWays[k - 1]) + share * (at(stationWays[k]) - at(stationWays[k - 1]));
-  };
-  const double way = wayAt(angle_rad) - wayAt(rule.anchor_rad);
+  const auto blend = [share](double from, double to) { return from + share * (to - from); };
+  const double way =
+      blend(shareAtAngle(stationWays[k - 1], angle_rad), shareAtAngle(stationWays[k], angle_rad)) -
+      blend(stationStarts[k - 1], stationStarts[k]);
   const double turn = way - std::floor(way);
   constexpr double kRounded = 1e-12;  // a point on ridge 0 has the angle 0, not almost 2 pi
   return turn > 1.0 - kRounded ? 0.0 : 2.0 * kPi * turn;

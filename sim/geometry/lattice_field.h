@@ -29,6 +29,8 @@ struct LatticeField {
   std::vector<double> stationArcs_m;
   /// kArcLength: wayAtAngles of each station, kWaySteps + 1 entries a station.
   std::vector<std::vector<double>> stationWays;
+  /// kArcLength: shareOfWay of ridge 0 at each station, without jumps of a whole turn.
+  std::vector<double> stationStarts;
 
   explicit LatticeField(const TriangleMesh& surface) : mesh(surface), topology(mesh) {}
 

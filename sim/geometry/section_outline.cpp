@@ -68,7 +68,8 @@ class DividedLoop {
     for (const LoopPoint& p : loop.points) flat_.push_back(inFrame(frame, p.position_m));
     angle_.reserve(n);
     if (spacing_ == RidgeSpacing::kArcLength) {
-      const double start = wayAtAngle(loop, risingAngle(loop), rule.anchor_rad);
+      const double start = rule.alongE1 ? exitAlongE1(loop, frame).way_m
+                                        : wayAtAngle(loop, risingAngle(loop), rule.anchor_rad);
       for (const LoopPoint& p : loop.points) {
         angle_.push_back(wrapped(kTurn * ((p.way_m - start) / loop.perimeter_m)));
       }
@@ -322,9 +323,9 @@ std::vector<double> wayAtAngles(const LevelLoop& loop, int count) {
   return ways;
 }
 
-double angleAlongE1_rad(const LevelLoop& loop, const AxisFrame& frame) {
+RayExit exitAlongE1(const LevelLoop& loop, const AxisFrame& frame) {
   double farthest = -1.0;
-  double angle = loop.points.front().angle_rad;
+  RayExit exit{0.0, loop.points.front().angle_rad};
   for (std::size_t i = 0; i < loop.points.size(); ++i) {
     const LoopPoint& from = loop.points[i];
     const bool last = i + 1 == loop.points.size();
@@ -337,9 +338,15 @@ double angleAlongE1_rad(const LevelLoop& loop, const AxisFrame& frame) {
     if (reach <= farthest) continue;
     farthest = reach;
     const double toAngle = last ? to.angle_rad + loop.turn_rad : to.angle_rad;
-    angle = from.angle_rad + x * (toAngle - from.angle_rad);
+    const double toWay = last ? loop.perimeter_m : to.way_m;
+    exit = {from.way_m + x * (toWay - from.way_m), from.angle_rad + x * (toAngle - from.angle_rad)};
   }
-  return angle;
+  return exit;
+}
+
+double shareOfWay(const LevelLoop& loop, double way_m) {
+  const double share = (way_m - wayAtAngle(loop, risingAngle(loop), 0.0)) / loop.perimeter_m;
+  return share < 0.0 ? share + 1.0 : share;
 }
 
 double ridgeAngleTowards(const SectionOutline& outline, const Point2& direction) {

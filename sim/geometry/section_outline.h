@@ -14,7 +14,10 @@ namespace torsio {
 /// How a loop is divided into ridges.
 struct RidgeRule {
   RidgeSpacing spacing = RidgeSpacing::kArcLength;
-  double anchor_rad = 0.0;  ///< harmonic angle of ridge 0 (kArcLength); kAngle starts at the frame's e1
+  /// kArcLength: ridge 0 leaves the centre along the frame's e1 (as with kAngle), else it follows the
+  /// harmonic angle anchor_rad.
+  bool alongE1 = false;
+  double anchor_rad = 0.0;
 };
 
 /// One section in its frame.
@@ -43,8 +46,15 @@ struct SectionOutline {
 /// 2 pi k / count, for k = 0..count: from 0 to 1, never decreasing.
 [[nodiscard]] std::vector<double> wayAtAngles(const LevelLoop& loop, int count);
 
-/// Harmonic angle at which the ray from the frame's centre along e1 leaves the loop.
-[[nodiscard]] double angleAlongE1_rad(const LevelLoop& loop, const AxisFrame& frame);
+/// Where the ray from the frame's centre along e1 leaves the loop.
+struct RayExit {
+  double way_m = 0.0;      ///< along the loop
+  double angle_rad = 0.0;  ///< harmonic angle
+};
+[[nodiscard]] RayExit exitAlongE1(const LevelLoop& loop, const AxisFrame& frame);
+
+/// Way along the loop from where the harmonic angle passes 0 to `way_m`, as a share of its perimeter.
+[[nodiscard]] double shareOfWay(const LevelLoop& loop, double way_m);
 
 /// Ridge angle of the outline where the ray from the centre towards (x, y) leaves it; 0 for the centre.
 [[nodiscard]] double ridgeAngleTowards(const SectionOutline& outline, const Point2& direction);
