@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exercise on the organs that are shipped: every pattern can be gripped, twisted and let go.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "sim/device/scripted_hand.h"
+#include "sim/record/memory_trial_sink.h"
+#include "sim/record/recorder.h"
+#include "sim/servo/hand_task.h"
+#include "sim/servo/replay_trial.h"
+#include "sim/servo/servo_loop.h"
+
+namespace torsio {
+namespace {
+
+const std::filesystem::path kAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+
+Scene shipped(const std::string& id, const std::string& pattern = "") {
+  SceneRequest request;
+  request.assets = kAssets;
+  request.id = id;
+  request.pattern = pattern;
+  return loadScene(request);
+}
+
+ScriptedHandOptions skilledHand(const Scene& scene) {
+  return {.seed = 1,
+          .task = handTask(scene),
+          .profile = {.initialSkill = 0.9, .finalSkill = 0.9},
+          .duration_s = 1.0};  // one twist
+}
+
+TEST(ShippedScenes, LetASkilledHandDoEveryPattern) {
+  for (const std::string& id : sceneIds(kAssets)) {
+    const Scene first = shipped(id);
+    for (const TwistPattern& pattern : first.patterns) {
+      SCOPED_TRACE(id + ", " + pattern.id);
+      const Scene scene = shipped(id, pattern.id);
+      ScriptedHandOptions options = skilledHand(scene);
+      options.duration_s = ScriptedHand(options).span_s(0)[1];
+      ScriptedHand hand(options);
+      ServoLoop loop({.device = &hand, .scene = &scene}, {});
+
+      std::uint32_t events = 0;
+      double angle_rad = 0.0;
+      double torque_Nm = 0.0;
+      for (std::int64_t time_us = 0; time_us < static_cast<std::int64_t>(options.duration_s * 1e6);
+           time_us += 1000) {
+        loop.tick(time_us);
+        events |= loop.lastEvents();
+        const TwistResponse& response = loop.lastSample().response;
+        if (std::abs(response.angle_rad) > std::abs(angle_rad)) angle_rad = response.angle_rad;
+        torque_Nm = std::max(torque_Nm, std::abs(response.torque_Nm));
+      }
+
+      EXPECT_TRUE(events & kEventGripped);
+      EXPECT_TRUE(events & kEventReleased);
+      EXPECT_TRUE(events & kEventReturned);
+      EXPECT_FALSE(events & kEventSlipped);
+      // A hand of skill 0.9 misses by less than 6 degrees and overshoots by less than 6 %; the way of the tip
+      // round a bent organ differs from the plan's circle by the grip's own deviation.
+      EXPECT_NEAR(angle_rad, pattern.targetAngle_rad,
+                  0.1 * std::abs(pattern.targetAngle_rad) + 6.0 * kDegree);
+      EXPECT_GT(torque_Nm, 0.001);
+      EXPECT_EQ(loop.lastSample().phase, ExercisePhase::kTracking);
+    }
+  }
+}
+
+TEST(ShippedScenes, ReplayBitForBitWithAModelThatWasBuiltAnew) {
+  Trial trial;
+  {
+    const Scene scene = shipped("arm");
+    ScriptedHandOptions options = skilledHand(scene);
+    options.duration_s = 12.0;
+    ScriptedHand hand(options);
+    SpscRing<Sample> ring(kRecordingRing);
+    MemoryTrialSink sink;
+    ServoLoop loop({.device = &hand, .scene = &scene, .recording = &ring}, {});
+    TrialHeader header;
+    header.organHash = scene.organHash;
+    header.parameterHash = scene.parameterHash;
+    header.deviceLimits = deviceLimits(hand.capabilities());
+    Recorder recorder(ring, sink, header);
+    for (int i = 0; i < 12'000; ++i) {
+      loop.tick(1000LL * i);
+      if (i % 1000 == 999) recorder.pump();
+    }
+    (void)recorder.finish(TrialOutcome::kCompleted, 0);
+    trial = sink.trial();
+  }
+
+  const Scene again = shipped("arm");
+
+  EXPECT_TRUE(replayTrial(again, trial).identical());
+}
+
+}  // namespace
+}  // namespace torsio
