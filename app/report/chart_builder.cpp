@@ -43,6 +43,18 @@ QString text(const std::string& utf8) {
   return QString::fromStdString(utf8);
 }
 
+/// Long names of categories in small letters on two lines; Qt cuts what does not fit.
+constexpr int kSmallLabelPixels = 9;
+bool crowded(const ReportFigure& figure) {
+  return figure.categories.size() > 6 && std::any_of(figure.categories.begin(), figure.categories.end(),
+                                                     [](const auto& c) { return c.size() > 6; });
+}
+
+QString categoryLabel(const ReportFigure& figure, const std::string& category) {
+  const QString label = text(category).toHtmlEscaped();
+  return crowded(figure) ? QString(label).replace(' ', QStringLiteral("<br>")) : label;
+}
+
 template <typename Axis>
 Axis* styled(Axis* axis, const std::string& title) {
   axis->setLabelsFont(chartFont(kLabelPixels - 1));
@@ -99,8 +111,9 @@ QCategoryAxis* slotAxis(const ReportFigure& figure) {
   auto* axis = styled(new QCategoryAxis, figure.xLabel);
   axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
   for (std::size_t i = 0; i < figure.categories.size(); ++i) {
-    axis->append(text(figure.categories[i]), static_cast<double>(i + 1));
+    axis->append(categoryLabel(figure, figure.categories[i]), static_cast<double>(i + 1));
   }
+  if (crowded(figure)) axis->setLabelsFont(chartFont(kSmallLabelPixels));
   axis->setRange(0.5, static_cast<double>(figure.categories.size()) + 0.5);
   axis->setGridLineVisible(false);
   return axis;
@@ -137,7 +150,8 @@ void add(QChart& chart, QAbstractSeries* series, QAbstractAxis* x, QAbstractAxis
 
 void addBars(QChart& chart, const ReportFigure& figure, QAbstractAxis* y) {
   auto* axis = styled(new QBarCategoryAxis, figure.xLabel);
-  for (const std::string& category : figure.categories) axis->append(text(category));
+  for (const std::string& category : figure.categories) axis->append(categoryLabel(figure, category));
+  if (crowded(figure)) axis->setLabelsFont(chartFont(kSmallLabelPixels));
   axis->setGridLineVisible(false);
   chart.addAxis(axis, Qt::AlignBottom);
   auto* bars = new QBarSeries;
@@ -195,7 +209,8 @@ void addPoints(QChart& chart, const ReportFigure& figure, QAbstractAxis* y) {
 
 void addLines(QChart& chart, const ReportFigure& figure, QAbstractAxis* y) {
   QAbstractAxis* axis = nullptr;
-  if (figure.categories.empty()) {
+  const bool overCategories = !figure.categories.empty();
+  if (!overCategories) {
     auto* value = styled(new QValueAxis, figure.xLabel);
     Range range;
     for (const FigureSeries& series : figure.series) {
@@ -217,8 +232,8 @@ void addLines(QChart& chart, const ReportFigure& figure, QAbstractAxis* y) {
     line->setPen(pen);
     line->setName(text(series.name));
     for (std::size_t i = 0; i < series.y.size(); ++i) {
-      if (series.y[i])
-        line->append(i < series.x.size() ? series.x[i] : static_cast<double>(i + 1), *series.y[i]);
+      const bool placed = !overCategories && i < series.x.size();
+      if (series.y[i]) line->append(placed ? series.x[i] : static_cast<double>(i + 1), *series.y[i]);
     }
     add(chart, line, axis, y, true);
   }

@@ -27,32 +27,46 @@ bool looksNumeric(const std::string& cell) {
   return !cell.empty() && cell.find_first_not_of("0123456789.,+-eE% ") == std::string::npos;
 }
 
-/// Natural widths, shrunk in proportion when they do not fit and spread when there is room.
+/// The longest word of a text: the narrowest that a cell may become.
+double widestWord(const QString& content, const QFontMetricsF& metrics) {
+  double widest = 0.0;
+  for (const QString& word : content.split(' ')) widest = std::max(widest, metrics.horizontalAdvance(word));
+  return widest;
+}
+
+/// Every column gets its longest word; what is left goes to columns in proportion to what they still lack.
+/// Headers may wrap, so only their words count.
 std::vector<double> columnWidths(const std::vector<std::string>& columns,
                                  const std::vector<std::vector<std::string>>& rows,
                                  const QFontMetricsF& regular, const QFontMetricsF& bold, double unit,
                                  double available_mm) {
-  std::vector<double> widths;
+  constexpr double kRounding_mm = 0.6;  // a cell exactly as wide as its text would wrap
+  const double margin_mm = 2.0 * kCellPadding_mm + kRounding_mm;
+  std::vector<double> least;
+  std::vector<double> natural;
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    double widest = bold.horizontalAdvance(QString::fromStdString(columns[c]));
+    double word = widestWord(QString::fromStdString(columns[c]), bold);
+    double full = word;
     for (const auto& row : rows) {
-      widest = std::max(widest, regular.horizontalAdvance(QString::fromStdString(row[c])));
+      const QString cell = QString::fromStdString(row[c]);
+      word = std::max(word, widestWord(cell, regular));
+      full = std::max(full, regular.horizontalAdvance(cell));
     }
-    widths.push_back(widest / unit + 2.0 * kCellPadding_mm);
+    least.push_back(word / unit + margin_mm);
+    natural.push_back(full / unit + margin_mm);
   }
-  const double total = std::accumulate(widths.begin(), widths.end(), 0.0);
-  if (total > available_mm) {
-    // Long columns give way first: nothing below a fair share is squeezed.
-    const double fair = available_mm / static_cast<double>(widths.size());
-    double fixed = 0.0;
-    double flexible = 0.0;
-    for (const double w : widths) (w <= fair ? fixed : flexible) += w;
-    for (double& w : widths) {
-      if (w > fair) w *= (available_mm - fixed) / flexible;
+  const double leastSum = std::accumulate(least.begin(), least.end(), 0.0);
+  const double lacking = std::accumulate(natural.begin(), natural.end(), 0.0) - leastSum;
+  const double room = available_mm - leastSum;
+  std::vector<double> widths = least;
+  for (std::size_t c = 0; c < widths.size(); ++c) {
+    if (room < 0.0) {
+      widths[c] *= available_mm / leastSum;
+    } else if (lacking > room) {
+      widths[c] += (natural[c] - least[c]) * room / lacking;
+    } else {
+      widths[c] = natural[c] * std::min(1.35, available_mm / (leastSum + lacking));
     }
-  } else {
-    const double spread = std::min(1.35, available_mm / total);
-    for (double& w : widths) w *= spread;
   }
   return widths;
 }
@@ -89,6 +103,10 @@ void PageFlow::add(double height_mm, Draw draw, double keepWithNext_mm) {
   if (cursor_mm_ + height_mm + keepWithNext_mm > bottom_mm()) newPage();
   pages_.back().push_back({cursor_mm_, height_mm, std::move(draw)});
   cursor_mm_ += height_mm;
+}
+
+double PageFlow::room_mm() const {
+  return bottom_mm() - cursor_mm_;
 }
 
 void PageFlow::space(double height_mm) {

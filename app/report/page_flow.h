@@ -38,6 +38,8 @@ class PageFlow {
   /// A block that is never split; goes to the next page when it does not fit. `keepWithNext_mm` asks for that
   /// much more room (headings).
   void add(double height_mm, Draw draw, double keepWithNext_mm = 0.0);
+  /// What is left of the current page.
+  [[nodiscard]] double room_mm() const;
   void space(double height_mm);
   void newPage();
   /// Wrapped text; splits between lines of a page only when taller than a page.

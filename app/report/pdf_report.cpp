@@ -22,6 +22,8 @@ namespace {
 
 constexpr int kResolution_dpi = 600;
 constexpr double kChartHeight_mm = 66.0;
+constexpr double kSectionStart_mm =
+    130.0;  // a section begins on the page of the last one if half of it is free
 constexpr double kChartPixelsPerMm = 3.78;  // 96 pixels an inch: chart fonts come out at about 9 points
 const QColor kAccent(0x00, 0x4A, 0x7C);
 const QColor kQuiet(0x60, 0x6E, 0x76);
@@ -101,7 +103,12 @@ void addCover(PageFlow& flow, const ReportModel& model) {
 void compose(PageFlow& flow, const ReportModel& model) {
   addCover(flow, model);
   for (const ReportSection& section : model.sections) {
-    flow.newPage();
+    const bool first = &section == &model.sections.front();
+    if (first || flow.room_mm() < kSectionStart_mm) {
+      flow.newPage();
+    } else {
+      flow.space(6.0);
+    }
     flow.text(text(section.title), 16.0, true, kAccent, 20.0);
     flow.space(2.5);
     for (const std::string& paragraph : section.paragraphs) {
