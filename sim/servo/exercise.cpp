@@ -146,11 +146,55 @@ void Exercise::relax(bool touching, std::uint32_t& events) noexcept {
   events |= touching ? (kEventReturned | kEventTouched) : kEventReturned;
 }
 
+void Exercise::moveOn(const Touch& at, bool wantsGrip, const ToolState& tool, const Scene& scene,
+                      std::uint32_t& events) noexcept {
+  const bool touching = at.gap_m < 0.0;
+  const bool gripsNext = wantsGrip && phase_ == ExercisePhase::kTracking;
+  gripPending_ = gripsNext;  // a grip begins with one tick of contact
+  switch (phase_) {
+    case ExercisePhase::kTracking:
+      if (!touching && !gripsNext) break;
+      phase_ = ExercisePhase::kContact;
+      events |= kEventTouched;
+      break;
+    case ExercisePhase::kContact:
+      if (wantsGrip && grip(tool, scene)) {
+        phase_ = ExercisePhase::kTwisting;
+        events |= kEventGripped;
+      } else if (at.gap_m > kContactHysteresis_m) {
+        phase_ = ExercisePhase::kTracking;
+        events |= kEventLeft;
+      }
+      break;
+    case ExercisePhase::kTwisting:
+      break;
+    case ExercisePhase::kReleased:
+      // A release is seen for one tick at least, also of an organ that was not turned.
+      if ((events & kEventReleased) == 0) relax(touching, events);
+      break;
+  }
+}
+
+TwistResponse Exercise::responseTo(const Touch& at, const ToolState& tool,
+                                   const Scene& scene) const noexcept {
+  TwistResponse response;
+  response.depth_m = std::max(0.0, -at.gap_m);
+  response.angle_rad = twist_.graspAngle_rad;
+  response.graspArc_m = twist_.graspArc_m;
+  if (phase_ == ExercisePhase::kTwisting) {
+    response.torque_Nm = scene.model.torque_Nm(twist_);
+    response.force_N =
+        scene.model.graspForce_N(twist_, tool.pose.position_m) - gripOffset(tool) * kGripStiffness_N_per_m;
+  } else if (at.gap_m < 0.0) {
+    response.force_N = at.normal * (contactStiffness_N_per_m_ * -at.gap_m);
+  }
+  return response;
+}
+
 ExerciseStep Exercise::step(const ToolState& tool, const Scene& scene) noexcept {
   ExerciseStep answer;
   const bool closing = updateJaw(tool);
-  const bool handGone = (tool.status & kHandGone) != 0;
-  const bool letGoNow = !jawClosed_ || handGone || releaseAsked_;
+  const bool letGoNow = !jawClosed_ || (tool.status & kHandGone) != 0 || releaseAsked_;
   releaseAsked_ = false;
   if (phase_ == ExercisePhase::kTwisting) {
     if (letGoNow) {
@@ -159,48 +203,12 @@ ExerciseStep Exercise::step(const ToolState& tool, const Scene& scene) noexcept 
       letGo(kEventReleased | kEventSlipped, answer.events);
     }
   }
-
   const Touch at = touch(tool.pose.position_m, scene);
-  const bool touching = at.gap_m < 0.0;
   const bool inReach = at.gap_m <= scene.instrument.gripReach_m;
   const bool wantsGrip = (closing || gripPending_) && inReach && !letGoNow;
-  gripPending_ = false;
-  switch (phase_) {
-    case ExercisePhase::kTracking:
-      if (!touching && !wantsGrip) break;
-      phase_ = ExercisePhase::kContact;
-      answer.events |= kEventTouched;
-      gripPending_ = wantsGrip;  // a grip begins with one tick of contact
-      break;
-    case ExercisePhase::kContact:
-      if (wantsGrip && grip(tool, scene)) {
-        phase_ = ExercisePhase::kTwisting;
-        answer.events |= kEventGripped;
-      } else if (at.gap_m > kContactHysteresis_m) {
-        phase_ = ExercisePhase::kTracking;
-        answer.events |= kEventLeft;
-      }
-      break;
-    case ExercisePhase::kTwisting:
-      break;
-    case ExercisePhase::kReleased:
-      // A release is seen for one tick at least, also of an organ that was not turned.
-      if ((answer.events & kEventReleased) == 0) relax(touching, answer.events);
-      break;
-  }
-
+  moveOn(at, wantsGrip, tool, scene, answer.events);
   answer.phase = phase_;
-  TwistResponse& response = answer.response;
-  response.depth_m = std::max(0.0, -at.gap_m);
-  response.angle_rad = twist_.graspAngle_rad;
-  response.graspArc_m = twist_.graspArc_m;
-  if (phase_ == ExercisePhase::kTwisting) {
-    response.torque_Nm = scene.model.torque_Nm(twist_);
-    response.force_N =
-        scene.model.graspForce_N(twist_, tool.pose.position_m) - gripOffset(tool) * kGripStiffness_N_per_m;
-  } else if (touching) {
-    response.force_N = at.normal * (contactStiffness_N_per_m_ * -at.gap_m);
-  }
+  answer.response = responseTo(at, tool, scene);
   return answer;
 }
 

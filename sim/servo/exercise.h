@@ -78,7 +78,6 @@ class Exercise {
   struct Touch {
     double gap_m = 0.0;  // between tip and surface, negative inside
     Vec3 normal;         // world frame, deformed organ
-    double arc_m = 0.0;  // of the contact point; set by grip() only
   };
 
   [[nodiscard]] bool updateJaw(const ToolState& tool) noexcept;
@@ -91,6 +90,11 @@ class Exercise {
   [[nodiscard]] Vec3 gripOffset(const ToolState& tool) const noexcept;
   void letGo(std::uint32_t why, std::uint32_t& events) noexcept;
   void relax(bool touching, std::uint32_t& events) noexcept;
+  /// The transition of this tick, if any.
+  void moveOn(const Touch& at, bool wantsGrip, const ToolState& tool, const Scene& scene,
+              std::uint32_t& events) noexcept;
+  [[nodiscard]] TwistResponse responseTo(const Touch& at, const ToolState& tool,
+                                         const Scene& scene) const noexcept;
 
   ExerciseOptions options_;
   double contactStiffness_N_per_m_;
