@@ -96,7 +96,12 @@ class FieldBuilder {
   FieldBuilder(const TriangleMesh& mesh, const LatticeOptions& options) : field_(mesh), options_(options) {}
 
   LatticeField build() {
-    if (options_.mode == LatticeMode::kStraightAxis) {
+    if (options_.mode != LatticeMode::kAutomatic) {
+      field_.mode = options_.mode;
+    } else if (isStraightBar(field_.mesh, field_.topology, capRequest())) {
+      field_.mode = LatticeMode::kStraightAxis;
+    }
+    if (field_.mode == LatticeMode::kStraightAxis) {
       buildStraight();
     } else {
       buildHarmonic();
@@ -298,15 +303,15 @@ class FieldBuilder {
     }
     const LevelTracer tracer(field_.mesh, field_.topology, heights);
     tracer.traceAll(planes, [&](std::size_t j, std::vector<LevelLoop> loops) {
-      theOneLoop(std::move(loops), options_.mode,
+      theOneLoop(std::move(loops), field_.mode,
                  sectionName(static_cast<int>(j), options_.sections, planes[j] * length_m));
     });
   }
 
   LevelLoop stationLoop(std::size_t k, std::vector<LevelLoop> loops) const {
     // Between the sections a plane may cut off a bump: then the longest loop is the organ's.
-    if (options_.mode == LatticeMode::kStraightAxis && !loops.empty()) return std::move(loops.front());
-    return theOneLoop(std::move(loops), options_.mode,
+    if (field_.mode == LatticeMode::kStraightAxis && !loops.empty()) return std::move(loops.front());
+    return theOneLoop(std::move(loops), field_.mode,
                       "level " + std::to_string(field_.stationLevels[k]) + " of the harmonic field");
   }
 
@@ -371,7 +376,6 @@ double LatticeField::ridgeAngle_rad(double level, double angle_rad) const {
 LevelLoop LatticeField::loopAt(double arc_m, const std::string& name) const {
   const double level = levelAtArc(arc_m);
   const LevelTracer tracer(mesh, topology, harmonic);
-  const LatticeMode mode = centreline.straight() ? LatticeMode::kStraightAxis : LatticeMode::kHarmonic;
   return theOneLoop(tracer.trace(level, level >= 1.0), mode, name);
 }
 

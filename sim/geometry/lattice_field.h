@@ -20,6 +20,7 @@ namespace torsio {
 struct LatticeField {
   TriangleMesh mesh;
   SurfaceTopology topology;
+  LatticeMode mode = LatticeMode::kHarmonic;  ///< as built, never kAutomatic
   std::vector<LatticePart> parts;
   HarmonicField harmonic;
   Centreline centreline;

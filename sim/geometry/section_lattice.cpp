@@ -83,7 +83,7 @@ SectionLattice::SectionLattice(const TriangleMesh& mesh, const LatticeOptions& o
   tracer.traceAll(levels, [&](std::size_t j, std::vector<LevelLoop> found) {
     const int section = static_cast<int>(j);
     loops.push_back(
-        theOneLoop(std::move(found), options.mode, sectionName(section, sections(), sectionArc_m(section))));
+        theOneLoop(std::move(found), field.mode, sectionName(section, sections(), sectionArc_m(section))));
   });
   if (field.rule.spacing == RidgeSpacing::kAngle) {
     for (int j = 0; j < sections(); ++j) {

@@ -28,6 +28,7 @@ using Point2 = std::array<double, 2>;
 enum class LatticeMode {
   kHarmonic,  ///< level sets of a harmonic field between two caps: any closed genus-0 organ, curved or not
   kStraightAxis,  ///< the paper's parallel planes along the principal axis
+  kAutomatic,     ///< planes for a straight bar with two parallel flat ends, else the harmonic field
 };
 
 enum class RidgeSpacing {
@@ -111,7 +112,7 @@ class SectionLattice {
   /// `arc_m` is clamped to [0, length]; allocates, not for the tick.
   [[nodiscard]] LatticePoint surfacePoint(const LatticeCoordinate& coordinate) const;
 
-  /// True when all sections are parallel planes (kStraightAxis).
+  /// True when all sections are parallel planes (kStraightAxis, or kAutomatic on a straight bar).
   [[nodiscard]] bool straight() const noexcept { return centreline_.straight(); }
   [[nodiscard]] const Centreline& centreline() const noexcept { return centreline_; }
   /// Frame at an arc length, clamped to [0, length]. Allocation-free: runs in the servo tick.

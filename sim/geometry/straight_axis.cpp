@@ -21,10 +21,13 @@ namespace {
 constexpr double kAcross = 0.98480775;  // cosine of 10 degrees: a flat end lies across the axis
 constexpr double kAtEnd = 0.02;         // of the length: how near to the extreme a flat end must be
 constexpr double kInsets[] = {0.002, 0.005, 0.01, 0.02};  // of the length: what a rounded end may lose
-constexpr double kFurther = 0.01;     // of the length: the plane behind an end plane, for comparison
-constexpr double kWhole = 0.85;       // of its area: then the end plane is off the rounding
-constexpr double kOnPlane = 1e-9;     // of the length: rounding of a vertex on an end plane
-constexpr double kSlenderness = 1.2;  // least ratio of the longest to the next extent
+constexpr double kFurther = 0.01;      // of the length: the plane behind an end plane, for comparison
+constexpr double kWhole = 0.85;        // of its area: then the end plane is off the rounding
+constexpr double kOnPlane = 1e-9;      // of the length: rounding of a vertex on an end plane
+constexpr double kSlenderness = 1.2;   // least ratio of the longest to the next extent
+constexpr double kBarParallel = 1e-3;  // of the length: how far a flat end of a bar may lean
+constexpr double kBarStraight = 0.01;  // of the length: how far its sections may lie aside
+constexpr int kBarPlanes = 64;
 constexpr const char* kGiveEnds = "Give the two end points of the axis, or use the harmonic mode.";
 
 /// The direction of the largest spread of the surface, weighted by area.
@@ -176,6 +179,43 @@ StraightAxis findStraightAxis(const TriangleMesh& mesh, const SurfaceTopology& t
                 "Give end points inside the organ.");
   }
   return axis;
+}
+
+bool isStraightBar(const TriangleMesh& mesh, const SurfaceTopology& topology, const CapRequest& request) {
+  StraightAxis axis;
+  try {
+    axis = findStraightAxis(mesh, topology, request);
+  } catch (const Error&) {
+    return false;  // no longest direction: not for parallel planes
+  }
+  if (axis.fixedFace.empty() || axis.freeFace.empty()) return false;
+  HarmonicField field;
+  field.level = axisLevels(mesh, axis);
+  field.angle_rad.assign(mesh.vertices_m.size(), 0.0);
+  field.turns.assign(topology.halfEdges(), 0);
+  // The faces lie on the end planes only if these are parallel to them.
+  const double across = kBarParallel * axis.length_m;
+  for (const std::uint32_t v : axis.fixedFace) {
+    if (std::abs(dot(mesh.vertices_m[v] - axis.origin_m, axis.direction)) > across) return false;
+  }
+  for (const std::uint32_t v : axis.freeFace) {
+    const double height = dot(mesh.vertices_m[v] - axis.origin_m, axis.direction);
+    if (std::abs(height - axis.length_m) > across) return false;
+  }
+  std::vector<double> planes;
+  for (int k = 0; k <= kBarPlanes; ++k) planes.push_back(static_cast<double>(k) / kBarPlanes);
+  bool straight = true;
+  const LevelTracer tracer(mesh, topology, field);
+  tracer.traceAll(planes, [&](std::size_t, const std::vector<LevelLoop>& loops) {
+    if (loops.size() != 1) {
+      straight = false;
+      return;
+    }
+    const Vec3 aside = loops.front().centroid_m - axis.origin_m;
+    const Vec3 off = aside - dot(aside, axis.direction) * axis.direction;
+    straight = straight && norm(off) < kBarStraight * axis.length_m;
+  });
+  return straight;
 }
 
 std::vector<double> axisLevels(const TriangleMesh& mesh, const StraightAxis& axis) {

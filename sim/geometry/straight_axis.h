@@ -32,6 +32,11 @@ struct StraightAxis {
 [[nodiscard]] StraightAxis findStraightAxis(const TriangleMesh& mesh, const SurfaceTopology& topology,
                                             const CapRequest& request);
 
+/// True when the organ is a bar: two parallel flat ends across it, and every plane between them cuts one loop
+/// whose centroid stays within a hundredth of the length from the axis.
+[[nodiscard]] bool isStraightBar(const TriangleMesh& mesh, const SurfaceTopology& topology,
+                                 const CapRequest& request);
+
 /// The axis's level at every vertex; those of a flat end, and any on an end plane up to rounding, lie exactly
 /// on it.
 [[nodiscard]] std::vector<double> axisLevels(const TriangleMesh& mesh, const StraightAxis& axis);

@@ -192,6 +192,21 @@ TEST(CurvedLattice, KnowsWhichVertexIsTwistedAndWhichFollows) {
   }
 }
 
+TEST(AutomaticLattice, CutsBarsByPlanesAndTheRestByTheField) {
+  LatticeOptions options;
+  options.mode = LatticeMode::kAutomatic;
+  const auto straight = [&](const TriangleMesh& mesh) { return SectionLattice(mesh, options).straight(); };
+
+  EXPECT_TRUE(straight(testing::prism(testing::circleOutline(0.03, 48), 0.2, 20)));
+  EXPECT_TRUE(straight(testing::prism(testing::rectangleOutline(0.05, 0.03, 5), 0.2, 8, 0.5)));
+  EXPECT_TRUE(straight(testing::prism(testing::letterC(0.03, 0.012, 24), 0.2, 20)));
+  EXPECT_TRUE(
+      straight(testing::turned(testing::prism(testing::starOutline(5, 0.04, 0.02), 0.2, 20), {1, 1, 0}, 1)));
+  EXPECT_FALSE(straight(testing::bentTube(0.02, 0.3, 0.5, 48, 40)));
+  EXPECT_FALSE(straight(testing::jTube(0.02, 0.12, 0.04, 48, 60)));
+  EXPECT_FALSE(straight(testing::capsule(0.03, 0.15, 48, 60)));
+}
+
 class ShippedOrgan : public ::testing::TestWithParam<const char*> {
  protected:
   static TriangleMesh mesh() {
