@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t kArcs = 97;
 constexpr std::size_t kAngles = 48;
 constexpr double kSmoothing = 0.05;  // pull of the neighbours, in vertices a node
+constexpr double kBeyondEnd = 0.25;  // of the radius: there the shift has died away
 constexpr int kSweeps = 200;         // carry values across the widest gap between vertices
 
 struct Polar {
@@ -95,7 +96,8 @@ ArcField::Place ArcField::placeOf(double arc_m, double polar_rad) const noexcept
 double ArcField::arcAt(const SectionLattice& lattice, const Vec3& point_m) const noexcept {
   const double nearest = lattice.nearestArc_m(point_m);
   if (nodes_.empty()) return nearest;
-  const Polar polar = polarOf(lattice.frameAt(nearest), point_m);
+  const AxisFrame frame = lattice.frameAt(nearest);
+  const Polar polar = polarOf(frame, point_m);
   const Place place = placeOf(nearest, polar.angle_rad);
   double shift = 0.0;
   double radius = 0.0;
@@ -103,7 +105,11 @@ double ArcField::arcAt(const SectionLattice& lattice, const Vec3& point_m) const
     shift += place.weight[i] * nodes_[place.node[i]].shift_m;
     radius += place.weight[i] * nodes_[place.node[i]].radius_m;
   }
-  const double fade = polar.radius_m < radius ? polar.radius_m / radius : 1.0;
+  double fade = polar.radius_m < radius ? polar.radius_m / radius : 1.0;
+  if (nearest <= 0.0 || nearest >= length_m_) {  // what lies beyond an end follows it rigidly
+    const double beyond = std::abs(dot(point_m - frame.centre_m, frame.tangent));
+    fade *= std::max(0.0, 1.0 - beyond / (kBeyondEnd * radius));
+  }
   return std::clamp(nearest + fade * shift, 0.0, length_m_);
 }
 

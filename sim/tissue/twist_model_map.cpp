@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "sim/base/portable_math.h"
 
@@ -15,7 +16,7 @@ constexpr double kBlendPerRadius = 0.5;  // of the twist rate about the grasp
 constexpr int kInverseSteps = 12;
 constexpr double kInverseTolerance = 1e-14;  // of the organ's length
 constexpr double kLargestStep = 0.1;         // of the organ's length
-constexpr int kSearchIntervals = 32;
+constexpr int kSearchIntervals = 64;
 constexpr double kSmallestRadius_m = 1e-9;
 
 }  // namespace
@@ -196,17 +197,32 @@ double TwistMap::firstArc(const Vec3& deformed_m) const noexcept {
   return lattice_.nearestArc_m(x);
 }
 
-// First guess for all other lists: try arc lengths all along the organ.
+// First guess for all other lists. Turned back as one of section s, the point lies ahead of the plane of s or
+// behind it; where that changes, it may have come from there. Of several such places the one counts at which
+// it lies nearest to the centreline, in radii: the others are far outside the organ.
 double TwistMap::searchedArc(const Vec3& deformed_m) const noexcept {
+  const double length = lattice_.length_m();
   double best = 0.0;
-  double least = lattice_.length_m();
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto offer = [&](double arc, double distance) {
+    const double radii = distance / tables_.radius.value(arc);
+    if (!(radii < nearest)) return;
+    nearest = radii;
+    best = arc;
+  };
+  double aheadBefore = 0.0;
   for (int i = 0; i <= kSearchIntervals; ++i) {
-    const double arc = lattice_.length_m() * i / kSearchIntervals;
-    const double here = std::abs(miss(deformed_m, arc));
-    if (here < least) {
-      best = arc;
-      least = here;
+    const double arc = length * i / kSearchIntervals;
+    const AxisFrame frame = lattice_.frameAt(arc);
+    const Vec3 u = unwound(deformed_m, arc) - frame.centre_m;
+    const double ahead = dot(u, frame.tangent);
+    const double across = norm(u - ahead * frame.tangent);
+    if (i == 0 && ahead <= 0.0) offer(arc, norm(u));
+    if (i == kSearchIntervals && ahead >= 0.0) offer(arc, norm(u));
+    if (i > 0 && aheadBefore > 0.0 && ahead <= 0.0) {
+      offer(arc - length / kSearchIntervals * ahead / (ahead - aheadBefore), across);
     }
+    aheadBefore = ahead;
   }
   return best;
 }

@@ -215,7 +215,8 @@ double TableMaker::warpingShare(std::size_t vertex, std::span<const double> free
   const Vec3 u = mesh_.vertices_m[vertex] - frame.centre_m;
   const double along = dot(u, frame.tangent);
   const double across2 = std::max(0.0, dot(u, u) - along * along);
-  return share * std::min(1.0, across2 / (rim * rim)) / (1.0 + along * along / (rim * rim));
+  const double left = std::clamp(1.0 - std::abs(along) / rim, 0.0, 1.0);
+  return share * std::min(1.0, across2 / (rim * rim)) * left * left * (3.0 - 2.0 * left);
 }
 
 void TableMaker::makeVertices() {
