@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace torsio {
+
+inline constexpr const char* kMetricsVersion = "metrics-1";
+
+enum class Direction { kLowerIsBetter, kHigherIsBetter, kNeither };
+
+/// What a measured quantity means; shown wherever its number is shown.
+struct MetricCard {
+  std::string_view id;  ///< "twist.overshoot"
+  std::string_view name;
+  std::string_view meaning;  ///< one sentence for a physician
+  std::string_view formula;
+  std::string_view unit;
+  std::string_view window;  ///< which part of the trial
+  Direction direction = Direction::kNeither;
+  std::string_view version = kMetricsVersion;
+};
+
+[[nodiscard]] std::span<const MetricCard> metricCards();
+/// The card of an id; our own bug when there is none.
+[[nodiscard]] const MetricCard& metricCard(std::string_view id);
+
+}  // namespace torsio

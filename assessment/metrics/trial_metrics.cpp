@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/metrics/trial_metrics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assessment/metrics/loading.h"
+#include "assessment/metrics/movement.h"
+#include "assessment/metrics/signal.h"
+#include "assessment/metrics/tracking.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr double kRate_Hz = 1000.0;
+
+/// The trial on a uniform grid, raw and filtered.
+struct Prepared {
+  std::size_t n = 0;
+  std::size_t lost = 0;
+  std::vector<Vec3> tip;
+  std::vector<double> angle, target, force, torque, shear;
+  std::vector<double> angleRaw, forceRaw;
+  std::vector<TracePhase> phase;
+  std::vector<double> tipSpeed;
+};
+
+void checkList(const std::vector<double>& list, std::size_t n, const char* name) {
+  if (!list.empty() && list.size() != n)
+    throw Error(ErrorCode::kBadData, "the lists of a trial differ in length", name, "Read the trial again.");
+  for (const double value : list)
+    if (!std::isfinite(value))
+      throw Error(ErrorCode::kBadData, "a trial holds a value that is not a number", name,
+                  "Record the trial again.");
+}
+
+void check(const TrialTrace& trace) {
+  const std::size_t n = trace.times_us.size();
+  if (n < 2)
+    throw Error(ErrorCode::kBadData, "a trial has fewer than two samples", "trial", "Record it again.");
+  if (trace.phase.size() != n || (!trace.tip_m.empty() && trace.tip_m.size() != n))
+    throw Error(ErrorCode::kBadData, "the lists of a trial differ in length", "trial",
+                "Read the trial again.");
+  checkList(trace.angle_rad, n, "angle");
+  checkList(trace.targetAngle_rad, n, "target angle");
+  checkList(trace.force_N, n, "force");
+  checkList(trace.torque_Nm, n, "torque");
+  checkList(trace.patchShear_Pa, n, "patch shear");
+  for (const Vec3& tip : trace.tip_m)
+    if (!isFinite(tip))
+      throw Error(ErrorCode::kBadData, "a trial holds a value that is not a number", "tip",
+                  "Record the trial again.");
+}
+
+bool uniform(const std::vector<std::int64_t>& times_us) {
+  for (std::size_t i = 1; i < times_us.size(); ++i)
+    if (times_us[i] - times_us[i - 1] != 1000) return false;
+  return true;
+}
+
+std::vector<double> onGrid(const TrialTrace& trace, const std::vector<double>& list, bool alreadyUniform) {
+  if (list.empty() || alreadyUniform) return list;
+  return resampleUniform(trace.times_us, {list}, kRate_Hz).channels[0];
+}
+
+std::vector<double> filtered(std::vector<double> list, double cutoff_Hz) {
+  if (list.empty()) return list;
+  return lowPass(list, cutoff_Hz, kRate_Hz);
+}
+
+Prepared prepare(const TrialTrace& trace) {
+  check(trace);
+  Prepared out;
+  const bool grid = uniform(trace.times_us);
+  std::vector<double> phases;
+  for (const TracePhase phase : trace.phase) phases.push_back(static_cast<double>(phase));
+  if (!grid) {
+    const UniformSignal signal = resampleUniform(trace.times_us, {phases}, kRate_Hz);
+    phases = signal.channels[0];
+    out.lost = signal.lost;
+  }
+  out.n = phases.size();
+  for (const double phase : phases) out.phase.push_back(static_cast<TracePhase>(std::lround(phase)));
+  out.angleRaw = onGrid(trace, trace.angle_rad, grid);
+  out.angle = filtered(out.angleRaw, kPoseCutoff_Hz);
+  out.target = onGrid(trace, trace.targetAngle_rad, grid);
+  out.forceRaw = onGrid(trace, trace.force_N, grid);
+  out.force = filtered(out.forceRaw, kForceCutoff_Hz);
+  out.torque = filtered(onGrid(trace, trace.torque_Nm, grid), kForceCutoff_Hz);
+  out.shear = onGrid(trace, trace.patchShear_Pa, grid);
+  if (trace.tip_m.empty()) return out;
+  std::vector<std::vector<double>> axes(3);
+  for (const Vec3& tip : trace.tip_m) {
+    axes[0].push_back(tip.x);
+    axes[1].push_back(tip.y);
+    axes[2].push_back(tip.z);
+  }
+  std::vector<std::vector<double>> rates;
+  for (std::vector<double>& axis : axes) {
+    axis = filtered(onGrid(trace, axis, grid), kPoseCutoff_Hz);
+    rates.push_back(derivative(axis, kRate_Hz));
+  }
+  for (std::size_t i = 0; i < out.n; ++i) {
+    out.tip.push_back({axes[0][i], axes[1][i], axes[2][i]});
+    out.tipSpeed.push_back(norm(Vec3{rates[0][i], rates[1][i], rates[2][i]}));
+  }
+  return out;
+}
+
+/// The longest stretch of samples whose phase satisfies `test`: [first, last).
+template <class Test>
+std::pair<std::size_t, std::size_t> longest(const std::vector<TracePhase>& phase, Test test) {
+  std::pair<std::size_t, std::size_t> best{0, 0};
+  for (std::size_t i = 0; i < phase.size();) {
+    std::size_t end = i;
+    while (end < phase.size() && test(phase[end])) ++end;
+    if (end - i > best.second - best.first) best = {i, end};
+    i = std::max(end, i + 1);
+  }
+  return best;
+}
+
+bool isHeld(TracePhase phase) {
+  return phase == TracePhase::kTwisting || phase == TracePhase::kHolding;
+}
+
+template <class T>
+std::span<const T> part(const std::vector<T>& list, std::pair<std::size_t, std::size_t> stretch) {
+  if (list.empty()) return {};
+  return std::span<const T>(list).subspan(stretch.first, stretch.second - stretch.first);
+}
+
+class Measurer {
+ public:
+  Measurer(const Prepared& signals, const TrialTargets& targets, TrialMetrics& out)
+      : s_(signals), targets_(targets), out_(out), held_(longest(signals.phase, isHeld)) {}
+
+  void run() {
+    set("time.total", static_cast<double>(s_.n - 1) / kRate_Hz);
+    if (!s_.tip.empty()) {
+      set("tip.path", pathLength(s_.tip));
+      set("tip.idle", idleTime(s_.tipSpeed, kIdleTip_m_per_s, kRate_Hz));
+    }
+    if (!s_.angle.empty()) set("twist.path", angularPath(s_.angle));
+    if (held_.second - held_.first < 2) return;
+    if (!s_.angle.empty()) measureTurn();
+    measureLoads();
+  }
+
+ private:
+  void set(std::string_view id, Outcome<double> value) {
+    for (MetricValue& metric : out_.values)
+      if (metric.id == id) metric.value = std::move(value);
+  }
+
+  void measureTurn() {
+    // Filtered by itself: a filter over the whole trial would smear the release into the end of the hold.
+    const std::vector<double> angle = lowPass(part(s_.angleRaw, held_), kPoseCutoff_Hz, kRate_Hz);
+    std::vector<double> speed = derivative(angle, kRate_Hz);
+    set("twist.ldlj",
+        logDimensionlessJerk(speed, kRate_Hz));  // signed: a kink at each reversal would be our own
+    for (double& value : speed) value = std::abs(value);
+    set("twist.sparc", spectralArcLength(speed, kRate_Hz));
+    set("twist.peaks", static_cast<double>(speedPeaks(speed, kRate_Hz).size()));
+    if (targets_.target_rad != 0.0) {
+      set("twist.economy", economy(std::abs(targets_.target_rad), angularPath(angle)));
+      const TargetApproach approach =
+          targetApproach(angle, targets_.target_rad, targets_.tolerance_rad, kRate_Hz);
+      set("twist.overshoot", approach.overshoot);
+      set("twist.excursions", static_cast<double>(approach.excursions));
+      set("twist.time_to_target", approach.timeToTarget);
+      set("twist.settling", approach.settling);
+    }
+    if (!s_.target.empty()) {
+      const Outcome<TrackingError> error = trackingError(angle, part(s_.target, held_), kRate_Hz);
+      set("twist.rmse", error->rmse);
+      set("twist.mae", error->mae);
+      set("twist.bias", error->bias);
+      set("twist.lag", error->lag_s);
+      set("twist.rmse_without_lag", error->rmseWithoutLag);
+    }
+    const auto still = longest(s_.phase, [](TracePhase phase) { return phase == TracePhase::kHolding; });
+    set("twist.hold_steadiness", holdSteadiness(part(s_.angle, still)));
+    if (targets_.axisPoint_m && !s_.tip.empty())
+      set("twist.axis_wander", axisWander(part(s_.tip, held_), *targets_.axisPoint_m, targets_.axis));
+  }
+
+  void measureLoads() {
+    if (!s_.force.empty()) {
+      const std::span<const double> force = part(s_.force, held_);
+      const Outcome<Loading> load = loadingOf(force, kRate_Hz);
+      set("force.mean", load->mean);
+      set("force.peak", load->peak);
+      set("force.p95", load->p95);
+      set("force.impulse", load->impulse);
+      set("force.rate", load->largestRate);
+      const std::span<const double> raw = part(s_.forceRaw, held_);
+      set("force.peak_raw", *std::max_element(raw.begin(), raw.end()));
+      if (targets_.forceLimit_N) {
+        const Violations violations = violationsOf(force, *targets_.forceLimit_N, kRate_Hz);
+        set("force.violations", static_cast<double>(violations.count));
+        set("force.violation_time", violations.time_s);
+        set("force.excess", violations.excessImpulse);
+      }
+    }
+    if (!s_.torque.empty()) {
+      const std::span<const double> torque = part(s_.torque, held_);
+      std::vector<double> magnitude;
+      for (const double value : torque) magnitude.push_back(std::abs(value));
+      const Outcome<Loading> load = loadingOf(magnitude, kRate_Hz);
+      set("torque.mean", load->mean);
+      set("torque.peak", load->peak);
+      if (targets_.torqueLimit_Nm)
+        set("torque.violations",
+            static_cast<double>(violationsOf(magnitude, *targets_.torqueLimit_Nm, kRate_Hz).count));
+      const auto letGo = longest(s_.phase, [](TracePhase phase) { return phase == TracePhase::kReleasing; });
+      set("torque.release_rate", releaseRate(part(s_.torque, letGo), kRate_Hz));
+      if (!s_.angle.empty()) {
+        const Outcome<TwistWork> work = twistWork(torque, part(s_.angle, held_));
+        set("work.delivered", work->delivered_J);
+        set("work.loop", work->loop_J);
+      }
+    }
+    if (!s_.shear.empty() && targets_.shearLimit_Pa)
+      set("shear.over_limit", violationsOf(part(s_.shear, held_), *targets_.shearLimit_Pa, kRate_Hz).time_s);
+  }
+
+  const Prepared& s_;
+  const TrialTargets& targets_;
+  TrialMetrics& out_;
+  std::pair<std::size_t, std::size_t> held_;
+};
+
+}  // namespace
+
+const Outcome<double>& TrialMetrics::at(std::string_view id) const {
+  const auto found =
+      std::find_if(values.begin(), values.end(), [&](const MetricValue& v) { return v.id == id; });
+  TORSIO_EXPECTS(found != values.end());
+  return found->value;
+}
+
+TrialMetrics measureTrial(const TrialTrace& trace, const TrialTargets& targets) {
+  TORSIO_EXPECTS(targets.tolerance_rad > 0.0);
+  const Prepared signals = prepare(trace);
+  TrialMetrics out;
+  for (const MetricCard& card : metricCards()) {
+    out.values.emplace_back();
+    out.values.back().id = card.id;
+  }
+  out.lostSamples = signals.lost;
+  out.poseCutoff_Hz = kPoseCutoff_Hz;
+  out.forceCutoff_Hz = kForceCutoff_Hz;
+  Measurer(signals, targets, out).run();
+  return out;
+}
+
+}  // namespace torsio

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "assessment/metrics/metric_cards.h"
+#include "assessment/statistics/values.h"
+#include "sim/base/vec3.h"
+
+namespace torsio {
+
+/// What a sample of a trace belongs to.
+enum class TracePhase : std::uint8_t { kFree, kContact, kTwisting, kHolding, kReleasing };
+
+/// One trial between its task start and task end, one entry a sample. Lists that do not apply stay empty; the
+/// others have the length of `times_us`. Handedness and two-handed measures do not exist: there is one
+/// stylus.
+struct TrialTrace {
+  std::vector<std::int64_t> times_us;
+  std::vector<TracePhase> phase;
+  std::vector<Vec3> tip_m;
+  std::vector<double> angle_rad;        ///< unwrapped twist
+  std::vector<double> targetAngle_rad;  ///< course that was shown; empty when only an end angle was asked for
+  std::vector<double> force_N;          ///< magnitude
+  std::vector<double> torque_Nm;        ///< signed
+  std::vector<double> patchShear_Pa;
+};
+
+/// Parts of the exercise version that the judgement uses.
+struct TrialTargets {
+  double target_rad = 0.0;  ///< 0: no end angle
+  double tolerance_rad = 0.0349065850398866;
+  std::optional<double> forceLimit_N;
+  std::optional<double> torqueLimit_Nm;
+  std::optional<double> shearLimit_Pa;
+  std::optional<Vec3> axisPoint_m;
+  Vec3 axis{0.0, 0.0, 1.0};
+};
+
+struct MetricValue {
+  std::string_view id;  ///< of a card
+  Outcome<double> value = Outcome<double>::undefined("not applicable");
+};
+
+struct TrialMetrics {
+  std::vector<MetricValue> values;  ///< one a card, in the order of the cards
+  std::size_t lostSamples = 0;
+  double poseCutoff_Hz = 0.0;
+  double forceCutoff_Hz = 0.0;
+  [[nodiscard]] const Outcome<double>& at(std::string_view id) const;
+};
+
+/// All metrics of one trial, in the order of preparation: uniform time, filter, derive, measure. Throws
+/// Error{kBadData} when lists differ in length, values are not finite, time stamps do not rise, or a gap
+/// exceeds 20 ms.
+[[nodiscard]] TrialMetrics measureTrial(const TrialTrace& trace, const TrialTargets& targets);
+
+}  // namespace torsio
