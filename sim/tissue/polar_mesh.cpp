@@ -28,29 +28,24 @@ double squaredDistance(const Point2& a, const Point2& b) {
 
 /// Triangles between an outer ring and an inner one whose rays are all or some of the outer ones.
 std::vector<std::array<int, 3>> strip(const PlaneMesh& mesh, const Ring& outer, const Ring& inner) {
+  const auto point = [&mesh](int k) -> const Point2& { return mesh.points[static_cast<std::size_t>(k)]; };
   std::vector<std::array<int, 3>> triangles;
   const std::size_t n = outer.rays.size(), m = inner.rays.size();
-  std::size_t o = 0;
+  std::size_t begin = 0;
   for (std::size_t i = 0; i < m; ++i) {
-    const int b0 = inner.points[i];
-    const int b1 = inner.points[(i + 1) % m];
-    const int lastRay = i + 1 < m ? inner.rays[i + 1] : outer.rays.back() + 1;
-    const int a0 = outer.points[o];
-    const int a1 = outer.points[(o + 1) % n];
-    const bool skips = o + 1 < n && outer.rays[o + 1] < lastRay;
-    const auto& p = mesh.points;
-    const auto at = [](int k) { return static_cast<std::size_t>(k); };
-    if (skips) {
-      const int a2 = outer.points[(o + 2) % n];
-      triangles.insert(triangles.end(), {{a0, a1, b0}, {a1, b1, b0}, {a1, a2, b1}});
-      o += 2;
-    } else if (squaredDistance(p[at(a0)], p[at(b1)]) < squaredDistance(p[at(a1)], p[at(b0)])) {
-      triangles.insert(triangles.end(), {{a0, a1, b1}, {a0, b1, b0}});
-      o += 1;
-    } else {
-      triangles.insert(triangles.end(), {{a0, a1, b0}, {a1, b1, b0}});
-      o += 1;
-    }
+    const int b0 = inner.points[i], b1 = inner.points[(i + 1) % m];
+    std::size_t end = begin + 1;
+    while (end < n && (i + 1 == m || outer.rays[end] < inner.rays[i + 1])) ++end;
+    // The outer points up to the middle one look at b0, the others at b1.
+    const auto a = [&](std::size_t k) { return outer.points[k % n]; };
+    std::size_t middle = begin + (end - begin) / 2;
+    if (end == begin + 1 &&
+        squaredDistance(point(a(end)), point(b0)) <= squaredDistance(point(a(begin)), point(b1)))
+      middle = end;
+    for (std::size_t k = begin; k < middle; ++k) triangles.push_back({a(k), a(k + 1), b0});
+    triangles.push_back({a(middle), b1, b0});
+    for (std::size_t k = middle; k < end; ++k) triangles.push_back({a(k), a(k + 1), b1});
+    begin = end;
   }
   return triangles;
 }
@@ -105,8 +100,9 @@ class PolarMesher {
     // Mean way across a cell on this ring against the way along the ray.
     const double across = 2.0 * kPi * fraction / static_cast<double>(outer.rays.size());
     if (across < outer.fraction - fraction && outer.rays.size() >= 2 * kFewestRays) {
+      // An odd number leaves out two in one place, so that no narrow gap is handed on to the next ring.
       std::vector<int> half;
-      for (std::size_t i = 0; i < outer.rays.size(); i += 2) half.push_back(outer.rays[i]);
+      for (std::size_t i = 0; i + 1 < outer.rays.size(); i += 2) half.push_back(outer.rays[i]);
       if (tryRing(outer, half, fraction)) return ring_;
     }
     const bool kept = tryRing(outer, outer.rays, fraction);

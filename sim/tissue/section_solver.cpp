@@ -24,6 +24,8 @@ namespace {
 
 /// Rays of a polar mesh that graze the outline more flatly than this give needles; triangulate instead.
 constexpr double kLeastGrazingSine = 0.25;
+/// More rays than this would all be needles at the outline.
+constexpr std::size_t kMostRays = 1024;
 /// Part of the gap that the elements split in one round hold (Doerfler marking).
 constexpr double kMarkedShare = 0.7;
 
@@ -142,7 +144,8 @@ class SectionSolver::Impl {
  private:
   static std::optional<PlaneMesh> meshOf(const SectionShape& shape, int rings) {
     const BoundaryLoop& outline = shape.outline.boundary;
-    if (shape.holes.empty() && grazingSine(outline.points, Point2{}) >= kLeastGrazingSine)
+    if (shape.holes.empty() && outline.points.size() <= kMostRays &&
+        grazingSine(outline.points, Point2{}) >= kLeastGrazingSine)
       return polarMesh(outline, Point2{}, rings);
     std::vector<BoundaryLoop> holes;
     for (const SampledLoop& hole : shape.holes) holes.push_back(hole.boundary);

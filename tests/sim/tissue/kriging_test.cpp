@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -25,12 +26,14 @@ constexpr Covariance kAll[] = {Covariance::kGaussian, Covariance::kExponential, 
 
 std::vector<double> evenSamples(int count) {
   std::vector<double> samples;
+  samples.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) samples.push_back(static_cast<double>(i) / (count - 1));
   return samples;
 }
 
 std::vector<double> valuesOf(const std::function<double(double)>& field, const std::vector<double>& samples) {
   std::vector<double> values;
+  values.reserve(samples.size());
   for (const double s : samples) values.push_back(field(s));
   return values;
 }

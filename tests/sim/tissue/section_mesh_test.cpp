@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Polygons and the meshes cut from them.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "sim/tissue/plane_mesh.h"
+#include "sim/tissue/polar_mesh.h"
+#include "sim/tissue/polygon.h"
+#include "sim/tissue/polygon_mesh.h"
+#include "sim/tissue/section_outline.h"
+#include "tests/sim/tissue/section_shapes.h"
+
+namespace torsio {
+namespace {
+
+TEST(Polygon, MomentsAreThoseOfTheRectangleWhereverItLies) {
+  const PolygonMoments m = polygonMoments(shapes::moved(shapes::rectangle(2.0, 1.0), 1.0, {1000.0, -500.0}));
+
+  EXPECT_DOUBLE_EQ(m.area, 2.0);
+  EXPECT_DOUBLE_EQ(m.centroid[0], 1000.0);
+  EXPECT_DOUBLE_EQ(m.centroid[1], -500.0);
+  EXPECT_NEAR(m.xx, 2.0 * 1.0 * 4.0 / 12.0, 1e-12);  // b h^3 / 12
+  EXPECT_NEAR(m.yy, 2.0 * 1.0 / 12.0, 1e-12);
+  EXPECT_NEAR(m.xy, 0.0, 1e-12);
+}
+
+TEST(Polygon, MomentsOfARightTriangleHaveTheirProduct) {
+  const PolygonMoments m = polygonMoments(shapes::Outline{{0, 0}, {3, 0}, {0, 2}});
+
+  EXPECT_DOUBLE_EQ(m.area, 3.0);
+  EXPECT_NEAR(m.xx, 3.0 * 9.0 / 18.0, 1e-14);         // A b^2 / 18
+  EXPECT_NEAR(m.yy, 3.0 * 4.0 / 18.0, 1e-14);         // A h^2 / 18
+  EXPECT_NEAR(m.xy, -3.0 * 3.0 * 2.0 / 36.0, 1e-14);  // -A b h / 36
+  EXPECT_LT(polygonMoments(shapes::Outline{{0, 0}, {0, 2}, {3, 0}}).area, 0.0);
+}
+
+TEST(Polygon, FindsCrossingsAndTouchesAndNothingElse) {
+  EXPECT_FALSE(firstSelfCrossing(shapes::kidney(200)));
+  EXPECT_FALSE(
+      firstSelfCrossing(shapes::Outline{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}}));  // straight on is no fault
+  EXPECT_EQ(firstSelfCrossing(shapes::Outline{{0, 0}, {1, 1}, {1, 0}, {0, 1}}), (std::pair{0, 2}));
+  EXPECT_TRUE(
+      firstSelfCrossing(shapes::Outline{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}));  // a point on an edge
+  EXPECT_TRUE(firstCrossing(shapes::circle(20), shapes::circle(20, 1.0, {1.0, 0.0})));
+  EXPECT_FALSE(firstCrossing(shapes::circle(20), shapes::circle(20, 0.5)));
+}
+
+TEST(Polygon, TellsStarShapedFromOthers) {
+  EXPECT_GT(grazingSine(shapes::circle(32), {0.0, 0.0}), 0.9);
+  EXPECT_LE(grazingSine(shapes::kidney(100), polygonMoments(shapes::kidney(100)).centroid), 0.0);
+  EXPECT_LT(grazingSine(shapes::circle(32), {1.5, 0.0}), 0.0);
+}
+
+double areaOf(const PlaneMesh& mesh) {
+  double sum = 0.0;
+  for (const auto& t : mesh.triangles)
+    sum += 0.5 * orientation(mesh.points[static_cast<std::size_t>(t[0])],
+                             mesh.points[static_cast<std::size_t>(t[1])],
+                             mesh.points[static_cast<std::size_t>(t[2])]);
+  return sum;
+}
+
+/// Every triangle anticlockwise, neighbours mutual over the same edge, boundary edges on one loop.
+void expectConforming(const PlaneMesh& mesh) {
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    const auto& corners = mesh.triangles[static_cast<std::size_t>(t)];
+    EXPECT_GT(orientation(mesh.points[static_cast<std::size_t>(corners[0])],
+                          mesh.points[static_cast<std::size_t>(corners[1])],
+                          mesh.points[static_cast<std::size_t>(corners[2])]),
+              0.0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int a = corners[(k + 1) % 3], b = corners[(k + 2) % 3];
+      const int other = mesh.neighbours[static_cast<std::size_t>(t)][k];
+      if (other < 0) {
+        EXPECT_GE(mesh.loop[static_cast<std::size_t>(a)], 0);
+        EXPECT_EQ(mesh.loop[static_cast<std::size_t>(a)], mesh.loop[static_cast<std::size_t>(b)]);
+        continue;
+      }
+      const auto& beyond = mesh.neighbours[static_cast<std::size_t>(other)];
+      const auto back = static_cast<std::size_t>(std::find(beyond.begin(), beyond.end(), t) - beyond.begin());
+      ASSERT_LT(back, 3U);
+      EXPECT_EQ(mesh.triangles[static_cast<std::size_t>(other)][(back + 1) % 3], b);
+      EXPECT_EQ(mesh.triangles[static_cast<std::size_t>(other)][(back + 2) % 3], a);
+    }
+  }
+}
+
+/// Smallest angle of the mesh in degrees.
+double smallestAngle(const PlaneMesh& mesh) {
+  double least = 180.0;
+  for (const auto& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point2& a = mesh.points[static_cast<std::size_t>(t[k])];
+      const Point2& b = mesh.points[static_cast<std::size_t>(t[(k + 1) % 3])];
+      const Point2& c = mesh.points[static_cast<std::size_t>(t[(k + 2) % 3])];
+      const double dot = (b[0] - a[0]) * (c[0] - a[0]) + (b[1] - a[1]) * (c[1] - a[1]);
+      least = std::min(least, std::atan2(orientation(a, b, c), dot) / kDegree);
+    }
+  return least;
+}
+
+TEST(PolarMesh, FillsAStarShapedSectionWithFewerRaysInside) {
+  for (const auto& outline : {shapes::circle(128), shapes::organ(97), shapes::rectangle(1.0, 1.0)}) {
+    const SectionShape shape = prepareSection(outline, {}, 128);
+
+    const PlaneMesh mesh = polarMesh(shape.outline.boundary, {}, 8);
+
+    expectConforming(mesh);
+    EXPECT_NEAR(areaOf(mesh), 1.0, 1e-12);  // sections are scaled to area 1
+    EXPECT_LT(mesh.points.size(), 4 * shape.outline.boundary.points.size());
+    EXPECT_GT(smallestAngle(mesh), 8.0);
+  }
+}
+
+TEST(PolarMesh, KeepsItsRaysWhereANotchForbidsToLeaveThemOut) {
+  Random random(21);
+  for (int k = 0; k < 20; ++k) {
+    const SectionShape shape = prepareSection(shapes::randomStar(random, 12), {}, 128);
+    if (grazingSine(shape.outline.boundary.points, {}) < 0.05) continue;
+
+    const PlaneMesh mesh = polarMesh(shape.outline.boundary, {}, 8);
+
+    expectConforming(mesh);
+    EXPECT_NEAR(areaOf(mesh), 1.0, 1e-12);
+  }
+}
+
+TEST(PolygonMesh, FillsAnySectionWithWellShapedTriangles) {
+  const std::vector<shapes::Outline> holes = {shapes::circle(40, 0.2, {0.5, 0.0}),
+                                              shapes::circle(40, 0.25, {-0.4, 0.3})};
+  struct Case {
+    shapes::Outline outline;
+    std::vector<shapes::Outline> holes;
+    double angle;
+  };
+  for (const Case& c : {Case{shapes::kidney(150), {}, 15.0}, Case{shapes::organ(128), holes, 15.0},
+                        Case{shapes::circle(100), {shapes::circle(100, 0.9)}, 15.0},
+                        Case{shapes::rectangle(20.0, 1.0), {}, 15.0}}) {
+    const SectionShape shape = prepareSection(c.outline, c.holes, 128);
+    std::vector<BoundaryLoop> loops;
+    for (const SampledLoop& hole : shape.holes) loops.push_back(hole.boundary);
+
+    const auto mesh = polygonMesh(shape.outline.boundary, loops);
+
+    ASSERT_TRUE(mesh.has_value());
+    expectConforming(*mesh);
+    EXPECT_NEAR(areaOf(*mesh), shape.area, 1e-12);
+    EXPECT_GT(smallestAngle(*mesh), c.angle);
+    std::size_t boundary = shape.outline.boundary.points.size(), edges = 0;
+    for (const BoundaryLoop& loop : loops) boundary += loop.points.size();
+    for (const auto& n : mesh->neighbours)
+      edges += static_cast<std::size_t>(std::count(n.begin(), n.end(), -1));
+    EXPECT_EQ(edges, boundary);  // no boundary edge was split or lost
+  }
+}
+
+TEST(PolygonMesh, SurvivesRandomPolygons) {
+  Random random(22);
+  for (int k = 0; k < 40; ++k) {
+    const SectionShape shape =
+        prepareSection(shapes::randomSimple(random, 8 + k % 20, k % 3 == 0 ? 0.2 : 1.0), {}, 128);
+
+    const auto mesh = polygonMesh(shape.outline.boundary, {});
+
+    ASSERT_TRUE(mesh.has_value());
+    expectConforming(*mesh);
+    EXPECT_NEAR(areaOf(*mesh), 1.0, 1e-11);
+  }
+}
+
+TEST(Bisection, KeepsTheMeshConformingAndTheAnglesAboveHalf) {
+  const SectionShape shape = prepareSection(shapes::kidney(100), {}, 100);
+  auto mesh = polygonMesh(shape.outline.boundary, {});
+  ASSERT_TRUE(mesh.has_value());
+  const double angle = smallestAngle(*mesh);
+  Random random(23);
+
+  for (int round = 0; round < 6; ++round) {
+    std::vector<char> marked(mesh->triangles.size(), 0);
+    for (char& m : marked) m = random.uniform() < 0.2 ? 1 : 0;
+    const std::size_t before = mesh->triangles.size();
+    bisect(*mesh, marked);
+    EXPECT_GE(mesh->triangles.size(),
+              before + static_cast<std::size_t>(std::count(marked.begin(), marked.end(), 1)) / 2);
+  }
+
+  expectConforming(*mesh);
+  EXPECT_NEAR(areaOf(*mesh), 1.0, 1e-12);
+  EXPECT_GE(smallestAngle(*mesh), 0.5 * angle * (1.0 - 1e-9));
+  // New boundary points know their way along the outline: the way and the place agree.
+  const BoundaryLoop& loop = shape.outline.boundary;
+  for (std::size_t i = 0; i < mesh->points.size(); ++i) {
+    if (mesh->loop[i] < 0) continue;
+    const auto after = std::upper_bound(loop.arc.begin(), loop.arc.end(), mesh->arc[i]);
+    const auto k = static_cast<std::size_t>(after - loop.arc.begin()) - 1;
+    const Point2& a = loop.points[k];
+    EXPECT_NEAR(std::hypot(mesh->points[i][0] - a[0], mesh->points[i][1] - a[1]), mesh->arc[i] - loop.arc[k],
+                1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace torsio
