@@ -39,8 +39,10 @@ TargetApproach targetApproach(std::span<const double> angle, double target, doub
 
 namespace {
 
-/// Correlation of actual[i + lag] with target[i] over the part that both have.
-double correlationAt(std::span<const double> actual, std::span<const double> target, std::ptrdiff_t lag) {
+/// Correlation of actual[i + lag] with target[i] over the part that both have, looking at every `stride`-th
+/// sample.
+double correlationAt(std::span<const double> actual, std::span<const double> target, std::ptrdiff_t lag,
+                     std::size_t stride) {
   const std::ptrdiff_t n = std::ssize(actual) - std::abs(lag);
   const std::size_t a0 = lag > 0 ? static_cast<std::size_t>(lag) : 0;
   const std::size_t t0 = lag < 0 ? static_cast<std::size_t>(-lag) : 0;
@@ -48,16 +50,17 @@ double correlationAt(std::span<const double> actual, std::span<const double> tar
   const std::span<const double> t = target.subspan(t0, static_cast<std::size_t>(n));
   double ma = 0.0;
   double mt = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
+  for (std::size_t i = 0; i < a.size(); i += stride) {
     ma += a[i];
     mt += t[i];
   }
-  ma /= static_cast<double>(n);
-  mt /= static_cast<double>(n);
+  const double looked = std::ceil(static_cast<double>(n) / static_cast<double>(stride));
+  ma /= looked;
+  mt /= looked;
   double at = 0.0;
   double aa = 0.0;
   double tt = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
+  for (std::size_t i = 0; i < a.size(); i += stride) {
     at += (a[i] - ma) * (t[i] - mt);
     aa += (a[i] - ma) * (a[i] - ma);
     tt += (t[i] - mt) * (t[i] - mt);
@@ -65,20 +68,41 @@ double correlationAt(std::span<const double> actual, std::span<const double> tar
   return aa > 0.0 && tt > 0.0 ? at / std::sqrt(aa * tt) : -2.0;
 }
 
-void addLag(std::span<const double> actual, std::span<const double> target, double rate_Hz,
-            TrackingError& out) {
-  const auto reach =
-      std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(kLargestLag_s * rate_Hz), std::ssize(actual) / 2);
+struct LagSearch {
   double best = -2.0;
   std::ptrdiff_t lag = 0;
-  for (std::ptrdiff_t candidate = -reach; candidate <= reach; ++candidate) {
-    const double r = correlationAt(actual, target, candidate);
+};
+
+LagSearch searchLag(std::span<const double> actual, std::span<const double> target, std::ptrdiff_t from,
+                    std::ptrdiff_t to, std::size_t stride) {
+  LagSearch out;
+  for (std::ptrdiff_t candidate = from; candidate <= to; candidate += static_cast<std::ptrdiff_t>(stride)) {
+    const double r = correlationAt(actual, target, candidate, stride);
     // Near-ties go to the smaller lag.
-    if (r > best + 1e-12 || (r > best - 1e-12 && std::abs(candidate) < std::abs(lag))) {
-      best = std::max(best, r);
-      lag = candidate;
+    if (r > out.best + 1e-12 || (r > out.best - 1e-12 && std::abs(candidate) < std::abs(out.lag))) {
+      out.best = std::max(out.best, r);
+      out.lag = candidate;
     }
   }
+  return out;
+}
+
+void addLag(std::span<const double> actual, std::span<const double> target, double rate_Hz,
+            TrackingError& out) {
+  constexpr std::size_t kLongSignal = 20'000;
+  constexpr std::size_t kCoarse = 10;  // 10 ms at 1 kHz: far below what a hand's course changes in
+  const auto reach =
+      std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(kLargestLag_s * rate_Hz), std::ssize(actual) / 2);
+  LagSearch search{-2.0, 0};
+  if (actual.size() <= kLongSignal) {
+    search = searchLag(actual, target, -reach, reach, 1);
+  } else {
+    const std::ptrdiff_t near = searchLag(actual, target, -reach, reach, kCoarse).lag;
+    constexpr auto kStep = static_cast<std::ptrdiff_t>(kCoarse);
+    search = searchLag(actual, target, std::max(-reach, near - kStep), std::min(reach, near + kStep), 1);
+  }
+  const double best = search.best;
+  const std::ptrdiff_t lag = search.lag;
   if (best < -1.5) return;
   out.lag_s = static_cast<double>(lag) / rate_Hz;
   double squares = 0.0;

@@ -169,6 +169,16 @@ TEST_F(TraceCase, TrackingErrorSeparatesLagFromShape) {
   EXPECT_FALSE(trackingError(actual, std::vector<double>(4000, 1.0), kRate)->lag_s);
 }
 
+TEST(TrackingError, FindsTheLagOfALongSignalToOneSample) {
+  std::vector<double> target;
+  std::vector<double> actual;
+  for (int i = 0; i < 60000; ++i) {
+    target.push_back(std::sin(0.0007 * i) + 0.3 * std::sin(0.0031 * i));
+    actual.push_back(std::sin(0.0007 * (i - 137)) + 0.3 * std::sin(0.0031 * (i - 137)));
+  }
+  EXPECT_DOUBLE_EQ(*trackingError(actual, target, kRate)->lag_s, 0.137);
+}
+
 TEST_F(TraceCase, FiltersHaveTheStatedCoefficientsAndGain) {
   const nlohmann::json& butter = reference.expected.at("butter");
   for (const auto& [name, cutoff] :
