@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/contracts.h"
 #include "sim/base/error.h"
 #include "sim/geometry/mesh_file_check.h"
 #include "sim/geometry/text_lines.h"
@@ -197,6 +198,7 @@ void walkAscii(const PlyHeader& header, std::uint64_t vertices, TextLines& lines
 
 // An integer of the file at `at`, which lies inside.
 std::int64_t integerAt(std::string_view bytes, std::uint64_t at, const PlyType& type, Encoding format) {
+  TORSIO_EXPECTS(type.bytes >= 1 && type.bytes <= 4);
   std::uint64_t value = 0;
   for (std::uint64_t i = 0; i < type.bytes; ++i) {
     const std::uint64_t byte = format == Encoding::kBigEndian ? at + i : at + type.bytes - 1 - i;

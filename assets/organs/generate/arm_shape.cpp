@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "sim/base/portable_math.h"
 
@@ -33,30 +35,38 @@ double unitGirth(double ratio) {
   return girth;
 }
 
-// Heights above the elbow of the rows of the width and depth tables.
-std::vector<double> rowHeights(const ArmMeasures& m) {
-  std::vector<double> z;
-  for (const double share : kGirthAt) z.push_back(share * m.forearmLength_mm);
-  for (const double share : {0.21, 0.43, 0.65, 0.79, 0.93})
-    z.push_back(m.forearmLength_mm + share * m.palmLength_mm);
-  return z;
+// Sections of the palm: shares of its length, of the hand's breadth and of its thickness.
+struct PalmRow {
+  double length, breadth, thickness;
+};
+constexpr std::array<PalmRow, 5> kPalm{
+    {{0.21, 0.75, 1.38}, {0.43, 0.86, 1.20}, {0.65, 0.97, 1.07}, {0.79, 1.0, 1.0}, {0.93, 0.96, 0.86}}};
+
+// A curve over the height above the elbow, from the rows of the forearm and of the palm.
+MonotoneCurve alongArm(const ArmMeasures& m, const std::function<double(std::size_t)>& forearm,
+                       const std::function<double(const PalmRow&)>& palm) {
+  std::vector<double> height(kGirthAt.size() + kPalm.size());
+  std::vector<double> value(height.size());
+  for (std::size_t i = 0; i < height.size(); ++i) {
+    const bool onForearm = i < kGirthAt.size();
+    const PalmRow& row = kPalm[onForearm ? 0 : i - kGirthAt.size()];
+    height[i] =
+        onForearm ? kGirthAt[i] * m.forearmLength_mm : m.forearmLength_mm + row.length * m.palmLength_mm;
+    value[i] = onForearm ? forearm(i) : palm(row);
+  }
+  return {std::move(height), std::move(value)};
 }
 
 MonotoneCurve halfWidths(const ArmMeasures& m) {
-  std::vector<double> half;
-  for (std::size_t i = 0; i < kGirthAt.size(); ++i) {
-    half.push_back(kWidthToDepth[i] * m.girth_mm[i] / unitGirth(kWidthToDepth[i]));
-  }
-  for (const double share : {0.75, 0.86, 0.97, 1.0, 0.96}) half.push_back(0.5 * share * m.handBreadth_mm);
-  return {rowHeights(m), half};
+  return alongArm(
+      m, [&m](std::size_t i) { return kWidthToDepth[i] * m.girth_mm[i] / unitGirth(kWidthToDepth[i]); },
+      [&m](const PalmRow& row) { return 0.5 * row.breadth * m.handBreadth_mm; });
 }
 
 MonotoneCurve halfDepths(const ArmMeasures& m) {
-  std::vector<double> half;
-  for (std::size_t i = 0; i < kGirthAt.size(); ++i)
-    half.push_back(m.girth_mm[i] / unitGirth(kWidthToDepth[i]));
-  for (const double share : {1.38, 1.20, 1.07, 1.0, 0.86}) half.push_back(0.5 * share * m.handThickness_mm);
-  return {rowHeights(m), half};
+  return alongArm(
+      m, [&m](std::size_t i) { return m.girth_mm[i] / unitGirth(kWidthToDepth[i]); },
+      [&m](const PalmRow& row) { return 0.5 * row.thickness * m.handThickness_mm; });
 }
 
 double distance(const RoundCone& cone, const Vec3& p) {

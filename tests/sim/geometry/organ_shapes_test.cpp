@@ -32,9 +32,7 @@ TEST(MonotoneCurve, PassesThroughItsPointsWithoutOvershoot) {
 }
 
 TEST(SplineCurve, RunsStraightThroughPointsOnALine) {
-  std::vector<Vec3> line;
-  for (int i = 0; i < 5; ++i) line.push_back({1.0 * i, 2.0 * i, 0.0});
-  const SplineCurve straight(line);
+  const SplineCurve straight({{0, 0, 0}, {1, 2, 0}, {2, 4, 0}, {3, 6, 0}, {4, 8, 0}});
   EXPECT_NEAR(straight.chordLength(), 4.0 * std::sqrt(5.0), 1e-12);
   EXPECT_NEAR(norm(straight(0.3 * straight.chordLength()) - Vec3{1.2, 2.4, 0.0}), 0.0, 1e-12);
 }
