@@ -172,7 +172,12 @@ Connection::Connection(Connection&&) noexcept = default;
 Connection& Connection::operator=(Connection&&) noexcept = default;
 Connection::~Connection() = default;
 
+void Connection::observeStatements(std::function<void(std::string_view)> observer) {
+  state_->observer = std::move(observer);
+}
+
 Statement Connection::prepare(std::string_view sql) {
+  if (state_->observer) state_->observer(sql);
   return Statement(std::make_unique<Statement::Query>(state_, sql));
 }
 

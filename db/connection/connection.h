@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <span>
@@ -42,6 +43,10 @@ class Connection {
   std::int64_t execute(std::string_view sql, std::initializer_list<Value> values = {});
   /// Runs one statement without placeholders just as it is: schema changes. Throws DbError.
   void executeVerbatim(std::string_view sql);
+
+  /// `observer` hears the text of every statement that is prepared from now on: query plans in tests,
+  /// diagnosis.
+  void observeStatements(std::function<void(std::string_view)> observer);
 
   [[nodiscard]] Engine engine() const noexcept;
   /// For messages; never contains a password.

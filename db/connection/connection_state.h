@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -39,7 +40,8 @@ class ConnectionState {
   Engine engine;
   std::string location;
   bool readOnly = false;
-  int depth = 0;        ///< open transactions, the inner ones joined
+  int depth = 0;  ///< open transactions, the inner ones joined
+  std::function<void(std::string_view)> observer;
   bool broken = false;  ///< the open transaction was rolled back already
 
  private:

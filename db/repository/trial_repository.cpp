@@ -231,7 +231,7 @@ std::vector<TrialListing> TrialRepository::list(const TrialFilter& filter) {
   values.emplace_back(filter.limit);
   values.emplace_back(filter.offset);
   Statement row =
-      connection_.prepare(kListing + where + " ORDER BY t.started_utc_us DESC, t.id LIMIT ? OFFSET ?");
+      connection_.prepare(kListing + where + " ORDER BY t.started_utc_us DESC, t.id DESC LIMIT ? OFFSET ?");
   row.execute(values);
   return listingsOf(row);
 }

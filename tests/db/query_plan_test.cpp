@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lists must open at once however long the record is: no query of a list may walk through a whole table that
+// grows with the years, nor sort one. SQLite's own plan says so for every statement that the repositories
+// prepare.
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "db/repository/audit_repository.h"
+#include "db/repository/evaluation_repository.h"
+#include "db/repository/people_repository.h"
+#include "db/repository/rating_repository.h"
+#include "db/repository/sheet_repository.h"
+#include "db/repository/study_repository.h"
+#include "db/repository/trial_repository.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+class QueryPlanTest : public DatabaseTest {
+ protected:
+  void SetUp() override {
+    DatabaseTest::SetUp();
+    if (onPostgresql()) GTEST_SKIP() << "PostgreSQL plans by the size of its tables";
+  }
+
+  /// Lines of the plans of all that `list` prepares.
+  static std::vector<std::string> plansOf(Connection& connection, const std::function<void()>& list) {
+    std::vector<std::string> statements;
+    connection.observeStatements([&](std::string_view sql) { statements.emplace_back(sql); });
+    list();
+    connection.observeStatements(nullptr);
+    std::vector<std::string> lines;
+    for (const std::string& sql : statements) {
+      Statement plan = connection.prepare("EXPLAIN QUERY PLAN " + sql);
+      plan.execute(std::vector<Value>(static_cast<std::size_t>(std::count(sql.begin(), sql.end(), '?'))));
+      while (plan.step()) lines.push_back(plan.text(3));
+    }
+    return lines;
+  }
+
+  /// `inOrder`: a walk along an index is meant, because the whole list is shown or LIMIT ends it.
+  static void expectNoWalk(const std::vector<std::string>& lines, bool inOrder = false) {
+    EXPECT_FALSE(lines.empty());
+    for (const std::string& line : lines) {
+      const bool walk = line.rfind("SCAN", 0) == 0 && line.find("CONSTANT ROW") == std::string::npos;
+      EXPECT_FALSE(walk && !(inOrder && line.find("INDEX") != std::string::npos)) << line;
+    }
+  }
+  static void expectNoSort(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) EXPECT_EQ(line.find("TEMP B-TREE"), std::string::npos) << line;
+  }
+};
+
+TEST_F(QueryPlanTest, TrialsAreFoundByIndexAndTheNewestNeedNoSorting) {
+  Connection connection = openWithSchema();
+  TrialRepository trials(connection);
+  const auto newest = plansOf(connection, [&] { (void)trials.list(); });
+  expectNoWalk(newest, true);
+  expectNoSort(newest);
+  expectNoWalk(plansOf(connection, [&] { (void)trials.list({.traineeCode = "T-01"}); }));
+  expectNoWalk(plansOf(connection, [&] { (void)trials.list({.enrolmentId = "e"}); }));
+  expectNoWalk(plansOf(connection, [&] { (void)trials.unfinished("station"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)trials.find("t"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)trials.events("t"); }));
+}
+
+TEST_F(QueryPlanTest, PeopleAreListedInTheOrderOfAnIndex) {
+  Connection connection = openWithSchema();
+  PeopleRepository people(connection);
+  const auto trainees = plansOf(connection, [&] { (void)people.trainees(); });
+  expectNoWalk(trainees, true);
+  expectNoSort(trainees);
+  expectNoWalk(plansOf(connection, [&] { (void)people.findTrainee("T-01"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)people.consents("p"); }));
+}
+
+TEST_F(QueryPlanTest, MarksOfACohortAreFoundByIndex) {
+  Connection connection = openWithSchema();
+  expectNoWalk(plansOf(connection, [&] { (void)StudyRepository(connection).enrolments("c"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)StudyRepository(connection).exposures("c"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)StudyRepository(connection).deviations("c"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)RatingRepository(connection).marks("c"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)RatingRepository(connection).history("e", "r", "pre"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)RatingRepository(connection).latestRun("c"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)EvaluationRepository(connection).marks("c"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)EvaluationRepository(connection).latestRun("c"); }));
+}
+
+TEST_F(QueryPlanTest, TheQueueOfARaterAndTheAuditTrailAreFoundByIndex) {
+  Connection connection = openWithSchema();
+  SheetRepository sheets(connection);
+  expectNoWalk(plansOf(connection, [&] { (void)sheets.queue("r"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)sheets.allSubmitted("e", "pre"); }));
+  expectNoWalk(
+      plansOf(connection, [&] { (void)AuditRepository(connection).entries({.objectKind = "trial"}); }));
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Times on the real clock, of a record as large as a centre ever gets: 10,000 trainees, 100,000 marks.
+// Labelled "soak"; the limits are those of the requirements with room for a busy machine, the measured values
+// are printed.
+#include <algorithm>
+#include <functional>
+#include <iostream>
+
+#include "db/repository/rating_repository.h"
+#include "db/repository/trial_repository.h"
+#include "sim/base/clock.h"
+#include "tests/db/sample_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+constexpr int kTrainees = 10'000;
+constexpr int kTraineesPerCohort = 50;
+constexpr std::int64_t kListLimit_us = 100'000;
+constexpr std::int64_t kInsertLimit_us = 20'000;  // p99 of one second of samples
+
+class ScaleTest : public DatabaseTest {
+ protected:
+  /// 200 cohorts of 50; each trainee marked by two chiefs at five stages' worth of versions: 100,000 marks.
+  static std::string fill(Connection& connection, SampleRecord& sample) {
+    StudyRepository study(connection);
+    std::string cohortId;
+    for (int first = 0; first < kTrainees; first += kTraineesPerCohort) {
+      Transaction transaction(connection);
+      cohortId = sample.ids.newUuid();
+      study.addCohort({cohortId, "cohort " + std::to_string(first), "", kSampleTime_us, true}, {});
+      std::vector<StoredTrainee> trainees;
+      std::vector<StoredEnrolment> enrolments;
+      for (int i = 0; i < kTraineesPerCohort; ++i) {
+        StoredTrainee trainee;
+        trainee.person.id = sample.ids.newUuid();
+        trainee.person.code = "S-" + std::to_string(first + i);
+        trainees.push_back(trainee);
+        enrolments.push_back(
+            {.id = sample.ids.newUuid(), .cohortId = cohortId, .traineeId = trainee.person.id});
+      }
+      PeopleRepository(connection).addTrainees(trainees);
+      study.enrol(enrolments);
+      RatingRepository(connection).submit(marksFor(sample, enrolments));
+      transaction.commit();
+    }
+    return cohortId;
+  }
+
+  static std::vector<StoredTrainingMark> marksFor(SampleRecord& sample,
+                                                  const std::vector<StoredEnrolment>& enrolments) {
+    std::vector<StoredTrainingMark> marks;
+    for (const StoredEnrolment& enrolment : enrolments) {
+      for (const StoredRater& chief : sample.chiefs) {
+        for (std::int64_t version = 1; version <= 5; ++version) {
+          StoredTrainingMark mark;
+          mark.id = sample.ids.newUuid();
+          mark.enrolmentId = enrolment.id;
+          mark.raterId = chief.person.id;
+          mark.scoringPoint = "pre";
+          mark.version = version;
+          mark.amendReason = version == 1 ? "" : "again";
+          mark.score_steps = 50;
+          marks.push_back(mark);
+        }
+      }
+    }
+    return marks;
+  }
+
+  /// The best of three: other programs on the machine only ever add.
+  static std::int64_t duration_us(const std::string& what, const std::function<void()>& action) {
+    const MonotonicClock clock;
+    std::int64_t best_us = INT64_MAX;
+    for (int round = 0; round < 3; ++round) {
+      const std::int64_t start_us = clock.now_us();
+      action();
+      best_us = std::min(best_us, clock.now_us() - start_us);
+    }
+    std::cout << what << ": " << static_cast<double>(best_us) / 1000.0 << " ms\n";
+    return best_us;
+  }
+
+  /// 99th percentile of 200 seconds of samples.
+  static std::int64_t insertP99_us(TrialRepository& trials, std::int64_t first) {
+    std::vector<std::int64_t> times_us;
+    const MonotonicClock clock;
+    for (std::int64_t i = 0; i < 200; ++i) {
+      const TrialChunk chunk = sampleChunk(first + i, 16'000);
+      const std::int64_t start_us = clock.now_us();
+      trials.append(chunk);
+      times_us.push_back(clock.now_us() - start_us);
+    }
+    std::sort(times_us.begin(), times_us.end());
+    std::cout << "insert of one second: median " << times_us[100] << " us, p99 " << times_us[198] << " us\n";
+    return times_us[198];
+  }
+};
+
+TEST_F(ScaleTest, ListsOpenAtOnceInALargeRecord) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const std::string cohortId = fill(connection, sample);
+  ASSERT_EQ(numberFrom(connection, "SELECT count(*) FROM training_mark"), 100'000);
+
+  std::size_t marks = 0;
+  std::size_t trainees = 0;
+  EXPECT_LE(duration_us("all trainees", [&] { trainees = PeopleRepository(connection).trainees().size(); }),
+            kListLimit_us);
+  EXPECT_LE(
+      duration_us("marks of a cohort", [&] { marks = RatingRepository(connection).marks(cohortId).size(); }),
+      kListLimit_us);
+  EXPECT_LE(duration_us("enrolments", [&] { (void)StudyRepository(connection).enrolments(cohortId); }),
+            kListLimit_us);
+  EXPECT_EQ(trainees, static_cast<std::size_t>(kTrainees) + 1);
+  EXPECT_EQ(marks, 100U);
+}
+
+TEST_F(ScaleTest, ASecondOfSamplesIsStoredInTime) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  TrialRepository trials(connection);
+  trials.begin(sampleHeader(sample.ids.newUuid(), "T-01"));
+  const std::int64_t best_us =
+      std::min({insertP99_us(trials, 0), insertP99_us(trials, 200), insertP99_us(trials, 400)});
+  EXPECT_LE(best_us, kInsertLimit_us);
+}
+
+}  // namespace
+}  // namespace torsio
