@@ -311,6 +311,7 @@ ReportModel cohortReport(const CohortInputs& in) {
   if (!in.trainees.empty()) report.sections.push_back(participantsSection(in));
   if (!in.evaluations.empty()) report.sections.push_back(evaluationSection(in));
   if (!in.scores.empty()) report.sections.push_back(trainingSection(in));
+  if (!in.trainingMarks.empty()) report.sections.push_back(analysisSection(in));
   if (!in.trials.empty()) report.sections.push_back(trialsSection(in));
   report.sections.push_back(methodsSection(in));
   report.sections.push_back(provenanceSection(in));

@@ -85,6 +85,8 @@ struct CohortInputs {
   std::vector<TraineeScore> scores;
   std::vector<GroupSummary> summaries;
   std::size_t trainingRaters = 0;
+  /// The marks behind the scores. When given, the report has a section with agreement and comparisons.
+  std::vector<TrainingMark> trainingMarks;
 
   std::vector<TrialDigest> trials;
   std::vector<std::pair<std::string, std::string>>

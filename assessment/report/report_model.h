@@ -48,7 +48,8 @@ struct BoxSummary {
 
 struct FigureSeries {
   std::string name;
-  std::vector<double> x;                 ///< kLines without categories: abscissa; kPoints: category number from 0; else empty
+  std::vector<double>
+      x;  ///< kLines without categories: abscissa; kPoints: category number from 0; else empty
   std::vector<std::optional<double>> y;  ///< one a category; kBoxes: all raw values
   std::vector<double> low;               ///< kRanges: same length as y
   std::vector<double> high;

@@ -9,6 +9,7 @@ namespace torsio {
 [[nodiscard]] ReportSection participantsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection evaluationSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection trainingSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection analysisSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection trialsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs);

@@ -48,6 +48,7 @@ CohortInputs demonstration() {
   in.scores = traineeScores(in.trainingScale, marks);
   in.summaries = groupSummaries(in.trainingScale, marks);
   in.trainingRaters = 10;
+  in.trainingMarks = marks;
   TrialDigest trial;
   trial.trialId = "t1";
   trial.trainee = "x101";
@@ -117,6 +118,36 @@ TEST(CohortReport, HasTablesWhoseRowsFitTheirColumnsAndUniqueNames) {
   EXPECT_GE(tables, 9);
   EXPECT_TRUE(report.demonstration);
   EXPECT_EQ(report.sections.front().title, "What was simulated");
+}
+
+TEST(CohortReport, ComparesGroupsAndRatersWhenTheMarksAreGiven) {
+  const CohortInputs in = demonstration();
+  const ReportModel report = cohortReport(in);
+  const auto section =
+      std::find_if(report.sections.begin(), report.sections.end(),
+                   [](const ReportSection& of) { return of.title == "Agreement and comparisons"; });
+  ASSERT_NE(section, report.sections.end());
+  std::vector<std::string> ids;
+  for (const ReportTable& table : section->tables) ids.push_back(table.id);
+  EXPECT_THAT(ids, ::testing::ElementsAre("table-agreement", "table-ancova", "table-mixed-anova",
+                                          "table-gains", "table-friedman"));
+  EXPECT_EQ(section->tables[0].rows.size(), 3U);
+  EXPECT_EQ(section->tables[1].rows.size(), 3U);
+  for (const ReportTable& table : section->tables)
+    for (const std::vector<std::string>& row : table.rows)
+      for (const std::string& cell : row)
+        EXPECT_THAT(cell, ::testing::Not(::testing::HasSubstr("not defined")));
+}
+
+TEST(CohortReport, SaysWhyAgreementIsNotDefinedWhenMarksAreMissing) {
+  CohortInputs in = demonstration();
+  in.trainingMarks.pop_back();
+  for (const ReportSection& section : cohortReport(in).sections)
+    for (const ReportTable& table : section.tables)
+      if (table.id == "table-agreement") {
+        EXPECT_THAT(table.rows[2][1], ::testing::HasSubstr("marks are missing"));
+        EXPECT_EQ(table.provenance.missing, 1);
+      }
 }
 
 TEST(CohortReport, RefusesInputsThatDoNotBelongTogether) {
