@@ -59,8 +59,8 @@ struct KrigedComponents {
 /// inputs and outputs do not overlap unless said. What enters a recorded sample never comes from here: the
 /// last bit depends on the instruction set.
 struct TwistKernels {
-  /// in: foot[3] radius[3] tangentCrossRadius[3] compliance warp[3] = 13 x 16 a block; out: 3 x 16 a block.
-  /// x' = foot + cos(phi) radius + sin(phi) tangentCrossRadius + rate warp.
+  /// in: foot[3] radius[3] tangent[3] compliance psiRate = 11 x 16 a block; out: 3 x 16 a block.
+  /// x' = foot + cos(phi) radius + sin(phi) tangent x radius + rate psiRate tangent.
   void (*curvedWarp)(const float* in, int blocks, const TwistFrame& frame, float* out);
   /// The same without warp: 10 x 16 a block.
   void (*curved)(const float* in, int blocks, const TwistFrame& frame, float* out);

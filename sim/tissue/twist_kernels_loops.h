@@ -34,10 +34,22 @@ inline float larger(float a, float b) {
   return a > b ? a : b;
 }
 
+// tangent x radius, computed here instead of read: memory is the limit, not arithmetic.
+struct Across {
+  float x;
+  float y;
+  float z;
+};
+
+inline Across tangentCrossRadius(const float* v, int i) {
+  return {v[112 + i] * v[80 + i] - v[128 + i] * v[64 + i], v[128 + i] * v[48 + i] - v[96 + i] * v[80 + i],
+          v[96 + i] * v[64 + i] - v[112 + i] * v[48 + i]};
+}
+
 void curvedWarp(const float* __restrict in, int blocks, const TwistFrame& frame, float* __restrict out) {
   const TwistFrame f = frame;
   for (int block = 0; block < blocks; ++block) {
-    const float* __restrict v = in + static_cast<long long>(block) * (13 * 16);
+    const float* __restrict v = in + static_cast<long long>(block) * (11 * 16);
     float* __restrict o = out + static_cast<long long>(block) * (3 * 16);
     TORSIO_VECTOR_LOOP
     for (int i = 0; i < 16; ++i) {
@@ -45,9 +57,11 @@ void curvedWarp(const float* __restrict in, int blocks, const TwistFrame& frame,
       const SineCosine r = sineCosine(f.torque * smaller(f.nearSlope * c, f.farBase + f.farSlope * c));
       const float t = larger(0.0F, smaller(1.0F, 0.5F + (f.graspCompliance - c) * f.inverseBlend));
       const float rate = f.farRate + (f.nearRate - f.farRate) * (t * t * (3.0F - 2.0F * t));
-      o[i] = v[i] + r.cosine * v[48 + i] + r.sine * v[96 + i] + rate * v[160 + i];
-      o[16 + i] = v[16 + i] + r.cosine * v[64 + i] + r.sine * v[112 + i] + rate * v[176 + i];
-      o[32 + i] = v[32 + i] + r.cosine * v[80 + i] + r.sine * v[128 + i] + rate * v[192 + i];
+      const float warp = rate * v[160 + i];
+      const Across a = tangentCrossRadius(v, i);
+      o[i] = v[i] + r.cosine * v[48 + i] + r.sine * a.x + warp * v[96 + i];
+      o[16 + i] = v[16 + i] + r.cosine * v[64 + i] + r.sine * a.y + warp * v[112 + i];
+      o[32 + i] = v[32 + i] + r.cosine * v[80 + i] + r.sine * a.z + warp * v[128 + i];
     }
   }
 }
@@ -61,9 +75,10 @@ void curved(const float* __restrict in, int blocks, const TwistFrame& frame, flo
     for (int i = 0; i < 16; ++i) {
       const float c = v[144 + i];
       const SineCosine r = sineCosine(f.torque * smaller(f.nearSlope * c, f.farBase + f.farSlope * c));
-      o[i] = v[i] + r.cosine * v[48 + i] + r.sine * v[96 + i];
-      o[16 + i] = v[16 + i] + r.cosine * v[64 + i] + r.sine * v[112 + i];
-      o[32 + i] = v[32 + i] + r.cosine * v[80 + i] + r.sine * v[128 + i];
+      const Across a = tangentCrossRadius(v, i);
+      o[i] = v[i] + r.cosine * v[48 + i] + r.sine * a.x;
+      o[16 + i] = v[16 + i] + r.cosine * v[64 + i] + r.sine * a.y;
+      o[32 + i] = v[32 + i] + r.cosine * v[80 + i] + r.sine * a.z;
     }
   }
 }
@@ -71,16 +86,17 @@ void curved(const float* __restrict in, int blocks, const TwistFrame& frame, flo
 void givenAngles(const float* __restrict in, const float* __restrict anglesAndRates, int blocks,
                  float* __restrict out) {
   for (int block = 0; block < blocks; ++block) {
-    const float* __restrict v = in + static_cast<long long>(block) * (13 * 16);
-    const float* __restrict a = anglesAndRates + static_cast<long long>(block) * (2 * 16);
+    const float* __restrict v = in + static_cast<long long>(block) * (11 * 16);
+    const float* __restrict given = anglesAndRates + static_cast<long long>(block) * (2 * 16);
     float* __restrict o = out + static_cast<long long>(block) * (3 * 16);
     TORSIO_VECTOR_LOOP
     for (int i = 0; i < 16; ++i) {
-      const SineCosine r = sineCosine(a[i]);
-      const float rate = a[16 + i];
-      o[i] = v[i] + r.cosine * v[48 + i] + r.sine * v[96 + i] + rate * v[160 + i];
-      o[16 + i] = v[16 + i] + r.cosine * v[64 + i] + r.sine * v[112 + i] + rate * v[176 + i];
-      o[32 + i] = v[32 + i] + r.cosine * v[80 + i] + r.sine * v[128 + i] + rate * v[192 + i];
+      const SineCosine r = sineCosine(given[i]);
+      const float warp = given[16 + i] * v[160 + i];
+      const Across a = tangentCrossRadius(v, i);
+      o[i] = v[i] + r.cosine * v[48 + i] + r.sine * a.x + warp * v[96 + i];
+      o[16 + i] = v[16 + i] + r.cosine * v[64 + i] + r.sine * a.y + warp * v[112 + i];
+      o[32 + i] = v[32 + i] + r.cosine * v[80 + i] + r.sine * a.z + warp * v[128 + i];
     }
   }
 }

@@ -32,13 +32,6 @@ double determinantAt(const TwistModel& model, const TwistState& state, const Vec
   return dot(a, cross(b, c)) / (8.0 * probe_m * probe_m * probe_m);
 }
 
-const PreparedOperation& leading(const TwistModel::Tables& tables) {
-  return *std::max_element(tables.operations.begin(), tables.operations.end(),
-                           [](const PreparedOperation& a, const PreparedOperation& b) {
-                             return std::abs(a.ratio()) < std::abs(b.ratio());
-                           });
-}
-
 double linearStiffness(const TwistModel::Tables& tables, double graspArc_m) {
   double sum = 0.0;
   for (const PreparedOperation& op : tables.operations) {
@@ -144,7 +137,7 @@ double TwistModel::twistRateAt(double arc_m, const TwistState& state) const noex
 
 AxisFrame TwistModel::graspFrame(double graspArc_m) const noexcept {
   AxisFrame frame = lattice_.frameAt(graspArc_m);
-  const PreparedOperation& op = leading(*tables_);
+  const PreparedOperation& op = tables_->operations[tables_->leading];
   if (op.aboutCentreline()) {
     if (tables_->shiftedCentre) {
       frame.centre_m +=

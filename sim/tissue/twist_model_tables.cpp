@@ -170,6 +170,7 @@ void TableMaker::makeOperations() {
   for (std::size_t k = 0; k < tables_.definitions.size(); ++k) {
     tables_.operations.emplace_back(tables_.definitions[k], static_cast<int>(k), base);
     const PreparedOperation& op = tables_.operations.back();
+    if (std::abs(op.ratio()) > std::abs(tables_.operations[tables_.leading].ratio())) tables_.leading = k;
     if (!op.alongAxis()) tables_.needsArc = true;
     if (op.aboutCentreline() && straightBefore) tables_.carriesCentreline = true;
     if (!op.aboutCentreline()) straightBefore = true;

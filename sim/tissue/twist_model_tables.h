@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct TwistModel::Tables {
   std::vector<TwistOperation> definitions;
   std::vector<PreparedOperation> operations;
   bool defaultOperation = true;    ///< exactly one operation, elastic, about the centreline, ratio 1
+  std::size_t leading = 0;         ///< the operation with the largest ratio
   bool needsArc = true;            ///< some operation's coordinate is the arc length
   bool carriesCentreline = false;  ///< some operation about the centreline follows one about a straight axis
   bool searchesArc = false;        ///< some straight operation hangs on the arc: the inverse must look for it

@@ -14,7 +14,7 @@ namespace torsio {
 namespace {
 
 constexpr int kShareEntries = 2048;
-constexpr int kCurvedStreams = 13;
+constexpr int kCurvedStreams = 11;
 constexpr int kCurvedOnlyStreams = 10;
 constexpr int kPaperStreams = 11;
 constexpr double kBlendPerRadius = 0.5;  // as in twist_model_map.cpp
@@ -83,12 +83,12 @@ void TwistView::fillStreams() {
     const Vec3 radius = u - dot(u, line.direction) * line.direction;
     put(&lane(in_, streams, v, 0), vertex.rest_m - radius);
     put(&lane(in_, streams, v, 3), radius);
-    put(&lane(in_, streams, v, 6), cross(line.direction, u));
+    put(&lane(in_, streams, v, 6), line.direction);
     ValueSlope compliance{0.0, 1.0};
     if (path_ == Path::kCurved) compliance = op.elastic().rising(vertex.arc_m);
     lane(in_, streams, v, 9) = static_cast<float>(compliance.value);
     if (curvedOnly) continue;
-    put(&lane(in_, streams, v, 10), (vertex.warp_m2 * compliance.slope) * line.direction);
+    lane(in_, streams, v, 10) = static_cast<float>(vertex.warp_m2 * compliance.slope);
   }
 }
 

@@ -53,6 +53,18 @@ class KernelDispatch : public testing::TestWithParam<Isa> {
   }
 };
 
+/// Coordinate `axis` of foot + cos radius + sin tangent x radius in blocks of eleven streams.
+double curvedPlace(const Aligned<float>& in, int v, int axis, double angle) {
+  const auto at = [&](int which) {
+    return static_cast<double>(
+        in[(v / kKernelBlock) * 11 * kKernelBlock + which * kKernelBlock + v % kKernelBlock]);
+  };
+  const int next = (axis + 1) % 3;
+  const int last = (axis + 2) % 3;
+  const double across = at(6 + next) * at(3 + last) - at(6 + last) * at(3 + next);
+  return at(axis) + std::cos(angle) * at(3 + axis) + std::sin(angle) * across;
+}
+
 std::string isaTestName(const testing::TestParamInfo<Isa>& info) {
   return std::string(isaName(info.param));
 }
@@ -68,7 +80,7 @@ TEST(CpuFeatures, ThePortableSetIsAlwaysUsableAndTheBestIsTheLast) {
 
 TEST_P(KernelDispatch, CurvedWarpIsTheFiniteRotationPlusTheRateTimesWarp) {
   // Given random feet, radii and compliances in [-1, 1], and a twist of up to two turns held in the middle.
-  const auto in = randomBlocks(13, 11);
+  const auto in = randomBlocks(11, 11);
   auto out = aligned<float>(kVertices * 3);
   TwistFrame frame;
   frame.torque = 9.0F;
@@ -83,14 +95,13 @@ TEST_P(KernelDispatch, CurvedWarpIsTheFiniteRotationPlusTheRateTimesWarp) {
   kernels_.curvedWarp(in.get(), kBlocks, frame, out.get());
 
   for (int v = 0; v < kVertices; ++v) {
-    const double c = stream(in, 13, v, 9);
+    const double c = stream(in, 11, v, 9);
     const double angle = 9.0 * std::min(0.75 * c, static_cast<double>(0.3F) - 0.25 * c);
     const double t = std::clamp(0.5 + (static_cast<double>(0.3F) - c) * 4.0, 0.0, 1.0);
     const double rate = -0.5 + 2.0 * (t * t * (3.0 - 2.0 * t));
     for (int axis = 0; axis < 3; ++axis) {
-      const double expected = stream(in, 13, v, axis) + std::cos(angle) * stream(in, 13, v, 3 + axis) +
-                              std::sin(angle) * stream(in, 13, v, 6 + axis) +
-                              rate * stream(in, 13, v, 10 + axis);
+      const double expected =
+          curvedPlace(in, v, axis, angle) + rate * stream(in, 11, v, 10) * stream(in, 11, v, 6 + axis);
       // The angle itself is rounded to float: 9 rad carry an error of 5e-7.
       EXPECT_NEAR(stream(out, 3, v, axis), expected, 3.0 * kFloatTolerance) << "vertex " << v;
     }
@@ -98,13 +109,13 @@ TEST_P(KernelDispatch, CurvedWarpIsTheFiniteRotationPlusTheRateTimesWarp) {
 }
 
 TEST_P(KernelDispatch, SineAndCosineHoldToTheLastFloatBitsOverAFullTurn) {
-  // Given unit radii along x and y, and compliances that sweep -360..360 degrees.
+  // Given unit radii along x, and compliances that sweep -360..360 degrees.
   auto in = aligned<float>(kVertices * 10);
   auto out = aligned<float>(kVertices * 3);
   for (int v = 0; v < kVertices; ++v) {
     float* at = in.get() + (v / kKernelBlock) * 10 * kKernelBlock + v % kKernelBlock;
     at[3 * kKernelBlock] = 1.0F;
-    at[7 * kKernelBlock] = 1.0F;
+    at[8 * kKernelBlock] = 1.0F;  // tangent along z: the radius turns from x to y
     at[9 * kKernelBlock] = static_cast<float>(2.0 * kPi * (2.0 * v / (kVertices - 1) - 1.0));
   }
   TwistFrame frame;
@@ -122,7 +133,7 @@ TEST_P(KernelDispatch, SineAndCosineHoldToTheLastFloatBitsOverAFullTurn) {
 }
 
 TEST_P(KernelDispatch, GivenAnglesAgreeWithTheFormulaPerVertex) {
-  const auto in = randomBlocks(13, 12);
+  const auto in = randomBlocks(11, 12);
   const auto anglesAndRates = randomBlocks(2, 13);
   auto out = aligned<float>(kVertices * 3);
 
@@ -132,9 +143,8 @@ TEST_P(KernelDispatch, GivenAnglesAgreeWithTheFormulaPerVertex) {
     const double angle = stream(anglesAndRates, 2, v, 0);
     const double rate = stream(anglesAndRates, 2, v, 1);
     for (int axis = 0; axis < 3; ++axis) {
-      const double expected = stream(in, 13, v, axis) + std::cos(angle) * stream(in, 13, v, 3 + axis) +
-                              std::sin(angle) * stream(in, 13, v, 6 + axis) +
-                              rate * stream(in, 13, v, 10 + axis);
+      const double expected =
+          curvedPlace(in, v, axis, angle) + rate * stream(in, 11, v, 10) * stream(in, 11, v, 6 + axis);
       EXPECT_NEAR(stream(out, 3, v, axis), expected, kFloatTolerance);
     }
   }
