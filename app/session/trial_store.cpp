@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/trial_store.h"
+
+#include <filesystem>
+#include <utility>
+
+#include <QStandardPaths>
+#include <QSysInfo>
+
+#include "app/session/build_info.h"
+#include "db/migrations/migrations.h"
+#include "sim/base/file_io.h"
+
+namespace torsio {
+
+namespace {
+
+Connection openUpToDate(const std::string& locator) {
+  MigrationOptions options;
+  options.softwareVersion = softwareVersion();
+  return openRecord(locator, OpenMode::kCreate, options);
+}
+
+}  // namespace
+
+std::string defaultDatabase() {
+  const std::filesystem::path folder =
+      QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString();
+  ensureFolder(folder);
+  return (folder / "torsio.sqlite").string();
+}
+
+TrialStore::TrialStore(std::string locator)
+    : locator_(std::move(locator)), connection_(openUpToDate(locator_)) {}
+
+std::unique_ptr<TrialSink> TrialStore::newSink() const {
+  return std::make_unique<OwnConnectionTrialSink>(
+      locator_, TrialContext{QSysInfo::machineHostName().toStdString(), ""});
+}
+
+std::vector<TrialListing> TrialStore::list() {
+  return TrialRepository(connection_).list();
+}
+
+Trial TrialStore::load(const std::string& trialId) {
+  return TrialRepository(connection_).load(trialId);
+}
+
+}  // namespace torsio

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "db/repository/trial_repository.h"
+
+namespace torsio {
+
+/// The database of this station when none is named: torsio.sqlite in the user's data folder, which is made
+/// when missing. Needs a QCoreApplication (its name decides the folder). Throws Error{kFileUnwritable}.
+[[nodiscard]] std::string defaultDatabase();
+
+/// Recorded trials of one database, for the window. Belongs to the thread that made it; the sinks it gives
+/// out may be used in another.
+class TrialStore {
+ public:
+  /// Opens or makes the database and brings its schema up to date. Throws Error, DbError.
+  explicit TrialStore(std::string locator);
+
+  /// A sink with a connection of its own, for the recorder's thread. Free practice: nobody's trial.
+  [[nodiscard]] std::unique_ptr<TrialSink> newSink() const;
+  /// Newest first, finished or not.
+  [[nodiscard]] std::vector<TrialListing> list();
+  [[nodiscard]] Trial load(const std::string& trialId);
+  /// Where it is, for people; never a password.
+  [[nodiscard]] const std::string& location() const noexcept { return connection_.location(); }
+
+ private:
+  std::string locator_;
+  Connection connection_;
+};
+
+}  // namespace torsio
