@@ -110,12 +110,14 @@ bool cutEars(PlaneMesh& mesh, std::vector<int> polygon) {
   const auto isEar = [&](std::size_t k) {
     const std::size_t n = polygon.size();
     const int a = polygon[(k + n - 1) % n], b = polygon[k], c = polygon[(k + 1) % n];
-    const double size = squaredDistance(point(a), point(b)) + squaredDistance(point(b), point(c));
-    if (orientation(point(a), point(b), point(c)) <= kLeastSine * size) return false;
+    const double least =
+        kLeastSine * (squaredDistance(point(a), point(b)) + squaredDistance(point(b), point(c)));
+    if (orientation(point(a), point(b), point(c)) <= least) return false;
+    // A point on the cut, up to rounding, would leave a polygon that touches itself.
     return std::none_of(polygon.begin(), polygon.end(), [&](int p) {
-      return p != a && p != b && p != c && orientation(point(a), point(b), point(p)) >= 0.0 &&
-             orientation(point(b), point(c), point(p)) >= 0.0 &&
-             orientation(point(c), point(a), point(p)) >= 0.0;
+      return p != a && p != b && p != c && orientation(point(a), point(b), point(p)) >= -least &&
+             orientation(point(b), point(c), point(p)) >= -least &&
+             orientation(point(c), point(a), point(p)) >= -least;
     });
   };
   std::size_t k = 0, misses = 0;

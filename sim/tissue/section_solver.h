@@ -37,6 +37,7 @@ struct SectionProperties {
   /// Centre about which psi has no moment (integral psi x = integral psi y = 0), in the outline's
   /// coordinates. Found by finite elements only; the centroid otherwise.
   std::array<double, 2> shearCentre{};
+  /// Boundary elements: lower and upper are J -+ its change on twice the points, an estimate only.
   SectionMethod methodUsed = SectionMethod::kFiniteElements;
 };
 

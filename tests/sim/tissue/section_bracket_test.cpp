@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/error.h"
 #include "sim/tissue/section_solver.h"
 #include "tests/sim/tissue/section_shapes.h"
 
@@ -83,6 +84,76 @@ TEST(SectionBracket, SurvivesPointsThatRepeatAndPointsOnAStraightLine) {
   ASSERT_EQ(b.outlineWarping.size(), crowded.size());
   EXPECT_EQ(b.outlineWarping[0], b.outlineWarping[1]);
   EXPECT_EQ(b.outlineWarping[0], b.outlineWarping[8]);
+}
+
+TEST(SectionBracket, HoldsOnThinTubesWhosePointsFaceEachOther) {
+  for (const double thickness : {0.1, 0.02, 0.01, 1e-3, 1e-5}) {
+    const std::vector<shapes::Outline> hole = {shapes::rectangle(1.0, 1.0)};
+
+    const SectionProperties tube =
+        solveSection(shapes::rectangle(1.0 + 2 * thickness, 1.0 + 2 * thickness), {}, hole);
+
+    EXPECT_EQ(tube.methodUsed, SectionMethod::kFiniteElements);
+    EXPECT_LE(tube.torsionLower, tube.torsionUpper);
+    EXPECT_LE(tube.torsionUpper - tube.torsionLower, kBracket * tube.torsionConstant) << thickness;
+    // Bredt: 4 Am^2 t / perimeter with the middle line of side 1 + t; the corners add terms of order t.
+    const double side = 1.0 + thickness;
+    EXPECT_NEAR(tube.torsionConstant / (thickness * side * side * side), 1.0, 2.0 * thickness + 2e-4)
+        << thickness;
+  }
+}
+
+TEST(SectionBracket, HoldsOnRandomSectionsWithHoles) {
+  Random random(13);
+  for (int k = 0; k < 10; ++k) {
+    std::vector<shapes::Outline> holes;
+    for (int i = 0; i < 1 + k % 3; ++i) {
+      const double angle = 2.0 * kPi * (i + 0.3 * random.uniform()) / 3.0,
+                   way = 0.35 + 0.2 * random.uniform();
+      holes.push_back(shapes::moved(shapes::randomStar(random, 4 + k), 0.08 + 0.1 * random.uniform(),
+                                    {way * std::cos(angle), way * std::sin(angle)}));
+    }
+
+    const SectionProperties section = solveSection(shapes::organ(90 + k), {}, holes);
+
+    EXPECT_EQ(section.methodUsed, SectionMethod::kFiniteElements);
+    EXPECT_LE(section.torsionLower, section.torsionUpper);
+    EXPECT_LE(section.torsionUpper - section.torsionLower, kBracket * section.torsionConstant) << k;
+    EXPECT_LE(section.torsionUpper, section.polarMoment) << k;
+    EXPECT_NEAR(
+        byBoundaryElements(shapes::organ(90 + k), 128, holes).torsionConstant / section.torsionConstant, 1.0,
+        5e-3)
+        << k;
+  }
+}
+
+TEST(SectionSolver, FallsBackToBoundaryElementsWhereEdgesAllButTouch) {
+  const double gap = 1e-9;
+  const shapes::Outline slit = {{-1, -1}, {1, -1}, {1, 1}, {gap, 1}, {gap, 0}, {-gap, 0}, {-gap, 1}, {-1, 1}};
+
+  const SectionProperties section = solveSection(slit);
+
+  EXPECT_EQ(section.methodUsed, SectionMethod::kBoundaryElements);
+  // As with a slit of 1e-4, which finite elements can do.
+  EXPECT_NEAR(section.torsionConstant, 1.2972, 0.01);
+  EXPECT_THROW(static_cast<void>(solveSection(slit, {.method = SectionMethod::kFiniteElements})), Error);
+}
+
+TEST(SectionField, HoldsAWarpingWhoseMeanIsZero) {
+  SectionField field;
+  const SectionProperties section =
+      SectionSolver().solve(shapes::moved(shapes::organ(128), 0.03, {0.2, 0.1}), {}, &field);
+
+  double sum = 0.0, area = 0.0;
+  for (const auto& e : field.elements) {
+    const auto node = [&](std::size_t k) { return field.nodes[static_cast<std::size_t>(e[k])]; };
+    const double part = 0.5 * orientation(node(0), node(1), node(2));
+    area += part;
+    for (std::size_t k = 3; k < 6; ++k) sum += part / 3.0 * field.warping[static_cast<std::size_t>(e[k])];
+  }
+
+  EXPECT_NEAR(area / section.area, 1.0, 1e-12);
+  EXPECT_NEAR(sum / (section.area * section.warpingMax), 0.0, 1e-12);
 }
 
 TEST(SectionSolver, GivesTheSameResultWhateverWasSolvedBefore) {
