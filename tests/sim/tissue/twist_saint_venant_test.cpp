@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "sim/base/error.h"
+#include "sim/base/portable_math.h"
 #include "sim/tissue/saint_venant.h"
 
 namespace torsio {
@@ -33,6 +36,82 @@ std::vector<double> softeningCompliance() {
 
 TorsionTable table(std::vector<double> compliance, EndCondition ends, double foundation = 0.0) {
   return {0.0, kLength / (kNodes - 1), std::move(compliance), ends, {foundation}};
+}
+
+// A round bar that tapers linearly from r0 at the clamp to r1: J = pi r^4 / 2.
+std::vector<TorsionSection> taperedSections(int count, double r0, double r1) {
+  std::vector<TorsionSection> sections;
+  for (int j = 0; j < count; ++j) {
+    const double r = r0 + (r1 - r0) * j / (count - 1);
+    sections.push_back({0.5 * kPi * std::pow(r, 4), 0.5 * kPi * std::pow(r, 4), kPi * r * r});
+  }
+  return sections;
+}
+
+std::vector<double> evenArcs(int count) {
+  std::vector<double> arcs;
+  for (int j = 0; j < count; ++j) arcs.push_back(kLength * j / (count - 1));
+  return arcs;
+}
+
+TEST(SectionCompliances, FollowTheClosedFormOfATaper) {
+  // phi(L) = 2 T L (r0^2 + r0 r1 + r1^2) / (3 pi G r0^3 r1^3); over the prismatic bar of radius r0 that is
+  // 1.58854166667 (0.8), 4.66666666667 (0.5), 28 (0.25).
+  const std::vector<std::pair<double, double>> table{
+      {0.8, 1.58854166667}, {0.5, 4.66666666667}, {0.25, 28.0}};
+  constexpr double kShear = 7.0;
+  for (const int sections : {2, 5, 50, 360}) {
+    for (const auto& [ratio, expected] : table) {
+      const SectionProfile profile(evenArcs(sections), taperedSections(sections, 1.0, ratio), {});
+
+      const std::vector<double> c =
+          sectionCompliances(profile, sections, kLength, kShear, EndCondition::kClampedFree);
+
+      ASSERT_EQ(c.size(), static_cast<std::size_t>(sections));
+      EXPECT_EQ(c.front(), 0.0);
+      const double prismatic = kLength / (kShear * 0.5 * kPi);
+      EXPECT_NEAR(c.back() / prismatic / expected, 1.0, 1e-8) << sections << " " << ratio;
+    }
+  }
+}
+
+TEST(SectionCompliances, KrigedBetweenTheSectionsStayWithinAMillionthFromFiftySectionsOn) {
+  const double r1 = 0.5;
+  const auto exact = [&](double s) {
+    const double r = 1.0 + (r1 - 1.0) * s / kLength;
+    return 2.0 * s * (1.0 + r + r * r) / (3.0 * kPi * r * r * r);
+  };
+  for (const int sections : {50, 360}) {
+    const SectionProfile profile(evenArcs(sections), taperedSections(sections, 1.0, r1), {});
+    const std::vector<double> c =
+        sectionCompliances(profile, sections, kLength, 1.0, EndCondition::kClampedFree);
+
+    const std::vector<double> nodes = krigedNodes(c, kLength, {}, true);
+
+    ASSERT_EQ(nodes.size(), static_cast<std::size_t>(fineNodes(sections)));
+    double worstAtSections = 0.0;
+    double worstBetween = 0.0;
+    const std::size_t perSection = (nodes.size() - 1) / static_cast<std::size_t>(sections - 1);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const double s = kLength * static_cast<double>(i) / static_cast<double>(nodes.size() - 1);
+      double& worst = i % perSection == 0 ? worstAtSections : worstBetween;
+      worst = std::max(worst, std::abs(nodes[i] - exact(s)) / exact(kLength));
+      if (i > 0) {
+        EXPECT_GE(nodes[i], nodes[i - 1]);
+      }
+    }
+    EXPECT_LT(worstAtSections, 1e-8);
+    EXPECT_LT(worstBetween, sections == 50 ? 1.6e-4 : 2.6e-6);  // local windows, table of kriging errors
+  }
+}
+
+TEST(SectionCompliances, RefuseSectionsAndModuliWithoutMeaning) {
+  std::vector<TorsionSection> sections = taperedSections(4, 1.0, 0.5);
+  const SectionProfile profile(evenArcs(4), sections, {});
+  EXPECT_THROW((void)sectionCompliances(profile, 4, kLength, 0.0, EndCondition::kClampedFree), Error);
+  EXPECT_THROW((void)sectionCompliances(profile, 4, 0.0, 1.0, EndCondition::kClampedFree), Error);
+  sections[2].torsionConstant_m4 = 0.0;
+  EXPECT_THROW((void)SectionProfile(evenArcs(4), sections, {}), Error);
 }
 
 TEST(HermiteTable, IsExactAtItsNodesAndForCubics) {
