@@ -151,8 +151,10 @@ class Measurer {
 
  private:
   void set(std::string_view id, Outcome<double> value) {
-    for (MetricValue& metric : out_.values)
-      if (metric.id == id) metric.value = std::move(value);
+    const auto found = std::find_if(out_.values.begin(), out_.values.end(),
+                                    [&](const MetricValue& metric) { return metric.id == id; });
+    TORSIO_EXPECTS(found != out_.values.end());
+    found->value = std::move(value);
   }
 
   void measureTurn() {

@@ -92,10 +92,8 @@ ReportTable agreementTable(const CohortInputs& in) {
   }
   table.notes = {
       "ICC: absolute agreement, raters as a random sample; (2,1) for one rater, (2,k) for the mean over all, "
-      "which is the "
-      "reported score. Alpha with the interval metric. A group that is much alike gives a low coefficient "
-      "even when raters "
-      "agree well: look at the standard error of measurement (SEM)."};
+      "which is the reported score. Alpha with the interval metric. A group that is much alike gives a low "
+      "coefficient even when raters agree well: look at the standard error of measurement (SEM)."};
   return table;
 }
 
@@ -205,9 +203,9 @@ std::optional<ReportTable> gainTable(const CohortInputs& in) {
   }
   table.notes = {
       sentence({"Kruskal-Wallis H = ", formatFixed(got->h, 2), ", p ", got->p < 0.001 ? "" : "= ",
-                formatP(got->p), ", epsilon squared ", formatFixed(got->epsilonSquared, kDecimals),
-                ". A second look beside the analysis of covariance, which is the primary one. Gains are "
-                "ranked as whole numbers."})};
+                formatP(got->p), ", epsilon squared ", formatFixed(got->epsilonSquared, kDecimals), "."}),
+      "A second look beside the analysis of covariance, which is the primary one. Gains are ranked as whole "
+      "numbers."};
   for (const std::vector<double>& group : gains) table.provenance.n += std::ssize(group);
   return table;
 }
@@ -250,8 +248,7 @@ ReportSection analysisSection(const CohortInputs& in) {
         "mean nothing.");
   section.paragraphs.push_back(
       "The analysis of covariance is the primary comparison; the others are given beside it. The trainee is "
-      "the unit of "
-      "analysis. p values are adjusted by Holm's method where it is said.");
+      "the unit of analysis. p values are adjusted by Holm's method where it is said.");
   section.tables.push_back(agreementTable(in));
   std::vector<Groups> occasions;
   for (std::size_t t = 0; t < in.occasions.size(); ++t)

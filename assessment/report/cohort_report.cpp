@@ -228,36 +228,32 @@ ReportSection trialsSection(const CohortInputs& in) {
 ReportSection methodsSection(const CohortInputs& in) {
   ReportSection section;
   section.title = "Methods and limits";
-  section.paragraphs = {
+  section.paragraphs.push_back(
       "M (Eq. 25) is the sum over rater classes of the class weight times the class mean. s2 (Eq. 26) is the "
-      "mean "
-      "squared distance of all raters' marks from M, with divisor n; it is not the usual variance, because "
-      "its centre "
-      "is the weighted mean. N (Eq. 27) is the sum over indices of the index weight times M.",
-      sentence({"Missing marks: ", policyText(in.evaluationPolicy.missing), "."}),
+      "mean squared distance of all raters' marks from M, with divisor n; it is not the usual variance, "
+      "because its centre is the weighted mean. N (Eq. 27) is the sum over indices of the index weight times "
+      "M.");
+  section.paragraphs.push_back(sentence({"Missing marks: ", policyText(in.evaluationPolicy.missing), "."}));
+  section.paragraphs.push_back(
       "The text under Eq. 26 of the paper speaks of the chief physicians' scores, but its sum runs over all "
-      "raters; "
-      "all raters are used here, and the chief physicians are shown alone where the figure says so.",
+      "raters; all raters are used here, and the chief physicians are shown alone where the figure says so.");
+  section.paragraphs.push_back(
       "The paper gives the scale of the model evaluation as 0 to 10 and that of the training study as 1 to "
-      "10; both "
-      "are kept.",
+      "10; both are kept.");
+  section.paragraphs.push_back(
       "The variance of the training evaluation is not defined in the paper. The figure shows the variance of "
-      "the "
-      "trainee scores with divisor n; the table lists the other readings.",
+      "the trainee scores with divisor n; the table lists the other readings.");
+  section.paragraphs.push_back(
       "Ratings were not blinded: raters knew the group or the model, and interns were users and raters at "
-      "once, so "
-      "marks are not independent of each other.",
+      "once, so marks are not independent of each other.");
+  section.paragraphs.push_back(
       "Groups of ten detect only very large differences: with two groups of ten, a two-sided test at 5 % has "
-      "a power "
-      "of 0.40 for a difference of 0.8 standard deviations. A difference that is not significant is no "
-      "evidence of "
-      "equality.",
-  };
+      "a power of 0.40 for a difference of 0.8 standard deviations. A difference that is not significant is "
+      "no evidence of equality.");
   if (in.demonstration)
     section.paragraphs.push_back(
         "All people and marks in this report are simulated. No conclusion about training, trainees or models "
-        "may be "
-        "drawn from it.");
+        "may be drawn from it.");
   return section;
 }
 

@@ -88,9 +88,8 @@ ReportFigure barsFigure(const CohortInputs& in, bool variance) {
     out.yMax = std::nullopt;
     out.notes = {
         "Corresponds to Fig. 17 of the paper. The centre is the class-weighted mean M, not the plain mean, "
-        "and every "
-        "rater counts once; the value is the population variance plus the squared distance between the two "
-        "means."};
+        "and every rater counts once; the value is the population variance plus the squared distance between "
+        "the two means."};
   } else {
     out.notes = {"Corresponds to Fig. 16 of the paper."};
   }
@@ -152,11 +151,10 @@ ReportFigure boxesFigure(const CohortInputs& in) {
   }
   out.notes = {
       "Corresponds to Fig. 19 of the paper. Eq. 27 gives one number for each model; what is drawn is the "
-      "distribution "
-      "of the scores that Eq. 27 gives for each single rater.",
+      "distribution of the scores that Eq. 27 gives for each single rater.",
       "Boxes end at the quartiles (rule: Hyndman and Fan type 7); whiskers reach the most extreme value "
-      "within 1.5 "
-      "interquartile ranges of the box; values beyond are drawn singly; the separate mark is the mean."};
+      "within 1.5 interquartile ranges of the box; values beyond are drawn singly; the separate mark is the "
+      "mean."};
   return out;
 }
 
@@ -214,8 +212,7 @@ ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
   }
   table.notes = {
       "s2 is taken about M with divisor n (Eq. 26). The sample variance is taken about the plain mean with "
-      "divisor "
-      "n - 1. SE is the standard error of M from the spread within the rater classes."};
+      "divisor n - 1. SE is the standard error of M from the spread within the rater classes."};
   table.provenance = provenance(in, "Eqs. 25 and 26");
   table.provenance.n = 0;
   for (const ScoreStatistics& s : model.indices) table.provenance.n += s.n;
@@ -253,8 +250,7 @@ ReportSection evaluationSection(const CohortInputs& in) {
   section.paragraphs.push_back(sentence({"Comprehensive score N: ", ranking, "."}));
   section.paragraphs.push_back(
       "Marks are whole steps of the scale; M, s2 and N are computed in whole numbers and rounded once, so "
-      "the tables "
-      "do not depend on the order of the raters.");
+      "the tables do not depend on the order of the raters.");
   section.figures = {rangesFigure(in), barsFigure(in, false), barsFigure(in, true), chiefsFigure(in),
                      boxesFigure(in)};
   section.tables.push_back(comprehensiveTable(in));

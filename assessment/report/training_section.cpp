@@ -76,8 +76,7 @@ ReportFigure varianceFigure(const CohortInputs& in) {
   }
   out.notes = {
       "Corresponds to Fig. 23 of the paper, which does not define its variance. Drawn is the variance of the "
-      "trainee "
-      "scores of a group about their mean, divisor n; the table gives two other readings."};
+      "trainee scores of a group about their mean, divisor n; the table gives two other readings."};
   out.provenance = provenance(in, "variance of trainee scores, divisor n", std::ssize(in.scores));
   return out;
 }
@@ -178,8 +177,7 @@ ReportSection trainingSection(const CohortInputs& in) {
                 ". A trainee's score is the plain mean of these marks."}));
   if (in.trainingTimeDivisor > 1)
     section.paragraphs.push_back(
-        sentence({"Training was shortened for this demonstration: each minute of the protocol "
-                  "stands for ",
+        sentence({"Training was shortened for this demonstration: each minute of the protocol stands for ",
                   formatFixed(60.0 / static_cast<double>(in.trainingTimeDivisor), 1),
                   " seconds of simulated exercise (1 : ", std::to_string(in.trainingTimeDivisor), ")."}));
   section.paragraphs.push_back(sentence({"Rests taken during training: ", std::to_string(in.rests), "."}));

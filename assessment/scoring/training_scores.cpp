@@ -159,6 +159,7 @@ std::vector<GroupSummary> groupSummaries(const ScoreScale& scale, std::span<cons
   std::map<std::pair<std::size_t, std::size_t>, std::vector<const std::vector<std::int64_t>*>> groups;
   for (const auto& [cell, steps] : cells) groups[{std::get<0>(cell), std::get<1>(cell)}].push_back(&steps);
   std::vector<GroupSummary> out;
+  out.reserve(groups.size());
   for (const auto& [key, trainees] : groups)
     out.push_back(summarise(key.first, key.second, trainees, scale.stepsPerPoint));
   return out;

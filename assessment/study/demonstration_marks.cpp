@@ -100,8 +100,7 @@ std::vector<TrainingMark> demonstrationTrainingMarks(const ScoreScale& scale,
 std::string demonstrationTrainingRule() {
   std::string text =
       "Each simulated mark is the whole point nearest to baseline + gain of the group + talent of the "
-      "trainee - "
-      "severity of the rater + chance, held on the scale. Baseline ";
+      "trainee - severity of the rater + chance, held on the scale. Baseline ";
   text += decimal(kBaseline);
   text += "; gains after 20 and 40 minutes:";
   for (std::size_t g = 0; g < kGroups; ++g) {
@@ -117,10 +116,8 @@ std::string demonstrationTrainingRule() {
       decimal(kMarkSpread);
   text +=
       " points; talents are centred within each group and severities over the raters. The gains were chosen "
-      "to show "
-      "the pattern that the paper describes in words; they are not estimates, and no conclusion about "
-      "training may "
-      "be drawn from them.";
+      "to show the pattern that the paper describes in words; they are not estimates, and no conclusion "
+      "about training may be drawn from them.";
   return text;
 }
 
@@ -153,9 +150,8 @@ std::vector<EvaluationRating> demonstrationEvaluationMarks(const EvaluationInstr
 std::string demonstrationEvaluationRule() {
   std::string text =
       "Each simulated mark of a model is the whole point nearest to quality of the model on the index + "
-      "shift of the "
-      "rater class - severity of the rater + chance, held on the scale. Qualities for the nine indices in "
-      "order:";
+      "shift of the rater class - severity of the rater + chance, held on the scale. Qualities for the nine "
+      "indices in order:";
   constexpr std::array<const char*, 3> kNames = {"PM", "FEM", "MSM"};
   for (std::size_t row = 0; row < kQuality.size(); ++row) {
     text += row == 0 ? " " : "; ";
