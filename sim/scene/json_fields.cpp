@@ -22,7 +22,7 @@ std::string joined(const std::vector<std::string>& names) {
 JsonFields::JsonFields(const nlohmann::json& json, std::string where)
     : json_(json), where_(std::move(where)) {
   if (!json_.is_object()) {
-    throw Error(ErrorCode::kBadData, "must be an object in braces", where_, "Correct the file");
+    throw Error(ErrorCode::kBadData, "must be an object in braces", where_, "Correct the file.");
   }
 }
 
@@ -38,7 +38,7 @@ bool JsonFields::has(const std::string& name) const {
 const nlohmann::json& JsonFields::find(const std::string& name) {
   asked_.insert(name);
   const auto found = json_.find(name);
-  if (found == json_.end()) refuse(name, "is missing", "Add it");
+  if (found == json_.end()) refuse(name, "is missing", "Add it.");
   return *found;
 }
 
@@ -48,7 +48,7 @@ const nlohmann::json& JsonFields::child(const std::string& name) {
 
 std::string JsonFields::text(const std::string& name) {
   const nlohmann::json& value = find(name);
-  if (!value.is_string()) refuse(name, "must be a text", "Put it in quotes");
+  if (!value.is_string()) refuse(name, "must be a text", "Put it in quotes.");
   return value.get<std::string>();
 }
 
@@ -64,7 +64,7 @@ double JsonFields::number(const std::string& name, double low, double high) {
     std::ostringstream limits;
     limits << "must be a number from " << low << " to " << high;
     if (value.is_number()) limits << ", not " << number;
-    refuse(name, limits.str(), "Correct the value");
+    refuse(name, limits.str(), "Correct the value.");
   }
   return number;
 }
@@ -76,7 +76,7 @@ double JsonFields::number(const std::string& name, double low, double high, doub
 
 int JsonFields::integer(const std::string& name, int low, int high, int fallback) {
   const double value = number(name, low, high, fallback);
-  if (value != std::floor(value)) refuse(name, "must be a whole number", "Correct the value");
+  if (value != std::floor(value)) refuse(name, "must be a whole number", "Correct the value.");
   return static_cast<int>(value);
 }
 
@@ -84,7 +84,7 @@ Vec3 JsonFields::vector(const std::string& name) {
   const nlohmann::json& value = find(name);
   if (!value.is_array() || value.size() != 3 || !value[0].is_number() || !value[1].is_number() ||
       !value[2].is_number()) {
-    refuse(name, "must be three numbers in brackets", "Write [x, y, z]");
+    refuse(name, "must be three numbers in brackets", "Write [x, y, z].");
   }
   return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
 }
@@ -97,13 +97,13 @@ std::size_t JsonFields::choice(const std::string& name, const std::vector<std::s
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i] == given) return i;
   }
-  refuse(name, "is '" + given + "'", "Choose one of " + joined(names));
+  refuse(name, "is '" + given + "'", "Choose one of " + joined(names) + ".");
 }
 
 void JsonFields::finish() const {
   for (const auto& item : json_.items()) {
     if (!asked_.contains(item.key()))
-      refuse(item.key(), "is not known here", "Remove it, or check its spelling");
+      refuse(item.key(), "is not known here", "Remove it, or check its spelling.");
   }
 }
 

@@ -5,12 +5,12 @@
 #include <system_error>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/geometry/mesh_import.h"
+#include "sim/scene/pattern_axes.h"
 #include "sim/scene/scene_file.h"
+#include "sim/scene/scene_parameters.h"
 
 namespace torsio {
 
@@ -18,85 +18,66 @@ namespace fs = std::filesystem;
 
 namespace {
 
-nlohmann::ordered_json toJson(const Vec3& v) {
-  return {v.x, v.y, v.z};
+std::vector<std::string> idsOf(const SceneDescription& scene) {
+  std::vector<std::string> ids;
+  for (const PatternDescription& description : scene.patterns) ids.push_back(description.pattern.id);
+  return ids;
 }
 
-nlohmann::ordered_json toJson(const TwistOperation& operation) {
-  nlohmann::ordered_json json;
-  json["axis"] = operation.axis == TwistAxis::kStraight ? "straight" : "centreline";
-  json["axis_from_m"] = toJson(operation.axisFrom_m);
-  json["axis_to_m"] = toJson(operation.axisTo_m);
-  json["coordinate"] = static_cast<int>(operation.coordinate);
-  json["profile"] = static_cast<int>(operation.profile);
-  json["from"] = operation.from;
-  json["to"] = operation.to;
-  if (operation.peak) json["peak"] = *operation.peak;
-  json["ratio"] = operation.ratio;
-  return json;
+/// Place of the asked-for pattern among the scene's; their number when there is none.
+std::size_t placeOfPattern(const SceneDescription& scene, const std::string& id) {
+  if (id.empty()) return 0;
+  const std::vector<std::string> ids = idsOf(scene);
+  return static_cast<std::size_t>(std::find(ids.begin(), ids.end(), id) - ids.begin());
 }
 
-/// Everything that decides what the model answers, in a fixed order: the text is hashed and stored with
-/// trials.
-std::string parametersOf(const SceneDescription& scene, const TwistPattern& pattern) {
-  nlohmann::ordered_json json;
-  json["format"] = 1;
-  json["formulation"] = scene.formulation == Formulation::kPaper ? "paper" : "saint-venant";
-  json["ridges"] = scene.lattice.ridges;
-  json["sections"] = scene.lattice.sections;
-  json["lattice"] = {{"mode", static_cast<int>(scene.lattice.mode)},
-                     {"spacing", static_cast<int>(scene.lattice.spacing)},
-                     {"fixed_end_m", toJson(scene.lattice.fixedEnd_m)},
-                     {"free_end_m", toJson(scene.lattice.freeEnd_m)},
-                     {"fixed_cut", toJson(scene.lattice.fixedCut)},
-                     {"free_cut", toJson(scene.lattice.freeCut)},
-                     {"cap_radius_m", scene.lattice.capRadius_m},
-                     {"ridge_zero", toJson(scene.lattice.ridgeZero)},
-                     {"ridge_zero_fraction", scene.lattice.ridgeZeroFraction}};
-  json["material"] = {{"id", scene.material.id}, {"shear_modulus_pa", scene.material.shearModulus_Pa}};
-  json["instrument"] = {{"id", scene.instrument.id},
-                        {"tip_radius_m", scene.instrument.tipRadius_m},
-                        {"grip_reach_m", scene.instrument.gripReach_m}};
-  json["pattern"] = {{"id", pattern.id},
-                     {"ends", pattern.ends == EndCondition::kBothHeld ? "both-held" : "clamped-free"},
-                     {"force_limit_n", pattern.forceLimit_N},
-                     {"torque_limit_nm", pattern.torqueLimit_Nm}};
-  json["operations"] = nlohmann::ordered_json::array();
-  for (const TwistOperation& operation : pattern.operations) json["operations"].push_back(toJson(operation));
-  return json.dump();
-}
-
-TwistPattern chosenPattern(const SceneDescription& scene, const std::string& id) {
-  if (id.empty()) return scene.patterns.front();
-  std::string names;
-  for (const TwistPattern& pattern : scene.patterns) {
-    if (pattern.id == id) return pattern;
-    names += (names.empty() ? "" : ", ") + pattern.id;
+/// The scene asked for, or, for a user's mesh, the one that has the pattern.
+SceneDescription describe(const SceneRequest& request) {
+  SceneDescription scene = readSceneFile(request.assets, request.id);
+  if (placeOfPattern(scene, request.pattern) < scene.patterns.size()) return scene;
+  std::vector<std::string> known = idsOf(scene);
+  if (request.organFile) {
+    known.clear();
+    for (const std::string& id : sceneIds(request.assets)) {
+      SceneDescription other = readSceneFile(request.assets, id);
+      if (placeOfPattern(other, request.pattern) < other.patterns.size()) return other;
+      for (std::string& pattern : idsOf(other)) known.push_back(std::move(pattern));
+    }
   }
-  throw Error(ErrorCode::kBadParameter, "scene '" + scene.id + "' has no pattern '" + id + "'", "",
-              "Choose one of " + names);
+  throw Error(ErrorCode::kBadParameter,
+              (request.organFile ? "no scene" : "scene '" + scene.id + "'") + " has " +
+                  (request.organFile ? "a" : "no") + " pattern '" + request.pattern + "'",
+              "", "Choose one of " + listed(known) + ".");
 }
 
-/// A mesh of the user's: its ends are found, and operations that name landmarks of the shipped organ are
-/// dropped.
+/// A mesh of the user's: its ends are found unless they are given.
 void replaceOrgan(SceneDescription& scene, const SceneRequest& request) {
+  if (request.fixedEnd_m.has_value() != request.freeEnd_m.has_value()) {
+    throw Error(ErrorCode::kUsage, "one end of the organ is given without the other", "", "Give both ends.");
+  }
   scene.organ = *request.organFile;
   scene.organUnit_m = request.organScale_m;
   scene.title = scene.organ.filename().string();
   scene.provenance = "the user's mesh " + scene.organ.filename().string();
-  const LatticeOptions shipped = scene.lattice;
-  scene.lattice = LatticeOptions{};
-  scene.lattice.ridges = shipped.ridges;
-  scene.lattice.sections = shipped.sections;
-  const auto namesLandmarks = [](const TwistPattern& pattern) {
-    return std::any_of(pattern.operations.begin(), pattern.operations.end(),
-                       [](const TwistOperation& o) { return o.axis == TwistAxis::kStraight; });
-  };
-  std::erase_if(scene.patterns, namesLandmarks);
-  if (scene.patterns.empty()) {
-    throw Error(ErrorCode::kBadParameter,
-                "every pattern of scene '" + scene.id + "' turns about its own landmarks",
-                scene.organ.string(), "Use the scene 'arm' with your mesh");
+  LatticeOptions lattice;
+  lattice.ridges = scene.lattice.ridges;
+  lattice.sections = scene.lattice.sections;
+  lattice.mode = LatticeMode::kAutomatic;
+  if (request.fixedEnd_m) {
+    lattice.fixedEnd_m = *request.fixedEnd_m;
+    lattice.freeEnd_m = *request.freeEnd_m;
+  }
+  scene.lattice = lattice;
+}
+
+void applyWishes(SceneDescription& scene, const SceneRequest& request) {
+  if (request.organFile) replaceOrgan(scene, request);
+  if (request.ridges) scene.lattice.ridges = *request.ridges;
+  if (request.sections) scene.lattice.sections = *request.sections;
+  if (request.latticeMode) scene.lattice.mode = *request.latticeMode;
+  if (request.formulation) scene.formulation = *request.formulation;
+  if (!request.material.empty()) {
+    scene.material = findMaterial(request.assets, request.material, ErrorCode::kBadParameter, "");
   }
 }
 
@@ -112,61 +93,44 @@ std::vector<std::string> sceneIds(const fs::path& assets) {
   }
   if (failed) {
     throw Error(ErrorCode::kFileMissing, "no scenes here", (assets / "scenes").string(),
-                "Check the assets folder");
+                "Check the assets folder.");
   }
   std::sort(ids.begin(), ids.end());
   return ids;
 }
 
-SceneRequest sceneRequestFor(const std::string& parametersJson) {
-  try {
-    const auto json = nlohmann::json::parse(parametersJson);
-    SceneRequest request;
-    request.formulation = json.at("formulation") == "paper" ? Formulation::kPaper : Formulation::kSaintVenant;
-    request.ridges = json.at("ridges").get<int>();
-    request.sections = json.at("sections").get<int>();
-    request.pattern = json.at("pattern").at("id").get<std::string>();
-    return request;
-  } catch (const nlohmann::json::exception&) {
-    throw Error(ErrorCode::kBadData, "the stored model parameters cannot be read", "trial",
-                "Check the database");
-  }
+std::vector<std::string> patternIds(const fs::path& assets, const std::string& id) {
+  return idsOf(readSceneFile(assets, id));
 }
 
 Scene loadScene(const SceneRequest& request) {
-  SceneDescription description = readSceneFile(request.assets, request.id);
-  if (request.organFile) replaceOrgan(description, request);
-  if (request.ridges) description.lattice.ridges = *request.ridges;
-  if (request.sections) description.lattice.sections = *request.sections;
-  if (request.formulation) description.formulation = *request.formulation;
-  const TwistPattern pattern = chosenPattern(description, request.pattern);
+  SceneDescription description = describe(request);
+  applyWishes(description, request);
 
   MeshImportOptions import;
   import.scale_m = description.organUnit_m;
   TriangleMesh mesh = importMesh(description.organ, import);
   const SectionLattice lattice(mesh, description.lattice);
+  std::vector<TwistPattern> patterns;
+  for (const PatternDescription& pattern : description.patterns) {
+    patterns.push_back(request.organFile ? patternFor(lattice, pattern) : pattern.pattern);
+  }
+  const TwistPattern& pattern = patterns[placeOfPattern(description, request.pattern)];
+
   TwistModelOptions options;
   options.formulation = description.formulation;
   options.ends = pattern.ends;
   options.operations = pattern.operations;
   TwistModel model(mesh, lattice, description.material, options);
   CollisionMesh collision(mesh);
-  const std::string parameters = parametersOf(description, pattern);
+  std::string parameters = parametersText(description, pattern, request.organFile.has_value());
   Digest digest;
   digest.update(parameters);
   std::string organHash = contentHash(mesh);
-  return Scene{description.id,
-               description.title,
-               description.provenance,
-               std::move(organHash),
-               digest.hex(),
-               parameters,
-               std::move(mesh),
-               std::move(collision),
-               std::move(model),
-               description.instrument,
-               pattern,
-               description.patterns};
+  TwistPattern chosen = pattern;
+  return Scene{description.id,   description.title,      description.provenance, std::move(organHash),
+               digest.hex(),     std::move(parameters),  std::move(mesh),        std::move(collision),
+               std::move(model), description.instrument, std::move(chosen),      std::move(patterns)};
 }
 
 }  // namespace torsio

@@ -44,10 +44,15 @@ struct SceneRequest {
   std::string id = "arm";                          ///< assets/scenes/<id>.json
   std::optional<std::filesystem::path> organFile;  ///< the user's mesh instead (--organ FILE)
   double organScale_m = 0.001;                     ///< one file unit of organFile in metres
-  std::string pattern;                             ///< empty: the scene's first
+  /// Empty: the scene's first. With organFile a pattern of any scene will do; the scene is then that one.
+  std::string pattern;
   std::optional<Formulation> formulation;
   std::optional<int> ridges;
   std::optional<int> sections;
+  std::string material;                    ///< id in assets/scenes/materials.json; empty: the scene's
+  std::optional<LatticeMode> latticeMode;  ///< none: the scene's; for organFile kAutomatic
+  std::optional<Vec3> fixedEnd_m;          ///< of organFile, with freeEnd_m; none: found
+  std::optional<Vec3> freeEnd_m;
 };
 
 /// Everything that an exercise needs, loaded and checked. Immutable; shared by servo and views.
@@ -71,11 +76,18 @@ struct Scene {
 /// Scene ids in assets/scenes, sorted.
 [[nodiscard]] std::vector<std::string> sceneIds(const std::filesystem::path& assets);
 
+/// Ids of the patterns of a scene, in its order. Throws as loadScene, without building anything.
+[[nodiscard]] std::vector<std::string> patternIds(const std::filesystem::path& assets, const std::string& id);
+
 /// The request that rebuilds the model of a recorded trial from its TrialHeader::parametersJson; the caller
 /// adds assets, scene id and, if it was a user's mesh, the organ file. Throws Error{kBadData}.
 [[nodiscard]] SceneRequest sceneRequestFor(const std::string& parametersJson);
 
-/// Throws Error for a missing or malformed scene or organ file.
+/// Loads, checks and builds everything; takes as long as the organ's lattice and sections. A user's mesh is
+/// cut by planes when it is a straight bar, else by its harmonic field between ends that are found; straight
+/// axes of its patterns are put through its own ends or across its own bend. Throws Error naming file, field,
+/// value and what there is to choose from: {kFileMissing} scene or organ, {kFileUnreadable}, {kBadData} scene
+/// file, {kBadParameter} unknown pattern or material, number out of range, {kBadMesh} organ.
 [[nodiscard]] Scene loadScene(const SceneRequest& request);
 
 }  // namespace torsio

@@ -23,41 +23,44 @@ nlohmann::json readJson(const fs::path& file) {
     return nlohmann::json::parse(readFile(file));
   } catch (const nlohmann::json::exception& error) {
     throw Error(ErrorCode::kBadData, std::string("is not valid JSON (") + error.what() + ")", file.string(),
-                "Correct the file");
+                "Correct the file.");
   }
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
+/// A direction; its length does not matter, but it has one.
+Vec3 readDirection(JsonFields& fields, const std::string& name) {
+  const Vec3 direction = normalized(fields.vector(name));
+  if (direction == Vec3{}) fields.refuse(name, "points nowhere", "Give a direction that is not zero.");
+  return direction;
 }
 
 LatticeOptions readLattice(JsonFields& parent) {
+  constexpr LatticeMode kModes[] = {LatticeMode::kHarmonic, LatticeMode::kStraightAxis,
+                                    LatticeMode::kAutomatic};
   JsonFields fields(parent.child("lattice"), parent.where() + " lattice");
   LatticeOptions lattice;
   lattice.ridges = fields.integer("ridges", kFewestRidges, kMostRidges, lattice.ridges);
   lattice.sections = fields.integer("sections", kFewestSections, kMostSections, lattice.sections);
-  lattice.mode = fields.choice("mode", {"harmonic", "straight-axis"}, 0) == 0 ? LatticeMode::kHarmonic
-                                                                              : LatticeMode::kStraightAxis;
+  lattice.mode = kModes[fields.choice("mode", {"harmonic", "straight-axis", "automatic"}, 0)];
   lattice.spacing = fields.choice("spacing", {"arc-length", "angle"}, 0) == 0 ? RidgeSpacing::kArcLength
                                                                               : RidgeSpacing::kAngle;
   if (fields.has("fixed_end_mm") || fields.has("free_end_mm")) {
     lattice.fixedEnd_m = fields.vector("fixed_end_mm") * kMillimetre;
     lattice.freeEnd_m = fields.vector("free_end_mm") * kMillimetre;
   }
-  if (fields.has("fixed_cut")) lattice.fixedCut = normalized(fields.vector("fixed_cut"));
-  if (fields.has("free_cut")) lattice.freeCut = normalized(fields.vector("free_cut"));
+  if (fields.has("fixed_cut")) lattice.fixedCut = readDirection(fields, "fixed_cut");
+  if (fields.has("free_cut")) lattice.freeCut = readDirection(fields, "free_cut");
   lattice.capRadius_m = fields.number("cap_radius_mm", 0.0, 200.0, 0.0) * kMillimetre;
-  if (fields.has("ridge_zero")) lattice.ridgeZero = normalized(fields.vector("ridge_zero"));
+  if (fields.has("ridge_zero")) lattice.ridgeZero = readDirection(fields, "ridge_zero");
   lattice.ridgeZeroFraction = fields.number("ridge_zero_fraction", 0.0, 1.0, 0.0);
   fields.finish();
   return lattice;
 }
 
-TwistOperation readOperation(const nlohmann::json& json, const std::string& where) {
+TwistOperation readOperation(const nlohmann::json& json, const std::string& where, AxisElsewhere& elsewhere) {
   JsonFields fields(json, where);
   TwistOperation operation;
+  elsewhere = AxisElsewhere::kEnds;
   if (fields.choice("axis", {"centreline", "straight"}, 0) == 1) {
     operation.axis = TwistAxis::kStraight;
     operation.axisFrom_m = fields.vector("axis_from_mm") * kMillimetre;
@@ -65,6 +68,8 @@ TwistOperation readOperation(const nlohmann::json& json, const std::string& wher
     operation.coordinate = fields.choice("coordinate", {"along-axis", "arc"}, 0) == 0
                                ? TwistCoordinate::kAlongAxis
                                : TwistCoordinate::kArc;
+    elsewhere =
+        fields.choice("elsewhere", {"ends", "bend"}, 0) == 0 ? AxisElsewhere::kEnds : AxisElsewhere::kBend;
   }
   constexpr TwistProfile kProfiles[] = {TwistProfile::kElastic, TwistProfile::kRamp, TwistProfile::kTent,
                                         TwistProfile::kSmoothRamp, TwistProfile::kSmoothTent};
@@ -78,9 +83,10 @@ TwistOperation readOperation(const nlohmann::json& json, const std::string& wher
   return operation;
 }
 
-TwistPattern readPattern(const nlohmann::json& json, const std::string& where) {
+PatternDescription readPattern(const nlohmann::json& json, const std::string& where) {
   JsonFields fields(json, where);
-  TwistPattern pattern;
+  PatternDescription description;
+  TwistPattern& pattern = description.pattern;
   pattern.id = fields.text("id");
   pattern.title = fields.text("title");
   pattern.ends = fields.choice("ends", {"clamped-free", "both-held"}, 0) == 0 ? EndCondition::kClampedFree
@@ -93,17 +99,36 @@ TwistPattern readPattern(const nlohmann::json& json, const std::string& where) {
   pattern.source = fields.text("source");
   if (fields.has("operations")) {
     const nlohmann::json& operations = fields.child("operations");
-    if (!operations.is_array()) fields.refuse("operations", "must be a list", "Put it in brackets");
+    if (!operations.is_array()) fields.refuse("operations", "must be a list", "Put it in brackets.");
     for (const auto& operation : operations) {
-      pattern.operations.push_back(
-          readOperation(operation, where + " operation " + std::to_string(pattern.operations.size() + 1)));
+      const std::string name = where + " operation " + std::to_string(pattern.operations.size() + 1);
+      pattern.operations.push_back(readOperation(operation, name, description.elsewhere.emplace_back()));
     }
     checkOperations(pattern.operations);
   }
   fields.finish();
-  return pattern;
+  return description;
 }
 
+std::vector<PatternDescription> readPatterns(JsonFields& scene) {
+  const nlohmann::json& list = scene.child("patterns");
+  if (!list.is_array() || list.empty()) scene.refuse("patterns", "must list at least one", "Add a pattern.");
+  std::vector<PatternDescription> patterns;
+  for (const auto& entry : list) {
+    const std::string where = scene.where() + " pattern " + std::to_string(patterns.size() + 1);
+    PatternDescription next = readPattern(entry, where);
+    for (const PatternDescription& other : patterns) {
+      if (other.pattern.id == next.pattern.id) {
+        throw Error(ErrorCode::kBadData, "the id '" + next.pattern.id + "' is used twice", where,
+                    "Rename one.");
+      }
+    }
+    patterns.push_back(std::move(next));
+  }
+  return patterns;
+}
+
+/// What the collision needs; the rest of the file is for views.
 Instrument readInstrument(const fs::path& assets, const std::string& id) {
   const fs::path file = assets / "instruments" / (id + ".json");
   const nlohmann::json json = readJson(file);
@@ -113,26 +138,32 @@ Instrument readInstrument(const fs::path& assets, const std::string& id) {
   instrument.tipRadius_m = fields.number("tip_radius_mm", 0.5, 20.0) * kMillimetre;
   instrument.shaftLength_m = fields.number("shaft_length_mm", 30.0, 600.0) * kMillimetre;
   instrument.gripReach_m = fields.number("grip_reach_mm", 0.5, 30.0) * kMillimetre;
-  return instrument;  // the rest of the file is for views
+  return instrument;
 }
 
-Material findMaterial(const fs::path& assets, const std::string& id, const std::string& where) {
+}  // namespace
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+Material findMaterial(const fs::path& assets, const std::string& id, ErrorCode code,
+                      const std::string& where) {
   std::vector<std::string> known;
   for (Material& material : readMaterials(assets)) {
     if (material.id == id) return material;
     known.push_back(material.id);
   }
-  throw Error(ErrorCode::kBadData, "no material is called '" + id + "'", where,
-              "Choose one of " + listed(known));
+  throw Error(code, "no material is called '" + id + "'", where, "Choose one of " + listed(known) + ".");
 }
-
-}  // namespace
 
 std::vector<Material> readMaterials(const fs::path& assets) {
   const fs::path file = assets / "scenes" / "materials.json";
   const nlohmann::json json = readJson(file);
   if (!json.is_array())
-    throw Error(ErrorCode::kBadData, "must be a list", file.string(), "Put it in brackets");
+    throw Error(ErrorCode::kBadData, "must be a list", file.string(), "Put it in brackets.");
   std::vector<Material> materials;
   for (const auto& entry : json) {
     JsonFields fields(entry, file.string() + " material " + std::to_string(materials.size() + 1));
@@ -153,7 +184,7 @@ SceneDescription readSceneFile(const fs::path& assets, const std::string& id) {
   const std::vector<std::string> known = sceneIds(assets);
   if (std::find(known.begin(), known.end(), id) == known.end()) {
     throw Error(ErrorCode::kFileMissing, "no scene is called '" + id + "'", (assets / "scenes").string(),
-                "Choose one of " + listed(known));
+                "Choose one of " + listed(known) + ".");
   }
   const fs::path file = assets / "scenes" / (id + ".json");
   const nlohmann::json json = readJson(file);
@@ -165,18 +196,12 @@ SceneDescription readSceneFile(const fs::path& assets, const std::string& id) {
   scene.organ = assets / fields.text("organ");
   scene.organUnit_m = lengthUnit_m(fields.text("organ_unit", "mm"));
   scene.lattice = readLattice(fields);
-  scene.material = findMaterial(assets, fields.text("material"), file.string());
+  scene.material = findMaterial(assets, fields.text("material"), ErrorCode::kBadData, file.string());
   scene.formulation = fields.choice("formulation", {"saint-venant", "paper"}, 0) == 0
                           ? Formulation::kSaintVenant
                           : Formulation::kPaper;
   scene.instrument = readInstrument(assets, fields.text("instrument"));
-  const nlohmann::json& patterns = fields.child("patterns");
-  if (!patterns.is_array() || patterns.empty())
-    fields.refuse("patterns", "must list at least one", "Add a pattern");
-  for (const auto& pattern : patterns) {
-    scene.patterns.push_back(
-        readPattern(pattern, file.string() + " pattern " + std::to_string(scene.patterns.size() + 1)));
-  }
+  scene.patterns = readPatterns(fields);
   fields.finish();
   return scene;
 }

@@ -5,11 +5,24 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/error.h"
 #include "sim/geometry/section_lattice.h"
 #include "sim/scene/scene.h"
 #include "sim/tissue/material.h"
 
 namespace torsio {
+
+/// Where the straight axis of an operation lies in an organ whose landmarks are not known.
+enum class AxisElsewhere {
+  kEnds,  ///< from the fixed to the free end: the long axis
+  kBend,  ///< at half length, from the inside of the organ's bend to the outside: the short axis
+};
+
+/// A pattern as the file has it.
+struct PatternDescription {
+  TwistPattern pattern;
+  std::vector<AxisElsewhere> elsewhere;  ///< one an operation; kEnds where it has no straight axis
+};
 
 /// A scene file (assets/scenes/<id>.json) with the files it names resolved, before any geometry is built.
 struct SceneDescription {
@@ -22,7 +35,7 @@ struct SceneDescription {
   Material material;
   Formulation formulation = Formulation::kSaintVenant;
   Instrument instrument;
-  std::vector<TwistPattern> patterns;  ///< at least one
+  std::vector<PatternDescription> patterns;  ///< at least one, ids all different
 };
 
 /// Throws Error{kFileMissing} naming the known scenes, {kBadData} naming file and field: malformed JSON,
@@ -31,5 +44,12 @@ struct SceneDescription {
 
 /// All materials of assets/scenes/materials.json. Throws as above.
 [[nodiscard]] std::vector<Material> readMaterials(const std::filesystem::path& assets);
+
+/// The material with this id. Throws Error{`code`} at `where`, naming those there are.
+[[nodiscard]] Material findMaterial(const std::filesystem::path& assets, const std::string& id,
+                                    ErrorCode code, const std::string& where);
+
+/// "a, b, c".
+[[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
 }  // namespace torsio

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/scene/scene_parameters.h"
+
+#include <algorithm>
+#include <array>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormat = 1;
+
+constexpr std::array kModes{"harmonic", "straight-axis", "automatic"};
+constexpr std::array kSpacings{"angle", "arc-length"};
+constexpr std::array kProfiles{"elastic", "ramp", "tent", "smooth-ramp", "smooth-tent"};
+constexpr std::array kFormulations{"saint-venant", "paper"};
+constexpr std::array kEnds{"clamped-free", "both-held"};
+
+template <typename Names, typename Enum>
+const char* nameOf(const Names& names, Enum value) {
+  return names.at(static_cast<std::size_t>(value));
+}
+
+Json toJson(const Vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+Json toJson(const LatticeOptions& lattice) {
+  return {{"mode", nameOf(kModes, lattice.mode)},
+          {"spacing", nameOf(kSpacings, lattice.spacing)},
+          {"fixed_end_m", toJson(lattice.fixedEnd_m)},
+          {"free_end_m", toJson(lattice.freeEnd_m)},
+          {"fixed_cut", toJson(lattice.fixedCut)},
+          {"free_cut", toJson(lattice.freeCut)},
+          {"cap_radius_m", lattice.capRadius_m},
+          {"ridge_zero", toJson(lattice.ridgeZero)},
+          {"ridge_zero_fraction", lattice.ridgeZeroFraction}};
+}
+
+Json toJson(const TwistOperation& operation) {
+  Json json;
+  json["axis"] = operation.axis == TwistAxis::kStraight ? "straight" : "centreline";
+  if (operation.axis == TwistAxis::kStraight) {
+    json["axis_from_m"] = toJson(operation.axisFrom_m);
+    json["axis_to_m"] = toJson(operation.axisTo_m);
+    json["coordinate"] = operation.coordinate == TwistCoordinate::kArc ? "arc" : "along-axis";
+  }
+  json["profile"] = nameOf(kProfiles, operation.profile);
+  json["from"] = operation.from;
+  json["to"] = operation.to;
+  if (operation.peak) json["peak"] = *operation.peak;
+  json["ratio"] = operation.ratio;
+  return json;
+}
+
+Vec3 vectorOf(const nlohmann::json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+LatticeMode modeOf(const std::string& name) {
+  const auto found = std::find(kModes.begin(), kModes.end(), name);
+  if (found == kModes.end()) throw Error(ErrorCode::kBadData, "lattice mode '" + name + "'", "", "");
+  return static_cast<LatticeMode>(found - kModes.begin());
+}
+
+}  // namespace
+
+std::string parametersText(const SceneDescription& scene, const TwistPattern& pattern, bool usersOrgan) {
+  Json json;
+  json["format"] = kFormat;
+  json["formulation"] = nameOf(kFormulations, scene.formulation);
+  json["ridges"] = scene.lattice.ridges;
+  json["sections"] = scene.lattice.sections;
+  json["organ"] = usersOrgan ? "file" : "scene";
+  json["organ_unit_m"] = scene.organUnit_m;
+  json["lattice"] = toJson(scene.lattice);
+  json["material"] = {{"id", scene.material.id}, {"shear_modulus_pa", scene.material.shearModulus_Pa}};
+  json["instrument"] = {{"id", scene.instrument.id},
+                        {"tip_radius_m", scene.instrument.tipRadius_m},
+                        {"grip_reach_m", scene.instrument.gripReach_m}};
+  json["pattern"] = {{"id", pattern.id},
+                     {"ends", nameOf(kEnds, pattern.ends)},
+                     {"force_limit_n", pattern.forceLimit_N},
+                     {"torque_limit_nm", pattern.torqueLimit_Nm}};
+  json["operations"] = Json::array();
+  for (const TwistOperation& operation : pattern.operations) json["operations"].push_back(toJson(operation));
+  return json.dump();
+}
+
+SceneRequest sceneRequestFor(const std::string& parametersJson) {
+  try {
+    const auto json = nlohmann::json::parse(parametersJson);
+    SceneRequest request;
+    request.formulation = json.at("formulation") == nameOf(kFormulations, Formulation::kPaper)
+                              ? Formulation::kPaper
+                              : Formulation::kSaintVenant;
+    request.ridges = json.at("ridges").get<int>();
+    request.sections = json.at("sections").get<int>();
+    request.pattern = json.at("pattern").at("id").get<std::string>();
+    request.material = json.at("material").at("id").get<std::string>();
+    const nlohmann::json& lattice = json.at("lattice");
+    request.latticeMode = modeOf(lattice.at("mode").get<std::string>());
+    if (json.at("organ") == "file") {
+      request.organScale_m = json.at("organ_unit_m").get<double>();
+      const Vec3 fixedEnd = vectorOf(lattice.at("fixed_end_m"));
+      const Vec3 freeEnd = vectorOf(lattice.at("free_end_m"));
+      if (fixedEnd != freeEnd) {
+        request.fixedEnd_m = fixedEnd;
+        request.freeEnd_m = freeEnd;
+      }
+    }
+    return request;
+  } catch (const std::exception&) {
+    throw Error(ErrorCode::kBadData, "the stored model parameters cannot be read", "trial",
+                "Check the database.");
+  }
+}
+
+}  // namespace torsio

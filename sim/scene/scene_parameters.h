@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "sim/scene/scene_file.h"
+
+namespace torsio {
+
+/// Everything that decides what the model answers, as one line of JSON with its fields in a fixed order:
+/// equal parameters give equal text on every machine. `usersOrgan`: the organ is a user's mesh.
+[[nodiscard]] std::string parametersText(const SceneDescription& scene, const TwistPattern& pattern,
+                                         bool usersOrgan);
+
+}  // namespace torsio
