@@ -291,6 +291,16 @@ TEST(TwistModel, NoDisplacementOfTheGripMeetsMoreThanTheStiffnessCap) {
   EXPECT_NEAR(norm(bar.model.graspForce_N({g, 0.5}, {0.03, 0.0, g})), stiffness * 0.5 / 0.03, 1e-9);
 }
 
+TEST(TwistModel, TheLargestDisplacementIsTheChordOfTheTurn) {
+  const Bar bar = roundBar();
+
+  const TwistSummary summary = bar.model.summary({kBarLength_m, 60.0 * kDegree});
+
+  // Eq. 24 for a point at distance r turned by phi: D = 2 r sin(phi / 2) = 0.04 m at 60 degrees.
+  EXPECT_NEAR(summary.maxDisplacement_m, 0.040, 1e-6);
+  EXPECT_NEAR(summary.peakShearStrain, summary.peakShear_Pa / kBarShear_Pa, 1e-15);
+}
+
 TEST(TwistModel, StiffeningTissueDoublesItsTorqueAtTheStatedStrain) {
   TwistModelOptions options;
   options.stiffeningStrain = 0.2;
