@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scene files with one thing wrong: the message names the file, the field and what to do.
+#include "sim/scene/scene_file.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+
+namespace torsio {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const fs::path kAssets = fs::path(TORSIO_SOURCE_DIR) / "assets";
+
+/// A copy of the shipped data files (not of the organs) in which one file can be changed.
+class SceneFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    assets_ = fs::path(::testing::TempDir()) / (std::string("scene_file_") + test->name());
+    fs::remove_all(assets_);
+    fs::create_directories(assets_ / "scenes");
+    fs::create_directories(assets_ / "instruments");
+    for (const char* name :
+         {"scenes/arm.json", "scenes/stomach.json", "scenes/materials.json", "instruments/grasper.json"}) {
+      fs::copy_file(kAssets / name, assets_ / name);
+    }
+  }
+  void TearDown() override { fs::remove_all(assets_); }
+
+  void change(const std::string& file, const std::function<void(Json&)>& edit) {
+    Json json = Json::parse(readFile(assets_ / file));
+    edit(json);
+    writeFileAtomically(assets_ / file, json.dump());
+  }
+
+  Error refusal(const std::string& id = "stomach") {
+    try {
+      static_cast<void>(readSceneFile(assets_, id));
+    } catch (const Error& error) {
+      return error;
+    }
+    ADD_FAILURE() << "nothing was refused";
+    return {ErrorCode::kInternal, "", "", ""};
+  }
+
+  void expectBadField(const std::function<void(Json&)>& edit, const std::string& field) {
+    const std::string before = readFile(assets_ / "scenes/stomach.json");
+    change("scenes/stomach.json", edit);
+    const Error error = refusal();
+    EXPECT_EQ(error.code(), ErrorCode::kBadData) << field;
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("stomach.json"), HasSubstr("'" + field + "'"))) << field;
+    EXPECT_FALSE(error.remedy().empty()) << field;
+    writeFileAtomically(assets_ / "scenes/stomach.json", before);
+  }
+
+  fs::path assets_;
+};
+
+TEST_F(SceneFile, IsReadInFull) {
+  const SceneDescription scene = readSceneFile(assets_, "stomach");
+
+  EXPECT_EQ(scene.id, "stomach");
+  EXPECT_EQ(scene.organ, assets_ / "organs/stomach.ply");
+  EXPECT_EQ(scene.lattice.mode, LatticeMode::kHarmonic);
+  EXPECT_NEAR(scene.lattice.fixedEnd_m.x, -0.049, 1e-12);
+  EXPECT_EQ(scene.material.id, "stomach-filled");
+  EXPECT_EQ(scene.instrument.id, "grasper");
+  EXPECT_EQ(scene.patterns.size(), 4U);
+  ASSERT_EQ(scene.patterns[2].elsewhere.size(), 2U);
+  EXPECT_EQ(scene.patterns[2].elsewhere[0], AxisElsewhere::kBend);
+  EXPECT_EQ(scene.patterns[2].elsewhere[1], AxisElsewhere::kEnds);
+}
+
+TEST_F(SceneFile, NamesAFieldThatItDoesNotKnow) {
+  expectBadField([](Json& j) { j["colour"] = "pink"; }, "colour");
+  expectBadField([](Json& j) { j["lattice"]["ridge"] = 12; }, "ridge");
+  expectBadField([](Json& j) { j["patterns"][0]["angle"] = 12; }, "angle");
+  expectBadField([](Json& j) { j["patterns"][0]["operations"][0]["speed"] = 1; }, "speed");
+}
+
+TEST_F(SceneFile, NamesAFieldThatIsMissing) {
+  for (const char* field :
+       {"title", "provenance", "organ", "material", "instrument", "lattice", "patterns"}) {
+    expectBadField([field](Json& j) { j.erase(field); }, field);
+  }
+  for (const char* field :
+       {"id", "title", "grasp", "angle_deg", "tolerance_deg", "force_limit_n", "torque_limit_nm", "source"}) {
+    expectBadField([field](Json& j) { j["patterns"][1].erase(field); }, field);
+  }
+  expectBadField([](Json& j) { j["patterns"][0]["operations"][0].erase("axis_to_mm"); }, "axis_to_mm");
+}
+
+TEST_F(SceneFile, NamesAFieldOfTheWrongKind) {
+  expectBadField([](Json& j) { j["title"] = 3; }, "title");
+  expectBadField([](Json& j) { j["lattice"]["ridges"] = "many"; }, "ridges");
+  expectBadField([](Json& j) { j["lattice"]["ridges"] = 12.5; }, "ridges");
+  expectBadField([](Json& j) { j["lattice"]["fixed_end_mm"] = {1, 2}; }, "fixed_end_mm");
+  expectBadField([](Json& j) { j["lattice"]["ridge_zero"] = {0, 0, 0}; }, "ridge_zero");
+  expectBadField([](Json& j) { j["patterns"] = Json::array(); }, "patterns");
+  expectBadField([](Json& j) { j["patterns"][0]["operations"] = 1; }, "operations");
+}
+
+TEST_F(SceneFile, NamesAValueOutOfRangeWithTheRange) {
+  expectBadField([](Json& j) { j["lattice"]["ridges"] = 2; }, "ridges");
+  expectBadField([](Json& j) { j["lattice"]["sections"] = 361; }, "sections");
+  expectBadField([](Json& j) { j["patterns"][0]["grasp"] = 1.5; }, "grasp");
+  expectBadField([](Json& j) { j["patterns"][0]["angle_deg"] = 1e9; }, "angle_deg");
+  change("scenes/stomach.json", [](Json& j) { j["lattice"]["sections"] = 1; });
+  EXPECT_THAT(refusal().what(), HasSubstr("from 2 to 360, not 1"));
+}
+
+TEST_F(SceneFile, ListsTheChoicesOfAWord) {
+  change("scenes/stomach.json", [](Json& j) { j["lattice"]["mode"] = "magic"; });
+  EXPECT_THAT(refusal().what(), AllOf(HasSubstr("'magic'"), HasSubstr("harmonic, straight-axis, automatic")));
+}
+
+TEST_F(SceneFile, ListsTheMaterialsWhenOneIsUnknown) {
+  change("scenes/stomach.json", [](Json& j) { j["material"] = "steel"; });
+  const Error error = refusal();
+  EXPECT_EQ(error.code(), ErrorCode::kBadData);
+  EXPECT_THAT(error.what(),
+              AllOf(HasSubstr("stomach.json"), HasSubstr("'steel'"), HasSubstr("stomach-filled")));
+}
+
+TEST_F(SceneFile, RefusesAnInstrumentThatIsNotThere) {
+  change("scenes/stomach.json", [](Json& j) { j["instrument"] = "spoon"; });
+  EXPECT_EQ(refusal().code(), ErrorCode::kFileMissing);
+  EXPECT_THAT(refusal().what(), HasSubstr("spoon.json"));
+}
+
+TEST_F(SceneFile, RefusesAPatternIdThatIsUsedTwice) {
+  change("scenes/stomach.json", [](Json& j) { j["patterns"][1]["id"] = "organo-axial"; });
+  EXPECT_EQ(refusal().code(), ErrorCode::kBadData);
+  EXPECT_THAT(refusal().what(), HasSubstr("'organo-axial' is used twice"));
+}
+
+TEST_F(SceneFile, RefusesAnOperationThatTurnsNothing) {
+  change("scenes/stomach.json", [](Json& j) { j["patterns"][0]["operations"][0]["to"] = -1.0; });
+  EXPECT_EQ(refusal().code(), ErrorCode::kBadParameter);
+  EXPECT_THAT(refusal().what(), HasSubstr("operation 1"));
+}
+
+TEST_F(SceneFile, SaysWhereTheTextIsNoJson) {
+  writeFileAtomically(assets_ / "scenes/stomach.json", "{ \"title\": ");
+  EXPECT_EQ(refusal().code(), ErrorCode::kBadData);
+  EXPECT_THAT(refusal().what(), AllOf(HasSubstr("stomach.json"), HasSubstr("not valid JSON")));
+  writeFileAtomically(assets_ / "scenes/stomach.json", "[1, 2]");
+  EXPECT_EQ(refusal().code(), ErrorCode::kBadData);
+}
+
+TEST_F(SceneFile, ChecksMaterialsAsStrictly) {
+  change("scenes/materials.json", [](Json& j) { j[0]["shear_modulus_pa"] = 1e6; });
+  EXPECT_THAT(refusal("arm").what(), AllOf(HasSubstr("material 1"), HasSubstr("'shear_modulus_pa'")));
+  change("scenes/materials.json", [](Json& j) { j[0] = {{"id", "x"}}; });
+  EXPECT_THAT(refusal("arm").what(), AllOf(HasSubstr("material 1"), HasSubstr("'title'")));
+  writeFileAtomically(assets_ / "scenes/materials.json", "{}");
+  EXPECT_THAT(refusal("arm").what(), HasSubstr("must be a list"));
+}
+
+TEST_F(SceneFile, RefusesAFolderWithoutScenes) {
+  try {
+    static_cast<void>(sceneIds(assets_ / "nowhere"));
+    FAIL() << "nothing was refused";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kFileMissing);
+  }
+}
+
+}  // namespace
+}  // namespace torsio
