@@ -36,6 +36,17 @@ void buildProgram(CLI::App& program) {
   addTwist(program);
 }
 
+/// The option parser would only say that a command is missing.
+void requireKnownCommand(const CLI::App& program, const std::string& first) {
+  if (first.empty() || first[0] == '-') return;
+  std::string names;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == first) return;
+    names.append(names.empty() ? "" : ", ").append(command->get_name());
+  }
+  throw Error(ErrorCode::kUsage, "no such command", first, "Commands: " + names);
+}
+
 }  // namespace
 
 bool wantsCommandLine(int argc, char** argv) {
@@ -62,6 +73,7 @@ int runCommandLine(int argc, char** argv) {
   try {
     // Reports are drawn by Qt without any display; the database drivers are Qt plug-ins.
     const auto application = makeHeadlessGraphicsApplication(argc, argv);
+    requireKnownCommand(program, argc > 1 ? argv[1] : "");
     program.parse(argc, argv);
     return 0;
   } catch (const CLI::Success& success) {

@@ -75,7 +75,7 @@ TEST_F(BadInput, AMissingOrganFileIsNamed) {
 
 TEST_F(BadInput, AnEmptyMeshIsRefused) {
   write(folder_ / "empty.obj", "");
-  expectRefused(demoWith("empty.obj"), ErrorCode::kBadMesh, "empty.obj");
+  expectRefused(demoWith("empty.obj"), ErrorCode::kFileUnreadable, "empty.obj");
   expectNothingWritten();
 }
 
