@@ -30,6 +30,7 @@ void buildProgram(CLI::App& program) {
   program.set_version_flag("--version", "torsio " + softwareVersion());
   program.require_subcommand(1);
   program.footer("Without a command Torsio opens its window. Exit codes: docs/cli.md.");
+  addBench(program);
   addDemo(program);
   addReplay(program);
   addSection(program);

@@ -97,6 +97,7 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
   inputs.occasions = {"before", "after 20 min", "after 40 min"};
   inputs.scores = training.trainees;
   inputs.summaries = training.groups;
+  inputs.trainingMarks = training.marks;
   std::set<std::string> raters;
   for (const TrainingMark& mark : training.marks) raters.insert(mark.rater);
   inputs.trainingRaters = raters.size();

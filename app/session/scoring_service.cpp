@@ -128,12 +128,16 @@ TrainingResult scoreTraining(Connection& connection, const std::string& cohortId
     enrolmentOf[enrolment.traineeCode] = enrolment.id;
 
   TrainingResult result;
+  std::map<std::pair<std::string, std::string>, std::int64_t> notAssessable;  // by trainee and scoring point
   Digest inputs;
   for (const StoredTrainingMark& mark : ratings.marks(cohortId)) {
     inputs.update(mark.id);
     inputs.update(mark.version);
     inputs.update(mark.score_steps.value_or(-1));
-    if (!mark.score_steps) continue;
+    if (!mark.score_steps) {
+      ++notAssessable[{mark.traineeCode, mark.scoringPoint}];
+      continue;
+    }
     result.scale = mark.scale;
     TrainingMark scored;
     scored.trainee = mark.traineeCode;
@@ -154,7 +158,7 @@ TrainingResult scoreTraining(Connection& connection, const std::string& cohortId
                             score.score,
                             betweenRaterVariance(result.marks, score, result.scale),
                             score.n,
-                            0,
+                            notAssessable[{score.trainee, scoringPoints().at(score.occasion)}],
                             {}});
   }
   for (const GroupSummary& group : result.groups) {

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "assessment/report/number_format.h"
+#include "sim/tissue/twist_bench.h"
+
+namespace torsio::cli {
+
+namespace {
+
+void runBench(bool json) {
+  const TissueBenchResult result = runTissueBench();
+  if (!json) {
+    std::cout << "instruction set " << result.isa << ", load average " << formatFixed(result.loadAverage, 2)
+              << "\n";
+    for (const TissueBenchRow& row : result.rows) {
+      std::cout << row.name << " = " << formatFixed(row.value, 3) << " " << (row.unit == "1" ? "" : row.unit);
+      if (row.target != 0.0) {
+        std::cout << "  (wanted " << (row.atLeast ? "at least " : "at most ") << formatFixed(row.target, 2)
+                  << (row.met() ? ", met)" : ", NOT met)");
+      }
+      std::cout << "\n";
+    }
+    return;
+  }
+  nlohmann::ordered_json out;
+  out["isa"] = result.isa;
+  out["core"] = result.core;
+  out["load_average"] = result.loadAverage;
+  out["rows"] = nlohmann::ordered_json::array();
+  for (const TissueBenchRow& row : result.rows) {
+    nlohmann::ordered_json entry{{"name", row.name}, {"value", row.value}, {"unit", row.unit}};
+    if (row.target != 0.0) {
+      entry["target"] = row.target;
+      entry["wanted"] = row.atLeast ? "at least" : "at most";
+      entry["met"] = row.met();
+    }
+    out["rows"].push_back(entry);
+  }
+  std::cout << out.dump(2) << '\n';
+}
+
+}  // namespace
+
+void addBench(CLI::App& program) {
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = program.add_subcommand(
+      "bench", "Speed of the twist model, as ratios to what the memory of this machine can do");
+  command->add_flag("--json", *json, "Print JSON");
+  command->callback([json] { runBench(*json); });
+}
+
+}  // namespace torsio::cli
