@@ -48,8 +48,8 @@ PreparedOperation::PreparedOperation(const TwistOperation& operation, int index,
 // Turn about the operation's axis for 1 N m about it, of the organ between two nodes (Castigliano): the
 // component of the torque along the centreline twists, the component across bends.
 double PreparedOperation::cellCompliance(const OperationBase& base, int cell) const {
-  const HermiteTable& whole = *base.compliance;
-  const double least = kLeastCell * std::abs(whole.node(whole.nodes() - 1));
+  const HermiteTable& whole = *base.series;
+  const double least = kLeastCell * whole.node(whole.nodes() - 1);
   const double twist = std::max(whole.node(cell + 1) - whole.node(cell), least);
   if (aboutCentreline()) return twist;
   const double along =
@@ -89,7 +89,7 @@ void PreparedOperation::prepareElastic(int index, const OperationBase& base) {
       nodes[static_cast<std::size_t>(i)] += weight * part;
     }
   }
-  if (!(nodes.back() - nodes.front() > kLeastReach * whole.node(whole.nodes() - 1))) {
+  if (!(nodes.back() - nodes.front() > kLeastReach * base.series->node(whole.nodes() - 1))) {
     throw Error(ErrorCode::kBadParameter, "the organ hardly reaches along the axis of an elastic twist",
                 "twist operation " + std::to_string(index + 1),
                 "Use a ramp or a tent, or another axis or range.");

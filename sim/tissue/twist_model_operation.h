@@ -14,6 +14,9 @@ namespace torsio {
 struct OperationBase {
   const Centreline* axis = nullptr;  ///< used during construction only
   const HermiteTable* compliance = nullptr;
+  /// Integral of the twist rate for one newton metre, never falling: `compliance` itself, or for the paper,
+  /// whose H theta may fall, the integral of theta. On the same nodes.
+  const HermiteTable* series = nullptr;
   /// Integral of ds / (E I) of the organ as a slender rod, E I = 3 G Ip / 2: what a turn about an axis across
   /// it bends. On the nodes of `compliance`.
   const HermiteTable* bending = nullptr;

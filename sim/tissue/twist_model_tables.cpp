@@ -119,6 +119,7 @@ class TableMaker {
   const Material& material_;
   const TwistModelOptions& options_;
   SolvedSections solved_;
+  HermiteTable series_;  // integral of the twist rate for 1 N m
   TwistModel::Tables tables_;
 };
 
@@ -134,6 +135,12 @@ void TableMaker::makeCompliance() {
     const PaperTwist twist = paperTwist(sections, length(), material_.shearModulus_Pa, options_.paper);
     atSections = twist.angle_rad;
     tables_.spacing_m = twist.spacing_m;
+    const std::vector<double> rates = krigedNodes(twist.rate_per_m, length(), options_.kriging, false);
+    std::vector<double> sum{0.0};
+    for (std::size_t i = 1; i < rates.size(); ++i) {
+      sum.push_back(sum.back() + 0.5 * step() * std::max(0.0, rates[i - 1] + rates[i]));
+    }
+    series_ = HermiteTable(0.0, step(), std::move(sum), true);
     tables_.lift =
         HermiteTable(0.0, step(), krigedNodes(twist.lift_m2, length(), options_.kriging, false), false);
   } else {
@@ -143,6 +150,7 @@ void TableMaker::makeCompliance() {
   const bool monotone = !tables_.linear;
   tables_.compliance =
       HermiteTable(0.0, step(), krigedNodes(atSections, length(), options_.kriging, monotone), monotone);
+  if (monotone) series_ = tables_.compliance;
 }
 
 HermiteTable TableMaker::bendingCompliance() const {
@@ -160,6 +168,7 @@ void TableMaker::makeOperations() {
   OperationBase base;
   base.axis = &lattice_.centreline();
   base.compliance = &tables_.compliance;
+  base.series = &series_;
   const HermiteTable bending = bendingCompliance();
   base.bending = &bending;
   base.ends = options_.ends;

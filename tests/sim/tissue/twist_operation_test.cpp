@@ -223,6 +223,22 @@ TEST(TwistPattern, SeveralOperationsActLikeSpringsOnOneShaft) {
   EXPECT_NEAR(two.model.torque_Nm(state) / one.model.torque_Nm(state), 0.5, 1e-12);
 }
 
+TEST(TwistPattern, AGivenProfileMeetsThePapersTwistRateToo) {
+  // On a bar that grows wider towards its free end the paper's H theta falls, its twist rate does not vanish.
+  TwistOperation part;
+  part.profile = TwistProfile::kRamp;
+  part.from = 0.5;
+  TwistModelOptions options = with({part});
+  options.formulation = Formulation::kPaper;
+  const Bar paper = roundBar(options, 2.0);
+  options.formulation = Formulation::kSaintVenant;
+  const Bar usual = roundBar(options, 2.0);
+
+  // The same energy with a twist rate that the cone makes 1.5 times as large.
+  EXPECT_NEAR(usual.model.graspCompliance(kBarLength_m) / paper.model.graspCompliance(kBarLength_m),
+              1.0 / 1.5, 5e-3);
+}
+
 TEST(TwistPattern, AHingeAcrossTheOrganBendsItLikeARod) {
   TwistOperation hinge = about({-0.05, 0.0, 0.125}, {0.05, 0.0, 0.125}, TwistProfile::kRamp);
   hinge.coordinate = TwistCoordinate::kArc;
