@@ -1,37 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+#include <string>
+
 #include <QQuick3DGeometry>
+#include <QVector3D>
+
+#include "sim/geometry/triangle_mesh.h"
 
 namespace torsio::gui {
 
-/// One rigid part of the grasper. Its frame: origin between the closed jaw tips, the shaft runs away from the
-/// organ along +z of the tool, the jaws open in the tool's x. Millimetres, view frame.
+/// The bodies of an instrument of assets/instruments in its own frame: tip at the origin, shaft along +z.
+struct InstrumentParts {
+  TriangleMesh shaft;
+  TriangleMesh upperJaw;
+  TriangleMesh lowerJaw;
+  QVector3D jawPivot_mm;
+  double jawOpening_deg = 20.0;  ///< each jaw, fully open
+};
+
+/// Throws Error{kFileMissing, kFileUnreadable, kBadData} for files that are absent or not an instrument.
+[[nodiscard]] InstrumentParts loadInstrument(const std::filesystem::path& assets, const std::string& id);
+
+/// One rigid body of the instrument; edges sharper than 35 degrees stay sharp. GUI thread.
 class InstrumentGeometry : public QQuick3DGeometry {
   Q_OBJECT
-  Q_PROPERTY(Part part READ part WRITE setPart NOTIFY partChanged)
 
  public:
-  enum Part {
-    Shaft,  ///< insulated tube with its steel end
-    Hinge,  ///< steel clevis that carries the jaws
-    Jaw,    ///< the upper jaw, closed; turn it about the hinge to open, mirror it for the lower one
-  };
-  Q_ENUM(Part)
-
   InstrumentGeometry();
-  [[nodiscard]] Part part() const noexcept { return part_; }
-  void setPart(Part part);
-
-  static constexpr float kJawLength_mm = 18.0F;  ///< tip to hinge
-
- Q_SIGNALS:
-  void partChanged();
-
- private:
-  void build();
-
-  Part part_ = Shaft;
+  void setMesh(const TriangleMesh& mesh);
 };
 
 }  // namespace torsio::gui

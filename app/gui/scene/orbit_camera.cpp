@@ -9,7 +9,6 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr float kDegreesPerPixel = 0.35F;
 constexpr float kHighest_deg = 89.0F;
 constexpr float kZoomPerStep = 0.89F;
 constexpr float kMargin = 1.12F;  // share of the view's half height that stays free round a framed ball

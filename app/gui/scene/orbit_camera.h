@@ -22,6 +22,7 @@ enum class ViewPreset { kFront, kSide, kTop };
 class OrbitCamera {
  public:
   static constexpr float kFieldOfView_deg = 32.0F;
+  static constexpr float kDegreesPerPixel = 0.35F;  ///< of an orbiting drag
 
   /// Looks at a ball so that it fills `size` up to a margin.
   void frame(const QVector3D& centre, float radius, const QSizeF& size);

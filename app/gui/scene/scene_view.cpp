@@ -27,7 +27,6 @@ namespace {
 
 constexpr float kLatticeWidth_mm = 0.55F;
 constexpr float kGraspWidth_mm = 1.8F;
-constexpr double kJawOpen_deg = 24.0;    // each jaw, fully open
 constexpr double kJawHolding_deg = 3.0;  // each jaw, closed on tissue
 
 void registerSceneTypes() {
@@ -160,11 +159,20 @@ void SceneView::setTwist(const TwistState& state) {
   if (latticeVisible_) lattice_->follow(view_.surface);
 }
 
+void SceneView::setInstrument(const InstrumentParts& parts) {
+  jawOpening_deg_ = parts.jawOpening_deg;
+  setRootProperty("jawPivot", parts.jawPivot_mm);
+  if (root_ == nullptr) return;
+  root_->property("shaft").value<InstrumentGeometry*>()->setMesh(parts.shaft);
+  root_->property("upperJaw").value<InstrumentGeometry*>()->setMesh(parts.upperJaw);
+  root_->property("lowerJaw").value<InstrumentGeometry*>()->setMesh(parts.lowerJaw);
+}
+
 void SceneView::setTool(const Pose& pose, double grip) {
   setRootProperty("toolPosition", toView(pose.position_m));
-  setRootProperty("toolRotation", toView(pose.orientation));
-  setRootProperty("jawAngle",
-                  kJawHolding_deg + (kJawOpen_deg - kJawHolding_deg) * (1.0 - std::clamp(grip, 0.0, 1.0)));
+  setRootProperty("toolRotation", toolToView(pose.orientation));
+  const double open = 1.0 - std::clamp(grip, 0.0, 1.0);
+  setRootProperty("jawAngle", kJawHolding_deg + (jawOpening_deg_ - kJawHolding_deg) * open);
 }
 
 void SceneView::setToolVisible(bool visible) {

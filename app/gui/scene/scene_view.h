@@ -26,6 +26,7 @@ namespace torsio::gui {
 
 class OrganGeometry;
 class WireGeometry;
+struct InstrumentParts;
 struct Theme;
 
 /// What the view draws for one organ; made once beside the loading.
@@ -60,6 +61,7 @@ class SceneView : public QWidget {
   [[nodiscard]] static bool platformCanRender();
 
   void setScene(const ViewScene& view);
+  void setInstrument(const InstrumentParts& parts);
   /// Moves the skin; does nothing when the state is the shown one.
   void setTwist(const TwistState& state);
   /// `grip`: 0 open .. 1 closed.
@@ -109,6 +111,7 @@ class SceneView : public QWidget {
   OrbitCamera camera_;
   QVector3D organCentre_;
   float organRadius_ = 100.0F;
+  double jawOpening_deg_ = 20.0;
   bool wireframe_ = false;
   bool latticeVisible_ = false;
   RenderQuality quality_ = RenderQuality::kAutomatic;

@@ -11,6 +11,9 @@ Rectangle {
     property alias wire: wireGeometry
     property alias lattice: latticeGeometry
     property alias graspBand: graspGeometry
+    property alias shaft: shaftGeometry
+    property alias upperJaw: upperJawGeometry
+    property alias lowerJaw: lowerJawGeometry
 
     property vector3d cameraPosition
     property quaternion cameraRotation
@@ -20,7 +23,7 @@ Rectangle {
     property vector3d toolPosition
     property quaternion toolRotation
     property real jawAngle: 12       // each jaw, degrees
-    property real hinge: 18          // from the tip, mm
+    property vector3d jawPivot
     property bool toolVisible: true
 
     property color backdropTop: "#eef2f5"
@@ -36,7 +39,7 @@ Rectangle {
     property bool wireVisible: false
     property bool latticeVisible: false
     property bool graspVisible: true
-    property bool fine: false        // antialiasing, shadow and ambient occlusion
+    property bool fine: false        // antialiasing, shadow, ambient occlusion and the film of moisture
 
     gradient: Gradient {
         GradientStop { position: 0; color: root.backdropTop }
@@ -93,9 +96,9 @@ Rectangle {
             materials: PrincipledMaterial {
                 baseColor: root.tissueColour
                 metalness: 0
-                roughness: root.tissueRoughness
+                roughness: root.fine ? root.tissueRoughness : root.tissueRoughness * (1 - 0.45 * root.filmAmount)
                 specularAmount: 0.45
-                clearcoatAmount: root.filmAmount
+                clearcoatAmount: root.fine ? root.filmAmount : 0
                 clearcoatRoughnessAmount: root.filmRoughness
             }
         }
@@ -153,28 +156,25 @@ Rectangle {
             }
 
             Model {
-                geometry: InstrumentGeometry { part: InstrumentGeometry.Shaft }
+                geometry: InstrumentGeometry { id: shaftGeometry }
                 castsShadows: root.fine
                 materials: insulation
             }
             Model {
-                geometry: InstrumentGeometry { part: InstrumentGeometry.Hinge }
+                geometry: InstrumentGeometry { id: upperJawGeometry }
+                pivot: root.jawPivot
+                position: root.jawPivot
+                eulerRotation.x: root.jawAngle
                 castsShadows: root.fine
                 materials: steel
             }
-            Repeater3D {
-                model: 2
-                Node {
-                    eulerRotation.y: 180 * index
-                    Model {
-                        geometry: InstrumentGeometry { part: InstrumentGeometry.Jaw }
-                        pivot: Qt.vector3d(0, root.hinge, 0)
-                        y: root.hinge
-                        eulerRotation.z: root.jawAngle
-                        castsShadows: root.fine
-                        materials: steel
-                    }
-                }
+            Model {
+                geometry: InstrumentGeometry { id: lowerJawGeometry }
+                pivot: root.jawPivot
+                position: root.jawPivot
+                eulerRotation.x: -root.jawAngle
+                castsShadows: root.fine
+                materials: steel
             }
         }
     }

@@ -15,8 +15,8 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kWidth = 256;
-constexpr int kHeight = 128;
+constexpr int kWidth = 32;
+constexpr int kHeight = 16;
 
 /// A round lamp with a soft rim.
 struct Lamp {

@@ -30,15 +30,22 @@ inline constexpr float kViewUnitsPerMetre = 1000.0F;
   return fromViewDirection(point_mm) / static_cast<double>(kViewUnitsPerMetre);
 }
 
-/// The turn of a rigid body; its own axes turn along.
-[[nodiscard]] inline QQuaternion toView(const Quat& q) {
-  return {static_cast<float>(q.w), static_cast<float>(q.x), static_cast<float>(q.z),
-          static_cast<float>(-q.y)};
+/// Camera or tool axes (x right, y up, z towards the viewer) in the world, for a node's rotation in the view
+/// frame; identity is a viewer in front of the patient.
+[[nodiscard]] inline Quat cameraToWorld(const QQuaternion& q) {
+  constexpr double kHalfRoot =
+      0.70710678118654752;  // a quarter turn about x brings the view's y to the world's z
+  return Quat{kHalfRoot, kHalfRoot, 0.0, 0.0} * Quat{static_cast<double>(q.scalar()),
+                                                     static_cast<double>(q.x()), static_cast<double>(q.y()),
+                                                     static_cast<double>(q.z())};
 }
 
-[[nodiscard]] inline Quat fromView(const QQuaternion& q) {
-  return {static_cast<double>(q.scalar()), static_cast<double>(q.x()), -static_cast<double>(q.z()),
-          static_cast<double>(q.y())};
+/// The node's rotation for a tool whose own axes keep their names (z along its shaft).
+[[nodiscard]] inline QQuaternion toolToView(const Quat& q) {
+  constexpr double kHalfRoot = 0.70710678118654752;
+  const Quat turned = Quat{kHalfRoot, -kHalfRoot, 0.0, 0.0} * q;
+  return {static_cast<float>(turned.w), static_cast<float>(turned.x), static_cast<float>(turned.y),
+          static_cast<float>(turned.z)};
 }
 
 }  // namespace torsio::gui

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QWidget>
+
+#include "sim/scene/scene.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+
+namespace torsio::gui {
+
+/// Choice of organ, pattern, formulation and target.
+class ExercisePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ExercisePanel(QWidget* parent = nullptr);
+
+  /// Scene ids of the assets folder.
+  void setOrgans(const std::vector<std::string>& ids);
+  /// What is loaded now; emits nothing.
+  void showScene(const Scene& scene, double target_rad);
+  /// Off while a trial is recorded or replayed: the exercise must not change under it.
+  void setChangeable(bool changeable);
+
+  /// "small_intestine" as people read it.
+  [[nodiscard]] static QString readable(const std::string& id);
+
+ Q_SIGNALS:
+  void organChosen(const QString& id);
+  void patternChosen(const QString& id);
+  void formulationChosen(torsio::Formulation formulation);
+  void targetChosen(double target_rad);
+
+ private:
+  QComboBox* organ_;
+  QComboBox* pattern_;
+  QComboBox* formulation_;
+  QDoubleSpinBox* target_;
+};
+
+}  // namespace torsio::gui

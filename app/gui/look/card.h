@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+#include <QString>
+
+class QVBoxLayout;
+
+namespace torsio::gui {
+
+/// A titled area of the side panel; all cards share margins and type.
+class Card : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit Card(const QString& title, QWidget* parent = nullptr);
+  /// Where the content goes, below the title.
+  [[nodiscard]] QVBoxLayout* content() const noexcept { return content_; }
+
+ private:
+  QVBoxLayout* content_;
+};
+
+}  // namespace torsio::gui

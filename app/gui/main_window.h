@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include <QElapsedTimer>
+#include <QMainWindow>
+#include <QTimer>
+
+#include "app/gui/look/theme.h"
+#include "app/gui/simulation_controller.h"
+
+class QAction;
+class QLabel;
+class QStackedWidget;
+
+namespace torsio::gui {
+
+class ExercisePanel;
+class PointerControls;
+class ReadoutPanel;
+class ReplayBar;
+
+/// What the window needs from outside.
+struct WindowSetup {
+  std::filesystem::path assets;
+  SceneLoader loader = loadSceneForView;
+  TrialRecording recording;
+  ThemeKind theme = ThemeKind::kLight;
+  bool remember = true;  ///< read and write geometry and choices (off for pictures and tests)
+};
+
+/// The window: scene in the middle, exercise and readouts beside it. It only passes on: simulation is the
+/// controller's, drawing the scene view's, steering the pointer controls'.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(const WindowSetup& setup);
+  ~MainWindow() override;
+
+  [[nodiscard]] SimulationController& controller() noexcept { return *controller_; }
+  [[nodiscard]] SceneView& view() noexcept { return *view_; }
+  void setThemeKind(ThemeKind kind);
+  [[nodiscard]] ThemeKind themeKind() const noexcept { return themeKind_; }
+  /// One round of the frame timer; tests call it themselves.
+  void frame(double elapsed_s);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  struct Actions {
+    QAction* open = nullptr;
+    QAction* picture = nullptr;
+    QAction* record = nullptr;
+    QAction* replay = nullptr;
+    QAction* release = nullptr;
+    QAction* restart = nullptr;
+    QAction* front = nullptr;
+    QAction* side = nullptr;
+    QAction* top = nullptr;
+    QAction* whole = nullptr;
+    QAction* lattice = nullptr;
+    QAction* wireframe = nullptr;
+    QAction* dark = nullptr;
+    QAction* help = nullptr;
+  };
+
+  // main_window_actions.cpp
+  void createActions();
+  void createMenus();
+  void createToolBar();
+  void applyIcons();
+  QAction* addNamed(const QString& text, const QString& tip, const QKeySequence& keys);
+
+  void createLayout();
+  void connectController();
+  void look(ViewPreset preset);
+  void lookWhole();
+  void chooseOrganFile();
+  void choosePicture();
+  void chooseReplay();
+  void toggleRecording();
+  void showHelp();
+  void showAbout();
+  void showScene();
+  void showMode();
+  void showProblem(const QString& happened, const QString& remedy, const QString& details);
+  void showHint(const LiveState& state);
+  void showTool(const LiveState& state);
+  void measureRate();
+  void restoreChoices();
+  void saveChoices() const;
+
+  WindowSetup setup_;
+  ThemeKind themeKind_;
+  Actions actions_;
+  std::unique_ptr<SimulationController> controller_;
+  SceneView* view_ = nullptr;
+  PointerControls* pointer_ = nullptr;
+  ExercisePanel* exercise_ = nullptr;
+  ReadoutPanel* readout_ = nullptr;
+  ReplayBar* replayBar_ = nullptr;
+  QLabel* hint_ = nullptr;
+  QLabel* recordingTime_ = nullptr;
+  QLabel* source_ = nullptr;
+  QString notice_;
+  double noticeLeft_s_ = 0.0;
+  QTimer frameTimer_;
+  QElapsedTimer sinceFrame_;
+  QElapsedTimer sinceRate_;
+  std::int64_t framesAtRate_ = 0;
+  double framesPerSecond_ = 0.0;
+  double readoutDue_s_ = 0.0;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+class QImage;
+
+namespace torsio::gui {
+
+/// Writes a picture as PNG, whole or not at all. Throws Error{kDevice} for an empty picture (a display that
+/// cannot draw the scene) and {kFileUnwritable}.
+void writePicture(const QImage& picture, const std::filesystem::path& file);
+
+}  // namespace torsio::gui

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/readout_panel.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QVBoxLayout>
+
+#include "app/gui/look/angle_dial.h"
+#include "app/gui/look/card.h"
+#include "app/gui/look/level_bar.h"
+#include "app/gui/look/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr double kTickBudget_us = 1000.0;
+
+/// A new text only when it differs: labels lay themselves out anew otherwise, at every frame.
+void setIfNew(QLabel* label, const QString& text) {
+  if (label->text() != text) label->setText(text);
+}
+
+QLabel* addRow(QGridLayout* grid, const QString& name, const QString& tip, QWidget* parent) {
+  const int row = grid->rowCount();
+  auto* title = new QLabel(name, parent);
+  title->setProperty("quiet", true);
+  auto* value = new QLabel(parent);
+  value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  value->setAccessibleName(name);
+  title->setToolTip(tip);
+  value->setToolTip(tip);
+  grid->addWidget(title, row, 0);
+  grid->addWidget(value, row, 1);
+  return value;
+}
+
+}  // namespace
+
+ReadoutPanel::ReadoutPanel(QWidget* parent) : QWidget(parent), theme_(&theme(ThemeKind::kLight)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kSpace + 4);
+
+  auto* twist = new Card(tr("Twist"), this);
+  dial_ = new AngleDial(twist);
+  phase_ = new QLabel(twist);
+  phase_->setAlignment(Qt::AlignCenter);
+  phase_->setAccessibleName(tr("Phase"));
+  twist->content()->addWidget(dial_, 0, Qt::AlignHCenter);
+  twist->content()->addWidget(phase_);
+  column->addWidget(twist);
+
+  auto* load = new Card(tr("Load"), this);
+  torque_ = new LevelBar(tr("Torque"), tr("N m"), 3, load);
+  force_ = new LevelBar(tr("Force"), tr("N"), 2, load);
+  load->content()->addWidget(torque_);
+  load->content()->addWidget(force_);
+  column->addWidget(load);
+
+  auto* timing = new Card(tr("Timing"), this);
+  auto* grid = new QGridLayout;
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setVerticalSpacing(4);
+  tick_ = addRow(grid, tr("Servo tick"), tr("Time one step of the 1 kHz loop takes; 1000 µs are available"),
+                 timing);
+  late_ = addRow(grid, tr("Late ticks"), tr("Steps that did not come in time since the start"), timing);
+  frames_ = addRow(grid, tr("Frame rate"), tr("Pictures drawn in one second"), timing);
+  timing->content()->addLayout(grid);
+  column->addWidget(timing);
+
+  show(LiveState{}, 0.0);
+}
+
+void ReadoutPanel::setTheme(const Theme& theme) {
+  theme_ = &theme;
+  dial_->setTheme(theme);
+  torque_->setTheme(theme);
+  force_->setTheme(theme);
+}
+
+void ReadoutPanel::setLimits(const ReadoutLimits& limits) {
+  limits_ = limits;
+  torque_->setLimit(limits.torque_Nm);
+  force_->setLimit(limits.force_N);
+}
+
+QString ReadoutPanel::phaseName(ExercisePhase phase) {
+  switch (phase) {
+    case ExercisePhase::kTracking:
+      return tr("Free");
+    case ExercisePhase::kContact:
+      return tr("Contact");
+    case ExercisePhase::kTwisting:
+      return tr("Twisting");
+    case ExercisePhase::kReleased:
+      return tr("Released");
+  }
+  return {};
+}
+
+void ReadoutPanel::showPhase(ExercisePhase phase) {
+  // The sign changes with the phase as well, not only the word: it is read from the corner of the eye.
+  static const QChar kSigns[] = {QChar(0x25CB), QChar(0x25D0), QChar(0x25CF), QChar(0x25CC)};
+  setIfNew(phase_, kSigns[static_cast<int>(phase)] + QStringLiteral("  ") + phaseName(phase));
+}
+
+void ReadoutPanel::showTiming(const LiveState& state, double framesPerSecond) {
+  const QLocale locale;
+  const QString none = QStringLiteral("\u2013");
+  const QString tick = tr("%1 µs").arg(locale.toString(state.tickDuration_us, 'f', 0));
+  setIfNew(tick_, state.tick > 0
+                      ? (state.tickDuration_us > kTickBudget_us ? tr("%1, too long").arg(tick) : tick)
+                      : none);
+  setIfNew(late_, state.tick > 0 ? locale.toString(static_cast<qlonglong>(state.lateTicks)) : none);
+  setIfNew(frames_, framesPerSecond > 0.0 ? tr("%1 /s").arg(locale.toString(framesPerSecond, 'f', 0)) : none);
+}
+
+void ReadoutPanel::show(const LiveState& state, double framesPerSecond) {
+  dial_->setTarget(state.targetAngle_rad, limits_.tolerance_rad);
+  dial_->setAngle(state.response.angle_rad);
+  torque_->setValue(std::abs(state.response.torque_Nm));
+  force_->setValue(norm(state.response.force_N));
+  showPhase(state.phase);
+  showTiming(state, framesPerSecond);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/screenshot.h"
+
+#include <cmath>
+#include <utility>
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QGuiApplication>
+#include <QPixmap>
+
+#include "app/gui/picture.h"
+#include "app/gui/scripted_twist.h"
+#include "sim/base/error.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kPatience_ms = 120'000;
+constexpr int kSettlingFrames = 3;  // quality and textures are in force after the second
+constexpr double kSwing_rad_per_s = 1.5;
+constexpr double kWarmUp_s = 2.0;
+
+/// Runs the event loop until `done`; throws after too long.
+template <typename Condition>
+void waitUntil(const Condition& done, const char* what) {
+  QElapsedTimer waited;
+  waited.start();
+  while (!done()) {
+    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 50);
+    if (waited.elapsed() > kPatience_ms) {
+      throw Error(ErrorCode::kDevice, std::string("gave up waiting for ") + what,
+                  QGuiApplication::platformName().toStdString(), "Try again on a faster display");
+    }
+  }
+}
+
+void requireDisplay() {
+  if (SceneView::platformCanRender()) return;
+  throw Error(ErrorCode::kDevice, "this display cannot draw the scene: it has no OpenGL",
+              "platform " + QGuiApplication::platformName().toStdString(),
+              "Run it on a desktop, or through xvfb-run with QT_QPA_PLATFORM=xcb");
+}
+
+/// The window with the organ as it is asked for, drawn at least once.
+struct Stage {
+  Stage(const WindowSetup& setup, const ScreenshotRequest& request) : window(setup) {
+    LoadedScene loaded = setup.loader(request.scene);
+    window.resize(request.size);
+    window.view().setQuality(request.quality);
+    window.view().setLattice(request.lattice);
+    window.view().setWireframe(request.wireframe);
+    window.show();
+    window.controller().adopt(request.scene, std::move(loaded));
+    window.view().camera().orbit({-request.orbit_deg / OrbitCamera::kDegreesPerPixel, 0.0});
+    window.view().applyCamera();
+    waitUntil([this] { return window.view().framesDrawn() > 0; }, "the first frame");
+  }
+  MainWindow window;
+};
+
+}  // namespace
+
+void takeScreenshot(const WindowSetup& setup, const ScreenshotRequest& request) {
+  requireDisplay();
+  Stage stage(setup, request);
+  MainWindow& window = stage.window;
+  window.controller().freeze(scriptedTwist(*window.controller().scene(), request.angle_rad));
+  const std::int64_t before = window.view().framesDrawn();
+  waitUntil([&] { return window.view().framesDrawn() >= before + kSettlingFrames; }, "the picture");
+  writePicture(request.sceneOnly ? window.view().picture() : window.grab().toImage(), request.file);
+}
+
+double measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& request, double seconds) {
+  requireDisplay();
+  Stage stage(setup, request);
+  MainWindow& window = stage.window;
+  LiveState state = scriptedTwist(*window.controller().scene(), request.angle_rad);
+  const double widest_rad = state.response.angle_rad;
+  QElapsedTimer clock;
+  clock.start();
+  std::int64_t first = 0;
+  double begun_s = -1.0;
+  while (begun_s < 0.0 || static_cast<double>(clock.elapsed()) * 1e-3 < begun_s + seconds) {
+    const double now_s = static_cast<double>(clock.elapsed()) * 1e-3;
+    if (begun_s < 0.0 && now_s > kWarmUp_s) {
+      begun_s = now_s;
+      first = window.view().framesDrawn();
+    }
+    state.response.angle_rad = widest_rad * std::sin(kSwing_rad_per_s * now_s);
+    window.controller().freeze(state);
+    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 20);
+  }
+  return static_cast<double>(window.view().framesDrawn() - first) /
+         (static_cast<double>(clock.elapsed()) * 1e-3 - begun_s);
+}
+
+}  // namespace torsio::gui

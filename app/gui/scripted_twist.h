@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "sim/base/live_types.h"
+#include "sim/scene/scene.h"
+
+namespace torsio::gui {
+
+/// Lets a scripted, practised hand reach, grip and twist the organ on a manual clock, through the same servo
+/// loop as everything else, and returns the instant at which it holds the target (or the nearest it came). A
+/// target of 0 returns the hand in contact, before the twist. Takes a fraction of a second.
+[[nodiscard]] LiveState scriptedTwist(const Scene& scene, double target_rad);
+
+}  // namespace torsio::gui

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+
+#include "app/gui/live_run.h"
+#include "app/gui/scene/scene_view.h"
+#include "app/gui/trial_playback.h"
+#include "app/gui/trial_recording.h"
+#include "sim/scene/scene.h"
+
+namespace torsio::gui {
+
+/// A scene together with what the view draws of it.
+struct LoadedScene {
+  std::shared_ptr<const Scene> scene;
+  ViewScene view;
+};
+
+/// Reads a scene. Called in a worker thread; throws Error.
+using SceneLoader = std::function<LoadedScene(const SceneRequest&)>;
+[[nodiscard]] LoadedScene loadSceneForView(const SceneRequest& request);
+
+/// Everything between the widgets and the simulation: which scene is loaded, the running exercise, its
+/// recording, or a recording that is played. Scenes are loaded in a worker thread and swapped here, after the
+/// servo has stopped. GUI thread; the servo is never waited for except while it ends.
+class SimulationController : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class Mode { kEmpty, kPractice, kRecording, kReplay };
+
+  SimulationController(SceneLoader loader, TrialRecording recording, QObject* parent = nullptr);
+  ~SimulationController() override;
+
+  /// Tests drive the servo themselves.
+  void setRealTime(bool realTime) noexcept { realTime_ = realTime; }
+
+  /// Loads in the background; sceneChanged() or failed() follows. A newer call overtakes an older one. Ends a
+  /// replay; refused while recording.
+  void load(const SceneRequest& request);
+  /// Shows a scene that was loaded already.
+  void adopt(const SceneRequest& request, LoadedScene loaded);
+  /// Shows one instant, the exercise at rest behind it: for pictures. Until the next scene.
+  void freeze(const LiveState& state);
+  [[nodiscard]] bool loading() const noexcept { return wanted_ != delivered_; }
+  /// The request of the scene that is shown.
+  [[nodiscard]] const SceneRequest& request() const noexcept { return request_; }
+  /// Null before the first scene.
+  [[nodiscard]] const Scene* scene() const noexcept { return loaded_.scene.get(); }
+  [[nodiscard]] const ViewScene& viewScene() const noexcept { return loaded_.view; }
+  [[nodiscard]] Mode mode() const noexcept { return mode_; }
+
+  /// Once a frame, before state(): moves a replay on.
+  void advance(double elapsed_s);
+  /// What the window shows now.
+  [[nodiscard]] LiveState state();
+  /// True while the pointer turns what it holds instead of carrying it round (TwistDrive::kRoll).
+  [[nodiscard]] bool toolRidesOnTissue() const noexcept;
+  /// Distance of the tip from the organ's surface while the organ is at rest; negative inside.
+  [[nodiscard]] std::optional<double> gap_m(const LiveState& state) const;
+  /// Where the instrument waits: in front of the section to grasp, on the side of the viewer.
+  [[nodiscard]] Vec3 parkingPoint_m() const;
+
+  void steer(const PointerInput& input);
+  void releaseTissue();
+  void setTarget(double target_rad);
+  [[nodiscard]] double target_rad() const noexcept { return target_rad_; }
+
+  /// The exercise starts anew and is recorded from its first tick.
+  void startRecording();
+  void stopRecording();
+  /// Samples recorded so far in seconds.
+  [[nodiscard]] double recorded_s();
+  [[nodiscard]] const TrialRecording& recording() const noexcept { return recording_; }
+
+  /// Loads the trial's scene, checks that it is the recorded one, and plays. Refused while recording.
+  void openReplay(const Trial& trial);
+  void closeReplay();
+  /// Null when nothing is played.
+  [[nodiscard]] TrialPlayback* playback() noexcept { return playback_ ? &*playback_ : nullptr; }
+
+  /// Ends a running trial as interrupted: when the window closes.
+  void shutDown();
+
+  /// For tests that drive the servo themselves; null in a replay.
+  [[nodiscard]] LiveRun* run() noexcept { return run_.get(); }
+
+ Q_SIGNALS:
+  void loadingChanged(bool loading);
+  void sceneChanged();
+  void modeChanged();
+  void failed(const QString& happened, const QString& remedy, const QString& details);
+  void noticed(const QString& sentence);
+
+ private:
+  void replace(const SceneRequest& request, LoadedScene loaded, std::optional<TrialPlayback> playback);
+  void loadFor(const SceneRequest& request, std::shared_ptr<const Trial> trial);
+  void startRun(std::unique_ptr<LiveRun> run);
+  [[nodiscard]] RunSetup setup() const;
+  void setMode(Mode mode);
+  void report(const std::exception_ptr& problem);
+
+  SceneLoader loader_;
+  TrialRecording recording_;
+  bool realTime_ = true;
+  QThreadPool workers_;
+  std::uint64_t wanted_ = 0;     // number of the newest load
+  std::uint64_t delivered_ = 0;  // number of the last load that ended
+  SceneRequest request_;
+  LoadedScene loaded_;
+  Mode mode_ = Mode::kEmpty;
+  double target_rad_ = 0.0;
+  PointerInput pointer_;
+  std::unique_ptr<LiveRun> run_;
+  std::optional<TrialPlayback> playback_;
+  std::optional<LiveState> frozen_;
+};
+
+}  // namespace torsio::gui
