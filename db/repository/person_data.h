@@ -24,7 +24,7 @@ struct PersonRule {
   std::string_view
       condition;  ///< over the person's id, one `?` or more; empty: the table holds nobody's data
   OnErase onErase = OnErase::kKeep;
-  std::string_view cleared{};        ///< kClear: "a = NULL, b = NULL"
+  std::string_view cleared{};      ///< kClear: "a = NULL, b = NULL"
   std::string_view columns = "*";  ///< what an export shows: no secrets, no bytes of recordings
 };
 
