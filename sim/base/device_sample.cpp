@@ -27,12 +27,13 @@ DeviceSample quantize(const DeviceReading& reading, const DeviceSample& previous
   std::int32_t roll = 0;
   std::int32_t grip = 0;
   const Vec3& p = reading.pose.position_m;
+  const double length = norm(reading.pose.orientation);  // NaN and zero quaternions fail here
   const bool good =
-      toSteps(p.x, kPositionStep_m, position[0]) && toSteps(p.y, kPositionStep_m, position[1]) &&
-      toSteps(p.z, kPositionStep_m, position[2]) && toSteps(q.w, kOrientationStep, orientation[0]) &&
-      toSteps(q.x, kOrientationStep, orientation[1]) && toSteps(q.y, kOrientationStep, orientation[2]) &&
-      toSteps(q.z, kOrientationStep, orientation[3]) && toSteps(reading.roll_rad, kRollStep_rad, roll) &&
-      toSteps(reading.grip, kGripStep, grip);
+      std::isfinite(length) && length > 0.0 && toSteps(p.x, kPositionStep_m, position[0]) &&
+      toSteps(p.y, kPositionStep_m, position[1]) && toSteps(p.z, kPositionStep_m, position[2]) &&
+      toSteps(q.w, kOrientationStep, orientation[0]) && toSteps(q.x, kOrientationStep, orientation[1]) &&
+      toSteps(q.y, kOrientationStep, orientation[2]) && toSteps(q.z, kOrientationStep, orientation[3]) &&
+      toSteps(reading.roll_rad, kRollStep_rad, roll) && toSteps(reading.grip, kGripStep, grip);
   sample.time_us = reading.time_us;
   sample.buttons = reading.buttons;
   sample.status = reading.status;

@@ -5,7 +5,7 @@ namespace torsio {
 
 /// The C library picks its sine by processor (with and without fused multiply-add), and the last bit
 /// differs. What enters a recorded sample uses these instead: the same bits on every machine, because they
-/// consist of correctly rounded IEEE operations only. Accuracy: below 1.5 units in the last place for
+/// consist of correctly rounded IEEE operations only. Accuracy: below 2.5 units in the last place for
 /// |x| <= 1e5; larger or non-finite arguments give a quiet NaN (sine, cosine).
 struct SinCos {
   double sin = 0.0;

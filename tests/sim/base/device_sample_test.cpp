@@ -103,6 +103,22 @@ TEST(DeviceSample, RepeatsThePreviousPoseForAReadingThatIsNotFiniteOrOutOfRange)
   }
 }
 
+TEST(DeviceSample, RefusesAnOrientationThatIsNone) {
+  Random random(4);
+  const DeviceSample previous = quantize(randomReading(random), {});
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Quat& orientation : {Quat{nan, 0.0, 0.0, 1.0}, Quat{0.0, 0.0, 0.0, 0.0}}) {
+    DeviceReading reading = randomReading(random);
+    reading.pose.orientation = orientation;
+
+    const DeviceSample sample = quantize(reading, previous);
+
+    EXPECT_EQ(sample.orientation, previous.orientation);
+    EXPECT_EQ(sample.position, previous.position);
+    EXPECT_NE(sample.status & kDeviceInvalid, 0U);
+  }
+}
+
 TEST(DeviceSample, KeepsTheDriversOwnStatus) {
   DeviceReading reading;
   reading.status = kDeviceWarm;
