@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <limits>
 #include <utility>
 
@@ -11,6 +10,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
+#include "sim/geometry/level_loops.h"
 
 namespace torsio {
 
@@ -23,6 +23,7 @@ constexpr Index kNone = std::numeric_limits<Index>::max();
 /// Positive weights keep the maximum principle; small ones keep linear fields on flat sides exact to the same
 /// order.
 constexpr double kSmallestWeight = 1e-6;
+constexpr double kTurn = 2.0 * kPi;
 constexpr double kLargestCotangent = 1e5;  // slivers must not spoil the conditioning
 
 double cotangent(const Vec3& apex, const Vec3& a, const Vec3& b) {
@@ -34,109 +35,82 @@ double cotangent(const Vec3& apex, const Vec3& a, const Vec3& b) {
   return cosine / sine;
 }
 
-/// The Laplacian of the side, its unknowns and the seam across which the angle jumps by a turn.
+[[noreturn]] void refuseField() {
+  throw Error(ErrorCode::kBadMesh, "the harmonic field of the organ has no solution", "",
+              "Check that the mesh is one closed surface without handles.");
+}
+
+/// The Laplacian between the caps, factorised once: the level and the angle differ in their right sides only.
 class SideLaplacian {
  public:
   SideLaplacian(const TriangleMesh& mesh, const SurfaceTopology& topology, std::span<const LatticePart> parts)
       : mesh_(mesh), topology_(topology), parts_(parts), unknown_(mesh.vertices_m.size(), kNone) {
-    side_.reserve(mesh.triangles.size());
-    for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
-      side_.push_back(isSideTriangle(triangle, parts) ? 1 : 0);
-    }
-    for (std::size_t t = 0; t < side_.size(); ++t) {
-      if (side_[t] == 0) continue;
-      for (const Index v : mesh.triangles[t]) {
-        if (unknown_[v] != kNone) continue;
-        unknown_[v] = static_cast<Index>(vertexOf_.size());
-        vertexOf_.push_back(v);
-      }
+    for (Index v = 0; v < parts_.size(); ++v) {
+      if (parts_[v] != LatticePart::kSide) continue;
+      unknown_[v] = static_cast<Index>(vertexOf_.size());
+      vertexOf_.push_back(v);
     }
     computeWeights();
-    assemble();
+    factorise();
   }
 
-  /// u: 0 and 1 on the caps.
-  std::vector<double> solveLevel() const {
-    Matrix matrix = laplacian_;
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(matrix.rows());
-    for (Eigen::Index column = 0; column < matrix.outerSize(); ++column) {
-      for (Matrix::InnerIterator entry(matrix, column); entry; ++entry) {
-        const bool rowHeld = held(entry.row());
-        const bool columnHeld = held(entry.col());
-        if (entry.row() == entry.col()) {
-          if (rowHeld) entry.valueRef() = 1.0;
-          continue;
-        }
-        if (columnHeld && !rowHeld) right[entry.row()] -= entry.value() * capLevel(entry.col());
-        if (rowHeld && !columnHeld) right[entry.col()] -= entry.value() * capLevel(entry.row());
-        if (rowHeld || columnHeld) entry.valueRef() = 0.0;
-      }
-    }
-    for (Eigen::Index i = 0; i < right.size(); ++i) {
-      if (held(i)) right[i] = capLevel(i);
-    }
-    const Eigen::VectorXd solution = solve(matrix, right);
-    std::vector<double> level(parts_.size());
-    for (Index v = 0; v < level.size(); ++v) {
-      if (parts_[v] != LatticePart::kSide) {
-        level[v] = parts_[v] == LatticePart::kFreeCap ? 1.0 : 0.0;
-      } else {
-        level[v] = std::clamp(solution[unknown_[v]], 0.0, 1.0);
-      }
-    }
-    return level;
-  }
-
-  /// The angle and its whole turns along the half-edges; the caps are free edges.
-  void solveAngle(HarmonicField& field) const {
-    field.turns = seam();
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(laplacian_.rows());
-    for (Index half = 0; half < topology_.halfEdges(); ++half) {
-      if (field.turns[half] == 0 || weights_[half] == 0.0) continue;
-      right[unknown_[topology_.origin(half)]] += weights_[half] * 2.0 * kPi * field.turns[half];
-    }
-    Matrix matrix = laplacian_;
-    matrix.coeffRef(0, 0) += matrix.coeff(0, 0);  // fixes the free constant
-    const Eigen::VectorXd solution = solve(matrix, right);
-    field.angle_rad.assign(parts_.size(), 0.0);
+  /// The function that is harmonic between the caps, has `values` on them and rises by a further
+  /// 2 pi turns[half] along each half-edge. Replaces the values between the caps.
+  void extend(std::vector<double>& values, const std::vector<std::int8_t>& turns) const {
+    if (vertexOf_.empty()) return;
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(vertexOf_.size()));
     for (std::size_t i = 0; i < vertexOf_.size(); ++i) {
-      field.angle_rad[vertexOf_[i]] = solution[static_cast<Eigen::Index>(i)];
+      double& sum = right[static_cast<Eigen::Index>(i)];
+      for (const Index half : topology_.outgoing(vertexOf_[i])) {
+        const Index other = topology_.target(half);
+        if (!turns.empty()) sum += weights_[half] * kTurn * turns[half];
+        if (unknown_[other] == kNone) sum += weights_[half] * values[other];
+      }
     }
+    const Eigen::VectorXd solution = solver_.solve(right);
+    if (!solution.allFinite()) refuseField();
+    for (std::size_t i = 0; i < vertexOf_.size(); ++i) {
+      values[vertexOf_[i]] = solution[static_cast<Eigen::Index>(i)];
+    }
+  }
+
+  /// What flows out of the free cap.
+  [[nodiscard]] double freeFlux(const std::vector<double>& values,
+                                const std::vector<std::int8_t>& turns) const {
+    double flux = 0.0;
+    for (Index half = 0; half < topology_.halfEdges(); ++half) {
+      const Index from = topology_.origin(half);
+      const Index to = topology_.target(half);
+      if (parts_[from] != LatticePart::kFreeCap || parts_[to] == LatticePart::kFreeCap) continue;
+      const double jump = turns.empty() ? 0.0 : kTurn * turns[half];
+      flux += weights_[half] * (values[to] - values[from] + jump);
+    }
+    return flux;
   }
 
  private:
-  bool held(Eigen::Index i) const {
-    return parts_[vertexOf_[static_cast<std::size_t>(i)]] != LatticePart::kSide;
-  }
-  double capLevel(Eigen::Index i) const {
-    return parts_[vertexOf_[static_cast<std::size_t>(i)]] == LatticePart::kFreeCap ? 1.0 : 0.0;
-  }
-
   void computeWeights() {
     weights_.assign(topology_.halfEdges(), 0.0);
     for (Index half = 0; half < topology_.halfEdges(); ++half) {
       const Index other = topology_.opposite(half);
       if (other < half) continue;
       double weight = 0.0;
-      bool used = false;
       for (const Index h : {half, other}) {
-        if (side_[h / 3] == 0) continue;
-        used = true;
         const Vec3& apex = mesh_.vertices_m[topology_.origin(SurfaceTopology::previous(h))];
         weight += 0.5 * cotangent(apex, mesh_.vertices_m[topology_.origin(h)],
                                   mesh_.vertices_m[topology_.target(h)]);
       }
-      if (used) weights_[half] = weights_[other] = std::max(weight, kSmallestWeight);
+      weights_[half] = weights_[other] = std::max(weight, kSmallestWeight);
     }
   }
 
-  void assemble() {
+  void factorise() {
+    if (vertexOf_.empty()) return;
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(topology_.halfEdges() + vertexOf_.size());
+    entries.reserve(topology_.halfEdges() / 2 + vertexOf_.size());
     for (std::size_t i = 0; i < vertexOf_.size(); ++i) {
       double diagonal = 0.0;
       for (const Index half : topology_.outgoing(vertexOf_[i])) {
-        if (weights_[half] == 0.0) continue;
         diagonal += weights_[half];
         const Index j = unknown_[topology_.target(half)];
         if (j < i) entries.emplace_back(static_cast<int>(i), static_cast<int>(j), -weights_[half]);
@@ -144,51 +118,62 @@ class SideLaplacian {
       entries.emplace_back(static_cast<int>(i), static_cast<int>(i), diagonal);
     }
     const auto size = static_cast<Eigen::Index>(vertexOf_.size());
-    laplacian_.resize(size, size);
-    laplacian_.setFromTriplets(entries.begin(), entries.end());
+    Matrix matrix(size, size);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    solver_.compute(matrix);
+    if (solver_.info() != Eigen::Success) refuseField();
   }
 
-  static Eigen::VectorXd solve(const Matrix& matrix, const Eigen::VectorXd& right) {
-    const Eigen::SimplicialLDLT<Matrix, Eigen::Lower> solver(matrix);
-    Eigen::VectorXd solution;
-    if (solver.info() == Eigen::Success) solution = solver.solve(right);
-    if (solver.info() != Eigen::Success || !solution.allFinite()) {
-      throw Error(ErrorCode::kBadMesh, "the harmonic field of the organ has no solution", "",
-                  "Check that the mesh is one closed surface without handles.");
+  const TriangleMesh& mesh_;
+  const SurfaceTopology& topology_;
+  std::span<const LatticePart> parts_;
+  std::vector<Index> unknown_;   // of a vertex, kNone on the caps
+  std::vector<Index> vertexOf_;  // of an unknown
+  std::vector<double> weights_;  // one a half-edge
+  Eigen::SimplicialLDLT<Matrix, Eigen::Lower> solver_;
+};
+
+/// A chain of triangles from the fixed to the free cap. The edges that it crosses carry one turn of the
+/// angle.
+class Seam {
+ public:
+  Seam(const TriangleMesh& mesh, const SurfaceTopology& topology, std::span<const LatticePart> parts)
+      : topology_(topology), parts_(parts), entered_(mesh.triangles.size(), kNone) {
+    side_.reserve(mesh.triangles.size());
+    for (const TriangleMesh::Triangle& triangle : mesh.triangles) {
+      side_.push_back(isSideTriangle(triangle, parts) ? 1 : 0);
     }
-    return solution;
-  }
-
-  /// A chain of side triangles from the fixed to the free cap. The edges that it crosses carry one turn.
-  std::vector<std::int8_t> seam() const {
-    std::vector<Index> entered(mesh_.triangles.size(), kNone);  // by which half-edge of the triangle
     std::vector<Index> queue;
-    for (Index half = 0; half < topology_.halfEdges(); ++half) {
-      if (side_[half / 3] == 0 || entered[half / 3] != kNone || !onRim(half, LatticePart::kFixedCap))
+    for (Index half = 0; half < topology.halfEdges(); ++half) {
+      if (side_[half / 3] == 0 || entered_[half / 3] != kNone || !onRim(half, LatticePart::kFixedCap))
         continue;
-      entered[half / 3] = half;
+      entered_[half / 3] = half;
       queue.push_back(half / 3);
     }
-    for (std::size_t i = 0; i < queue.size(); ++i) {
+    for (std::size_t i = 0; i < queue.size() && last_ == kNone; ++i) {
       for (Index half = 3 * queue[i]; half < 3 * queue[i] + 3; ++half) {
-        if (onRim(half, LatticePart::kFreeCap)) return turnsAlong(entered, half);
-        const Index other = topology_.opposite(half);
-        if (side_[other / 3] == 0 || entered[other / 3] != kNone) continue;
-        entered[other / 3] = other;
+        if (onRim(half, LatticePart::kFreeCap)) last_ = half;
+        const Index other = topology.opposite(half);
+        if (side_[other / 3] == 0 || entered_[other / 3] != kNone) continue;
+        entered_[other / 3] = other;
         queue.push_back(other / 3);
       }
     }
-    throw Error(ErrorCode::kBadMesh, "no way leads over the surface from the fixed to the free end", "",
-                "Check that the mesh is one connected surface and that its ends do not touch.");
+    if (last_ == kNone) {
+      throw Error(ErrorCode::kBadMesh, "no way leads over the surface from the fixed to the free end", "",
+                  "Check that the mesh is one connected surface and that its ends do not touch.");
+    }
   }
 
-  /// The half-edge of a side triangle beyond which the cap begins.
-  bool onRim(Index half, LatticePart cap) const {
-    return parts_[topology_.origin(half)] == cap && parts_[topology_.target(half)] == cap &&
-           side_[topology_.opposite(half) / 3] == 0;
+  /// The triangles with which the chain begins and ends.
+  [[nodiscard]] Index firstTriangle() const {
+    Index t = last_ / 3;
+    while (!onRim(entered_[t], LatticePart::kFixedCap)) t = topology_.opposite(entered_[t]) / 3;
+    return t;
   }
+  [[nodiscard]] Index lastTriangle() const { return last_ / 3; }
 
-  std::vector<std::int8_t> turnsAlong(const std::vector<Index>& entered, Index last) const {
+  [[nodiscard]] std::vector<std::int8_t> turns() const {
     std::vector<std::int8_t> turns(topology_.halfEdges(), 0);
     // Leaving a triangle across a half-edge, its target lies on the left and its origin on the right; the
     // angle rises from left to right, seen from outside with the free end up.
@@ -196,22 +181,99 @@ class SideLaplacian {
       turns[half] = -1;
       turns[topology_.opposite(half)] = 1;
     };
-    leave(last);
-    for (Index t = last / 3;; t = topology_.opposite(entered[t]) / 3) {
-      leave(topology_.opposite(entered[t]));
-      if (onRim(entered[t], LatticePart::kFixedCap)) break;
+    leave(last_);
+    for (Index t = last_ / 3;; t = topology_.opposite(entered_[t]) / 3) {
+      leave(topology_.opposite(entered_[t]));
+      if (onRim(entered_[t], LatticePart::kFixedCap)) break;
     }
     return turns;
   }
 
-  const TriangleMesh& mesh_;
+ private:
+  /// The half-edge of a side triangle beyond which the cap begins.
+  [[nodiscard]] bool onRim(Index half, LatticePart cap) const {
+    return parts_[topology_.origin(half)] == cap && parts_[topology_.target(half)] == cap &&
+           side_[topology_.opposite(half) / 3] == 0;
+  }
+
   const SurfaceTopology& topology_;
   std::span<const LatticePart> parts_;
   std::vector<std::uint8_t> side_;  // one a triangle
-  std::vector<Index> unknown_;      // of a vertex
-  std::vector<Index> vertexOf_;     // of an unknown
-  std::vector<double> weights_;     // one a half-edge, 0 outside the side
-  Matrix laplacian_;                // lower half
+  std::vector<Index> entered_;      // by which half-edge of a triangle the chain could enter it
+  Index last_ = kNone;              // half-edge by which it enters the free cap
+};
+
+/// Angles of the vertices on the rim of a cap: in proportion to what flows across the rim, counted from the
+/// seam, because the angle is conjugate to the level.
+class Rim {
+ public:
+  /// `start`: the triangle of the seam at this rim.
+  Rim(const TriangleMesh& mesh, const SurfaceTopology& topology, std::span<const LatticePart> parts,
+      LatticePart cap, Index start)
+      : mesh_(mesh), topology_(topology), fixed_(cap == LatticePart::kFixedCap) {
+    HarmonicField beyond;  // 0 on one side of the rim, 1 on the other: its level line runs round the cap
+    for (const LatticePart part : parts) beyond.level.push_back((part == cap) != fixed_ ? 1.0 : 0.0);
+    beyond.angle_rad.assign(parts.size(), 0.0);
+    beyond.turns.assign(topology.halfEdges(), 0);
+    std::vector<LevelLoop> loops = LevelTracer(mesh, topology, beyond).trace(0.5);
+    const auto atSeam = [start](const LoopPoint& point) { return point.half / 3 == start; };
+    const auto first = std::find_if(loops.front().points.begin(), loops.front().points.end(), atSeam);
+    if (loops.size() != 1 || first == loops.front().points.end()) {
+      throw Error(ErrorCode::kBadMesh, "a cap of the organ is no disc", "",
+                  "Give other end points, or check the mesh for handles.");
+    }
+    for (const LoopPoint& point : loops.front().points) crossings_.push_back(point.half);
+    std::rotate(crossings_.begin(), crossings_.begin() + (first - loops.front().points.begin()),
+                crossings_.end());
+  }
+
+  void setAngles(HarmonicField& field) const {
+    const std::size_t n = crossings_.size();
+    const double atSeam = flow(0, field.level);  // the seam halves the edge of its triangle
+    double total = 0.5 * atSeam;
+    std::vector<std::pair<double, double>> visits(field.angle_rad.size());  // sum of flows, how often
+    for (std::size_t i = 1; i <= n; ++i) {
+      auto& [sum, count] = visits[capVertex(i)];
+      sum += total;
+      count += 1.0;
+      if (i < n) total += flow(i, field.level);
+    }
+    total += 0.5 * atSeam;
+    if (!(total > 0.0)) refuseField();
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto& [sum, count] = visits[capVertex(i)];
+      field.angle_rad[capVertex(i)] = kTurn * sum / (count * total);
+    }
+  }
+
+ private:
+  [[nodiscard]] Index capVertex(std::size_t i) const {
+    const Index half = crossings_[i % crossings_.size()];  // from the upper to the lower side of the rim
+    return fixed_ ? topology_.target(half) : topology_.origin(half);
+  }
+  [[nodiscard]] Index farVertex(std::size_t i) const {
+    const Index half = crossings_[i % crossings_.size()];
+    return fixed_ ? topology_.origin(half) : topology_.target(half);
+  }
+
+  /// Across the rim edge between crossing i and the next: gradient in their triangle times the edge's length.
+  [[nodiscard]] double flow(std::size_t i, const std::vector<double>& level) const {
+    const Index a = capVertex(i);
+    const Index b = capVertex(i + 1);
+    if (a == b) return 0.0;
+    const Vec3& far = mesh_.vertices_m[farVertex(i)];
+    const Vec3 edge = mesh_.vertices_m[b] - mesh_.vertices_m[a];
+    const double area = norm(cross(edge, far - mesh_.vertices_m[a]));
+    const double rise = std::abs(level[farVertex(i)] - 0.5 * (level[a] + level[b]));
+    const double smallest = dot(edge, edge) / kLargestCotangent;
+    const double height = std::max(area, smallest);
+    return height > 0.0 ? rise * dot(edge, edge) / height : 0.0;
+  }
+
+  const TriangleMesh& mesh_;
+  const SurfaceTopology& topology_;
+  bool fixed_;
+  std::vector<Index> crossings_;  // half-edges from the upper to the lower side, in order, from the seam
 };
 
 }  // namespace
@@ -228,17 +290,23 @@ bool isSideTriangle(const TriangleMesh::Triangle& triangle, std::span<const Latt
 HarmonicField solveHarmonicField(const TriangleMesh& mesh, const SurfaceTopology& topology,
                                  std::span<const LatticePart> parts, std::vector<double> level) {
   const SideLaplacian laplacian(mesh, topology, parts);
+  const Seam seam(mesh, topology, parts);
+  std::vector<double> rise;  // harmonic, 0 and 1 on the caps
+  for (const LatticePart part : parts) rise.push_back(part == LatticePart::kFreeCap ? 1.0 : 0.0);
+  laplacian.extend(rise, {});
+  for (double& value : rise) value = std::clamp(value, 0.0, 1.0);
+
   HarmonicField field;
-  if (!level.empty()) {
-    field.level = std::move(level);
-    laplacian.solveAngle(field);
-    return field;
-  }
-  // The two factorisations do not know of each other: half the waiting on two cores.
-  std::future<std::vector<double>> solvingLevel =
-      std::async(std::launch::async, [&laplacian] { return laplacian.solveLevel(); });
-  laplacian.solveAngle(field);
-  field.level = solvingLevel.get();
+  field.level = level.empty() ? rise : std::move(level);
+  field.angle_rad.assign(parts.size(), 0.0);
+  field.turns = seam.turns();
+  Rim(mesh, topology, parts, LatticePart::kFixedCap, seam.firstTriangle()).setAngles(field);
+  Rim(mesh, topology, parts, LatticePart::kFreeCap, seam.lastTriangle()).setAngles(field);
+  laplacian.extend(field.angle_rad, field.turns);
+  // Both rims count from the seam, which winds about the organ: turn one against the other until no twist is
+  // left between them.
+  const double shift = -laplacian.freeFlux(field.angle_rad, field.turns) / laplacian.freeFlux(rise, {});
+  for (std::size_t v = 0; v < parts.size(); ++v) field.angle_rad[v] += shift * rise[v];
   return field;
 }
 

@@ -18,7 +18,7 @@ namespace torsio {
 /// loop.
 struct HarmonicField {
   std::vector<double> level;      ///< u
-  std::vector<double> angle_rad;  ///< zero inside the caps
+  std::vector<double> angle_rad;  ///< means nothing inside the caps, away from their rims
   /// One a half-edge: the angle rises by angle(target) - angle(origin) + 2 pi turns along it.
   std::vector<std::int8_t> turns;
 
