@@ -160,6 +160,7 @@ std::vector<double> krigedNodes(std::span<const double> atSections, double lengt
   const int sections = static_cast<int>(atSections.size());
   TORSIO_EXPECTS(sections >= 2);
   std::vector<double> arcs;
+  arcs.reserve(atSections.size());
   for (int j = 0; j < sections; ++j) arcs.push_back(length_m * j / (sections - 1));
   const Kriging1d along(arcs, kriging);
   const int intervals = fineNodes(sections) - 1;

@@ -191,6 +191,7 @@ void addComponents(TissueBenchResult& result, const TissueBenchOptions& options,
   const SectionLattice& lattice = model.lattice();
   const std::size_t count = lattice.vertexCoordinates().size();
   std::vector<double> arcs;
+  arcs.reserve(static_cast<std::size_t>(lattice.sections()));
   for (int j = 0; j < lattice.sections(); ++j) arcs.push_back(lattice.sectionArc_m(j));
   std::vector<double> queries;
   for (const LatticeCoordinate& c : lattice.vertexCoordinates()) queries.push_back(c.arc_m);
@@ -208,7 +209,8 @@ void addComponents(TissueBenchResult& result, const TissueBenchOptions& options,
     firstNext[v] = next * lattice.sections() + table.first()[v];
     share[v] = static_cast<float>(place - ridge);
   }
-  const std::size_t keys = static_cast<std::size_t>(lattice.ridges() * lattice.sections());
+  const std::size_t keys =
+      static_cast<std::size_t>(lattice.ridges()) * static_cast<std::size_t>(lattice.sections());
   std::vector<float> displacements(4 * keys);
   std::vector<float> keyUnits(3 * keys);  // -Y, X, lift of each key point, [ridge][section]
   for (std::size_t k = 0; k < keys; ++k) {
@@ -261,6 +263,7 @@ void addQueries(TissueBenchResult& result, const TwistModel& model) {
     sink += state.graspAngle_rad;
   }
   std::vector<double> single;
+  single.reserve(kSingleQueries);
   for (int i = 0; i < kSingleQueries; ++i) {
     single.push_back(1e6 * seconds([&] { sink += model.graspForce_N(state, grip).x; }));
   }

@@ -117,6 +117,7 @@ void PreparedOperation::prepareStiffness(const OperationBase& base) {
   if (isElastic()) return;  // the table of the elastic twist knows it exactly
   const double length = base.axis->length_m();
   std::vector<double> values;
+  values.reserve(kStiffnessNodes);
   for (int i = 0; i < kStiffnessNodes; ++i) {
     values.push_back(profileStiffness(base, peakFor(length * i / (kStiffnessNodes - 1))));
   }

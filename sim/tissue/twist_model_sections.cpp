@@ -21,6 +21,7 @@ constexpr double kTurn = 2.0 * kPi;
 std::vector<int> chosenSections(int available, int count) {
   const int n = std::clamp(count, 2, available);
   std::vector<int> chosen;
+  chosen.reserve(static_cast<std::size_t>(n));
   for (int k = 0; k < n; ++k) chosen.push_back((k * (available - 1) + (n - 1) / 2) / (n - 1));
   return chosen;
 }
@@ -155,6 +156,7 @@ SolvedSections SolvedSections::solve(const SectionLattice& lattice, const Option
   const std::vector<int> chosen = chosenSections(lattice.sections(), options.sections);
   SectionSolver solver(options.solver);
   std::vector<SolvedSection> sections;
+  sections.reserve(chosen.size());
   for (const int j : chosen) sections.push_back(solved(solver, lattice, j, options));
   return {arcsOf(lattice, chosen), std::move(sections), options.kriging};
 }

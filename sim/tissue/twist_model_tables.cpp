@@ -306,6 +306,7 @@ void TableMaker::makeComponents() {
     }
   }
   std::vector<double> arcs;
+  arcs.reserve(at(m));
   for (int j = 0; j < m; ++j) arcs.push_back(lattice_.sectionArc_m(j));
   std::vector<double> queries;
   for (const LatticeCoordinate& coordinate : lattice_.vertexCoordinates()) {

@@ -2,6 +2,7 @@
 // The kernels of the views one by one, for every instruction set of this processor; then the ratios that
 // `torsio bench` prints. Options: those of Google Benchmark.
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <functional>
 #include <string>
@@ -34,8 +35,8 @@ void measure(benchmark::State& state, Isa isa, int in, int out, const Kernel& ke
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * kVertices);
-  state.SetBytesProcessed(state.iterations() * kVertices *
-                          static_cast<std::int64_t>((in + out) * sizeof(float)));
+  state.SetBytesProcessed(state.iterations() * kVertices * (in + out) *
+                          static_cast<std::int64_t>(sizeof(float)));
 }
 
 void add(const std::string& name, int in, int out, const Kernel& kernel) {

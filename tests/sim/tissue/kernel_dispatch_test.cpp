@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <memory>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,6 +12,7 @@
 #include "sim/base/random.h"
 #include "sim/tissue/cpu_features.h"
 #include "sim/tissue/twist_kernels.h"
+#include "sim/tissue/twist_kernels_buffer.h"
 
 namespace torsio {
 namespace {
@@ -22,18 +23,19 @@ constexpr double kFloatTolerance = 6e-7;
 constexpr int kBlocks = 5;
 constexpr int kVertices = kBlocks * kKernelBlock;
 
-struct Free {
-  void operator()(void* memory) const { std::free(memory); }
-};
 template <typename T>
-using Aligned = std::unique_ptr<T[], Free>;
+using Aligned = KernelBuffer<T>;
 
 template <typename T>
-Aligned<T> aligned(std::size_t count) {
-  const std::size_t bytes = (count * sizeof(T) + 63) / 64 * 64;
-  Aligned<T> memory(static_cast<T*>(std::aligned_alloc(64, bytes)));
-  std::fill_n(memory.get(), count, T{});
-  return memory;
+Aligned<T> aligned(int count) {
+  return Aligned<T>(static_cast<std::size_t>(count));
+}
+
+/// Where stream `which` of a vertex lies in blocks of so many streams.
+std::size_t lane(int streams, int vertex, int which) {
+  const int index =
+      (vertex / kKernelBlock) * streams * kKernelBlock + which * kKernelBlock + vertex % kKernelBlock;
+  return static_cast<std::size_t>(index);
 }
 
 class KernelDispatch : public testing::TestWithParam<Isa> {
@@ -42,23 +44,19 @@ class KernelDispatch : public testing::TestWithParam<Isa> {
 
   static Aligned<float> randomBlocks(int streams, std::uint64_t seed) {
     Random random(seed);
-    auto blocks = aligned<float>(static_cast<std::size_t>(kVertices * streams));
-    for (int i = 0; i < kVertices * streams; ++i)
+    auto blocks = aligned<float>(kVertices * streams);
+    for (std::size_t i = 0; i < blocks.size(); ++i)
       blocks[i] = static_cast<float>(2.0 * random.uniform() - 1.0);
     return blocks;
   }
   static double stream(const Aligned<float>& blocks, int streams, int vertex, int which) {
-    return blocks[(vertex / kKernelBlock) * streams * kKernelBlock + which * kKernelBlock +
-                  vertex % kKernelBlock];
+    return static_cast<double>(blocks[lane(streams, vertex, which)]);
   }
 };
 
 /// Coordinate `axis` of foot + cos radius + sin tangent x radius in blocks of eleven streams.
 double curvedPlace(const Aligned<float>& in, int v, int axis, double angle) {
-  const auto at = [&](int which) {
-    return static_cast<double>(
-        in[(v / kKernelBlock) * 11 * kKernelBlock + which * kKernelBlock + v % kKernelBlock]);
-  };
+  const auto at = [&](int which) { return static_cast<double>(in[lane(11, v, which)]); };
   const int next = (axis + 1) % 3;
   const int last = (axis + 2) % 3;
   const double across = at(6 + next) * at(3 + last) - at(6 + last) * at(3 + next);
@@ -92,7 +90,7 @@ TEST_P(KernelDispatch, CurvedWarpIsTheFiniteRotationPlusTheRateTimesWarp) {
   frame.nearRate = 1.5F;
   frame.farRate = -0.5F;
 
-  kernels_.curvedWarp(in.get(), kBlocks, frame, out.get());
+  kernels_.curvedWarp(in.data(), kBlocks, frame, out.data());
 
   for (int v = 0; v < kVertices; ++v) {
     const double c = stream(in, 11, v, 9);
@@ -113,7 +111,7 @@ TEST_P(KernelDispatch, SineAndCosineHoldToTheLastFloatBitsOverAFullTurn) {
   auto in = aligned<float>(kVertices * 10);
   auto out = aligned<float>(kVertices * 3);
   for (int v = 0; v < kVertices; ++v) {
-    float* at = in.get() + (v / kKernelBlock) * 10 * kKernelBlock + v % kKernelBlock;
+    float* at = in.data() + lane(10, v, 0);
     at[3 * kKernelBlock] = 1.0F;
     at[8 * kKernelBlock] = 1.0F;  // tangent along z: the radius turns from x to y
     at[9 * kKernelBlock] = static_cast<float>(2.0 * kPi * (2.0 * v / (kVertices - 1) - 1.0));
@@ -122,7 +120,7 @@ TEST_P(KernelDispatch, SineAndCosineHoldToTheLastFloatBitsOverAFullTurn) {
   frame.torque = 1.0F;
   frame.farBase = 100.0F;
 
-  kernels_.curved(in.get(), kBlocks, frame, out.get());
+  kernels_.curved(in.data(), kBlocks, frame, out.data());
 
   constexpr double kSineError = 1.2e-7;  // two units in the last place of a float near 1
   for (int v = 0; v < kVertices; ++v) {
@@ -137,7 +135,7 @@ TEST_P(KernelDispatch, GivenAnglesAgreeWithTheFormulaPerVertex) {
   const auto anglesAndRates = randomBlocks(2, 13);
   auto out = aligned<float>(kVertices * 3);
 
-  kernels_.givenAngles(in.get(), anglesAndRates.get(), kBlocks, out.get());
+  kernels_.givenAngles(in.data(), anglesAndRates.data(), kBlocks, out.data());
 
   for (int v = 0; v < kVertices; ++v) {
     const double angle = stream(anglesAndRates, 2, v, 0);
@@ -158,7 +156,7 @@ TEST_P(KernelDispatch, PaperLinearTurnsRigidlyBeyondTheGraspAndLiftsBelowIt) {
   frame.graspArc = 0.25F;
   frame.graspAngle = 0.5F;
 
-  kernels_.paperLinear(in.get(), kBlocks, frame, out.get());
+  kernels_.paperLinear(in.data(), kBlocks, frame, out.data());
 
   for (int v = 0; v < kVertices; ++v) {
     const bool near = stream(in, 11, v, 7) <= 0.25;
@@ -186,7 +184,7 @@ TEST_P(KernelDispatch, StraightAxisKeepsTheWayAlongAndTheDistanceFromTheAxis) {
   frame.table = table.data();
   frame.tableSize = 3;
 
-  kernels_.straight(in.get(), kBlocks, frame, out.get());
+  kernels_.straight(in.data(), kBlocks, frame, out.data());
 
   for (int v = 0; v < kVertices; ++v) {
     const double x = stream(in, 3, v, 0) - static_cast<double>(0.1F);
@@ -215,18 +213,18 @@ TEST_P(KernelDispatch, LatticeMovesEverySectionByItsOwnMatrix) {
   auto out = aligned<float>(kVertices * 3);
   auto inDouble = aligned<double>(kVertices * 3);
   auto outDouble = aligned<double>(kVertices * 3);
-  std::copy_n(in.get(), kVertices * 3, inDouble.get());
+  std::copy_n(in.data(), kVertices * 3, inDouble.data());
   const std::vector<double> motionsDouble(motions.begin(), motions.end());
 
-  kernels_.lattice(in.get(), kSections, 1, motions.data(), out.get());
-  kernels_.latticeDouble(inDouble.get(), kSections, 1, motionsDouble.data(), outDouble.get());
+  kernels_.lattice(in.data(), kSections, 1, motions.data(), out.data());
+  kernels_.latticeDouble(inDouble.data(), kSections, 1, motionsDouble.data(), outDouble.data());
 
   for (int v = 0; v < kVertices; ++v) {
     const double* m = motionsDouble.data() + 12 * (v / kKernelBlock);
     for (int axis = 0; axis < 3; ++axis) {
       double expected = m[9 + axis];
       for (int k = 0; k < 3; ++k) expected += m[3 * axis + k] * stream(in, 3, v, k);
-      const int at = (v / kKernelBlock) * 48 + axis * 16 + v % 16;
+      const std::size_t at = lane(3, v, axis);
       EXPECT_NEAR(out[at], expected, kFloatTolerance);
       EXPECT_NEAR(outDouble[at], expected, 1e-15);
     }
@@ -273,7 +271,7 @@ TEST_P(KernelDispatch, InterleaveWritesEveryVertexAtItsStrideAndNothingBetween) 
   constexpr int kWritten = kVertices - 3;  // the last block is not full
   std::vector<float> out(8 * kWritten, -7.0F);
 
-  kernels_.interleave(in.get(), kWritten, out.data(), 8);
+  kernels_.interleave(in.data(), kWritten, out.data(), 8);
 
   for (int v = 0; v < kWritten; ++v) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -2,8 +2,9 @@
 #include "sim/tissue/twist_model.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -26,7 +27,10 @@ std::vector<Vec3> deformed(const Bar& bar, const TwistState& state) {
 }
 
 bool sameBits(const Vec3& a, const Vec3& b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
+  const auto same = [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  };
+  return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
 }
 
 TEST(TwistModel, ZeroAngleIsTheIdentityBitwise) {

@@ -87,6 +87,7 @@ TEST(PaperFormulation, TheAngleIsMonotoneExactlyFromTheSmallestBetaOn) {
     // the printed formula itself.
     const auto angles = [&](double beta) {
       std::vector<double> phi;
+      phi.reserve(static_cast<std::size_t>(sections));
       for (int j = 0; j < sections; ++j) phi.push_back(j * std::exp((sections - 1 - j) / beta));
       return phi;
     };

@@ -20,6 +20,7 @@ constexpr int kNodes = 1001;
 // Compliance of a uniform bar: 3 rad per N m and metre.
 std::vector<double> uniformCompliance() {
   std::vector<double> c;
+  c.reserve(kNodes);
   for (int i = 0; i < kNodes; ++i) c.push_back(3.0 * kLength * i / (kNodes - 1));
   return c;
 }
@@ -50,6 +51,7 @@ std::vector<TorsionSection> taperedSections(int count, double r0, double r1) {
 
 std::vector<double> evenArcs(int count) {
   std::vector<double> arcs;
+  arcs.reserve(static_cast<std::size_t>(count));
   for (int j = 0; j < count; ++j) arcs.push_back(kLength * j / (count - 1));
   return arcs;
 }

@@ -84,6 +84,7 @@ const std::vector<Case>& everyKind() {
        false}};
   static const std::vector<Case> cases = [&] {
     std::vector<Case> built;
+    built.reserve(recipes.size());
     for (const Recipe& r : recipes) built.push_back({r.name, bentBar(r.options), r.fast});
     return built;
   }();
