@@ -2,6 +2,7 @@
 #include "sim/geometry/centreline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "sim/base/contracts.h"
@@ -100,7 +101,7 @@ Centreline Centreline::curved(std::span<const Vec3> line_m, double smoothing_m, 
   const std::size_t fine = static_cast<std::size_t>(intervals) * kFine;
   std::vector<Vec3> points = resampled(line_m, raw, fine);
   const double deviation = smoothing_m / raw.back() * static_cast<double>(fine);
-  smoothTwice(points, static_cast<int>(2.0 * deviation * deviation + 0.5));
+  smoothTwice(points, static_cast<int>(std::lround(2.0 * deviation * deviation)));
 
   // Arc length of the given points: their place among the fine points is kept by the smoothing.
   const std::vector<double> way = cumulativeLength_m(points);
@@ -156,7 +157,7 @@ void Centreline::setSlopes() {
 
 void Centreline::transportFrames(const Vec3& e1, double e1At) {
   const auto last = stations_.size() - 1;
-  const auto anchor = std::min(last, static_cast<std::size_t>(e1At * static_cast<double>(last) + 0.5));
+  const auto anchor = std::min(last, static_cast<std::size_t>(std::lround(e1At * static_cast<double>(last))));
   stations_[anchor].e1 = firstNormal(e1, stations_[anchor].tangent);
   for (std::size_t i = anchor; i < last; ++i) {
     stations_[i + 1].e1 = doubleReflection(stations_[i], stations_[i + 1]);

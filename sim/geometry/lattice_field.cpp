@@ -26,7 +26,7 @@ constexpr double kSpeck = 1e-3;        // of the perimeter: a loop of rounding n
 constexpr double kSharpestTurn_rad = 0.5 * kPi;  // of the axis within one mean radius of the section
 
 std::string degrees(double angle_rad) {
-  return std::to_string(static_cast<int>(angle_rad / kDegree + 0.5)) + " degrees";
+  return std::to_string(std::lround(angle_rad / kDegree)) + " degrees";
 }
 std::string millimetres(double length_m) {
   char text[32];
@@ -298,6 +298,7 @@ class FieldBuilder {
     heights.angle_rad.assign(levels.size(), 0.0);
     heights.turns.assign(field_.topology.halfEdges(), 0);
     std::vector<double> planes;
+    planes.reserve(static_cast<std::size_t>(options_.sections));
     for (int j = 0; j < options_.sections; ++j) {
       planes.push_back(static_cast<double>(j) / (options_.sections - 1));
     }

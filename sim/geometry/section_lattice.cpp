@@ -75,10 +75,13 @@ SectionLattice::SectionLattice(const TriangleMesh& mesh, const LatticeOptions& o
   LatticeField field = buildLatticeField(mesh, options);
   centreline_ = field.centreline;
 
+  const auto count = static_cast<std::size_t>(sections());
   std::vector<double> levels;
+  levels.reserve(count);
   for (int j = 0; j < sections(); ++j) levels.push_back(field.levelAtArc(sectionArc_m(j)));
   levels.back() = 1.0;
   std::vector<LevelLoop> loops;
+  loops.reserve(count);
   const LevelTracer tracer(field.mesh, field.topology, field.harmonic);
   tracer.traceAll(levels, [&](std::size_t j, std::vector<LevelLoop> found) {
     const int section = static_cast<int>(j);
@@ -95,6 +98,7 @@ SectionLattice::SectionLattice(const TriangleMesh& mesh, const LatticeOptions& o
   spacing_ = field.rule.spacing;
 
   std::vector<SectionOutline> outlines;
+  outlines.reserve(count);
   for (int j = 0; j < sections(); ++j) {
     outlines.push_back(cutOutline(loops[static_cast<std::size_t>(j)], frameAt(sectionArc_m(j)), field.rule,
                                   ridges(), sectionName(j, sections(), sectionArc_m(j))));

@@ -51,7 +51,7 @@ Vec3 principalAxis(const TriangleMesh& mesh) {
   mean /= area;
   const Eigen::Matrix3d covariance = second / area - mean * mean.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-  const Eigen::Vector3d spread = solver.eigenvalues();  // ascending
+  const Eigen::Vector3d& spread = solver.eigenvalues();  // ascending
   if (!(spread[2] > kSlenderness * kSlenderness * spread[1])) {
     const double ratio = spread[1] > 0.0 ? std::sqrt(spread[2] / spread[1]) : 0.0;
     throw Error(ErrorCode::kBadMesh,
