@@ -30,8 +30,10 @@ void buildProgram(CLI::App& program) {
   program.set_version_flag("--version", "torsio " + softwareVersion());
   program.require_subcommand(1);
   program.footer("Without a command Torsio opens its window. Exit codes: docs/cli.md.");
+  addAgreement(program);
   addBench(program);
   addDemo(program);
+  addEvaluate(program);
   addReplay(program);
   addSection(program);
   addTwist(program);

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/json_output.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+
+#include "sim/base/contracts.h"
+
+namespace torsio::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kSignificantDigits = 17;
+
+/// Like "%.17g", whatever the language of the system: printf would follow it and write a comma.
+std::string decimal(double value) {
+  TORSIO_EXPECTS(std::isfinite(value));
+  std::array<char, 40> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
+                                          std::chars_format::general, kSignificantDigits);
+  TORSIO_EXPECTS(error == std::errc());
+  return {text.data(), end};
+}
+
+void write(std::string& out, const Json& value, const std::string& indent) {
+  if (value.is_number_float()) {
+    out += decimal(value.get<double>());
+    return;
+  }
+  if (!value.is_structured() || value.empty()) {
+    out += value.dump();
+    return;
+  }
+  const bool object = value.is_object();
+  const std::string inner = indent + "  ";
+  out += object ? "{" : "[";
+  bool first = true;
+  for (const auto& [key, child] : value.items()) {
+    out += first ? "\n" : ",\n";
+    out += inner;
+    if (object) out += Json(key).dump() + ": ";
+    write(out, child, inner);
+    first = false;
+  }
+  out += "\n" + indent + (object ? "}" : "]");
+}
+
+}  // namespace
+
+void printJson(const Json& value) {
+  std::string text;
+  write(text, value, "");
+  std::cout << text << '\n';
+}
+
+void noteIgnoredColumns(const CsvTable& table) {
+  for (const std::string& column : table.ignored())
+    std::cerr << "torsio: " << table.name() << ": the column \"" << column << "\" is not used\n";
+}
+
+}  // namespace torsio::cli
