@@ -7,6 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
+#include "sim/servo/grasp_share.h"
 
 namespace torsio {
 
@@ -15,11 +16,8 @@ namespace {
 constexpr std::uint32_t kHandGone = kDeviceLost | kDeviceUncalibrated | kDeviceEnded;
 // How far a rest normal is followed to see where the deformed organ carries it.
 constexpr double kNormalProbe_m = 1e-4;
-// Turn of the organ with which a grip is tried out, and the least share of it that the section must follow.
-constexpr double kGainProbe_rad = 1e-4;
+// Least share of the pattern's turn that the gripped point must follow.
 constexpr double kLeastShare = 0.1;
-// The probe is exact to about 1e-9: a share this near to one is one.
-constexpr double kShareRounding = 1e-6;
 
 struct Cylindrical {
   double height_m = 0.0;
@@ -41,16 +39,6 @@ Cylindrical about(const AxisFrame& axis, const Vec3& point_m) noexcept {
 double turnAbout(const Vec3& axis, const Quat& from, const Quat& to) noexcept {
   const Quat q = to * conjugate(from);
   return 2.0 * portableAtan2(q.x * axis.x + q.y * axis.y + q.z * axis.z, q.w);
-}
-
-/// Share of a small turn that the organ makes at the point, about the axis.
-double shareAt(const TwistModel& model, const AxisFrame& axis, double arc_m, const Vec3& rest_m) noexcept {
-  const Vec3 more = model.toDeformed_m(rest_m, {arc_m, kGainProbe_rad});
-  const Vec3 less = model.toDeformed_m(rest_m, {arc_m, -kGainProbe_rad});
-  const double radius_m = about(axis, rest_m).radius_m;
-  if (!(radius_m > kNearAxis_m)) return 0.0;
-  const Vec3 forward = cross(axis.tangent, rest_m - axis.centre_m);
-  return dot(more - less, forward) / (2.0 * kGainProbe_rad * radius_m * radius_m);
 }
 
 }  // namespace
@@ -96,9 +84,9 @@ bool Exercise::grip(const ToolState& tool, const Scene& scene) noexcept {
   const SurfacePoint surface = scene.collision.closest(tip_m);
   const double arc_m = scene.lattice().nearestArc_m(surface.position_m);
   axis_ = scene.model.graspFrame(arc_m);
-  const double share = shareAt(scene.model, axis_, arc_m, surface.position_m);
+  const double share = graspShare(scene.model, axis_, arc_m, surface.position_m);
   if (!(std::abs(share) > kLeastShare)) return false;  // held there: nothing to twist
-  gain_ = std::abs(share - 1.0) < kShareRounding ? 1.0 : 1.0 / share;
+  gain_ = 1.0 / share;
   twist_ = {arc_m, 0.0};
   grippedAt_ = tool.pose.orientation;
   const Cylindrical at = about(axis_, tip_m);

@@ -6,6 +6,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
+#include "sim/servo/grasp_share.h"
 
 namespace torsio {
 
@@ -44,8 +45,8 @@ Candidate candidateAt(const Scene& scene, const AxisFrame& axis, double arc_m, d
 }  // namespace
 
 HandTask handTask(const Scene& scene) {
-  const double share = std::clamp(scene.pattern.graspArc, kEndMargin, 1.0 - kEndMargin);
-  const double arc_m = share * scene.lattice().length_m();
+  const double fraction = std::clamp(scene.pattern.graspArc, kEndMargin, 1.0 - kEndMargin);
+  const double arc_m = fraction * scene.lattice().length_m();
   const AxisFrame axis = scene.model.graspFrame(arc_m);
   Candidate best;
   for (int i = 0; i < kDirections; ++i) {
@@ -61,7 +62,8 @@ HandTask handTask(const Scene& scene) {
   task.graspPoint_m = best.point_m;
   task.axisCentre_m = axis.centre_m;
   task.axisDirection = axis.tangent;
-  task.targetAngle_rad = scene.pattern.targetAngle_rad;
+  // Where the pattern still rises towards its peak, the gripped section turns by a part of the angle only.
+  task.targetAngle_rad = scene.pattern.targetAngle_rad * graspShare(scene.model, axis, arc_m, best.point_m);
   task.tipRadius_m = scene.instrument.tipRadius_m;
   return task;
 }
