@@ -94,7 +94,7 @@ void MainWindow::createLayout() {
   auto* panel = new QWidget;
   auto* column = new QVBoxLayout(panel);
   column->setContentsMargins(kSpace + 4, kSpace + 4, kSpace + 4, kSpace + 4);
-  column->setSpacing(kSpace + 4);
+  column->setSpacing(kSpace + 2);
   exercise_ = new ExercisePanel(panel);
   readout_ = new ReadoutPanel(panel);
   column->addWidget(exercise_);

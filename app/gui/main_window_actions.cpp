@@ -126,7 +126,6 @@ void MainWindow::createToolBar() {
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(space);
   bar->addAction(a.dark);
-  bar->addAction(a.help);
 }
 
 void MainWindow::applyIcons() {

@@ -41,7 +41,7 @@ QLabel* addRow(QGridLayout* grid, const QString& name, const QString& tip, QWidg
 ReadoutPanel::ReadoutPanel(QWidget* parent) : QWidget(parent), theme_(&theme(ThemeKind::kLight)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kSpace + 4);
+  column->setSpacing(kSpace + 2);
 
   auto* twist = new Card(tr("Twist"), this);
   dial_ = new AngleDial(twist);
@@ -63,9 +63,9 @@ ReadoutPanel::ReadoutPanel(QWidget* parent) : QWidget(parent), theme_(&theme(The
   auto* grid = new QGridLayout;
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setVerticalSpacing(4);
-  tick_ = addRow(grid, tr("Servo tick"), tr("Time one step of the 1 kHz loop takes; 1000 µs are available"),
-                 timing);
-  late_ = addRow(grid, tr("Late ticks"), tr("Steps that did not come in time since the start"), timing);
+  tick_ =
+      addRow(grid, tr("Servo tick"),
+             tr("Time that one step of the 1 kHz loop takes, of 1000 µs; how many steps came late"), timing);
   frames_ = addRow(grid, tr("Frame rate"), tr("Pictures drawn in one second"), timing);
   timing->content()->addLayout(grid);
   column->addWidget(timing);
@@ -109,11 +109,10 @@ void ReadoutPanel::showPhase(ExercisePhase phase) {
 void ReadoutPanel::showTiming(const LiveState& state, double framesPerSecond) {
   const QLocale locale;
   const QString none = QStringLiteral("\u2013");
-  const QString tick = tr("%1 µs").arg(locale.toString(state.tickDuration_us, 'f', 0));
-  setIfNew(tick_, state.tick > 0
-                      ? (state.tickDuration_us > kTickBudget_us ? tr("%1, too long").arg(tick) : tick)
-                      : none);
-  setIfNew(late_, state.tick > 0 ? locale.toString(static_cast<qlonglong>(state.lateTicks)) : none);
+  QString tick = tr("%1 µs").arg(locale.toString(state.tickDuration_us, 'f', 0));
+  if (state.tickDuration_us > kTickBudget_us) tick = tr("%1, too long").arg(tick);
+  if (state.lateTicks > 0) tick = tr("%1, %n late", nullptr, static_cast<int>(state.lateTicks)).arg(tick);
+  setIfNew(tick_, state.tickDuration_us > 0.0 ? tick : none);
   setIfNew(frames_, framesPerSecond > 0.0 ? tr("%1 /s").arg(locale.toString(framesPerSecond, 'f', 0)) : none);
 }
 

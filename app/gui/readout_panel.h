@@ -48,7 +48,6 @@ class ReadoutPanel : public QWidget {
   LevelBar* force_;
   QLabel* tick_;
   QLabel* frames_;
-  QLabel* late_;
 };
 
 }  // namespace torsio::gui

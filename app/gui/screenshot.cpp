@@ -61,15 +61,24 @@ struct Stage {
   MainWindow window;
 };
 
+double angleOf(const ScreenshotRequest& request, MainWindow& window) {
+  return request.angle_rad.value_or(window.controller().scene()->pattern.targetAngle_rad);
+}
+
 }  // namespace
 
 void takeScreenshot(const WindowSetup& setup, const ScreenshotRequest& request) {
   requireDisplay();
   Stage stage(setup, request);
   MainWindow& window = stage.window;
-  window.controller().freeze(scriptedTwist(*window.controller().scene(), request.angle_rad));
+  window.controller().freeze(scriptedTwist(*window.controller().scene(), angleOf(request, window)));
   const std::int64_t before = window.view().framesDrawn();
-  waitUntil([&] { return window.view().framesDrawn() >= before + kSettlingFrames; }, "the picture");
+  waitUntil(
+      [&] {
+        window.view().redraw();
+        return window.view().framesDrawn() >= before + kSettlingFrames;
+      },
+      "the picture");
   writePicture(request.sceneOnly ? window.view().picture() : window.grab().toImage(), request.file);
 }
 
@@ -77,7 +86,7 @@ double measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& reque
   requireDisplay();
   Stage stage(setup, request);
   MainWindow& window = stage.window;
-  LiveState state = scriptedTwist(*window.controller().scene(), request.angle_rad);
+  LiveState state = scriptedTwist(*window.controller().scene(), angleOf(request, window));
   const double widest_rad = state.response.angle_rad;
   QElapsedTimer clock;
   clock.start();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include <QSize>
 
@@ -12,7 +13,7 @@ namespace torsio::gui {
 struct ScreenshotRequest {
   std::filesystem::path file;
   SceneRequest scene;
-  double angle_rad = 0.0;
+  std::optional<double> angle_rad;  ///< nothing: the target of the pattern
   QSize size{1280, 800};
   bool sceneOnly = false;  ///< without panels and bars
   bool lattice = false;

@@ -18,13 +18,6 @@
 #include "app/session/build_info.h"
 #include "sim/base/error.h"
 
-/// Resources of a static library are registered only when asked for, and the macro wants the global
-/// namespace.
-static void registerResources() {
-  Q_INIT_RESOURCE(icons);
-  Q_INIT_RESOURCE(scene);
-}
-
 namespace torsio::gui {
 
 namespace {
@@ -98,7 +91,9 @@ ScreenshotRequest pictureOf(const QCommandLineParser& parser, const SceneRequest
   ScreenshotRequest picture;
   picture.file = std::filesystem::path(parser.value(QStringLiteral("screenshot")).toStdString());
   picture.scene = scene;
-  picture.angle_rad = numberOf(parser, QStringLiteral("angle")) * std::numbers::pi / 180.0;
+  if (parser.isSet(QStringLiteral("angle"))) {
+    picture.angle_rad = numberOf(parser, QStringLiteral("angle")) * std::numbers::pi / 180.0;
+  }
   picture.size = sizeOf(parser.value(QStringLiteral("size")));
   picture.sceneOnly = parser.isSet(QStringLiteral("scene-only"));
   picture.lattice = parser.isSet(QStringLiteral("lattice"));
@@ -121,7 +116,7 @@ void addOptions(QCommandLineParser& parser) {
   add("formulation", "paper or saint-venant", "NAME", "");
   add("theme", "light or dark", "NAME", "");
   add("screenshot", "Write one picture and end", "FILE", "");
-  add("angle", "Twist in the picture, degrees", "DEG", "90");
+  add("angle", "Twist in the picture, degrees; the target of the pattern without it", "DEG", "");
   add("size", "Size of the window", "WxH", "1280x800");
   add("quality", "Of the picture: fast or fine", "NAME", "fine");
   add("orbit", "Turn of the camera about the organ, degrees", "DEG", "0");
@@ -174,7 +169,6 @@ int runWindow(int argc, char** argv) {
 }
 
 int runWindow(int argc, char** argv, const std::function<TrialRecording()>& recording) {
-  registerResources();
   QQuickWindow::setGraphicsApi(QSGRendererInterface::OpenGL);
   QApplication::setApplicationName(QStringLiteral("torsio"));
   QApplication::setApplicationDisplayName(QStringLiteral("Torsio"));

@@ -13,7 +13,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kDiameter = 148;
+constexpr int kDiameter = 146;
 constexpr double kRing = 10.0;
 constexpr double kTargetReach = 5.0;  // the target's mark sticks out of the ring this far
 constexpr double kLeastTolerance_deg = 1.0;
@@ -37,7 +37,7 @@ AngleDial::AngleDial(QWidget* parent) : QWidget(parent), theme_(&theme(ThemeKind
 }
 
 QSize AngleDial::sizeHint() const {
-  return {kDiameter + 16, kDiameter + 12};
+  return {kDiameter + 16, kDiameter + 8};
 }
 
 void AngleDial::setTheme(const Theme& theme) {
@@ -105,8 +105,9 @@ void AngleDial::paintEvent(QPaintEvent*) {
   figure.setWeight(QFont::DemiBold);
   painter.setFont(figure);
   painter.setPen(theme_->text);
-  const QRectF inside = ring.adjusted(kRing, kRing, -kRing, -kRing);
-  const QString text = QLocale().toString(angle_deg, 'f', 1) + QChar(0x00B0);
+  const QRectF inside = ring.adjusted(0.5 * kRing, kRing, -0.5 * kRing, -kRing);
+  QString text = QLocale().toString(angle_deg, 'f', 1) + QChar(0x00B0);
+  text.replace(QLatin1Char('-'), QChar(0x2212));
   const double line = QFontMetricsF(figure).height();
   painter.drawText(QRectF(inside.left(), centre.y() - 0.62 * line, inside.width(), line), Qt::AlignCenter,
                    text);
@@ -115,7 +116,9 @@ void AngleDial::paintEvent(QPaintEvent*) {
   painter.setFont(small);
   painter.setPen(onTarget() ? theme_->good : theme_->quietText);
   const QString below =
-      onTarget() ? tr("on target") : tr("target %1").arg(target_deg, 0, 'f', 0) + QChar(0x00B0);
+      onTarget() ? tr("on target")
+                 : tr("target %1").arg(target_deg, 0, 'f', 0).replace(QLatin1Char('-'), QChar(0x2212)) +
+                       QChar(0x00B0);
   painter.drawText(
       QRectF(inside.left(), centre.y() + 0.32 * line, inside.width(), 1.0 + QFontMetricsF(small).height()),
       Qt::AlignHCenter | Qt::AlignTop, below);

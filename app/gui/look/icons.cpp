@@ -9,6 +9,11 @@
 #include "app/gui/look/theme.h"
 #include "sim/base/contracts.h"
 
+/// The linker drops resources of a static library that nothing names.
+static void initIconResources() {
+  Q_INIT_RESOURCE(torsio_icons);
+}
+
 namespace torsio::gui {
 
 namespace {
@@ -16,6 +21,7 @@ namespace {
 constexpr int kSizes[] = {20, 40, 60};  // 100 to 300 %
 
 QByteArray drawing(const QString& name) {
+  initIconResources();
   QFile file(QStringLiteral(":/torsio/icons/%1.svg").arg(name));
   const bool found = file.open(QIODevice::ReadOnly);
   TORSIO_EXPECTS(found);

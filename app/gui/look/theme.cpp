@@ -110,10 +110,10 @@ QMenu::item:selected { background: %accent; color: %onAccent; }
 QMenu::item:disabled { color: %border; }
 QMenu::separator { height: 1px; background: %line; margin: 6px 8px; }
 QMenu::indicator { width: 14px; height: 14px; left: 8px; }
-QToolBar { background: %window; border: none; border-bottom: 1px solid %line; spacing: 4px; padding: 6px 12px; }
+QToolBar { background: %window; border: none; border-bottom: 1px solid %line; spacing: 2px; padding: 3px 10px; }
 QToolBar::separator { width: 1px; background: %line; margin: 6px 8px; }
 QToolButton { color: %text; background: transparent; border: 1px solid transparent; border-radius: 6px;
-  padding: 6px 10px; }
+  padding: 5px 8px; }
 QToolButton:hover { background: %raised; }
 QToolButton:pressed { background: %track; }
 QToolButton:checked { background: %raised; border-color: %accent; color: %accent; }
@@ -126,9 +126,9 @@ QFrame#card { background: %surface; border: 1px solid %line; border-radius: 8px;
 QLabel#cardTitle { color: %text; font-weight: 600; }
 QLabel[quiet="true"] { color: %quietText; }
 QComboBox, QDoubleSpinBox, QSpinBox { background: %surface; color: %text; border: 1px solid %border;
-  border-radius: 6px; padding: 5px 8px; min-height: 20px; selection-background-color: %accent;
+  border-radius: 6px; padding: 4px 8px; min-height: 20px; selection-background-color: %accent;
   selection-color: %onAccent; }
-QComboBox:focus, QDoubleSpinBox:focus, QSpinBox:focus { border: 2px solid %accent; padding: 4px 7px; }
+QComboBox:focus, QDoubleSpinBox:focus, QSpinBox:focus { border: 2px solid %accent; padding: 3px 7px; }
 QComboBox:disabled, QDoubleSpinBox:disabled { color: %border; border-color: %line; }
 QComboBox::drop-down { border: none; width: 24px; }
 QComboBox::down-arrow { image: url(%chevron); width: 12px; height: 12px; }

@@ -43,7 +43,7 @@ struct Theme {
 inline constexpr double kSmallText_pt = 9.0;
 inline constexpr double kBodyText_pt = 10.0;
 inline constexpr double kTitleText_pt = 12.0;
-inline constexpr double kFigureText_pt = 26.0;
+inline constexpr double kFigureText_pt = 21.0;
 
 /// The one scale of distances, device-independent pixels.
 inline constexpr int kSpace = 8;

@@ -18,24 +18,30 @@
 #include "app/gui/look/theme.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/scene/organ_geometry.h"
-#include "app/gui/scene/studio_light.h"
 #include "app/gui/scene/view_frame.h"
+
+/// The linker drops resources of a static library that nothing names.
+static void initSceneResources() {
+  Q_INIT_RESOURCE(torsio_scene);
+  Q_INIT_RESOURCE(torsio_light);
+}
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr float kLatticeWidth_mm = 0.55F;
-constexpr float kGraspWidth_mm = 1.8F;
+// Share of the organ's radius: what is seen of a line is the same on a large organ and a small one.
+constexpr float kLatticeWidth = 0.0042F;
+constexpr float kGraspWidth = 0.013F;
 constexpr double kJawHolding_deg = 3.0;  // each jaw, closed on tissue
 
 void registerSceneTypes() {
   static const bool kOnce = [] {
+    initSceneResources();
     qmlRegisterType<OrganGeometry>("Torsio.Scene", 1, 0, "OrganGeometry");
     qmlRegisterType<WireGeometry>("Torsio.Scene", 1, 0, "WireGeometry");
     qmlRegisterType<RibbonGeometry>("Torsio.Scene", 1, 0, "RibbonGeometry");
     qmlRegisterType<InstrumentGeometry>("Torsio.Scene", 1, 0, "InstrumentGeometry");
-    qmlRegisterType<StudioLight>("Torsio.Scene", 1, 0, "StudioLight");
     return true;
   }();
   Q_UNUSED(kOnce)
@@ -116,6 +122,10 @@ void SceneView::noteFrame() {
   }
 }
 
+void SceneView::redraw() {
+  if (quick_ != nullptr) quick_->quickWindow()->update();
+}
+
 void SceneView::setRootProperty(const char* name, const QVariant& value) {
   if (root_ != nullptr) root_->setProperty(name, value);
 }
@@ -137,8 +147,8 @@ void SceneView::setScene(const ViewScene& view) {
   if (root_ != nullptr) {
     organ_->setSurface(view_.surface);
     wire_->setSurface(view_.surface);
-    lattice_->setLines(view_.lines.lattice, kLatticeWidth_mm, view_.surface);
-    grasp_->setLines(view_.lines.grasp, kGraspWidth_mm, view_.surface);
+    lattice_->setLines(view_.lines.lattice, kLatticeWidth * organRadius_, view_.surface);
+    grasp_->setLines(view_.lines.grasp, kGraspWidth * organRadius_, view_.surface);
   }
   setRootProperty("tissueColour", view_.look.colour);
   setRootProperty("tissueRoughness", view_.look.roughness);

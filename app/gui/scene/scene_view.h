@@ -79,6 +79,8 @@ class SceneView : public QWidget {
   /// Shows the whole organ from the camera's present direction.
   void frameOrgan();
 
+  /// Draws once more, although nothing changed.
+  void redraw();
   /// Frames drawn so far; the window measures its rate from it.
   [[nodiscard]] std::int64_t framesDrawn() const noexcept { return framesDrawn_; }
   /// Name of the renderer: "llvmpipe ...", empty before the first frame.

@@ -52,12 +52,12 @@ Rectangle {
 
         environment: SceneEnvironment {
             backgroundMode: SceneEnvironment.Transparent
-            lightProbe: Texture { textureData: StudioLight {} }
-            probeExposure: 0.75
-            tonemapMode: SceneEnvironment.TonemapModeFilmic
+            lightProbe: Texture { source: "qrc:/torsio/scene/studio_light.ktx" }
+            probeExposure: 0.62
+            tonemapMode: SceneEnvironment.TonemapModeLinear
             antialiasingMode: root.fine ? SceneEnvironment.MSAA : SceneEnvironment.NoAA
             antialiasingQuality: SceneEnvironment.High
-            aoStrength: root.fine ? 45 : 0
+            aoStrength: root.fine ? 30 : 0
             aoDistance: 18
             aoSoftness: 20
             aoSampleRate: 3
@@ -76,9 +76,9 @@ Rectangle {
         DirectionalLight {
             eulerRotation: Qt.vector3d(-52, -26, 0)
             color: "#fff4ea"
-            brightness: 1.1
+            brightness: 0.62
             castsShadow: root.fine
-            shadowFactor: 55
+            shadowFactor: 38
             shadowMapQuality: Light.ShadowMapQualityHigh
             shadowBias: 4
             shadowFilter: 6
@@ -86,7 +86,7 @@ Rectangle {
         DirectionalLight {
             eulerRotation: Qt.vector3d(-8, 62, 0)
             color: "#e4eeff"
-            brightness: 0.28
+            brightness: 0.22
         }
 
         Model {

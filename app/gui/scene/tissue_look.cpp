@@ -70,19 +70,19 @@ TissueLook tissueLook(std::string_view sceneId) {
             .patch_m = 0.022};
   }
   if (sceneId.find("intestine") != std::string_view::npos) {
-    return {.colour = QColor(214, 136, 120),
-            .roughness = 0.42F,
-            .clearcoat = 0.55F,
-            .filmRoughness = 0.16F,
-            .mottling = 0.28F,
+    return {.colour = QColor(216, 138, 122),
+            .roughness = 0.44F,
+            .clearcoat = 0.42F,
+            .filmRoughness = 0.22F,
+            .mottling = 0.45F,
             .patch_m = 0.014};
   }
-  return {.colour = QColor(205, 122, 110),
-          .roughness = 0.44F,
-          .clearcoat = 0.5F,
-          .filmRoughness = 0.18F,
-          .mottling = 0.26F,
-          .patch_m = 0.026};
+  return {.colour = QColor(211, 128, 117),
+          .roughness = 0.46F,
+          .clearcoat = 0.38F,
+          .filmRoughness = 0.24F,
+          .mottling = 0.48F,
+          .patch_m = 0.030};
 }
 
 std::array<float, 3> mottle(const TissueLook& look, const Vec3& rest_m) {
