@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/tissue/finite_element_bar.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -16,6 +17,14 @@ namespace torsio {
 namespace {
 
 constexpr int kMostCorners = 6;
+/// Residual over the reaction of the held ends: the torque is then good to about the same fraction.
+constexpr double kConverged = 1e-9;
+/// Floor of the residual over G times the area of the section, for a bar that is not turned at all.
+constexpr double kRoundOff = 1e-12;
+/// Points tell angles apart only to full turns: more than half a turn in a layer would pass for less.
+constexpr double kMostPerLayer_rad = 90.0 * kDegree;
+constexpr int kMostIterations = 40;
+constexpr int kMostHalvings = 12;
 
 using Vector = Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
@@ -95,6 +104,13 @@ class BarSystem {
   }
 
   [[nodiscard]] const Vector& rest() const noexcept { return rest_; }
+
+  /// A force to judge round-off by: G times volume over length.
+  [[nodiscard]] double forceScale() const {
+    double volume = 0.0;
+    for (const GaussPoint& p : points_) volume += p.volume;
+    return mu_ * volume / rest_[rest_.size() - 1];
+  }
 
   [[nodiscard]] Vector::ConstSegmentReturnType freePart(const Vector& v) const {
     return v.segment(firstFree_, freeCount_);
@@ -211,6 +227,57 @@ class BarSystem {
   std::vector<GaussPoint> points_;
 };
 
+/// Newton's method for the equilibrium of the free points, the held ones staying where they are.
+class NewtonSolve {
+ public:
+  explicit NewtonSolve(const BarSystem& system) : system_(system) {}
+
+  /// Moves the free part of `place` into equilibrium; false when it does not get there.
+  [[nodiscard]] bool solve(Vector& place) {
+    if (!system_.forces(place, force_)) return false;
+    for (int i = 0; i < kMostIterations; ++i) {
+      if (residual() <= kConverged * reaction() + kRoundOff * system_.forceScale()) return true;
+      ++iterations_;
+      const Sparse matrix = system_.stiffness(place);
+      if (!analysed_) solver_.analyzePattern(matrix);
+      analysed_ = true;
+      solver_.factorize(matrix);
+      if (solver_.info() != Eigen::Success) return false;
+      const Vector move = solver_.solve(-system_.freePart(force_));
+      if (!move.allFinite() || !advance(move, place)) return false;
+    }
+    return false;
+  }
+
+  [[nodiscard]] int iterations() const noexcept { return iterations_; }
+  /// Nodal forces of the configuration last solved.
+  [[nodiscard]] const Vector& force() const noexcept { return force_; }
+
+ private:
+  [[nodiscard]] double residual() const { return system_.freePart(force_).norm(); }
+  [[nodiscard]] double reaction() const {
+    return std::sqrt(std::max(0.0, force_.squaredNorm() - system_.freePart(force_).squaredNorm()));
+  }
+
+  /// Goes along `move` as far as the residual falls and no cell turns inside out.
+  [[nodiscard]] bool advance(const Vector& move, Vector& place) {
+    const double before = residual();
+    const Vector start = place;
+    double share = 1.0;
+    for (int i = 0; i <= kMostHalvings; ++i, share *= 0.5) {
+      system_.freePart(place) = system_.freePart(start) + share * move;
+      if (system_.forces(place, force_) && residual() < before) return true;
+    }
+    return false;
+  }
+
+  const BarSystem& system_;
+  Eigen::SimplicialLDLT<Sparse, Eigen::Lower> solver_;
+  bool analysed_ = false;
+  Vector force_;
+  int iterations_ = 0;
+};
+
 [[noreturn]] void refuse(const std::string& what, const std::string& where, const std::string& remedy) {
   throw Error(ErrorCode::kBadParameter, what, where, remedy);
 }
@@ -229,11 +296,53 @@ void checkAngle(double angle_rad) {
   if (!std::isfinite(angle_rad)) refuse("The angle must be finite", "angle", "Give the angle in radians");
 }
 
+/// Turns every point about the axis by its share z / length of the angle, from where it is.
+void turnOn(double angle_rad, Vector& place) {
+  const double length = place[place.size() - 1];
+  for (Eigen::Index i = 0; i < place.size(); i += 3) {
+    const SinCos turn = portableSinCos(angle_rad * place[i + 2] / length);
+    place.segment<2>(i) = Eigen::Vector2d(turn.cos * place[i] - turn.sin * place[i + 1],
+                                          turn.sin * place[i] + turn.cos * place[i + 1]);
+  }
+}
+
+/// Puts the upper end where it is held: its rest turned by the angle.
+void holdUpperEnd(double angle_rad, const BarMesh& mesh, Vector& place) {
+  const SinCos turn = portableSinCos(angle_rad);
+  const std::size_t last = mesh.points.size();
+  for (std::size_t i = last - static_cast<std::size_t>(mesh.pointsPerLayer); i < last; ++i) {
+    const Vec3& p = mesh.points[i];
+    place.segment<2>(3 * static_cast<Eigen::Index>(i)) << turn.cos * p.x - turn.sin * p.y,
+        turn.sin * p.x + turn.cos * p.y;
+  }
+}
+
+/// Radius and angle of the points of the outline against a plain rotation by angle z / length.
+BarTwist compareWithRotation(const BarMesh& mesh, int outlinePoints, double angle_rad, const Vector& place) {
+  BarTwist twist;
+  const double length = mesh.points.back().z;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    if (static_cast<int>(i) % mesh.pointsPerLayer < mesh.pointsPerLayer - outlinePoints) continue;
+    const Vec3& p = mesh.points[i];
+    const SinCos turn = portableSinCos(angle_rad * p.z / length);
+    const Eigen::Vector2d turned(turn.cos * p.x - turn.sin * p.y, turn.sin * p.x + turn.cos * p.y);
+    const Eigen::Vector2d found = place.segment<2>(3 * static_cast<Eigen::Index>(i));
+    const double across = turned[0] * found[1] - turned[1] * found[0];
+    const double deviation = std::abs(portableAtan2(across, turned.dot(found)));
+    twist.angleError_rad = std::max(twist.angleError_rad, deviation);
+    twist.radiusChange = std::max(twist.radiusChange, std::abs(found.norm() / turned.norm() - 1.0));
+  }
+  return twist;
+}
+
 }  // namespace
 
 FiniteElementBar::FiniteElementBar(std::span<const Point2> outline, double length_m, BarElement element,
                                    const BarDivision& division, const BarMaterial& material)
-    : mesh_(makeBarMesh(outline, length_m, element, division)), material_(material) {
+    : mesh_(makeBarMesh(outline, length_m, element, division)),
+      material_(material),
+      outlinePoints_(static_cast<int>(outline.size())),
+      layers_(division.layers) {
   checkMaterial(material);
 }
 
@@ -252,6 +361,33 @@ double FiniteElementBar::linearTorque_Nm(double angle_rad) const {
   }
   system.freePart(u) = solver.solve(-system.freePart(load));
   return angle_rad * u.dot(system.linearForces(u));  // 2 E / angle
+}
+
+BarTwist FiniteElementBar::neoHookeanTorque(double angle_rad, int steps) const {
+  checkAngle(angle_rad);
+  if (steps < 1) refuse("At least 1 sub-step is needed", "steps", "Give one for each 15 degrees");
+  if (std::abs(angle_rad) >= kMostPerLayer_rad * layers_) {
+    refuse("The twist of one layer must stay below 90 degrees", "angle", "Give more layers");
+  }
+  const BarSystem system(mesh_, material_);
+  NewtonSolve newton(system);
+  Vector place = system.rest();
+  for (int step = 1; step <= steps; ++step) {
+    turnOn(angle_rad / steps, place);
+    holdUpperEnd(angle_rad * step / steps, mesh_, place);
+    if (!newton.solve(place)) {
+      refuse("Newton's method does not converge for a twist of " + std::to_string(angle_rad) + " rad",
+             "sub-step " + std::to_string(step) + " of " + std::to_string(steps),
+             "Give more sub-steps or more layers");
+    }
+  }
+  BarTwist twist = compareWithRotation(mesh_, outlinePoints_, angle_rad, place);
+  twist.iterations = newton.iterations();
+  const Eigen::Index last = place.size() / 3;
+  for (Eigen::Index i = last - mesh_.pointsPerLayer; i < last; ++i) {
+    twist.torque_Nm += place[3 * i] * newton.force()[3 * i + 1] - place[3 * i + 1] * newton.force()[3 * i];
+  }
+  return twist;
 }
 
 std::vector<Point2> regularOutline(int points, double radius_m) {

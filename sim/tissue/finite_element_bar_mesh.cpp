@@ -40,17 +40,21 @@ void checkOutline(std::span<const Point2> outline, double length_m) {
     refuse("An outline needs at least 3 points, this one has " + std::to_string(outline.size()), "outline",
            "Give at least 3 points");
   }
+  const auto where = [](std::size_t i) { return "outline, point " + std::to_string(i + 1); };
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Point2& a = outline[i];
-    const Point2& b = outline[(i + 1) % outline.size()];
-    const std::string where = "outline, point " + std::to_string(i + 1);
-    if (!std::isfinite(a[0]) || !std::isfinite(a[1])) {
-      refuse("A coordinate is not a finite number", where, "Give finite coordinates in metres");
+    if (!std::isfinite(outline[i][0]) || !std::isfinite(outline[i][1])) {
+      refuse("A coordinate is not a finite number", where(i), "Give finite coordinates in metres");
     }
-    if (!(orientation({0.0, 0.0}, a, b) > 0.0)) {
-      refuse("The outline does not run anticlockwise around the axis here", where,
+  }
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    if (!(orientation({0.0, 0.0}, outline[i], outline[(i + 1) % outline.size()]) > 0.0)) {
+      refuse("The outline does not run anticlockwise around the axis here", where(i),
              "Give an anticlockwise outline that is star-shaped about (0, 0)");
     }
+  }
+  if (const auto crossing = firstSelfCrossing(outline)) {
+    refuse("The outline runs around the axis more than once",
+           where(static_cast<std::size_t>(crossing->first)), "Give an outline without crossings");
   }
 }
 
