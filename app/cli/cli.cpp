@@ -31,9 +31,13 @@ void buildProgram(CLI::App& program) {
   program.require_subcommand(1);
   program.footer("Without a command Torsio opens its window. Exit codes: docs/cli.md.");
   addAgreement(program);
+  addAllocate(program);
   addBench(program);
+  addCompareGroups(program);
   addDemo(program);
   addEvaluate(program);
+  addLearning(program);
+  addMetrics(program);
   addReplay(program);
   addSection(program);
   addTwist(program);

@@ -10,9 +10,13 @@ namespace torsio::cli {
 // Each adds one command with its options; the command runs as the option parser's callback and throws
 // torsio::Error when it refuses. One source a command: command_<name>.cpp.
 void addAgreement(CLI::App& program);
+void addAllocate(CLI::App& program);
 void addBench(CLI::App& program);
+void addCompareGroups(CLI::App& program);
 void addDemo(CLI::App& program);
 void addEvaluate(CLI::App& program);
+void addLearning(CLI::App& program);
+void addMetrics(CLI::App& program);
 void addReplay(CLI::App& program);
 void addSection(CLI::App& program);
 void addTwist(CLI::App& program);

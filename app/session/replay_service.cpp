@@ -28,10 +28,14 @@ std::string fullTrialId(TrialRepository& trials, const std::string& text) {
 
 }  // namespace
 
-ReplayResult replayStoredTrial(const ReplayRequest& request) {
-  Connection connection = openRecord(request.database, OpenMode::kReadOnly);
+Trial loadStoredTrial(const std::string& database, const std::string& trialId) {
+  Connection connection = openRecord(database, OpenMode::kReadOnly);
   TrialRepository trials(connection);
-  const Trial trial = trials.load(fullTrialId(trials, request.trialId));
+  return trials.load(fullTrialId(trials, trialId));
+}
+
+ReplayResult replayStoredTrial(const ReplayRequest& request) {
+  const Trial trial = loadStoredTrial(request.database, request.trialId);
   SceneRequest wanted = sceneRequestFor(trial.header.parametersJson);
   wanted.assets = request.assets;
   wanted.id = trial.header.sceneId;

@@ -9,6 +9,10 @@
 
 namespace torsio {
 
+/// The stored trial whose id is `trialId` or, alone of all, begins with it. The database is opened read-only.
+/// Throws Error: no such trial, several such trials, or what the database refuses.
+[[nodiscard]] Trial loadStoredTrial(const std::string& database, const std::string& trialId);
+
 struct ReplayRequest {
   std::string database;  ///< file or postgresql:// locator, opened read-only
   std::string trialId;   ///< or its first characters, when no other trial begins so

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/json_output.h"
+#include "app/session/csv_table.h"
+#include "assessment/statistics/curve_fit.h"
+#include "assessment/statistics/cusum.h"
+#include "sim/base/error.h"
+
+namespace torsio::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct LearningArguments {
+  std::string file;
+  double adequate = 0.1;
+  double inadequate = 0.2;
+  double falsePass = 0.1;
+  std::optional<double> limit;
+  double alpha = 0.1;
+  double beta = 0.1;
+  std::optional<double> target;
+  std::optional<double> sigma;
+  double h = 5.0;
+};
+
+constexpr std::int64_t kMostAttempts = 100'000;
+constexpr double kUsualReference = 0.5;  // k of the tabular CUSUM, in sigma
+
+/// Attempts of one subject in their order.
+struct Attempts {
+  std::string subject;
+  std::map<std::int64_t, std::size_t> rowOf;  // attempt -> row
+};
+
+std::vector<Attempts> readAttempts(const CsvTable& table) {
+  std::vector<Attempts> list;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string& name = table.text(row, "subject");
+    const std::int64_t attempt = table.whole(row, "attempt", 1, kMostAttempts);
+    auto found =
+        std::find_if(list.begin(), list.end(), [&](const Attempts& other) { return other.subject == name; });
+    if (found == list.end()) found = list.insert(list.end(), Attempts{name, {}});
+    const auto [first, isNew] = found->rowOf.emplace(attempt, row);
+    if (!isNew)
+      table.refuse(row,
+                   "attempt " + std::to_string(attempt) + " of subject \"" + name +
+                       "\" is given a second time, first in " + table.where(first->second),
+                   "Keep one value for each subject and attempt");
+  }
+  return list;
+}
+
+std::optional<bool> failedAt(const CsvTable& table, std::size_t row) {
+  const std::string& text = table.cell(row, "value");
+  if (text == "pass") return false;
+  if (text == "fail") return true;
+  return std::nullopt;
+}
+
+/// Whether the table holds pass and fail; both kinds together are refused.
+bool holdsOutcomes(const CsvTable& table) {
+  const bool outcomes = failedAt(table, 0).has_value();
+  for (std::size_t row = 1; row < table.rows(); ++row)
+    if (failedAt(table, row).has_value() != outcomes)
+      table.refuse(row,
+                   "value \"" + table.cell(row, "value") + "\" stands among " +
+                       (outcomes ? "pass and fail" : "numbers"),
+                   "Give either numbers or pass and fail in the whole column");
+  return outcomes;
+}
+
+Json curveJson(LearningFamily family, const std::vector<double>& t, const std::vector<double>& y) {
+  return outcomeJson(fitLearningCurve(family, t, y), [&](const LearningCurve& curve) {
+    Json out{{"asymptote", curve.asymptote}, {"gain", curve.gain}, {"rate", curve.rate}};
+    const std::vector<double>& errors = curve.fit.errors;
+    const std::size_t shift = curve.asymptoteAtZero ? 1 : 0;
+    out["asymptote_error"] =
+        curve.asymptoteAtZero ? undefinedJson("the asymptote is held at its bound 0") : Json(errors[0]);
+    out["gain_error"] = errors[1 - shift];
+    out["rate_error"] = errors[2 - shift];
+    out["asymptote_at_zero"] = curve.asymptoteAtZero;
+    out["rss"] = curve.fit.rss;
+    out["sigma"] = curve.fit.sigma;
+    out["aicc"] = curve.fit.aicc;
+    out["band"] = Json::array();
+    for (const double attempt : t) {
+      const Interval band = learningBandAt(curve, attempt);
+      out["band"].push_back({{"attempt", static_cast<std::int64_t>(attempt)},
+                             {"value", learningCurveAt(curve, attempt)},
+                             {"lower", band.lower},
+                             {"upper", band.upper}});
+    }
+    return out;
+  });
+}
+
+Json tabularJson(const LearningArguments& arguments, const std::vector<double>& y) {
+  const TabularCusum cusum =
+      tabularCusum(y, *arguments.target, kUsualReference * *arguments.sigma, arguments.h * *arguments.sigma);
+  Json out{{"upper", Json::array()}, {"lower", Json::array()}};
+  for (const TabularCusumPoint& point : cusum.points) {
+    out["upper"].push_back(point.upper);
+    out["lower"].push_back(point.lower);
+  }
+  out["first_signal"] = cusum.firstSignal ? Json(*cusum.firstSignal) : undefinedJson("there is no signal");
+  out["average_run_length"] = averageRunLengthTwoSided(kUsualReference, arguments.h, 0.0);
+  return out;
+}
+
+Json valuesJson(const LearningArguments& arguments, const CsvTable& table,
+                const std::vector<Attempts>& subjects) {
+  Json list = Json::array();
+  for (const Attempts& subject : subjects) {
+    std::vector<double> t;
+    std::vector<double> y;
+    for (const auto& [attempt, row] : subject.rowOf) {
+      t.push_back(static_cast<double>(attempt));
+      y.push_back(table.number(row, "value"));
+    }
+    Json entry{{"subject", subject.subject}, {"attempts", y.size()}};
+    entry["power"] = curveJson(LearningFamily::kPower, t, y);
+    entry["exponential"] = curveJson(LearningFamily::kExponential, t, y);
+    const bool both = entry["power"].contains("aicc") && entry["exponential"].contains("aicc");
+    entry["better_by_aicc"] =
+        !both ? undefinedJson("it takes a fit of both families")
+              : Json(entry["power"]["aicc"].get<double>() < entry["exponential"]["aicc"].get<double>()
+                         ? "power"
+                         : "exponential");
+    entry["log_log"] = outcomeJson(logLogLine(t, y), [](const LogLogLine& line) {
+      return Json{{"intercept", line.intercept},
+                  {"slope", line.slope},
+                  {"rate_per_doubling", line.ratePerDoubling},
+                  {"r_squared", line.rSquared}};
+    });
+    if (arguments.target) entry["cusum"] = tabularJson(arguments, y);
+    list.push_back(std::move(entry));
+  }
+  return {{"kind", "values"}, {"subjects", list}};
+}
+
+/// The outcomes of attempts 1, 2, 3 ...: a CUSUM has no place for a gap.
+std::vector<bool> outcomesOf(const CsvTable& table, const Attempts& subject) {
+  std::vector<bool> failed;
+  for (const auto& [attempt, row] : subject.rowOf) {
+    if (attempt != std::ssize(failed) + 1)
+      table.refuse(row,
+                   "subject \"" + subject.subject + "\" has attempt " + std::to_string(attempt) +
+                       " but no attempt " + std::to_string(failed.size() + 1),
+                   "Number the attempts 1, 2, 3 ... without gaps");
+    failed.push_back(failedAt(table, row).value_or(false));
+  }
+  return failed;
+}
+
+Json outcomeSubjectJson(const LearningArguments& arguments, const LcCusumDesign& design,
+                        const std::string& name, const std::vector<bool>& failed) {
+  Json entry{{"subject", name}, {"attempts", failed.size()}};
+  entry["failures"] = std::count(failed.begin(), failed.end(), true);
+  const BinaryCusum cusum =
+      binaryCusum(failed, arguments.adequate, arguments.inadequate, arguments.alpha, arguments.beta);
+  entry["cusum"] = {{"s", cusum.s}, {"h0", cusum.h0}, {"h1", cusum.h1}, {"sums", cusum.sums}};
+  const LcCusum learning = lcCusum(failed, design);
+  Json lc{{"success_weight", learning.successWeight},
+          {"failure_weight", learning.failureWeight},
+          {"sums", learning.sums}};
+  const std::string never = "competence was not reached";
+  lc["competent_at"] = learning.competentAt ? Json(*learning.competentAt) : undefinedJson(never);
+  entry["lc_cusum"] = std::move(lc);
+  if (!learning.competentAt) {
+    entry["relapse"] = undefinedJson(never);
+    return entry;
+  }
+  const std::vector<bool> later(failed.begin() + static_cast<std::ptrdiff_t>(*learning.competentAt),
+                                failed.end());
+  const RelapseWatch watch = watchForRelapse(later, design);
+  entry["relapse"] = {{"sums", watch.sums},
+                      {"alarm_at", watch.alarmAt ? Json(*learning.competentAt + *watch.alarmAt)
+                                                 : undefinedJson("there is no alarm")}};
+  return entry;
+}
+
+Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
+                  const std::vector<Attempts>& subjects) {
+  std::size_t longest = 0;
+  for (const Attempts& subject : subjects) longest = std::max(longest, subject.rowOf.size());
+  const std::optional<double> limit =
+      arguments.limit
+          ? arguments.limit
+          : chooseLcCusumLimit(arguments.adequate, arguments.inadequate, longest, arguments.falsePass);
+  if (!limit)
+    throw Error(ErrorCode::kBadData,
+                "no limit keeps the false pass rate below " + std::to_string(arguments.falsePass) +
+                    " in so few attempts",
+                table.name(), "Record more attempts, or give --limit or a larger --false-pass");
+  const LcCusumDesign design{arguments.adequate, arguments.inadequate, *limit};
+  Json out{{"kind", "pass/fail"}};
+  out["design"] = {{"adequate", design.adequate},
+                   {"inadequate", design.inadequate},
+                   {"limit", design.limit},
+                   {"limit_chosen", !arguments.limit.has_value()},
+                   {"attempts", longest},
+                   {"pass_if_adequate", lcCusumProbability(design, design.adequate, longest)},
+                   {"pass_if_inadequate", lcCusumProbability(design, design.inadequate, longest)}};
+  out["subjects"] = Json::array();
+  for (const Attempts& subject : subjects)
+    out["subjects"].push_back(
+        outcomeSubjectJson(arguments, design, subject.subject, outcomesOf(table, subject)));
+  return out;
+}
+
+void runLearning(const LearningArguments& arguments) {
+  if (!(arguments.adequate < arguments.inadequate))
+    throw Error(ErrorCode::kBadParameter, "the adequate failure rate must be below the inadequate one",
+                "--adequate " + std::to_string(arguments.adequate), "Give for example 0.1 and 0.2");
+  if (arguments.target.has_value() != arguments.sigma.has_value())
+    throw Error(ErrorCode::kUsage, "a CUSUM of values needs both --target and --sigma", "learning",
+                "Give both or none");
+  const CsvTable table = CsvTable::read(arguments.file, {"subject", "attempt", "value"});
+  noteIgnoredColumns(table);
+  const std::vector<Attempts> subjects = readAttempts(table);
+  printJson(holdsOutcomes(table) ? outcomesJson(arguments, table, subjects)
+                                 : valuesJson(arguments, table, subjects));
+}
+
+}  // namespace
+
+void addLearning(CLI::App& program) {
+  auto arguments = std::make_shared<LearningArguments>();
+  CLI::App* command =
+      program.add_subcommand("learning", "Learning curves of values; CUSUM and LC-CUSUM of pass and fail");
+  command->add_option("FILE", arguments->file, "CSV: subject,attempt,value with numbers or pass and fail")
+      ->required();
+  const auto rate = CLI::Range(0.001, 0.999);
+  command->add_option("--adequate", arguments->adequate, "Acceptable failure rate")
+      ->check(rate)
+      ->capture_default_str();
+  command->add_option("--inadequate", arguments->inadequate, "Unacceptable failure rate")
+      ->check(rate)
+      ->capture_default_str();
+  command
+      ->add_option("--false-pass", arguments->falsePass,
+                   "How often an inadequate trainee may pass; decides the limit")
+      ->check(rate)
+      ->capture_default_str();
+  command->add_option("--limit", arguments->limit, "Limit h of the LC-CUSUM instead of the chosen one")
+      ->check(CLI::Range(0.01, 100.0));
+  command->add_option("--alpha", arguments->alpha, "Of the success-failure CUSUM")
+      ->check(rate)
+      ->capture_default_str();
+  command->add_option("--beta", arguments->beta, "Of the success-failure CUSUM")
+      ->check(rate)
+      ->capture_default_str();
+  command->add_option("--target", arguments->target, "Values: target of a tabular CUSUM");
+  command->add_option("--sigma", arguments->sigma, "Values: standard deviation in control")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--cusum-limit", arguments->h, "Values: limit of the CUSUM in sigma")
+      ->check(CLI::Range(0.1, 100.0))
+      ->capture_default_str();
+  command->callback([arguments] { runLearning(*arguments); });
+}
+
+}  // namespace torsio::cli
