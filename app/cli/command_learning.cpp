@@ -192,8 +192,12 @@ Json outcomeSubjectJson(const LearningArguments& arguments, const LcCusumDesign&
 
 Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
                   const std::vector<Attempts>& subjects) {
+  std::vector<std::vector<bool>> failed;  // first, so that a faulty table is named before anything else
   std::size_t longest = 0;
-  for (const Attempts& subject : subjects) longest = std::max(longest, subject.rowOf.size());
+  for (const Attempts& subject : subjects) {
+    failed.push_back(outcomesOf(table, subject));
+    longest = std::max(longest, failed.back().size());
+  }
   const std::optional<double> limit =
       arguments.limit
           ? arguments.limit
@@ -213,9 +217,8 @@ Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
                    {"pass_if_adequate", lcCusumProbability(design, design.adequate, longest)},
                    {"pass_if_inadequate", lcCusumProbability(design, design.inadequate, longest)}};
   out["subjects"] = Json::array();
-  for (const Attempts& subject : subjects)
-    out["subjects"].push_back(
-        outcomeSubjectJson(arguments, design, subject.subject, outcomesOf(table, subject)));
+  for (std::size_t i = 0; i < subjects.size(); ++i)
+    out["subjects"].push_back(outcomeSubjectJson(arguments, design, subjects[i].subject, failed[i]));
   return out;
 }
 

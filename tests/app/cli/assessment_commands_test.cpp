@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The assessment from the command line: known numbers in, the documented JSON out; bad tables refused with
+// file, line, value and rule.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/session/assets.h"
+#include "app/session/pipeline.h"
+#include "sim/base/error.h"
+#include "sim/record/trial_file.h"
+#include "tests/app/cli/program.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::emptyFolder;
+using test::ProgramRun;
+using test::runTorsio;
+
+constexpr double kPublished = 1e-8;  // the sources below print eight or nine digits
+
+class AssessmentCommands : public testing::Test {
+ protected:
+  fs::path folder_ = emptyFolder("assessment");
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return (folder_ / name).string();
+  }
+  json answer(const std::string& arguments, int code = 0) const {
+    const ProgramRun run = runTorsio(arguments, folder_);
+    EXPECT_EQ(run.code, code) << run.err;
+    return run.out.empty() ? json() : json::parse(run.out);
+  }
+  void expectRefused(const std::string& arguments, const std::vector<std::string>& mentions) const {
+    SCOPED_TRACE(arguments);
+    const ProgramRun run = runTorsio(arguments, folder_);
+    EXPECT_EQ(run.code, static_cast<int>(ErrorCode::kBadData)) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    for (const std::string& mention : mentions)
+      EXPECT_NE(run.err.find(mention), std::string::npos) << mention << " is not in " << run.err;
+  }
+};
+
+/// 20 interns, 10 deputy chiefs and 10 chiefs, who give 7, 8 and 9 for everything.
+std::string paperTable() {
+  std::string text = "\xEF\xBB\xBFscore,model,class,rater,index\r\n";
+  const auto add = [&](const std::string& raterClass, int count, const std::string& score) {
+    for (int r = 0; r < count; ++r)
+      for (int j = 1; j <= 9; ++j) {
+        text.append(score).append(",PM,").append(raterClass).append(",");
+        text.append(raterClass).append(std::to_string(r)).append(",");
+        text.append(std::to_string(j)).append("\r\n");
+      }
+  };
+  add("A", 20, "7");
+  add("B", 10, "8");
+  add("C", 10, "9");
+  return text;
+}
+
+TEST_F(AssessmentCommands, EvaluateReadsAnyColumnOrderAndGivesTheScoresOfThePaper) {
+  // Eq. 25: 0.2 x 7 + 0.3 x 8 + 0.5 x 9 = 8.3; plain mean (140 + 80 + 90) / 40 = 7.75;
+  // Eq. 26: (20 x 1.69 + 10 x 0.09 + 10 x 0.49) / 40 = 0.99.
+  const json model = answer("evaluate --ratings " + write("paper.csv", paperTable()))["models"][0];
+  EXPECT_EQ(model["model"], "PM");
+  EXPECT_EQ(model["N"], 8.3);
+  ASSERT_EQ(model["indices"].size(), 9U);
+  for (const json& index : model["indices"]) {
+    EXPECT_EQ(index["M"], 8.3);
+    EXPECT_EQ(index["s2"], 0.99);
+    EXPECT_EQ(index["n"], 40);
+    EXPECT_EQ(index["plain_mean"], 7.75);
+    EXPECT_EQ(index["se"], 0.0);
+  }
+  EXPECT_EQ(model["indices"][8]["index"], 9);
+  EXPECT_EQ(model["composites"].size(), 40U);
+  EXPECT_TRUE(model["flags"].empty());
+}
+
+const char* const kFiveRaters =
+    "index,rater,class,model,score\n1,a1,A,m,6\n1,a2,A,m,8\n1,b1,B,m,7\n1,b2,B,m,9\n";
+
+TEST_F(AssessmentCommands, EvaluateTakesOtherInstrumentsAndSaysWhatIsUndefined) {
+  // A = (6, 8), B = (7, 9), C = (9): M = 83/10, s2 = 161/100, sample variance 1.70.
+  const std::string file = write("five.csv", std::string(kFiveRaters) + "1,c1,C,m,9\n");
+  const ProgramRun run = runTorsio("evaluate --weights 1 --ratings " + file, folder_);
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("\"s2\": 1.6100000000000001,"), std::string::npos) << "17 significant digits";
+  const json index = json::parse(run.out)["models"][0]["indices"][0];
+  EXPECT_EQ(index["M"], 8.3);
+  EXPECT_EQ(index["s2"], 1.61);
+  EXPECT_EQ(index["sample_variance"], 1.7);
+  EXPECT_EQ(index["population_variance"], 1.36);
+  EXPECT_TRUE(index["se"].contains("undefined"));
+}
+
+TEST_F(AssessmentCommands, EvaluateRefusesAnEmptyClassUnlessTheWeightsAreSharedOut) {
+  // Without class C: weights 0.4 / 0.6, M = 38/5, s2 = 63/50.
+  const std::string file = write("four.csv", kFiveRaters);
+  expectRefused("evaluate --weights 1 --ratings " + file, {"four.csv", "class C"});
+  const json model = answer("evaluate --weights 1 --policy renormalise --ratings " + file)["models"][0];
+  EXPECT_EQ(model["indices"][0]["M"], 7.6);
+  EXPECT_EQ(model["indices"][0]["s2"], 1.26);
+  EXPECT_EQ(model["flags"], json::array({"few raters", "renormalised"}));
+}
+
+TEST_F(AssessmentCommands, EvaluateKeepsMissingMarksApartFromZero) {
+  const std::string file = write("hole.csv", std::string(kFiveRaters) + "1,c1,C,m,9\n1,c2,C,m,\n");
+  expectRefused("evaluate --weights 1 --policy refuse --ratings " + file, {"hole.csv", "c2"});
+  const json model = answer("evaluate --weights 1 --ratings " + file)["models"][0];
+  EXPECT_EQ(model["indices"][0]["M"], 8.3);
+  EXPECT_EQ(model["indices"][0]["n"], 5);
+  EXPECT_EQ(model["flags"], json::array({"available-case"}));
+  EXPECT_TRUE(model["composites"].back()["score"].contains("undefined"));
+}
+
+TEST_F(AssessmentCommands, EvaluateRefusesBadMarksWithLineValueAndRule) {
+  const auto refused = [&](const std::string& row, const std::vector<std::string>& mentions) {
+    const std::string file = write("bad.csv", std::string(kFiveRaters) + row + "\n");
+    std::vector<std::string> all = mentions;
+    all.push_back("bad.csv, line 6");
+    expectRefused("evaluate --weights 1 --ratings " + file, all);
+  };
+  refused("1,c1,C,m,11", {"11", "outside the scale"});
+  refused("1,c1,C,m,-1", {"-1", "outside the scale"});
+  refused("1,c1,C,m,nan", {"nan", "not a finite number"});
+  refused("1,c1,C,m,inf", {"inf", "not a finite number"});
+  refused("1,c1,C,m,good", {"good", "not a number"});
+  refused("1,c1,C,m,\"8,5\"", {"8,5", "decimal comma"});
+  refused("1,c1,C,m,8,5", {"6 values", "8,5", "decimal comma"});
+  refused("1,c1,C,m,8.25", {"8.25", "between two steps"});
+  refused("1,a1,A,m,6", {"a1", "second time", "line 2"});
+  refused("1,a1,B,n,6", {"a1", "line 2", "one class"});
+  refused("1,d1,D,m,6", {"\"D\"", "A, B, C"});
+  refused("2,c1,C,m,6", {"\"2\"", "1 to 1"});
+  refused("1,,C,m,6", {"rater", "empty"});
+  refused("1,c1,C,m,\"6", {"quote"});
+}
+
+TEST_F(AssessmentCommands, TablesWithoutProperHeaderAreRefused) {
+  const auto refused = [&](const std::string& text, const std::string& mention) {
+    expectRefused("agreement --ratings " + write("table.csv", text), {"table.csv", mention});
+  };
+  refused("", "empty");
+  refused("target,rater,score\n", "no rows");
+  refused("target,rater\nt,r\n", "\"score\"");
+  refused("t1,r1,5\nt2,r1,6\n", "\"target\"");
+  refused("target;rater;score\nt1;r1;5\n", "commas");
+  refused("target,rater,score,score\nt1,r1,5,5\n", "twice");
+  refused("target,rater,score\nt1,r\xFF,5\n", "UTF-8");
+  refused(std::string("t\0a", 3), "UTF-8");
+}
+
+std::string ratingTable(const std::vector<std::vector<int>>& targets) {
+  std::string text = "target,rater,score\n";
+  for (std::size_t t = 0; t < targets.size(); ++t)
+    for (std::size_t r = 0; r < targets[t].size(); ++r)
+      if (targets[t][r] != 0)
+        text.append("t")
+            .append(std::to_string(t))
+            .append(",r")
+            .append(std::to_string(r))
+            .append(",")
+            .append(std::to_string(targets[t][r]) + "\n");
+  return text;
+}
+
+TEST_F(AssessmentCommands, AgreementGivesTheTableOfShroutAndFleiss) {
+  // Shrout and Fleiss (1979), table 2; digits beyond the published ones from R.
+  const std::string file = write(
+      "sf.csv",
+      ratingTable({{9, 2, 5, 8}, {6, 1, 3, 2}, {8, 4, 6, 8}, {7, 1, 2, 6}, {10, 5, 6, 9}, {6, 2, 4, 7}}));
+  const json out = answer("agreement --ratings " + file);
+  const auto expectForm = [&](const char* name, double estimate, double lower, double upper) {
+    EXPECT_NEAR(out["icc"][name]["estimate"].get<double>(), estimate, kPublished) << name;
+    EXPECT_NEAR(out["icc"][name]["lower"].get<double>(), lower, kPublished) << name;
+    EXPECT_NEAR(out["icc"][name]["upper"].get<double>(), upper, kPublished) << name;
+  };
+  expectForm("ICC(1,1)", 0.165741768, -0.132932325, 0.722560062);
+  expectForm("ICC(2,1)", 0.289763780, 0.018786513, 0.761084370);
+  expectForm("ICC(3,1)", 0.714840715, 0.342464765, 0.945858260);
+  expectForm("ICC(1,k)", 0.442797134, -0.884442155, 0.912415420);
+  expectForm("ICC(2,k)", 0.620050548, 0.071136815, 0.927232040);
+  expectForm("ICC(3,k)", 0.909315542, 0.675674714, 0.985891678);
+  EXPECT_NEAR(out["cronbach"]["alpha"].get<double>(), 0.909315542, kPublished);
+}
+
+TEST_F(AssessmentCommands, AgreementWithHolesKeepsKrippendorffOnly) {
+  // Krippendorff's table of four observers and twelve units; 0 stands for a missing value.
+  const std::vector<std::vector<int>> coders = {{1, 2, 3, 3, 2, 1, 4, 1, 2, 0, 0, 0},
+                                                {1, 2, 3, 3, 2, 2, 4, 1, 2, 5, 0, 3},
+                                                {0, 3, 3, 3, 2, 3, 4, 2, 2, 5, 1, 0},
+                                                {1, 2, 3, 3, 2, 4, 4, 1, 2, 5, 1, 0}};
+  std::vector<std::vector<int>> units(12, std::vector<int>(4));
+  for (std::size_t c = 0; c < 4; ++c)
+    for (std::size_t u = 0; u < 12; ++u) units[u][c] = coders[c][u];
+  const json out = answer("agreement --ratings " + write("holes.csv", ratingTable(units)));
+  EXPECT_NEAR(out["krippendorff"]["nominal"].get<double>(), 0.743421053, kPublished);
+  EXPECT_NEAR(out["krippendorff"]["ordinal"].get<double>(), 0.815387504, kPublished);
+  EXPECT_NEAR(out["krippendorff"]["interval"].get<double>(), 0.849107143, kPublished);
+  EXPECT_NEAR(out["krippendorff"]["ratio"].get<double>(), 0.797402775, kPublished);
+  EXPECT_TRUE(out["icc"]["ICC(2,k)"].contains("undefined"));
+  EXPECT_TRUE(out["kendall_w"].contains("undefined"));
+}
+
+TEST_F(AssessmentCommands, AgreementOfOneRaterOrWithoutVariationIsUndefined) {
+  for (const json& out :
+       {answer("agreement --ratings " + write("one.csv", ratingTable({{3}, {4}, {5}}))),
+        answer("agreement --ratings " + write("same.csv", ratingTable({{5, 5}, {5, 5}, {5, 5}})))}) {
+    EXPECT_TRUE(out["icc"]["ICC(1,1)"].contains("undefined")) << out;
+    EXPECT_TRUE(out["krippendorff"]["interval"].contains("undefined")) << out;
+    EXPECT_TRUE(out["kendall_w"].contains("undefined")) << out;
+    EXPECT_TRUE(out["cronbach"].contains("undefined")) << out;
+  }
+}
+
+const std::vector<std::pair<std::string, std::vector<std::string>>> kPlantGrowth = {
+    {"ctrl", {"4.17", "5.58", "5.18", "6.11", "4.50", "4.61", "5.17", "4.53", "5.33", "5.14"}},
+    {"trt1", {"4.81", "4.17", "4.41", "3.59", "5.87", "3.83", "6.03", "4.89", "4.32", "4.69"}},
+    {"trt2", {"6.31", "5.12", "5.54", "5.50", "5.37", "5.29", "4.92", "6.15", "5.80", "5.26"}}};
+
+std::string groupTable() {
+  std::string text = "subject,group,score\n";
+  for (const auto& [group, values] : kPlantGrowth)
+    for (std::size_t i = 0; i < values.size(); ++i)
+      text.append(group + std::to_string(i)).append(",").append(group).append(",").append(values[i] + "\n");
+  return text;
+}
+
+TEST_F(AssessmentCommands, CompareGroupsGivesTheTestsOfPlantGrowth) {
+  // R's PlantGrowth: aov, oneway.test, kruskal.test, TukeyHSD, t.test, wilcox.test.
+  const json out = answer("compare-groups " + write("plants.csv", groupTable()));
+  EXPECT_NEAR(out["anova"]["statistic"].get<double>(), 4.84608786, kPublished);
+  EXPECT_NEAR(out["anova"]["p"].get<double>(), 0.0159099583, kPublished);
+  EXPECT_EQ(out["anova"]["df"], json::array({2.0, 27.0}));
+  EXPECT_NEAR(out["anova"]["effect_size"]["value"].get<double>(), 0.204078846, kPublished);
+  EXPECT_NEAR(out["welch_anova"]["statistic"].get<double>(), 5.18097241, kPublished);
+  EXPECT_NEAR(out["kruskal_wallis"]["statistic"].get<double>(), 7.98822875, kPublished);
+  EXPECT_NEAR(out["kruskal_wallis"]["effect_size"]["value"].get<double>(), 0.275456164, kPublished);
+  EXPECT_NEAR(out["kruskal_wallis"]["dunn"][2]["p_holm"].get<double>(), 0.015000871, kPublished);
+  EXPECT_NEAR(out["tukey"]["pairs"][2]["p"].get<double>(), 0.012006424, 1e-7);
+  EXPECT_NEAR(out["games_howell"]["pairs"][1]["p"].get<double>(), 0.112889177, 1e-7);
+  const json& welch = out["welch_t"]["pairs"][1];
+  EXPECT_EQ(welch["groups"], json::array({"ctrl", "trt2"}));
+  EXPECT_NEAR(welch["statistic"].get<double>(), -2.13402045, kPublished);
+  EXPECT_NEAR(welch["df"].get<double>(), 16.7857645, 1e-7);
+  EXPECT_NEAR(welch["effect_size"]["value"].get<double>(), -0.91394228, kPublished);
+  EXPECT_NEAR(welch["effect_size"]["lower"].get<double>(), -1.7929085, 1e-7);
+  EXPECT_NEAR(out["mann_whitney"]["pairs"][0]["p"].get<double>(), 0.196756804, kPublished);
+  EXPECT_EQ(out["permutation"]["pairs"][2]["count"], 1592);
+  EXPECT_FALSE(out.contains("ancova"));
+}
+
+TEST_F(AssessmentCommands, CompareGroupsAddsAncovaAndMixedAnovaWithOccasions) {
+  std::string text = "subject,group,occasion,score\n";
+  for (int s = 0; s < 6; ++s) {
+    std::string who = "s";
+    who.append(std::to_string(s)).append(s < 3 ? ",one," : ",two,");
+    text += who + "before," + std::to_string(3 + s % 3) + "\n";
+    text += who + "after," + std::to_string(5 + (2 * s + s % 2) % 5) + "\n";
+  }
+  const json out = answer("compare-groups " + write("training.csv", text));
+  EXPECT_EQ(out["occasion"], "after");
+  EXPECT_TRUE(out["ancova"].contains("p")) << out["ancova"];
+  EXPECT_EQ(out["ancova"]["df"], json::array({1.0, 3.0}));  // six trainees, two groups, one slope
+  EXPECT_EQ(out["mixed_anova"]["interaction"]["df"], json::array({1.0, 4.0}));
+  EXPECT_TRUE(out["welch_t"].contains("statistic"));
+  EXPECT_TRUE(out["hedges_g"].contains("value"));
+}
+
+TEST_F(AssessmentCommands, CompareGroupsRefusesTwoScoresAndSaysWhatOneGroupLacks) {
+  expectRefused("compare-groups " + write("two.csv", "subject,group,score\na,x,1\nb,x,2\na,x,3\n"),
+                {"two.csv, line 4", "\"a\"", "line 2"});
+  expectRefused("compare-groups " + write("moved.csv", "subject,group,occasion,score\na,x,1,1\na,y,2,2\n"),
+                {"moved.csv, line 3", "one group"});
+  const json out = answer("compare-groups " + write("lone.csv", "subject,group,score\na,x,1\nb,x,2\n"));
+  for (const char* name : {"welch_t", "anova", "welch_anova", "mann_whitney", "kruskal_wallis", "tukey"})
+    EXPECT_TRUE(out[name].contains("undefined")) << name;
+}
+
+TEST_F(AssessmentCommands, LearningFindsTheCurveThatMadeTheValues) {
+  // Exact values of 20 + 40 exp(-0.25 (t - 1)).
+  std::string text = "attempt,subject,value\n";
+  for (int t = 1; t <= 12; ++t)
+    text += std::to_string(t) + ",P01," + std::to_string(20.0 + 40.0 * std::exp(-0.25 * (t - 1))) + "\n";
+  const json subject = answer("learning " + write("curve.csv", text))["subjects"][0];
+  constexpr double kSixDecimals = 1e-4;  // the values are written with six decimals
+  EXPECT_NEAR(subject["exponential"]["asymptote"].get<double>(), 20.0, kSixDecimals);
+  EXPECT_NEAR(subject["exponential"]["gain"].get<double>(), 40.0, kSixDecimals);
+  EXPECT_NEAR(subject["exponential"]["rate"].get<double>(), 0.25, kSixDecimals);
+  EXPECT_EQ(subject["exponential"]["band"].size(), 12U);
+  const json few = answer("learning " + write("few.csv", "subject,attempt,value\na,1,5\na,2,4\n"));
+  EXPECT_TRUE(few["subjects"][0]["power"].contains("undefined"));
+}
+
+TEST_F(AssessmentCommands, LearningOfPassAndFailDrawsCusums) {
+  // Biau and Porcher's weights for 0.1 and 0.2: +ln(0.9/0.8) and -ln(0.2/0.1).
+  std::string text = "subject,attempt,value\n";
+  for (int t = 1; t <= 40; ++t)
+    text.append("P01,").append(std::to_string(t)).append(t == 3 ? ",fail\n" : ",pass\n");
+  const std::string file = write("outcomes.csv", text);
+  const json out = answer("learning --limit 1.25 " + file);
+  EXPECT_EQ(out["kind"], "pass/fail");
+  const json& lc = out["subjects"][0]["lc_cusum"];
+  EXPECT_NEAR(lc["success_weight"].get<double>(), 0.117783036, kPublished);
+  EXPECT_NEAR(lc["failure_weight"].get<double>(), -0.693147181, kPublished);
+  EXPECT_EQ(lc["competent_at"], 14);  // back at 0 after the failure, then 11 x 0.1178 > 1.25
+  EXPECT_NEAR(out["subjects"][0]["cusum"]["h0"].get<double>(), 2.709511291, kPublished);
+  const json chosen = answer("learning " + file)["design"];
+  EXPECT_TRUE(chosen["limit_chosen"].get<bool>());
+  EXPECT_LE(chosen["pass_if_inadequate"].get<double>(), 0.1);
+}
+
+TEST_F(AssessmentCommands, LearningRefusesGapsDuplicatesAndMixtures) {
+  const std::string header = "subject,attempt,value\n";
+  expectRefused("learning " + write("gap.csv", header + "a,1,pass\na,3,fail\n"), {"line 3", "no attempt 2"});
+  expectRefused("learning " + write("two.csv", header + "a,1,5\na,1,6\n"), {"line 3", "line 2"});
+  expectRefused("learning " + write("mix.csv", header + "a,1,pass\na,2,6\n"), {"line 3", "\"6\""});
+  expectRefused("learning " + write("zero.csv", header + "a,0,6\n"), {"line 2", "whole number"});
+  expectRefused("learning " + write("word.csv", header + "a,1,6\na,2,x\n"), {"line 3", "\"x\""});
+}
+
+std::string personList() {
+  std::string list;
+  for (int i = 1; i <= 30; ++i) list.append(i > 1 ? ", \"P" : "\"P").append(std::to_string(i)).append("\"");
+  return list;
+}
+
+std::string armsOf(const json& allocation) {
+  std::string arms;
+  for (const json& record : allocation["records"]) arms += record["arm"].get<std::string>();
+  return arms;
+}
+
+TEST_F(AssessmentCommands, AllocateGivesThePermutationOfItsSeedAndReplaysIt) {
+  // mt19937_64 with seed 20240601, Fisher-Yates from the back; the same by an independent program.
+  const std::string design =
+      write("design.json",
+            R"({"study": "S1", "method": "complete permutation", "arms": ["1", "2", "3"], "persons": [)" +
+                personList() + "]}");
+  const ProgramRun run = runTorsio("allocate --seed 20240601 --design " + design, folder_);
+  ASSERT_EQ(run.code, 0) << run.err;
+  json allocation = json::parse(run.out);
+  EXPECT_EQ(armsOf(allocation), "111223221333311211322231233321");
+  EXPECT_EQ(allocation["counts"]["2"], 10);
+  const json replay = answer("allocate --replay " + write("kept.json", run.out));
+  EXPECT_TRUE(replay["sound"].get<bool>());
+  EXPECT_EQ(replay["records"], 30);
+
+  allocation["records"][4]["arm"] = "1";
+  const json forged = answer("allocate --replay " + write("forged.json", allocation.dump()),
+                             static_cast<int>(ErrorCode::kVerifyFailed));
+  EXPECT_FALSE(forged["sound"].get<bool>());
+  EXPECT_EQ(forged["first_wrong_position"], 4);
+}
+
+TEST_F(AssessmentCommands, AllocateStratifiesByFactors) {
+  // Order of sexes and blocks of three of the same reference vector, without joint leftovers.
+  const std::string sexes = "MMFMFMMFFMMFMFMMFFMMFMMFMFMMFF";
+  std::string persons;
+  for (std::size_t i = 0; i < sexes.size(); ++i)
+    persons += std::string(i > 0 ? "," : "") + R"({"code": "P)" + std::to_string(i) +
+               R"(", "levels": {"sex": ")" + sexes[i] + R"("}})";
+  const std::string design =
+      write("strata.json",
+            R"({"study": "S", "method": "stratified blocks", "arms": ["1", "2", "3"], "block_sizes": [3],
+          "factors": [{"name": "sex", "levels": ["M", "F"]}], "joint_leftovers": false, "persons": [)" +
+                persons + "]}");
+  const ProgramRun run = runTorsio("allocate --seed 20240601 --design " + design, folder_);
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(armsOf(json::parse(run.out)), "122313131223321323121131223133");
+  EXPECT_TRUE(answer("allocate --replay " + write("strata-kept.json", run.out))["sound"].get<bool>());
+}
+
+TEST_F(AssessmentCommands, AllocateRefusesDesignsThatBreakTheirRules) {
+  const auto refused = [&](const std::string& text, const std::string& mention) {
+    const ProgramRun run = runTorsio("allocate --seed 1 --design " + write("bad.json", text), folder_);
+    EXPECT_NE(run.code, 0);
+    EXPECT_LT(run.code, 70) << run.err;
+    EXPECT_EQ(run.out, "");
+    EXPECT_NE(run.err.find(mention), std::string::npos) << run.err;
+  };
+  refused("{", "JSON");
+  refused("[]", "bad.json");
+  refused(R"({"study": "S", "arms": ["1"], "persons": ["a"]})", "two arms");
+  refused(R"({"study": "S", "arms": ["1", "2"], "persons": ["a", "b", "c"]})", "multiple");
+  refused(R"({"study": "S", "arms": ["1", "2"], "persons": ["a", "a"]})", "a");
+  refused(R"({"study": "S", "arms": ["1", "2"], "persons": "a"})", "persons");
+  refused(R"({"study": "S", "arms": ["1", 2], "persons": ["a", "b"]})", "arms");
+  refused(R"({"study": "S", "arms": ["1", "2"], "person": ["a", "b"]})", "persons");
+  const ProgramRun noSeed = runTorsio("allocate --design x.json", folder_);
+  EXPECT_EQ(noSeed.code, static_cast<int>(ErrorCode::kUsage));
+}
+
+TEST_F(AssessmentCommands, MetricsMeasureEveryTwistOfATrialFile) {
+  SceneRequest request;
+  request.assets = assetsFolder();
+  request.id = "arm";
+  const Scene scene = loadScene(request);
+  const fs::path file = folder_ / "trial.bin";
+  TrialFileSink sink(file);
+  ScriptedTrial trial;
+  trial.trialId = "00000000-0000-4000-8000-000000000006";
+  trial.duration_s = 20.0;
+  const TrialSummary summary = recordScriptedTrial(scene, trial, sink);
+
+  const json out = answer("metrics --cards --scene --force-limit 0.01 " + file.string());
+  EXPECT_EQ(out["trial"], trial.trialId);
+  EXPECT_EQ(out["samples"], summary.samples);
+  EXPECT_NEAR(out["whole"]["time.total"]["value"].get<double>(), 20.0, 0.01);
+  ASSERT_GE(out["twists"].size(), 1U);
+  for (const json& twist : out["twists"]) {
+    const json& metrics = twist["metrics"];
+    EXPECT_GT(metrics["time.total"]["value"].get<double>(), 0.0);
+    EXPECT_GT(metrics["torque.peak"]["value"].get<double>(), 0.0);
+    EXPECT_GE(metrics["force.peak_raw"]["value"], metrics["force.mean"]["value"]);
+    EXPECT_TRUE(metrics["twist.axis_wander"]["value"].is_number());
+    EXPECT_TRUE(metrics["twist.rmse"]["value"].contains("undefined")) << "no course was shown";
+    EXPECT_TRUE(metrics["shear.over_limit"]["value"].contains("undefined")) << "no limit was given";
+  }
+  EXPECT_EQ(out["cards"]["force.peak"]["unit"], "N");
+}
+
+TEST_F(AssessmentCommands, MetricsOfUnknownTrialsAreRefused) {
+  const ProgramRun run = runTorsio("metrics 0 --database " + (folder_ / "none.sqlite").string(), folder_);
+  EXPECT_EQ(run.code, static_cast<int>(ErrorCode::kFileMissing)) << run.err;
+  const ProgramRun text = runTorsio("metrics " + write("trial.txt", "no trial\n"), folder_);
+  EXPECT_NE(text.code, 0);
+  EXPECT_LT(text.code, 70) << text.err;
+}
+
+}  // namespace
+}  // namespace torsio
