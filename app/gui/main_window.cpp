@@ -39,6 +39,7 @@ constexpr double kNoticeFor_s = 6.0;
 constexpr double kLongestFrame_s = 0.25;  // after a pause nothing jumps
 constexpr int kPanelWidth = 316;
 constexpr double kNear_m = 0.050;
+constexpr double kLeanWithin_m = 0.040;
 
 QString localTime(std::int64_t utc_us) {
   return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
@@ -212,6 +213,9 @@ void MainWindow::showTool(const LiveState& state) {
     axis = scene.model.graspFrame(state.response.graspArc_m).tangent;
   }
   pointer_->setHeldAxis(axis);
+  const std::optional<SurfacePoint> near = controller_->nearby(state);
+  const bool close = near && near->distance_m < kLeanWithin_m;
+  pointer_->leanAwayFrom(close ? std::optional<Vec3>(near->normal) : std::nullopt);
   Pose pose = state.tool;
   // A hand that twists by turning stays in place; what is drawn goes round with the tissue that it holds.
   if (controller_->toolRidesOnTissue() && (holds || state.phase == ExercisePhase::kReleased)) {
@@ -239,9 +243,10 @@ void MainWindow::showHint(const LiveState& state) {
   } else if (mode != SimulationController::Mode::kEmpty) {
     switch (state.phase) {
       case ExercisePhase::kTracking: {
-        const std::optional<double> gap_m = controller_->gap_m(state);
-        text = gap_m && *gap_m < kNear_m
-                   ? tr("%1 mm to the surface. Wheel: nearer").arg(std::max(0.0, *gap_m) * 1000.0, 0, 'f', 0)
+        const std::optional<SurfacePoint> near = controller_->nearby(state);
+        text = near && near->distance_m < kNear_m
+                   ? tr("%1 mm to the surface. Wheel: nearer")
+                         .arg(std::max(0.0, near->distance_m) * 1000.0, 0, 'f', 0)
                    : tr("Bring the jaw to the marked band. Wheel: depth, right drag: look round");
         break;
       }

@@ -31,8 +31,10 @@ constexpr double kSteepestTilt_rad = 80.0 * kRadPerDeg;
 constexpr double kRestYaw_rad = 34.0 * kRadPerDeg;
 constexpr double kRestPitch_rad = 38.0 * kRadPerDeg;
 
-constexpr double kReturnTime_s = 0.12;  // as the tissue itself returns
-constexpr float kEndOn = 0.25F;         // looking along the axis: no side of the tissue is the near one
+constexpr double kSettleTime_s = 0.12;  // of the tilt, as the tissue itself returns
+constexpr double kSettled_rad = 0.2 * kRadPerDeg;
+constexpr double kLean = 0.6;    // share of the surface's normal in the direction of the shaft
+constexpr float kEndOn = 0.25F;  // looking along the axis: no side of the tissue is the near one
 
 /// Angles of view * turn(y, yaw) * turn(x, pitch) * turn(z, roll).
 struct Tilt {
@@ -105,6 +107,8 @@ void PointerControls::park(const Vec3& tip_m) {
   input_.pitch_rad = kRestPitch_rad;
   input_.roll_rad = 0.0;
   mouseKnown_ = false;
+  tiltedByHand_ = false;
+  rolledByHand_ = false;
   letEverythingGo();
 }
 
@@ -136,7 +140,7 @@ void PointerControls::setHeldAxis(const std::optional<Vec3>& axis) {
   heldAxis_ = axis;
   turned_rad_ = 0.0;
   gripped_ = orientation(heldView_);
-  returning_ = !axis.has_value();
+  if (!axis) rolledByHand_ = false;
 }
 
 void PointerControls::followTurn() {
@@ -148,14 +152,22 @@ void PointerControls::followTurn() {
   input_.roll_rad = tilt.roll_rad;
 }
 
-void PointerControls::returnToRest(double elapsed_s) {
-  const double share = 1.0 - std::exp(-elapsed_s / kReturnTime_s);
-  const auto approach = [share](double& value, double goal) { value += (goal - value) * share; };
-  approach(input_.yaw_rad, kRestYaw_rad);
-  approach(input_.pitch_rad, kRestPitch_rad);
-  approach(input_.roll_rad, 0.0);
-  const Tilt rest{kRestYaw_rad, kRestPitch_rad, 0.0};
-  returning_ = distance({input_.yaw_rad, input_.pitch_rad, input_.roll_rad}, rest) > kRadPerDeg;
+void PointerControls::settle(double elapsed_s) {
+  if (heldAxis_ || input_.grip > 0.0 || tiltedByHand_) return;
+  Vec3 handle{std::sin(kRestYaw_rad) * std::cos(kRestPitch_rad), -std::sin(kRestPitch_rad),
+              std::cos(kRestYaw_rad) * std::cos(kRestPitch_rad)};
+  if (leanTo_) {
+    const Vec3 outwards = rotate(conjugate(cameraToWorld(view_.camera().rotation())), *leanTo_);
+    handle = normalized(handle * (1.0 - kLean) + outwards * kLean);
+  }
+  const Tilt now{input_.yaw_rad, input_.pitch_rad, input_.roll_rad};
+  const Tilt goal{std::atan2(handle.x, handle.z), -std::asin(std::clamp(handle.y, -1.0, 1.0)),
+                  rolledByHand_ ? now.roll_rad : 0.0};
+  if (distance(now, goal) < kSettled_rad) return;
+  const double share = 1.0 - std::exp(-elapsed_s / kSettleTime_s);
+  input_.yaw_rad += (goal.yaw_rad - now.yaw_rad) * share;
+  input_.pitch_rad += (goal.pitch_rad - now.pitch_rad) * share;
+  input_.roll_rad += (goal.roll_rad - now.roll_rad) * share;
   publish();
 }
 
@@ -195,18 +207,18 @@ void PointerControls::moveInDepth(double towards_m) {
 }
 
 void PointerControls::turn(double angle_rad) {
-  returning_ = false;
   if (heldAxis_) {
     turned_rad_ += angle_rad;
     followTurn();
   } else {
+    rolledByHand_ = true;
     input_.roll_rad += angle_rad;
   }
   publish();
 }
 
 void PointerControls::advance(double elapsed_s) {
-  if (returning_) returnToRest(elapsed_s);
+  settle(elapsed_s);
   if (held_.empty()) return;
   const auto down = [this](Qt::Key key) { return held_.contains(key) ? 1.0 : 0.0; };
   const QPointF way(down(Qt::Key_Right) - down(Qt::Key_Left), down(Qt::Key_Down) - down(Qt::Key_Up));
@@ -219,6 +231,7 @@ void PointerControls::advance(double elapsed_s) {
   const double pitch = down(Qt::Key_S) - down(Qt::Key_W);
   if ((yaw != 0.0 || pitch != 0.0) && !heldAxis_) {
     const double step = kKeyTilt_rad_per_s * elapsed_s;
+    tiltedByHand_ = true;
     input_.yaw_rad = std::clamp(input_.yaw_rad + yaw * step, -kSteepestTilt_rad, kSteepestTilt_rad);
     input_.pitch_rad = std::clamp(input_.pitch_rad + pitch * step, -kSteepestTilt_rad, kSteepestTilt_rad);
     publish();

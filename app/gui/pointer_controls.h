@@ -42,6 +42,10 @@ class PointerControls : public QObject {
   void park(const Vec3& tip_m);
   /// What the jaw holds: the unit axis about which a turn twists it, or nothing. Told once a frame.
   void setHeldAxis(const std::optional<Vec3>& axis);
+  /// The surface that the free tip is near to, or nothing: the shaft leans away from it, so that it does not
+  /// lie across the tissue when the jaw closes. Told once a frame. Tilting by hand ends it until parked
+  /// again.
+  void leanAwayFrom(const std::optional<Vec3>& normal) { leanTo_ = normal; }
   /// Moves what held keys move; called once a frame. `elapsed_s`: since the last call.
   void advance(double elapsed_s);
   /// The newest wish.
@@ -64,7 +68,7 @@ class PointerControls : public QObject {
   void moveInDepth(double towards_m);
   void turn(double angle_rad);
   void followTurn();
-  void returnToRest(double elapsed_s);
+  void settle(double elapsed_s);
   [[nodiscard]] Quat orientation(const Quat& view) const;
   /// How far a drag turns what is held: along the way on which the near side of the tissue moves.
   [[nodiscard]] double turnOf(const QPointF& drag) const;
@@ -78,10 +82,12 @@ class PointerControls : public QObject {
   std::set<int> held_;  // keys that move something while they are down
   bool gripKept_ = false;
   std::optional<Vec3> heldAxis_;  // world frame
-  Quat heldView_;            // the camera when the jaw closed: the device keeps it while the jaw is closed
-  Quat gripped_;             // orientation of the tool when the tissue was gripped
-  double turned_rad_ = 0.0;  // since then, about the axis
-  bool returning_ = false;   // to the resting tilt, after letting go
+  Quat heldView_;               // the camera when the jaw closed: the device keeps it while the jaw is closed
+  Quat gripped_;                // orientation of the tool when the tissue was gripped
+  double turned_rad_ = 0.0;     // since then, about the axis
+  std::optional<Vec3> leanTo_;  // outwards from the surface nearby, world frame
+  bool tiltedByHand_ = false;
+  bool rolledByHand_ = false;
 };
 
 }  // namespace torsio::gui

@@ -188,10 +188,12 @@ bool SimulationController::toolRidesOnTissue() const noexcept {
   return playback_ ? playback_->header().drive == TwistDrive::kRoll : true;
 }
 
-std::optional<double> SimulationController::gap_m(const LiveState& state) const {
+std::optional<SurfacePoint> SimulationController::nearby(const LiveState& state) const {
   const bool atRest = state.phase == ExercisePhase::kTracking || state.phase == ExercisePhase::kContact;
   if (scene() == nullptr || !atRest) return std::nullopt;
-  return scene()->collision.closest(state.tool.position_m).distance_m - scene()->instrument.tipRadius_m;
+  SurfacePoint point = scene()->collision.closest(state.tool.position_m);
+  point.distance_m -= scene()->instrument.tipRadius_m;
+  return point;
 }
 
 void SimulationController::steer(const PointerInput& input) {

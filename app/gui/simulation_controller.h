@@ -66,8 +66,9 @@ class SimulationController : public QObject {
   [[nodiscard]] LiveState state();
   /// True while the pointer turns what it holds instead of carrying it round (TwistDrive::kRoll).
   [[nodiscard]] bool toolRidesOnTissue() const noexcept;
-  /// Distance of the tip from the organ's surface while the organ is at rest; negative inside.
-  [[nodiscard]] std::optional<double> gap_m(const LiveState& state) const;
+  /// The organ's surface next to the tip while the organ is at rest; `distance_m` counts from the tip's
+  /// sphere.
+  [[nodiscard]] std::optional<SurfacePoint> nearby(const LiveState& state) const;
   /// Where the instrument waits: in front of the section to grasp, on the side of the viewer.
   [[nodiscard]] Vec3 parkingPoint_m() const;
 

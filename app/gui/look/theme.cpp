@@ -130,8 +130,10 @@ QComboBox, QDoubleSpinBox, QSpinBox { background: %surface; color: %text; border
   selection-color: %onAccent; }
 QComboBox:focus, QDoubleSpinBox:focus, QSpinBox:focus { border: 2px solid %accent; padding: 3px 7px; }
 QComboBox:disabled, QDoubleSpinBox:disabled { color: %border; border-color: %line; }
+QComboBox { combobox-popup: 0; }
 QComboBox::drop-down { border: none; width: 24px; }
 QComboBox::down-arrow { image: url(%chevron); width: 12px; height: 12px; }
+QComboBox QAbstractItemView::item { min-height: 28px; padding: 0 6px; border-radius: 4px; }
 QComboBox QAbstractItemView { background: %surface; color: %text; border: 1px solid %line; padding: 4px;
   selection-background-color: %accent; selection-color: %onAccent; outline: none; }
 QPushButton { background: %raised; color: %text; border: 1px solid %border; border-radius: 6px;
@@ -146,6 +148,8 @@ QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
 QScrollBar::handle:vertical { background: %border; border-radius: 4px; min-height: 32px; margin: 0 1px; }
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
+QMessageBox { messagebox-text-interaction-flags: 5; }
 QToolTip { background: %surface; color: %text; border: 1px solid %border; padding: 4px 8px; }
 )");
   const bool dark = t.kind == ThemeKind::kDark;

@@ -53,7 +53,7 @@ Rectangle {
         environment: SceneEnvironment {
             backgroundMode: SceneEnvironment.Transparent
             lightProbe: Texture { source: "qrc:/torsio/scene/studio_light.ktx" }
-            probeExposure: 0.62
+            probeExposure: root.fine ? 0.62 : 0.46
             tonemapMode: SceneEnvironment.TonemapModeLinear
             antialiasingMode: root.fine ? SceneEnvironment.MSAA : SceneEnvironment.NoAA
             antialiasingQuality: SceneEnvironment.High
@@ -76,7 +76,7 @@ Rectangle {
         DirectionalLight {
             eulerRotation: Qt.vector3d(-52, -26, 0)
             color: "#fff4ea"
-            brightness: 0.62
+            brightness: root.fine ? 0.62 : 0.48
             castsShadow: root.fine
             shadowFactor: 38
             shadowMapQuality: Light.ShadowMapQualityHigh
@@ -150,9 +150,9 @@ Rectangle {
             }
             PrincipledMaterial {
                 id: insulation
-                baseColor: "#23282d"
+                baseColor: "#343b42"
                 metalness: 0
-                roughness: 0.5
+                roughness: 0.42
             }
 
             Model {
