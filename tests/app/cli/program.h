@@ -17,11 +17,25 @@ struct ProgramRun {
   std::string err;
 };
 
-/// A new empty folder for one test, below the system's temporary folder.
+/// A new empty folder for one test, below the system's temporary folder. Tests run side by side, each in a
+/// process of its own, hence the process number. Removed when the process ends.
 inline std::filesystem::path emptyFolder(const std::string& name) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("torsio-cli-" + name);
+  struct Cleaner {
+    std::vector<std::filesystem::path> folders;
+    Cleaner() = default;
+    Cleaner(const Cleaner&) = delete;
+    Cleaner& operator=(const Cleaner&) = delete;
+    ~Cleaner() {
+      std::error_code ignored;
+      for (const auto& folder : folders) std::filesystem::remove_all(folder, ignored);
+    }
+  };
+  static Cleaner cleaner;
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("torsio-cli-" + name + "-" + std::to_string(getpid()));
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
+  cleaner.folders.push_back(folder);
   return folder;
 }
 
