@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+
+#include "app/gui/simulation_controller.h"
+#include "tests/sim/servo/bar_scene.h"
+
+namespace torsio::gui::testing {
+
+inline SceneRequest requestFor(const std::string& id) {
+  SceneRequest request;
+  request.id = id;
+  return request;
+}
+
+/// The straight bar of the servo tests as a scene for the window. `formulation` and `pattern` come through,
+/// so that a choice can be seen.
+inline LoadedScene loadBar(const SceneRequest& request) {
+  LoadedScene loaded;
+  Scene scene = barScene();
+  if (!request.id.empty()) scene.id = request.id;
+  if (!request.pattern.empty()) scene.pattern.id = request.pattern;
+  loaded.scene = std::make_shared<const Scene>(std::move(scene));
+  loaded.view = makeViewScene(loaded.scene);
+  return loaded;
+}
+
+/// Runs the event loop until `done`, for loads that come from a worker thread; false after ten seconds.
+template <typename Condition>
+bool eventually(const Condition& done) {
+  QElapsedTimer waited;
+  waited.start();
+  while (!done() && waited.elapsed() < 10'000) QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+  return done();
+}
+
+}  // namespace torsio::gui::testing

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mouse and keys over the view, as the events of a real widget. The view shows its sentence instead of the
+// scene here; camera and controls are the same.
+#include <cmath>
+#include <numbers>
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <gtest/gtest.h>
+
+#include "app/gui/pointer_controls.h"
+#include "app/gui/scene/scene_view.h"
+#include "app/gui/scene/view_frame.h"
+
+namespace torsio::gui {
+namespace {
+
+constexpr double kPixel = 0.05;
+constexpr double kAngle = 1e-9;
+
+class Controls : public ::testing::Test {
+ protected:
+  SceneView view_;
+  PointerControls controls_{view_};
+
+  void SetUp() override {
+    view_.resize(960, 680);
+    view_.camera().frame({0, 0, 0}, 120.0F, QSizeF(view_.size()));
+    controls_.park({0.0, -0.06, 0.0});
+  }
+
+  void move(const QPointF& to, Qt::MouseButtons buttons = Qt::NoButton,
+            Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QMouseEvent event(QEvent::MouseMove, to, to, Qt::NoButton, buttons, modifiers);
+    QApplication::sendEvent(&view_, &event);
+  }
+  void press(const QPointF& at, Qt::MouseButton button) {
+    QMouseEvent event(QEvent::MouseButtonPress, at, at, button, button, Qt::NoModifier);
+    QApplication::sendEvent(&view_, &event);
+  }
+  void release(const QPointF& at, Qt::MouseButton button) {
+    QMouseEvent event(QEvent::MouseButtonRelease, at, at, button, Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(&view_, &event);
+  }
+  void wheel(int notches, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QWheelEvent event({480, 340}, {480, 340}, {}, {0, 120 * notches}, Qt::NoButton, modifiers,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&view_, &event);
+  }
+  void key(QEvent::Type type, int which) {
+    QKeyEvent event(type, which, Qt::NoModifier);
+    QApplication::sendEvent(&view_, &event);
+  }
+  QPointF tipPixel() const {
+    return view_.camera().pixel(toView(controls_.input().onPlane_m), QSizeF(view_.size()));
+  }
+  Quat orientation() const {
+    const PointerInput& in = controls_.input();
+    return in.view * axisAngle({0, 1, 0}, in.yaw_rad) * axisAngle({1, 0, 0}, in.pitch_rad) *
+           axisAngle({0, 0, 1}, in.roll_rad);
+  }
+  /// The turn about an axis from one orientation to another: what the servo takes for the twist.
+  static double turnAbout(const Vec3& axis, const Quat& from, const Quat& to) {
+    const Quat q = to * conjugate(from);
+    return 2.0 * std::atan2(dot({q.x, q.y, q.z}, axis), q.w);
+  }
+};
+
+TEST_F(Controls, TheTipStaysUnderTheMouse) {
+  move({500, 300});
+  EXPECT_NEAR(tipPixel().x(), 500, kPixel);
+  move({620, 410});
+  EXPECT_NEAR(tipPixel().x(), 620, kPixel);
+  EXPECT_NEAR(tipPixel().y(), 410, kPixel);
+}
+
+TEST_F(Controls, TheWheelMovesAlongTheLineOfSight) {
+  move({600, 250});
+  const Vec3 before = controls_.input().onPlane_m;
+
+  wheel(3);
+
+  const Vec3 way = controls_.input().onPlane_m - before;
+  EXPECT_GT(way.y, 0.010);  // away from the viewer: backwards in the patient
+  EXPECT_NEAR(tipPixel().x(), 600, kPixel);
+  EXPECT_NEAR(tipPixel().y(), 250, kPixel);
+}
+
+TEST_F(Controls, TheLeftButtonAndSpaceGripWhileTheyAreHeld) {
+  press({480, 340}, Qt::LeftButton);
+  EXPECT_EQ(controls_.input().grip, 1.0);
+  release({480, 340}, Qt::LeftButton);
+  EXPECT_EQ(controls_.input().grip, 0.0);
+
+  key(QEvent::KeyPress, Qt::Key_Space);
+  EXPECT_EQ(controls_.input().grip, 1.0);
+  key(QEvent::KeyRelease, Qt::Key_Space);
+  EXPECT_EQ(controls_.input().grip, 0.0);
+}
+
+TEST_F(Controls, GKeepsTheGripUntilItIsPressedAgain) {
+  key(QEvent::KeyPress, Qt::Key_G);
+  key(QEvent::KeyRelease, Qt::Key_G);
+  EXPECT_EQ(controls_.input().grip, 1.0);
+  key(QEvent::KeyPress, Qt::Key_G);
+  EXPECT_EQ(controls_.input().grip, 0.0);
+}
+
+TEST_F(Controls, LosingTheKeyboardLetsGo) {
+  key(QEvent::KeyPress, Qt::Key_Space);
+  key(QEvent::KeyPress, Qt::Key_E);
+
+  QFocusEvent out(QEvent::FocusOut);
+  QApplication::sendEvent(&view_, &out);
+  const double roll = controls_.input().roll_rad;
+  controls_.advance(1.0);
+
+  EXPECT_EQ(controls_.input().grip, 0.0);
+  EXPECT_EQ(controls_.input().roll_rad, roll);
+}
+
+TEST_F(Controls, HeldKeysMoveWithTimeNotWithKeyRepeats) {
+  key(QEvent::KeyPress, Qt::Key_E);
+  controls_.advance(0.5);
+  const double half = controls_.input().roll_rad;
+  controls_.advance(0.5);
+  key(QEvent::KeyRelease, Qt::Key_E);
+  controls_.advance(5.0);
+
+  EXPECT_NEAR(half, 30.0 * std::numbers::pi / 180.0, 1e-6);
+  EXPECT_NEAR(controls_.input().roll_rad, 2.0 * half, 1e-6);
+}
+
+TEST_F(Controls, TurningWhatIsHeldTurnsTheToolAboutTheTissuesAxis) {
+  const Vec3 axis = normalized(Vec3{0.3, 0.1, 0.9});
+  press({480, 340}, Qt::LeftButton);
+  const Quat gripped = orientation();
+  controls_.setHeldAxis(axis);
+
+  // Twelve notches of five degrees, then as many back and further: unwrapped on the way.
+  for (int i = 0; i < 12; ++i) wheel(1, Qt::ShiftModifier);
+  EXPECT_NEAR(turnAbout(axis, gripped, orientation()), 60.0 * std::numbers::pi / 180.0, kAngle);
+  for (int i = 0; i < 30; ++i) wheel(-1, Qt::ShiftModifier);
+  EXPECT_NEAR(turnAbout(axis, gripped, orientation()), -90.0 * std::numbers::pi / 180.0, kAngle);
+}
+
+TEST_F(Controls, AnglesGoOnSmoothlyThroughMoreThanATurn) {
+  // The device smooths the angles one by one: they must not jump where a formula has a pole.
+  press({480, 340}, Qt::LeftButton);
+  controls_.setHeldAxis(Vec3{1.0, 0.0, 0.0});  // the shaft passes the camera's vertical
+  double yaw = controls_.input().yaw_rad;
+  double roll = controls_.input().roll_rad;
+  double pitch = controls_.input().pitch_rad;
+  for (int i = 0; i < 90; ++i) {
+    wheel(1, Qt::ShiftModifier);
+    EXPECT_LT(std::abs(controls_.input().yaw_rad - yaw), 0.5);
+    EXPECT_LT(std::abs(controls_.input().pitch_rad - pitch), 0.2);
+    EXPECT_LT(std::abs(controls_.input().roll_rad - roll), 0.5);
+    yaw = controls_.input().yaw_rad;
+    pitch = controls_.input().pitch_rad;
+    roll = controls_.input().roll_rad;
+  }
+}
+
+TEST_F(Controls, DraggingTurnsTheNearSideOfTheTissueWithTheMouse) {
+  const Vec3 upright{0.0, 0.0, 1.0};
+  press({480, 340}, Qt::LeftButton);
+  const Quat gripped = orientation();
+  controls_.setHeldAxis(upright);
+  const Vec3 before = controls_.input().onPlane_m;
+
+  for (int x = 480; x <= 580; x += 10) move(QPointF(x, 340), Qt::LeftButton);
+
+  // To the right: the front of an upright organ goes to the patient's left, which is positive about the
+  // head's direction. The tip stays where it holds.
+  EXPECT_NEAR(turnAbout(upright, gripped, orientation()), 50.0 * std::numbers::pi / 180.0, kAngle);
+  EXPECT_EQ(controls_.input().onPlane_m, before);
+}
+
+TEST_F(Controls, LettingGoBringsTheShaftBack) {
+  const double yaw = controls_.input().yaw_rad;
+  press({480, 340}, Qt::LeftButton);
+  controls_.setHeldAxis(Vec3{0.0, 0.0, 1.0});
+  for (int i = 0; i < 40; ++i) wheel(1, Qt::ShiftModifier);
+  EXPECT_GT(std::abs(controls_.input().yaw_rad - yaw), 1.0);
+
+  release({480, 340}, Qt::LeftButton);
+  controls_.setHeldAxis(std::nullopt);
+  for (int i = 0; i < 120; ++i) controls_.advance(0.016);
+
+  EXPECT_NEAR(controls_.input().yaw_rad, yaw, 0.01);
+}
+
+TEST_F(Controls, TheShaftLeansAwayFromASurfaceNearby) {
+  const Vec3 outwards{-1.0, 0.0, 0.0};
+  controls_.leanAwayFrom(outwards);
+  for (int i = 0; i < 120; ++i) controls_.advance(0.016);
+
+  const Vec3 shaft = rotate(orientation(), {0.0, 0.0, 1.0});
+  EXPECT_GT(dot(shaft, outwards), 0.4);
+  EXPECT_LT(shaft.y, 0.0);  // and still towards the viewer
+}
+
+TEST_F(Controls, TheRightButtonTurnsTheCameraAndLeavesTheTool) {
+  move({480, 340});
+  const Vec3 tip = controls_.input().onPlane_m;
+  const QVector3D eye = view_.camera().position();
+
+  press({480, 340}, Qt::RightButton);
+  move({560, 300}, Qt::RightButton);
+
+  EXPECT_NE(view_.camera().position(), eye);
+  EXPECT_EQ(controls_.input().onPlane_m, tip);
+}
+
+}  // namespace
+}  // namespace torsio::gui

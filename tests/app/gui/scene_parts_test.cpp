@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the scene is drawn from: camera, frames, skin, lines, light. No renderer.
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "app/gui/scene/instrument_geometry.h"
+#include "app/gui/scene/lattice_overlay.h"
+#include "app/gui/scene/orbit_camera.h"
+#include "app/gui/scene/organ_surface.h"
+#include "app/gui/scene/studio_light.h"
+#include "app/gui/scene/tissue_look.h"
+#include "app/gui/scene/view_frame.h"
+#include "sim/base/error.h"
+#include "tests/app/gui/bar_view.h"
+
+namespace torsio::gui {
+namespace {
+
+const QSizeF kView(960.0, 680.0);
+constexpr double kPixel = 1e-2;       // single precision over a distance of half a metre
+constexpr double kMillimetre = 1e-3;  // the same
+constexpr double kSingle = 1e-5;
+
+void expectNear(const Vec3& a, const Vec3& b, double tolerance) {
+  EXPECT_NEAR(a.x, b.x, tolerance);
+  EXPECT_NEAR(a.y, b.y, tolerance);
+  EXPECT_NEAR(a.z, b.z, tolerance);
+}
+
+TEST(ViewFrame, ShowsThePatientUprightAndFacingTheViewer) {
+  EXPECT_EQ(toView({0.001, 0.0, 0.0}), QVector3D(1, 0, 0));   // the patient's left at the viewer's right
+  EXPECT_EQ(toView({0.0, 0.0, 0.001}), QVector3D(0, 1, 0));   // the head on top
+  EXPECT_EQ(toView({0.0, -0.001, 0.0}), QVector3D(0, 0, 1));  // the front towards the viewer
+}
+
+TEST(ViewFrame, GivesPointsBack) {
+  const Vec3 point{0.012, -0.034, 0.056};
+  expectNear(fromView(toView(point)), point, 1e-8);
+}
+
+TEST(ViewFrame, TurnsAToolAsTheWorldDoes) {
+  const Quat turn = normalized(Quat{0.8, 0.1, -0.5, 0.3});
+  const Vec3 axisOfTool{0.2, -0.4, 0.9};
+
+  const QVector3D shown = toolToView(turn).rotatedVector(QVector3D(0.2F, -0.4F, 0.9F));
+
+  expectNear(fromViewDirection(shown), rotate(turn, axisOfTool), kSingle);
+}
+
+TEST(ViewFrame, CameraAxesInTheWorldMatchTheCamera) {
+  OrbitCamera camera;
+  camera.orbit({120.0, -40.0});
+
+  const Quat toWorld = cameraToWorld(camera.rotation());
+
+  expectNear(rotate(toWorld, {1, 0, 0}), fromViewDirection(camera.right()), kSingle);
+  expectNear(rotate(toWorld, {0, 1, 0}), fromViewDirection(camera.up()), kSingle);
+  expectNear(rotate(toWorld, {0, 0, -1}), fromViewDirection(camera.forward()), kSingle);
+}
+
+TEST(OrbitCamera, PixelAndRayAreInverse) {
+  OrbitCamera camera;
+  camera.frame({10, 20, 30}, 150, kView);
+  camera.orbit({70.0, 35.0});
+
+  for (const QPointF pixel : {QPointF(0, 0), QPointF(480, 340), QPointF(900, 120)}) {
+    const QVector3D point = camera.atDepth(pixel, 420.0F, kView);
+    EXPECT_NEAR(camera.depth(point), 420.0F, kMillimetre);
+    EXPECT_NEAR(camera.pixel(point, kView).x(), pixel.x(), kPixel);
+    EXPECT_NEAR(camera.pixel(point, kView).y(), pixel.y(), kPixel);
+  }
+}
+
+TEST(OrbitCamera, FramesABallIntoWideAndTallViews) {
+  for (const QSizeF size : {QSizeF(1200, 500), QSizeF(500, 1200)}) {
+    OrbitCamera camera;
+    camera.frame({5, 5, 5}, 100, size);
+
+    const QPointF top = camera.pixel(QVector3D(5, 105, 5), size);
+    const QPointF left = camera.pixel(QVector3D(-95, 5, 5), size);
+
+    EXPECT_GT(top.y(), 0.0);
+    EXPECT_GT(left.x(), 0.0);
+    EXPECT_LT(std::min(top.y(), left.x()), 0.25 * std::min(size.width(), size.height()));
+  }
+}
+
+TEST(OrbitCamera, LooksFromWhereThePresetSays) {
+  OrbitCamera camera;
+  camera.frame({0, 0, 0}, 100, kView);
+
+  camera.look(ViewPreset::kSide);
+  EXPECT_GT(camera.position().x(), 0.99F * camera.distance());  // the patient's left
+  camera.look(ViewPreset::kTop);
+  EXPECT_GT(camera.position().y(), 0.99F * camera.distance());
+  camera.look(ViewPreset::kFront);
+  EXPECT_GT(camera.position().z(), 0.99F * camera.distance());
+}
+
+TEST(OrbitCamera, DraggingTheViewMovesWhatIsSeenWithTheMouse) {
+  OrbitCamera camera;
+  camera.frame({0, 0, 0}, 100, kView);
+  const QVector3D point = camera.target();
+  const QPointF before = camera.pixel(point, kView);
+
+  camera.pan({30.0, -12.0}, kView.height());
+
+  const QPointF way = camera.pixel(point, kView) - before;
+  EXPECT_NEAR(way.x(), 30.0, 0.1);
+  EXPECT_NEAR(way.y(), -12.0, 0.1);
+}
+
+TEST(OrganSurface, NormalsOfARoundBarPointAwayFromItsAxis) {
+  const Scene bar = barScene();
+  const OrganSurface surface(bar.mesh, tissueLook("arm"));
+
+  int checked = 0;
+  for (std::size_t i = 0; i < bar.mesh.vertices_m.size(); ++i) {
+    const Vec3& p = bar.mesh.vertices_m[i];
+    if (p.z < 0.02 || p.z > kBarLength_m - 0.02) continue;  // the rims belong to the caps as well
+    const SurfaceVertex& v = surface.vertices()[i];
+    const Vec3 normal = fromViewDirection({v.normal[0], v.normal[1], v.normal[2]});
+    const Vec3 outwards = normalized(Vec3{p.x, p.y, 0.0});
+    EXPECT_GT(dot(normal, outwards), 0.999);
+    ++checked;
+  }
+  EXPECT_GT(checked, 500);
+}
+
+TEST(OrganSurface, NormalsFollowTheTwistedVertices) {
+  const Scene bar = barScene();
+  OrganSurface surface(bar.mesh, tissueLook("arm"));
+  std::vector<Vec3> turned_m;
+  for (const Vec3& p : bar.mesh.vertices_m) turned_m.push_back({p.y, -p.x, p.z});  // a quarter turn
+  const SurfaceVertex before = surface.vertices()[100];
+
+  surface.update(turned_m);
+
+  const SurfaceVertex& after = surface.vertices()[100];
+  const Vec3 expected = fromViewDirection({before.normal[0], before.normal[1], before.normal[2]});
+  expectNear(fromViewDirection({after.normal[0], after.normal[1], after.normal[2]}),
+             {expected.y, -expected.x, expected.z}, 1e-4);
+}
+
+TEST(OrganSurface, AClosedMeshHasThreeEdgesForTwoTriangles) {
+  const Scene bar = barScene();
+  const OrganSurface surface(bar.mesh, tissueLook("stomach"));
+
+  EXPECT_EQ(2 * surface.edges().size(), 3 * surface.triangles().size());
+}
+
+TEST(TissueLook, ColoursWanderButStayNearTheTissues) {
+  const TissueLook look = tissueLook("stomach");
+  double sum = 0.0;
+  float low = 10.0F;
+  float high = 0.0F;
+  for (int i = 0; i < 4000; ++i) {
+    const std::array<float, 3> tint = mottle(look, {0.0011 * i, 0.0007 * (i % 97), -0.0013 * (i % 53)});
+    for (const float channel : tint) {
+      EXPECT_GT(channel, 0.1F);
+      EXPECT_LT(channel, 2.0F);
+    }
+    sum += static_cast<double>(tint[1]);
+    low = std::min(low, tint[1]);
+    high = std::max(high, tint[1]);
+  }
+  EXPECT_NEAR(sum / 4000, 1.0, 0.1);
+  EXPECT_GT(high - low, 0.2F);  // otherwise it is plastic
+}
+
+TEST(LatticeLines, HaveOneLineForEveryRidgeAndSection) {
+  const Scene bar = barScene();
+
+  const LatticeLines lines = latticeLines(bar);
+
+  EXPECT_EQ(lines.lattice.size(),
+            static_cast<std::size_t>(bar.lattice().ridges() + bar.lattice().sections()));
+  EXPECT_EQ(lines.grasp.size(), 1U);
+  EXPECT_TRUE(lines.grasp.front().closed);
+  for (const SkinLine& line : lines.lattice) {
+    for (const SkinAnchor& anchor : line.anchors) {
+      EXPECT_NEAR(anchor.weights[0] + anchor.weights[1] + anchor.weights[2], 1.0F, 1e-5F);
+    }
+  }
+}
+
+TEST(LatticeLines, TheGraspBandLiesAtThePatternsSection) {
+  const Scene bar = barScene();
+  const LatticeLines lines = latticeLines(bar);
+
+  for (const SkinAnchor& anchor : lines.grasp.front().anchors) {
+    Vec3 place;
+    for (std::size_t k = 0; k < 3; ++k) {
+      place += bar.mesh.vertices_m[anchor.corners[k]] * static_cast<double>(anchor.weights[k]);
+    }
+    EXPECT_NEAR(place.z, bar.pattern.graspArc * kBarLength_m, 1e-3);
+    EXPECT_NEAR(std::hypot(place.x, place.y), kBarRadius_m, 5e-4);  // a polygon of 72 sides
+  }
+}
+
+TEST(StudioLight, AMirrorShowsTheRoomAndAMattSurfaceItsMean) {
+  const Direction up{0.0F, 1.0F, 0.0F};
+  const Direction lamp{-0.35F / 1.071F, 0.85F / 1.071F, 0.55F / 1.071F};
+
+  EXPECT_NEAR(mirroredRadiance(up, 0.0F, 64)[0], studioRadiance(up)[0], 1e-4F);
+  // The lamp is blurred by roughness; a matt surface below sees none of it.
+  EXPECT_GT(studioRadiance(lamp)[0], 10.0F);
+  EXPECT_LT(mirroredRadiance(lamp, 0.8F, 512)[0], studioRadiance(lamp)[0]);
+  EXPECT_GT(diffuseRadiance(up, 1024)[1], diffuseRadiance({0.0F, -1.0F, 0.0F}, 1024)[1]);
+}
+
+TEST(StudioLight, TheFileHoldsSixLevelsOfSixSidesOfHalves) {
+  const std::string file = studioLightFile(32);
+
+  // 12 bytes of identifier, 13 numbers, a note of 4 + 24 bytes; a length before each level; 4 halves a pixel.
+  std::size_t expected = 12 + 13 * 4 + 28;
+  for (int level = 0; level < 6; ++level) {
+    const auto pixels = static_cast<std::size_t>(32 >> level);
+    expected += 4 + 6 * pixels * pixels * 8;
+  }
+  EXPECT_EQ(file.size(), expected);
+  EXPECT_EQ(file.substr(1, 6), "KTX 11");
+  EXPECT_NE(file.find("QT_IBL_BAKER_VERSION"), std::string::npos);
+}
+
+TEST(Instrument, ShippedGrasperHasItsPartsAndItsTipAtTheOrigin) {
+  const InstrumentParts parts =
+      loadInstrument(std::filesystem::path(TORSIO_SOURCE_DIR) / "assets", "grasper");
+
+  EXPECT_FALSE(parts.shaft.triangles.empty());
+  EXPECT_GT(parts.jawPivot_mm.z(), 10.0F);
+  EXPECT_GT(parts.jawOpening_deg, 5.0);
+  double lowest_m = 1.0;
+  for (const Vec3& v : parts.upperJaw.vertices_m) lowest_m = std::min(lowest_m, v.z);
+  EXPECT_NEAR(lowest_m, 0.0, 1e-3);
+}
+
+TEST(Instrument, AMissingOneIsRefusedByName) {
+  try {
+    static_cast<void>(loadInstrument(std::filesystem::path(TORSIO_SOURCE_DIR) / "assets", "spoon"));
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kFileMissing);
+    EXPECT_NE(error.where().find("spoon"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace torsio::gui

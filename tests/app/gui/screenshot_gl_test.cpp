@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The real program draws the real scene: on a virtual display with a software renderer.
+#include <set>
+
+#include <QDir>
+#include <QImage>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <gtest/gtest.h>
+
+namespace {
+
+constexpr int kPatience_ms = 200'000;  // a busy machine draws slowly
+
+class Screenshot : public ::testing::Test {
+ protected:
+  QTemporaryDir folder_;
+
+  void SetUp() override {
+    if (QStandardPaths::findExecutable(QStringLiteral("xvfb-run")).isEmpty())
+      GTEST_SKIP() << "xvfb-run is not installed";
+  }
+
+  QImage shot(const QString& name, const QStringList& options) {
+    const QString file = folder_.filePath(name);
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("xcb"));
+    environment.insert(QStringLiteral("LIBGL_ALWAYS_SOFTWARE"), QStringLiteral("1"));
+    environment.insert(QStringLiteral("XDG_RUNTIME_DIR"), folder_.path());
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral("xvfb-run"),
+                  QStringList{QStringLiteral("-a"), QStringLiteral("-s"),
+                              QStringLiteral("-screen 0 1600x1000x24 +extension GLX -noreset"),
+                              QStringLiteral(TORSIO_PROGRAM), QStringLiteral("--screenshot"), file} +
+                      options);
+    EXPECT_TRUE(process.waitForFinished(kPatience_ms));
+    EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+    return QImage(file);
+  }
+
+  static std::size_t colours(const QImage& picture, const QRect& where) {
+    std::set<QRgb> seen;
+    for (int y = where.top(); y <= where.bottom(); ++y) {
+      for (int x = where.left(); x <= where.right(); ++x) seen.insert(picture.pixel(x, y));
+    }
+    return seen.size();
+  }
+
+  /// Reddish pixels: tissue. The backdrop is bluish, the instrument grey.
+  static int tissue(const QImage& picture, const QRect& where) {
+    int count = 0;
+    for (int y = where.top(); y <= where.bottom(); ++y) {
+      for (int x = where.left(); x <= where.right(); ++x) {
+        const QColor c = picture.pixelColor(x, y);
+        count += c.red() > c.blue() + 25 ? 1 : 0;
+      }
+    }
+    return count;
+  }
+
+  static int different(const QImage& a, const QImage& b) {
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y) {
+      for (int x = 0; x < a.width(); ++x) {
+        const QColor p = a.pixelColor(x, y);
+        const QColor q = b.pixelColor(x, y);
+        count += std::abs(p.red() - q.red()) + std::abs(p.green() - q.green()) > 40 ? 1 : 0;
+      }
+    }
+    return count;
+  }
+};
+
+TEST_F(Screenshot, ShowsALitOrganInTheMiddleAndATwistThatCanBeSeen) {
+  const QStringList options{QStringLiteral("--organ"),      QStringLiteral("stomach"),
+                            QStringLiteral("--quality"),    QStringLiteral("fast"),
+                            QStringLiteral("--size"),       QStringLiteral("1000x700"),
+                            QStringLiteral("--scene-only"), QStringLiteral("--angle")};
+
+  const QImage rest = shot(QStringLiteral("rest.png"), options + QStringList{QStringLiteral("0")});
+  const QImage twisted = shot(QStringLiteral("twisted.png"), options + QStringList{QStringLiteral("90")});
+
+  ASSERT_FALSE(rest.isNull());
+  ASSERT_EQ(rest.size(), twisted.size());
+  const QRect whole = rest.rect();
+  const QRect middle(whole.width() / 4, whole.height() / 4, whole.width() / 2, whole.height() / 2);
+  EXPECT_GT(colours(rest, middle), 2000U);  // shading and mottling, not a flat silhouette
+  EXPECT_GT(tissue(rest, middle), middle.width() * middle.height() / 8);
+  EXPECT_LT(tissue(rest, QRect(0, 0, whole.width() / 10, whole.height())), 50);
+  EXPECT_GT(different(rest, twisted), whole.width() * whole.height() / 100);
+}
+
+TEST_F(Screenshot, ShowsTheWholeWindowWithItsReadouts) {
+  const QImage window = shot(
+      QStringLiteral("window.png"),
+      {QStringLiteral("--organ"), QStringLiteral("arm"), QStringLiteral("--theme"), QStringLiteral("dark")});
+
+  EXPECT_EQ(window.size(), QSize(1280, 800));
+  EXPECT_GT(colours(window, window.rect()), 5000U);
+  // The panel at the right is dark and holds light text.
+  int bright = 0;
+  for (int y = 100; y < 700; ++y) {
+    for (int x = 1000; x < 1240; ++x) bright += qGray(window.pixel(x, y)) > 180 ? 1 : 0;
+  }
+  EXPECT_GT(bright, 500);
+  EXPECT_LT(bright, 240 * 600 / 4);
+}
+
+}  // namespace

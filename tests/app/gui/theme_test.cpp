@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/look/theme.h"
+
+#include <gtest/gtest.h>
+
+#include "app/gui/look/icons.h"
+#include "app/gui/look/level_bar.h"
+
+namespace torsio::gui {
+namespace {
+
+// WCAG 2.1: text 4.5 : 1 (1.4.3), parts of the interface 3 : 1 (1.4.11).
+constexpr double kText = 4.5;
+constexpr double kMark = 3.0;
+
+class ThemeContrast : public ::testing::TestWithParam<ThemeKind> {};
+
+TEST(Theme, ContrastOfBlackAndWhiteIsTwentyOne) {
+  EXPECT_NEAR(contrast(Qt::white, Qt::black), 21.0, 1e-9);
+  EXPECT_NEAR(contrast(Qt::red, Qt::red), 1.0, 1e-12);
+}
+
+TEST_P(ThemeContrast, TextIsLegibleOnEveryGround) {
+  const Theme& t = theme(GetParam());
+
+  for (const QColor& ground : {t.window, t.surface, t.raised}) {
+    EXPECT_GE(contrast(t.text, ground), kText);
+    EXPECT_GE(contrast(t.quietText, ground), kText);
+  }
+  for (const QColor& words : {t.good, t.caution, t.recording, t.accent}) {
+    EXPECT_GE(contrast(words, t.surface), kText);
+    EXPECT_GE(contrast(words, t.window), kText);
+  }
+  EXPECT_GE(contrast(t.onAccent, t.accent), kText);
+}
+
+TEST_P(ThemeContrast, MarksStandOutFromTheirGround) {
+  const Theme& t = theme(GetParam());
+
+  EXPECT_GE(contrast(t.border, t.surface), kMark);
+  for (const QColor& mark : {t.accent, t.good, t.caution}) EXPECT_GE(contrast(mark, t.track), kMark);
+  for (const QColor& line : {t.grasp, t.lattice, t.wire}) {
+    EXPECT_GE(contrast(line, t.backdropTop), kMark);
+    EXPECT_GE(contrast(line, t.backdropBottom), kMark);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(LightAndDark, ThemeContrast, ::testing::Values(ThemeKind::kLight, ThemeKind::kDark));
+
+TEST(Icons, EveryIconOfTheWindowIsThereInBothThemes) {
+  for (const char* name : {"record", "stop", "replay", "release", "front", "side", "top", "fit", "lattice",
+                           "wireframe", "picture", "theme", "open", "help", "play", "pause", "close"}) {
+    for (const ThemeKind kind : {ThemeKind::kLight, ThemeKind::kDark}) {
+      const QImage picture = icon(QLatin1String(name), theme(kind)).pixmap(20, 20).toImage();
+      int drawn = 0;
+      for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) drawn += picture.pixelColor(x, y).alpha() > 128 ? 1 : 0;
+      }
+      EXPECT_GT(drawn, 10) << name;
+    }
+  }
+}
+
+TEST(LevelBar, SaysInWordsThatTheLimitIsReached) {
+  LevelBar bar(QStringLiteral("Force"), QStringLiteral("N"), 2);
+  bar.setLimit(3.3);
+
+  bar.setValue(3.2);
+  EXPECT_FALSE(bar.overLimit());
+  EXPECT_FALSE(bar.accessibleDescription().contains(QStringLiteral("limit")));
+
+  bar.setValue(3.3);
+  EXPECT_TRUE(bar.overLimit());
+  EXPECT_TRUE(bar.accessibleDescription().contains(QStringLiteral("limit")));
+}
+
+}  // namespace
+}  // namespace torsio::gui

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One exercise with the pointer: run, recorded, kept as a file, played again. The servo is driven by hand.
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include <QTemporaryDir>
+#include <gtest/gtest.h>
+
+#include "app/gui/live_run.h"
+#include "app/gui/scripted_twist.h"
+#include "app/gui/trial_playback.h"
+#include "app/gui/trial_recording.h"
+#include "sim/base/error.h"
+#include "sim/record/memory_trial_sink.h"
+#include "sim/record/sample_codec.h"
+#include "sim/servo/replay_trial.h"
+#include "tests/sim/servo/bar_scene.h"
+
+namespace torsio::gui {
+namespace {
+
+constexpr double kGraspHeight_m = 0.8 * kBarLength_m;
+constexpr double kTwist_rad = 0.7;
+// The pointer device follows with two filters of 15 ms: after 300 ms less than 1e-6 of the way is left.
+constexpr double kSettled_rad = 1e-4;
+
+/// A sink that outlives the run that writes into it.
+class SharedSink final : public TrialSink {
+ public:
+  explicit SharedSink(std::shared_ptr<MemoryTrialSink> kept) : kept_(std::move(kept)) {}
+  void begin(const TrialHeader& header) override { kept_->begin(header); }
+  void append(const TrialChunk& chunk) override { kept_->append(chunk); }
+  void finish(const TrialSummary& summary) override { kept_->finish(summary); }
+
+ private:
+  std::shared_ptr<MemoryTrialSink> kept_;
+};
+
+TrialHeader headerOf(const std::string& trialId) {
+  TrialHeader header;
+  header.trialId = trialId;
+  header.sceneId = "bar";
+  header.patternId = "quarter";
+  return header;
+}
+
+class PointerRun : public ::testing::Test {
+ protected:
+  std::shared_ptr<const Scene> scene_ = std::make_shared<const Scene>(barScene());
+  Pose start_{.position_m = {0.0, -kBarRadius_m - 0.010, kGraspHeight_m}, .orientation = {}};
+  PointerInput input_;
+  std::int64_t time_us_ = 0;
+
+  RunSetup setup() const { return {.start = start_, .drive = TwistDrive::kRoll, .targetAngle_rad = 1.0}; }
+
+  void run(LiveRun& run, int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      run.loop().tick(time_us_);
+      time_us_ += 1000;
+    }
+  }
+
+  /// Reach, grip, turn about the bar's axis (camera upright in front: its y is the bar's axis).
+  void twist(LiveRun& live) {
+    input_.present = true;
+    input_.view = Quat{0.70710678118654752, 0.70710678118654752, 0.0, 0.0};
+    input_.onPlane_m = {0.0, -kBarRadius_m - 0.002, kGraspHeight_m};
+    live.steer(input_);
+    run(live, 300);
+    input_.grip = 1.0;
+    live.steer(input_);
+    run(live, 300);
+    input_.yaw_rad = kTwist_rad;
+    live.steer(input_);
+    run(live, 300);
+  }
+};
+
+TEST_F(PointerRun, AMouseReachesGripsAndTwistsTheBarByTurning) {
+  LiveRun live(scene_, setup());
+
+  twist(live);
+
+  const LiveState state = live.latest();
+  EXPECT_EQ(state.phase, ExercisePhase::kTwisting);
+  EXPECT_NEAR(state.response.angle_rad, kTwist_rad, kSettled_rad);
+  EXPECT_GT(state.response.torque_Nm, 0.0);
+  EXPECT_EQ(state.targetAngle_rad, 1.0);
+}
+
+TEST_F(PointerRun, OpeningTheJawLetsTheTissueReturn) {
+  LiveRun live(scene_, setup());
+  twist(live);
+
+  input_.grip = 0.0;
+  live.steer(input_);
+  run(live, 2000);
+
+  EXPECT_EQ(live.latest().response.angle_rad, 0.0);
+  EXPECT_NE(live.latest().phase, ExercisePhase::kTwisting);
+}
+
+TEST_F(PointerRun, ACommandReachesTheServo) {
+  LiveRun live(scene_, setup());
+  twist(live);
+
+  ASSERT_TRUE(live.command({.kind = ServoCommand::Kind::kReleaseTissue}));
+  run(live, 1);
+
+  EXPECT_EQ(live.latest().phase, ExercisePhase::kReleased);
+}
+
+TEST_F(PointerRun, IsRecordedFromTheFirstTickAndReplaysBitForBit) {
+  auto kept = std::make_shared<MemoryTrialSink>();
+  TrialHeader header = headerOf("one");
+  header.organHash = scene_->organHash;
+  header.parameterHash = scene_->parameterHash;
+  {
+    LiveRun live(scene_, setup(), header, std::make_unique<SharedSink>(kept));
+    twist(live);
+    const RecordingResult result = live.finish(TrialOutcome::kCompleted);
+    EXPECT_EQ(result.summary.samples, 900);
+    EXPECT_EQ(result.summary.refusedSamples, 0);
+  }
+
+  const Trial& trial = kept->trial();
+  EXPECT_EQ(trial.header.deviceModel, "Mouse and keyboard");
+  EXPECT_EQ(trial.header.drive, TwistDrive::kRoll);
+  EXPECT_EQ(trial.summary.outcome, TrialOutcome::kCompleted);
+  EXPECT_TRUE(replayTrial(*scene_, trial).identical());
+}
+
+/// The trial of the bar, as it would come from a database.
+class RecordedTwist : public PointerRun {
+ protected:
+  Trial trial_;
+
+  void SetUp() override {
+    auto kept = std::make_shared<MemoryTrialSink>();
+    LiveRun live(scene_, setup(), headerOf("two"), std::make_unique<SharedSink>(kept));
+    twist(live);
+    ASSERT_TRUE(live.command({.kind = ServoCommand::Kind::kSetTarget, .value = 0.5}));
+    run(live, 100);
+    static_cast<void>(live.finish(TrialOutcome::kCompleted));
+    trial_ = kept->trial();
+  }
+};
+
+TEST_F(RecordedTwist, PlaybackShowsWhatWasRecordedAtAnyInstant) {
+  TrialPlayback playback(trial_);
+  const std::vector<Sample> samples = decodeTrial(trial_);
+
+  EXPECT_EQ(playback.duration_us(), 999'000);
+  for (const std::int64_t tick : {0, 450, 899, 999}) {
+    playback.seek_us(tick * 1000);
+    const LiveState state = playback.state();
+    EXPECT_EQ(state.tick, tick);
+    EXPECT_EQ(state.response, samples[static_cast<std::size_t>(tick)].response);
+    EXPECT_EQ(state.phase, samples[static_cast<std::size_t>(tick)].phase);
+  }
+}
+
+TEST_F(RecordedTwist, PlaybackShowsTheTargetThatWasInForce) {
+  TrialPlayback playback(trial_);
+
+  playback.seek_us(100'000);
+  EXPECT_EQ(playback.state().targetAngle_rad, 1.0);
+  playback.seek_us(950'000);
+  EXPECT_EQ(playback.state().targetAngle_rad, 0.5);
+}
+
+TEST_F(RecordedTwist, PlaybackMovesAtItsSpeedAndStopsAtTheEnd) {
+  TrialPlayback playback(trial_);
+
+  playback.advance(0.1);
+  EXPECT_EQ(playback.position_us(), 0);  // not playing yet
+  playback.setPlaying(true);
+  playback.setSpeed(2.0);
+  playback.advance(0.1);
+  EXPECT_EQ(playback.position_us(), 200'000);
+  playback.advance(10.0);
+  EXPECT_EQ(playback.position_us(), playback.duration_us());
+  EXPECT_FALSE(playback.playing());
+  playback.setPlaying(true);
+  EXPECT_EQ(playback.position_us(), 0);  // from the end it begins again
+}
+
+TEST_F(RecordedTwist, AnEmptyTrialIsRefused) {
+  EXPECT_THROW(TrialPlayback(Trial{}), Error);
+}
+
+TEST_F(RecordedTwist, TrialFilesAreListedNewestFirstAndReadBack) {
+  const QTemporaryDir folder;
+  const TrialRecording files = trialFiles((folder.path() + QStringLiteral("/trials")).toStdString());
+  EXPECT_TRUE(files.list().empty());
+
+  for (const std::int64_t started_us : {1'000'000, 3'000'000, 2'000'000}) {
+    TrialHeader header = trial_.header;
+    header.startedUtc_us = started_us;
+    header.trialId = "at-" + std::to_string(started_us);
+    const std::unique_ptr<TrialSink> sink = files.open(header);
+    sink->begin(header);
+    for (const TrialChunk& chunk : trial_.chunks) sink->append(chunk);
+    sink->finish(trial_.summary);
+  }
+
+  const std::vector<RecordedTrial> listed = files.list();
+  ASSERT_EQ(listed.size(), 3U);
+  EXPECT_EQ(listed[0].id, "at-3000000");
+  EXPECT_EQ(listed[2].id, "at-1000000");
+  EXPECT_NEAR(listed[0].duration_s, 1.0, 1e-9);
+  EXPECT_EQ(files.load("at-2000000").chunks.size(), trial_.chunks.size());
+  EXPECT_THROW(static_cast<void>(files.load("never")), Error);
+}
+
+TEST(ScriptedTwist, HoldsTheTargetOnAManualClock) {
+  const Scene bar = barScene();
+
+  const LiveState state = scriptedTwist(bar, 0.9);
+
+  EXPECT_EQ(state.phase, ExercisePhase::kTwisting);
+  EXPECT_NEAR(state.response.angle_rad, 0.9, 0.02);  // a practised hand still trembles
+  EXPECT_GT(state.response.torque_Nm, 0.0);
+}
+
+TEST(ScriptedTwist, ATargetOfZeroLeavesTheOrganAtRest) {
+  const Scene bar = barScene();
+
+  EXPECT_NEAR(scriptedTwist(bar, 0.0).response.angle_rad, 0.0, 0.02);
+}
+
+}  // namespace
+}  // namespace torsio::gui

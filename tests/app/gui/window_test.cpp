@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window as widgets, on a platform that cannot draw the scene.
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QMenuBar>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QToolBar>
+#include <QToolButton>
+#include <gtest/gtest.h>
+
+#include "app/gui/exercise_panel.h"
+#include "app/gui/look/angle_dial.h"
+#include "app/gui/look/level_bar.h"
+#include "app/gui/main_window.h"
+#include "app/gui/picture.h"
+#include "app/gui/readout_panel.h"
+#include "app/gui/screenshot.h"
+#include "sim/base/error.h"
+#include "tests/app/gui/bar_view.h"
+
+namespace torsio::gui {
+namespace {
+
+WindowSetup setup(ThemeKind kind = ThemeKind::kLight) {
+  WindowSetup setup;
+  setup.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  setup.loader = testing::loadBar;
+  setup.recording.list = [] { return std::vector<RecordedTrial>(); };
+  setup.theme = kind;
+  setup.remember = false;
+  return setup;
+}
+
+class Window : public ::testing::Test {
+ protected:
+  std::vector<SceneRequest> loaded_;  // asked of the loader, in its thread
+  MainWindow window_{[this] {
+    WindowSetup noted = setup();
+    noted.loader = [this](const SceneRequest& request) {
+      loaded_.push_back(request);
+      return testing::loadBar(request);
+    };
+    return noted;
+  }()};
+
+  void SetUp() override {
+    window_.controller().setRealTime(false);
+    window_.controller().adopt(testing::requestFor("bar"), testing::loadBar(testing::requestFor("bar")));
+    window_.show();
+    QApplication::processEvents();
+  }
+};
+
+TEST_F(Window, OpensAtItsSizeAndNamesTheOrgan) {
+  EXPECT_EQ(window_.size(), QSize(1280, 800));
+  EXPECT_TRUE(window_.windowTitle().contains(QStringLiteral("Straight bar")));
+}
+
+TEST_F(Window, OffersEveryShippedOrgan) {
+  const auto boxes = window_.findChildren<QComboBox*>();
+  const auto organ = std::find_if(boxes.begin(), boxes.end(), [](const QComboBox* box) {
+    return box->accessibleName() == QStringLiteral("Organ");
+  });
+  ASSERT_NE(organ, boxes.end());
+  EXPECT_GE((*organ)->findData(QStringLiteral("arm")), 0);
+  EXPECT_GE((*organ)->findData(QStringLiteral("stomach")), 0);
+}
+
+TEST_F(Window, EverythingThatTakesTheKeyboardHasANameForScreenReaders) {
+  int checked = 0;
+  for (QWidget* widget : window_.findChildren<QWidget*>()) {
+    const bool reachable = (widget->focusPolicy() & Qt::TabFocus) != 0 && widget->isVisible();
+    if (!reachable || qobject_cast<QToolButton*>(widget) != nullptr) continue;
+    // The line edit inside a spin box speaks for the box.
+    if (widget->parentWidget() != nullptr &&
+        qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) != nullptr)
+      continue;
+    EXPECT_FALSE(widget->accessibleName().isEmpty()) << widget->metaObject()->className();
+    ++checked;
+  }
+  EXPECT_GE(checked, 5);
+}
+
+TEST_F(Window, EveryCommandHasTextAndEveryToolAShortcut) {
+  const auto bars = window_.findChildren<QToolBar*>();
+  ASSERT_EQ(bars.size(), 1);
+  for (const QAction* action : bars.front()->actions()) {
+    if (action->isSeparator() || action->text().isEmpty()) continue;
+    EXPECT_FALSE(action->shortcut().isEmpty()) << action->text().toStdString();
+    EXPECT_FALSE(action->statusTip().isEmpty()) << action->text().toStdString();
+  }
+}
+
+TEST_F(Window, ShortcutsAreUnique) {
+  QMap<QString, QString> owners;
+  for (const QAction* action : window_.findChildren<QAction*>()) {
+    const QString keys = action->shortcut().toString();
+    if (keys.isEmpty()) continue;
+    EXPECT_FALSE(owners.contains(keys)) << keys.toStdString() << " belongs to " << owners[keys].toStdString();
+    owners[keys] = action->text();
+  }
+  EXPECT_GE(owners.size(), 14);
+}
+
+TEST_F(Window, ChoosingAFormulationLoadsTheSceneWithIt) {
+  auto* panel = window_.findChild<ExercisePanel*>();
+  ASSERT_NE(panel, nullptr);
+
+  Q_EMIT panel->formulationChosen(Formulation::kPaper);
+  EXPECT_TRUE(window_.controller().loading());
+  ASSERT_TRUE(testing::eventually([this] { return !window_.controller().loading(); }));
+
+  ASSERT_EQ(loaded_.size(), 1U);
+  EXPECT_EQ(loaded_.front().id, "bar");
+  EXPECT_EQ(loaded_.front().formulation, Formulation::kPaper);
+}
+
+TEST_F(Window, ReadoutsFollowTheState) {
+  auto* readout = window_.findChild<ReadoutPanel*>();
+  auto* dial = window_.findChild<AngleDial*>();
+  ASSERT_NE(readout, nullptr);
+  ASSERT_NE(dial, nullptr);
+  LiveState state;
+  state.response.angle_rad = 1.0;
+  state.response.torque_Nm = 0.123;
+  state.targetAngle_rad = 1.0;
+  state.phase = ExercisePhase::kTwisting;
+  readout->setLimits({.tolerance_rad = 0.05, .force_N = 3.3, .torque_Nm = 0.5});
+
+  readout->show(state, 31.0);
+
+  EXPECT_TRUE(dial->onTarget());
+  EXPECT_TRUE(dial->accessibleDescription().contains(QStringLiteral("57.3")));
+  bool torque = false;
+  for (const LevelBar* bar : window_.findChildren<LevelBar*>()) {
+    torque = torque || bar->accessibleDescription().contains(QStringLiteral("0.123"));
+  }
+  EXPECT_TRUE(torque);
+  bool phase = false;
+  for (const QLabel* label : readout->findChildren<QLabel*>()) {
+    phase = phase || label->text().contains(ReadoutPanel::phaseName(ExercisePhase::kTwisting));
+  }
+  EXPECT_TRUE(phase);
+}
+
+TEST_F(Window, FreezingShowsOneInstant) {
+  LiveState state;
+  state.response.angle_rad = 0.5;
+  window_.controller().freeze(state);
+
+  window_.frame(0.1);
+
+  EXPECT_TRUE(window_.findChild<AngleDial*>()->accessibleDescription().contains(QStringLiteral("28.6")));
+}
+
+TEST_F(Window, TheThemeSwitchChangesTheWholeWindow) {
+  const QColor light = window_.palette().color(QPalette::Window);
+
+  window_.setThemeKind(ThemeKind::kDark);
+
+  EXPECT_LT(window_.palette().color(QPalette::Window).lightness(), light.lightness());
+  EXPECT_EQ(window_.themeKind(), ThemeKind::kDark);
+  window_.setThemeKind(ThemeKind::kLight);
+}
+
+TEST_F(Window, FitsTheSmallestScreenItPromises) {
+  window_.resize(1366, 768);
+  QApplication::processEvents();
+  EXPECT_LE(window_.minimumSizeHint().width(), 1366);
+  EXPECT_LE(window_.minimumSizeHint().height(), 768);
+}
+
+TEST(Picture, AScreenshotWithoutOpenGlSaysWhyAndWritesNothing) {
+  const QTemporaryDir folder;
+  ScreenshotRequest request;
+  request.file = (folder.path() + QStringLiteral("/picture.png")).toStdString();
+  try {
+    takeScreenshot(setup(), request);
+    FAIL() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::kDevice);
+    EXPECT_NE(error.where().find("offscreen"), std::string::npos);
+    EXPECT_NE(error.remedy().find("xvfb-run"), std::string::npos);
+  }
+  EXPECT_FALSE(std::filesystem::exists(request.file));
+}
+
+TEST(Picture, IsWrittenWholeOrNotAtAll) {
+  const QTemporaryDir folder;
+  const std::filesystem::path file = (folder.path() + QStringLiteral("/a.png")).toStdString();
+  QImage picture(8, 8, QImage::Format_RGB32);
+  picture.fill(Qt::red);
+
+  writePicture(picture, file);
+
+  EXPECT_EQ(QImage(QString::fromStdString(file.string())).pixelColor(3, 3), QColor(Qt::red));
+  EXPECT_THROW(writePicture(QImage(), file), Error);
+  EXPECT_THROW(writePicture(picture, std::filesystem::path(folder.path().toStdString()) / "none" / "a.png"),
+               Error);
+}
+
+}  // namespace
+}  // namespace torsio::gui
