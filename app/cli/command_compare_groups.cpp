@@ -337,8 +337,7 @@ Json mixedAnovaJson(const Study& study) {
     else
       ++left;
   }
-  std::vector<NumberTable> tables;
-  for (const auto& group : rows) tables.emplace_back(group);
+  const std::vector<NumberTable> tables(rows.begin(), rows.end());
   return outcomeJson(mixedAnova(tables), [&](const MixedAnova& result) {
     Json out;
     out["group"] = effectJson(result.group);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/progress_line.h"
 
+#include <cmath>
 #include <iostream>
 #include <sstream>
 
@@ -12,7 +13,7 @@ namespace {
 
 std::string remainingText(double remaining_s) {
   std::ostringstream text;
-  const int seconds = static_cast<int>(remaining_s + 0.5);
+  const long seconds = std::lround(remaining_s);
   if (seconds >= 90) {
     text << (seconds + 30) / 60 << " min";
   } else {
