@@ -244,8 +244,6 @@ bool PointerControls::eventFilter(QObject*, QEvent* event) {
       mouseMoved(static_cast<QMouseEvent&>(*event));
       return true;
     case QEvent::MouseButtonPress:
-      mousePressed(static_cast<QMouseEvent&>(*event));
-      return true;
     case QEvent::MouseButtonDblClick:
       mousePressed(static_cast<QMouseEvent&>(*event));
       return true;

@@ -150,6 +150,17 @@ WindowOptions parse(const QStringList& arguments) {
   return options;
 }
 
+/// Qt ends the whole process when it finds no display; better to say so beforehand.
+void requireAnyDisplay() {
+#if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
+  for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+    if (!qEnvironmentVariableIsEmpty(variable)) return;
+  }
+  throw Error(ErrorCode::kDevice, "there is no display", "DISPLAY and WAYLAND_DISPLAY are not set",
+              "Start it on a desktop, or through xvfb-run; commands such as 'torsio demo' need no display");
+#endif
+}
+
 ThemeKind preferredTheme() {
   const QSettings settings;
   const bool systemIsDark = QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
@@ -169,6 +180,7 @@ int runWindow(int argc, char** argv) {
 }
 
 int runWindow(int argc, char** argv, const std::function<TrialRecording()>& recording) {
+  requireAnyDisplay();
   QQuickWindow::setGraphicsApi(QSGRendererInterface::OpenGL);
   QApplication::setApplicationName(QStringLiteral("torsio"));
   QApplication::setApplicationDisplayName(QStringLiteral("Torsio"));

@@ -48,6 +48,7 @@ SkinLine graspLine(const Scene& scene) {
   const int below = std::min(static_cast<int>(position), lattice.sections() - 2);
   const double t = position - below;
   std::vector<Vec3> corners;
+  corners.reserve(static_cast<std::size_t>(lattice.ridges()));
   for (int ridge = 0; ridge < lattice.ridges(); ++ridge) {
     corners.push_back(lattice.keyPoint_m(ridge, below) * (1.0 - t) +
                       lattice.keyPoint_m(ridge, below + 1) * t);
