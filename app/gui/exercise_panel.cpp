@@ -69,8 +69,10 @@ ExercisePanel::ExercisePanel(QWidget* parent) : QWidget(parent) {
   card->content()->addLayout(grid);
   column->addWidget(card);
 
-  connect(organ_, &QComboBox::activated, this,
-          [this](int index) { Q_EMIT organChosen(organ_->itemData(index).toString()); });
+  connect(organ_, &QComboBox::activated, this, [this](int index) {
+    const QString id = organ_->itemData(index).toString();
+    if (!id.isEmpty()) Q_EMIT organChosen(id);  // empty: the user's own, shown already
+  });
   connect(pattern_, &QComboBox::activated, this,
           [this](int index) { Q_EMIT patternChosen(pattern_->itemData(index).toString()); });
   connect(formulation_, &QComboBox::activated, this, [this](int index) {
@@ -92,12 +94,15 @@ void ExercisePanel::setOrgans(const std::vector<std::string>& ids) {
   for (const std::string& id : ids) organ_->addItem(readable(id), QString::fromStdString(id));
 }
 
-void ExercisePanel::showScene(const Scene& scene, double target_rad) {
+void ExercisePanel::showScene(const Scene& scene, double target_rad, bool ownOrgan) {
   const QSignalBlocker quietOrgan(organ_);
   const QSignalBlocker quietPattern(pattern_);
   const QSignalBlocker quietFormulation(formulation_);
   const QSignalBlocker quietTarget(target_);
-  organ_->setCurrentIndex(organ_->findData(QString::fromStdString(scene.id)));
+  const int old = organ_->findData(QString());
+  if (old >= 0) organ_->removeItem(old);
+  if (ownOrgan) organ_->addItem(QString::fromStdString(scene.title), QString());
+  organ_->setCurrentIndex(organ_->findData(ownOrgan ? QString() : QString::fromStdString(scene.id)));
   pattern_->clear();
   for (const TwistPattern& pattern : scene.patterns) {
     const QString title =

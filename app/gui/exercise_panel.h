@@ -22,8 +22,8 @@ class ExercisePanel : public QWidget {
 
   /// Scene ids of the assets folder.
   void setOrgans(const std::vector<std::string>& ids);
-  /// What is loaded now; emits nothing.
-  void showScene(const Scene& scene, double target_rad);
+  /// What is loaded now; emits nothing. `ownOrgan`: a mesh of the user's stands in for the shipped one.
+  void showScene(const Scene& scene, double target_rad, bool ownOrgan);
   /// Off while a trial is recorded or replayed: the exercise must not change under it.
   void setChangeable(bool changeable);
 

@@ -199,7 +199,7 @@ void MainWindow::frame(double elapsed_s) {
   if (readoutDue_s_ > 0.0) return;
   readoutDue_s_ = kReadoutEvery_s;
   measureRate();
-  readout_->show(state, framesPerSecond_);
+  readout_->show(state, controller_->frozen() ? 0.0 : framesPerSecond_);  // a picture has no rate
   showHint(state);
   replayBar_->show(controller_->playback());
 }
@@ -270,7 +270,7 @@ void MainWindow::showHint(const LiveState& state) {
 void MainWindow::showScene() {
   const Scene& scene = *controller_->scene();
   view_->setScene(controller_->viewScene());
-  exercise_->showScene(scene, controller_->target_rad());
+  exercise_->showScene(scene, controller_->target_rad(), controller_->request().organFile.has_value());
   readout_->setLimits({.tolerance_rad = scene.pattern.tolerance_rad,
                        .force_N = scene.pattern.forceLimit_N,
                        .torque_Nm = scene.pattern.torqueLimit_Nm});

@@ -71,7 +71,9 @@ void takeScreenshot(const WindowSetup& setup, const ScreenshotRequest& request) 
   requireDisplay();
   Stage stage(setup, request);
   MainWindow& window = stage.window;
-  window.controller().freeze(scriptedTwist(*window.controller().scene(), angleOf(request, window)));
+  LiveState held = scriptedTwist(*window.controller().scene(), angleOf(request, window));
+  held.targetAngle_rad = window.controller().target_rad();  // the exercise's, whatever the hand was told
+  window.controller().freeze(held);
   const std::int64_t before = window.view().framesDrawn();
   waitUntil(
       [&] {

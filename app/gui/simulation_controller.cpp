@@ -41,7 +41,9 @@ LoadedScene loadRecorded(const SceneLoader& loader, SceneRequest request, const 
 LoadedScene loadSceneForView(const SceneRequest& request) {
   LoadedScene loaded;
   loaded.scene = std::make_shared<const Scene>(loadScene(request));
-  loaded.view = makeViewScene(loaded.scene);
+  // A user's organ is not what the scene it borrows was drawn for.
+  const std::string tissue = request.organFile ? request.organFile->stem().string() : std::string();
+  loaded.view = makeViewScene(loaded.scene, tissue);
   return loaded;
 }
 

@@ -52,6 +52,7 @@ class SimulationController : public QObject {
   void adopt(const SceneRequest& request, LoadedScene loaded);
   /// Shows one instant, the exercise at rest behind it: for pictures. Until the next scene.
   void freeze(const LiveState& state);
+  [[nodiscard]] bool frozen() const noexcept { return frozen_.has_value(); }
   [[nodiscard]] bool loading() const noexcept { return wanted_ != delivered_; }
   /// The request of the scene that is shown.
   [[nodiscard]] const SceneRequest& request() const noexcept { return request_; }

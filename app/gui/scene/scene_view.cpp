@@ -56,9 +56,9 @@ bool isSoftware(const QString& renderer) {
 
 }  // namespace
 
-ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene) {
+ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene, const std::string& tissue) {
   ViewScene view;
-  view.look = tissueLook(scene->id);
+  view.look = tissueLook(tissue.empty() ? scene->id : tissue);
   view.surface = OrganSurface(scene->mesh, view.look);
   view.lines = latticeLines(*scene);
   view.deform = [scene](const TwistState& state, std::span<Vec3> out_m) {

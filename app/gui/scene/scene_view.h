@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <QColor>
@@ -40,7 +41,9 @@ struct ViewScene {
 
 /// Surface, overlay lines and colours of a scene. Slow (fractions of a second); asks scene->collision, so
 /// call it before the servo runs.
-[[nodiscard]] ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene);
+/// `tissue`: name by which the look is chosen, empty: the scene's id.
+[[nodiscard]] ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene,
+                                      const std::string& tissue = {});
 
 enum class RenderQuality {
   kAutomatic,  ///< fine on a graphics card, fast on a software renderer

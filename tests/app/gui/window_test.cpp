@@ -70,6 +70,23 @@ TEST_F(Window, OffersEveryShippedOrgan) {
   EXPECT_GE((*organ)->findData(QStringLiteral("stomach")), 0);
 }
 
+TEST_F(Window, NamesAMeshOfTheUsersInsteadOfTheOrganItStandsInFor) {
+  SceneRequest request = testing::requestFor("arm");
+  request.organFile = "mine.obj";
+  LoadedScene loaded = testing::loadBar(request);
+  window_.controller().adopt(request, loaded);
+
+  const auto boxes = window_.findChildren<QComboBox*>();
+  const auto organ = std::find_if(boxes.begin(), boxes.end(), [](const QComboBox* box) {
+    return box->accessibleName() == QStringLiteral("Organ");
+  });
+  EXPECT_EQ((*organ)->currentText(), QStringLiteral("Straight bar"));
+  const int items = (*organ)->count();
+  window_.controller().adopt(testing::requestFor("arm"), testing::loadBar(testing::requestFor("arm")));
+  EXPECT_EQ((*organ)->count(), items - 1);
+  EXPECT_EQ((*organ)->currentData().toString(), QStringLiteral("arm"));
+}
+
 TEST_F(Window, EverythingThatTakesTheKeyboardHasANameForScreenReaders) {
   int checked = 0;
   for (QWidget* widget : window_.findChildren<QWidget*>()) {
