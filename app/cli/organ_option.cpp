@@ -27,6 +27,13 @@ void addOrganOptions(CLI::App& command, OrganArguments& arguments) {
   command.add_option("--organ-unit", arguments.unit, "Unit of the mesh file: mm, cm or m")
       ->check(CLI::IsMember({"mm", "cm", "m"}))
       ->capture_default_str();
+  CLI::Option* fixedEnd = command
+                              .add_option("--fixed-end", arguments.fixedEnd,
+                                          "x y z of the mesh file's held end, in its unit; else found")
+                              ->expected(3);
+  command.add_option("--free-end", arguments.freeEnd, "x y z of its other end")->expected(3)->needs(fixedEnd);
+  command.add_option("--material", arguments.material,
+                     "Tissue of assets/scenes/materials.json; default: the scene's");
   command.add_option("--pattern", arguments.pattern, "Twist pattern of the scene; default: its first");
   command.add_option("--formulation", arguments.formulation, "saint-venant or paper")
       ->check(CLI::IsMember({"saint-venant", "paper"}));
@@ -49,6 +56,16 @@ SceneRequest sceneRequest(const OrganArguments& arguments) {
     throw Error(ErrorCode::kUsage, "no such organ", "--organ " + arguments.organ,
                 "Choose one of " + names + ", or give a mesh file with its ending");
   }
+  const auto point_m = [&request](const std::vector<double>& xyz) {
+    return Vec3{xyz[0], xyz[1], xyz[2]} * request.organScale_m;
+  };
+  if (!arguments.fixedEnd.empty() && !arguments.freeEnd.empty()) {
+    request.fixedEnd_m = point_m(arguments.fixedEnd);
+    request.freeEnd_m = point_m(arguments.freeEnd);
+  } else if (!arguments.fixedEnd.empty()) {
+    throw Error(ErrorCode::kUsage, "one end alone decides nothing", "--fixed-end", "Give --free-end too");
+  }
+  request.material = arguments.material;
   request.pattern = arguments.pattern;
   if (!arguments.formulation.empty()) {
     request.formulation = arguments.formulation == "paper" ? Formulation::kPaper : Formulation::kSaintVenant;

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/scene/scene.h"
 
@@ -14,8 +15,11 @@ namespace torsio::cli {
 
 /// The options that choose an organ and its model; the same words in every command.
 struct OrganArguments {
-  std::string organ = "arm";  ///< a scene's name, or a mesh file
-  std::string unit = "mm";    ///< of the file
+  std::string organ = "arm";     ///< a scene's name, or a mesh file
+  std::string unit = "mm";       ///< of the file
+  std::vector<double> fixedEnd;  ///< of the mesh file, in its unit; empty: found
+  std::vector<double> freeEnd;
+  std::string material;  ///< empty: the scene's
   std::string pattern;
   std::string formulation;  ///< empty: the scene's
   std::optional<int> ridges;
