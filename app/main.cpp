@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdint>
 #include <memory>
 
 #include "app/cli/cli.h"
@@ -13,10 +14,11 @@ torsio::gui::TrialRecording recordingInDatabase() {
   torsio::gui::TrialRecording recording;
   recording.open = [store](const torsio::TrialHeader&) { return store->newSink(); };
   recording.list = [store] {
+    const std::int64_t tickPeriod_us = torsio::TrialHeader{}.tickPeriod_us;  // the window records at no other
     std::vector<torsio::gui::RecordedTrial> trials;
     for (const torsio::TrialListing& trial : store->list()) {
       if (!trial.summary) continue;
-      const double duration_s = static_cast<double>(trial.summary->samples) / 1000.0;
+      const double duration_s = static_cast<double>(trial.summary->samples * tickPeriod_us) * 1e-6;
       trials.push_back({trial.trialId, trial.sceneId, trial.patternId, trial.startedUtc_us, duration_s});
     }
     return trials;
