@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <filesystem>
+#include <functional>
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+#include <QVariant>
+
+#include "app/gui/look/theme.h"
+#include "app/session/access/workplace.h"
+#include "app/session/progress.h"
+
+namespace torsio::gui {
+
+/// Thrown by a job's own progress call after the user pressed cancel; jobs let it pass.
+struct Cancelled {};
+
+/// What pages need from round them. GUI thread.
+class ShellContext : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `workplace` outlives the context.
+  ShellContext(Workplace& workplace, std::filesystem::path assets, ThemeKind theme);
+  ~ShellContext() override;
+
+  [[nodiscard]] Workplace& workplace() const noexcept { return workplace_; }
+  [[nodiscard]] const std::filesystem::path& assets() const noexcept { return assets_; }
+  [[nodiscard]] ThemeKind themeKind() const noexcept { return theme_; }
+  void setThemeKind(ThemeKind kind);
+
+  /// Goes to another page: `id` of its PageEntry.
+  void open(const QString& id, const QVariant& argument = {}) { Q_EMIT pageWanted(id, argument); }
+  /// A sentence that passes by at the lower edge.
+  void notify(const QString& sentence) { Q_EMIT noticed(sentence); }
+  /// Says in plain words what went wrong, what to do, details folded. Call it in a catch block.
+  void report(const std::exception_ptr& problem);
+
+  /// Work that takes time, off the GUI thread, on a connection of its own for the same actor. `work` gets
+  /// a workplace and a callback that it calls with its progress (which throws Cancelled when the user gave
+  /// up, so that work unwinds and leaves no half file); `done` runs in the GUI thread after success. Title
+  /// and progress are shown with time left and a cancel button. Failures are reported.
+  using Work = std::function<void(Workplace&, const ProgressCallback&)>;
+  void run(const QString& title, Work work, std::function<void()> done);
+  [[nodiscard]] bool working() const noexcept { return jobs_ > 0; }
+  /// Waits for all jobs: tests, and the end of the program.
+  void waitForJobs();
+  void cancelJobs() noexcept { cancelled_.store(true); }
+
+ Q_SIGNALS:
+  void pageWanted(const QString& id, const QVariant& argument);
+  void noticed(const QString& sentence);
+  void failed(const QString& happened, const QString& remedy, const QString& details);
+  void themeChanged(ThemeKind kind);
+  void jobStarted(const QString& title);
+  void jobMoved(const QString& step, double fraction, double remaining_s);
+  void jobEnded();
+
+ private:
+  Workplace& workplace_;
+  std::filesystem::path assets_;
+  ThemeKind theme_;
+  QThreadPool workers_;
+  int jobs_ = 0;
+  std::atomic<bool> cancelled_{false};
+};
+
+}  // namespace torsio::gui
