@@ -21,6 +21,12 @@ constexpr std::string_view kMarkRows =
 constexpr std::string_view kDrafts =
     "assignment_id IN (SELECT id FROM assignment WHERE rater_id = ? OR enrolment_id IN"
     " (SELECT id FROM enrolment WHERE trainee_id = ?))";
+constexpr std::string_view kRemarks =
+    "(author_person_id = ? OR author IN (SELECT id FROM app_user WHERE person_id = ?)"
+    " OR trial_id IN (SELECT id FROM trial WHERE trainee_id = ?))";
+constexpr std::string_view kReceipts =
+    "(reader_person_id = ? OR reader IN (SELECT id FROM app_user WHERE person_id = ?))";
+constexpr std::string_view kOwnScores = "self_score_id IN (SELECT id FROM self_score WHERE trainee_id = ?)";
 constexpr std::string_view kOwnUser = "user_id IN (SELECT id FROM app_user WHERE person_id = ?)";
 
 constexpr std::array kRules{
@@ -29,6 +35,9 @@ constexpr std::array kRules{
                "sex = NULL, level = NULL, experience = NULL, age_years = NULL, state = 'erased'"},
     PersonRule{"trainee", "person_id = ?", OnErase::kClear, "handedness = NULL"},
     PersonRule{"rater", "person_id = ?"},
+    PersonRule{"station_state", kOwnUser, OnErase::kClear, "user_id = NULL"},
+    PersonRule{"remark_receipt", kReceipts},
+    PersonRule{"trial_remark", kRemarks, OnErase::kClear, "text = NULL"},
     PersonRule{"user_role", kOwnUser, OnErase::kDelete},
     PersonRule{"audit_entry",
                "(actor = ? OR object_id = ? OR actor IN (SELECT id FROM app_user WHERE person_id = ?))"},
@@ -51,6 +60,11 @@ constexpr std::array kRules{
     PersonRule{"evaluation_rater", "rater_id = ?"},
     PersonRule{"evaluation_mark", "rater_id = ?"},
     PersonRule{"training_result", kAsTrainee},
+    PersonRule{"alignment_decision", kDrafts},
+    PersonRule{"self_score", "trainee_id = ?"},
+    PersonRule{"self_score_row", kOwnScores},
+    PersonRule{"rater_warmup", "rater_id = ?"},
+    PersonRule{"retention_hold", "person_id = ?"},
     PersonRule{"exposure", kAsTrainee},
     PersonRule{"deviation", kAsTrainee, OnErase::kClear, "description = NULL"},
     PersonRule{"erasure", "person_id = ?"},
@@ -74,6 +88,7 @@ constexpr std::array kRules{
     PersonRule{"evaluation_index", ""},
     PersonRule{"evaluation_model", ""},
     PersonRule{"evaluation_result", ""},
+    PersonRule{"frozen_dataset", ""},
     PersonRule{"mark_release", ""},
     PersonRule{"mastery_rule", ""},
     PersonRule{"module", ""},

@@ -131,7 +131,8 @@ TEST_F(PersonDataTest, EveryTableHasExactlyOneRule) {
 
 TEST_F(PersonDataTest, EveryTableThatPointsAtAPersonIsExported) {
   Connection connection = openWithSchema();
-  const std::set<std::string> pointing{"person_id", "trainee_id", "rater_id", "enrolment_id"};
+  const std::set<std::string> pointing{"person_id",    "trainee_id",       "rater_id",
+                                       "enrolment_id", "author_person_id", "reader_person_id"};
   for (const PersonRule& rule : personRules()) {
     Statement row = connection.prepare("SELECT * FROM " + std::string(rule.table));
     row.execute();
