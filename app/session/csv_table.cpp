@@ -2,6 +2,7 @@
 #include "app/session/csv_table.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -55,7 +56,8 @@ std::size_t firstNoUtf8(std::string_view text) {
 /// Reads record by record; a quoted value may span lines.
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  Reader(std::string_view text, const std::string& name, char separator)
+      : text_(text), name_(name), separator_(separator), valueEnds_({separator, '\r', '\n'}) {}
 
   /// False at the end. `line`: where the record begins.
   bool next(std::vector<std::string>& values, std::size_t& line) {
@@ -67,7 +69,7 @@ class Reader {
     while (true) {
       values.push_back(value());
       if (at_ >= text_.size() || endOfLine()) return true;
-      ++at_;  // the comma
+      ++at_;  // the separator
     }
   }
 
@@ -81,12 +83,12 @@ class Reader {
   }
 
   std::string value() {
-    const std::size_t start = text_.find_first_not_of(" \t", at_);
+    const std::size_t start = text_.find_first_not_of(blanks(), at_);
     if (start != std::string_view::npos && text_[start] == '"') {
       at_ = start + 1;
       return quotedValue();
     }
-    const std::size_t end = std::min(text_.find_first_of(",\r\n", at_), text_.size());
+    const std::size_t end = std::min(text_.find_first_of(valueEnds_, at_), text_.size());
     const std::string_view raw = text_.substr(at_, end - at_);
     if (raw.find('"') != std::string_view::npos)
       refuseAt(name_, line_, "a quote stands inside the value " + std::string(trimmed(raw).substr(0, kShown)),
@@ -108,15 +110,19 @@ class Reader {
       value.push_back(text_[at_]);
     }
     if (at_ >= text_.size()) refuseAt(name_, begun, "a quote does not close", "Close the quoted value");
-    at_ = std::min(text_.find_first_not_of(" \t", at_ + 1), text_.size());
-    if (at_ < text_.size() && text_[at_] != ',' && text_[at_] != '\n' && text_[at_] != '\r')
+    at_ = std::min(text_.find_first_not_of(blanks(), at_ + 1), text_.size());
+    if (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n' && text_[at_] != '\r')
       refuseAt(name_, line_, "text follows the quoted value " + inQuotes(value),
-               "Put a comma after the closing quote");
+               "End the value at the closing quote");
     return value;
   }
 
+  [[nodiscard]] std::string_view blanks() const { return separator_ == '\t' ? " " : " \t"; }
+
   std::string_view text_;
   const std::string& name_;
+  char separator_;
+  std::string valueEnds_;
   std::size_t at_ = 0;
   std::size_t line_ = 1;
 };
@@ -138,7 +144,39 @@ bool isDigits(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+/// The text without a byte order mark; refuses what is no UTF-8.
+std::string_view checkedText(std::string_view text, const std::string& name) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  if (const std::size_t bad = firstNoUtf8(text); bad != std::string_view::npos) {
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(bad), '\n');
+    refuseAt(name, static_cast<std::size_t>(line), "the text is not UTF-8", "Save the table as UTF-8 CSV");
+  }
+  return text;
+}
+
 }  // namespace
+
+char guessSeparator(std::string_view text) {
+  constexpr std::string_view kCandidates = ",;\t";
+  std::array<std::size_t, kCandidates.size()> counts{};
+  bool quoted = false;
+  for (const char c : text.substr(0, text.find('\n'))) {
+    if (c == '"') quoted = !quoted;
+    const std::size_t candidate = quoted ? std::string_view::npos : kCandidates.find(c);
+    if (candidate != std::string_view::npos) ++counts[candidate];
+  }
+  return kCandidates[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) -
+                                              counts.begin())];
+}
+
+std::vector<CsvRecord> csvRecords(std::string_view text, const std::string& name, char separator) {
+  std::vector<CsvRecord> records;
+  Reader reader(checkedText(text, name), name, separator);
+  CsvRecord record;
+  while (reader.next(record.values, record.line)) records.push_back(record);
+  return records;
+}
 
 CsvTable CsvTable::read(const std::filesystem::path& file, std::initializer_list<std::string_view> required,
                         std::initializer_list<std::string_view> optional) {
@@ -150,13 +188,7 @@ CsvTable CsvTable::parse(std::string_view text, const std::string& name,
                          std::initializer_list<std::string_view> optional) {
   CsvTable table;
   table.name_ = name;
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  if (const std::size_t bad = firstNoUtf8(text); bad != std::string_view::npos) {
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(bad), '\n');
-    refuseAt(name, static_cast<std::size_t>(line), "the text is not UTF-8", "Save the table as UTF-8 CSV");
-  }
-  Reader reader(text, table.name_);
+  Reader reader(checkedText(text, name), table.name_, ',');
   Row row;
   if (!reader.next(row.values, row.line))
     throw Error(ErrorCode::kBadData, "the table is empty", name, "Begin with the header " + listed(required));

@@ -12,6 +12,22 @@
 
 namespace torsio {
 
+/// One record of a delimited text as it stands.
+struct CsvRecord {
+  std::size_t line = 0;  ///< on which it begins, from 1
+  std::vector<std::string> values{};
+};
+
+/// What most probably separates the values: of comma, semicolon and tab the one that stands most often
+/// outside quotes in the first line.
+[[nodiscard]] char guessSeparator(std::string_view text);
+
+/// Every record, the header too, whatever the number of its values; empty lines are skipped. UTF-8 with or
+/// without a byte order mark; quotes after RFC 4180. Throws Error{kBadData} for text that is no UTF-8 and
+/// quotes that do not close; `name` stands for the file.
+[[nodiscard]] std::vector<CsvRecord> csvRecords(std::string_view text, const std::string& name,
+                                                char separator = ',');
+
 /// A table of comma-separated values that knows where each value stands, so that every refusal names file,
 /// line, value and rule. RFC 4180 with quotes; UTF-8, a byte order mark is skipped; LF or CRLF; empty lines
 /// are skipped; blanks round an unquoted value do not count. The header is required, its columns may come in

@@ -80,6 +80,35 @@ void PeopleRepository::makeRater(const std::string& personId, const std::string&
   connection_.execute("INSERT INTO rater (person_id, class_code) VALUES (?, ?)", {personId, classCode});
 }
 
+void PeopleRepository::makeTrainee(const std::string& personId, const std::string& handedness) {
+  connection_.execute("INSERT INTO trainee (person_id, handedness) VALUES (?, ?)",
+                      {personId, textOrNull(handedness)});
+}
+
+void PeopleRepository::updatePerson(const StoredPerson& person) {
+  connection_.execute(
+      "UPDATE person SET sex = ?, level = ?, experience = ?, age_years = ?, state = ? WHERE id = ?",
+      {textOrNull(person.sex), textOrNull(person.level), textOrNull(person.experience), person.age_years,
+       person.state, person.id});
+}
+
+void PeopleRepository::setHandedness(const std::string& personId, const std::string& handedness) {
+  connection_.execute("UPDATE trainee SET handedness = ? WHERE person_id = ?",
+                      {textOrNull(handedness), personId});
+}
+
+void PeopleRepository::setRaterClass(const std::string& personId, const std::string& classCode) {
+  connection_.execute("UPDATE rater SET class_code = ? WHERE person_id = ?", {classCode, personId});
+}
+
+std::vector<std::string> PeopleRepository::codes() {
+  std::vector<std::string> codes;
+  Statement row = connection_.prepare("SELECT code FROM person");
+  row.execute();
+  while (row.step()) codes.push_back(row.text(0));
+  return codes;
+}
+
 std::vector<StoredTrainee> PeopleRepository::trainees() {
   std::vector<StoredTrainee> trainees;
   Statement row = connection_.prepare(std::string(kTrainees) + " ORDER BY p.code");
@@ -129,6 +158,22 @@ std::optional<StoredIdentity> PeopleRepository::identity(const std::string& pers
   return StoredIdentity{row.text(0), row.text(1), row.text(2), row.text(3)};
 }
 
+void PeopleRepository::setIdentity(const StoredIdentity& identity) {
+  connection_.execute(
+      "INSERT INTO person_identity (person_id, full_name, email, external_id) VALUES (?, ?, ?, ?)"
+      " ON CONFLICT (person_id) DO UPDATE SET full_name = excluded.full_name, email = excluded.email,"
+      " external_id = excluded.external_id",
+      {identity.personId, identity.fullName, textOrNull(identity.email), textOrNull(identity.externalId)});
+}
+
+std::vector<StoredIdentity> PeopleRepository::identities() {
+  std::vector<StoredIdentity> identities;
+  Statement row = connection_.prepare("SELECT person_id, full_name, email, external_id FROM person_identity");
+  row.execute();
+  while (row.step()) identities.push_back({row.text(0), row.text(1), row.text(2), row.text(3)});
+  return identities;
+}
+
 void PeopleRepository::recordConsent(const StoredConsent& consent) {
   connection_.execute(
       "INSERT INTO consent (person_id, purpose, sequence, granted, text_version, decided_utc_us, recorded_by,"
@@ -144,6 +189,20 @@ std::vector<StoredConsent> PeopleRepository::consents(const std::string& personI
       "SELECT person_id, purpose, granted, text_version, decided_utc_us, recorded_by, demonstration"
       " FROM consent WHERE person_id = ? ORDER BY decided_utc_us, purpose, sequence");
   row.execute({personId});
+  while (row.step()) {
+    consents.push_back(
+        {row.text(0), row.text(1), row.boolean(2), row.text(3), row.int64(4), row.text(5), row.boolean(6)});
+  }
+  return consents;
+}
+
+std::vector<StoredConsent> PeopleRepository::newestConsents() {
+  std::vector<StoredConsent> consents;
+  Statement row = connection_.prepare(
+      "SELECT c.person_id, c.purpose, c.granted, c.text_version, c.decided_utc_us, c.recorded_by,"
+      " c.demonstration FROM consent c WHERE c.sequence = (SELECT MAX(n.sequence) FROM consent n"
+      " WHERE n.person_id = c.person_id AND n.purpose = c.purpose) ORDER BY c.person_id, c.purpose");
+  row.execute();
   while (row.step()) {
     consents.push_back(
         {row.text(0), row.text(1), row.boolean(2), row.text(3), row.int64(4), row.text(5), row.boolean(6)});

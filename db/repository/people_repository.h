@@ -73,6 +73,16 @@ class PeopleRepository {
   /// Gives a person who is stored already (an intern, say) the second part of a rater.
   void makeRater(const std::string& personId, const std::string& classCode);
 
+  /// Gives a person who is stored already (a physician, say) the second part of a trainee.
+  void makeTrainee(const std::string& personId, const std::string& handedness);
+
+  /// Sex, level, experience, age and state; code and demonstration flag are frozen.
+  void updatePerson(const StoredPerson& person);
+  void setHandedness(const std::string& personId, const std::string& handedness);
+  void setRaterClass(const std::string& personId, const std::string& classCode);
+  /// Codes of all people, erased ones included: a code is never given twice.
+  [[nodiscard]] std::vector<std::string> codes();
+
   /// Ordered by code.
   [[nodiscard]] std::vector<StoredTrainee> trainees();
   /// Ordered by class position, then code.
@@ -83,9 +93,16 @@ class PeopleRepository {
   void addIdentities(std::span<const StoredIdentity> identities);
   [[nodiscard]] std::optional<StoredIdentity> identity(const std::string& personId);
 
+  /// Adds the identity, or replaces the one that is there.
+  void setIdentity(const StoredIdentity& identity);
+  /// Of everybody who has one, in no order.
+  [[nodiscard]] std::vector<StoredIdentity> identities();
+
   void recordConsent(const StoredConsent& consent);
   /// Every decision, oldest first.
   [[nodiscard]] std::vector<StoredConsent> consents(const std::string& personId);
+  /// The newest decision of every person about every purpose, by person and purpose.
+  [[nodiscard]] std::vector<StoredConsent> newestConsents();
   /// Whether the newest decision grants it; without one: false.
   [[nodiscard]] bool hasConsent(const std::string& personId, const std::string& purpose);
 

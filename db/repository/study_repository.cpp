@@ -86,11 +86,11 @@ void StudyRepository::addCohort(const StoredCohort& cohort, std::span<const Stor
 std::vector<StoredCohort> StudyRepository::cohorts() {
   std::vector<StoredCohort> cohorts;
   Statement row = connection_.prepare(
-      "SELECT id, name, description, created_utc_us, demonstration FROM cohort ORDER BY created_utc_us, "
-      "name");
+      "SELECT id, name, description, created_utc_us, demonstration, curriculum_version_id FROM cohort"
+      " ORDER BY created_utc_us, name");
   row.execute();
   while (row.step()) {
-    cohorts.push_back({row.text(0), row.text(1), row.text(2), row.int64(3), row.boolean(4)});
+    cohorts.push_back({row.text(0), row.text(1), row.text(2), row.int64(3), row.boolean(4), row.text(5)});
   }
   return cohorts;
 }
@@ -98,10 +98,11 @@ std::vector<StoredCohort> StudyRepository::cohorts() {
 std::vector<StoredGroup> StudyRepository::groups(const std::string& cohortId) {
   std::vector<StoredGroup> groups;
   Statement row = connection_.prepare(
-      "SELECT id, cohort_id, number, code, label FROM training_group WHERE cohort_id = ? ORDER BY number");
+      "SELECT id, cohort_id, number, code, label, arm_id FROM training_group WHERE cohort_id = ?"
+      " ORDER BY number");
   row.execute({cohortId});
   while (row.step()) {
-    groups.push_back({row.text(0), row.text(1), row.int64(2), row.text(3), row.text(4)});
+    groups.push_back({row.text(0), row.text(1), row.int64(2), row.text(3), row.text(4), row.text(5)});
   }
   return groups;
 }
@@ -142,6 +143,10 @@ std::vector<StoredEnrolment> StudyRepository::enrolments(const std::string& coho
   return enrolments;
 }
 
+void StudyRepository::setEnrolmentState(const std::string& enrolmentId, const std::string& state) {
+  connection_.execute("UPDATE enrolment SET state = ? WHERE id = ?", {state, enrolmentId});
+}
+
 void StudyRepository::lockDesign(const StoredAllocationDesign& design) {
   Transaction transaction(connection_);
   connection_.execute(
@@ -158,6 +163,12 @@ void StudyRepository::lockDesign(const StoredAllocationDesign& design) {
 void StudyRepository::revealSeed(const std::string& designId, std::int64_t utc_us) {
   connection_.execute("UPDATE allocation_seed SET revealed_utc_us = ? WHERE design_id = ?",
                       {utc_us, designId});
+}
+
+std::string StudyRepository::sealedSeed(const std::string& designId) {
+  Statement row = connection_.prepare("SELECT seed FROM allocation_seed WHERE design_id = ?");
+  row.execute({designId});
+  return row.step() ? row.text(0) : "";
 }
 
 std::vector<StoredAllocationDesign> StudyRepository::designs(const std::string& cohortId) {
@@ -262,6 +273,17 @@ std::vector<StoredExposure> StudyRepository::exposures(const std::string& cohort
                          row.text(6), row.boolean(7)});
   }
   return exposures;
+}
+
+std::vector<RunningTrial> StudyRepository::runningTrials(const std::string& cohortId) {
+  std::vector<RunningTrial> trials;
+  Statement row = connection_.prepare(
+      "SELECT t.id, t.enrolment_id, t.station, t.phase_label, t.started_utc_us FROM trial t"
+      " JOIN enrolment e ON e.id = t.enrolment_id LEFT JOIN trial_end x ON x.trial_id = t.id"
+      " WHERE e.cohort_id = ? AND x.trial_id IS NULL ORDER BY t.started_utc_us DESC, t.id");
+  row.execute({cohortId});
+  while (row.step()) trials.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.int64(4)});
+  return trials;
 }
 
 void StudyRepository::addDeviation(const StoredDeviation& deviation) {

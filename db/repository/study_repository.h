@@ -25,6 +25,7 @@ struct StoredCohort {
   std::string description{};
   std::int64_t createdUtc_us = 0;
   bool demonstration = false;
+  std::string curriculumVersionId{};  ///< filled when read; empty: follows none yet
 };
 
 /// An arm of the study (paper section 6: 40 min virtual; 20 + 20 min; 40 min real).
@@ -34,6 +35,7 @@ struct StoredGroup {
   std::int64_t number = 0;  ///< 1, 2, 3
   std::string code{};       ///< "G1"
   std::string label{};      ///< "40 min virtual"
+  std::string armId{};      ///< filled when read: what it goes through; empty: no curriculum yet
 };
 
 struct StoredEnrolment {
@@ -111,6 +113,15 @@ struct StoredDeviation {
   bool demonstration = false;
 };
 
+/// A trial of a cohort that has no closing row: it is running, or was interrupted and not closed yet.
+struct RunningTrial {
+  std::string trialId{};
+  std::string enrolmentId{};
+  std::string station{};
+  std::string phaseLabel{};
+  std::int64_t startedUtc_us = 0;
+};
+
 /// Cohorts, groups, enrolments and the record of how people were allocated. One call, one transaction.
 class StudyRepository {
  public:
@@ -127,8 +138,13 @@ class StudyRepository {
   /// Ordered by group, number in the group, trainee code; those without a group come first.
   [[nodiscard]] std::vector<StoredEnrolment> enrolments(const std::string& cohortId);
 
+  /// "enrolled", "completed", "withdrawn".
+  void setEnrolmentState(const std::string& enrolmentId, const std::string& state);
+
   void lockDesign(const StoredAllocationDesign& design);
   void revealSeed(const std::string& designId, std::int64_t utc_us);
+  /// The seed whether it was revealed or not: for drawing the next arm and for nothing else.
+  [[nodiscard]] std::string sealedSeed(const std::string& designId);
   [[nodiscard]] std::vector<StoredAllocationDesign> designs(const std::string& cohortId);
 
   /// Appends the records, chains their hashes, and moves the enrolments. Returns them as stored. Throws Error
@@ -141,6 +157,9 @@ class StudyRepository {
   void addExposures(std::span<const StoredExposure> exposures);
   /// Of one cohort, by enrolment and time.
   [[nodiscard]] std::vector<StoredExposure> exposures(const std::string& cohortId);
+
+  /// Newest first.
+  [[nodiscard]] std::vector<RunningTrial> runningTrials(const std::string& cohortId);
 
   void addDeviation(const StoredDeviation& deviation);
   /// Oldest first.

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "db/repository/curriculum_repository.h"
+
+namespace torsio {
+
+// While a curriculum is being written, its StoredCurriculumVersion carries codes in place of ids: a module's
+// `id` is its code, `requires_` and StoredPhase::moduleId name codes. Publishing gives real ids.
+
+/// Exercises that a station can run.
+[[nodiscard]] const std::vector<std::string>& exerciseKinds();
+
+/// Something that keeps a draft from being published.
+struct CurriculumProblem {
+  std::string where{};  ///< "module V2", "arm G1, phase 2", "scoring point mid"
+  std::string what{};
+  std::string remedy{};
+};
+
+/// Everything that is wrong, in reading order; empty: can be published. Scenes and patterns are looked up in
+/// `assets`; with an empty path they are not checked.
+[[nodiscard]] std::vector<CurriculumProblem> curriculumProblems(const StoredCurriculumVersion& content,
+                                                                const std::filesystem::path& assets);
+
+/// The draft as JSON text (format "torsio curriculum 1": degrees, minutes and seconds), and back. Reading is
+/// strict: unknown and misspelt fields, wrong types and numbers out of range are refused with their place.
+/// Throws Error{kBadData}; `name` stands for the file.
+[[nodiscard]] std::string curriculumJson(const StoredCurriculumVersion& content);
+[[nodiscard]] StoredCurriculumVersion parseCurriculum(const std::string& json, const std::string& name);
+
+/// A curriculum that ships as a file of assets/curricula.
+struct CurriculumTemplate {
+  std::string id{};  ///< file name without .json
+  std::string title{};
+  std::string description{};
+  StoredCurriculumVersion content{};
+};
+/// All templates, ordered by id. Throws Error{kFileMissing, kFileUnreadable, kBadData}.
+[[nodiscard]] std::vector<CurriculumTemplate> curriculumTemplates(const std::filesystem::path& assets);
+
+}  // namespace torsio
