@@ -136,16 +136,67 @@ QComboBox::down-arrow { image: url(%chevron); width: 12px; height: 12px; }
 QComboBox QAbstractItemView::item { min-height: 28px; padding: 0 6px; border-radius: 4px; }
 QComboBox QAbstractItemView { background: %surface; color: %text; border: 1px solid %line; padding: 4px;
   selection-background-color: %accent; selection-color: %onAccent; outline: none; }
+QLineEdit, QPlainTextEdit, QTextEdit, QDateEdit, QDateTimeEdit, QTimeEdit { background: %surface; color: %text;
+  border: 1px solid %border; border-radius: 6px; padding: 5px 8px; selection-background-color: %accent;
+  selection-color: %onAccent; }
+QLineEdit { min-height: 22px; }
+QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QDateEdit:focus, QDateTimeEdit:focus, QTimeEdit:focus {
+  border: 2px solid %accent; padding: 4px 7px; }
+QLineEdit:disabled, QPlainTextEdit:disabled { color: %border; border-color: %line; }
+QLineEdit[readOnly="true"], QPlainTextEdit[readOnly="true"] { background: %window; }
+QCheckBox, QRadioButton { spacing: 8px; }
+QProgressBar { background: %track; color: %text; border: none; border-radius: 4px; max-height: 8px; min-height: 8px; }
+QProgressBar::chunk { background: %accent; border-radius: 4px; }
+QTabWidget::pane { border: none; border-top: 1px solid %line; }
+QTabBar::tab { background: transparent; color: %quietText; padding: 8px 14px; border: none;
+  border-bottom: 2px solid transparent; }
+QTabBar::tab:selected { color: %accent; border-bottom: 2px solid %accent; font-weight: 600; }
+QTabBar::tab:hover { color: %text; }
+QTabBar::tab:focus { color: %accent; }
+QTableView, QTreeView, QListView { background: %surface; alternate-background-color: %window; color: %text;
+  border: 1px solid %line; border-radius: 6px; gridline-color: %line; selection-background-color: %accent;
+  selection-color: %onAccent; }
+QTableView::item, QListView::item, QTreeView::item { padding: 4px 8px; }
+QHeaderView { background: %window; border: none; }
+QHeaderView::section { background: %window; color: %quietText; border: none; border-bottom: 1px solid %line;
+  padding: 7px 8px; font-weight: 600; }
+QSplitter::handle { background: %line; }
+QGroupBox { border: 1px solid %line; border-radius: 8px; margin-top: 12px; padding: 12px; }
+QGroupBox::title { subcontrol-origin: margin; left: 12px; padding: 0 4px; color: %quietText; }
+QLabel[figure="true"] { font-size: 21pt; font-weight: 600; }
+QLabel[heading="true"] { font-size: 15pt; font-weight: 600; }
+QLabel[subheading="true"] { font-size: 12pt; font-weight: 600; }
+QLabel[small="true"] { font-size: 9pt; }
+QLabel[good="true"] { color: %good; }
+QLabel[caution="true"] { color: %caution; }
 QPushButton { background: %raised; color: %text; border: 1px solid %border; border-radius: 6px;
   padding: 7px 16px; min-height: 20px; }
 QPushButton:hover { background: %track; }
 QPushButton:default { background: %accent; color: %onAccent; border-color: %accent; }
 QPushButton:focus { border: 2px solid %accent; padding: 6px 15px; }
 QPushButton:disabled { color: %border; border-color: %line; }
+QFrame#rail { background: %surface; border: none; border-right: 1px solid %line; }
+QFrame#rail QPushButton { background: transparent; border: 1px solid transparent; border-radius: 6px; color: %text;
+  text-align: left; padding: 8px 12px; }
+QFrame#rail QPushButton:hover { background: %raised; }
+QFrame#rail QPushButton:checked { background: %raised; color: %accent; font-weight: 600; border-left: 3px solid %accent; }
+QFrame#rail QPushButton:focus { border-color: %accent; }
+QFrame#header { background: %surface; border: none; border-bottom: 1px solid %line; }
+QFrame#problem { background: %surface; border: 1px solid %caution; border-left: 4px solid %caution; border-radius: 8px; }
+QFrame#job { background: %surface; border: 1px solid %accent; border-radius: 8px; }
+QLabel#toast { background: %text; color: %window; border-radius: 6px; padding: 10px 16px; }
+QPushButton[primary="true"] { background: %accent; color: %onAccent; border-color: %accent; font-weight: 600; }
+QPushButton[primary="true"]:hover { border-color: %text; }
+QPushButton[primary="true"]:disabled { background: %raised; color: %border; border-color: %line; }
+QPushButton[link="true"] { background: transparent; color: %accent; border: 1px solid transparent; padding: 7px 8px; }
+QPushButton[link="true"]:hover { text-decoration: underline; }
+QPushButton[link="true"]:focus { border: 1px solid %accent; }
 QScrollArea { background: transparent; border: none; }
 QScrollArea > QWidget > QWidget { background: transparent; }
 QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
 QScrollBar::handle:vertical { background: %border; border-radius: 4px; min-height: 32px; margin: 0 1px; }
+QScrollBar:horizontal { background: transparent; height: 10px; margin: 0; }
+QScrollBar::handle:horizontal { background: %border; border-radius: 4px; min-width: 32px; margin: 1px 0; }
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
@@ -158,8 +209,9 @@ QToolTip { background: %surface; color: %text; border: 1px solid %border; paddin
   const std::pair<const char*, QColor> colours[] = {
       {"%window", t.window},     {"%surface", t.surface}, {"%raised", t.raised},       {"%line", t.line},
       {"%border", t.border},     {"%text", t.text},       {"%quietText", t.quietText}, {"%accent", t.accent},
-      {"%onAccent", t.onAccent}, {"%track", t.track},
+      {"%onAccent", t.onAccent}, {"%track", t.track},     {"%good", t.good},           {"%caution", t.caution},
   };
+
   for (const auto& [name, colour] : colours) sheet.replace(QLatin1String(name), colour.name());
   return sheet;
 }
@@ -181,6 +233,10 @@ void applyTheme(QApplication& application, const Theme& chosen) {
   application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   QFont font = application.font();
   font.setPointSizeF(kBodyText_pt);
+  // Chinese characters in their simplified shapes, whatever else the machine has.
+  QStringList families{font.families().isEmpty() ? font.family() : font.families().front()};
+  for (const char* family : {"Noto Sans CJK SC", "Microsoft YaHei", "PingFang SC"}) families << QLatin1String(family);
+  font.setFamilies(families);
   application.setFont(font);
   application.setPalette(paletteOf(chosen));
   application.setStyleSheet(styleSheetOf(chosen));

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/look/data_table.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QTableView>
+#include <QTest>
+#include <gtest/gtest.h>
+
+namespace torsio::gui {
+namespace {
+
+std::vector<Row> trainees() {
+  return {{"a", {{"T-2"}, {"8.5", 8.5}}}, {"b", {{"T-10"}, {"10.0", 10.0}}}, {"c", {{"T-1"}, {"9.0", 9.0}}}};
+}
+
+struct Shown {
+  DataTable table{QString()};
+  Shown() {
+    table.setColumns({{"Code"}, {"Mark", true}});
+    table.setRows(trainees());
+  }
+};
+
+TEST(DataTable, KeepsTheGivenOrderUntilAHeaderIsPressed) {
+  Shown shown;
+
+  EXPECT_EQ(shown.table.asText(), "Code\tMark\nT-2\t8.5\nT-10\t10.0\nT-1\t9.0\n");
+}
+
+TEST(DataTable, SortsCodesByTheirNumbersAndMarksBySize) {
+  Shown shown;
+
+  shown.table.view().sortByColumn(0, Qt::AscendingOrder);
+  const QString byCode = shown.table.asText();
+  shown.table.view().sortByColumn(1, Qt::DescendingOrder);
+  const QString byMark = shown.table.asText();
+
+  EXPECT_EQ(byCode, "Code\tMark\nT-1\t9.0\nT-2\t8.5\nT-10\t10.0\n");
+  EXPECT_EQ(byMark, "Code\tMark\nT-10\t10.0\nT-1\t9.0\nT-2\t8.5\n");
+}
+
+TEST(DataTable, FiltersWhileTyping) {
+  Shown shown;
+
+  QTest::keyClicks(&shown.table.filter(), "t-1");
+
+  EXPECT_EQ(shown.table.visibleRows(), 2);
+}
+
+TEST(DataTable, CopiesTheSelectionAsShownWithItsHeaders) {
+  Shown shown;
+  shown.table.view().horizontalHeader()->moveSection(1, 0);
+  shown.table.select("c");
+
+  QTest::keyClick(&shown.table.view(), Qt::Key_C, Qt::ControlModifier);
+
+  EXPECT_EQ(QApplication::clipboard()->text(), "Mark\tCode\n9.0\tT-1\n");
+}
+
+TEST(DataTable, KeepsTheSelectionWhenRowsAreReadAnew) {
+  Shown shown;
+  shown.table.select("b");
+
+  shown.table.setRows(trainees());
+
+  EXPECT_EQ(shown.table.currentId(), "b");
+  EXPECT_EQ(shown.table.selectedIds(), QStringList{"b"});
+}
+
+TEST(DataTable, OpensTheCurrentRowWithEnter) {
+  Shown shown;
+  QString opened;
+  QObject::connect(&shown.table, &DataTable::activated, [&opened](const QString& id) { opened = id; });
+  shown.table.select("c");
+
+  QTest::keyClick(&shown.table.view(), Qt::Key_Return);
+
+  EXPECT_EQ(opened, "c");
+}
+
+}  // namespace
+}  // namespace torsio::gui
