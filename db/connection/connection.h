@@ -64,8 +64,10 @@ class Connection {
 
 inline constexpr int kBusyTimeout_ms = 5000;
 
-/// Opens a database without looking at its schema (openRecord in db/migrations does both). Throws Error
-/// (kFileMissing, kFileUnreadable: not a database, kFileUnwritable: read-only file or folder) or DbError.
+/// Opens a database without looking at its schema (openRecord in db/migrations does both). `busyTimeout_ms`:
+/// how long to wait for a lock, and on PostgreSQL also about how long for a server that does not answer.
+/// Throws Error (kFileMissing, kFileUnreadable: not a database, kFileUnwritable: read-only file or folder) or
+/// DbError.
 [[nodiscard]] Connection openDatabase(const std::string& locator, OpenMode mode,
                                       int busyTimeout_ms = kBusyTimeout_ms);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/connection/connection_state.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <QCoreApplication>
@@ -136,7 +137,13 @@ void ConnectionState::openPostgresql(const Locator& locator, OpenMode mode, int 
   database_->setDatabaseName(QString::fromStdString(locator.database));
   database_->setUserName(QString::fromStdString(locator.user));
   database_->setPassword(QString::fromStdString(locator.password));
-  database_->setConnectOptions(QStringLiteral("connect_timeout=5;application_name=torsio"));
+  // A server that vanished without a word (a cable, a power cut) is noticed about when a lock would be given
+  // up.
+  database_->setConnectOptions(
+      QStringLiteral("connect_timeout=%1;tcp_user_timeout=%2;keepalives_idle=10;keepalives_interval=3;"
+                     "keepalives_count=3;application_name=torsio")
+          .arg(std::max(2, busyTimeout_ms / 1000))
+          .arg(busyTimeout_ms + 1000));
   if (!database_->open()) {
     const std::string detail =
         database_->lastError().databaseText().section(QLatin1Char('\n'), 0, 0).trimmed().toStdString();

@@ -46,7 +46,7 @@ DbFault sqliteFault(int code) {
 
 // https://www.postgresql.org/docs/15/errcodes-appendix.html
 DbFault postgresqlFault(const QString& state) {
-  static const std::array<std::pair<const char*, DbFault>, 14> kFaults{{
+  static const std::array<std::pair<const char*, DbFault>, 17> kFaults{{
       {"23505", DbFault::kUnique},
       {"23503", DbFault::kForeignKey},
       {"23001", DbFault::kForeignKey},
@@ -59,7 +59,10 @@ DbFault postgresqlFault(const QString& state) {
       {"40P01", DbFault::kConflict},
       {"53100", DbFault::kFull},
       {"XX001", DbFault::kCorrupt},
+      {"57014", DbFault::kBusy},  // longer than statement_timeout
       {"57P01", DbFault::kUnreachable},
+      {"57P02", DbFault::kUnreachable},
+      {"57P03", DbFault::kUnreachable},
       {"25P02", DbFault::kBrokenBefore},
   }};
   for (const auto& [code, fault] : kFaults) {

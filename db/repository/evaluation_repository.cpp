@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/evaluation_repository.h"
 
+#include <array>
+
 #include "db/repository/audit_repository.h"
+#include "db/repository/insert_once.h"
 #include "db/repository/seals.h"
 #include "sim/base/error.h"
 
@@ -105,6 +108,28 @@ std::vector<StoredComposite> compositesOf(Connection& connection, const std::str
   return composites;
 }
 
+/// Whether a mark is there already; refuses another one under its id.
+bool isStored(Connection& connection, const std::string& campaignId, const StoredEvaluationMark& mark) {
+  using Kind = OnceColumn::Kind;
+  Statement stored = connection.prepare("SELECT id FROM evaluation_mark WHERE id = ?");
+  stored.execute({mark.id});
+  bool there = false;
+  while (stored.step()) there = true;
+  if (!there) return false;
+  const std::array<OnceColumn, 10> columns{{{"id", mark.id, Kind::kKey},
+                                            {"campaign_id", campaignId},
+                                            {"rater_id", mark.raterId},
+                                            {"model_code", mark.modelCode},
+                                            {"index_number", mark.indexNumber},
+                                            {"version", mark.version},
+                                            {"score_steps", mark.score_steps},
+                                            {"amend_reason", textOrNull(mark.amendReason)},
+                                            {"submitted_utc_us", mark.submittedUtc_us, Kind::kAside},
+                                            {"demonstration", mark.demonstration}}};
+  insertOnce(connection, "evaluation_mark", columns, "this mark");
+  return true;
+}
+
 }  // namespace
 
 void EvaluationRepository::addCampaign(const StoredCampaign& campaign) {
@@ -156,6 +181,8 @@ void EvaluationRepository::submit(const std::string& campaignId,
       "INSERT INTO evaluation_mark (id, campaign_id, rater_id, model_code, index_number, version, "
       "score_steps,"
       " amend_reason, submitted_utc_us, demonstration) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  std::vector<std::string> ids;
+  std::vector<const StoredEvaluationMark*> added;
   for (const StoredEvaluationMark& mark : marks) {
     if (mark.score_steps < scale.lo || mark.score_steps > scale.hi) {
       throw Error(ErrorCode::kBadData,
@@ -165,25 +192,29 @@ void EvaluationRepository::submit(const std::string& campaignId,
                       std::to_string(mark.indexNumber),
                   "Correct the score");
     }
+    if (isStored(connection_, campaignId, mark)) continue;
     insert.execute({mark.id, campaignId, mark.raterId, mark.modelCode, mark.indexNumber, mark.version,
                     mark.score_steps, textOrNull(mark.amendReason), mark.submittedUtc_us,
                     mark.demonstration});
+    ids.push_back(mark.id);
+    added.push_back(&mark);
   }
-  std::vector<std::string> ids;
-  ids.reserve(marks.size());
-  for (const StoredEvaluationMark& mark : marks) ids.push_back(mark.id);
+  if (added.empty()) {
+    transaction.commit();
+    return;
+  }
   const std::map<std::string, std::string> hashes = evaluationMarkHashes(connection_, ids);
   std::vector<AuditEntry> seals;
-  for (const StoredEvaluationMark& mark : marks) {
+  for (const StoredEvaluationMark* mark : added) {
     AuditEntry seal;
-    seal.atUtc_us = mark.submittedUtc_us;
-    seal.actor = mark.raterId;
+    seal.atUtc_us = mark->submittedUtc_us;
+    seal.actor = mark->raterId;
     seal.station = station_;
-    seal.action = mark.version == 1 ? "evaluation.submit" : "evaluation.amend";
+    seal.action = mark->version == 1 ? "evaluation.submit" : "evaluation.amend";
     seal.objectKind = kSealedEvaluationMark;
-    seal.objectId = mark.id;
-    seal.reason = mark.amendReason;
-    seal.objectHash = hashes.at(mark.id);
+    seal.objectId = mark->id;
+    seal.reason = mark->amendReason;
+    seal.objectHash = hashes.at(mark->id);
     seals.push_back(seal);
   }
   AuditRepository(connection_).append(seals);

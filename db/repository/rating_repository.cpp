@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating_repository.h"
 
+#include <algorithm>
+#include <array>
+
 #include "db/repository/audit_repository.h"
+#include "db/repository/insert_once.h"
 #include "db/repository/seals.h"
 
 namespace torsio {
@@ -68,11 +72,72 @@ std::vector<StoredGroupResult> groupResults(Connection& connection, const std::s
   return results;
 }
 
+/// Of a mark that is stored already: refuses another one under its id. When it was submitted does not count,
+/// and a comment may have been erased since: its hash is there.
+void requireSameMark(Connection& connection, const StoredTrainingMark& mark) {
+  using Kind = OnceColumn::Kind;
+  const std::array<OnceColumn, 16> columns{{{"id", mark.id, Kind::kKey},
+                                            {"enrolment_id", mark.enrolmentId},
+                                            {"rater_id", mark.raterId},
+                                            {"scoring_point", mark.scoringPoint},
+                                            {"version", mark.version},
+                                            {"trial_id", textOrNull(mark.trialId)},
+                                            {"score_steps", mark.score_steps},
+                                            {"scale_lo_steps", mark.scale.lo},
+                                            {"scale_hi_steps", mark.scale.hi},
+                                            {"steps_per_point", mark.scale.stepsPerPoint},
+                                            {"not_assessable_reason", textOrNull(mark.notAssessableReason)},
+                                            {"amend_reason", textOrNull(mark.amendReason)},
+                                            {"submitted_utc_us", mark.submittedUtc_us, Kind::kAside},
+                                            {"demonstration", mark.demonstration},
+                                            {"assignment_id", textOrNull(mark.assignmentId)},
+                                            {"comment_hash", textOrNull(textHash(mark.comment))}}};
+  insertOnce(connection, "training_mark", columns, "this mark");
+  Statement row = connection.prepare(
+      "SELECT row_code, revision_id, score_steps, not_assessable_reason FROM training_mark_row"
+      " WHERE mark_id = ?");
+  row.execute({mark.id});
+  std::size_t same = 0;
+  std::size_t stored = 0;
+  while (row.step()) {
+    ++stored;
+    same += static_cast<std::size_t>(
+        std::count_if(mark.rows.begin(), mark.rows.end(), [&](const StoredMarkRow& given) {
+          return given.rowCode == row.text(0) && given.rubricRevisionId == row.text(1) &&
+                 given.score_steps == row.maybeInt64(2) && given.notAssessableReason == row.text(3);
+        }));
+  }
+  if (same != mark.rows.size() || stored != mark.rows.size()) {
+    refuseOtherContent(connection, "training_mark_row", "this mark");
+  }
+}
+
+/// Those that the database does not have yet.
+std::vector<StoredTrainingMark> newMarks(Connection& connection, std::span<const StoredTrainingMark> marks) {
+  std::vector<StoredTrainingMark> missing;
+  Statement stored = connection.prepare("SELECT id FROM training_mark WHERE id = ?");
+  for (const StoredTrainingMark& mark : marks) {
+    stored.execute({mark.id});
+    bool there = false;
+    while (stored.step()) there = true;
+    if (there) {
+      requireSameMark(connection, mark);
+    } else {
+      missing.push_back(mark);
+    }
+  }
+  return missing;
+}
+
 }  // namespace
 
 void RatingRepository::submit(std::span<const StoredTrainingMark> marks) {
-  if (marks.empty()) return;
   Transaction transaction(connection_);
+  const std::vector<StoredTrainingMark> added = newMarks(connection_, marks);
+  if (added.empty()) {
+    transaction.commit();
+    return;
+  }
   Statement insert = connection_.prepare(
       "INSERT INTO training_mark (id, enrolment_id, rater_id, scoring_point, version, trial_id, score_steps,"
       " scale_lo_steps, scale_hi_steps, steps_per_point, not_assessable_reason, comment, amend_reason,"
@@ -82,7 +147,7 @@ void RatingRepository::submit(std::span<const StoredTrainingMark> marks) {
   Statement insertRow = connection_.prepare(
       "INSERT INTO training_mark_row (mark_id, revision_id, row_code, score_steps, not_assessable_reason)"
       " VALUES (?, ?, ?, ?, ?)");
-  for (const StoredTrainingMark& mark : marks) {
+  for (const StoredTrainingMark& mark : added) {
     insert.execute({mark.id, mark.enrolmentId, mark.raterId, mark.scoringPoint, mark.version,
                     textOrNull(mark.trialId), mark.score_steps, mark.scale.lo, mark.scale.hi,
                     mark.scale.stepsPerPoint, textOrNull(mark.notAssessableReason), textOrNull(mark.comment),
@@ -94,11 +159,11 @@ void RatingRepository::submit(std::span<const StoredTrainingMark> marks) {
     }
   }
   std::vector<std::string> ids;
-  ids.reserve(marks.size());
-  for (const StoredTrainingMark& mark : marks) ids.push_back(mark.id);
+  ids.reserve(added.size());
+  for (const StoredTrainingMark& mark : added) ids.push_back(mark.id);
   const std::map<std::string, std::string> hashes = markHashes(connection_, ids);
   std::vector<AuditEntry> seals;
-  for (const StoredTrainingMark& mark : marks) {
+  for (const StoredTrainingMark& mark : added) {
     AuditEntry seal;
     seal.atUtc_us = mark.submittedUtc_us;
     seal.actor = mark.raterId;

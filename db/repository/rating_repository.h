@@ -81,9 +81,10 @@ class RatingRepository {
   explicit RatingRepository(Connection& connection, std::string station = {})
       : connection_(connection), station_(std::move(station)) {}
 
-  /// Seals first versions and amendments alike, each with an entry in the audit trail. Throws DbError:
-  /// kUnique when this version exists (another station was faster: nothing is overwritten), kCheck for a
-  /// score outside its scale.
+  /// Seals first versions and amendments alike, each with an entry in the audit trail. A mark that is stored
+  /// already under its id with the same content is no error (a retry after a lost answer). Throws DbError:
+  /// kUnique when this version exists (another station was faster: nothing is overwritten) or the id with
+  /// other content, kCheck for a score outside its scale.
   void submit(std::span<const StoredTrainingMark> marks);
   /// The newest version of every mark of a cohort, ordered by scoring point, group, number, rater code.
   [[nodiscard]] std::vector<StoredTrainingMark> marks(const std::string& cohortId);

@@ -84,6 +84,13 @@ void checkComplete(const Sheet& sheet, const StoredRubricRevision& rubric, const
   }
 }
 
+/// Of a mark that is stored already.
+std::optional<std::int64_t> versionOf(Connection& connection, const std::string& markId) {
+  Statement row = connection.prepare("SELECT version FROM training_mark WHERE id = ?");
+  row.execute({markId});
+  return row.step() ? std::optional(row.int64(0)) : std::nullopt;
+}
+
 std::vector<SheetRow> sheetRows(Statement row, const std::string& key) {
   std::vector<SheetRow> rows;
   row.execute({key});
@@ -268,7 +275,8 @@ void SheetRepository::submit(const std::string& assignmentId, const std::string&
                              const std::string& amendReason, std::int64_t submittedUtc_us) {
   Transaction transaction(connection_);
   const StoredAssignment assignment = assignmentOf(connection_, assignmentId);
-  if (stateOf(assignmentId) == SheetState::kWithdrawn) {
+  const std::optional<std::int64_t> storedVersion = versionOf(connection_, markId);  // a retry
+  if (!storedVersion && stateOf(assignmentId) == SheetState::kWithdrawn) {
     throw Error(ErrorCode::kBadData, "the sheet was withdrawn", assignment.caseLabel, "Read the queue again");
   }
   const StoredRubricRevision rubric = revision(assignment.rubricRevisionId).value();
@@ -287,7 +295,9 @@ void SheetRepository::submit(const std::string& assignmentId, const std::string&
   mark.amendReason = amendReason;
   mark.submittedUtc_us = submittedUtc_us;
   mark.demonstration = assignment.demonstration;
-  if (!amendReason.empty()) {
+  if (storedVersion) {
+    mark.version = *storedVersion;
+  } else if (!amendReason.empty()) {
     RatingRepository ratings(connection_);
     mark.version = static_cast<std::int64_t>(
         1 + ratings.history(mark.enrolmentId, mark.raterId, mark.scoringPoint).size());

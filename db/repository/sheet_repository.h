@@ -110,7 +110,7 @@ class SheetRepository {
 
   /// Seals the first version, or with `amendReason` the next one, as mark `markId` with its rows, and removes
   /// the draft. Throws Error (kBadData) when a row of the rubric is missing or unknown, or a score lies
-  /// outside its scale; DbError (kUnique) when another station sealed it first.
+  /// outside its scale; DbError (kUnique) when another station sealed it first. The same again is no error.
   void submit(const std::string& assignmentId, const std::string& markId, const Sheet& sheet,
               const std::string& amendReason, std::int64_t submittedUtc_us);
   /// The newest sealed version; empty: not submitted.

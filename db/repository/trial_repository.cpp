@@ -2,9 +2,11 @@
 #include "db/repository/trial_repository.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "db/repository/audit_repository.h"
+#include "db/repository/insert_once.h"
 #include "db/repository/seals.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
@@ -15,16 +17,6 @@ namespace torsio {
 
 namespace {
 
-constexpr const char* kInsertTrial =
-    "INSERT INTO trial (id, trainee_id, enrolment_id, station, scene_id, pattern_id, organ_hash, "
-    "parameter_hash,"
-    " parameters_json, device_model, device_max_force_n, device_continuous_force_n,"
-    " device_max_stiffness_n_per_m, workspace_min_x_m, workspace_min_y_m, workspace_min_z_m, "
-    "workspace_max_x_m,"
-    " workspace_max_y_m, workspace_max_z_m, software_version, phase_label, drive, target_angle_rad, "
-    "force_scale,"
-    " tick_period_us, started_utc_us, demonstration)"
-    " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)";
 constexpr const char* kSelectTrial =
     "SELECT t.id, p.code, t.scene_id, t.pattern_id, t.organ_hash, t.parameter_hash, t.parameters_json,"
     " t.device_model, t.device_max_force_n, t.device_continuous_force_n, t.device_max_stiffness_n_per_m,"
@@ -36,8 +28,12 @@ constexpr const char* kSelectTrial =
 constexpr const char* kListing =
     "SELECT t.id, p.code, t.enrolment_id, t.station, t.scene_id, t.pattern_id, t.phase_label, "
     "t.started_utc_us,"
-    " t.demonstration, e.sample_count, e.refused_samples, e.late_ticks, e.outcome, e.content_hash"
+    " t.demonstration, e.sample_count, e.refused_samples, e.late_ticks, e.outcome, e.content_hash, "
+    "t.module_id,"
+    " t.phase_id, t.attempt_mode"
     " FROM trial t LEFT JOIN person p ON p.id = t.trainee_id LEFT JOIN trial_end e ON e.trial_id = t.id";
+
+using Kind = OnceColumn::Kind;
 
 constexpr const char* kCompleted = "completed";
 constexpr const char* kInterrupted = "interrupted";
@@ -64,7 +60,10 @@ std::vector<TrialListing> listingsOf(Statement& row) {
                          .phaseLabel = row.text(6),
                          .startedUtc_us = row.int64(7),
                          .demonstration = row.boolean(8),
-                         .summary = std::nullopt};
+                         .summary = std::nullopt,
+                         .moduleId = row.text(kSummaryColumn + 5),
+                         .phaseId = row.text(kSummaryColumn + 6),
+                         .attemptMode = row.text(kSummaryColumn + 7)};
     if (!row.isNull(kSummaryColumn)) listing.summary = summaryOf(row, kSummaryColumn);
     listings.push_back(std::move(listing));
   }
@@ -100,11 +99,57 @@ TrialHeader headerOf(const Statement& row) {
 }
 
 void insertChunk(Connection& connection, const std::string& trialId, const TrialChunk& chunk) {
-  connection.execute(
-      "INSERT INTO trial_chunk (trial_id, chunk_index, first_tick, sample_count, digest, output_digest,"
-      " stored_utc_us, bytes) VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
-      {trialId, chunk.index, chunk.firstTick, chunk.samples, chunk.digest, chunk.outputDigest, utcNow_us(),
-       chunk.bytes});
+  const std::array<OnceColumn, 8> columns{{{"trial_id", trialId, Kind::kKey},
+                                           {"chunk_index", chunk.index, Kind::kKey},
+                                           {"first_tick", chunk.firstTick},
+                                           {"sample_count", chunk.samples},
+                                           {"digest", chunk.digest},
+                                           {"output_digest", chunk.outputDigest},
+                                           {"stored_utc_us", utcNow_us(), Kind::kAside},
+                                           {"bytes", chunk.bytes}}};
+  insertOnce(connection, "trial_chunk", columns,
+             "second " + std::to_string(chunk.index + 1) + " of trial " + trialId);
+}
+
+std::vector<OnceColumn> headerColumns(const TrialHeader& header, Value trainee) {
+  const DeviceLimits& limits = header.deviceLimits;
+  return {{"id", header.trialId, Kind::kKey},
+          {"trainee_id", std::move(trainee)},
+          {"scene_id", header.sceneId},
+          {"pattern_id", header.patternId},
+          {"organ_hash", header.organHash},
+          {"parameter_hash", header.parameterHash},
+          {"parameters_json", header.parametersJson},
+          {"device_model", header.deviceModel},
+          {"device_max_force_n", limits.maxForce_N},
+          {"device_continuous_force_n", limits.continuousForce_N},
+          {"device_max_stiffness_n_per_m", limits.maxStiffness_N_per_m},
+          {"workspace_min_x_m", limits.workspaceMin_m.x},
+          {"workspace_min_y_m", limits.workspaceMin_m.y},
+          {"workspace_min_z_m", limits.workspaceMin_m.z},
+          {"workspace_max_x_m", limits.workspaceMax_m.x},
+          {"workspace_max_y_m", limits.workspaceMax_m.y},
+          {"workspace_max_z_m", limits.workspaceMax_m.z},
+          {"software_version", header.softwareVersion},
+          {"phase_label", header.phaseLabel},
+          {"drive", static_cast<std::int64_t>(header.drive)},
+          {"target_angle_rad", header.targetAngle_rad},
+          {"force_scale", header.forceScale},
+          {"tick_period_us", header.tickPeriod_us},
+          {"started_utc_us", header.startedUtc_us},
+          {"demonstration", header.demonstration}};
+}
+
+std::vector<OnceColumn> contextColumns(const TrialContext& context, Kind kind) {
+  return {{"station", context.station, kind},
+          {"enrolment_id", textOrNull(context.enrolmentId), kind},
+          {"module_id", textOrNull(context.moduleId), kind},
+          {"phase_id", textOrNull(context.phaseId), kind},
+          {"attempt_mode", textOrNull(context.attemptMode), kind},
+          {"host_name", textOrNull(context.host.name), kind},
+          {"host_os", textOrNull(context.host.os), kind},
+          {"host_cpu", textOrNull(context.host.cpu), kind},
+          {"host_gpu", textOrNull(context.host.gpu), kind}};
 }
 
 Value traineeId(Connection& connection, const std::string& code) {
@@ -120,35 +165,21 @@ Value traineeId(Connection& connection, const std::string& code) {
 
 void TrialRepository::begin(const TrialHeader& header) {
   TORSIO_EXPECTS(current_.empty() && !header.trialId.empty());
-  const DeviceLimits& limits = header.deviceLimits;
-  connection_.execute(kInsertTrial, {header.trialId,
-                                     traineeId(connection_, header.traineeCode),
-                                     textOrNull(context_.enrolmentId),
-                                     context_.station,
-                                     header.sceneId,
-                                     header.patternId,
-                                     header.organHash,
-                                     header.parameterHash,
-                                     header.parametersJson,
-                                     header.deviceModel,
-                                     limits.maxForce_N,
-                                     limits.continuousForce_N,
-                                     limits.maxStiffness_N_per_m,
-                                     limits.workspaceMin_m.x,
-                                     limits.workspaceMin_m.y,
-                                     limits.workspaceMin_m.z,
-                                     limits.workspaceMax_m.x,
-                                     limits.workspaceMax_m.y,
-                                     limits.workspaceMax_m.z,
-                                     header.softwareVersion,
-                                     header.phaseLabel,
-                                     static_cast<std::int64_t>(header.drive),
-                                     header.targetAngle_rad,
-                                     header.forceScale,
-                                     header.tickPeriod_us,
-                                     header.startedUtc_us,
-                                     header.demonstration});
+  insertTrial(header, true);
   current_ = header.trialId;
+}
+
+void TrialRepository::insertTrial(const TrialHeader& header, bool sameContext) {
+  std::vector<OnceColumn> columns = headerColumns(header, traineeId(connection_, header.traineeCode));
+  const std::vector<OnceColumn> context =
+      contextColumns(context_, sameContext ? Kind::kContent : Kind::kAside);
+  columns.insert(columns.end(), context.begin(), context.end());
+  insertOnce(connection_, "trial", columns, "trial " + header.trialId);
+}
+
+void TrialRepository::resume(const std::string& trialId) {
+  TORSIO_EXPECTS(current_.empty() && !trialId.empty());
+  current_ = trialId;
 }
 
 void TrialRepository::append(const TrialChunk& chunk) {
@@ -165,8 +196,7 @@ void TrialRepository::finish(const TrialSummary& summary) {
 void TrialRepository::import(const Trial& trial) {
   verifyContent(trial);
   Transaction transaction(connection_);
-  begin(trial.header);
-  current_.clear();  // whatever happens now, nothing is being recorded
+  insertTrial(trial.header, false);  // a file does not know for what it was recorded
   for (const TrialChunk& chunk : trial.chunks) insertChunk(connection_, trial.header.trialId, chunk);
   end(trial.header.trialId, context_.station, trial.summary);
   transaction.commit();
@@ -176,11 +206,19 @@ void TrialRepository::end(const std::string& trialId, const std::string& station
                           const TrialSummary& summary) {
   Transaction transaction(connection_);
   const std::int64_t now_us = utcNow_us();
-  connection_.execute(
-      "INSERT INTO trial_end (trial_id, sample_count, refused_samples, late_ticks, outcome, content_hash,"
-      " ended_utc_us) VALUES (?, ?, ?, ?, ?, ?, ?)",
-      {trialId, summary.samples, summary.refusedSamples, summary.lateTicks,
-       summary.outcome == TrialOutcome::kCompleted ? kCompleted : kInterrupted, summary.contentHash, now_us});
+  const std::array<OnceColumn, 7> columns{
+      {{"trial_id", trialId, Kind::kKey},
+       {"sample_count", summary.samples},
+       {"refused_samples", summary.refusedSamples},
+       {"late_ticks", summary.lateTicks},
+       {"outcome", summary.outcome == TrialOutcome::kCompleted ? kCompleted : kInterrupted},
+       {"content_hash", summary.contentHash},
+       {"ended_utc_us", now_us, Kind::kAside}}};
+  if (insertOnce(connection_, "trial_end", columns, "the end of trial " + trialId) ==
+      Inserted::kThereAlready) {
+    transaction.commit();  // its entry in the audit trail came in the same transaction
+    return;
+  }
   AuditEntry seal;
   seal.atUtc_us = now_us;
   seal.actor = "torsio";
@@ -228,6 +266,7 @@ std::vector<TrialListing> TrialRepository::list(const TrialFilter& filter) {
   restrict("p.code", filter.traineeCode);
   restrict("t.enrolment_id", filter.enrolmentId);
   restrict("t.scene_id", filter.sceneId);
+  restrict("t.module_id", filter.moduleId);
   values.emplace_back(filter.limit);
   values.emplace_back(filter.offset);
   Statement row =
@@ -241,6 +280,22 @@ std::optional<TrialHeader> TrialRepository::find(const std::string& trialId) {
   row.execute({trialId});
   if (!row.step()) return std::nullopt;
   return headerOf(row);
+}
+
+std::optional<TrialContext> TrialRepository::context(const std::string& trialId) {
+  Statement row = connection_.prepare(
+      "SELECT station, enrolment_id, module_id, phase_id, attempt_mode, host_name, host_os, host_cpu, "
+      "host_gpu"
+      " FROM trial WHERE id = ?");
+  row.execute({trialId});
+  if (!row.step()) return std::nullopt;
+  return TrialContext{
+      .station = row.text(0),
+      .enrolmentId = row.text(1),
+      .moduleId = row.text(2),
+      .phaseId = row.text(3),
+      .attemptMode = row.text(4),
+      .host = {.name = row.text(5), .os = row.text(6), .cpu = row.text(7), .gpu = row.text(8)}};
 }
 
 Trial TrialRepository::load(const std::string& trialId) {
@@ -290,34 +345,6 @@ std::vector<TrialListing> TrialRepository::closeInterrupted(const std::string& s
     closed.push_back(std::move(listing));
   }
   return closed;
-}
-
-struct OwnConnectionTrialSink::Open {
-  Open(const std::string& locator, const TrialContext& context)
-      : connection(openDatabase(locator, OpenMode::kReadWrite)), repository(connection, context) {}
-  Connection connection;
-  TrialRepository repository;
-};
-
-OwnConnectionTrialSink::OwnConnectionTrialSink(std::string locator, TrialContext context)
-    : locator_(std::move(locator)), context_(std::move(context)) {}
-
-OwnConnectionTrialSink::~OwnConnectionTrialSink() = default;
-
-void OwnConnectionTrialSink::begin(const TrialHeader& header) {
-  if (!open_) open_ = std::make_unique<Open>(locator_, context_);
-  open_->repository.begin(header);
-}
-
-void OwnConnectionTrialSink::append(const TrialChunk& chunk) {
-  TORSIO_EXPECTS(open_ != nullptr);
-  open_->repository.append(chunk);
-}
-
-void OwnConnectionTrialSink::finish(const TrialSummary& summary) {
-  TORSIO_EXPECTS(open_ != nullptr);
-  open_->repository.finish(summary);
-  open_.reset();
 }
 
 }  // namespace torsio

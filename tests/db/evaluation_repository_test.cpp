@@ -158,6 +158,24 @@ TEST_F(EvaluationRepositoryTest, MarksAreSealedAndCorrectedByVersions) {
   EXPECT_EQ(evaluations.marks(campaign.id)[0].score_steps, 60);
 }
 
+TEST_F(EvaluationRepositoryTest, ABatchGivenAgainAfterALostAnswerIsStoredOnce) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const StoredCampaign campaign = campaignFor(sample);
+  EvaluationRepository evaluations(connection);
+  evaluations.addCampaign(campaign);
+  std::vector<StoredEvaluationMark> marks{markOf(sample, 0, "PM", 1, 50), markOf(sample, 0, "PM", 2, 60)};
+  evaluations.submit(campaign.id, std::span(marks.data(), 1));
+
+  evaluations.submit(campaign.id, marks);
+  evaluations.submit(campaign.id, marks);
+
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM evaluation_mark"), 2);
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM audit_entry"), 2);
+  marks[0].score_steps = 51;
+  EXPECT_EQ(faultFrom([&] { evaluations.submit(campaign.id, marks); }), DbFault::kUnique);
+}
+
 TEST_F(EvaluationRepositoryTest, TheNewestRunIsTheOneThatCounts) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);

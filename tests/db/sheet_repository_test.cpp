@@ -149,6 +149,47 @@ TEST_F(SheetRepositoryTest, AnAmendmentIsTheNextVersion) {
   EXPECT_EQ(mark.amendReason, "looked again");
 }
 
+TEST_F(SheetRepositoryTest, SubmittingAgainAfterALostAnswerSealsOnce) {
+  Connection connection = openWithSchema();
+  Desk desk(connection);
+  const std::string id = desk.assignments[0].id;
+  const std::string first = desk.sample.ids.newUuid();
+  const std::string second = desk.sample.ids.newUuid();
+  Sheet better = fullSheet();
+  better.overall_steps = 80;
+  desk.sheets.submit(id, first, fullSheet(), "", kSampleTime_us);
+  desk.sheets.submit(id, second, better, "looked again", kSampleTime_us + 1);
+
+  desk.sheets.submit(id, first, fullSheet(), "", kSampleTime_us + 2);
+  desk.sheets.submit(id, second, better, "looked again", kSampleTime_us + 2);
+
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM training_mark"), 2);
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM audit_entry"), 2);
+  EXPECT_EQ(desk.sheets.submitted(id)->overall_steps, 80);
+}
+
+TEST_F(SheetRepositoryTest, RefusesAnotherSheetUnderTheIdOfASealedOne) {
+  Connection connection = openWithSchema();
+  Desk desk(connection);
+  const std::string id = desk.assignments[0].id;
+  const std::string mark = desk.sample.ids.newUuid();
+  desk.sheets.submit(id, mark, fullSheet(), "", kSampleTime_us);
+
+  Sheet otherScore = fullSheet();
+  otherScore.overall_steps = 80;
+  Sheet otherRow = fullSheet();
+  otherRow.rows[0].score_steps = 5;
+  Sheet otherComment = fullSheet();
+  otherComment.comment = "hasty";
+  for (const Sheet& other : {otherScore, otherRow, otherComment}) {
+    EXPECT_EQ(faultFrom([&] { desk.sheets.submit(id, mark, other, "", kSampleTime_us); }), DbFault::kUnique);
+  }
+  const Refusal refusal = refusalFrom([&] { desk.sheets.submit(id, mark, otherRow, "", kSampleTime_us); });
+  EXPECT_NE(refusal.text.find("this mark is stored already with other content"), std::string::npos)
+      << refusal.text;
+  EXPECT_EQ(desk.sheets.submitted(id)->overall_steps, 75);
+}
+
 TEST_F(SheetRepositoryTest, RefusesAnIncompleteSheetNamingTheRow) {
   Connection connection = openWithSchema();
   Desk desk(connection);

@@ -3,7 +3,10 @@
 
 #include <thread>
 
+#include "db/repository/curriculum_repository.h"
 #include "sim/base/error.h"
+#include "sim/record/content_hash.h"
+#include "sim/record/sample_codec.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 
@@ -214,15 +217,143 @@ TEST_F(TrialRepositoryTest, ReplacingARowIsAChangeToo) {
             DbFault::kAppendOnly);
 }
 
-TEST_F(TrialRepositoryTest, RefusesTheSameSecondTwice) {
+TEST_F(TrialRepositoryTest, StoresOnceWhatItIsGivenAgainAfterALostAnswer) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  TrialRepository trials(connection);
-  trials.begin(sampleHeader(sample.ids.newUuid(), "T-01"));
-  trials.append(sampleChunk(0, 100));
+  const TrialHeader header = sampleHeader(sample.ids.newUuid(), "T-01");
+  const TrialSummary summary{1000, 3, 2, TrialOutcome::kCompleted, "hash"};
+  const TrialContext context{"station-1", sample.enrolments[0].id};
+  TrialRepository(connection, context).begin(header);
 
-  EXPECT_EQ(faultFrom([&] { trials.append(sampleChunk(0, 100)); }), DbFault::kUnique);
+  TrialRepository again(connection, context);
+  again.begin(header);
+  again.append(sampleChunk(0, 100));
+  again.append(sampleChunk(0, 100));
+  again.finish(summary);
+  TrialRepository late(connection, context);
+  late.resume(header.trialId);
+  late.finish(summary);
+
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM trial"), 1);
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM trial_chunk"), 1);
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM trial_end"), 1);
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM audit_entry"), 1);
+}
+
+TEST_F(TrialRepositoryTest, RefusesTheSameIdWithOtherContentAndSaysSo) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  TrialHeader header = sampleHeader(sample.ids.newUuid(), "T-01");
+  TrialRepository trials(connection);
+  trials.begin(header);
+  trials.append(sampleChunk(0, 100));
   trials.append(sampleChunk(1, 100));
+
+  TrialChunk other = sampleChunk(0, 100);
+  other.bytes[50] ^= std::byte{1};
+  EXPECT_EQ(faultFrom([&] { trials.append(other); }), DbFault::kUnique);
+  const Refusal refusal = refusalFrom([&] { trials.append(other); });
+  EXPECT_NE(
+      refusal.text.find("second 1 of trial " + header.trialId + " is stored already with other content"),
+      std::string::npos)
+      << refusal.text;
+  trials.finish({2000, 0, 0, TrialOutcome::kCompleted, "hash"});
+  TrialRepository late(connection);
+  late.resume(header.trialId);
+  EXPECT_EQ(faultFrom([&] {
+              late.finish({2000, 0, 1, TrialOutcome::kCompleted, "hash"});
+            }),
+            DbFault::kUnique);
+  header.sceneId = "stomach";
+  TrialRepository another(connection);
+  EXPECT_EQ(faultFrom([&] { another.begin(header); }), DbFault::kUnique);
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM trial_chunk"), 2);
+}
+
+/// A trial whose digests fit, as a spill file has it.
+Trial wholeTrial(const std::string& id, std::int64_t chunks) {
+  Trial trial;
+  trial.header = sampleHeader(id, "T-01");
+  for (std::int64_t i = 0; i < chunks; ++i) {
+    trial.chunks.push_back(sampleChunk(i, 200));
+    trial.chunks.back().digest = chunkDigest(trial.chunks.back());
+  }
+  trial.summary = {1000 * chunks, 0, 0, TrialOutcome::kCompleted, contentHash(trial)};
+  return trial;
+}
+
+TEST_F(TrialRepositoryTest, AFileCompletesWhatTheDatabaseHasOfItsTrial) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const Trial trial = wholeTrial(sample.ids.newUuid(), 3);
+  TrialRepository recording(connection, {"station-1", sample.enrolments[0].id});
+  recording.begin(trial.header);
+  recording.append(trial.chunks[0]);
+
+  TrialRepository trials(connection, {"station-2", ""});
+  trials.import(trial);
+  trials.import(trial);
+
+  EXPECT_EQ(trials.load(trial.header.trialId).chunks.size(), 3U);
+  EXPECT_EQ(trials.context(trial.header.trialId)->enrolmentId, sample.enrolments[0].id);
+  EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM audit_entry"), 1);
+}
+
+TEST_F(TrialRepositoryTest, AFileOfATrialThatWasClosedWithoutItIsRefused) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const Trial trial = wholeTrial(sample.ids.newUuid(), 3);
+  TrialRepository recording(connection, {"station-1", ""});
+  recording.begin(trial.header);
+  recording.append(trial.chunks[0]);
+  TrialRepository trials(connection, {"station-1", ""});
+  ASSERT_EQ(trials.closeInterrupted("station-1", INT64_MAX).size(), 1U);
+
+  EXPECT_EQ(faultFrom([&] { trials.import(trial); }), DbFault::kUnique);
+
+  EXPECT_EQ(trials.load(trial.header.trialId).chunks.size(), 1U);
+}
+
+TEST_F(TrialRepositoryTest, KeepsForWhatAndOnWhichMachineATrialWasRecorded) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  CurriculumRepository(connection).addCurriculum({"c", "Twist", "", kSampleTime_us, true});
+  StoredCurriculumVersion version;
+  version.id = "v";
+  version.curriculumId = "c";
+  StoredModule module;
+  module.id = "m";
+  module.code = "M1";
+  module.exerciseKind = "twist";
+  module.mode = "graded";
+  module.tolerance_rad = 0.1;
+  version.modules = {module};
+  StoredArm arm;
+  arm.id = "a";
+  arm.code = "A1";
+  arm.phases = {{"p", "virtual", "first", 60, "m"}};
+  version.arms = {arm};
+  CurriculumRepository(connection).addVersion(version, "admin");
+  const TrialContext context{.station = "station-1",
+                             .enrolmentId = sample.enrolments[0].id,
+                             .moduleId = "m",
+                             .phaseId = "p",
+                             .attemptMode = "graded",
+                             .host = {"pc-7", "Debian 12", "Core i5", "Arc A380"}};
+  const std::string id = sample.ids.newUuid();
+  TrialRepository trials(connection, context);
+
+  record(trials, sampleHeader(id, "T-01"), 1);
+
+  EXPECT_EQ(trials.context(id), context);
+  EXPECT_FALSE(trials.context("none").has_value());
+  const std::vector<TrialListing> found = trials.list({.moduleId = "m"});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].phaseId, "p");
+  EXPECT_EQ(found[0].attemptMode, "graded");
+  EXPECT_TRUE(trials.list({.moduleId = "other"}).empty());
+  TrialRepository wrong(connection, {.station = "s", .attemptMode = "sometimes"});
+  EXPECT_EQ(faultFrom([&] { wrong.begin(sampleHeader(sample.ids.newUuid(), "T-01")); }), DbFault::kCheck);
 }
 
 TEST_F(TrialRepositoryTest, SaysSoWhenThereIsNoSuchTrial) {

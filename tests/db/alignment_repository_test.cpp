@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/alignment_repository.h"
+
+#include "db/repository/audit_repository.h"
+#include "db/repository/freeze_repository.h"
+#include "db/repository/sheet_repository.h"
+#include "tests/db/sample_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+class AlignmentRepositoryTest : public DatabaseTest {
+ protected:
+  static std::string assignmentIn(Connection& connection, SampleRecord& sample) {
+    SheetRepository sheets(connection);
+    sheets.addRubric("rubric", "Twist", kSampleTime_us, true);
+    StoredRubricRevision revision{.id = "revision", .rubricId = "rubric"};
+    revision.overall = {10, 100, 10};
+    sheets.addRevision(revision);
+    StoredAssignment assignment{.id = sample.ids.newUuid()};
+    assignment.raterId = sample.chiefs[0].person.id;
+    assignment.enrolmentId = sample.enrolments[0].id;
+    assignment.scoringPoint = "mid";
+    assignment.rubricRevisionId = "revision";
+    assignment.caseLabel = "7F";
+    sheets.assign(std::span(&assignment, 1));
+    return assignment.id;
+  }
+};
+
+TEST_F(AlignmentRepositoryTest, TheNewestDecisionCountsAndAllAreKept) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const std::string id = assignmentIn(connection, sample);
+  AlignmentRepository decisions(connection, "room 1");
+
+  EXPECT_FALSE(decisions.latest(id).has_value());
+  EXPECT_EQ(decisions.add({id, 0, "third", "far apart", "admin", kSampleTime_us}), 1);
+  EXPECT_EQ(decisions.add({id, 0, "keep", "looked again", "chief", kSampleTime_us + 1}), 2);
+
+  ASSERT_EQ(decisions.history(id).size(), 2U);
+  EXPECT_EQ(decisions.history(id)[0].reason, "far apart");
+  EXPECT_EQ(decisions.latest(id)->decision, "keep");
+  ASSERT_EQ(decisions.ofCase(sample.enrolments[0].id, "mid").size(), 1U);
+  EXPECT_EQ(decisions.ofCase(sample.enrolments[0].id, "mid")[0].sequence, 2);
+  EXPECT_TRUE(decisions.ofCase(sample.enrolments[0].id, "pre").empty());
+  const AuditEntry entry = AuditRepository(connection).entries().at(0);
+  EXPECT_EQ(entry.action, "alignment.keep");
+  EXPECT_EQ(entry.station, "room 1");
+  EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM alignment_decision"); }), DbFault::kAppendOnly);
+}
+
+TEST_F(AlignmentRepositoryTest, RefusesWhatIsNoDecisionAndLeavesNoEntry) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const std::string id = assignmentIn(connection, sample);
+  AlignmentRepository decisions(connection);
+  EXPECT_EQ(faultFrom([&] { decisions.add({id, 0, "perhaps", "", "admin", 0}); }), DbFault::kCheck);
+  EXPECT_EQ(faultFrom([&] { decisions.add({"none", 0, "keep", "", "admin", 0}); }), DbFault::kForeignKey);
+  EXPECT_TRUE(AuditRepository(connection).entries().empty());
+}
+
+class FreezeRepositoryTest : public DatabaseTest {};
+
+TEST_F(FreezeRepositoryTest, AFrozenDataSetIsFoundByItsNameAndNeverChanges) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  FreezeRepository freezes(connection, "room 1");
+  const StoredFreeze freeze{sample.ids.newUuid(), sample.cohort.id, "Autumn, final", "0a1b",
+                            R"({"marks":12})",    "admin",          kSampleTime_us,  true};
+
+  freezes.add(freeze);
+  freezes.add(freeze);
+
+  ASSERT_EQ(freezes.list(sample.cohort.id).size(), 1U);
+  const StoredFreeze found = freezes.findByName("Autumn, final").value();
+  EXPECT_EQ(found.id, freeze.id);
+  EXPECT_EQ(found.contentHash, "0a1b");
+  EXPECT_EQ(found.manifestJson, R"({"marks":12})");
+  EXPECT_EQ(found.createdUtc_us, kSampleTime_us);
+  EXPECT_FALSE(freezes.findByName("Spring").has_value());
+  EXPECT_EQ(AuditRepository(connection).entries().size(), 1U);
+  StoredFreeze other = freeze;
+  other.contentHash = "ffff";
+  EXPECT_EQ(faultFrom([&] { freezes.add(other); }), DbFault::kUnique);
+  other.id = sample.ids.newUuid();
+  EXPECT_EQ(faultFrom([&] { freezes.add(other); }), DbFault::kUnique);
+  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE frozen_dataset SET name = ?", {"x"}); }),
+            DbFault::kAppendOnly);
+}
+
+}  // namespace
+}  // namespace torsio

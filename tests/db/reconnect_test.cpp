@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The server ends a connection in the middle of a trial: the recorder's sink opens it again, and nothing is
+// lost or doubled. PostgreSQL only.
+#include <cstdlib>
+
+#include "db/repository/audit_repository.h"
+#include "db/repository/rating_repository.h"
+#include "db/repository/trial_repository.h"
+#include "sim/base/clock.h"
+#include "sim/record/content_hash.h"
+#include "sim/record/recorder.h"
+#include "tests/db/sample_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+class ReconnectTest : public DatabaseTest {
+ protected:
+  void SetUp() override {
+    if (!onPostgresql()) GTEST_SKIP() << "SQLite has no server that could go away";
+    DatabaseTest::SetUp();
+  }
+
+  void TearDown() override {
+    if (onPostgresql() && !role_.empty()) open().executeVerbatim("DROP ROLE " + role_);
+    DatabaseTest::TearDown();
+  }
+
+  /// The same database as a user of its own, by whom the server can tell the connection that is to be ended.
+  std::string locatorToLose() {
+    const std::string whole = locator();
+    const std::size_t at = whole.find('@');
+    role_.assign("r").append(whole, whole.rfind("t_") + 1, std::string::npos);
+    open().executeVerbatim("CREATE ROLE " + role_ + " SUPERUSER LOGIN PASSWORD 'lost'");
+    std::string other = "postgresql://";
+    return other.append(role_).append(":lost").append(whole, at, std::string::npos);
+  }
+
+  void endConnection(Connection& connection) const {
+    Statement end =
+        connection.prepare("SELECT pg_terminate_backend(pid, 5000) FROM pg_stat_activity WHERE usename = ?");
+    end.execute({role_});
+    int ended = 0;
+    while (end.step()) ended += end.boolean(0) ? 1 : 0;
+    ASSERT_EQ(ended, 1);
+  }
+
+  static Sample sampleAt(std::int64_t tick) {
+    Sample sample;
+    sample.tick = tick;
+    return sample;
+  }
+
+ private:
+  std::string role_;
+};
+
+TEST_F(ReconnectTest, ATrialSurvivesTheLossOfItsConnectionAtEveryStep) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const std::string id = sample.ids.newUuid();
+  OwnConnectionTrialSink sink(locatorToLose(), {"station-1", sample.enrolments[0].id});
+
+  sink.begin(sampleHeader(id, "T-01"));
+  for (std::int64_t i = 0; i < 6; ++i) {
+    if (i % 2 == 1) endConnection(connection);
+    sink.append(sampleChunk(i, 500));
+  }
+  endConnection(connection);
+  sink.finish({6000, 0, 0, TrialOutcome::kCompleted, "hash"});
+
+  const Trial trial = TrialRepository(connection).load(id);
+  ASSERT_EQ(trial.chunks.size(), 6U);
+  for (std::int64_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(trial.chunks[static_cast<std::size_t>(i)].bytes, sampleChunk(i, 500).bytes);
+  }
+  EXPECT_EQ(trial.summary.contentHash, "hash");
+  EXPECT_EQ(AuditRepository(connection).entries({.objectKind = "trial"}).size(), 1U);
+}
+
+TEST_F(ReconnectTest, ARecordingLosesNoSampleAndNeedsNoFile) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const TrialHeader header = sampleHeader(sample.ids.newUuid(), "T-01");
+  SpscRing<Sample> ring(kRecordingRing);
+  OwnConnectionTrialSink sink(locatorToLose(), {"station-1", ""});
+  Recorder recorder(ring, sink, header);
+
+  std::int64_t tick = 0;
+  for (int second = 0; second < 5; ++second) {
+    for (int i = 0; i < 1000; ++i) ASSERT_TRUE(ring.push(sampleAt(tick++)));
+    recorder.pump();
+    if (second == 2) endConnection(connection);
+  }
+  const RecordingResult result = recorder.finish(TrialOutcome::kCompleted, 0);
+
+  EXPECT_FALSE(result.spillFile.has_value());
+  EXPECT_EQ(result.problem, "");
+  EXPECT_EQ(result.summary.refusedSamples, 0);
+  const Trial trial = TrialRepository(connection).load(header.trialId);
+  EXPECT_EQ(trial.summary.samples, 5000);
+  verifyContent(trial);
+}
+
+TEST_F(ReconnectTest, ACallerMaySubmitTheSameMarkAgainOverANewConnection) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  StoredTrainingMark mark;
+  mark.id = sample.ids.newUuid();
+  mark.enrolmentId = sample.enrolments[0].id;
+  mark.raterId = sample.chiefs[0].person.id;
+  mark.scoringPoint = "pre";
+  mark.score_steps = 73;
+  mark.submittedUtc_us = kSampleTime_us;
+  {
+    Connection lost = openDatabase(locatorToLose(), OpenMode::kReadWrite);
+    RatingRepository(lost).submit(std::span(&mark, 1));  // kept, but the answer never arrives
+    endConnection(connection);
+    EXPECT_EQ(faultFrom([&] { RatingRepository(lost).submit(std::span(&mark, 1)); }), DbFault::kUnreachable);
+  }
+
+  Connection again = open();
+  RatingRepository(again).submit(std::span(&mark, 1));
+
+  EXPECT_EQ(RatingRepository(connection).marks(sample.cohort.id).size(), 1U);
+  EXPECT_TRUE(AuditRepository(connection).verify().empty());
+}
+
+TEST_F(ReconnectTest, AServerThatStaysAwayIsReportedWithinSeconds) {
+  // given: an address where nobody listens
+  const std::string away = "postgresql://torsio:none@127.0.0.1:1/none";
+  OwnConnectionTrialSink sink(away, {"station-1", ""});
+  const MonotonicClock clock;
+  const std::int64_t start_us = clock.now_us();
+
+  EXPECT_EQ(faultFrom([&] { sink.begin(sampleHeader("t", "")); }), DbFault::kUnreachable);
+
+  constexpr std::int64_t kRing_us = 8'000'000;  // what the recorder's ring holds
+  EXPECT_LT(clock.now_us() - start_us, kRing_us);
+}
+
+}  // namespace
+}  // namespace torsio

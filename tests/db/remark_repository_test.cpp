@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/remark_repository.h"
+
+#include "db/repository/sheet_repository.h"
+#include "db/repository/trial_repository.h"
+#include "tests/db/sample_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+class RemarkRepositoryTest : public DatabaseTest {
+ protected:
+  /// One trainee with one trial, one chief.
+  struct Desk {
+    explicit Desk(Connection& connection) : sample(connection, 1), remarks(connection) {
+      trialId = sample.ids.newUuid();
+      trainee = sample.trainees[0].person.id;
+      chief = sample.chiefs[0].person.id;
+      TrialRepository(connection).begin(sampleHeader(trialId, "T-01"));
+    }
+    StoredRemark remark(const std::string& author, const std::string& purpose, std::int64_t time_us,
+                        const std::string& text, const std::string& replyTo = "") {
+      return {.id = sample.ids.newUuid(),
+              .trialId = trialId,
+              .author = author,
+              .authorPersonId = author,
+              .purpose = purpose,
+              .replyTo = replyTo,
+              .tick = time_us / 1000,
+              .time_us = time_us,
+              .text = text,
+              .createdUtc_us = kSampleTime_us + ++written,
+              .demonstration = true};
+    }
+    SampleRecord sample;
+    RemarkRepository remarks;
+    std::string trialId;
+    std::string trainee;
+    std::string chief;
+    std::int64_t written = 0;
+  };
+};
+
+TEST_F(RemarkRepositoryTest, ReturnsRemarksByTheirTimeInTheTrial) {
+  Connection connection = openWithSchema();
+  Desk desk(connection);
+  const StoredRemark late = desk.remark(desk.chief, "remark", 9'000'000, "too fast here");
+  const StoredRemark early = desk.remark(desk.trainee, "bookmark", 2'000'000, "");
+  desk.remarks.add(late);
+  desk.remarks.add(early);
+
+  const std::vector<StoredRemark> found = desk.remarks.remarks(desk.trialId);
+
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].id, early.id);
+  EXPECT_EQ(found[0].purpose, "bookmark");
+  EXPECT_EQ(found[1].text, "too fast here");
+  EXPECT_EQ(found[1].author, desk.chief);
+  EXPECT_EQ(found[1].authorPersonId, desk.chief);
+  EXPECT_EQ(found[1].tick, 9000);
+  EXPECT_EQ(found[1].time_us, 9'000'000);
+  EXPECT_EQ(found[1].createdUtc_us, kSampleTime_us + 1);
+  EXPECT_TRUE(found[1].demonstration);
+  EXPECT_EQ(desk.remarks.find(late.id)->text, "too fast here");
+  EXPECT_FALSE(desk.remarks.find("none").has_value());
+}
+
+TEST_F(RemarkRepositoryTest, ARemarkIsUnreadUntilItsFirstReading) {
+  Connection connection = openWithSchema();
+  Desk desk(connection);
+  const StoredRemark remark = desk.remark(desk.chief, "remark", 1, "look");
+  desk.remarks.add(remark);
+  desk.remarks.add(desk.remark(desk.trainee, "bookmark", 2, "mine"));
+  ASSERT_EQ(desk.remarks.unreadOnTrialsOf(desk.trainee, desk.trainee).size(), 1U);
+  EXPECT_TRUE(desk.remarks.unreadOnTrialsOf(desk.trainee, desk.chief).empty());  // one's own are never unread
+
+  desk.remarks.markRead({remark.id, desk.trainee, desk.trainee, kSampleTime_us + 10});
+  desk.remarks.markRead({remark.id, desk.trainee, desk.trainee, kSampleTime_us + 20});
+
+  EXPECT_TRUE(desk.remarks.unreadOnTrialsOf(desk.trainee, desk.trainee).empty());
+  const std::vector<StoredReceipt> receipts = desk.remarks.receipts(desk.trialId);
+  ASSERT_EQ(receipts.size(), 1U);
+  EXPECT_EQ(receipts[0].remarkId, remark.id);
+  EXPECT_EQ(receipts[0].readUtc_us, kSampleTime_us + 10);
+}
+
+TEST_F(RemarkRepositoryTest, AnAnswerReachesWhoWasAnswered) {
+  Connection connection = openWithSchema();
+  Desk desk(connection);
+  const StoredRemark remark = desk.remark(desk.chief, "remark", 1, "why so fast?");
+  desk.remarks.add(remark);
+  const StoredRemark reply = desk.remark(desk.trainee, "reply", 1, "it slipped", remark.id);
+
+  desk.remarks.add(reply);
+
+  const std::vector<StoredRemark> unread = desk.remarks.unreadReplies(desk.chief);
+  ASSERT_EQ(unread.size(), 1U);
+  EXPECT_EQ(unread[0].replyTo, remark.id);
+  desk.remarks.markRead({reply.id, desk.chief, desk.chief, kSampleTime_us});
+  EXPECT_TRUE(desk.remarks.unreadReplies(desk.chief).empty());
+  EXPECT_EQ(faultFrom([&] { desk.remarks.add(desk.remark(desk.chief, "reply", 1, "to nothing")); }),
+            DbFault::kCheck);
+  EXPECT_EQ(faultFrom([&] { desk.remarks.add(desk.remark(desk.chief, "reply", 1, "lost", "none")); }),
+            DbFault::kForeignKey);
+}
+
+TEST_F(RemarkRepositoryTest, RemarksAreStoredOnceAndNeverChange) {
+  Connection connection = openWithSchema();
+  Desk desk(connection);
+  StoredRemark remark = desk.remark(desk.chief, "remark", 1, "look");
+  desk.remarks.add(remark);
+  desk.remarks.add(remark);
+  desk.remarks.markRead({remark.id, desk.trainee, desk.trainee, kSampleTime_us});
+  remark.text = "look away";
+
+  EXPECT_EQ(faultFrom([&] { desk.remarks.add(remark); }), DbFault::kUnique);
+  EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE trial_remark SET text = ?", {"x"}); }),
+            DbFault::kAppendOnly);
+  EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM remark_receipt"); }), DbFault::kAppendOnly);
+  EXPECT_EQ(desk.remarks.remarks(desk.trialId).size(), 1U);
+}
+
+TEST_F(RemarkRepositoryTest, KeepsEveryVersionOfASelfScoreWithItsRows) {
+  Connection connection = openWithSchema();
+  Desk desk(connection);
+  SheetRepository sheets(connection);
+  sheets.addRubric("rubric", "Twist", kSampleTime_us, true);
+  StoredRubricRevision revision{.id = "revision", .rubricId = "rubric"};
+  revision.overall = {10, 100, 10};
+  revision.rows = {{"time", "time", {10, 100, 10}, {}}, {"force", "force", {10, 100, 10}, {}}};
+  sheets.addRevision(revision);
+  StoredSelfScore first{.id = desk.sample.ids.newUuid(), .trialId = desk.trialId, .traineeId = desk.trainee};
+  first.rubricRevisionId = "revision";
+  first.score_steps = 70;
+  first.rows = {{"revision", "time", 60}, {"revision", "force", 80}};
+  first.createdUtc_us = kSampleTime_us;
+  StoredSelfScore second = first;
+  second.id = desk.sample.ids.newUuid();
+  second.version = 2;
+  second.score_steps = 55;
+  second.rows = {};
+
+  desk.remarks.addSelfScore(first);
+  desk.remarks.addSelfScore(first);
+  desk.remarks.addSelfScore(second);
+
+  const std::vector<StoredSelfScore> scores = desk.remarks.selfScores(desk.trialId);
+  ASSERT_EQ(scores.size(), 2U);
+  EXPECT_EQ(scores[0].score_steps, 70);
+  EXPECT_EQ(scores[0].scale.hi, 100);
+  ASSERT_EQ(scores[0].rows.size(), 2U);
+  EXPECT_EQ(scores[0].rows[0].rowCode, "force");
+  EXPECT_EQ(scores[0].rows[0].score_steps, 80);
+  EXPECT_EQ(scores[1].score_steps, 55);
+  EXPECT_TRUE(scores[1].rows.empty());
+  first.rows[0].score_steps = 61;
+  EXPECT_EQ(faultFrom([&] { desk.remarks.addSelfScore(first); }), DbFault::kUnique);
+  second.id = "other";
+  EXPECT_EQ(faultFrom([&] { desk.remarks.addSelfScore(second); }), DbFault::kUnique);
+}
+
+TEST_F(RemarkRepositoryTest, KeepsTheWarmUpsOfARater) {
+  Connection connection = openWithSchema();
+  Desk desk(connection);
+  StoredWarmup warmup{
+      .id = desk.sample.ids.newUuid(), .raterId = desk.chief, .referenceTrialId = desk.trialId};
+  warmup.score_steps = 80;
+  warmup.panelOffset_steps = 80.0 - 71.5;
+  warmup.createdUtc_us = kSampleTime_us;
+  desk.remarks.addWarmup(warmup);
+
+  const std::vector<StoredWarmup> found = desk.remarks.warmups(desk.chief);
+
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].referenceTrialId, desk.trialId);
+  EXPECT_EQ(found[0].panelOffset_steps, 8.5);
+  EXPECT_TRUE(desk.remarks.warmups(desk.trainee).empty());
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/station_repository.h"
+
+#include "db/repository/trial_repository.h"
+#include "tests/db/sample_record.h"
+#include "tests/db/test_database.h"
+
+namespace torsio {
+namespace {
+
+class StationRepositoryTest : public DatabaseTest {};
+
+TEST_F(StationRepositoryTest, ShowsWhichStationOwnsARunningTrial) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const std::string id = sample.ids.newUuid();
+  TrialRepository trials(connection, {"room 2", ""});
+  trials.begin(sampleHeader(id, "T-01"));
+  StationRepository stations(connection);
+
+  stations.beat({.station = "room 2", .trialId = id, .userId = "u", .heartbeatUtc_us = kSampleTime_us});
+
+  // Another station looks at the board.
+  Connection other = open();
+  const std::optional<StationState> owner =
+      StationRepository(other).ownerOf(id, kSampleTime_us - kStationSilence_us);
+  ASSERT_TRUE(owner.has_value());
+  EXPECT_EQ(owner->station, "room 2");
+  EXPECT_EQ(owner->userId, "u");
+  EXPECT_EQ(owner->traineeCode, "T-01");
+  EXPECT_EQ(owner->sceneId, "arm");
+  EXPECT_EQ(owner->phaseLabel, "virtual 0-20 min");
+  EXPECT_EQ(owner->startedUtc_us, kSampleTime_us);
+  EXPECT_FALSE(owner->ended);
+}
+
+TEST_F(StationRepositoryTest, NobodyOwnsATrialThatEndedOrWhoseStationFellSilent) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 1);
+  const std::string id = sample.ids.newUuid();
+  TrialRepository trials(connection, {"room 2", ""});
+  trials.begin(sampleHeader(id, "T-01"));
+  StationRepository stations(connection);
+  stations.beat({.station = "room 2", .trialId = id, .heartbeatUtc_us = kSampleTime_us});
+  EXPECT_FALSE(stations.ownerOf(id, kSampleTime_us + 1).has_value());
+  ASSERT_TRUE(stations.ownerOf(id, kSampleTime_us).has_value());
+
+  trials.finish({0, 0, 0, TrialOutcome::kCompleted, "hash"});
+
+  EXPECT_FALSE(stations.ownerOf(id, kSampleTime_us).has_value());
+  EXPECT_TRUE(stations.find("room 2")->ended);
+}
+
+TEST_F(StationRepositoryTest, EachSignOfLifeOverwritesTheOneBefore) {
+  Connection connection = openWithSchema();
+  StationRepository stations(connection);
+  stations.beat({.station = "b", .userId = "u", .softwareVersion = "0.1", .heartbeatUtc_us = 1});
+  stations.beat({.station = "a", .heartbeatUtc_us = 2});
+  stations.beat({.station = "b", .softwareVersion = "0.2", .heartbeatUtc_us = 3});
+
+  const std::vector<StationState> board = stations.board();
+  ASSERT_EQ(board.size(), 2U);
+  EXPECT_EQ(board[0].station, "a");
+  EXPECT_EQ(board[1].userId, "");
+  EXPECT_EQ(board[1].softwareVersion, "0.2");
+  EXPECT_EQ(board[1].heartbeatUtc_us, 3);
+  stations.leave("a");
+  EXPECT_FALSE(stations.find("a").has_value());
+  EXPECT_EQ(faultFrom([&] { stations.beat({.station = "c", .trialId = "none"}); }), DbFault::kForeignKey);
+}
+
+}  // namespace
+}  // namespace torsio
