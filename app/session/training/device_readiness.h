@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace torsio {
+
+enum class Light {
+  kGreen,
+  kAmber,  ///< good enough to practise, not to be judged by
+  kRed,    ///< no scored run
+};
+
+/// One line of the device check.
+struct DeviceFinding {
+  std::string code{};  ///< "connected", "docked", "calibrated", "force", "rate", "seat"; the window has words
+  Light light = Light::kGreen;
+  std::string detail{};  ///< what was measured, for people who know the device: "0.8 mm", "driver 2023.1"
+  std::string remedy{};  ///< what to do; empty when nothing
+};
+
+/// What is known of the device at this station.
+struct DeviceReadiness {
+  std::string device{};  ///< "Mouse and keyboard", "Touch", "Scripted hand"
+  bool haptic = false;   ///< renders force
+  std::vector<DeviceFinding> findings{};
+
+  /// The worst light; red without any finding: a device that was not checked is not ready.
+  [[nodiscard]] Light light() const noexcept;
+};
+
+/// Looks at the device now. May take seconds; any thread.
+using DeviceProbe = std::function<DeviceReadiness()>;
+
+/// Mouse and keyboard: no force is felt, so that runs are practice unless the centre grades with them.
+[[nodiscard]] DeviceReadiness pointerReadiness(bool gradedWithMouse);
+
+}  // namespace torsio
