@@ -101,6 +101,15 @@ void PeopleRepository::setRaterClass(const std::string& personId, const std::str
   connection_.execute("UPDATE rater SET class_code = ? WHERE person_id = ?", {classCode, personId});
 }
 
+std::optional<StoredPerson> PeopleRepository::find(const std::string& personId) {
+  Statement row = connection_.prepare(
+      "SELECT id, code, sex, level, experience, age_years, state, created_utc_us, demonstration FROM person"
+      " WHERE id = ?");
+  row.execute({personId});
+  if (!row.step()) return std::nullopt;
+  return personOf(row);
+}
+
 std::vector<std::string> PeopleRepository::codes() {
   std::vector<std::string> codes;
   Statement row = connection_.prepare("SELECT code FROM person");
@@ -164,6 +173,14 @@ void PeopleRepository::setIdentity(const StoredIdentity& identity) {
       " ON CONFLICT (person_id) DO UPDATE SET full_name = excluded.full_name, email = excluded.email,"
       " external_id = excluded.external_id",
       {identity.personId, identity.fullName, textOrNull(identity.email), textOrNull(identity.externalId)});
+}
+
+std::optional<StoredIdentity> PeopleRepository::identityByExternalId(const std::string& externalId) {
+  Statement row = connection_.prepare(
+      "SELECT person_id, full_name, email, external_id FROM person_identity WHERE external_id = ?");
+  row.execute({externalId});
+  if (!row.step()) return std::nullopt;
+  return StoredIdentity{row.text(0), row.text(1), row.text(2), row.text(3)};
 }
 
 std::vector<StoredIdentity> PeopleRepository::identities() {

@@ -80,6 +80,8 @@ class PeopleRepository {
   void updatePerson(const StoredPerson& person);
   void setHandedness(const std::string& personId, const std::string& handedness);
   void setRaterClass(const std::string& personId, const std::string& classCode);
+  /// Whatever parts the person has; erased ones too.
+  [[nodiscard]] std::optional<StoredPerson> find(const std::string& personId);
   /// Codes of all people, erased ones included: a code is never given twice.
   [[nodiscard]] std::vector<std::string> codes();
 
@@ -95,6 +97,8 @@ class PeopleRepository {
 
   /// Adds the identity, or replaces the one that is there.
   void setIdentity(const StoredIdentity& identity);
+  /// Whose staff or student number this is.
+  [[nodiscard]] std::optional<StoredIdentity> identityByExternalId(const std::string& externalId);
   /// Of everybody who has one, in no order.
   [[nodiscard]] std::vector<StoredIdentity> identities();
 

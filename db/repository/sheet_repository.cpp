@@ -28,14 +28,12 @@ std::vector<StoredRubricRow> rowsOf(Connection& connection, const std::string& r
   return rows;
 }
 
-StoredAssignment assignmentOf(Connection& connection, const std::string& assignmentId) {
-  Statement row = connection.prepare(
-      "SELECT id, rater_id, enrolment_id, scoring_point, trial_id, rubric_revision_id, case_label, position,"
-      " due_utc_us, assigned_by, assigned_utc_us, demonstration FROM assignment WHERE id = ?");
-  row.execute({assignmentId});
-  if (!row.step()) {
-    throw Error(ErrorCode::kBadData, "no such assignment", assignmentId, "Read the queue again");
-  }
+constexpr const char* kAssignmentColumns =
+    "a.id, a.rater_id, a.enrolment_id, a.scoring_point, a.trial_id, a.rubric_revision_id, a.case_label,"
+    " a.position, a.due_utc_us, a.assigned_by, a.assigned_utc_us, a.demonstration";
+constexpr int kAssignmentColumnCount = 12;
+
+StoredAssignment assignmentFrom(const Statement& row) {
   return {.id = row.text(0),
           .raterId = row.text(1),
           .enrolmentId = row.text(2),
@@ -48,6 +46,38 @@ StoredAssignment assignmentOf(Connection& connection, const std::string& assignm
           .assignedBy = row.text(9),
           .assignedUtc_us = row.int64(10),
           .demonstration = row.boolean(11)};
+}
+
+StoredAssignment assignmentOf(Connection& connection, const std::string& assignmentId) {
+  Statement row =
+      connection.prepare(std::string("SELECT ") + kAssignmentColumns + " FROM assignment a WHERE a.id = ?");
+  row.execute({assignmentId});
+  if (!row.step()) {
+    throw Error(ErrorCode::kBadData, "no such assignment", assignmentId, "Read the queue again");
+  }
+  return assignmentFrom(row);
+}
+
+/// The beginning of a query for statusFrom().
+const std::string& statusSelect() {
+  static const std::string kSelect =
+      std::string("SELECT ") + kAssignmentColumns +
+      ", (SELECT count(*) FROM assignment_withdrawal w WHERE w.assignment_id = a.id),"
+      " (SELECT MAX(m.submitted_utc_us) FROM training_mark m WHERE m.assignment_id = a.id),"
+      " (SELECT d.changed_utc_us FROM mark_draft d WHERE d.assignment_id = a.id) FROM assignment a";
+  return kSelect;
+}
+
+AssignmentStatus statusFrom(const Statement& row) {
+  AssignmentStatus status{assignmentFrom(row)};
+  const auto submitted = row.maybeInt64(kAssignmentColumnCount + 1);
+  const auto drafted = row.maybeInt64(kAssignmentColumnCount + 2);
+  status.state = row.int64(kAssignmentColumnCount) > 0 ? SheetState::kWithdrawn
+                 : submitted                           ? SheetState::kSubmitted
+                 : drafted                             ? SheetState::kDraft
+                                                       : SheetState::kOpen;
+  status.changedUtc_us = submitted ? *submitted : drafted.value_or(0);
+  return status;
 }
 
 void checkAnswer(const std::optional<std::int64_t>& score_steps, const std::string& reason,
@@ -104,6 +134,15 @@ void SheetRepository::addRubric(const std::string& id, const std::string& name, 
                                 bool demonstration) {
   connection_.execute("INSERT INTO rubric (id, name, created_utc_us, demonstration) VALUES (?, ?, ?, ?)",
                       {id, name, createdUtc_us, demonstration});
+}
+
+std::vector<StoredRubric> SheetRepository::rubrics() {
+  std::vector<StoredRubric> list;
+  Statement row =
+      connection_.prepare("SELECT id, name, created_utc_us, demonstration FROM rubric ORDER BY name");
+  row.execute();
+  while (row.step()) list.push_back({row.text(0), row.text(1), row.int64(2), row.boolean(3)});
+  return list;
 }
 
 void SheetRepository::addRevision(const StoredRubricRevision& revision) {
@@ -169,6 +208,34 @@ void SheetRepository::assign(std::span<const StoredAssignment> assignments) {
                     part.assignedUtc_us, part.demonstration});
   }
   transaction.commit();
+}
+
+std::vector<AssignmentStatus> SheetRepository::assignments(const std::string& cohortId) {
+  std::vector<AssignmentStatus> list;
+  Statement row = connection_.prepare(
+      statusSelect() +
+      " JOIN enrolment e ON e.id = a.enrolment_id JOIN scoring_point s ON s.code = a.scoring_point"
+      " JOIN person p ON p.id = e.trainee_id JOIN person r ON r.id = a.rater_id WHERE e.cohort_id = ?"
+      " ORDER BY s.position, p.code, r.code");
+  row.execute({cohortId});
+  while (row.step()) list.push_back(statusFrom(row));
+  return list;
+}
+
+std::vector<StoredAssignment> SheetRepository::assignmentsOf(const std::string& raterId) {
+  std::vector<StoredAssignment> list;
+  Statement row = connection_.prepare(std::string("SELECT ") + kAssignmentColumns +
+                                      " FROM assignment a WHERE a.rater_id = ? ORDER BY a.position");
+  row.execute({raterId});
+  while (row.step()) list.push_back(assignmentFrom(row));
+  return list;
+}
+
+std::optional<AssignmentStatus> SheetRepository::findAssignment(const std::string& assignmentId) {
+  Statement row = connection_.prepare(statusSelect() + " WHERE a.id = ?");
+  row.execute({assignmentId});
+  if (!row.step()) return std::nullopt;
+  return statusFrom(row);
 }
 
 void SheetRepository::withdraw(const std::string& assignmentId, const std::string& reason,

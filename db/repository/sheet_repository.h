@@ -83,6 +83,21 @@ struct Sheet {
   std::int64_t changedUtc_us = 0;
 };
 
+/// A rubric in a list.
+struct StoredRubric {
+  std::string id{};
+  std::string name{};  ///< unique
+  std::int64_t createdUtc_us = 0;
+  bool demonstration = false;
+};
+
+/// An assignment and how far its sheet has come; no marks.
+struct AssignmentStatus {
+  StoredAssignment assignment{};
+  SheetState state = SheetState::kOpen;
+  std::int64_t changedUtc_us = 0;  ///< of the draft or the newest mark; 0: neither
+};
+
 /// Rubrics, who is asked to judge what, the sheets while they are written, and their sealing. One call, one
 /// transaction.
 class SheetRepository {
@@ -91,12 +106,19 @@ class SheetRepository {
 
   void addRubric(const std::string& id, const std::string& name, std::int64_t createdUtc_us,
                  bool demonstration);
+  /// By name.
+  [[nodiscard]] std::vector<StoredRubric> rubrics();
   void addRevision(const StoredRubricRevision& revision);
   [[nodiscard]] std::optional<StoredRubricRevision> revision(const std::string& revisionId);
   /// Ids of a rubric's revisions, oldest first.
   [[nodiscard]] std::vector<std::string> revisionIds(const std::string& rubricId);
 
   void assign(std::span<const StoredAssignment> assignments);
+  /// Of a cohort, withdrawn ones too, by scoring point, trainee, rater.
+  [[nodiscard]] std::vector<AssignmentStatus> assignments(const std::string& cohortId);
+  /// Of one rater in any cohort, withdrawn ones too.
+  [[nodiscard]] std::vector<StoredAssignment> assignmentsOf(const std::string& raterId);
+  [[nodiscard]] std::optional<AssignmentStatus> findAssignment(const std::string& assignmentId);
   /// Throws Error (kBadData) when the sheet was submitted already.
   void withdraw(const std::string& assignmentId, const std::string& reason, const std::string& withdrawnBy,
                 std::int64_t utc_us);

@@ -61,6 +61,8 @@ void changePerson(Workplace& workplace, const std::string& personId, const Perso
 void setPersonState(Workplace& workplace, const std::string& personId, const std::string& state,
                     const std::string& reason);
 
+/// Interns, deputy chiefs and chiefs (paper section 5.3).
+[[nodiscard]] std::vector<StoredRaterClass> paperRaterClasses();
 /// Classes of raters in their order; the three of the paper are made when there are none. kPersonEdit.
 std::vector<StoredRaterClass> ensureRaterClasses(Workplace& workplace);
 /// Without making any. kPersonViewCoded.
