@@ -42,6 +42,7 @@ TrialDigest trialDigest(const Trial& trial, std::span<const Sample> samples, dou
     ++digest.twists;
     if (error_rad <= tolerance_rad) ++digest.twistsOnTarget;
     errorSum_rad += error_rad;
+    digest.attempts.push_back({error_rad / kDegree, error_rad <= tolerance_rad});
   }
   if (digest.twists > 0) {
     digest.meanAbsoluteError_deg = errorSum_rad / static_cast<double>(digest.twists) / kDegree;

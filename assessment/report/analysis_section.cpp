@@ -4,11 +4,7 @@
 
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
-#include "assessment/statistics/ancova.h"
-#include "assessment/statistics/categorical_agreement.h"
-#include "assessment/statistics/mixed_anova.h"
-#include "assessment/statistics/rank_tests.h"
-#include "assessment/statistics/reliability.h"
+#include "assessment/report/study_analysis.h"
 
 namespace torsio {
 
@@ -37,58 +33,47 @@ ReportTable tableOf(const CohortInputs& in, const std::string& id, const std::st
   return table;
 }
 
-/// Marks of one scoring point: trainees x raters; a mark that was not given stays empty.
-std::vector<std::vector<std::optional<double>>> marksAt(const CohortInputs& in, std::size_t occasion) {
-  std::map<std::string, std::size_t> trainees;
-  std::map<std::string, std::size_t> raters;
-  for (const TrainingMark& mark : in.trainingMarks) {
-    trainees.emplace(mark.trainee, 0);
-    raters.emplace(mark.rater, 0);
-  }
-  std::size_t number = 0;
-  for (auto& [code, at] : trainees) at = number++;
-  number = 0;
-  for (auto& [code, at] : raters) at = number++;
-  std::vector<std::vector<std::optional<double>>> rows(trainees.size(),
-                                                       std::vector<std::optional<double>>(raters.size()));
-  for (const TrainingMark& mark : in.trainingMarks)
-    if (mark.occasion == occasion)
-      rows[trainees.at(mark.trainee)][raters.at(mark.rater)] = pointsFromSteps(mark.steps, in.trainingScale);
-  return rows;
+ReportFigure forestOf(const CohortInputs& in, const std::string& id, const std::string& title,
+                      const std::string& axis, const std::string& formula) {
+  ReportFigure figure;
+  figure.id = id;
+  figure.title = title;
+  figure.kind = FigureKind::kForest;
+  figure.yLabel = axis;
+  figure.provenance.formula = formula;
+  figure.provenance.formulaVersion = kTrainingFormulaVersion;
+  figure.provenance.flags = commonFlags(in);
+  return figure;
 }
 
-ReportTable agreementTable(const CohortInputs& in) {
+void addInterval(FigureSeries& series, double value, const Interval& interval) {
+  series.y.emplace_back(value);
+  series.low.push_back(interval.lower);
+  series.high.push_back(interval.upper);
+}
+
+std::string pairName(const CohortInputs& in, std::size_t first, std::size_t second) {
+  return sentence({in.groups[first].name, " - ", in.groups[second].name});
+}
+
+ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study) {
   ReportTable table = tableOf(in, "table-agreement", "Agreement of the raters at each scoring point",
                               "Shrout and Fleiss ICC(2,1), ICC(2,k); Krippendorff alpha");
   table.columns = {"Scoring point", "ICC(2,1) [95 %]", "ICC(2,k) [95 %]", "SEM (points)",
                    "Krippendorff alpha"};
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-    const std::vector<std::vector<std::optional<double>>> marks = marksAt(in, t);
-    std::vector<std::vector<double>> complete;
-    IncompleteRatings byRater(marks.empty() ? 0 : marks.front().size(),
-                              std::vector<std::optional<double>>(marks.size()));
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-      std::vector<double> row;
-      for (std::size_t r = 0; r < marks[i].size(); ++r) {
-        byRater[r][i] = marks[i][r];
-        if (marks[i][r]) row.push_back(*marks[i][r]);
-      }
-      if (row.size() == marks[i].size()) complete.push_back(row);
-      table.provenance.n += std::ssize(row);
-      table.provenance.missing += std::ssize(marks[i]) - std::ssize(row);
-    }
-    std::vector<std::string> row = {in.occasions[t]};
-    const bool whole = complete.size() == marks.size();
-    const Outcome<IccResult> icc = whole ? intraclassCorrelation(NumberTable(complete))
-                                         : Outcome<IccResult>::undefined("marks are missing");
-    row.push_back(icc ? withInterval(icc->agreementSingle.estimate, icc->agreementSingle.interval)
-                      : notDefined(icc.reason()));
-    row.push_back(icc ? withInterval(icc->agreementMean.estimate, icc->agreementMean.interval)
-                      : notDefined(icc.reason()));
-    row.push_back(icc ? formatFixed(icc->semAgreement, kDecimals) : std::string("not defined"));
-    const Outcome<KrippendorffResult> alpha = krippendorffAlpha(byRater, AlphaMetric::kInterval);
-    row.push_back(alpha ? formatFixed(alpha->alpha, kDecimals) : notDefined(alpha.reason()));
-    table.rows.push_back(row);
+    const OccasionMarks& at = study.occasions[t];
+    table.provenance.n += at.n;
+    table.provenance.missing += at.missing;
+    const Outcome<IccResult>& icc = at.icc;
+    table.rows.push_back(
+        {in.occasions[t],
+         icc ? withInterval(icc->agreementSingle.estimate, icc->agreementSingle.interval)
+             : notDefined(icc.reason()),
+         icc ? withInterval(icc->agreementMean.estimate, icc->agreementMean.interval)
+             : notDefined(icc.reason()),
+         icc ? formatFixed(icc->semAgreement, kDecimals) : std::string("not defined"),
+         at.alpha ? formatFixed(at.alpha->alpha, kDecimals) : notDefined(at.alpha.reason())});
   }
   table.notes = {
       "ICC: absolute agreement, raters as a random sample; (2,1) for one rater, (2,k) for the mean over all, "
@@ -97,37 +82,80 @@ ReportTable agreementTable(const CohortInputs& in) {
   return table;
 }
 
-/// Scores of one scoring point by group, in the order of the trainee codes; empty when a trainee lacks one.
-std::optional<Groups> groupsAt(const CohortInputs& in, std::size_t occasion) {
-  std::vector<std::map<std::string, double>> byGroup(in.groups.size());
-  for (const TraineeScore& score : in.scores)
-    if (score.occasion == occasion) byGroup[score.group][score.trainee] = score.score;
-  Groups out;
-  for (std::size_t g = 0; g < byGroup.size(); ++g) {
-    std::size_t members = 0;
-    for (const CohortTrainee& trainee : in.trainees) members += trainee.group == g ? 1 : 0;
-    if (byGroup[g].size() != members) return std::nullopt;
-    out.emplace_back();
-    for (const auto& [code, score] : byGroup[g]) out.back().push_back(score);
+/// Agreement at each scoring point with its interval: for one rater, and for the mean that is reported.
+std::optional<ReportFigure> agreementFigure(const CohortInputs& in, const StudyAnalysis& study) {
+  ReportFigure figure = forestOf(in, "figure-agreement", "Agreement of the raters with 95 % intervals",
+                                 "intraclass correlation", "Shrout and Fleiss ICC(2,1), ICC(2,k)");
+  FigureSeries one;
+  FigureSeries mean;
+  one.name = "ICC(2,1), one rater";
+  mean.name = "ICC(2,k), mean of all raters";
+  for (std::size_t t = 0; t < in.occasions.size(); ++t) {
+    const OccasionMarks& at = study.occasions[t];
+    if (!at.icc || !at.icc->agreementSingle.interval || !at.icc->agreementMean.interval) continue;
+    figure.categories.push_back(in.occasions[t]);
+    addInterval(one, at.icc->agreementSingle.estimate, *at.icc->agreementSingle.interval);
+    addInterval(mean, at.icc->agreementMean.estimate, *at.icc->agreementMean.interval);
+    figure.provenance.n += at.n;
+    figure.provenance.missing += at.missing;
   }
-  return out;
+  if (figure.categories.empty()) return std::nullopt;
+  figure.series = {one, mean};
+  figure.yMin = std::min(0.0, *std::min_element(one.low.begin(), one.low.end()));
+  figure.yMax = 1.0;
+  figure.notes = {"1 is perfect agreement; 0 is what marks by chance would give."};
+  return figure;
 }
 
-ReportTable covarianceTable(const CohortInputs& in, const Groups& before, const Groups& after) {
+/// Adjusted differences in points, and standardised differences, each with interval and zero line.
+std::vector<ReportFigure> differenceFigures(const CohortInputs& in, const StudyAnalysis& study) {
+  if (!study.ancova) return {};
+  ReportFigure points = forestOf(in, "figure-differences",
+                                 "Differences between the groups at the end, adjusted for the score before",
+                                 "difference (points)", "analysis of covariance, one pooled slope");
+  ReportFigure effects = forestOf(in, "figure-effects", "Standardised differences of the scores at the end",
+                                  "Hedges g", "Hedges g, interval from the noncentral t distribution");
+  FigureSeries difference;
+  FigureSeries effect;
+  difference.name = "difference [95 %]";
+  effect.name = "Hedges g [95 %]";
+  const Groups& after = *study.scores.back();
+  for (const AdjustedDifference& pair : study.ancova->pairs) {
+    points.categories.push_back(pairName(in, pair.first, pair.second));
+    addInterval(difference, pair.difference, pair.interval);
+    const Outcome<HedgesG> g = hedgesG(after[pair.first], after[pair.second]);
+    if (!g) continue;
+    effects.categories.push_back(pairName(in, pair.first, pair.second));
+    addInterval(effect, g->g, g->interval);
+  }
+  std::vector<ReportFigure> figures;
+  for (auto [figure, series] : {std::pair{&points, &difference}, std::pair{&effects, &effect}}) {
+    if (figure->categories.empty()) continue;
+    figure->series = {*series};
+    figure->references = {{0.0, "no difference"}};
+    for (const std::vector<double>& group : after) figure->provenance.n += std::ssize(group);
+    figure->notes = {
+        "First group minus second group. An interval that crosses zero leaves the direction open."};
+    figures.push_back(*figure);
+  }
+  return figures;
+}
+
+ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study) {
   ReportTable table = tableOf(in, "table-ancova", "Scores at the end, adjusted for the score before",
                               "analysis of covariance, one pooled slope");
   table.columns = {"Comparison", "Difference [95 %]", "t",
                    "p",          "p (Holm)",          "Hedges g of the end scores [95 %]"};
-  const Outcome<Ancova> got = ancova(before, after);
+  const Outcome<Ancova>& got = study.ancova;
+  const Groups& after = *study.scores.back();
   if (!got) {
     table.rows.push_back({notDefined(got.reason()), "", "", "", "", ""});
     return table;
   }
   for (const AdjustedDifference& pair : got->pairs) {
     const Outcome<HedgesG> g = hedgesG(after[pair.first], after[pair.second]);
-    table.rows.push_back({sentence({in.groups[pair.first].name, " - ", in.groups[pair.second].name}),
-                          withInterval(pair.difference, pair.interval), formatFixed(pair.t, 2),
-                          formatP(pair.p), formatP(pair.pHolm),
+    table.rows.push_back({pairName(in, pair.first, pair.second), withInterval(pair.difference, pair.interval),
+                          formatFixed(pair.t, 2), formatP(pair.p), formatP(pair.pHolm),
                           g ? withInterval(g->g, g->interval) : notDefined(g.reason())});
   }
   std::string means;
@@ -152,20 +180,14 @@ void addEffect(const std::string& name, const AnovaEffect& effect, ReportTable& 
        formatFixed(effect.generalizedEtaSquared, kDecimals)});
 }
 
-ReportTable courseTable(const CohortInputs& in, const std::vector<Groups>& occasions) {
+ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study) {
   ReportTable table = tableOf(in, "table-mixed-anova", "Course of the groups over the scoring points",
                               "analysis of variance, groups x scoring points, type III");
   table.columns = {
       "Effect", "F", "Degrees of freedom", "p", "p (Greenhouse-Geisser)", "Generalised eta squared"};
-  std::vector<NumberTable> groups;
-  for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    NumberTable scores(occasions.front()[g].size(), occasions.size());
-    for (std::size_t t = 0; t < occasions.size(); ++t)
-      for (std::size_t i = 0; i < scores.rows(); ++i) scores.at(i, t) = occasions[t][g][i];
-    table.provenance.n += static_cast<std::int64_t>(scores.rows() * scores.columns());
-    groups.push_back(scores);
-  }
-  const Outcome<MixedAnova> got = mixedAnova(groups);
+  for (const std::optional<Groups>& at : study.scores)
+    for (const std::vector<double>& group : *at) table.provenance.n += std::ssize(group);
+  const Outcome<MixedAnova>& got = study.course;
   if (!got) {
     table.rows.push_back({notDefined(got.reason()), "", "", "", "", ""});
     return table;
@@ -179,15 +201,9 @@ ReportTable courseTable(const CohortInputs& in, const std::vector<Groups>& occas
   return table;
 }
 
-std::optional<ReportTable> gainTable(const CohortInputs& in) {
-  Groups gains;
-  for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    const std::optional<std::vector<std::int64_t>> exact =
-        exactGains(in.scores, 0, in.occasions.size() - 1, g);
-    if (!exact) return std::nullopt;
-    gains.emplace_back();
-    for (const std::int64_t gain : *exact) gains.back().push_back(static_cast<double>(gain));
-  }
+std::optional<ReportTable> gainTable(const CohortInputs& in, const StudyAnalysis& study) {
+  if (study.wholeGains.empty()) return std::nullopt;
+  const Groups& gains = study.wholeGains.front();
   const Outcome<KruskalWallis> got = kruskalWallis(gains);
   if (!got) return std::nullopt;
   ReportTable table = tableOf(in, "table-gains", "Gain from before to the end, by ranks",
@@ -196,8 +212,8 @@ std::optional<ReportTable> gainTable(const CohortInputs& in) {
                    "p (Holm)",   "P(first > second)",        "p (exact)"};
   for (const DunnPair& pair : got->pairs) {
     const Outcome<MannWhitney> exact = mannWhitney(gains[pair.first], gains[pair.second]);
-    table.rows.push_back({sentence({in.groups[pair.first].name, " - ", in.groups[pair.second].name}),
-                          formatFixed(-pair.difference, 2), formatFixed(-pair.z, 2), formatP(pair.pHolm),
+    table.rows.push_back({pairName(in, pair.first, pair.second), formatFixed(-pair.difference, 2),
+                          formatFixed(-pair.z, 2), formatP(pair.pHolm),
                           exact ? formatFixed(exact->superiority, 2) : notDefined(exact.reason()),
                           exact && exact->pExact ? formatP(*exact->pExact) : std::string("not counted")});
   }
@@ -239,7 +255,7 @@ std::optional<ReportTable> modelsTable(const CohortInputs& in) {
 
 }  // namespace
 
-ReportSection analysisSection(const CohortInputs& in) {
+ReportSection analysisSection(const CohortInputs& in, const StudyAnalysis& study) {
   ReportSection section;
   section.title = "Agreement and comparisons";
   if (in.demonstration)
@@ -249,14 +265,16 @@ ReportSection analysisSection(const CohortInputs& in) {
   section.paragraphs.push_back(
       "The analysis of covariance is the primary comparison; the others are given beside it. The trainee is "
       "the unit of analysis. p values are adjusted by Holm's method where it is said.");
-  section.tables.push_back(agreementTable(in));
-  std::vector<Groups> occasions;
-  for (std::size_t t = 0; t < in.occasions.size(); ++t)
-    if (const std::optional<Groups> groups = groupsAt(in, t)) occasions.push_back(*groups);
-  if (occasions.size() == in.occasions.size() && occasions.size() >= 2) {
-    section.tables.push_back(covarianceTable(in, occasions.front(), occasions.back()));
-    section.tables.push_back(courseTable(in, occasions));
-    if (const std::optional<ReportTable> gains = gainTable(in)) section.tables.push_back(*gains);
+  if (const std::optional<ReportFigure> figure = agreementFigure(in, study))
+    section.figures.push_back(*figure);
+  section.tables.push_back(agreementTable(in, study));
+  const bool whole = study.scores.size() >= 2 && std::all_of(study.scores.begin(), study.scores.end(),
+                                                             [](const auto& at) { return at.has_value(); });
+  if (whole) {
+    for (const ReportFigure& figure : differenceFigures(in, study)) section.figures.push_back(figure);
+    section.tables.push_back(covarianceTable(in, study));
+    section.tables.push_back(courseTable(in, study));
+    if (const std::optional<ReportTable> gains = gainTable(in, study)) section.tables.push_back(*gains);
   } else {
     section.paragraphs.push_back("Groups are not compared: scores are missing at some scoring point.");
   }

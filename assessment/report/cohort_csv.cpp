@@ -2,7 +2,9 @@
 #include "assessment/report/cohort_csv.h"
 
 #include <optional>
+#include <string>
 
+#include "assessment/report/aggregated_inputs.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
 
@@ -26,6 +28,23 @@ class Rows {
   explicit Rows(std::vector<CohortCsvRow>& out) : out_(out) {}
 
   CohortCsvRow place;
+
+  /// What is no number: a hash.
+  void addText(const std::string& statistic, const std::string& value, std::int64_t n) {
+    CohortCsvRow row = place;
+    row.statistic = statistic;
+    row.value = value;
+    row.n = std::to_string(n);
+    out_.push_back(row);
+  }
+
+  void addInterval(const std::string& statistic, double value, const std::optional<Interval>& interval,
+                   std::int64_t n) {
+    add(statistic, value, n);
+    if (!interval) return;
+    add(statistic + "_lower_95", interval->lower, n);
+    add(statistic + "_upper_95", interval->upper, n);
+  }
 
   void add(const std::string& statistic, const std::optional<double>& value, std::int64_t n) {
     CohortCsvRow row = place;
@@ -129,7 +148,83 @@ void addTrials(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
     rows.add("peak_torque_Nm", trial.peakTorque_Nm, trial.samples);
     rows.add("peak_force_N", trial.peakForce_N, trial.samples);
     rows.add("refused_samples", static_cast<double>(trial.refusedSamples), trial.samples);
+    rows.addText("trial", trial.trialId, trial.samples);
+    rows.addText("content_hash", trial.contentHash, trial.samples);
   }
+}
+
+void addAgreement(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
+  Rows rows(out);
+  rows.place.section = "agreement";
+  rows.place.item = "all";
+  for (std::size_t t = 0; t < study.occasions.size(); ++t) {
+    const OccasionMarks& at = study.occasions[t];
+    rows.place.occasion = in.occasions[t];
+    rows.place.flags = joinFlags(commonFlags(in), at.missing > 0 ? std::vector<std::string>{"marks missing"}
+                                                                 : std::vector<std::string>{});
+    if (at.icc) {
+      rows.addInterval("icc_2_1", at.icc->agreementSingle.estimate, at.icc->agreementSingle.interval, at.n);
+      rows.addInterval("icc_2_k", at.icc->agreementMean.estimate, at.icc->agreementMean.interval, at.n);
+      rows.add("sem_agreement", at.icc->semAgreement, at.n);
+    }
+    rows.add("krippendorff_alpha_interval", at.alpha ? std::optional<double>(at.alpha->alpha) : std::nullopt,
+             at.n);
+  }
+  rows.place.occasion.clear();
+  rows.place.flags = joinFlags(commonFlags(in), {});
+  for (const RaterSeverity& rater : study.severity) {
+    rows.place.item = rater.rater;
+    rows.addInterval("severity_offset", rater.offset, rater.interval, rater.n);
+  }
+}
+
+void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
+  if (!study.ancova) return;
+  Rows rows(out);
+  rows.place.section = "comparison";
+  rows.place.item = "all";
+  rows.place.occasion = in.occasions.back();
+  rows.place.flags = joinFlags(commonFlags(in), {});
+  const auto n = std::ssize(in.trainees);
+  rows.add("ancova_f", study.ancova->group.f, n);
+  rows.add("ancova_p", study.ancova->group.p, n);
+  rows.add("ancova_slope", study.ancova->slope, n);
+  for (std::size_t g = 0; g < study.ancova->adjusted.size(); ++g) {
+    rows.place.group = in.groups[g].name;
+    rows.addInterval("adjusted_mean", study.ancova->adjusted[g].mean, study.ancova->adjusted[g].interval, n);
+  }
+  const Groups& after = *study.scores.back();
+  for (const AdjustedDifference& pair : study.ancova->pairs) {
+    rows.place.group = sentence({in.groups[pair.first].name, " - ", in.groups[pair.second].name});
+    rows.addInterval("adjusted_difference", pair.difference, pair.interval, n);
+    rows.add("t", pair.t, n);
+    rows.add("p", pair.p, n);
+    rows.add("p_holm", pair.pHolm, n);
+    if (const Outcome<HedgesG> g = hedgesG(after[pair.first], after[pair.second]))
+      rows.addInterval("hedges_g", g->g, g->interval, n);
+  }
+  rows.place.group.clear();
+  if (study.course && study.course->interaction) {
+    rows.add("mixed_interaction_f", study.course->interaction->f, n);
+    rows.add("mixed_interaction_p", study.course->interaction->p, n);
+  }
+}
+
+void addDeviations(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
+  Rows rows(out);
+  rows.place.section = "deviation";
+  rows.place.flags = joinFlags(commonFlags(in), {});
+  for (const CohortDeviation& deviation : in.deviations) {
+    rows.place.item = deviation.trainee.empty() ? "all" : deviation.trainee;
+    rows.place.occasion = formatUtc(deviation.happenedUtc_us);
+    rows.addText(deviation.kind, deviation.description, 1);
+  }
+}
+
+/// What an aggregated table may hold: summaries over at least kSmallestCell.
+bool isAggregate(const CohortCsvRow& row) {
+  if (row.item != "all" || row.section == "deviation" || row.section == "trial") return false;
+  return row.section == "evaluation" || std::stoll(row.n) >= kSmallestCell;
 }
 
 void appendField(std::string& text, const std::string& field) {
@@ -147,11 +242,22 @@ void appendField(std::string& text, const std::string& field) {
 
 }  // namespace
 
-std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& in) {
+std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
+  std::vector<std::string> left;
+  const bool aggregated = inputs.identity == ReportIdentity::kAggregated;
+  const CohortInputs reduced = aggregated ? withoutSmallGroups(inputs, left) : CohortInputs{};
+  const CohortInputs& in = aggregated ? reduced : inputs;
   std::vector<CohortCsvRow> rows;
   addEvaluation(in, rows);
   addTraining(in, rows);
+  if (!in.trainingMarks.empty()) {
+    const StudyAnalysis study = analyseStudy(in);
+    addAgreement(in, study, rows);
+    addComparison(in, study, rows);
+  }
   addTrials(in, rows);
+  addDeviations(in, rows);
+  if (aggregated) std::erase_if(rows, [](const CohortCsvRow& row) { return !isAggregate(row); });
   return rows;
 }
 

@@ -10,14 +10,14 @@ namespace torsio {
 
 /// One row of cohort.csv: one number with everything that says what it is. Empty fields do not apply.
 struct CohortCsvRow {
-  std::string section;  ///< "evaluation", "training", "trial"
+  std::string section;  ///< "evaluation", "training", "agreement", "comparison", "trial", "deviation"
   std::string item;     ///< rater, trainee or trial; "all" for a summary
   std::string group;
   std::string model;
   std::string index;
   std::string occasion;
   std::string statistic;
-  std::string value;  ///< shortest text that reads back as the same number; empty when undefined
+  std::string value;  ///< shortest text that reads back as the same number, or a hash; empty when undefined
   std::string n;
   std::string flags;  ///< joined by "; "
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "assessment/report/aggregated_inputs.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
 #include "sim/base/error.h"
@@ -29,6 +30,9 @@ void checkInputs(const CohortInputs& in) {
   for (const GroupSummary& summary : in.summaries)
     if (summary.group >= in.groups.size() || summary.occasion >= in.occasions.size())
       refuse("a summary belongs to a group or a scoring point that does not exist");
+  for (const TrainingMark& mark : in.trainingMarks)
+    if (mark.group >= in.groups.size() || mark.occasion >= in.occasions.size())
+      refuse("a mark belongs to a group or a scoring point that does not exist");
   for (const TrialDigest& trial : in.trials)
     if (trial.group >= in.groups.size()) refuse("a trial is in a group that does not exist");
 }
@@ -49,8 +53,8 @@ ReportTable groupsTable(const CohortInputs& in) {
   table.title = "Participants by group";
   table.columns = {"Group", "Protocol", "Trainees", "By sex", "By level", "Mean score before"};
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
-    std::map<std::string, int> sexes;
-    std::map<std::string, int> levels;
+    std::map<std::string, std::int64_t> sexes;
+    std::map<std::string, std::int64_t> levels;
     std::int64_t n = 0;
     for (const CohortTrainee& trainee : in.trainees) {
       if (trainee.group != g) continue;
@@ -58,13 +62,8 @@ ReportTable groupsTable(const CohortInputs& in) {
       ++sexes[trainee.sex];
       ++levels[trainee.level];
     }
-    const auto listed = [](const std::map<std::string, int>& counts) {
-      std::string text;
-      for (const auto& [name, count] : counts) {
-        if (!text.empty()) text += ", ";
-        text += sentence({name, " ", std::to_string(count)});
-      }
-      return text;
+    const auto listed = [&](const std::map<std::string, std::int64_t>& counts) {
+      return countsText({counts.begin(), counts.end()}, in.identity);
     };
     std::string baseline = "not recorded";
     for (const GroupSummary& summary : in.summaries)
@@ -84,19 +83,23 @@ ReportTable flowTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-flow";
   table.title = "Flow of participants";
-  table.columns = {"Group", "Allocated", "Recorded trials", "Interrupted trials"};
+  table.columns = {"Group", "Allocated", "Withdrew", "Recorded trials", "Interrupted trials"};
   for (const std::string& occasion : in.occasions) table.columns.push_back(sentence({"Marked ", occasion}));
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     std::int64_t allocated = 0;
+    std::int64_t withdrew = 0;
     std::int64_t trials = 0;
     std::int64_t interrupted = 0;
-    for (const CohortTrainee& trainee : in.trainees) allocated += trainee.group == g ? 1 : 0;
+    for (const CohortTrainee& trainee : in.trainees) {
+      allocated += trainee.group == g ? 1 : 0;
+      withdrew += trainee.group == g && trainee.state == "withdrawn" ? 1 : 0;
+    }
     for (const TrialDigest& trial : in.trials) {
       trials += trial.group == g ? 1 : 0;
       interrupted += trial.group == g && trial.interrupted ? 1 : 0;
     }
-    std::vector<std::string> row = {in.groups[g].name, std::to_string(allocated), std::to_string(trials),
-                                    std::to_string(interrupted)};
+    std::vector<std::string> row = {in.groups[g].name, std::to_string(allocated), std::to_string(withdrew),
+                                    std::to_string(trials), std::to_string(interrupted)};
     for (std::size_t t = 0; t < in.occasions.size(); ++t)
       row.push_back(
           std::to_string(std::count_if(in.scores.begin(), in.scores.end(), [&](const TraineeScore& score) {
@@ -192,12 +195,50 @@ ReportSection participantsSection(const CohortInputs& in) {
   section.title = "Participants and allocation";
   section.paragraphs.push_back(sentence(
       {std::to_string(in.trainees.size()), " trainees were allocated to ", std::to_string(in.groups.size()),
-       " groups. Method: ", in.allocation.method, "; generator: ", in.allocation.generator, "."}));
+       " groups",
+       in.notAllocated > 0
+           ? sentence({"; ", std::to_string(in.notAllocated), " more were enrolled and are in no group"})
+           : std::string(),
+       ". Method: ", in.allocation.method.empty() ? "not recorded" : in.allocation.method,
+       "; generator: ", in.allocation.generator.empty() ? "not recorded" : in.allocation.generator,
+       "; seed: ", in.allocation.sealed ? "sealed until the study ends" : std::to_string(in.allocation.seed),
+       "."}));
   section.paragraphs.push_back(sentence(
-      {"Commitment published before enrolment: ", in.allocation.commitment, ". ",
+      {"Commitment published before enrolment: ",
+       in.allocation.commitment.empty() ? "none" : in.allocation.commitment, ". ",
        in.allocation.replayed ? "The sequence was repeated from the seed and every arm was found the same."
                               : "The sequence has not been repeated from the seed."}));
   section.tables = {groupsTable(in), flowTable(in)};
+  if (!in.allocation.design.empty())
+    section.tables.push_back(
+        pairsTable("table-allocation", "Design of the allocation", in.allocation.design));
+  return section;
+}
+
+ReportSection deviationsSection(const CohortInputs& in) {
+  ReportSection section;
+  section.title = "Deviations";
+  if (in.deviations.empty()) {
+    section.paragraphs.push_back("No deviation from the protocol was reported.");
+    return section;
+  }
+  std::map<std::string, std::int64_t> kinds;
+  for (const CohortDeviation& deviation : in.deviations) ++kinds[deviation.kind];
+  section.paragraphs.push_back(
+      sentence({std::to_string(in.deviations.size()), " deviations from the protocol were reported: ",
+                countsText({kinds.begin(), kinds.end()}, in.identity), "."}));
+  ReportTable table;
+  table.id = "table-deviations";
+  table.title = "Deviations from the protocol";
+  table.individual = true;
+  table.columns = {"When", "Trainee", "Kind", "What happened"};
+  for (const CohortDeviation& deviation : in.deviations)
+    table.rows.push_back({formatUtc(deviation.happenedUtc_us),
+                          deviation.trainee.empty() ? std::string("whole cohort") : deviation.trainee,
+                          deviation.kind, deviation.description});
+  table.provenance.n = std::ssize(in.deviations);
+  table.provenance.flags = commonFlags(in);
+  section.tables.push_back(table);
   return section;
 }
 
@@ -247,6 +288,13 @@ ReportSection methodsSection(const CohortInputs& in) {
       "Ratings were not blinded: raters knew the group or the model, and interns were users and raters at "
       "once, so marks are not independent of each other.");
   section.paragraphs.push_back(
+      "Groups are compared by an analysis of covariance: the score at the end, adjusted for the score "
+      "before, "
+      "one pooled slope; the trainee is the unit. Effect sizes are Hedges g with intervals from the "
+      "noncentral t distribution. Agreement of raters is the intraclass correlation for absolute agreement "
+      "(Shrout and Fleiss) and Krippendorff's alpha. Severity is a rater's mean distance from the other "
+      "raters. Learning is judged by LC-CUSUM on twists within the tolerance.");
+  section.paragraphs.push_back(
       "Groups of ten detect only very large differences: with two groups of ten, a two-sided test at 5 % has "
       "a power of 0.40 for a difference of 0.8 standard deviations. A difference that is not significant is "
       "no evidence of equality.");
@@ -257,35 +305,9 @@ ReportSection methodsSection(const CohortInputs& in) {
   return section;
 }
 
-ReportSection provenanceSection(const CohortInputs& in) {
-  ReportSection section;
-  section.title = "Provenance";
-  std::vector<std::pair<std::string, std::string>> rows = {
-      {"Software", in.softwareVersion},
-      {"Evaluation formulas", kEvaluationFormulaVersion},
-      {"Training formulas", kTrainingFormulaVersion},
-      {"Allocation", sentence({in.allocation.version, ", seed ", std::to_string(in.allocation.seed)})},
-      {"Allocation commitment", in.allocation.commitment},
-  };
-  rows.insert(rows.end(), in.provenance.begin(), in.provenance.end());
-  section.tables.push_back(pairsTable("table-provenance", "Where the numbers come from", rows));
-  ReportTable trials;
-  trials.id = "table-trial-hashes";
-  trials.title = "Recorded trials";
-  trials.columns = {"Trial", "Trainee", "Phase", "Model", "Minutes", "Outcome", "Content hash"};
-  for (const TrialDigest& trial : in.trials)
-    trials.rows.push_back({trial.trialId, trial.trainee, trial.phase, trial.model,
-                           formatFixed(trial.minutes, 2), trial.interrupted ? "interrupted" : "completed",
-                           trial.contentHash.substr(0, 16)});
-  trials.notes = {"The first 16 digits of each content hash."};
-  trials.provenance.n = std::ssize(in.trials);
-  section.tables.push_back(trials);
-  return section;
-}
+namespace {
 
-ReportModel cohortReport(const CohortInputs& in) {
-  checkInputs(in);
-  ReportModel report;
+void addCover(const CohortInputs& in, ReportModel& report) {
   report.title = in.title;
   report.subtitle =
       in.demonstration ? "Demonstration with simulated people and marks" : "Surgical twist skills";
@@ -293,11 +315,32 @@ ReportModel cohortReport(const CohortInputs& in) {
   report.softwareVersion = in.softwareVersion;
   report.createdUtc_us = in.createdUtc_us;
   report.demonstration = in.demonstration;
-  report.facts = {{"Trainees", std::to_string(in.trainees.size())},
-                  {"Groups", std::to_string(in.groups.size())},
-                  {"Recorded trials", std::to_string(in.trials.size())},
-                  {"Evaluated models", std::to_string(in.evaluations.size())}};
+  if (in.freeze) {
+    report.facts = {
+        {"Frozen data set", in.freeze->name},
+        {"Frozen", sentence({formatUtc(in.freeze->frozenUtc_us), " by ", in.freeze->frozenBy})},
+        {"Content hash", in.freeze->contentHash.substr(0, 32)},
+        {"Since then", in.freeze->unchanged ? "unchanged" : "the record has changed; see Provenance"}};
+  } else {
+    report.facts = {{"Data", "as they were when this report was made; not frozen"}};
+  }
+  const char* identity = in.identity == ReportIdentity::kNamed ? "named trainees"
+                         : in.identity == ReportIdentity::kCoded
+                             ? "coded"
+                             : "aggregated, no line about a single person";
+  const std::vector<std::pair<std::string, std::string>> counts = {
+      {"People are shown", identity},
+      {"Trainees", std::to_string(in.trainees.size())},
+      {"Groups", std::to_string(in.groups.size())},
+      {"Recorded trials", std::to_string(in.trials.size())},
+      {"Evaluated models", std::to_string(in.evaluations.size())}};
+  report.facts.insert(report.facts.end(), counts.begin(), counts.end());
   report.facts.insert(report.facts.end(), in.facts.begin(), in.facts.end());
+}
+
+ReportModel reportOf(const CohortInputs& in) {
+  ReportModel report;
+  addCover(in, report);
   if (!in.simulated.empty()) {
     ReportSection section;
     section.title = "What was simulated";
@@ -307,10 +350,35 @@ ReportModel cohortReport(const CohortInputs& in) {
   if (!in.trainees.empty()) report.sections.push_back(participantsSection(in));
   if (!in.evaluations.empty()) report.sections.push_back(evaluationSection(in));
   if (!in.scores.empty()) report.sections.push_back(trainingSection(in));
-  if (!in.trainingMarks.empty()) report.sections.push_back(analysisSection(in));
+  if (!in.trainingMarks.empty()) {
+    const StudyAnalysis study = analyseStudy(in);
+    report.sections.push_back(analysisSection(in, study));
+    report.sections.push_back(ratersSection(in, study));
+  }
+  if (ReportSection learning = learningSection(in); !learning.tables.empty())
+    report.sections.push_back(std::move(learning));
   if (!in.trials.empty()) report.sections.push_back(trialsSection(in));
+  if (!in.trainees.empty()) report.sections.push_back(deviationsSection(in));
   report.sections.push_back(methodsSection(in));
   report.sections.push_back(provenanceSection(in));
+  return report;
+}
+
+}  // namespace
+
+ReportModel cohortReport(const CohortInputs& in) {
+  checkInputs(in);
+  if (in.identity != ReportIdentity::kAggregated) return reportOf(in);
+  std::vector<std::string> left;
+  ReportModel report = reportOf(withoutSmallGroups(in, left));
+  removeIndividuals(report);
+  left.push_back(sentence(
+      {"This report is aggregated: it holds no line about a single person and no count of fewer than ",
+       std::to_string(kSmallestCell), " people beside others."}));
+  ReportSection section;
+  section.title = "What is left out";
+  section.paragraphs = std::move(left);
+  report.sections.insert(report.sections.begin(), std::move(section));
   return report;
 }
 

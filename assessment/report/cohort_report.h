@@ -14,12 +14,23 @@
 
 namespace torsio {
 
-/// A trainee as the report shows one: a code, never a name.
+/// How people appear. The figures are the same; what may leave the house is not.
+enum class ReportIdentity {
+  kCoded,       ///< pseudonyms
+  kNamed,       ///< the caller has put names beside the codes of the trainees; raters stay coded
+  kAggregated,  ///< no line about a single person, no count of fewer than kSmallestCell
+};
+
+/// Aggregated reports say nothing about fewer people than this.
+inline constexpr std::int64_t kSmallestCell = 5;
+
+/// A trainee as the report shows one: a code, and a name only where the caller put it there.
 struct CohortTrainee {
   std::string code;
   std::size_t group = 0;
   std::string sex;
   std::string level;
+  std::string state = "enrolled";  ///< "enrolled", "completed", "withdrawn"
 };
 
 /// A group and what it does.
@@ -36,6 +47,39 @@ struct CohortAllocation {
   std::uint64_t seed = 0;
   std::string commitment;
   bool replayed = false;  ///< the sequence was repeated from the seed and found the same
+  std::vector<std::pair<std::string, std::string>> design;  ///< strata, block sizes ...: label, value
+  bool sealed = false;  ///< the seed has not been revealed yet and is not printed
+};
+
+/// The named state of the data that the report is made from.
+struct CohortFreeze {
+  std::string name;
+  std::string contentHash;
+  std::int64_t frozenUtc_us = 0;
+  std::string frozenBy;
+  bool unchanged = true;  ///< the data of today still have that hash
+};
+
+/// Something that did not go by the protocol.
+struct CohortDeviation {
+  std::int64_t happenedUtc_us = 0;
+  std::string trainee;  ///< empty: the whole cohort
+  std::string kind;
+  std::string description;
+};
+
+/// What a trainee spent training and resting.
+struct CohortDose {
+  std::string trainee;
+  double virtual_min = 0.0;
+  double real_min = 0.0;
+  double rest_min = 0.0;
+};
+
+/// One twist of a recorded trial, in its order.
+struct TwistAttempt {
+  double error_deg = 0.0;  ///< absolute, of the angle at release against the target
+  bool onTarget = false;
 };
 
 /// What one recorded trial comes down to.
@@ -56,6 +100,7 @@ struct TrialDigest {
   std::int64_t lateTicks = 0;
   bool interrupted = false;
   std::string contentHash;
+  std::vector<TwistAttempt> attempts;
 };
 
 /// Everything a cohort report is made from.
@@ -69,6 +114,9 @@ struct CohortInputs {
   std::vector<std::pair<std::string, std::string>> facts;  ///< further lines for the cover: label, value
   std::int64_t trainingTimeDivisor = 1;  ///< 60: one simulated minute stands for one hour of training
   std::int64_t rests = 0;                ///< trainees who took a rest
+  ReportIdentity identity = ReportIdentity::kCoded;
+  std::optional<CohortFreeze> freeze;  ///< empty: the data as they are now
+  std::int64_t notAllocated = 0;       ///< enrolled, but in no group
 
   std::vector<CohortGroup> groups;
   std::vector<CohortTrainee> trainees;
@@ -87,6 +135,10 @@ struct CohortInputs {
   std::size_t trainingRaters = 0;
   /// The marks behind the scores. When given, the report has a section with agreement and comparisons.
   std::vector<TrainingMark> trainingMarks;
+
+  std::int64_t notAssessable = 0;  ///< marks that a rater could not give, with a reason
+  std::vector<CohortDose> doses;
+  std::vector<CohortDeviation> deviations;
 
   std::vector<TrialDigest> trials;
   std::vector<std::pair<std::string, std::string>>

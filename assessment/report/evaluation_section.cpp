@@ -102,6 +102,7 @@ ReportFigure chiefsFigure(const CohortInputs& in) {
       figure(in, "figure-18", sentence({"Comprehensive score given by each rater of the class ", of}),
              FigureKind::kPoints, "Eq. 27 for one rater");
   out.xLabel = "rater";
+  out.individual = true;
   for (const ModelEvaluation& model : in.evaluations) {
     FigureSeries series;
     series.name = model.model;
@@ -155,6 +156,23 @@ ReportFigure boxesFigure(const CohortInputs& in) {
       "Boxes end at the quartiles (rule: Hyndman and Fan type 7); whiskers reach the most extreme value "
       "within 1.5 interquartile ranges of the box; values beyond are drawn singly; the separate mark is the "
       "mean."};
+  return out;
+}
+
+/// Where the classes of raters disagree: class means of every index, one row a model and class.
+ReportFigure classesFigure(const CohortInputs& in) {
+  ReportFigure out = figure(in, "figure-classes", "Mean score by class of raters", FigureKind::kHeatMap,
+                            "class means of Eq. 25");
+  out.xLabel = "index";
+  out.categories = indexNames(in);
+  for (const ModelEvaluation& model : in.evaluations)
+    for (std::size_t c = 0; c < in.instrument.classes.size(); ++c) {
+      FigureSeries series;
+      series.name = sentence({model.model, ", ", in.instrument.classes[c].name});
+      for (const ScoreStatistics& index : model.indices)
+        series.y.push_back(c < index.classMeans.size() ? index.classMeans[c] : std::nullopt);
+      out.series.push_back(series);
+    }
   return out;
 }
 
@@ -251,8 +269,8 @@ ReportSection evaluationSection(const CohortInputs& in) {
   section.paragraphs.push_back(
       "Marks are whole steps of the scale; M, s2 and N are computed in whole numbers and rounded once, so "
       "the tables do not depend on the order of the raters.");
-  section.figures = {rangesFigure(in), barsFigure(in, false), barsFigure(in, true), chiefsFigure(in),
-                     boxesFigure(in)};
+  section.figures = {rangesFigure(in), barsFigure(in, false), barsFigure(in, true),
+                     chiefsFigure(in), boxesFigure(in),       classesFigure(in)};
   section.tables.push_back(comprehensiveTable(in));
   for (const ModelEvaluation& model : in.evaluations) section.tables.push_back(indexTable(in, model));
   return section;

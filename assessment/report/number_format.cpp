@@ -3,7 +3,9 @@
 
 #include <array>
 #include <charconv>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 
 #include "sim/base/contracts.h"
 
@@ -33,6 +35,18 @@ std::string formatExact(double value) {
 
 std::string formatP(double p) {
   return p < 0.001 ? std::string("< 0.001") : formatFixed(p, 3);
+}
+
+std::string formatUtc(std::int64_t utc_us) {
+  const std::chrono::sys_time<std::chrono::microseconds> at{std::chrono::microseconds(utc_us)};
+  const auto day = std::chrono::floor<std::chrono::days>(at);
+  const std::chrono::year_month_day date(day);
+  const std::chrono::hh_mm_ss time(std::chrono::floor<std::chrono::minutes>(at - day));
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%04d-%02u-%02u %02d:%02d UTC", static_cast<int>(date.year()),
+                static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                static_cast<int>(time.hours().count()), static_cast<int>(time.minutes().count()));
+  return text.data();
 }
 
 std::string sentence(std::initializer_list<std::string_view> parts) {

@@ -17,6 +17,8 @@ namespace torsio {
 [[nodiscard]] std::string formatExact(double value);
 /// A p value as journals print it: "< 0.001", else three decimals.
 [[nodiscard]] std::string formatP(double p);
+/// "2026-01-05 08:00 UTC", microseconds since 1970.
+[[nodiscard]] std::string formatUtc(std::int64_t utc_us);
 /// Joins parts into one sentence.
 [[nodiscard]] std::string sentence(std::initializer_list<std::string_view> parts);
 

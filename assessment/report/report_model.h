@@ -23,6 +23,7 @@ struct ReportTable {
   std::string title;
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;  ///< each as long as columns
+  bool individual = false;                     ///< lists single people: no part of an aggregated report
   std::vector<std::string> notes;
   Provenance provenance;
 };
@@ -32,7 +33,16 @@ enum class FigureKind {
   kRanges,       ///< low, middle, high a category and series
   kBoxes,        ///< five numbers a series (values), outliers and mean drawn
   kPoints,       ///< every value of a series at its category
-  kLines,        ///< y over x
+  kLines,        ///< y over x; intervals where low and high are given
+  kScatter,      ///< marks at (x, y)
+  kForest,       ///< categories from top to bottom, the value with its interval along the horizontal axis
+  kHeatMap,      ///< categories are columns, series are rows; a cell is shaded by its value
+};
+
+/// A line across a figure: a limit, a target, zero. Crosses the axis of values.
+struct FigureReference {
+  double value = 0.0;
+  std::string label;
 };
 
 /// A box as drawn: type-7 quartiles, whiskers to the last value within 1.5 interquartile ranges of the box.
@@ -51,9 +61,11 @@ struct FigureSeries {
   std::vector<double>
       x;  ///< kLines without categories: abscissa; kPoints: category number from 0; else empty
   std::vector<std::optional<double>> y;  ///< one a category; kBoxes: all raw values
-  std::vector<double> low;               ///< kRanges: same length as y
+  std::vector<double> low;               ///< kRanges, kForest: same length as y; kLines: same or none
   std::vector<double> high;
-  std::optional<BoxSummary> box;  ///< kBoxes: required
+  std::optional<BoxSummary> box;    ///< kBoxes: required
+  std::optional<std::size_t> look;  ///< colour and marker of this number instead of the series' own
+  bool faint = false;               ///< one of many individual courses: thin and not in the legend
 };
 
 struct ReportFigure {
@@ -64,8 +76,10 @@ struct ReportFigure {
   FigureKind kind = FigureKind::kGroupedBars;
   std::vector<std::string> categories;
   std::vector<FigureSeries> series;
-  std::optional<double> yMin;
+  std::vector<FigureReference> references;
+  std::optional<double> yMin;  ///< of the axis of values, whichever way it lies
   std::optional<double> yMax;
+  bool individual = false;  ///< shows single people: no part of an aggregated report
   std::vector<std::string> notes;
   Provenance provenance;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "assessment/report/cohort_report.h"
+#include "assessment/report/study_analysis.h"
 
 // Parts of cohortReport(), one a source file.
 namespace torsio {
@@ -9,7 +10,10 @@ namespace torsio {
 [[nodiscard]] ReportSection participantsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection evaluationSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection trainingSection(const CohortInputs& inputs);
-[[nodiscard]] ReportSection analysisSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection analysisSection(const CohortInputs& inputs, const StudyAnalysis& study);
+[[nodiscard]] ReportSection ratersSection(const CohortInputs& inputs, const StudyAnalysis& study);
+[[nodiscard]] ReportSection learningSection(const CohortInputs& inputs);
+[[nodiscard]] ReportSection deviationsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection trialsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs);

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
 
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
+#include "assessment/statistics/distributions.h"
 
 namespace torsio {
 
@@ -33,6 +37,7 @@ ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
   out.title = sentence({"Scores of the trainees ", in.occasions[occasion]});
   out.kind = FigureKind::kGroupedBars;
   out.xLabel = "trainee number in the group";
+  out.individual = true;
   out.yLabel = "score (points)";
   fixScale(in, out);
   std::size_t largest = 0;
@@ -104,6 +109,55 @@ ReportFigure meansFigure(const CohortInputs& in) {
   return out;
 }
 
+/// The course of every trainee of one group, with the group's mean and its 95 % interval.
+ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
+  ReportFigure out;
+  out.id = sentence({"figure-courses-", std::to_string(group + 1)});
+  out.title =
+      sentence({"Course of every trainee, ", in.groups[group].name, " (", in.groups[group].protocol, ")"});
+  out.kind = FigureKind::kLines;
+  out.individual = true;
+  out.xLabel = "scoring point";
+  out.yLabel = "score (points)";
+  fixScale(in, out);
+  out.categories = in.occasions;
+  std::map<std::string, FigureSeries> byTrainee;
+  for (const TraineeScore& score : in.scores) {
+    if (score.group != group) continue;
+    FigureSeries& series = byTrainee[score.trainee];
+    series.name = score.trainee;
+    series.look = group;
+    series.faint = true;
+    series.y.resize(in.occasions.size());
+    series.y[score.occasion] = score.score;
+    ++out.provenance.n;
+  }
+  FigureSeries mean;
+  mean.name = "mean [95 %]";
+  mean.look = group;
+  mean.y.resize(in.occasions.size());
+  mean.low.resize(in.occasions.size(), 0.0);
+  mean.high.resize(in.occasions.size(), 0.0);
+  for (const GroupSummary& summary : in.summaries) {
+    if (summary.group != group) continue;
+    const auto n = static_cast<double>(summary.trainees);
+    const double half = summary.sampleVarianceOfScores && n > 1.0
+                            ? tQuantile(0.975, n - 1.0) * std::sqrt(*summary.sampleVarianceOfScores / n)
+                            : 0.0;
+    mean.y[summary.occasion] = summary.mean;
+    mean.low[summary.occasion] = summary.mean - half;
+    mean.high[summary.occasion] = summary.mean + half;
+  }
+  for (auto& [code, series] : byTrainee) out.series.push_back(std::move(series));
+  out.series.push_back(mean);
+  const std::int64_t n = out.provenance.n;
+  out.provenance = provenance(in, "mean over raters; mean over trainees with Student's t", n);
+  std::int64_t members = 0;
+  for (const CohortTrainee& trainee : in.trainees) members += trainee.group == group ? 1 : 0;
+  out.provenance.missing = members * std::ssize(in.occasions) - n;
+  return out;
+}
+
 ReportTable summaryTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-training-summary";
@@ -142,24 +196,19 @@ ReportTable scoresTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-training-scores";
   table.title = "Training study: score of every trainee";
+  table.individual = true;
   table.columns = {"Group", "Number", "Trainee"};
   table.columns.insert(table.columns.end(), in.occasions.begin(), in.occasions.end());
-  for (std::size_t g = 0; g < in.groups.size(); ++g)
-    for (const TraineeScore& first : in.scores) {
-      if (first.group != g) continue;
-      const bool listed = std::any_of(table.rows.begin(), table.rows.end(),
-                                      [&](const auto& row) { return row[2] == first.trainee; });
-      if (listed) continue;
-      std::vector<std::string> row = {in.groups[g].name, std::to_string(first.number), first.trainee};
-      for (std::size_t t = 0; t < in.occasions.size(); ++t) {
-        std::string text = "missing";
-        for (const TraineeScore& score : in.scores)
-          if (score.trainee == first.trainee && score.occasion == t)
-            text = formatFixed(score.score, kScoreDecimals);
-        row.push_back(text);
-      }
-      table.rows.push_back(row);
+  std::map<std::tuple<std::size_t, std::size_t, std::string>, std::vector<std::string>> rows;
+  for (const TraineeScore& score : in.scores) {
+    std::vector<std::string>& row = rows[{score.group, score.number, score.trainee}];
+    if (row.empty()) {
+      row = {in.groups[score.group].name, std::to_string(score.number), score.trainee};
+      row.resize(table.columns.size(), "missing");
     }
+    row[3 + score.occasion] = formatFixed(score.score, kScoreDecimals);
+  }
+  for (auto& [place, row] : rows) table.rows.push_back(std::move(row));
   table.provenance = provenance(in, "mean over raters", std::ssize(in.scores));
   return table;
 }
@@ -184,6 +233,7 @@ ReportSection trainingSection(const CohortInputs& in) {
   for (std::size_t t = 0; t < in.occasions.size(); ++t) section.figures.push_back(scoresFigure(in, t));
   section.figures.push_back(varianceFigure(in));
   section.figures.push_back(meansFigure(in));
+  for (std::size_t g = 0; g < in.groups.size(); ++g) section.figures.push_back(coursesFigure(in, g));
   section.tables = {summaryTable(in), scoresTable(in)};
   return section;
 }

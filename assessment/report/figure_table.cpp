@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/report/figure_table.h"
+
+#include <algorithm>
+
+#include "assessment/report/number_format.h"
+
+namespace torsio {
+
+namespace {
+
+/// Writes one figure's values.
+class Twin {
+ public:
+  Twin(const ReportFigure& figure, int decimals) : figure_(figure), decimals_(decimals) {
+    table_.id = "data-" + figure.id;
+    table_.title = figure.title;
+    table_.individual = figure.individual;
+    table_.provenance = figure.provenance;
+  }
+
+  ReportTable take() {
+    switch (figure_.kind) {
+      case FigureKind::kBoxes:
+        boxes();
+        break;
+      case FigureKind::kScatter:
+        scatter();
+        break;
+      case FigureKind::kHeatMap:
+        heatMap();
+        break;
+      case FigureKind::kPoints:
+        points();
+        break;
+      case FigureKind::kLines:
+        if (figure_.categories.empty()) {
+          scatter();
+        } else {
+          byCategory();
+        }
+        break;
+      default:
+        byCategory();
+    }
+    return std::move(table_);
+  }
+
+ private:
+  [[nodiscard]] std::string number(double value) const {
+    return decimals_ == kExactDecimals ? formatExact(value) : formatFixed(value, decimals_);
+  }
+  [[nodiscard]] std::string heading() const {
+    return figure_.xLabel.empty() ? std::string("Category") : figure_.xLabel;
+  }
+
+  /// One row a category; a series with intervals takes three columns.
+  void byCategory() {
+    table_.columns = {heading()};
+    for (const FigureSeries& series : figure_.series) {
+      const bool alone = figure_.series.size() == 1;
+      if (!series.low.empty()) table_.columns.push_back(alone ? "low" : series.name + ": low");
+      table_.columns.push_back(alone && series.name.empty() ? "value" : series.name);
+      if (!series.low.empty()) table_.columns.push_back(alone ? "high" : series.name + ": high");
+    }
+    for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
+      std::vector<std::string> row = {figure_.categories[c]};
+      for (const FigureSeries& series : figure_.series) {
+        const bool known = c < series.y.size() && series.y[c].has_value();
+        if (!series.low.empty()) row.push_back(known ? number(series.low[c]) : std::string());
+        row.push_back(known ? number(*series.y[c]) : std::string());
+        if (!series.low.empty()) row.push_back(known ? number(series.high[c]) : std::string());
+      }
+      table_.rows.push_back(row);
+    }
+  }
+
+  /// One row a category, the value of each series at it.
+  void points() {
+    table_.columns = {heading()};
+    for (const FigureSeries& series : figure_.series) table_.columns.push_back(series.name);
+    for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
+      std::vector<std::string> row = {figure_.categories[c]};
+      for (const FigureSeries& series : figure_.series) {
+        std::string cell;
+        for (std::size_t i = 0; i < series.y.size(); ++i) {
+          const std::size_t at = i < series.x.size() ? static_cast<std::size_t>(series.x[i]) : i;
+          if (at != c || !series.y[i]) continue;
+          if (!cell.empty()) cell += "; ";
+          cell += number(*series.y[i]);
+        }
+        row.push_back(cell);
+      }
+      table_.rows.push_back(row);
+    }
+  }
+
+  void boxes() {
+    table_.columns = {"Series",         "Values",        "Lower whisker", "Lower quartile", "Median",
+                      "Upper quartile", "Upper whisker", "Mean",          "Outside"};
+    for (const FigureSeries& series : figure_.series) {
+      const BoxSummary box = series.box.value_or(BoxSummary{});
+      std::string outside;
+      for (const double value : box.outliers) outside += (outside.empty() ? "" : "; ") + number(value);
+      table_.rows.push_back({series.name, std::to_string(series.y.size()), number(box.lowerWhisker),
+                             number(box.lowerQuartile), number(box.median), number(box.upperQuartile),
+                             number(box.upperWhisker), number(box.mean), outside});
+    }
+  }
+
+  void scatter() {
+    table_.columns = {"Series", heading(), figure_.yLabel};
+    for (const FigureSeries& series : figure_.series)
+      for (std::size_t i = 0; i < series.y.size(); ++i) {
+        if (!series.y[i]) continue;
+        const double x = i < series.x.size() ? series.x[i] : static_cast<double>(i + 1);
+        table_.rows.push_back({series.name, number(x), number(*series.y[i])});
+      }
+  }
+
+  void heatMap() {
+    table_.columns = {heading()};
+    table_.columns.insert(table_.columns.end(), figure_.categories.begin(), figure_.categories.end());
+    for (const FigureSeries& series : figure_.series) {
+      std::vector<std::string> row = {series.name};
+      for (std::size_t c = 0; c < figure_.categories.size(); ++c)
+        row.push_back(c < series.y.size() && series.y[c] ? number(*series.y[c]) : std::string());
+      table_.rows.push_back(row);
+    }
+  }
+
+  const ReportFigure& figure_;
+  int decimals_;
+  ReportTable table_;
+};
+
+}  // namespace
+
+ReportTable figureTable(const ReportFigure& figure, int decimals) {
+  return Twin(figure, decimals).take();
+}
+
+}  // namespace torsio

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "assessment/report/report_model.h"
+
+namespace torsio {
+
+/// Shortest text that reads back as the same number, for copying and for machines.
+inline constexpr int kExactDecimals = -1;
+
+/// The numbers behind a figure as a table: every value that is drawn, and nothing else. A value that does not
+/// exist is an empty cell. `decimals`: of every number, or kExactDecimals.
+[[nodiscard]] ReportTable figureTable(const ReportFigure& figure, int decimals = kExactDecimals);
+
+}  // namespace torsio

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <map>
+
+#include "assessment/report/number_format.h"
+#include "assessment/report/report_sections.h"
+#include "sim/base/digest.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::size_t kPrintedDigits = 16;
+
+std::string hashOfTrainingMarks(const CohortInputs& in) {
+  Digest digest;
+  for (const TrainingMark& mark : in.trainingMarks) {
+    digest.update(mark.trainee);
+    digest.update(mark.rater);
+    digest.update(static_cast<std::int64_t>(mark.occasion));
+    digest.update(mark.steps);
+  }
+  return digest.hex();
+}
+
+std::string hashOfEvaluationMarks(const CohortInputs& in) {
+  Digest digest;
+  for (const ModelRatings& model : in.ratings)
+    for (const RaterSheet& sheet : model.sheets) {
+      digest.update(model.model);
+      digest.update(sheet.rater);
+      for (const std::optional<std::int64_t>& steps : sheet.steps) digest.update(steps.value_or(-1));
+    }
+  return digest.hex();
+}
+
+std::string hashOfTrials(const CohortInputs& in) {
+  Digest digest;
+  for (const TrialDigest& trial : in.trials) {
+    digest.update(trial.trialId);
+    digest.update(trial.contentHash);
+  }
+  return digest.hex();
+}
+
+ReportTable versionsTable(const CohortInputs& in) {
+  std::vector<std::pair<std::string, std::string>> rows = {
+      {"Software", in.softwareVersion},
+      {"Evaluation formulas", kEvaluationFormulaVersion},
+      {"Training formulas", kTrainingFormulaVersion},
+      {"Allocation", in.allocation.sealed
+                         ? sentence({in.allocation.version, ", seed sealed"})
+                         : sentence({in.allocation.version, ", seed ", std::to_string(in.allocation.seed)})},
+      {"Allocation commitment", in.allocation.commitment},
+  };
+  if (in.freeze) {
+    rows.emplace_back("Frozen data set", in.freeze->name);
+    rows.emplace_back("Frozen data set, content hash", in.freeze->contentHash);
+    rows.emplace_back("Record compared with it", in.freeze->unchanged ? "unchanged" : "changed since then");
+  }
+  rows.insert(rows.end(), in.provenance.begin(), in.provenance.end());
+  ReportTable table;
+  table.id = "table-provenance";
+  table.title = "Where the numbers come from";
+  table.columns = {"Item", "Value"};
+  for (const auto& [label, value] : rows) table.rows.push_back({label, value});
+  return table;
+}
+
+/// Which marks or recordings stand behind which parts of the report.
+ReportTable sourcesTable(const CohortInputs& in) {
+  ReportTable table;
+  table.id = "table-sources";
+  table.title = "What each part is computed from";
+  table.columns = {"Part of the report", "Source", "Count", "Hash of the source"};
+  const auto add = [&](const char* part, const char* source, std::int64_t count, const std::string& hash) {
+    if (count > 0)
+      table.rows.push_back({part, source, std::to_string(count), hash.substr(0, kPrintedDigits)});
+  };
+  std::int64_t evaluationMarks = 0;
+  for (const ModelRatings& model : in.ratings)
+    for (const RaterSheet& sheet : model.sheets)
+      evaluationMarks += std::count_if(sheet.steps.begin(), sheet.steps.end(),
+                                       [](const auto& steps) { return steps.has_value(); });
+  add("Evaluation of the models", "submitted marks of the campaign", evaluationMarks,
+      hashOfEvaluationMarks(in));
+  add("Training study; Agreement and comparisons; Raters", "submitted marks of the scoring points",
+      std::ssize(in.trainingMarks), hashOfTrainingMarks(in));
+  add("Learning; Recorded trials", "recordings, listed below", std::ssize(in.trials), hashOfTrials(in));
+  table.notes = {
+      "Every submitted mark and every recording is sealed in the record; a trial can be replayed and "
+      "compared "
+      "bit for bit (torsio replay TRIAL --verify)."};
+  if (in.notAssessable > 0)
+    table.notes.push_back(sentence({std::to_string(in.notAssessable),
+                                    " marks could not be given and carry a reason; they count as missing."}));
+  table.provenance.flags = commonFlags(in);
+  return table;
+}
+
+/// Back from a trainee's score to the marks and recordings of that trainee.
+ReportTable chainTable(const CohortInputs& in) {
+  struct Chain {
+    std::int64_t marks = 0;
+    std::string trials;
+  };
+  std::map<std::string, Chain> chains;
+  for (const TrainingMark& mark : in.trainingMarks) ++chains[mark.trainee].marks;
+  for (const TrialDigest& trial : in.trials) {
+    std::string& trials = chains[trial.trainee].trials;
+    if (!trials.empty()) trials += ", ";
+    trials += trial.trialId.substr(0, 8);
+  }
+  ReportTable table;
+  table.id = "table-chain";
+  table.title = "From every trainee's scores back to marks and recordings";
+  table.individual = true;
+  table.columns = {"Trainee", "Marks behind the scores", "Recordings (first eight digits of the trial)"};
+  for (const auto& [trainee, chain] : chains)
+    table.rows.push_back({trainee, std::to_string(chain.marks),
+                          chain.trials.empty() ? std::string("none on the simulator") : chain.trials});
+  table.provenance.flags = commonFlags(in);
+  return table;
+}
+
+ReportTable trialsTable(const CohortInputs& in) {
+  ReportTable table;
+  table.id = "table-trial-hashes";
+  table.title = "Recorded trials";
+  table.individual = true;
+  table.columns = {"Trial", "Trainee", "Phase", "Model", "Minutes", "Outcome", "Content hash"};
+  for (const TrialDigest& trial : in.trials)
+    table.rows.push_back({trial.trialId, trial.trainee, trial.phase, trial.model,
+                          formatFixed(trial.minutes, 2), trial.interrupted ? "interrupted" : "completed",
+                          trial.contentHash.substr(0, kPrintedDigits)});
+  table.notes = {
+      "The first 16 digits of each content hash; the whole hashes stand in the table of numbers (CSV)."};
+  table.provenance.n = std::ssize(in.trials);
+  table.provenance.flags = commonFlags(in);
+  return table;
+}
+
+}  // namespace
+
+ReportSection provenanceSection(const CohortInputs& in) {
+  ReportSection section;
+  section.title = "Provenance";
+  section.tables = {versionsTable(in)};
+  if (ReportTable sources = sourcesTable(in); !sources.rows.empty())
+    section.tables.push_back(std::move(sources));
+  if (ReportTable chain = chainTable(in); !chain.rows.empty()) section.tables.push_back(std::move(chain));
+  if (!in.trials.empty()) section.tables.push_back(trialsTable(in));
+  return section;
+}
+
+}  // namespace torsio

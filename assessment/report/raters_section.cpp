@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "assessment/report/number_format.h"
+#include "assessment/report/report_sections.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr int kDecimals = 3;
+
+template <typename Item>
+Item itemOf(const CohortInputs& in, const std::string& id, const std::string& title,
+            const std::string& formula) {
+  Item item;
+  item.id = id;
+  item.title = title;
+  item.individual = true;
+  item.provenance.formula = formula;
+  item.provenance.formulaVersion = kTrainingFormulaVersion;
+  item.provenance.flags = commonFlags(in);
+  return item;
+}
+
+/// Mean over the scoring points of what each rater gave each trainee.
+ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study) {
+  ReportFigure figure = itemOf<ReportFigure>(
+      in, "figure-marks", "Marks by trainee and rater, last scoring point", "marks as submitted");
+  figure.kind = FigureKind::kHeatMap;
+  figure.xLabel = "trainee";
+  figure.yLabel = "mark (points)";
+  figure.yMin = pointsFromSteps(in.trainingScale.lo, in.trainingScale);
+  figure.yMax = pointsFromSteps(in.trainingScale.hi, in.trainingScale);
+  figure.categories = study.trainees;
+  const OccasionMarks& last = study.occasions.back();
+  for (std::size_t r = 0; r < study.raters.size(); ++r) {
+    FigureSeries series;
+    series.name = study.raters[r];
+    for (const std::vector<std::optional<double>>& row : last.marks) series.y.push_back(row[r]);
+    figure.series.push_back(series);
+  }
+  figure.provenance.n = last.n;
+  figure.provenance.missing = last.missing;
+  figure.notes = {
+      "A row that is lighter or darker all along is a rater who is stricter or more lenient. "
+      "An empty cell is a mark that was not given."};
+  return figure;
+}
+
+ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) {
+  ReportFigure figure = itemOf<ReportFigure>(in, "figure-severity", "Severity of the raters",
+                                             "mean of own mark minus mean of the other raters");
+  figure.kind = FigureKind::kForest;
+  figure.yLabel = "own mark minus the other raters' mean (points)";
+  figure.references = {{0.0, "as the others"}};
+  std::vector<RaterSeverity> ordered = study.severity;
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const RaterSeverity& a, const RaterSeverity& b) { return a.offset < b.offset; });
+  FigureSeries series;
+  series.name = "offset [95 %]";
+  for (const RaterSeverity& rater : ordered) {
+    figure.categories.push_back(rater.rater);
+    series.y.emplace_back(rater.offset);
+    series.low.push_back(rater.interval ? rater.interval->lower : rater.offset);
+    series.high.push_back(rater.interval ? rater.interval->upper : rater.offset);
+    figure.provenance.n += rater.n;
+  }
+  figure.series = {series};
+  figure.notes = {
+      "Strictest first. Scores are not corrected for severity: every trainee is marked by the same "
+      "raters, so that it does not change their order."};
+  return figure;
+}
+
+/// Every mark of the last scoring point against the mean of the other raters.
+std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const StudyAnalysis& study) {
+  ReportFigure figure = itemOf<ReportFigure>(in, "figure-bland-altman",
+                                             "Each mark against the other raters, last scoring point",
+                                             "Bland and Altman, each rater against the mean of the others");
+  figure.kind = FigureKind::kScatter;
+  figure.xLabel = "mean of own mark and the others' mean (points)";
+  figure.yLabel = "own mark minus the others' mean (points)";
+  FigureSeries series;
+  series.name = "one mark";
+  std::vector<double> own;
+  std::vector<double> panel;
+  for (const std::vector<std::optional<double>>& row : study.occasions.back().marks)
+    for (std::size_t r = 0; r < row.size(); ++r) {
+      if (!row[r]) continue;
+      double sum = 0.0;
+      std::int64_t others = 0;
+      for (std::size_t k = 0; k < row.size(); ++k)
+        if (k != r && row[k]) {
+          sum += *row[k];
+          ++others;
+        }
+      if (others == 0) continue;
+      own.push_back(*row[r]);
+      panel.push_back(sum / static_cast<double>(others));
+      series.x.push_back(0.5 * (own.back() + panel.back()));
+      series.y.emplace_back(own.back() - panel.back());
+    }
+  const Outcome<BlandAltmanResult> limits = blandAltman(own, panel);
+  if (!limits) return std::nullopt;
+  figure.series = {series};
+  figure.references = {{limits->meanDifference, "mean"},
+                       {limits->limits.lower, "lower limit"},
+                       {limits->limits.upper, "upper limit"}};
+  figure.provenance.n = limits->n > 0 ? static_cast<std::int64_t>(limits->n) : 0;
+  figure.provenance.missing = study.occasions.back().missing;
+  figure.notes = {sentence({"Limits: mean difference plus and minus 1.96 standard deviations, ",
+                            formatFixed(limits->limits.lower, 2), " to ",
+                            formatFixed(limits->limits.upper, 2), " points."})};
+  return figure;
+}
+
+ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
+  ReportTable table =
+      itemOf<ReportTable>(in, "table-raters", "Raters beside each other",
+                          "Bland and Altman against the mean of the others, last scoring point");
+  table.columns = {"Rater", "Trainees", "Offset [95 %], all scoring points",
+                   "Limits of agreement, last scoring point"};
+  for (const RaterSeverity& rater : study.severity) {
+    const auto at = static_cast<std::size_t>(
+        std::lower_bound(study.raters.begin(), study.raters.end(), rater.rater) - study.raters.begin());
+    std::string offset = formatFixed(rater.offset, kDecimals);
+    if (rater.interval)
+      offset += sentence({" [", formatFixed(rater.interval->lower, kDecimals), ", ",
+                          formatFixed(rater.interval->upper, kDecimals), "]"});
+    std::string limits = "marks are missing";
+    if (at < study.againstPanel.size())
+      limits = study.againstPanel[at]
+                   ? sentence({formatFixed(study.againstPanel[at]->limits.lower, kDecimals), " to ",
+                               formatFixed(study.againstPanel[at]->limits.upper, kDecimals)})
+                   : sentence({"not defined: ", study.againstPanel[at].reason()});
+    table.rows.push_back({rater.rater, std::to_string(rater.n), offset, limits});
+    table.provenance.n += rater.n;
+  }
+  table.notes = {"Raters are shown by code, for the organisers of the study; this is no ranking."};
+  return table;
+}
+
+}  // namespace
+
+ReportSection ratersSection(const CohortInputs& in, const StudyAnalysis& study) {
+  ReportSection section;
+  section.title = "Raters";
+  section.paragraphs = {
+      "Offsets are taken against the mean of the other raters; a mean that contains the rater would agree by "
+      "construction."};
+  section.figures = {heatMap(in, study)};
+  if (!study.severity.empty()) section.figures.push_back(severityFigure(in, study));
+  if (const std::optional<ReportFigure> figure = blandAltmanFigure(in, study))
+    section.figures.push_back(*figure);
+  if (!study.severity.empty()) section.tables = {ratersTable(in, study)};
+  return section;
+}
+
+}  // namespace torsio
