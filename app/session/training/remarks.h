@@ -35,6 +35,8 @@ struct TrialRemarks {
 /// Own trials with remarks, newest first. A remark on a trial that raters were asked to score appears when
 /// the marks of that scoring point were released. kTrialViewOwn.
 [[nodiscard]] std::vector<TrialRemarks> ownRemarks(Workplace& workplace);
+/// Remarks that may be seen and were not read yet. kTrialViewOwn.
+[[nodiscard]] std::size_t unreadRemarks(Workplace& workplace);
 /// Audited. kTrialViewOwn.
 void markRemarkRead(Workplace& workplace, const std::string& remarkId);
 /// Returns the id of the reply. Audited. kTrialViewOwn. Throws Error{kBadParameter} for an empty text.

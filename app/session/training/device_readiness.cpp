@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/training/device_readiness.h"
+
+#include <algorithm>
+
+namespace torsio {
+
+Light DeviceReadiness::light() const noexcept {
+  if (findings.empty()) return Light::kRed;
+  return std::max_element(findings.begin(), findings.end(),
+                          [](const DeviceFinding& a, const DeviceFinding& b) { return a.light < b.light; })
+      ->light;
+}
+
+DeviceReadiness pointerReadiness(bool gradedWithMouse) {
+  DeviceReadiness readiness;
+  readiness.device = "Mouse and keyboard";
+  readiness.findings.push_back({"connected", Light::kGreen, readiness.device, ""});
+  readiness.findings.push_back(gradedWithMouse ? DeviceFinding{"force", Light::kGreen, "shown, not felt", ""}
+                                               : DeviceFinding{"force", Light::kAmber, "shown, not felt",
+                                                               "Connect the haptic device for a graded run"});
+  return readiness;
+}
+
+}  // namespace torsio
