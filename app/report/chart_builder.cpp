@@ -22,54 +22,17 @@
 #include <QScatterSeries>
 #include <QValueAxis>
 
+#include "app/report/heat_map_item.h"
 #include "sim/base/contracts.h"
 
 namespace torsio {
 
 namespace {
 
-const QColor kInk(0x26, 0x32, 0x38);
-const QColor kGrid(0xDD, 0xE3, 0xE6);
-constexpr int kLabelPixels = 13;  // charts are laid out at 96 pixels an inch and scaled as a whole
-
-QFont chartFont(int pixels, bool bold = false) {
-  QFont font(QStringLiteral("DejaVu Sans"));
-  font.setPixelSize(pixels);
-  font.setBold(bold);
-  return font;
-}
+constexpr std::size_t kFewPoints = 14;  // lines with no more points carry markers
 
 QString text(const std::string& utf8) {
   return QString::fromStdString(utf8);
-}
-
-/// Long names of categories in small letters on two lines; Qt cuts what does not fit.
-constexpr int kSmallLabelPixels = 9;
-bool crowded(const ReportFigure& figure) {
-  return figure.categories.size() > 6 && std::any_of(figure.categories.begin(), figure.categories.end(),
-                                                     [](const auto& c) { return c.size() > 6; });
-}
-
-QString categoryLabel(const ReportFigure& figure, const std::string& category) {
-  const QString label = text(category).toHtmlEscaped();
-  return crowded(figure) ? QString(label).replace(' ', QStringLiteral("<br>")) : label;
-}
-
-template <typename Axis>
-Axis* styled(Axis* axis, const std::string& title) {
-  axis->setLabelsFont(chartFont(kLabelPixels - 1));
-  axis->setTitleFont(chartFont(kLabelPixels));
-  axis->setTitleText(text(title));
-  axis->setLabelsColor(kInk);
-  axis->setTitleBrush(kInk);
-  axis->setGridLineColor(kGrid);
-  axis->setLinePenColor(kInk);
-  return axis;
-}
-
-/// Half way to white: a fill on which the median line stays readable.
-QColor paler(const QColor& colour) {
-  return QColor((colour.red() + 255) / 2, (colour.green() + 255) / 2, (colour.blue() + 255) / 2);
 }
 
 struct Range {
@@ -79,239 +42,408 @@ struct Range {
     low = std::min(low, v);
     high = std::max(high, v);
   }
+  [[nodiscard]] bool empty() const { return !(low <= high); }
 };
-
-Range valueRange(const ReportFigure& figure) {
-  Range range;
-  for (const FigureSeries& series : figure.series) {
-    for (const auto& y : series.y) {
-      if (y) range.take(*y);
-    }
-    for (const double v : series.low) range.take(v);
-    for (const double v : series.high) range.take(v);
-  }
-  if (!(range.low <= range.high)) range = {0.0, 1.0};
-  if (figure.kind == FigureKind::kGroupedBars) range.take(0.0);
-  return range;
-}
-
-QValueAxis* valueAxis(const ReportFigure& figure) {
-  auto* axis = styled(new QValueAxis, figure.yLabel);
-  const Range range = valueRange(figure);
-  axis->setRange(figure.yMin.value_or(range.low), figure.yMax.value_or(range.high));
-  axis->setTickCount(6);
-  if (!figure.yMin || !figure.yMax) axis->applyNiceNumbers();
-  const double span = axis->max() - axis->min();
-  axis->setLabelFormat(span >= 8.0 ? "%.0f" : span >= 0.8 ? "%.1f" : "%.2f");
-  return axis;
-}
-
-/// Categories on a continuous axis at 1, 2, 3 ..., so that marks may stand beside each other.
-QCategoryAxis* slotAxis(const ReportFigure& figure) {
-  auto* axis = styled(new QCategoryAxis, figure.xLabel);
-  axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
-  for (std::size_t i = 0; i < figure.categories.size(); ++i) {
-    axis->append(categoryLabel(figure, figure.categories[i]), static_cast<double>(i + 1));
-  }
-  if (crowded(figure)) axis->setLabelsFont(chartFont(kSmallLabelPixels));
-  axis->setRange(0.5, static_cast<double>(figure.categories.size()) + 0.5);
-  axis->setGridLineVisible(false);
-  return axis;
-}
-
-/// Where series `s` of `count` stands within its category.
-double slot(std::size_t category, std::size_t s, std::size_t count) {
-  const double width = 0.62 / static_cast<double>(std::max<std::size_t>(count, 1));
-  return static_cast<double>(category + 1) +
-         width * (static_cast<double>(s) - 0.5 * static_cast<double>(count - 1));
-}
 
 constexpr std::array kMarkers{
     QScatterSeries::MarkerShapeCircle,   QScatterSeries::MarkerShapeRectangle,
     QScatterSeries::MarkerShapeTriangle, QScatterSeries::MarkerShapeRotatedRectangle,
     QScatterSeries::MarkerShapePentagon, QScatterSeries::MarkerShapeStar};
 
-QScatterSeries* scatter(std::size_t s, const std::string& name, double size) {
-  auto* points = new QScatterSeries;
-  points->setName(text(name));
-  points->setMarkerShape(kMarkers[s % kMarkers.size()]);
-  points->setMarkerSize(size);
-  points->setColor(seriesColour(s));
-  points->setBorderColor(seriesColour(s).darker(150));
-  return points;
-}
+/// Draws one figure into one chart.
+class Builder {
+ public:
+  Builder(const ReportFigure& figure, const ChartLook& look)
+      : figure_(figure), look_(look), chart_(std::make_unique<QChart>()) {}
 
-void add(QChart& chart, QAbstractSeries* series, QAbstractAxis* x, QAbstractAxis* y, bool inLegend) {
-  chart.addSeries(series);
-  series->attachAxis(x);
-  series->attachAxis(y);
-  for (QLegendMarker* marker : chart.legend()->markers(series)) marker->setVisible(inLegend);
-}
-
-void addBars(QChart& chart, const ReportFigure& figure, QAbstractAxis* y) {
-  auto* axis = styled(new QBarCategoryAxis, figure.xLabel);
-  for (const std::string& category : figure.categories) axis->append(categoryLabel(figure, category));
-  if (crowded(figure)) axis->setLabelsFont(chartFont(kSmallLabelPixels));
-  axis->setGridLineVisible(false);
-  chart.addAxis(axis, Qt::AlignBottom);
-  auto* bars = new QBarSeries;
-  bars->setBarWidth(0.75);
-  for (std::size_t s = 0; s < figure.series.size(); ++s) {
-    auto* set = new QBarSet(text(figure.series[s].name));
-    set->setColor(seriesColour(s));
-    set->setBorderColor(seriesColour(s).darker(140));
-    for (const auto& value : figure.series[s].y) *set << value.value_or(0.0);
-    bars->append(set);
-  }
-  add(chart, bars, axis, y, true);
-}
-
-void addRanges(QChart& chart, const ReportFigure& figure, QAbstractAxis* y) {
-  auto* axis = slotAxis(figure);
-  chart.addAxis(axis, Qt::AlignBottom);
-  for (std::size_t s = 0; s < figure.series.size(); ++s) {
-    const FigureSeries& series = figure.series[s];
-    TORSIO_EXPECTS(series.low.size() == series.y.size() && series.high.size() == series.y.size());
-    auto* middle = scatter(s, series.name, 9.0);
-    for (std::size_t c = 0; c < series.y.size(); ++c) {
-      if (!series.y[c]) continue;
-      const double x = slot(c, s, figure.series.size());
-      auto* line = new QLineSeries;
-      line->setPen(QPen(seriesColour(s), 2.2));
-      const double cap = 0.05;
-      line->append({{x - cap, series.low[c]},
-                    {x + cap, series.low[c]},
-                    {x, series.low[c]},
-                    {x, series.high[c]},
-                    {x - cap, series.high[c]},
-                    {x + cap, series.high[c]}});
-      add(chart, line, axis, y, false);
-      middle->append(x, *series.y[c]);
+  std::unique_ptr<QChart> take() {
+    prepare();
+    switch (figure_.kind) {
+      case FigureKind::kGroupedBars:
+        values(Qt::AlignLeft);
+        bars();
+        break;
+      case FigureKind::kRanges:
+        values(Qt::AlignLeft);
+        ranges();
+        break;
+      case FigureKind::kBoxes:
+        values(Qt::AlignLeft);
+        boxes();
+        break;
+      case FigureKind::kPoints:
+        values(Qt::AlignLeft);
+        points();
+        break;
+      case FigureKind::kLines:
+        values(Qt::AlignLeft);
+        lines();
+        break;
+      case FigureKind::kScatter:
+        values(Qt::AlignLeft);
+        cloud();
+        break;
+      case FigureKind::kForest:
+        values(Qt::AlignBottom);
+        forest();
+        break;
+      case FigureKind::kHeatMap:
+        TORSIO_EXPECTS(false);  // buildFigure() draws it
     }
-    add(chart, middle, axis, y, true);
+    references();
+    chart_->legend()->setVisible(inLegend_ > 1 || !figure_.references.empty());
+    return std::move(chart_);
   }
-}
 
-void addPoints(QChart& chart, const ReportFigure& figure, QAbstractAxis* y) {
-  auto* axis = slotAxis(figure);
-  chart.addAxis(axis, Qt::AlignBottom);
-  for (std::size_t s = 0; s < figure.series.size(); ++s) {
-    const FigureSeries& series = figure.series[s];
-    auto* points = scatter(s, series.name, 7.0);
-    for (std::size_t i = 0; i < series.y.size(); ++i) {
-      if (!series.y[i]) continue;
-      const double category = i < series.x.size() ? series.x[i] : static_cast<double>(i);
-      points->append(category + slot(0, s, figure.series.size()), *series.y[i]);
-    }
-    add(chart, points, axis, y, true);
+ private:
+  [[nodiscard]] QFont font(int pixels) const {
+    QFont out(QStringLiteral("DejaVu Sans"));
+    out.setPixelSize(pixels);
+    return out;
   }
-}
 
-void addLines(QChart& chart, const ReportFigure& figure, QAbstractAxis* y) {
-  QAbstractAxis* axis = nullptr;
-  const bool overCategories = !figure.categories.empty();
-  if (!overCategories) {
-    auto* value = styled(new QValueAxis, figure.xLabel);
+  void prepare() {
+    chart_->setAnimationOptions(QChart::NoAnimation);
+    chart_->setDropShadowEnabled(false);
+    chart_->setBackgroundVisible(false);
+    chart_->setMargins(QMargins(2, 2, 2, 2));
+    chart_->layout()->setContentsMargins(0, 0, 0, 0);
+    QLegend* legend = chart_->legend();
+    legend->setAlignment(Qt::AlignTop);
+    legend->setFont(font(look_.label_px));
+    legend->setLabelColor(look_.ink);
+    // Bars have no marker of their own: asked for one, Qt leaves it white and cuts the names short.
+    legend->setMarkerShape(figure_.kind == FigureKind::kGroupedBars ? QLegend::MarkerShapeRectangle
+                                                                    : QLegend::MarkerShapeFromSeries);
+  }
+
+  /// Long names of categories in small letters on two lines; Qt cuts what does not fit.
+  [[nodiscard]] bool crowded() const {
+    return figure_.categories.size() > 6 &&
+           std::any_of(figure_.categories.begin(), figure_.categories.end(),
+                       [](const auto& category) { return category.size() > 6; });
+  }
+
+  [[nodiscard]] QString label(const std::string& category) const {
+    const QString plain = text(category).toHtmlEscaped();
+    return crowded() ? QString(plain).replace(' ', QStringLiteral("<br>")) : plain;
+  }
+
+  template <typename Axis>
+  Axis* styled(Axis* axis, const std::string& title) const {
+    axis->setLabelsFont(font(look_.label_px - 1));
+    axis->setTitleFont(font(look_.label_px));
+    axis->setTitleText(text(title));
+    axis->setLabelsColor(look_.ink);
+    axis->setTitleBrush(look_.ink);
+    axis->setGridLineColor(look_.grid);
+    axis->setLinePenColor(look_.ink);
+    return axis;
+  }
+
+  [[nodiscard]] Range valueRange() const {
     Range range;
-    for (const FigureSeries& series : figure.series) {
-      for (const double x : series.x) range.take(x);
+    for (const FigureSeries& series : figure_.series) {
+      for (const auto& y : series.y)
+        if (y) range.take(*y);
+      for (const double v : series.low) range.take(v);
+      for (const double v : series.high) range.take(v);
     }
-    if (range.low < range.high) value->setRange(range.low, range.high);
-    value->setTickCount(6);
-    value->setLabelFormat("%.3g");
-    axis = value;
-  } else {
-    axis = slotAxis(figure);
+    for (const FigureReference& reference : figure_.references) range.take(reference.value);
+    if (range.empty()) range = {0.0, 1.0};
+    if (figure_.kind == FigureKind::kGroupedBars) range.take(0.0);
+    if (range.low == range.high) range.high = range.low + 1.0;
+    return range;
   }
-  chart.addAxis(axis, Qt::AlignBottom);
-  for (std::size_t s = 0; s < figure.series.size(); ++s) {
-    const FigureSeries& series = figure.series[s];
-    auto* line = new QLineSeries;
-    QPen pen(seriesColour(s), 2.2);
-    pen.setStyle(static_cast<Qt::PenStyle>(Qt::SolidLine + static_cast<int>(s % 4)));
-    line->setPen(pen);
-    line->setName(text(series.name));
-    for (std::size_t i = 0; i < series.y.size(); ++i) {
-      const bool placed = !overCategories && i < series.x.size();
-      if (series.y[i]) line->append(placed ? series.x[i] : static_cast<double>(i + 1), *series.y[i]);
-    }
-    add(chart, line, axis, y, true);
-  }
-}
 
-void addBoxes(QChart& chart, const ReportFigure& figure, QAbstractAxis* y) {
-  auto* axis = styled(new QBarCategoryAxis, figure.xLabel);
-  axis->setGridLineVisible(false);
-  auto* boxes = new QBoxPlotSeries;
-  auto* means = scatter(3, "mean", 9.0);
-  auto* outliers = scatter(0, "outside the whiskers", 6.0);
-  outliers->setColor(Qt::white);
-  boxes->setBoxWidth(0.45);
-  for (std::size_t s = 0; s < figure.series.size(); ++s) {
-    const FigureSeries& series = figure.series[s];
-    TORSIO_EXPECTS(series.box.has_value());
-    const BoxSummary& box = *series.box;
-    auto* set = new QBoxSet(box.lowerWhisker, box.lowerQuartile, box.median, box.upperQuartile,
-                            box.upperWhisker, text(series.name));
-    set->setBrush(paler(seriesColour(s)));
-    set->setPen(QPen(kInk, 1.4));
-    boxes->append(set);
-    means->append(static_cast<double>(s), box.mean);
-    for (const double value : box.outliers) outliers->append(static_cast<double>(s), value);
+  void values(Qt::Alignment side) {
+    auto* axis = styled(new QValueAxis, figure_.yLabel);
+    const Range range = valueRange();
+    axis->setRange(figure_.yMin.value_or(range.low), figure_.yMax.value_or(range.high));
+    axis->setTickCount(6);
+    if (!figure_.yMin || !figure_.yMax) axis->applyNiceNumbers();
+    const double span = axis->max() - axis->min();
+    axis->setLabelFormat(span >= 8.0 ? "%.0f" : span >= 0.8 ? "%.1f" : "%.2f");
+    chart_->addAxis(axis, side);
+    values_ = axis;
   }
-  chart.addAxis(axis, Qt::AlignBottom);
-  add(chart, boxes, axis, y, false);
-  add(chart, means, axis, y, true);
-  if (outliers->count() > 0) {
-    add(chart, outliers, axis, y, true);
-  } else {
-    delete outliers;
+
+  /// Categories on a continuous axis at 1, 2, 3 ..., so that marks may stand beside each other.
+  QCategoryAxis* slotAxis() {
+    auto* axis = styled(new QCategoryAxis, figure_.xLabel);
+    axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
+    for (std::size_t i = 0; i < figure_.categories.size(); ++i)
+      axis->append(label(figure_.categories[i]), static_cast<double>(i + 1));
+    if (crowded()) axis->setLabelsFont(font(smallLabel()));
+    axis->setRange(0.5, static_cast<double>(figure_.categories.size()) + 0.5);
+    axis->setGridLineVisible(false);
+    chart_->addAxis(axis, Qt::AlignBottom);
+    range_ = {0.5, static_cast<double>(figure_.categories.size()) + 0.5};
+    return axis;
   }
-}
+
+  QValueAxis* numberAxis() {
+    auto* axis = styled(new QValueAxis, figure_.xLabel);
+    Range range;
+    for (const FigureSeries& series : figure_.series)
+      for (const double x : series.x) range.take(x);
+    if (range.empty()) range = {0.0, 1.0};
+    if (range.low == range.high) range.high = range.low + 1.0;
+    axis->setRange(range.low, range.high);
+    axis->setTickCount(static_cast<int>(std::clamp(range.high - range.low + 1.0, 3.0, 6.0)));
+    if (figure_.kind == FigureKind::kScatter || range.high - range.low > 6.0) axis->applyNiceNumbers();
+    axis->setLabelFormat(axis->max() - axis->min() >= 4.0 ? "%.0f" : "%.1f");
+    chart_->addAxis(axis, Qt::AlignBottom);
+    range_ = {axis->min(), axis->max()};
+    return axis;
+  }
+
+  [[nodiscard]] int smallLabel() const { return std::max(9, look_.label_px - 4); }
+
+  /// Where series `s` stands within its category.
+  [[nodiscard]] double slot(std::size_t category, std::size_t s) const {
+    const std::size_t count = std::max<std::size_t>(figure_.series.size(), 1);
+    const double width = 0.62 / static_cast<double>(count);
+    return static_cast<double>(category + 1) +
+           width * (static_cast<double>(s) - 0.5 * static_cast<double>(count - 1));
+  }
+
+  [[nodiscard]] std::size_t lookOf(std::size_t s) const { return figure_.series[s].look.value_or(s); }
+
+  [[nodiscard]] QScatterSeries* marks(std::size_t number, const std::string& name, double size) const {
+    auto* points = new QScatterSeries;
+    points->setName(text(name));
+    points->setMarkerShape(kMarkers[number % kMarkers.size()]);
+    points->setMarkerSize(size);
+    points->setColor(seriesColour(number, look_));
+    points->setBorderColor(look_.dark ? look_.ground : seriesColour(number, look_).darker(150));
+    return points;
+  }
+
+  void add(QAbstractSeries* series, QAbstractAxis* x, QAbstractAxis* y, bool inLegend) {
+    chart_->addSeries(series);
+    series->attachAxis(x);
+    series->attachAxis(y);
+    for (QLegendMarker* marker : chart_->legend()->markers(series)) marker->setVisible(inLegend);
+    inLegend_ += inLegend ? 1 : 0;
+  }
+
+  void bars() {
+    auto* axis = styled(new QBarCategoryAxis, figure_.xLabel);
+    for (const std::string& category : figure_.categories) axis->append(label(category));
+    if (crowded()) axis->setLabelsFont(font(smallLabel()));
+    axis->setGridLineVisible(false);
+    chart_->addAxis(axis, Qt::AlignBottom);
+    auto* all = new QBarSeries;
+    all->setBarWidth(0.75);
+    for (std::size_t s = 0; s < figure_.series.size(); ++s) {
+      auto* set = new QBarSet(text(figure_.series[s].name));
+      set->setBrush(seriesFill(lookOf(s), look_));
+      set->setPen(QPen(seriesColour(lookOf(s), look_).darker(look_.dark ? 100 : 130), 1.2));
+      for (const auto& value : figure_.series[s].y) *set << value.value_or(0.0);
+      all->append(set);
+    }
+    add(all, axis, values_, true);
+    inLegend_ = static_cast<int>(figure_.series.size());
+  }
+
+  /// A line with caps from low to high; across the axis of values when `lying`.
+  QLineSeries* whisker(std::size_t number, double at, double low, double high, double cap, bool lying) const {
+    auto* line = new QLineSeries;
+    line->setPen(QPen(seriesColour(number, look_), 2.0));
+    const auto point = [lying](double along, double value) {
+      return lying ? QPointF(value, along) : QPointF(along, value);
+    };
+    line->append({point(at - cap, low), point(at + cap, low), point(at, low), point(at, high),
+                  point(at - cap, high), point(at + cap, high)});
+    return line;
+  }
+
+  void ranges() {
+    QCategoryAxis* axis = slotAxis();
+    for (std::size_t s = 0; s < figure_.series.size(); ++s) {
+      const FigureSeries& series = figure_.series[s];
+      TORSIO_EXPECTS(series.low.size() == series.y.size() && series.high.size() == series.y.size());
+      auto* middle = marks(lookOf(s), series.name, 9.0);
+      for (std::size_t c = 0; c < series.y.size(); ++c) {
+        if (!series.y[c]) continue;
+        const double x = slot(c, s);
+        add(whisker(lookOf(s), x, series.low[c], series.high[c], 0.05, false), axis, values_, false);
+        middle->append(x, *series.y[c]);
+      }
+      add(middle, axis, values_, true);
+    }
+  }
+
+  void points() {
+    QCategoryAxis* axis = slotAxis();
+    for (std::size_t s = 0; s < figure_.series.size(); ++s) {
+      const FigureSeries& series = figure_.series[s];
+      auto* dots = marks(lookOf(s), series.name, 8.0);
+      for (std::size_t i = 0; i < series.y.size(); ++i) {
+        if (!series.y[i]) continue;
+        const double category = i < series.x.size() ? series.x[i] : static_cast<double>(i);
+        dots->append(category + slot(0, s), *series.y[i]);
+      }
+      add(dots, axis, values_, true);
+    }
+  }
+
+  [[nodiscard]] double abscissa(const FigureSeries& series, std::size_t i) const {
+    const double x = i < series.x.size() ? series.x[i] : static_cast<double>(i);
+    return figure_.categories.empty() ? (series.x.empty() ? x + 1.0 : x) : x + 1.0;
+  }
+
+  void lines() {
+    QAbstractAxis* axis = figure_.categories.empty() ? static_cast<QAbstractAxis*>(numberAxis()) : slotAxis();
+    for (std::size_t s = 0; s < figure_.series.size(); ++s) {
+      const FigureSeries& series = figure_.series[s];
+      const std::size_t number = lookOf(s);
+      auto* line = new QLineSeries;
+      QColor colour = seriesColour(number, look_);
+      if (series.faint) colour.setAlpha(130);
+      QPen pen(colour, series.faint ? 1.1 : 2.2);
+      pen.setStyle(static_cast<Qt::PenStyle>(Qt::SolidLine + static_cast<int>(number % 4)));
+      line->setPen(pen);
+      line->setName(text(series.name));
+      for (std::size_t i = 0; i < series.y.size(); ++i)
+        if (series.y[i]) line->append(abscissa(series, i), *series.y[i]);
+      add(line, axis, values_, !series.faint);
+      if (!series.faint) ornaments(series, number, axis);
+    }
+  }
+
+  /// Intervals and markers of a line.
+  void ornaments(const FigureSeries& series, std::size_t number, QAbstractAxis* axis) {
+    const double cap = figure_.categories.empty() ? 0.004 * (range_.high - range_.low) : 0.03;
+    if (series.low.size() == series.y.size() && series.high.size() == series.y.size())
+      for (std::size_t i = 0; i < series.y.size(); ++i)
+        if (series.y[i] && series.low[i] < series.high[i]) {
+          QLineSeries* bar = whisker(number, abscissa(series, i), series.low[i], series.high[i], cap, false);
+          bar->setPen(QPen(seriesColour(number, look_), 1.3));
+          add(bar, axis, values_, false);
+        }
+    if (series.y.size() > kFewPoints) return;
+    auto* dots = marks(number, series.name, 8.0);
+    for (std::size_t i = 0; i < series.y.size(); ++i)
+      if (series.y[i]) dots->append(abscissa(series, i), *series.y[i]);
+    add(dots, axis, values_, false);
+  }
+
+  void cloud() {
+    QValueAxis* axis = numberAxis();
+    for (std::size_t s = 0; s < figure_.series.size(); ++s) {
+      const FigureSeries& series = figure_.series[s];
+      auto* dots = marks(lookOf(s), series.name, series.y.size() > 150 ? 4.5 : 6.5);
+      QColor fill = seriesColour(lookOf(s), look_);
+      fill.setAlpha(150);
+      dots->setColor(fill);
+      for (std::size_t i = 0; i < series.y.size(); ++i)
+        if (series.y[i]) dots->append(series.x[i], *series.y[i]);
+      add(dots, axis, values_, true);
+    }
+  }
+
+  void forest() {
+    const auto rows = static_cast<double>(figure_.categories.size());
+    auto* axis = styled(new QCategoryAxis, figure_.xLabel);
+    axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
+    for (std::size_t i = 0; i < figure_.categories.size(); ++i)
+      axis->append(text(figure_.categories[i]).toHtmlEscaped(), static_cast<double>(i + 1));
+    axis->setRange(0.4, rows + 0.6);
+    axis->setReverse(true);  // first row on top
+    axis->setGridLineVisible(false);
+    chart_->addAxis(axis, Qt::AlignLeft);
+    range_ = {0.4, rows + 0.6};
+    rows_ = axis;
+    for (std::size_t s = 0; s < figure_.series.size(); ++s) {
+      const FigureSeries& series = figure_.series[s];
+      TORSIO_EXPECTS(series.low.size() == series.y.size() && series.high.size() == series.y.size());
+      auto* middle = marks(lookOf(s), series.name, 10.0);
+      for (std::size_t c = 0; c < series.y.size(); ++c) {
+        if (!series.y[c]) continue;
+        const double at = slot(c, s);
+        add(whisker(lookOf(s), at, series.low[c], series.high[c], 0.08, true), values_, axis, false);
+        middle->append(*series.y[c], at);
+      }
+      add(middle, values_, axis, true);
+    }
+  }
+
+  void boxes() {
+    auto* axis = styled(new QBarCategoryAxis, figure_.xLabel);
+    axis->setGridLineVisible(false);
+    auto* all = new QBoxPlotSeries;
+    auto* means = marks(3, "mean", 9.0);
+    auto* outliers = marks(0, "outside the whiskers", 6.0);
+    outliers->setColor(look_.ground);
+    outliers->setBorderColor(look_.ink);
+    all->setBoxWidth(0.45);
+    for (std::size_t s = 0; s < figure_.series.size(); ++s) {
+      const FigureSeries& series = figure_.series[s];
+      TORSIO_EXPECTS(series.box.has_value());
+      const BoxSummary& box = *series.box;
+      auto* set = new QBoxSet(box.lowerWhisker, box.lowerQuartile, box.median, box.upperQuartile,
+                              box.upperWhisker, text(series.name));
+      set->setBrush(paler(seriesColour(lookOf(s), look_)));
+      set->setPen(QPen(look_.ink, 1.4));
+      all->append(set);
+      means->append(static_cast<double>(s), box.mean);
+      for (const double value : box.outliers) outliers->append(static_cast<double>(s), value);
+    }
+    chart_->addAxis(axis, Qt::AlignBottom);
+    add(all, axis, values_, false);
+    add(means, axis, values_, true);
+    if (outliers->count() > 0) {
+      add(outliers, axis, values_, true);
+    } else {
+      delete outliers;
+    }
+    inLegend_ = 2;  // even alone, the mark needs its name
+  }
+
+  /// Half way to the ground: a fill on which the median line stays readable.
+  [[nodiscard]] QColor paler(const QColor& colour) const {
+    return QColor((colour.red() + look_.ground.red()) / 2, (colour.green() + look_.ground.green()) / 2,
+                  (colour.blue() + look_.ground.blue()) / 2);
+  }
+
+  void references() {
+    static const std::array<Qt::PenStyle, 3> kStyles{Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
+    const bool lying = figure_.kind == FigureKind::kForest;
+    for (std::size_t i = 0; i < figure_.references.size(); ++i) {
+      const FigureReference& reference = figure_.references[i];
+      auto* line = new QLineSeries;
+      line->setName(text(reference.label));
+      line->setPen(QPen(look_.ink, 1.2, kStyles[i % kStyles.size()]));
+      if (lying) {
+        line->append({{reference.value, range_.low}, {reference.value, range_.high}});
+        add(line, values_, rows_, true);
+      } else {
+        line->append({{range_.low, reference.value}, {range_.high, reference.value}});
+        add(line, chart_->axes(Qt::Horizontal).value(0), values_, true);
+      }
+    }
+  }
+
+  const ReportFigure& figure_;
+  const ChartLook& look_;
+  std::unique_ptr<QChart> chart_;
+  QAbstractAxis* values_ = nullptr;
+  QAbstractAxis* rows_ = nullptr;
+  Range range_{0.0, 1.0};  // of the other axis
+  int inLegend_ = 0;
+};
 
 }  // namespace
 
-QColor seriesColour(std::size_t i) {
-  static const std::array<QColor, 6> kColours{QColor(0x00, 0x5B, 0x96), QColor(0xE6, 0x9F, 0x00),
-                                              QColor(0x5F, 0xB9, 0x9C), QColor(0xB3, 0x3A, 0x3A),
-                                              QColor(0x8E, 0x5A, 0x9E), QColor(0x6E, 0x7B, 0x82)};
-  return kColours[i % kColours.size()];
+std::unique_ptr<QChart> buildChart(const ReportFigure& figure, const ChartLook& look) {
+  return Builder(figure, look).take();
 }
 
-std::unique_ptr<QChart> buildChart(const ReportFigure& figure) {
-  auto chart = std::make_unique<QChart>();
-  chart->setAnimationOptions(QChart::NoAnimation);
-  chart->setDropShadowEnabled(false);
-  chart->setBackgroundVisible(false);
-  chart->setMargins(QMargins(2, 2, 2, 2));
-  chart->layout()->setContentsMargins(0, 0, 0, 0);
-  chart->legend()->setAlignment(Qt::AlignTop);
-  chart->legend()->setFont(chartFont(kLabelPixels));
-  chart->legend()->setLabelColor(kInk);
-  // Bars have no marker of their own: asked for one, Qt leaves it white and cuts the names short.
-  chart->legend()->setMarkerShape(figure.kind == FigureKind::kGroupedBars ? QLegend::MarkerShapeRectangle
-                                                                          : QLegend::MarkerShapeFromSeries);
-  QValueAxis* y = valueAxis(figure);
-  chart->addAxis(y, Qt::AlignLeft);
-  switch (figure.kind) {
-    case FigureKind::kGroupedBars:
-      addBars(*chart, figure, y);
-      break;
-    case FigureKind::kRanges:
-      addRanges(*chart, figure, y);
-      break;
-    case FigureKind::kBoxes:
-      addBoxes(*chart, figure, y);
-      break;
-    case FigureKind::kPoints:
-      addPoints(*chart, figure, y);
-      break;
-    case FigureKind::kLines:
-      addLines(*chart, figure, y);
-      break;
-  }
-  chart->legend()->setVisible(figure.series.size() > 1);
-  return chart;
+std::unique_ptr<QGraphicsWidget> buildFigure(const ReportFigure& figure, const ChartLook& look) {
+  if (figure.kind == FigureKind::kHeatMap) return std::make_unique<HeatMapItem>(figure, look);
+  return buildChart(figure, look);
 }
 
 }  // namespace torsio

@@ -3,19 +3,20 @@
 
 #include <memory>
 
-#include <QColor>
-
+#include "app/report/chart_look.h"
 #include "assessment/report/report_model.h"
 
 class QChart;
+class QGraphicsWidget;
 
 namespace torsio {
 
-/// Colour of series `i`: told apart by colour-blind readers and, by lightness, in grey (Okabe and Ito).
-[[nodiscard]] QColor seriesColour(std::size_t i);
+/// The figure as something that a scene draws, on paper and on the screen alike: a chart, or a heat map.
+/// Title and notes are left to whoever shows it. Needs a QApplication; GUI thread.
+[[nodiscard]] std::unique_ptr<QGraphicsWidget> buildFigure(const ReportFigure& figure,
+                                                           const ChartLook& look = {});
 
-/// The figure as a Qt chart: no animation, no shadow (both spoil vector output), fonts for print.
-/// Title and notes are left to the page. Needs a QApplication; GUI thread.
-[[nodiscard]] std::unique_ptr<QChart> buildChart(const ReportFigure& figure);
+/// The figure as a Qt chart: no animation, no shadow (both spoil vector output). Every kind but kHeatMap.
+[[nodiscard]] std::unique_ptr<QChart> buildChart(const ReportFigure& figure, const ChartLook& look = {});
 
 }  // namespace torsio

@@ -203,7 +203,8 @@ void PageFlow::drawFrame(QPainter& painter, std::size_t page, double unit) const
   }
 }
 
-void PageFlow::render(QPainter& painter) const {
+void PageFlow::render(QPainter& painter,
+                      const std::function<void(std::size_t page, std::size_t pages)>& progress) const {
   for (std::size_t page = 0; page < pages_.size(); ++page) {
     if (page > 0) writer_.newPage();
     drawFrame(painter, page, unit_);
@@ -215,6 +216,7 @@ void PageFlow::render(QPainter& painter) const {
                  unit_);
       painter.restore();
     }
+    if (progress) progress(page + 1, pages_.size());
   }
 }
 

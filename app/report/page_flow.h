@@ -48,8 +48,9 @@ class PageFlow {
   /// A table with repeated header; column widths follow their contents.
   void table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows);
 
-  /// Draws everything. `painter` is active on the writer.
-  void render(QPainter& painter) const;
+  /// Draws everything. `painter` is active on the writer. `progress` is told after every page.
+  void render(QPainter& painter,
+              const std::function<void(std::size_t page, std::size_t pages)>& progress = {}) const;
 
  private:
   struct Block {

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/report/pdf_report.h"
 
+#include <algorithm>
 #include <system_error>
 
-#include <QChart>
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QGraphicsScene>
+#include <QGraphicsWidget>
 #include <QPainter>
 #include <QPdfWriter>
 
 #include "app/report/chart_builder.h"
 #include "app/report/page_flow.h"
+#include "assessment/report/figure_table.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -22,6 +24,12 @@ namespace {
 
 constexpr int kResolution_dpi = 600;
 constexpr double kChartHeight_mm = 66.0;
+constexpr double kRowHeight_mm = 7.0;  // of a heat map or forest
+constexpr double kFrame_mm = 24.0;     // axis, labels and legend round the rows
+constexpr double kTallestChart_mm = 170.0;
+constexpr int kTableDecimals = 4;
+constexpr std::size_t kLongestTwin = 40;  // rows; longer ones would bury the report
+constexpr std::size_t kWidestTwin = 12;   // columns that a page can hold
 constexpr double kSectionStart_mm =
     130.0;  // a section begins on the page of the last one if half of it is free
 constexpr double kChartPixelsPerMm = 3.78;  // 96 pixels an inch: chart fonts come out at about 9 points
@@ -52,17 +60,39 @@ void addNotes(PageFlow& flow, const std::vector<std::string>& notes, const Prove
   flow.space(4.0);
 }
 
+double heightOf(const ReportFigure& figure) {
+  const std::size_t rows = figure.kind == FigureKind::kHeatMap  ? figure.series.size()
+                           : figure.kind == FigureKind::kForest ? figure.categories.size()
+                                                                : 0;
+  if (rows == 0) return kChartHeight_mm;
+  return std::min(kTallestChart_mm, kFrame_mm + kRowHeight_mm * static_cast<double>(rows));
+}
+
+void addTwin(PageFlow& flow, const ReportFigure& figure) {
+  const ReportTable twin = figureTable(figure, kTableDecimals);
+  if (twin.rows.size() > kLongestTwin || twin.columns.size() > kWidestTwin) {
+    flow.text(QStringLiteral("The %1 values drawn stand in the table of numbers (CSV).")
+                  .arg(twin.rows.size() * (twin.columns.size() - 1)),
+              7.5, false, kQuiet);
+    return;
+  }
+  flow.table(twin.columns, twin.rows);
+  flow.space(1.0);
+}
+
 void addFigure(PageFlow& flow, const ReportFigure& figure) {
-  flow.text(text(figure.title), 9.5, true, kAccent, kChartHeight_mm + 8.0);
+  const double height_mm = heightOf(figure);
+  flow.text(text(figure.title), 9.5, true, kAccent, height_mm + 8.0);
   const double width_mm = flow.width_mm();
-  flow.add(kChartHeight_mm, [&figure, width_mm](QPainter& painter, const QRectF& area, double) {
+  flow.add(height_mm, [&figure, width_mm, height_mm](QPainter& painter, const QRectF& area, double) {
     QGraphicsScene scene;
-    QChart* chart = buildChart(figure).release();  // the scene owns it from here
+    QGraphicsWidget* chart = buildFigure(figure).release();  // the scene owns it from here
     scene.addItem(chart);
-    chart->resize(width_mm * kChartPixelsPerMm, kChartHeight_mm * kChartPixelsPerMm);
+    chart->resize(width_mm * kChartPixelsPerMm, height_mm * kChartPixelsPerMm);
     scene.setSceneRect(chart->geometry());
     scene.render(&painter, area, scene.sceneRect());
   });
+  addTwin(flow, figure);
   addNotes(flow, figure.notes, figure.provenance);
 }
 
@@ -123,7 +153,8 @@ void compose(PageFlow& flow, const ReportModel& model) {
 
 }  // namespace
 
-void writePdfReport(const ReportModel& model, const std::filesystem::path& file) {
+void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
+                    const PdfProgress& progress) {
   TORSIO_EXPECTS(QCoreApplication::instance() != nullptr);
   const std::filesystem::path temporary = temporaryBeside(file);
   std::error_code failed;
@@ -145,7 +176,13 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file)
     compose(flow, model);
     QPainter painter;
     if (painter.begin(&writer)) {
-      flow.render(painter);
+      try {
+        flow.render(painter, progress);
+      } catch (...) {
+        painter.end();
+        std::filesystem::remove(temporary, failed);
+        throw;
+      }
       painted = painter.end();
     }
   }
