@@ -28,6 +28,7 @@ CohortAllocation checkedAllocation(StudyRepository& study, const std::string& co
   shown.version = stored.algorithmVersion;
   shown.generator = stored.generator;
   shown.commitment = stored.seedCommitment;
+  shown.sealed = stored.seed.empty();
   const auto [end, error] =
       std::from_chars(stored.seed.data(), stored.seed.data() + stored.seed.size(), shown.seed);
   if (error != std::errc() || end != stored.seed.data() + stored.seed.size()) return shown;
@@ -53,6 +54,33 @@ CohortAllocation checkedAllocation(StudyRepository& study, const std::string& co
   return shown;
 }
 
+constexpr double kMinute_us = 60e6;
+
+/// Doses, rests and deviations.
+void addTimes(StudyRepository& study, const std::string& cohortId, CohortInputs& inputs) {
+  std::map<std::string, std::string> codeOf;
+  for (const StoredEnrolment& enrolment : study.enrolments(cohortId))
+    codeOf[enrolment.id] = enrolment.traineeCode;
+  std::map<std::string, CohortDose> doses;
+  for (const StoredExposure& exposure : study.exposures(cohortId)) {
+    CohortDose& dose = doses[codeOf[exposure.enrolmentId]];
+    const double minutes = static_cast<double>(exposure.duration_us) / kMinute_us;
+    (exposure.kind == "rest"   ? dose.rest_min
+     : exposure.kind == "real" ? dose.real_min
+                               : dose.virtual_min) += minutes;
+  }
+  for (auto& [code, dose] : doses) {
+    dose.trainee = code;
+    inputs.rests += dose.rest_min > 0.0 ? 1 : 0;
+    inputs.doses.push_back(std::move(dose));
+  }
+  for (const StoredDeviation& deviation : study.deviations(cohortId))
+    inputs.deviations.push_back(
+        {deviation.happenedUtc_us,
+         deviation.enrolmentId.empty() ? std::string() : codeOf[deviation.enrolmentId], deviation.kind,
+         deviation.description});
+}
+
 }  // namespace
 
 CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, const CampaignResult& campaign,
@@ -73,9 +101,12 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
     const StoredPerson& person = trainees.at(enrolment.traineeCode).person;
     const auto group = std::find_if(groups.begin(), groups.end(),
                                     [&](const StoredGroup& g) { return g.code == enrolment.groupCode; });
-    if (group == groups.end()) continue;  // not allocated yet: no part of the comparison
-    inputs.trainees.push_back(
-        {person.code, static_cast<std::size_t>(group - groups.begin()), person.sex, person.level});
+    if (group == groups.end()) {  // not allocated yet: no part of the comparison
+      inputs.notAllocated += enrolment.state == "withdrawn" ? 0 : 1;
+      continue;
+    }
+    inputs.trainees.push_back({person.code, static_cast<std::size_t>(group - groups.begin()), person.sex,
+                               person.level, enrolment.state});
   }
   inputs.allocation = checkedAllocation(study, cohortId, groups);
 
@@ -98,6 +129,8 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
   inputs.scores = training.trainees;
   inputs.summaries = training.groups;
   inputs.trainingMarks = training.marks;
+  inputs.notAssessable = training.notAssessable;
+  addTimes(study, cohortId, inputs);
   std::set<std::string> raters;
   for (const TrainingMark& mark : training.marks) raters.insert(mark.rater);
   inputs.trainingRaters = raters.size();

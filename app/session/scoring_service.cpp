@@ -55,18 +55,93 @@ StoredEvaluationResult stored(const std::string& model, std::size_t index, const
   return to;
 }
 
-/// Variance of one trainee's marks between the raters, divisor n.
-double betweenRaterVariance(const std::vector<TrainingMark>& marks, const TraineeScore& score,
-                            const ScoreScale& scale) {
-  double sum = 0.0;
-  std::int64_t n = 0;
-  for (const TrainingMark& mark : marks) {
-    if (mark.trainee != score.trainee || mark.occasion != score.occasion) continue;
-    const double distance = pointsFromSteps(mark.steps, scale) - score.score;
-    sum += distance * distance;
-    ++n;
+/// What a run is stamped with: results and the hash of the marks that went in.
+struct ReadCampaign {
+  CampaignResult result;
+  Digest inputs;
+};
+
+ReadCampaign campaignWithHash(Connection& connection, const std::string& campaignId) {
+  EvaluationRepository repository(connection);
+  const auto campaign = repository.campaign(campaignId);
+  if (!campaign) {
+    throw Error(ErrorCode::kBadData, "no evaluation campaign has this id", campaignId,
+                "List the campaigns first");
   }
-  return n > 0 ? sum / static_cast<double>(n) : 0.0;
+  ReadCampaign read{{*campaign, {}, {}}, {}};
+  for (const StoredEvaluationMark& mark : repository.marks(campaignId)) {
+    EvaluationRating rating;
+    rating.model = mark.modelCode;
+    rating.rater = mark.raterCode;
+    rating.raterClass =
+        positionOf(campaign->instrument.classes, mark.classCode, [](const RaterClass& c) { return c.id; });
+    rating.index = static_cast<std::size_t>(mark.indexNumber - 1);
+    rating.steps = mark.score_steps;
+    read.inputs.update(mark.id);
+    read.inputs.update(mark.version);
+    read.inputs.update(mark.score_steps);
+    read.result.ratings.push_back(std::move(rating));
+  }
+  if (read.result.ratings.empty()) return read;
+  read.result.models = evaluate(campaign->instrument, read.result.ratings);
+  std::stable_sort(read.result.models.begin(), read.result.models.end(), [&](const auto& a, const auto& b) {
+    const auto code = [](const StoredModel& m) { return m.code; };
+    return positionOf(campaign->models, a.model, code) < positionOf(campaign->models, b.model, code);
+  });
+  return read;
+}
+
+using Case = std::pair<std::string, std::size_t>;  // trainee code, position of the scoring point
+
+struct ReadTraining {
+  TrainingResult result;
+  std::map<Case, std::int64_t> notAssessable;
+  Digest inputs;
+};
+
+ReadTraining trainingWithHash(Connection& connection, const std::string& cohortId) {
+  const std::vector<StoredGroup> groups = StudyRepository(connection).groups(cohortId);
+  ReadTraining read;
+  for (const StoredTrainingMark& mark : RatingRepository(connection).marks(cohortId)) {
+    read.inputs.update(mark.id);
+    read.inputs.update(mark.version);
+    read.inputs.update(mark.score_steps.value_or(-1));
+    const std::size_t occasion =
+        positionOf(scoringPoints(), mark.scoringPoint, [](const std::string& p) { return p; });
+    if (!mark.score_steps) {
+      ++read.notAssessable[{mark.traineeCode, occasion}];
+      ++read.result.notAssessable;
+      continue;
+    }
+    if (mark.groupCode.empty()) continue;  // marked before allocation and in no group yet
+    read.result.scale = mark.scale;
+    TrainingMark scored;
+    scored.trainee = mark.traineeCode;
+    scored.group = positionOf(groups, mark.groupCode, [](const StoredGroup& g) { return g.code; });
+    scored.occasion = occasion;
+    scored.rater = mark.raterCode;
+    scored.steps = *mark.score_steps;
+    read.result.marks.push_back(std::move(scored));
+  }
+  read.result.trainees = traineeScores(read.result.scale, read.result.marks);
+  read.result.groups = groupSummaries(read.result.scale, read.result.marks);
+  return read;
+}
+
+/// Variance of every trainee's marks between the raters, divisor n, by trainee and scoring point.
+std::map<Case, double> betweenRaterVariances(const TrainingResult& result) {
+  std::map<Case, double> means;
+  for (const TraineeScore& score : result.trainees) means[{score.trainee, score.occasion}] = score.score;
+  std::map<Case, std::pair<double, double>> sums;
+  for (const TrainingMark& mark : result.marks) {
+    const Case key{mark.trainee, mark.occasion};
+    const double distance = pointsFromSteps(mark.steps, result.scale) - means.at(key);
+    sums[key].first += distance * distance;
+    sums[key].second += 1.0;
+  }
+  std::map<Case, double> variances;
+  for (const auto& [key, sum] : sums) variances[key] = sum.first / sum.second;
+  return variances;
 }
 
 }  // namespace
@@ -76,35 +151,17 @@ const std::vector<std::string>& scoringPoints() {
   return kPoints;
 }
 
+CampaignResult readCampaign(Connection& connection, const std::string& campaignId) {
+  return campaignWithHash(connection, campaignId).result;
+}
+
+TrainingResult readTraining(Connection& connection, const std::string& cohortId) {
+  return trainingWithHash(connection, cohortId).result;
+}
+
 CampaignResult evaluateCampaign(Connection& connection, const std::string& campaignId, IdSource& ids,
                                 const ScoringStamp& stamp) {
-  EvaluationRepository repository(connection);
-  const auto campaign = repository.campaign(campaignId);
-  if (!campaign) {
-    throw Error(ErrorCode::kBadData, "no evaluation campaign has this id", campaignId,
-                "List the campaigns first");
-  }
-  CampaignResult result{*campaign, {}, {}};
-  Digest inputs;
-  for (const StoredEvaluationMark& mark : repository.marks(campaignId)) {
-    EvaluationRating rating;
-    rating.model = mark.modelCode;
-    rating.rater = mark.raterCode;
-    rating.raterClass =
-        positionOf(campaign->instrument.classes, mark.classCode, [](const RaterClass& c) { return c.id; });
-    rating.index = static_cast<std::size_t>(mark.indexNumber - 1);
-    rating.steps = mark.score_steps;
-    inputs.update(mark.id);
-    inputs.update(mark.version);
-    inputs.update(mark.score_steps);
-    result.ratings.push_back(std::move(rating));
-  }
-  result.models = evaluate(campaign->instrument, result.ratings);
-  std::stable_sort(result.models.begin(), result.models.end(), [&](const auto& a, const auto& b) {
-    const auto code = [](const StoredModel& m) { return m.code; };
-    return positionOf(campaign->models, a.model, code) < positionOf(campaign->models, b.model, code);
-  });
-
+  auto [result, inputs] = campaignWithHash(connection, campaignId);
   StoredEvaluationRun run;
   run.run = makeRun(ids, stamp, kEvaluationFormulaVersion, "available-case", inputs);
   for (const ModelEvaluation& model : result.models) {
@@ -114,41 +171,19 @@ CampaignResult evaluateCampaign(Connection& connection, const std::string& campa
     if (model.compositeStatistics) composite.standardError = model.compositeStatistics->standardError;
     run.composites.push_back(std::move(composite));
   }
-  repository.storeRun(campaignId, run);
+  EvaluationRepository(connection).storeRun(campaignId, run);
   return result;
 }
 
 TrainingResult scoreTraining(Connection& connection, const std::string& cohortId, IdSource& ids,
                              const ScoringStamp& stamp) {
   StudyRepository study(connection);
-  RatingRepository ratings(connection);
   const std::vector<StoredGroup> groups = study.groups(cohortId);
   std::map<std::string, std::string> enrolmentOf;  // trainee code -> enrolment id
   for (const StoredEnrolment& enrolment : study.enrolments(cohortId))
     enrolmentOf[enrolment.traineeCode] = enrolment.id;
-
-  TrainingResult result;
-  std::map<std::pair<std::string, std::string>, std::int64_t> notAssessable;  // by trainee and scoring point
-  Digest inputs;
-  for (const StoredTrainingMark& mark : ratings.marks(cohortId)) {
-    inputs.update(mark.id);
-    inputs.update(mark.version);
-    inputs.update(mark.score_steps.value_or(-1));
-    if (!mark.score_steps) {
-      ++notAssessable[{mark.traineeCode, mark.scoringPoint}];
-      continue;
-    }
-    result.scale = mark.scale;
-    TrainingMark scored;
-    scored.trainee = mark.traineeCode;
-    scored.group = positionOf(groups, mark.groupCode, [](const StoredGroup& g) { return g.code; });
-    scored.occasion = positionOf(scoringPoints(), mark.scoringPoint, [](const std::string& p) { return p; });
-    scored.rater = mark.raterCode;
-    scored.steps = *mark.score_steps;
-    result.marks.push_back(std::move(scored));
-  }
-  result.trainees = traineeScores(result.scale, result.marks);
-  result.groups = groupSummaries(result.scale, result.marks);
+  auto [result, notAssessable, inputs] = trainingWithHash(connection, cohortId);
+  const std::map<Case, double> variances = betweenRaterVariances(result);
 
   StoredTrainingRun run;
   run.run = makeRun(ids, stamp, kTrainingFormulaVersion, "mean of the raters who marked", inputs);
@@ -156,9 +191,9 @@ TrainingResult scoreTraining(Connection& connection, const std::string& cohortId
     run.trainees.push_back({enrolmentOf.at(score.trainee),
                             scoringPoints().at(score.occasion),
                             score.score,
-                            betweenRaterVariance(result.marks, score, result.scale),
+                            variances.at({score.trainee, score.occasion}),
                             score.n,
-                            notAssessable[{score.trainee, scoringPoints().at(score.occasion)}],
+                            notAssessable[{score.trainee, score.occasion}],
                             {}});
   }
   for (const GroupSummary& group : result.groups) {
@@ -170,7 +205,7 @@ TrainingResult scoreTraining(Connection& connection, const std::string& cohortId
                           group.sampleVarianceOfScores,
                           {}});
   }
-  ratings.storeRun(cohortId, run);
+  RatingRepository(connection).storeRun(cohortId, run);
   return result;
 }
 

@@ -26,6 +26,10 @@ struct CampaignResult {
   std::vector<ModelEvaluation> models;    ///< in the campaign's order
 };
 
+/// The same without storing anything: for previews and reports. Throws Error{kBadData} when there is no such
+/// campaign or a class is empty. A campaign without any mark gives no models.
+[[nodiscard]] CampaignResult readCampaign(Connection& connection, const std::string& campaignId);
+
 /// Reads the marks of a campaign, computes Eqs. 25-27, stores the results with formula version, policy and
 /// the hash of the marks, and returns them. Throws Error{kBadData} when there is no such campaign or a class
 /// is empty.
@@ -38,7 +42,11 @@ struct TrainingResult {
   std::vector<TrainingMark> marks;  ///< assessable ones
   std::vector<TraineeScore> trainees;
   std::vector<GroupSummary> groups;
+  std::int64_t notAssessable = 0;  ///< marks that could not be given
 };
+
+/// The marks of a cohort with scores and summaries, without storing anything.
+[[nodiscard]] TrainingResult readTraining(Connection& connection, const std::string& cohortId);
 
 /// Reads the marks of a cohort, computes trainee scores and group summaries, stores and returns them.
 [[nodiscard]] TrainingResult scoreTraining(Connection& connection, const std::string& cohortId, IdSource& ids,

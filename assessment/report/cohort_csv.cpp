@@ -257,6 +257,8 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
   }
   addTrials(in, rows);
   addDeviations(in, rows);
+  if (!inputs.singleMarks)
+    std::erase_if(rows, [](const CohortCsvRow& row) { return row.statistic == "mark"; });
   if (aggregated) std::erase_if(rows, [](const CohortCsvRow& row) { return !isAggregate(row); });
   return rows;
 }

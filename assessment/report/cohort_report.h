@@ -135,6 +135,8 @@ struct CohortInputs {
   std::size_t trainingRaters = 0;
   /// The marks behind the scores. When given, the report has a section with agreement and comparisons.
   std::vector<TrainingMark> trainingMarks;
+  /// False: the reader may not see single marks; scores, agreement and severity are shown all the same.
+  bool singleMarks = true;
 
   std::int64_t notAssessable = 0;  ///< marks that a rater could not give, with a reason
   std::vector<CohortDose> doses;

@@ -149,10 +149,15 @@ ReportSection ratersSection(const CohortInputs& in, const StudyAnalysis& study) 
   section.paragraphs = {
       "Offsets are taken against the mean of the other raters; a mean that contains the rater would agree by "
       "construction."};
-  section.figures = {heatMap(in, study)};
+  if (in.singleMarks) {
+    section.figures.push_back(heatMap(in, study));
+  } else {
+    section.paragraphs.push_back("Single marks are not shown to the role that made this report.");
+  }
   if (!study.severity.empty()) section.figures.push_back(severityFigure(in, study));
-  if (const std::optional<ReportFigure> figure = blandAltmanFigure(in, study))
-    section.figures.push_back(*figure);
+  if (in.singleMarks)
+    if (const std::optional<ReportFigure> figure = blandAltmanFigure(in, study))
+      section.figures.push_back(*figure);
   if (!study.severity.empty()) section.tables = {ratersTable(in, study)};
   return section;
 }

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/session/reporting/trial_digests.h"
+
+namespace torsio {
+
+/// What can be reported.
+struct ReportableCohort {
+  std::string id{};
+  std::string name{};
+  bool demonstration = false;
+};
+/// Oldest first. kResultsCompute.
+[[nodiscard]] std::vector<ReportableCohort> reportableCohorts(Workplace& workplace);
+/// Evaluation campaigns, id and name, oldest first. kResultsCompute.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> reportableCampaigns(Workplace& workplace);
+
+/// What a report is asked for.
+struct ReportRequest {
+  std::string cohortId{};
+  std::string campaignId{};  ///< empty: no evaluation of models
+  std::string frozenId{};    ///< empty: the data as they are now
+  ReportIdentity identity = ReportIdentity::kCoded;
+};
+
+/// Everything that the report says, read from the record; with a frozen data set also whether the record is
+/// still the same. kResultsCompute; for named trainees kPersonViewIdentity too. Single marks are included for
+/// whoever has kMarkViewCoded. Throws Error{kBadParameter} for an unknown cohort or data set.
+[[nodiscard]] CohortInputs reportInputs(Workplace& workplace, const ReportRequest& request,
+                                        TrialDigests& digests, const ProgressCallback& progress = {});
+
+}  // namespace torsio
