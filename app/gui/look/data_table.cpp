@@ -222,6 +222,10 @@ void DataTable::setRows(std::vector<Row> rows) {
   showCount();
 }
 
+void DataTable::setColumnHidden(int column, bool hidden) {
+  view_->horizontalHeader()->setSectionHidden(column, hidden);
+}
+
 void DataTable::setEmptyText(const QString& sentence) {
   empty_->setText(sentence);
   showCount();

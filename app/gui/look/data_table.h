@@ -48,6 +48,7 @@ class DataTable : public QWidget {
   void setColumns(const std::vector<Column>& columns);
   /// Every row has one cell a column. Selection and sorting stay.
   void setRows(std::vector<Row> rows);
+  void setColumnHidden(int column, bool hidden);
   /// Shown in place of rows when there are none: what this list will hold, and how it gets filled.
   void setEmptyText(const QString& sentence);
   /// Below the filter, to the right of the count: buttons that concern the list.

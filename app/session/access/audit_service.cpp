@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/access/audit_service.h"
+
+#include "db/repository/access_repository.h"
+
+namespace torsio {
+
+std::vector<AuditEntry> auditEntries(Workplace& workplace, const AuditFilter& filter) {
+  workplace.require(Operation::kAuditView);
+  return AuditRepository(workplace.connection()).entries(filter);
+}
+
+std::map<std::string, std::string> auditActors(Workplace& workplace) {
+  workplace.require(Operation::kAuditView);
+  std::map<std::string, std::string> logins;
+  for (const StoredUser& user : AccessRepository(workplace.connection()).users()) {
+    logins.emplace(user.id, user.login);
+  }
+  return logins;
+}
+
+std::vector<AuditFinding> verifyAudit(Workplace& workplace) {
+  workplace.require(Operation::kAuditView);
+  std::vector<AuditFinding> findings = AuditRepository(workplace.connection()).verify();
+  workplace.note({.action = "audit.verify",
+                  .objectKind = "audit_entry",
+                  .newJson = R"({"findings":)" + std::to_string(findings.size()) + "}"});
+  return findings;
+}
+
+}  // namespace torsio

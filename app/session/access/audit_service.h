@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/session/access/workplace.h"
+#include "db/repository/audit_repository.h"
+
+namespace torsio {
+
+/// Newest first. kAuditView.
+[[nodiscard]] std::vector<AuditEntry> auditEntries(Workplace& workplace, const AuditFilter& filter = {});
+/// Sign-in names by the ids that stand in the entries. kAuditView.
+[[nodiscard]] std::map<std::string, std::string> auditActors(Workplace& workplace);
+/// Walks the whole chain and compares every sealed mark and trial with its row. That somebody looked, and
+/// what was found, is audited. Takes seconds with many trials. kAuditView.
+[[nodiscard]] std::vector<AuditFinding> verifyAudit(Workplace& workplace);
+
+}  // namespace torsio
