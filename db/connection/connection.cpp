@@ -49,9 +49,11 @@ Blob toBlob(const QByteArray& bytes) {
 /// QSqlQuery with its database kept alive and the text for messages.
 class Statement::Query {
  public:
-  Query(std::shared_ptr<ConnectionState> connection, std::string_view sql)
+  enum class Start { kPrepare, kRun };
+  Query(std::shared_ptr<ConnectionState> connection, std::string_view sql, Start start)
       : state(std::move(connection)), text(sql), query(state->query()) {
-    if (!query.prepare(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())))) {
+    const QString statement = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+    if (!(start == Start::kPrepare ? query.prepare(statement) : query.exec(statement))) {
       state->fail(text, query.lastError());
     }
   }
@@ -178,7 +180,11 @@ void Connection::observeStatements(std::function<void(std::string_view)> observe
 
 Statement Connection::prepare(std::string_view sql) {
   if (state_->observer) state_->observer(sql);
-  return Statement(std::make_unique<Statement::Query>(state_, sql));
+  return Statement(std::make_unique<Statement::Query>(state_, sql, Statement::Query::Start::kPrepare));
+}
+
+Statement Connection::selectVerbatim(std::string_view sql) {
+  return Statement(std::make_unique<Statement::Query>(state_, sql, Statement::Query::Start::kRun));
 }
 
 std::int64_t Connection::execute(std::string_view sql, std::initializer_list<Value> values) {

@@ -64,6 +64,7 @@ void checkChain(Connection& connection, std::map<std::string, Hashes>& sealed,
     expected = entry.sequence;
     previous = entry.entryHash;
     if (!entry.objectHash.empty()) sealed[entry.objectKind][entry.objectId] = entry.objectHash;
+    if (entry.action == kDemonstrationRemoved) sealed[entry.objectKind].erase(entry.objectId);
   }
 }
 
@@ -164,6 +165,12 @@ std::vector<AuditEntry> AuditRepository::entries(const AuditFilter& filter) {
   row.execute(values);
   while (row.step()) entries.push_back(entryOf(row));
   return entries;
+}
+
+std::int64_t AuditRepository::length() {
+  Statement row = connection_.prepare("SELECT count(*) FROM audit_entry");
+  row.execute();
+  return row.step() ? row.int64(0) : 0;
 }
 
 std::vector<AuditFinding> AuditRepository::verify() {

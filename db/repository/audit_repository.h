@@ -28,6 +28,9 @@ struct AuditEntry {
   std::string entryHash{};     ///< given by append()
 };
 
+/// Action of an entry that tells of a sealed row which went with the demonstration data: it is not missed.
+inline constexpr const char* kDemonstrationRemoved = "demonstration.remove";
+
 /// Which entries to list, newest first. Empty texts do not restrict.
 struct AuditFilter {
   std::string objectKind{};
@@ -58,6 +61,8 @@ class AuditRepository {
   /// Walks the whole chain, then compares every sealed mark and trial with its row, and looks for rows that
   /// no entry tells of. Trials are decoded down to their chunk digests. Empty: nothing was tampered with.
   [[nodiscard]] std::vector<AuditFinding> verify();
+  /// Entries in the chain.
+  [[nodiscard]] std::int64_t length();
 
  private:
   Connection& connection_;

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/record_copy.h"
+
+#include <algorithm>
+#include <array>
+
+#include "db/repository/audit_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+/// Filled by the migrations themselves: rows here do not make a record a used one.
+constexpr std::array<std::string_view, 4> kSeeded{"scoring_point", "role", "operation", "role_operation"};
+constexpr std::int64_t kProgressEvery = 500;
+
+bool isSeeded(const std::string& table) {
+  return std::find(kSeeded.begin(), kSeeded.end(), table) != kSeeded.end();
+}
+
+std::int64_t countOf(Connection& connection, const std::string& table) {
+  Statement row = connection.prepare("SELECT count(*) FROM " + table);
+  row.execute();
+  return row.step() ? row.int64(0) : 0;
+}
+
+std::vector<std::string> schemaSteps(Connection& connection) {
+  std::vector<std::string> steps;
+  Statement row = connection.prepare("SELECT checksum FROM schema_migration ORDER BY version");
+  row.execute();
+  while (row.step()) steps.push_back(row.text(0));
+  return steps;
+}
+
+void requireFit(Connection& from, Connection& to, const std::vector<SchemaTable>& tables) {
+  if (schemaSteps(from) != schemaSteps(to)) {
+    throw Error(ErrorCode::kBadData, "the two databases have different schemas", to.location(),
+                "Open both with this version of Torsio first");
+  }
+  for (const SchemaTable& table : tables) {
+    if (isSeeded(table.name) || countOf(to, table.name) == 0) continue;
+    throw Error(ErrorCode::kBadData, "the target is not empty: it has rows in the table " + table.name,
+                to.location(), "Name a new file, or an empty database");
+  }
+}
+
+void clearSeeds(Connection& to, const std::vector<SchemaTable>& tables) {
+  for (auto table = tables.rbegin(); table != tables.rend(); ++table) {
+    if (isSeeded(table->name)) to.execute("DELETE FROM " + table->name);
+  }
+}
+
+void copyTable(Connection& from, Connection& to, const SchemaTable& table,
+               const std::function<void()>& step) {
+  std::string marks;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) marks += i == 0 ? "?" : ", ?";
+  Statement insert =
+      to.prepare("INSERT INTO " + table.name + " (" + table.columnList() + ") VALUES (" + marks + ")");
+  std::vector<Value> values(table.columns.size());
+  forEachRow(from, table, "", [&](const Statement& row) {
+    for (std::size_t column = 0; column < values.size(); ++column) {
+      values[column] = row.value(static_cast<int>(column));
+      const auto* number = std::get_if<std::int64_t>(&values[column].storage());
+      if (table.columns[column].boolean && number != nullptr) values[column] = *number != 0;
+    }
+    insert.execute(values);
+    step();
+  });
+}
+
+void requireSame(Connection& to, const TableDigest& original, const TableDigest& copy) {
+  if (original == copy) return;
+  throw Error(ErrorCode::kVerifyFailed,
+              "the table " + original.table + " differs after copying (" + std::to_string(original.rows) +
+                  " rows before, " + std::to_string(copy.rows) + " after); nothing was kept",
+              to.location(), "Check both machines, then copy again");
+}
+
+}  // namespace
+
+CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& progress) {
+  const std::vector<SchemaTable> tables = tablesInReferenceOrder(from);
+  requireFit(from, to, tables);
+  Transaction reading(from);
+  if (from.engine() == Engine::kPostgresql) {
+    from.executeVerbatim("SET TRANSACTION ISOLATION LEVEL REPEATABLE READ");  // one moment for all tables
+  }
+  const std::vector<AuditFinding> findings = AuditRepository(from).verify();
+  if (!findings.empty()) {
+    throw Error(ErrorCode::kBadData,
+                "its audit trail does not verify (" + std::to_string(findings.size()) + " findings)",
+                from.location(), "Run torsio audit verify on it and restore a backup");
+  }
+  std::int64_t all = 0;
+  for (const SchemaTable& table : tables) all += countOf(from, table.name);
+
+  Transaction writing(to);
+  requireFit(from, to, tables);  // again, now that nobody else can write in between
+  clearSeeds(to, tables);
+  CopyReport report;
+  for (const SchemaTable& table : tables) {
+    copyTable(from, to, table, [&] {
+      if (++report.rows % kProgressEvery == 0 && progress) progress(table.name, report.rows, all);
+    });
+  }
+  for (const SchemaTable& table : tables) {
+    report.tables.push_back(digestOf(from, table));
+    requireSame(to, report.tables.back(), digestOf(to, table));
+  }
+  AuditRepository audit(to);
+  if (!audit.verify().empty()) {
+    throw Error(ErrorCode::kVerifyFailed, "the audit trail does not verify after copying; nothing was kept",
+                to.location(), "Check both machines, then copy again");
+  }
+  report.auditEntries = audit.length();
+  writing.commit();
+  reading.commit();
+  if (progress) progress("", all, all);
+  return report;
+}
+
+}  // namespace torsio
