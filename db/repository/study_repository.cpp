@@ -275,6 +275,16 @@ std::vector<StoredExposure> StudyRepository::exposures(const std::string& cohort
   return exposures;
 }
 
+std::vector<std::string> StudyRepository::trialIds(const std::string& cohortId) {
+  std::vector<std::string> ids;
+  Statement row = connection_.prepare(
+      "SELECT t.id FROM trial t JOIN enrolment e ON e.id = t.enrolment_id WHERE e.cohort_id = ?"
+      " ORDER BY t.started_utc_us, t.id");
+  row.execute({cohortId});
+  while (row.step()) ids.push_back(row.text(0));
+  return ids;
+}
+
 std::vector<RunningTrial> StudyRepository::runningTrials(const std::string& cohortId) {
   std::vector<RunningTrial> trials;
   Statement row = connection_.prepare(

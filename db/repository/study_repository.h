@@ -158,6 +158,8 @@ class StudyRepository {
   /// Of one cohort, by enrolment and time.
   [[nodiscard]] std::vector<StoredExposure> exposures(const std::string& cohortId);
 
+  /// Trials of all enrolments, ended or not, by their start.
+  [[nodiscard]] std::vector<std::string> trialIds(const std::string& cohortId);
   /// Newest first.
   [[nodiscard]] std::vector<RunningTrial> runningTrials(const std::string& cohortId);
 

@@ -135,18 +135,25 @@ nlohmann::json changedIdentity(const StoredIdentity& before, const PersonEntry& 
 /// RFC 4180; a cell that a spreadsheet would take for a formula gets an apostrophe in front.
 std::string csvCell(std::string text) {
   if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) {
-    text.insert(0, 1, '\'');
+    std::string harmless(1, '\'');
+    harmless += text;
+    text = std::move(harmless);
   }
   if (text.find_first_of("\",;\r\n") == std::string::npos) return text;
   std::string quoted(1, '"');
   for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
-  return quoted + '"';
+  quoted += '"';
+  return quoted;
 }
 
 std::string csvLine(const std::vector<std::string>& cells) {
   std::string line;
-  for (const std::string& cell : cells) line += (line.empty() ? "" : ",") + csvCell(cell);
-  return line + "\r\n";
+  for (const std::string& cell : cells) {
+    if (&cell != &cells.front()) line += ',';
+    line += csvCell(cell);
+  }
+  line += "\r\n";
+  return line;
 }
 
 std::vector<std::string> codedCells(const PersonRow& row) {

@@ -44,7 +44,8 @@ struct FrozenCheck {
   bool same = true;
   std::vector<std::string> differences{};  ///< "mark 4f... was added", in words, at most twenty
 };
-/// Compares a frozen state with what is there now. kResultsCompute.
+/// Compares a frozen state with what is there now. kResultsCompute. Throws Error{kBadParameter} when there is
+/// none.
 [[nodiscard]] FrozenCheck compareWithFrozen(Workplace& workplace, const std::string& frozenId);
 
 }  // namespace torsio

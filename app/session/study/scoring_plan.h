@@ -84,7 +84,6 @@ std::string reassign(Workplace& workplace, const std::string& assignmentId, cons
 /// What stands before a release.
 struct ReleaseState {
   std::string scoringPoint{};
-  std::string label{};
   bool released = false;
   std::size_t sheets = 0;
   std::size_t missing = 0;  ///< not submitted yet

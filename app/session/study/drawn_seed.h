@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "db/repository/id_source.h"
+
+namespace torsio {
+
+/// A seed from the same source as record ids: the machine's random numbers, or a test's fixed stream. Private
+/// to the services that draw.
+[[nodiscard]] std::uint64_t drawSeed(IdSource& ids);
+
+}  // namespace torsio

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/study/run_day.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "db/repository/sheet_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+/// Fills the phases of one kind in order with time that names no phase.
+void fillInOrder(const StoredArm& arm, const std::string& kind, std::int64_t time_us,
+                 std::vector<std::int64_t>& spent_us) {
+  for (std::size_t i = 0; i < arm.phases.size() && time_us > 0; ++i) {
+    if (arm.phases[i].kind != kind) continue;
+    const std::int64_t room_us = std::max<std::int64_t>(0, arm.phases[i].duration_us - spent_us[i]);
+    const std::int64_t part_us = std::min(room_us, time_us);
+    spent_us[i] += part_us;
+    time_us -= part_us;
+  }
+}
+
+void countRest(const StoredArm& arm, std::int64_t duration_us, PhaseProgress& progress) {
+  progress.restUsed_us += duration_us;
+  ++progress.rests;
+  progress.restLeft_us =
+      arm.restSplittable ? std::max<std::int64_t>(0, arm.restAllowance_us - progress.restUsed_us) : 0;
+}
+
+void fillTraining(RunDayRow& row, const StoredArm& arm, const std::vector<StoredExposure>& exposures,
+                  const std::vector<StoredScoringPoint>& points) {
+  row.armLabel = arm.label;
+  row.progress = phaseProgress(arm, exposures);
+  row.done = !arm.phases.empty() && row.progress.phase == arm.phases.size();
+  if (!row.done && !arm.phases.empty()) {
+    row.phaseLabel = arm.phases[row.progress.phase].label;
+    row.phaseKind = arm.phases[row.progress.phase].kind;
+  }
+  for (const StoredScoringPoint& point : points) {
+    if (row.progress.virtual_us + row.progress.real_us >= point.afterExposure_us) {
+      row.scoringPointDue = point.code;
+    }
+  }
+}
+
+}  // namespace
+
+PhaseProgress phaseProgress(const StoredArm& arm, std::span<const StoredExposure> exposures) {
+  PhaseProgress progress;
+  progress.restLeft_us = arm.restAllowance_us;
+  std::vector<std::int64_t> spent_us(arm.phases.size(), 0);
+  std::map<std::string, std::int64_t> unnamed_us;
+  for (const StoredExposure& exposure : exposures) {
+    if (exposure.kind == "rest") {
+      countRest(arm, exposure.duration_us, progress);
+      continue;
+    }
+    (exposure.kind == "virtual" ? progress.virtual_us : progress.real_us) += exposure.duration_us;
+    const auto phase = std::find_if(arm.phases.begin(), arm.phases.end(), [&](const StoredPhase& p) {
+      return !exposure.phaseId.empty() && p.id == exposure.phaseId;
+    });
+    if (phase == arm.phases.end()) {
+      unnamed_us[exposure.kind] += exposure.duration_us;
+    } else {
+      spent_us[static_cast<std::size_t>(phase - arm.phases.begin())] += exposure.duration_us;
+    }
+  }
+  for (const auto& [kind, time_us] : unnamed_us) fillInOrder(arm, kind, time_us, spent_us);
+  while (progress.phase < arm.phases.size() &&
+         spent_us[progress.phase] >= arm.phases[progress.phase].duration_us) {
+    ++progress.phase;
+  }
+  if (progress.phase < arm.phases.size()) {
+    progress.inPhase_us = spent_us[progress.phase];
+    progress.left_us = arm.phases[progress.phase].duration_us - progress.inPhase_us;
+  }
+  return progress;
+}
+
+RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId) {
+  workplace.require(Operation::kStudySetup);
+  StudyRepository study(workplace.connection());
+  RunDayBoard board;
+  board.asOfUtc_us = workplace.now_us();
+  std::string versionId;
+  for (const StoredCohort& cohort : study.cohorts()) {
+    if (cohort.id != cohortId) continue;
+    board.cohortName = cohort.name;
+    versionId = cohort.curriculumVersionId;
+  }
+  if (board.cohortName.empty()) {
+    throw Error(ErrorCode::kBadData, "there is no such cohort", cohortId, "Choose one from the list");
+  }
+  const auto version = CurriculumRepository(workplace.connection()).version(versionId);
+  std::map<std::string, const StoredArm*> armOfGroup;
+  for (const StoredGroup& group : study.groups(cohortId)) {
+    if (!version) break;
+    for (const StoredArm& arm : version->arms) {
+      if (arm.id == group.armId) armOfGroup[group.id] = &arm;
+    }
+  }
+  std::map<std::string, std::vector<StoredExposure>> exposures;
+  for (StoredExposure& exposure : study.exposures(cohortId)) {
+    exposures[exposure.enrolmentId].push_back(std::move(exposure));
+  }
+  std::map<std::string, RunningTrial> running;
+  for (RunningTrial& trial : study.runningTrials(cohortId))
+    running.emplace(trial.enrolmentId, std::move(trial));
+  std::map<std::string, std::size_t> deviations;
+  for (const StoredDeviation& deviation : study.deviations(cohortId)) ++deviations[deviation.enrolmentId];
+  std::map<std::pair<std::string, std::string>, std::size_t> missing;
+  for (const AssignmentStatus& status : SheetRepository(workplace.connection()).assignments(cohortId)) {
+    if (status.state == SheetState::kOpen || status.state == SheetState::kDraft) {
+      ++missing[{status.assignment.enrolmentId, status.assignment.scoringPoint}];
+    }
+  }
+  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+    RunDayRow row;
+    row.enrolmentId = enrolment.id;
+    row.traineeId = enrolment.traineeId;
+    row.traineeCode = enrolment.traineeCode;
+    row.state = enrolment.state;
+    row.groupCode = enrolment.groupCode;
+    row.deviations = deviations[enrolment.id];
+    if (const auto arm = armOfGroup.find(enrolment.groupId); arm != armOfGroup.end()) {
+      fillTraining(row, *arm->second, exposures[enrolment.id], version->scoringPoints);
+      row.sheetsMissing = missing[{enrolment.id, row.scoringPointDue}];
+    }
+    if (const auto trial = running.find(enrolment.id); trial != running.end()) {
+      row.runningTrialId = trial->second.trialId;
+      row.station = trial->second.station;
+      row.runningSinceUtc_us = trial->second.startedUtc_us;
+    }
+    board.rows.push_back(std::move(row));
+  }
+  return board;
+}
+
+}  // namespace torsio
