@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/review/warm_up.h"
+
+#include <algorithm>
+
+#include "db/repository/desk_repository.h"
+#include "db/repository/remark_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+std::string labelOf(std::size_t number) {
+  std::string label = "R";
+  label += std::to_string(number);
+  return label;
+}
+
+StoredReferenceRun runNumber(Connection& connection, std::size_t number) {
+  const std::vector<StoredReferenceRun> runs = DeskRepository(connection).referenceRuns();
+  if (number < 1 || number > runs.size()) {
+    throw Error(ErrorCode::kBadData, "there is no such reference run", "reference " + std::to_string(number),
+                "Open the warm-up again");
+  }
+  return runs[number - 1];
+}
+
+}  // namespace
+
+bool WarmUp::complete() const noexcept {
+  return std::all_of(runs.begin(), runs.end(),
+                     [](const WarmUpRun& run) { return run.own_steps.has_value(); });
+}
+
+std::optional<double> WarmUp::meanOffset_points() const noexcept {
+  double sum = 0.0;
+  std::size_t n = 0;
+  for (const WarmUpRun& run : runs) {
+    if (!run.offset_points) continue;
+    sum += *run.offset_points;
+    ++n;
+  }
+  return n > 0 ? std::optional(sum / static_cast<double>(n)) : std::nullopt;
+}
+
+WarmUp warmUp(Workplace& workplace) {
+  workplace.require(Operation::kMarkSubmit);
+  DeskRepository desk(workplace.connection());
+  SheetRepository sheets(workplace.connection());
+  const std::vector<StoredWarmup> tries =
+      RemarkRepository(workplace.connection()).warmups(workplace.actor().personId);
+  WarmUp out;
+  for (const StoredReferenceRun& run : desk.referenceRuns()) {
+    const StoredRubricRevision rubric = sheets.revision(run.rubricRevisionId).value();
+    if (out.runs.empty()) out.rubric = rubric;
+    WarmUpRun shown;
+    shown.number = out.runs.size() + 1;
+    shown.length_us = desk.trialLength_us(run.trialId);
+    for (const StoredWarmup& one : tries) {
+      if (one.referenceTrialId != run.trialId) continue;
+      ++shown.tries;
+      shown.own_steps = one.score_steps;
+      shown.panelRaters = run.panelRaters;
+      shown.panel_points = run.panel_steps / static_cast<double>(rubric.overall.stepsPerPoint);
+      shown.offset_points = one.panelOffset_steps / static_cast<double>(one.scale.stepsPerPoint);
+    }
+    out.runs.push_back(shown);
+  }
+  return out;
+}
+
+BlindedRecording loadReferenceRun(Workplace& workplace, std::size_t number) {
+  workplace.require(Operation::kTrialViewAssigned);
+  const StoredReferenceRun run = runNumber(workplace.connection(), number);
+  return blindedRecordingOf(workplace.connection(), run.trialId, labelOf(number), workplace.actor().personId);
+}
+
+void scoreReferenceRun(Workplace& workplace, std::size_t number, std::int64_t score_steps) {
+  workplace.require(Operation::kMarkSubmit);
+  const StoredReferenceRun run = runNumber(workplace.connection(), number);
+  const StoredRubricRevision rubric =
+      SheetRepository(workplace.connection()).revision(run.rubricRevisionId).value();
+  if (score_steps < rubric.overall.lo || score_steps > rubric.overall.hi) {
+    throw Error(ErrorCode::kBadData, "the score lies outside the scale",
+                "reference " + std::to_string(number), "Correct the score");
+  }
+  StoredWarmup warmup;
+  warmup.id = workplace.ids().newUuid();
+  warmup.raterId = workplace.actor().personId;
+  warmup.referenceTrialId = run.trialId;
+  warmup.rubricRevisionId = run.rubricRevisionId;
+  warmup.score_steps = score_steps;
+  warmup.scale = rubric.overall;
+  warmup.panelOffset_steps = static_cast<double>(score_steps) - run.panel_steps;
+  warmup.createdUtc_us = workplace.now_us();
+  warmup.demonstration = run.demonstration;
+  Transaction transaction(workplace.connection());
+  RemarkRepository(workplace.connection()).addWarmup(warmup);
+  workplace.note({.action = "warmup.score", .objectKind = "rater_warmup", .objectId = warmup.id});
+  transaction.commit();
+}
+
+void addReferenceRuns(Workplace& workplace, const std::vector<ReferenceChoice>& runs) {
+  workplace.require(Operation::kStudySetup);
+  DeskRepository desk(workplace.connection());
+  SheetRepository sheets(workplace.connection());
+  auto position = static_cast<std::int64_t>(desk.referenceRuns().size());
+  Transaction transaction(workplace.connection());
+  for (const ReferenceChoice& choice : runs) {
+    const auto rubric = sheets.revision(choice.rubricRevisionId);
+    if (!rubric) {
+      throw Error(ErrorCode::kBadData, "no such rubric", choice.rubricRevisionId, "Choose a stored rubric");
+    }
+    StoredReferenceRun run;
+    run.trialId = choice.trialId;
+    run.position = ++position;
+    run.rubricRevisionId = choice.rubricRevisionId;
+    run.panel_steps = choice.panel_points * static_cast<double>(rubric->overall.stepsPerPoint);
+    run.panelRaters = choice.panelRaters;
+    run.setBy = workplace.actor().userId;
+    run.setUtc_us = workplace.now_us();
+    run.demonstration = choice.demonstration;
+    desk.addReferenceRuns(std::span(&run, 1));
+    workplace.note({.action = "reference_run.add", .objectKind = "reference_run", .objectId = run.trialId});
+  }
+  transaction.commit();
+}
+
+}  // namespace torsio

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/access/workplace.h"
+#include "app/session/review/blinded_case.h"
+
+namespace torsio {
+
+/// A reference run as a rater sees it. What the panel said is there only after the own score.
+struct WarmUpRun {
+  std::size_t number = 0;  ///< 1, 2 ...: "Reference 1"
+  std::optional<std::int64_t> length_us{};
+  std::optional<std::int64_t> own_steps{};  ///< newest try
+  std::optional<double> panel_points{};
+  std::optional<double> offset_points{};  ///< own minus panel
+  std::int64_t panelRaters = 0;
+  std::size_t tries = 0;
+};
+
+struct WarmUp {
+  StoredRubricRevision rubric{};  ///< of the first run; anchors help to find the overall mark
+  std::vector<WarmUpRun> runs{};
+  [[nodiscard]] bool complete() const noexcept;
+  /// Mean over the runs that were scored, points; empty: none.
+  [[nodiscard]] std::optional<double> meanOffset_points() const noexcept;
+};
+
+/// kMarkSubmit.
+[[nodiscard]] WarmUp warmUp(Workplace& workplace);
+/// The recording of run `number`, blinded like a case. kTrialViewAssigned: reference runs are for every
+/// rater. Throws Error{kBadData}: no such run.
+[[nodiscard]] BlindedRecording loadReferenceRun(Workplace& workplace, std::size_t number);
+/// Stores the rater's overall mark with its offset from the panel; a second try is kept beside the first.
+/// kMarkSubmit; audited. Throws Error{kBadData}: no such run, or outside the scale.
+void scoreReferenceRun(Workplace& workplace, std::size_t number, std::int64_t score_steps);
+
+/// A run for the warm-up, chosen by the office.
+struct ReferenceChoice {
+  std::string trialId{};
+  std::string rubricRevisionId{};
+  double panel_points = 0.0;
+  std::int64_t panelRaters = 1;
+  bool demonstration = false;
+};
+/// Adds reference runs behind those there are. kStudySetup; audited.
+void addReferenceRuns(Workplace& workplace, const std::vector<ReferenceChoice>& runs);
+
+}  // namespace torsio
