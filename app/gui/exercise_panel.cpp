@@ -8,9 +8,11 @@
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "app/gui/asset_names.h"
 #include "app/gui/look/card.h"
 #include "app/gui/look/theme.h"
 
@@ -19,20 +21,30 @@ namespace torsio::gui {
 namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+constexpr int kEnglishRole = Qt::UserRole + 1;
 constexpr double kLargestTarget_deg = 360.0;
 
-template <typename Field>
-Field* addField(QGridLayout* grid, const QString& name, Field* field) {
+QLabel* addField(QGridLayout* grid, QWidget* field) {
   const int row = grid->rowCount();
-  auto* label = new QLabel(name);
+  auto* label = new QLabel;
   label->setProperty("quiet", true);
   label->setBuddy(field);
-  QString plain = name;
-  field->setAccessibleName(plain.remove(QLatin1Char('&')));
   field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   grid->addWidget(label, row, 0);
   grid->addWidget(field, row, 1);
-  return field;
+  return label;
+}
+
+void name(QLabel* label, const QString& text) {
+  label->setText(text);
+  // Chinese mnemonics stand in brackets at the end: they are no part of the name.
+  static const QRegularExpression kMnemonic(QStringLiteral("\\(&.\\)|&"));
+  QString plain = text;
+  label->buddy()->setAccessibleName(plain.remove(kMnemonic));
+}
+
+void rename(QComboBox* box, int index, const QString& text) {
+  if (index >= 0) box->setItemText(index, text);
 }
 
 QComboBox* makeBox() {
@@ -44,30 +56,35 @@ QComboBox* makeBox() {
 
 }  // namespace
 
-ExercisePanel::ExercisePanel(QWidget* parent) : QWidget(parent) {
+ExercisePanel::ExercisePanel(QWidget* parent)
+    : QWidget(parent),
+      card_(new Card(QString(), this)),
+      organ_(makeBox()),
+      pattern_(makeBox()),
+      formulation_(makeBox()),
+      target_(new QDoubleSpinBox) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  auto* card = new Card(tr("Exercise"), this);
   auto* grid = new QGridLayout;
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(2 * kSpace);
   grid->setVerticalSpacing(kSpace - 2);
   grid->setColumnStretch(1, 1);
-  organ_ = addField(grid, tr("&Organ"), makeBox());
-  pattern_ = addField(grid, tr("&Pattern"), makeBox());
-  formulation_ = addField(grid, tr("&Model"), makeBox());
-  formulation_->addItem(tr("Saint-Venant"), static_cast<int>(Formulation::kSaintVenant));
-  formulation_->addItem(tr("As in the paper"), static_cast<int>(Formulation::kPaper));
-  formulation_->setToolTip(tr("Which reading of the equations turns the organ"));
-  target_ = addField(grid, tr("&Target"), new QDoubleSpinBox);
+  organLabel_ = addField(grid, organ_);
+  patternLabel_ = addField(grid, pattern_);
+  formulationLabel_ = addField(grid, formulation_);
+  formulation_->addItem(QString(), static_cast<int>(Formulation::kSaintVenant));
+  formulation_->addItem(QString(), static_cast<int>(Formulation::kPaper));
+  targetLabel_ = addField(grid, target_);
   target_->setRange(-kLargestTarget_deg, kLargestTarget_deg);
   target_->setDecimals(0);
   target_->setSingleStep(5.0);
   target_->setSuffix(QString(QChar(0x00B0)));
   target_->setKeyboardTracking(false);
   target_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  card->content()->addLayout(grid);
-  column->addWidget(card);
+  card_->content()->addLayout(grid);
+  column->addWidget(card_);
+  retranslate();
 
   connect(organ_, &QComboBox::activated, this, [this](int index) {
     const QString id = organ_->itemData(index).toString();
@@ -82,6 +99,25 @@ ExercisePanel::ExercisePanel(QWidget* parent) : QWidget(parent) {
           [this](double degrees) { Q_EMIT targetChosen(degrees * kRadPerDeg); });
 }
 
+void ExercisePanel::retranslate() {
+  card_->setTitle(tr("Exercise"));
+  name(organLabel_, tr("&Organ"));
+  name(patternLabel_, tr("&Pattern"));
+  name(formulationLabel_, tr("&Model"));
+  name(targetLabel_, tr("&Target"));
+  const auto index = [this](Formulation f) { return formulation_->findData(static_cast<int>(f)); };
+  rename(formulation_, index(Formulation::kSaintVenant), tr("Saint-Venant"));
+  rename(formulation_, index(Formulation::kPaper), tr("As in the paper"));
+  formulation_->setToolTip(tr("Which reading of the equations turns the organ"));
+  for (int i = 0; i < organ_->count(); ++i) {
+    const QString id = organ_->itemData(i).toString();
+    if (!id.isEmpty()) rename(organ_, i, assetName(readable(id.toStdString())));
+  }
+  for (int i = 0; i < pattern_->count(); ++i) {
+    rename(pattern_, i, assetName(pattern_->itemData(i, kEnglishRole).toString()));
+  }
+}
+
 QString ExercisePanel::readable(const std::string& id) {
   QString text = QString::fromStdString(id).replace(QLatin1Char('_'), QLatin1Char(' '));
   if (!text.isEmpty()) text[0] = text[0].toUpper();
@@ -91,7 +127,7 @@ QString ExercisePanel::readable(const std::string& id) {
 void ExercisePanel::setOrgans(const std::vector<std::string>& ids) {
   const QSignalBlocker quiet(organ_);
   organ_->clear();
-  for (const std::string& id : ids) organ_->addItem(readable(id), QString::fromStdString(id));
+  for (const std::string& id : ids) organ_->addItem(assetName(readable(id)), QString::fromStdString(id));
 }
 
 void ExercisePanel::showScene(const Scene& scene, double target_rad, bool ownOrgan) {
@@ -107,7 +143,8 @@ void ExercisePanel::showScene(const Scene& scene, double target_rad, bool ownOrg
   for (const TwistPattern& pattern : scene.patterns) {
     const QString title =
         pattern.title.empty() ? readable(pattern.id) : QString::fromStdString(pattern.title);
-    pattern_->addItem(title, QString::fromStdString(pattern.id));
+    pattern_->addItem(assetName(title), QString::fromStdString(pattern.id));
+    pattern_->setItemData(pattern_->count() - 1, title, kEnglishRole);
   }
   pattern_->setCurrentIndex(pattern_->findData(QString::fromStdString(scene.pattern.id)));
   pattern_->setToolTip(QString::fromStdString(scene.pattern.source));

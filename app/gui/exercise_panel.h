@@ -10,8 +10,11 @@
 
 class QComboBox;
 class QDoubleSpinBox;
+class QLabel;
 
 namespace torsio::gui {
+
+class Card;
 
 /// Choice of organ, pattern, formulation and target.
 class ExercisePanel : public QWidget {
@@ -27,6 +30,8 @@ class ExercisePanel : public QWidget {
   /// Off while a trial is recorded or replayed: the exercise must not change under it.
   void setChangeable(bool changeable);
 
+  void retranslate();
+
   /// "small_intestine" as people read it.
   [[nodiscard]] static QString readable(const std::string& id);
 
@@ -37,6 +42,13 @@ class ExercisePanel : public QWidget {
   void targetChosen(double target_rad);
 
  private:
+  void nameItems();
+
+  Card* card_;
+  QLabel* organLabel_;
+  QLabel* patternLabel_;
+  QLabel* formulationLabel_;
+  QLabel* targetLabel_;
   QComboBox* organ_;
   QComboBox* pattern_;
   QComboBox* formulation_;

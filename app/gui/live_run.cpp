@@ -32,12 +32,17 @@ LiveRun::LiveRun(std::shared_ptr<const Scene> scene, const RunSetup& setup)
 
 LiveRun::LiveRun(std::shared_ptr<const Scene> scene, const RunSetup& setup, TrialHeader header,
                  std::unique_ptr<TrialSink> sink)
+    : LiveRun(std::move(scene), setup, std::move(header), std::move(sink), nullptr) {}
+
+LiveRun::LiveRun(std::shared_ptr<const Scene> scene, const RunSetup& setup, TrialHeader header,
+                 std::unique_ptr<TrialSink> sink, std::unique_ptr<HapticDevice> device)
     : scene_(std::move(scene)),
       pointer_(setup.start),
+      device_(std::move(device)),
       commands_(kCommandsWaiting),
       samples_(std::make_unique<SpscRing<Sample>>(kRecordingRing)),
       sink_(std::move(sink)),
-      loop_({.device = &pointer_,
+      loop_({.device = &this->device(),
              .scene = scene_.get(),
              .recording = samples_.get(),
              .live = &live_,
@@ -45,8 +50,8 @@ LiveRun::LiveRun(std::shared_ptr<const Scene> scene, const RunSetup& setup, Tria
             options(setup)),
       thread_(loop_, kTick_us) {
   TORSIO_EXPECTS(sink_ != nullptr);
-  header.deviceModel = pointer_.capabilities().model;
-  header.deviceLimits = deviceLimits(pointer_.capabilities());
+  header.deviceModel = this->device().capabilities().model;
+  header.deviceLimits = deviceLimits(this->device().capabilities());
   header.drive = setup.drive;
   header.targetAngle_rad = setup.targetAngle_rad;
   header.forceScale = options(setup).forceScale;

@@ -31,6 +31,9 @@ class LiveRun {
   /// Recorded from the first tick on. Device, drive and target of `header` are filled in here.
   LiveRun(std::shared_ptr<const Scene> scene, const RunSetup& setup, TrialHeader header,
           std::unique_ptr<TrialSink> sink);
+  /// The same with another device than the pointer; null: the pointer.
+  LiveRun(std::shared_ptr<const Scene> scene, const RunSetup& setup, TrialHeader header,
+          std::unique_ptr<TrialSink> sink, std::unique_ptr<HapticDevice> device);
   /// Stops; a recording that was not finished stays with its sink as interrupted.
   ~LiveRun();
   LiveRun(const LiveRun&) = delete;
@@ -46,6 +49,8 @@ class LiveRun {
   /// The newest snapshot. GUI thread.
   [[nodiscard]] const LiveState& latest() noexcept { return live_.latest(); }
   [[nodiscard]] bool recorded() const noexcept { return recorder_ != nullptr; }
+  /// Tests that tick the loop themselves hand on what was recorded so far. Not after start().
+  void pump() { recorder_->pump(); }
 
   /// Stops the servo and hands the rest of the recording to its sink. Once, and only when recorded. Throws
   /// what Recorder::finish throws.
@@ -56,6 +61,7 @@ class LiveRun {
 
   std::shared_ptr<const Scene> scene_;
   PointerDevice pointer_;
+  std::unique_ptr<HapticDevice> device_;  // null: the pointer
   LatestValue<LiveState> live_;
   SpscRing<ServoCommand> commands_;
   std::unique_ptr<SpscRing<Sample>> samples_;  // null: not recorded

@@ -19,6 +19,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "app/gui/asset_names.h"
 #include "app/gui/exercise_panel.h"
 #include "app/gui/picture.h"
 #include "app/gui/pointer_controls.h"
@@ -48,7 +49,7 @@ QString localTime(std::int64_t utc_us) {
 }  // namespace
 
 MainWindow::MainWindow(const WindowSetup& setup) : setup_(setup), themeKind_(setup.theme) {
-  setWindowTitle(tr("Torsio"));
+  setWindowTitle(QStringLiteral("Torsio"));
   resize(1280, 800);
   controller_ = std::make_unique<SimulationController>(setup_.loader, setup_.recording);
   createLayout();
@@ -58,7 +59,12 @@ MainWindow::MainWindow(const WindowSetup& setup) : setup_(setup), themeKind_(set
   connectController();
   exercise_->setOrgans(sceneIds(setup_.assets));
   view_->setInstrument(loadInstrument(setup_.assets, "grasper"));
-  setThemeKind(themeKind_);
+  if (setup_.embedded) {
+    applyColours(themeKind_);
+  } else {
+    setThemeKind(themeKind_);
+  }
+  retranslate();
   if (setup_.remember) restoreChoices();
   showMode();
   frameTimer_.setTimerType(Qt::PreciseTimer);
@@ -111,12 +117,9 @@ void MainWindow::createLayout() {
   setCentralWidget(centre);
 
   hint_ = new QLabel(this);
-  hint_->setAccessibleName(tr("Hint"));
   recordingTime_ = new QLabel(this);
-  recordingTime_->setAccessibleName(tr("Recording"));
   recordingTime_->hide();
   source_ = new QLabel(this);
-  source_->setAccessibleName(tr("Source of the organ"));
   statusBar()->addWidget(hint_, 1);
   statusBar()->addPermanentWidget(recordingTime_);
   statusBar()->addPermanentWidget(source_);
@@ -175,15 +178,42 @@ void MainWindow::connectController() {
 }
 
 void MainWindow::setThemeKind(ThemeKind kind) {
+  applyTheme(*qApp, theme(kind));
+  applyColours(kind);
+}
+
+void MainWindow::applyColours(ThemeKind kind) {
   themeKind_ = kind;
   const Theme& colours = theme(kind);
-  applyTheme(*qApp, colours);
   view_->setTheme(colours);
   readout_->setTheme(colours);
   replayBar_->setTheme(colours);
   recordingTime_->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(colours.recording.name()));
   applyIcons();
-  actions_.dark->setChecked(kind == ThemeKind::kDark);
+  if (actions_.dark != nullptr) actions_.dark->setChecked(kind == ThemeKind::kDark);
+}
+
+void MainWindow::retranslate() {
+  nameActions();
+  exercise_->retranslate();
+  readout_->retranslate();
+  replayBar_->retranslate();
+  hint_->setAccessibleName(tr("Hint"));
+  recordingTime_->setAccessibleName(tr("Recording"));
+  source_->setAccessibleName(tr("Source of the organ"));
+  if (controller_->scene() != nullptr) showTitle();
+  noticeLeft_s_ = 0.0;
+  showMode();
+}
+
+void MainWindow::pause() {
+  frameTimer_.stop();
+  controller_->releaseTissue();
+}
+
+void MainWindow::resume() {
+  sinceFrame_.restart();
+  frameTimer_.start(kFrame_ms);
 }
 
 void MainWindow::frame(double elapsed_s) {
@@ -274,12 +304,17 @@ void MainWindow::showScene() {
   readout_->setLimits({.tolerance_rad = scene.pattern.tolerance_rad,
                        .force_N = scene.pattern.forceLimit_N,
                        .torque_Nm = scene.pattern.torqueLimit_Nm});
-  const QString title = QString::fromStdString(scene.title);
+  showTitle();
+  pointer_->park(controller_->parkingPoint_m());
+  view_->setFocus();
+}
+
+void MainWindow::showTitle() {
+  const Scene& scene = *controller_->scene();
+  const QString title = assetName(QString::fromStdString(scene.title));
   setWindowTitle(tr("%1 \u2013 Torsio").arg(title));
   source_->setText(title);
   source_->setToolTip(QString::fromStdString(scene.provenance));
-  pointer_->park(controller_->parkingPoint_m());
-  view_->setFocus();
 }
 
 void MainWindow::showMode() {
@@ -289,6 +324,8 @@ void MainWindow::showMode() {
   const bool practice = mode == Mode::kPractice;
   actions_.record->setText(recording ? tr("Stop") : tr("Record"));
   actions_.record->setEnabled(recording || practice);
+  actions_.record->setVisible(setup_.recording.open != nullptr);
+  actions_.replay->setVisible(setup_.recording.open != nullptr);
   actions_.replay->setEnabled(!recording && setup_.recording.list != nullptr);
   actions_.release->setEnabled(recording || practice);
   actions_.restart->setEnabled(practice);

@@ -13,7 +13,8 @@
 
 class QAction;
 class QLabel;
-class QStackedWidget;
+class QMenu;
+class QToolButton;
 
 namespace torsio::gui {
 
@@ -28,7 +29,8 @@ struct WindowSetup {
   SceneLoader loader = loadSceneForView;
   TrialRecording recording;
   ThemeKind theme = ThemeKind::kLight;
-  bool remember = true;  ///< read and write geometry and choices (off for pictures and tests)
+  bool embedded = false;  ///< a part of another window: no menu bar, no program-wide commands
+  bool remember = true;   ///< read and write geometry and choices (off for pictures and tests)
 };
 
 /// The window: scene in the middle, exercise and readouts beside it. It only passes on: simulation is the
@@ -42,7 +44,15 @@ class MainWindow : public QMainWindow {
 
   [[nodiscard]] SimulationController& controller() noexcept { return *controller_; }
   [[nodiscard]] SceneView& view() noexcept { return *view_; }
+  [[nodiscard]] const std::filesystem::path& assets() const noexcept { return setup_.assets; }
   void setThemeKind(ThemeKind kind);
+  /// The same without the application's palette and style sheet, which another window has set already.
+  void applyColours(ThemeKind kind);
+  /// All texts anew, in the present language.
+  void retranslate();
+  /// While nobody looks: no frames, and the exercise stands still.
+  void pause();
+  void resume();
   [[nodiscard]] ThemeKind themeKind() const noexcept { return themeKind_; }
   /// One round of the frame timer; tests call it themselves.
   void frame(double elapsed_s);
@@ -66,14 +76,23 @@ class MainWindow : public QMainWindow {
     QAction* wireframe = nullptr;
     QAction* dark = nullptr;
     QAction* help = nullptr;
+    QAction* automatic = nullptr;
+    QAction* fast = nullptr;
+    QAction* fine = nullptr;
+    QAction* quit = nullptr;
+    QAction* full = nullptr;
+    QAction* about = nullptr;
   };
 
   // main_window_actions.cpp
   void createActions();
   void createMenus();
+  void createMenuBar();
   void createToolBar();
+  void nameActions();
+  void name(QAction* action, const QString& text, const QString& tip);
   void applyIcons();
-  QAction* addNamed(const QString& text, const QString& tip, const QKeySequence& keys);
+  QAction* addKeyed(const QKeySequence& keys);
 
   void createLayout();
   void connectController();
@@ -86,6 +105,7 @@ class MainWindow : public QMainWindow {
   void showHelp();
   void showAbout();
   void showScene();
+  void showTitle();
   void showMode();
   void showProblem(const QString& happened, const QString& remedy, const QString& details);
   void showHint(const LiveState& state);
@@ -96,7 +116,17 @@ class MainWindow : public QMainWindow {
 
   WindowSetup setup_;
   ThemeKind themeKind_;
+  struct Menus {
+    QMenu* file = nullptr;
+    QMenu* exercise = nullptr;
+    QMenu* view = nullptr;
+    QMenu* quality = nullptr;
+    QMenu* help = nullptr;
+    QToolButton* more = nullptr;
+  };
+
   Actions actions_;
+  Menus menus_;
   std::unique_ptr<SimulationController> controller_;
   SceneView* view_ = nullptr;
   PointerControls* pointer_ = nullptr;

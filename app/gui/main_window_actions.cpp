@@ -5,43 +5,78 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
+#include <QToolButton>
 
 #include "app/gui/look/icons.h"
 #include "app/gui/main_window.h"
 
 namespace torsio::gui {
 
-QAction* MainWindow::addNamed(const QString& text, const QString& tip, const QKeySequence& keys) {
-  auto* action = new QAction(text, this);
+QAction* MainWindow::addKeyed(const QKeySequence& keys) {
+  auto* action = new QAction(this);
   action->setShortcut(keys);
-  action->setStatusTip(tip);
-  action->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
   addAction(action);
   return action;
 }
 
+void MainWindow::name(QAction* action, const QString& text, const QString& tip) {
+  action->setText(text);
+  action->setStatusTip(tip);
+  const QKeySequence keys = action->shortcut();
+  action->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
+}
+
+void MainWindow::nameActions() {
+  const Actions& a = actions_;
+  name(a.open, tr("Open organ\u2026"), tr("Use a mesh of your own instead of a shipped organ"));
+  name(a.picture, tr("Picture\u2026"), tr("Save the scene as a PNG picture"));
+  name(a.record, tr("Record"), tr("Start the exercise anew and record it"));
+  name(a.replay, tr("Replay\u2026"), tr("Look at a recorded trial again"));
+  name(a.release, tr("Release"), tr("Let go of the tissue; it returns to rest"));
+  name(a.restart, tr("Restart exercise"), tr("Begin the exercise anew"));
+  name(a.front, tr("Front"), tr("Look from the front"));
+  name(a.side, tr("Side"), tr("Look from the patient's left side"));
+  name(a.top, tr("Top"), tr("Look from the head"));
+  name(a.whole, tr("Whole organ"), tr("Show the whole organ"));
+  name(a.lattice, tr("Lattice"), tr("Show ridges and sections on the tissue"));
+  name(a.wireframe, tr("Wireframe"), tr("Show the edges of the surface"));
+  name(a.help, tr("Controls"), tr("How mouse and keys move the instrument"));
+  name(a.automatic, tr("Automatic"), tr("As fine as this machine draws smoothly"));
+  name(a.fast, tr("Fast"), tr("Fewer effects, more pictures a second"));
+  name(a.fine, tr("Fine"), tr("Shadow, ambient occlusion and antialiasing"));
+  menus_.quality->setTitle(tr("Quality"));
+  if (setup_.embedded) {
+    menus_.more->setText(tr("More"));
+    menus_.more->setToolTip(tr("More commands"));
+    menus_.more->setAccessibleName(tr("More commands"));
+    return;
+  }
+  name(a.dark, tr("Dark"), tr("Dark colours for a dark room"));
+  name(a.full, tr("Full screen"), tr("Fill the whole screen"));
+  name(a.quit, tr("Quit"), tr("End the program"));
+  name(a.about, tr("About Torsio"), tr("Version and licence"));
+  menus_.file->setTitle(tr("&File"));
+  menus_.exercise->setTitle(tr("&Exercise"));
+  menus_.view->setTitle(tr("&View"));
+  menus_.help->setTitle(tr("&Help"));
+}
+
 void MainWindow::createActions() {
   Actions& a = actions_;
-  a.open = addNamed(tr("Open organ\u2026"), tr("Use a mesh of your own instead of a shipped organ"),
-                    QKeySequence::Open);
-  a.picture =
-      addNamed(tr("Picture\u2026"), tr("Save the scene as a PNG picture"), QKeySequence(tr("Ctrl+Shift+P")));
-  a.record = addNamed(tr("Record"), tr("Start the exercise anew and record it"), QKeySequence(tr("Ctrl+R")));
-  a.replay =
-      addNamed(tr("Replay\u2026"), tr("Look at a recorded trial again"), QKeySequence(tr("Ctrl+Shift+R")));
-  a.release =
-      addNamed(tr("Release"), tr("Let go of the tissue; it returns to rest"), QKeySequence(Qt::Key_Escape));
-  a.restart = addNamed(tr("Restart exercise"), tr("Begin the exercise anew"), QKeySequence::New);
-  a.front = addNamed(tr("Front"), tr("Look from the front"), QKeySequence(tr("Ctrl+1")));
-  a.side = addNamed(tr("Side"), tr("Look from the patient's left side"), QKeySequence(tr("Ctrl+2")));
-  a.top = addNamed(tr("Top"), tr("Look from the head"), QKeySequence(tr("Ctrl+3")));
-  a.whole = addNamed(tr("Whole organ"), tr("Show the whole organ"), QKeySequence(tr("Ctrl+0")));
-  a.lattice =
-      addNamed(tr("Lattice"), tr("Show ridges and sections on the tissue"), QKeySequence(tr("Ctrl+L")));
-  a.wireframe = addNamed(tr("Wireframe"), tr("Show the edges of the surface"), QKeySequence(tr("Ctrl+M")));
-  a.dark = addNamed(tr("Dark"), tr("Dark colours for a dark room"), QKeySequence(tr("Ctrl+D")));
-  a.help = addNamed(tr("Controls"), tr("How mouse and keys move the instrument"), QKeySequence::HelpContents);
-  for (QAction* action : {a.lattice, a.wireframe, a.dark}) action->setCheckable(true);
+  a.open = addKeyed(QKeySequence::Open);
+  a.picture = addKeyed(Qt::CTRL | Qt::SHIFT | Qt::Key_P);
+  a.record = addKeyed(Qt::CTRL | Qt::Key_R);
+  a.replay = addKeyed(Qt::CTRL | Qt::SHIFT | Qt::Key_R);
+  a.release = addKeyed(Qt::Key_Escape);
+  a.restart = addKeyed(QKeySequence::New);
+  a.front = addKeyed(Qt::CTRL | Qt::Key_1);
+  a.side = addKeyed(Qt::CTRL | Qt::Key_2);
+  a.top = addKeyed(Qt::CTRL | Qt::Key_3);
+  a.whole = addKeyed(Qt::CTRL | Qt::Key_0);
+  a.lattice = addKeyed(Qt::CTRL | Qt::Key_L);
+  a.wireframe = addKeyed(Qt::CTRL | Qt::Key_M);
+  a.help = addKeyed(setup_.embedded ? QKeySequence() : QKeySequence(QKeySequence::HelpContents));
+  for (QAction* action : {a.lattice, a.wireframe}) action->setCheckable(true);
 
   connect(a.open, &QAction::triggered, this, &MainWindow::chooseOrganFile);
   connect(a.picture, &QAction::triggered, this, &MainWindow::choosePicture);
@@ -55,55 +90,67 @@ void MainWindow::createActions() {
   connect(a.whole, &QAction::triggered, this, &MainWindow::lookWhole);
   connect(a.lattice, &QAction::toggled, this, [this](bool on) { view_->setLattice(on); });
   connect(a.wireframe, &QAction::toggled, this, [this](bool on) { view_->setWireframe(on); });
-  connect(a.dark, &QAction::toggled, this,
-          [this](bool on) { setThemeKind(on ? ThemeKind::kDark : ThemeKind::kLight); });
   connect(a.help, &QAction::triggered, this, &MainWindow::showHelp);
 }
 
 void MainWindow::createMenus() {
-  const Actions& a = actions_;
-  QMenu* file = menuBar()->addMenu(tr("&File"));
-  file->addAction(a.open);
-  file->addAction(a.picture);
-  file->addSeparator();
-  QAction* quit = file->addAction(tr("Quit"), QKeySequence::Quit, this, &QWidget::close);
-  quit->setMenuRole(QAction::QuitRole);
-
-  QMenu* exercise = menuBar()->addMenu(tr("&Exercise"));
-  exercise->addAction(a.restart);
-  exercise->addAction(a.release);
-  exercise->addSeparator();
-  exercise->addAction(a.record);
-  exercise->addAction(a.replay);
-
-  QMenu* view = menuBar()->addMenu(tr("&View"));
-  for (QAction* action : {a.front, a.side, a.top, a.whole}) view->addAction(action);
-  view->addSeparator();
-  view->addAction(a.lattice);
-  view->addAction(a.wireframe);
-  view->addSeparator();
-  QMenu* quality = view->addMenu(tr("Quality"));
+  Actions& a = actions_;
+  Menus& m = menus_;
+  m.quality = new QMenu(this);
   auto* group = new QActionGroup(this);
-  const std::pair<QString, RenderQuality> choices[] = {{tr("Automatic"), RenderQuality::kAutomatic},
-                                                       {tr("Fast"), RenderQuality::kFast},
-                                                       {tr("Fine"), RenderQuality::kFine}};
-  for (const auto& [name, value] : choices) {
-    QAction* action = quality->addAction(name);
-    action->setCheckable(true);
-    action->setChecked(value == RenderQuality::kAutomatic);
-    group->addAction(action);
-    connect(action, &QAction::triggered, this, [this, value = value] { view_->setQuality(value); });
+  const std::pair<QAction**, RenderQuality> choices[] = {{&a.automatic, RenderQuality::kAutomatic},
+                                                         {&a.fast, RenderQuality::kFast},
+                                                         {&a.fine, RenderQuality::kFine}};
+  for (const auto& [action, value] : choices) {
+    *action = m.quality->addAction(QString());
+    (*action)->setCheckable(true);
+    (*action)->setChecked(value == RenderQuality::kAutomatic);
+    group->addAction(*action);
+    connect(*action, &QAction::triggered, this, [this, value = value] { view_->setQuality(value); });
   }
-  view->addAction(a.dark);
-  view->addSeparator();
-  QAction* full = view->addAction(tr("Full screen"), QKeySequence(Qt::Key_F11), this,
-                                  [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
-  full->setStatusTip(tr("Fill the whole screen"));
+  if (setup_.embedded) {
+    setMenuWidget(nullptr);
+    return;
+  }
+  createMenuBar();
+}
 
-  QMenu* help = menuBar()->addMenu(tr("&Help"));
-  help->addAction(a.help);
-  QAction* about = help->addAction(tr("About Torsio"), this, &MainWindow::showAbout);
-  about->setMenuRole(QAction::AboutRole);
+void MainWindow::createMenuBar() {
+  Actions& a = actions_;
+  Menus& m = menus_;
+  a.dark = addKeyed(Qt::CTRL | Qt::Key_D);
+  a.dark->setCheckable(true);
+  connect(a.dark, &QAction::toggled, this,
+          [this](bool on) { setThemeKind(on ? ThemeKind::kDark : ThemeKind::kLight); });
+  a.quit = addKeyed(QKeySequence::Quit);
+  a.quit->setMenuRole(QAction::QuitRole);
+  connect(a.quit, &QAction::triggered, this, &QWidget::close);
+  a.full = addKeyed(Qt::Key_F11);
+  connect(a.full, &QAction::triggered, this,
+          [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+  a.about = addKeyed({});
+  a.about->setMenuRole(QAction::AboutRole);
+  connect(a.about, &QAction::triggered, this, &MainWindow::showAbout);
+
+  m.file = menuBar()->addMenu(QString());
+  m.file->addActions({a.open, a.picture});
+  m.file->addSeparator();
+  m.file->addAction(a.quit);
+  m.exercise = menuBar()->addMenu(QString());
+  m.exercise->addActions({a.restart, a.release});
+  m.exercise->addSeparator();
+  m.exercise->addActions({a.record, a.replay});
+  m.view = menuBar()->addMenu(QString());
+  m.view->addActions({a.front, a.side, a.top, a.whole});
+  m.view->addSeparator();
+  m.view->addActions({a.lattice, a.wireframe});
+  m.view->addSeparator();
+  m.view->addMenu(m.quality);
+  m.view->addAction(a.dark);
+  m.view->addSeparator();
+  m.view->addAction(a.full);
+  m.help = menuBar()->addMenu(QString());
+  m.help->addActions({a.help, a.about});
 }
 
 void MainWindow::createToolBar() {
@@ -125,7 +172,21 @@ void MainWindow::createToolBar() {
   auto* space = new QWidget(bar);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(space);
-  bar->addAction(a.dark);
+  if (!setup_.embedded) {
+    bar->addAction(a.dark);
+    return;
+  }
+  menus_.more = new QToolButton(bar);
+  menus_.more->setPopupMode(QToolButton::InstantPopup);
+  menus_.more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  menus_.more->setFocusPolicy(Qt::TabFocus);
+  auto* menu = new QMenu(menus_.more);
+  menu->addActions({a.restart, a.open});
+  menu->addMenu(menus_.quality);
+  menu->addSeparator();
+  menu->addAction(a.help);
+  menus_.more->setMenu(menu);
+  bar->addWidget(menus_.more);
 }
 
 void MainWindow::applyIcons() {
@@ -135,7 +196,10 @@ void MainWindow::applyIcons() {
       {a.open, "open"},       {a.picture, "picture"},     {a.replay, "replay"}, {a.release, "release"},
       {a.front, "front"},     {a.side, "side"},           {a.top, "top"},       {a.whole, "fit"},
       {a.lattice, "lattice"}, {a.wireframe, "wireframe"}, {a.dark, "theme"},    {a.help, "help"}};
-  for (const auto& [action, name] : icons) action->setIcon(icon(QLatin1String(name), colours));
+  for (const auto& [action, file] : icons) {
+    if (action != nullptr) action->setIcon(icon(QLatin1String(file), colours));
+  }
+  if (menus_.more != nullptr) menus_.more->setIcon(icon(QStringLiteral("more"), colours));
   const bool recording = controller_->mode() == SimulationController::Mode::kRecording;
   a.record->setIcon(recording ? icon(QStringLiteral("stop"), colours.recording)
                               : icon(QStringLiteral("record"), colours));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/readout_panel.h"
 
+#include <tuple>
+#include <utility>
+
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
@@ -22,18 +25,23 @@ void setIfNew(QLabel* label, const QString& text) {
   if (label->text() != text) label->setText(text);
 }
 
-QLabel* addRow(QGridLayout* grid, const QString& name, const QString& tip, QWidget* parent) {
+/// A quiet name and its value beside it.
+std::pair<QLabel*, QLabel*> addRow(QGridLayout* grid, QWidget* parent) {
   const int row = grid->rowCount();
-  auto* title = new QLabel(name, parent);
+  auto* title = new QLabel(parent);
   title->setProperty("quiet", true);
   auto* value = new QLabel(parent);
   value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  grid->addWidget(title, row, 0);
+  grid->addWidget(value, row, 1);
+  return {title, value};
+}
+
+void nameRow(QLabel* title, QLabel* value, const QString& name, const QString& tip) {
+  title->setText(name);
   value->setAccessibleName(name);
   title->setToolTip(tip);
   value->setToolTip(tip);
-  grid->addWidget(title, row, 0);
-  grid->addWidget(value, row, 1);
-  return value;
 }
 
 }  // namespace
@@ -43,34 +51,45 @@ ReadoutPanel::ReadoutPanel(QWidget* parent) : QWidget(parent), theme_(&theme(The
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(kSpace + 2);
 
-  auto* twist = new Card(tr("Twist"), this);
-  dial_ = new AngleDial(twist);
-  phase_ = new QLabel(twist);
+  twist_ = new Card(QString(), this);
+  dial_ = new AngleDial(twist_);
+  phase_ = new QLabel(twist_);
   phase_->setAlignment(Qt::AlignCenter);
-  phase_->setAccessibleName(tr("Phase"));
-  twist->content()->addWidget(dial_, 0, Qt::AlignHCenter);
-  twist->content()->addWidget(phase_);
-  column->addWidget(twist);
+  twist_->content()->addWidget(dial_, 0, Qt::AlignHCenter);
+  twist_->content()->addWidget(phase_);
+  column->addWidget(twist_);
 
-  auto* load = new Card(tr("Load"), this);
-  torque_ = new LevelBar(tr("Torque"), tr("N m"), 3, load);
-  force_ = new LevelBar(tr("Force"), tr("N"), 2, load);
-  load->content()->addWidget(torque_);
-  load->content()->addWidget(force_);
-  column->addWidget(load);
+  load_ = new Card(QString(), this);
+  torque_ = new LevelBar(QString(), QString(), 3, load_);
+  force_ = new LevelBar(QString(), QString(), 2, load_);
+  load_->content()->addWidget(torque_);
+  load_->content()->addWidget(force_);
+  column->addWidget(load_);
 
-  auto* timing = new Card(tr("Timing"), this);
+  timing_ = new Card(QString(), this);
   auto* grid = new QGridLayout;
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setVerticalSpacing(4);
-  tick_ =
-      addRow(grid, tr("Servo tick"),
-             tr("Time that one step of the 1 kHz loop takes, of 1000 µs; how many steps came late"), timing);
-  frames_ = addRow(grid, tr("Frame rate"), tr("Pictures drawn in one second"), timing);
-  timing->content()->addLayout(grid);
-  column->addWidget(timing);
+  std::tie(tickName_, tick_) = addRow(grid, timing_);
+  std::tie(framesName_, frames_) = addRow(grid, timing_);
+  timing_->content()->addLayout(grid);
+  column->addWidget(timing_);
 
-  show(LiveState{}, 0.0);
+  retranslate();
+}
+
+void ReadoutPanel::retranslate() {
+  twist_->setTitle(tr("Twist"));
+  load_->setTitle(tr("Load"));
+  timing_->setTitle(tr("Timing"));
+  phase_->setAccessibleName(tr("Phase"));
+  torque_->setName(tr("Torque"), tr("N m"));
+  force_->setName(tr("Force"), tr("N"));
+  nameRow(tickName_, tick_, tr("Servo tick"),
+          tr("Time that one step of the 1 kHz loop takes, of 1000 µs; how many steps came late"));
+  nameRow(framesName_, frames_, tr("Frame rate"), tr("Pictures drawn in one second"));
+  dial_->retranslate();
+  show(shown_, rate_);
 }
 
 void ReadoutPanel::setTheme(const Theme& theme) {
@@ -117,6 +136,8 @@ void ReadoutPanel::showTiming(const LiveState& state, double framesPerSecond) {
 }
 
 void ReadoutPanel::show(const LiveState& state, double framesPerSecond) {
+  shown_ = state;
+  rate_ = framesPerSecond;
   dial_->setTarget(state.targetAngle_rad, limits_.tolerance_rad);
   dial_->setAngle(state.response.angle_rad);
   torque_->setValue(std::abs(state.response.torque_Nm));

@@ -11,6 +11,7 @@ class QLabel;
 namespace torsio::gui {
 
 class AngleDial;
+class Card;
 class LevelBar;
 struct Theme;
 
@@ -33,6 +34,8 @@ class ReadoutPanel : public QWidget {
   /// `framesPerSecond`: 0 while not known.
   void show(const LiveState& state, double framesPerSecond);
 
+  void retranslate();
+
   /// Name of a phase in the user's language.
   [[nodiscard]] static QString phaseName(ExercisePhase phase);
 
@@ -42,10 +45,17 @@ class ReadoutPanel : public QWidget {
 
   const Theme* theme_;
   ReadoutLimits limits_;
+  LiveState shown_;
+  double rate_ = 0.0;
+  Card* twist_;
+  Card* load_;
+  Card* timing_;
   AngleDial* dial_;
   QLabel* phase_;
   LevelBar* torque_;
   LevelBar* force_;
+  QLabel* tickName_;
+  QLabel* framesName_;
   QLabel* tick_;
   QLabel* frames_;
 };

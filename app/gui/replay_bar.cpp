@@ -42,15 +42,9 @@ ReplayBar::ReplayBar(QWidget* parent)
   row->setContentsMargins(2 * kSpace, kSpace, 2 * kSpace, kSpace);
   row->setSpacing(kSpace + 4);
   play_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  close_->setText(tr("Close replay"));
   close_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  position_->setAccessibleName(tr("Position in the recording"));
   position_->setPageStep(100);
-  time_->setAccessibleName(tr("Time"));
-  speed_->setAccessibleName(tr("Speed"));
-  for (const double speed : kSpeeds) {
-    speed_->addItem(tr("%1 \u00d7 speed").arg(QLocale().toString(speed)), speed);
-  }
+  for (const double speed : kSpeeds) speed_->addItem(QString(), speed);
   speed_->setCurrentIndex(2);
   row->addWidget(play_);
   row->addWidget(position_, 1);
@@ -64,6 +58,17 @@ ReplayBar::ReplayBar(QWidget* parent)
           [this](int step) { Q_EMIT soughtTo(static_cast<qint64>(step) * kSliderStep_us); });
   connect(speed_, &QComboBox::activated, this,
           [this](int index) { Q_EMIT speedChosen(speed_->itemData(index).toDouble()); });
+  retranslate();
+}
+
+void ReplayBar::retranslate() {
+  close_->setText(tr("Close replay"));
+  position_->setAccessibleName(tr("Position in the recording"));
+  time_->setAccessibleName(tr("Time"));
+  speed_->setAccessibleName(tr("Speed"));
+  for (int i = 0; i < speed_->count(); ++i) {
+    speed_->setItemText(i, tr("%1 \u00d7 speed").arg(QLocale().toString(speed_->itemData(i).toDouble())));
+  }
   setTheme(*theme_);
 }
 

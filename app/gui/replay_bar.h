@@ -21,6 +21,7 @@ class ReplayBar : public QWidget {
   explicit ReplayBar(QWidget* parent = nullptr);
 
   void setTheme(const Theme& theme);
+  void retranslate();
   /// Follows the playback; null clears the bar.
   void show(const TrialPlayback* playback);
 

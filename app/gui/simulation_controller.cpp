@@ -187,7 +187,7 @@ LiveState SimulationController::state() {
 
 bool SimulationController::toolRidesOnTissue() const noexcept {
   if (frozen_) return false;
-  return playback_ ? playback_->header().drive == TwistDrive::kRoll : true;
+  return playback_ ? playback_->header().drive == TwistDrive::kRoll : !led_;
 }
 
 std::optional<SurfacePoint> SimulationController::nearby(const LiveState& state) const {
@@ -266,6 +266,47 @@ void SimulationController::stopRecording() {
   run_.reset();
   startRun(std::make_unique<LiveRun>(loaded_.scene, setup()));
   setMode(Mode::kPractice);
+}
+
+bool SimulationController::startTraining(TrialHeader header, std::unique_ptr<TrialSink> sink,
+                                         std::unique_ptr<HapticDevice> device) {
+  if (mode_ != Mode::kPractice || loading() || scene() == nullptr) return false;
+  header.organHash = scene()->organHash;
+  header.parameterHash = scene()->parameterHash;
+  header.parametersJson = scene()->parametersJson;
+  target_rad_ = header.targetAngle_rad;
+  RunSetup how = setup();
+  led_ = device != nullptr;
+  if (led_) how.drive = TwistDrive::kTangential;
+  frozen_.reset();
+  run_.reset();
+  startRun(
+      std::make_unique<LiveRun>(loaded_.scene, how, std::move(header), std::move(sink), std::move(device)));
+  setMode(Mode::kRecording);
+  return true;
+}
+
+std::optional<RecordingResult> SimulationController::endTraining(TrialOutcome outcome) {
+  if (mode_ != Mode::kRecording) return std::nullopt;
+  std::optional<RecordingResult> result;
+  try {
+    result = run_->finish(outcome);
+    if (result->spillFile) {
+      Q_EMIT failed(tr("The recording could not go to its usual place and was kept as a file"),
+                    tr("Free some space or check the database, then import the file."),
+                    QString::fromStdString(result->spillFile->string() + "\n" + result->problem));
+    }
+  } catch (...) {
+    report(std::current_exception());
+  }
+  run_.reset();
+  led_ = false;
+  LiveState still;
+  still.tool.position_m = parkingPoint_m();
+  still.targetAngle_rad = target_rad_;
+  frozen_ = still;
+  setMode(Mode::kPractice);
+  return result;
 }
 
 double SimulationController::recorded_s() {

@@ -81,6 +81,14 @@ class SimulationController : public QObject {
   /// The exercise starts anew and is recorded from its first tick.
   void startRecording();
   void stopRecording();
+  /// A run whose header and sink say what it belongs to; organ, device and drive are filled in here. `device`
+  /// null: the pointer. False while no scene is ready or another recording goes on. Throws what the device
+  /// does.
+  [[nodiscard]] bool startTraining(TrialHeader header, std::unique_ptr<TrialSink> sink,
+                                   std::unique_ptr<HapticDevice> device);
+  /// Ends such a run; the organ then stands still until the next one. Empty: none went on, or it could not be
+  /// kept (failed() has said so).
+  std::optional<RecordingResult> endTraining(TrialOutcome outcome);
   /// Samples recorded so far in seconds.
   [[nodiscard]] double recorded_s();
   [[nodiscard]] const TrialRecording& recording() const noexcept { return recording_; }
@@ -126,6 +134,7 @@ class SimulationController : public QObject {
   std::unique_ptr<LiveRun> run_;
   std::optional<TrialPlayback> playback_;
   std::optional<LiveState> frozen_;
+  bool led_ = false;  // the device is led round the organ; a pointer turns in place
 };
 
 }  // namespace torsio::gui

@@ -30,7 +30,11 @@ class TrialPlayback {
   /// Moves on when playing; stops at the end.
   void advance(double elapsed_s) noexcept;
 
-  /// What was shown at this instant.
+  /// All of it, in order, as it was recorded: for traces.
+  [[nodiscard]] const std::vector<Sample>& samples() const noexcept { return samples_; }
+
+  /// What was shown at this instant. Found by halving: a recording of hours answers as fast as one of
+  /// seconds.
   [[nodiscard]] LiveState state() const noexcept;
 
  private:

@@ -9,13 +9,15 @@
 #include <QCommandLineParser>
 #include <QPalette>
 #include <QQuickWindow>
-#include <QSettings>
 #include <QStandardPaths>
 
 #include "app/gui/main_window.h"
 #include "app/gui/screenshot.h"
+#include "app/gui/shell/all_pages.h"
+#include "app/gui/shell/shell_window.h"
 #include "app/session/assets.h"
 #include "app/session/build_info.h"
+#include "app/session/trial_store.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -27,6 +29,9 @@ struct WindowOptions {
   std::optional<ThemeKind> theme;
   std::optional<ScreenshotRequest> screenshot;
   std::optional<double> rateOver_s;
+  bool simulator = false;  ///< an organ or a picture was asked for
+  bool kiosk = false;
+  QString database;
 };
 
 [[noreturn]] void refuse(const QString& what, const QString& where, const QString& remedy) {
@@ -121,6 +126,8 @@ void addOptions(QCommandLineParser& parser) {
   add("quality", "Of the picture: fast or fine", "NAME", "fine");
   add("orbit", "Turn of the camera about the organ, degrees", "DEG", "0");
   add("frame-rate", "Measure frames per second and end", "SECONDS", "");
+  add("database", "Database of this run instead of the station's", "FILE|URL", "");
+  parser.addOption({QStringLiteral("kiosk"), QStringLiteral("Full screen at a station, nothing else")});
   parser.addOption({QStringLiteral("scene-only"), QStringLiteral("Picture without panels")});
   parser.addOption({QStringLiteral("lattice"), QStringLiteral("Show ridges and sections")});
   parser.addOption({QStringLiteral("wireframe"), QStringLiteral("Show edges")});
@@ -143,6 +150,11 @@ WindowOptions parse(const QStringList& arguments) {
     const bool dark = wordOf(parser, QStringLiteral("theme"), {"light", "dark"}) == QLatin1String("dark");
     options.theme = dark ? ThemeKind::kDark : ThemeKind::kLight;
   }
+  options.kiosk = parser.isSet(QStringLiteral("kiosk"));
+  options.database = parser.value(QStringLiteral("database"));
+  for (const char* option : {"organ", "pattern", "formulation", "screenshot", "frame-rate"}) {
+    options.simulator = options.simulator || parser.isSet(QLatin1String(option));
+  }
   if (parser.isSet(QStringLiteral("frame-rate")))
     options.rateOver_s = numberOf(parser, QStringLiteral("frame-rate"));
   if (parser.isSet(QStringLiteral("screenshot")) || options.rateOver_s)
@@ -161,11 +173,9 @@ void requireAnyDisplay() {
 #endif
 }
 
-ThemeKind preferredTheme() {
-  const QSettings settings;
-  const bool systemIsDark = QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
-  const bool dark = settings.value(QStringLiteral("view/dark"), systemIsDark).toBool();
-  return dark ? ThemeKind::kDark : ThemeKind::kLight;
+/// Asked before the application gets a palette of ours.
+bool systemIsDark() {
+  return QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
 }
 
 TrialRecording ownTrialFiles() {
@@ -173,27 +183,14 @@ TrialRecording ownTrialFiles() {
   return trialFiles((data + QStringLiteral("/trials")).toStdString());
 }
 
-}  // namespace
-
-int runWindow(int argc, char** argv) {
-  return runWindow(argc, argv, ownTrialFiles);
-}
-
-int runWindow(int argc, char** argv, const std::function<TrialRecording()>& recording) {
-  requireAnyDisplay();
-  QQuickWindow::setGraphicsApi(QSGRendererInterface::OpenGL);
-  QApplication::setApplicationName(QStringLiteral("torsio"));
-  QApplication::setApplicationDisplayName(QStringLiteral("Torsio"));
-  QApplication::setOrganizationName(QStringLiteral("torsio"));
-  QApplication::setApplicationVersion(QString::fromStdString(softwareVersion()));
-  QApplication application(argc, argv);
-  const WindowOptions options = parse(QApplication::arguments());
-
+/// One picture, a rate, or the bare simulator with an organ of the user's choice: no record, no sign-in.
+int runSimulator(const WindowOptions& options) {
   WindowSetup setup;
   setup.assets = options.scene.assets;
   setup.remember = !options.screenshot.has_value();
-  setup.theme = options.theme.value_or(setup.remember ? preferredTheme() : ThemeKind::kLight);
-  setup.recording = recording();
+  const ThemeKind usual = setup.remember && systemIsDark() ? ThemeKind::kDark : ThemeKind::kLight;
+  setup.theme = options.theme.value_or(usual);
+  setup.recording = ownTrialFiles();
   if (options.rateOver_s) {
     const double rate = measureFrameRate(setup, *options.screenshot, *options.rateOver_s);
     std::printf("%.1f frames/s\n", rate);
@@ -207,6 +204,40 @@ int runWindow(int argc, char** argv, const std::function<TrialRecording()>& reco
   window.show();
   window.controller().load(options.scene);
   return QApplication::exec();
+}
+
+int runShell(const WindowOptions& options) {
+  ShellSetup setup;
+  setup.assets = options.scene.assets;
+  setup.station = stationName();
+  setup.locator = options.database.isEmpty() ? QString::fromStdString(defaultDatabase()) : options.database;
+  setup.remember = options.database.isEmpty();
+  setup.groups = allPages();
+  setup.theme = options.theme;
+  setup.systemIsDark = systemIsDark();
+  setup.kiosk = options.kiosk;
+  ShellWindow window(setup);
+  if (setup.kiosk) {
+    window.showFullScreen();
+  } else {
+    window.QWidget::show();
+  }
+  window.start();
+  return QApplication::exec();
+}
+
+}  // namespace
+
+int runWindow(int argc, char** argv) {
+  requireAnyDisplay();
+  QQuickWindow::setGraphicsApi(QSGRendererInterface::OpenGL);
+  QApplication::setApplicationName(QStringLiteral("torsio"));
+  QApplication::setApplicationDisplayName(QStringLiteral("Torsio"));
+  QApplication::setOrganizationName(QStringLiteral("torsio"));
+  QApplication::setApplicationVersion(QString::fromStdString(softwareVersion()));
+  QApplication application(argc, argv);
+  const WindowOptions options = parse(QApplication::arguments());
+  return options.simulator ? runSimulator(options) : runShell(options);
 }
 
 }  // namespace torsio::gui

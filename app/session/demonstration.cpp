@@ -194,13 +194,25 @@ class Demonstration {
   DemonstrationSummary summary_;
 };
 
+void requireShortening(const DemonstrationOptions& options) {
+  if (options.shortening >= 1 && options.shortening <= 600) return;
+  throw Error(ErrorCode::kBadParameter, "the shortening must lie between 1 and 600",
+              std::to_string(options.shortening), "Give 60 for twenty seconds a phase");
+}
+
 }  // namespace
 
+DemonstrationSummary fillDemonstration(const DemonstrationOptions& options, Connection& connection) {
+  requireShortening(options);
+  Transaction transaction(connection);
+  Demonstration demonstration(options, connection);
+  static_cast<void>(demonstration.run());
+  transaction.commit();
+  return demonstration.summary();
+}
+
 DemonstrationSummary runDemonstration(const DemonstrationOptions& options) {
-  if (options.shortening < 1 || options.shortening > 600) {
-    throw Error(ErrorCode::kBadParameter, "the shortening must lie between 1 and 600",
-                std::to_string(options.shortening), "Give 60 for twenty seconds a phase");
-  }
+  requireShortening(options);
   ensureFolder(options.out);
   DemonstrationSummary summary;
   TemporaryDatabase database(options.out / "torsio.sqlite");

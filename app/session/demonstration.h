@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/session/progress.h"
+#include "db/connection/connection.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
@@ -41,5 +42,9 @@ struct DemonstrationSummary {
 /// evaluation, write report and table. Same options, same numbers. Needs a QApplication (charts). Throws
 /// Error; then none of the three files has been replaced.
 DemonstrationSummary runDemonstration(const DemonstrationOptions& options);
+
+/// The same people, trials and marks into a record that exists: a centre that wants something to try things
+/// out on. `options.out` is not used; no report is written. All or nothing. Throws Error, DbError.
+DemonstrationSummary fillDemonstration(const DemonstrationOptions& options, Connection& connection);
 
 }  // namespace torsio

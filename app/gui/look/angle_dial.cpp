@@ -31,13 +31,19 @@ void drawArc(QPainter& painter, const QRectF& box, double from_deg, double span_
 }  // namespace
 
 AngleDial::AngleDial(QWidget* parent) : QWidget(parent), theme_(&theme(ThemeKind::kLight)) {
-  setAccessibleName(tr("Twist angle"));
+  retranslate();
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   describe();
 }
 
 QSize AngleDial::sizeHint() const {
   return {kDiameter + 16, kDiameter + 8};
+}
+
+void AngleDial::retranslate() {
+  setAccessibleName(tr("Twist angle"));
+  describe();
+  update();
 }
 
 void AngleDial::setTheme(const Theme& theme) {

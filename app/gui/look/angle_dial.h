@@ -15,6 +15,7 @@ class AngleDial : public QWidget {
  public:
   explicit AngleDial(QWidget* parent = nullptr);
 
+  void retranslate();
   void setTheme(const Theme& theme);
   void setTarget(double target_rad, double tolerance_rad);
   void setAngle(double angle_rad);

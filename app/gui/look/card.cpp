@@ -8,14 +8,20 @@
 
 namespace torsio::gui {
 
-Card::Card(const QString& title, QWidget* parent) : QFrame(parent), content_(new QVBoxLayout(this)) {
+Card::Card(const QString& title, QWidget* parent)
+    : QFrame(parent), content_(new QVBoxLayout(this)), heading_(new QLabel(this)) {
   setObjectName(QStringLiteral("card"));
-  setAccessibleName(title);
   content_->setContentsMargins(2 * kSpace, kSpace + 2, 2 * kSpace, kSpace + 2);
   content_->setSpacing(kSpace - 2);
-  auto* heading = new QLabel(title, this);
-  heading->setObjectName(QStringLiteral("cardTitle"));
-  content_->addWidget(heading);
+  heading_->setObjectName(QStringLiteral("cardTitle"));
+  content_->addWidget(heading_);
+  setTitle(title);
+}
+
+void Card::setTitle(const QString& title) {
+  setAccessibleName(title);
+  heading_->setText(title);
+  heading_->setVisible(!title.isEmpty());
 }
 
 }  // namespace torsio::gui

@@ -4,6 +4,7 @@
 #include <QFrame>
 #include <QString>
 
+class QLabel;
 class QVBoxLayout;
 
 namespace torsio::gui {
@@ -14,11 +15,13 @@ class Card : public QFrame {
 
  public:
   explicit Card(const QString& title, QWidget* parent = nullptr);
+  void setTitle(const QString& title);
   /// Where the content goes, below the title.
   [[nodiscard]] QVBoxLayout* content() const noexcept { return content_; }
 
  private:
   QVBoxLayout* content_;
+  QLabel* heading_;
 };
 
 }  // namespace torsio::gui

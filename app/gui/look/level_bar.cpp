@@ -27,6 +27,14 @@ QSize LevelBar::sizeHint() const {
   return {200, fontMetrics().height() + 6 + static_cast<int>(kBar) + 6};
 }
 
+void LevelBar::setName(const QString& name, const QString& unit) {
+  name_ = name;
+  unit_ = unit;
+  setAccessibleName(name);
+  describe();
+  update();
+}
+
 void LevelBar::setTheme(const Theme& theme) {
   theme_ = &theme;
   update();

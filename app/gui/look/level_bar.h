@@ -17,6 +17,8 @@ class LevelBar : public QWidget {
   /// `decimals`: of the figure.
   LevelBar(const QString& name, const QString& unit, int decimals, QWidget* parent = nullptr);
 
+  /// In the present language.
+  void setName(const QString& name, const QString& unit);
   void setTheme(const Theme& theme);
   /// The bar ends a little beyond the limit; a limit of 0 means none is known.
   void setLimit(double limit);

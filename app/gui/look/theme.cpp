@@ -207,9 +207,10 @@ QToolTip { background: %surface; color: %text; border: 1px solid %border; paddin
   sheet.replace(QLatin1String("%chevron"), dark ? QLatin1String(":/torsio/icons/chevron-dark.svg")
                                                 : QLatin1String(":/torsio/icons/chevron-light.svg"));
   const std::pair<const char*, QColor> colours[] = {
-      {"%window", t.window},     {"%surface", t.surface}, {"%raised", t.raised},       {"%line", t.line},
-      {"%border", t.border},     {"%text", t.text},       {"%quietText", t.quietText}, {"%accent", t.accent},
-      {"%onAccent", t.onAccent}, {"%track", t.track},     {"%good", t.good},           {"%caution", t.caution},
+      {"%window", t.window},       {"%surface", t.surface}, {"%raised", t.raised},
+      {"%line", t.line},           {"%border", t.border},   {"%text", t.text},
+      {"%quietText", t.quietText}, {"%accent", t.accent},   {"%onAccent", t.onAccent},
+      {"%track", t.track},         {"%good", t.good},       {"%caution", t.caution},
   };
 
   for (const auto& [name, colour] : colours) sheet.replace(QLatin1String(name), colour.name());
@@ -235,7 +236,8 @@ void applyTheme(QApplication& application, const Theme& chosen) {
   font.setPointSizeF(kBodyText_pt);
   // Chinese characters in their simplified shapes, whatever else the machine has.
   QStringList families{font.families().isEmpty() ? font.family() : font.families().front()};
-  for (const char* family : {"Noto Sans CJK SC", "Microsoft YaHei", "PingFang SC"}) families << QLatin1String(family);
+  for (const char* family : {"Noto Sans CJK SC", "Microsoft YaHei", "PingFang SC"})
+    families << QLatin1String(family);
   font.setFamilies(families);
   application.setFont(font);
   application.setPalette(paletteOf(chosen));

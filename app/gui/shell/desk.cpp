@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/shell/desk.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QActionGroup>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/gui/look/icons.h"
+#include "app/gui/shell/job_panel.h"
+#include "app/gui/shell/problem_panel.h"
+#include "app/gui/shell/rail.h"
+#include "app/gui/shell/toast.h"
+#include "app/session/access/access_service.h"
+
+namespace torsio::gui {
+
+namespace {
+
+QToolButton* headerButton(QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setIconSize({20, 20});
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
+/// Which of the groups (training, review, office) an actor's home is in.
+std::size_t homeGroup(const Actor& actor) {
+  switch (homeOf(actor)) {
+    case Home::kReview:
+      return 1;
+    case Home::kOffice:
+      return 2;
+    case Home::kStation:
+      break;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Desk::Desk(Workplace& workplace, const DeskSetup& setup, QWidget* parent)
+    : QWidget(parent), context_(workplace, setup.assets, setup.theme), setup_(setup) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  createRail(setup.groups);
+  row->addWidget(rail_);
+  auto* column = new QVBoxLayout;
+  column->setSpacing(0);
+  column->addWidget(createHeader());
+  column->addWidget(createBody(), 1);
+  row->addLayout(column, 1);
+  connectContext();
+  setLanguage(setup.language);
+  retranslate();
+  applyColours(setup.theme);
+}
+
+Desk::~Desk() {
+  context_.cancelJobs();
+  disconnect(&context_, nullptr, this, nullptr);
+  // Pages refer to the context: they go first, wherever they stand in the tree of widgets.
+  for (const auto& [id, page] : made_) delete page;
+}
+
+bool Desk::allowed(const PageEntry& entry) const {
+  const Workplace& workplace = context_.workplace();
+  // A guest is nobody: whoever sits down may practise, and nothing else.
+  const bool guest = workplace.actor().practiceOnly && workplace.actor().userId.empty();
+  return std::all_of(entry.needs.begin(), entry.needs.end(), [&](Operation operation) {
+    return guest ? operation == Operation::kPractice : workplace.may(operation);
+  });
+}
+
+void Desk::createRail(const std::vector<PageGroup>& groups) {
+  std::vector<RailGroup> shown;
+  const std::size_t own = homeGroup(context_.workplace().actor());
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    RailGroup group{groups[g].title, {}};
+    for (const PageEntry& entry : groups[g].pages) {
+      if (!allowed(entry)) continue;
+      entries_.emplace(entry.id, entry);
+      if (entry.icon.isEmpty()) continue;
+      order_.push_back(entry.id);
+      group.items.push_back({entry.id, entry.icon, entry.title});
+      if (home_.isEmpty() && g == own) home_ = entry.id;
+    }
+    if (!group.items.empty()) shown.push_back(std::move(group));
+  }
+  if (home_.isEmpty() && !order_.empty()) home_ = order_.front();
+  rail_ = new Rail(shown, this);
+  connect(rail_, &Rail::chosen, this, [this](const QString& id) { open(id); });
+}
+
+QWidget* Desk::createHeader() {
+  auto* header = new QFrame(this);
+  header->setObjectName(QStringLiteral("header"));
+  auto* row = new QHBoxLayout(header);
+  row->setContentsMargins(3 * kSpace, kSpace, kSpace, kSpace);
+  row->setSpacing(kSpace);
+  title_ = new QLabel(header);
+  title_->setProperty("heading", true);
+  practiceSign_ = new QLabel(header);
+  practiceSign_->setProperty("caution", true);
+  practiceSign_->setVisible(context_.workplace().actor().practiceOnly);
+  centre_ = new QLabel(setup_.centre, header);
+  centre_->setProperty("quiet", true);
+  row->addWidget(title_);
+  row->addSpacing(kSpace);
+  row->addWidget(practiceSign_);
+  row->addStretch(1);
+  row->addWidget(centre_);
+  row->addSpacing(kSpace);
+  language_ = headerButton(header);
+  theme_ = headerButton(header);
+  help_ = headerButton(header);
+  user_ = headerButton(header);
+  signOut_ = headerButton(header);
+  language_->setPopupMode(QToolButton::InstantPopup);
+  language_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  user_->setPopupMode(QToolButton::InstantPopup);
+  user_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  signOut_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  languages_ = new QMenu(language_);
+  auto* group = new QActionGroup(languages_);
+  for (const Language language : {Language::kEnglish, Language::kSimplifiedChinese}) {
+    QAction* action = languages_->addAction(languageName(language));
+    action->setCheckable(true);
+    action->setData(static_cast<int>(language));
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, language] { Q_EMIT languageWanted(language); });
+  }
+  language_->setMenu(languages_);
+  userMenu_ = new QMenu(user_);
+  user_->setMenu(userMenu_);
+  for (QToolButton* button : {language_, theme_, help_, user_, signOut_}) row->addWidget(button);
+  connect(theme_, &QToolButton::clicked, this, [this] {
+    Q_EMIT themeWanted(context_.themeKind() == ThemeKind::kDark ? ThemeKind::kLight : ThemeKind::kDark);
+  });
+  connect(help_, &QToolButton::clicked, this, &Desk::shortcutsWanted);
+  connect(signOut_, &QToolButton::clicked, this, &Desk::signOutWanted);
+  return header;
+}
+
+QWidget* Desk::createBody() {
+  auto* body = new QWidget(this);
+  auto* column = new QVBoxLayout(body);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* notes = new QVBoxLayout;
+  notes->setSpacing(kSpace);
+  problem_ = new ProblemPanel(body);
+  problem_->hide();
+  job_ = new JobPanel(body);
+  stack_ = new QStackedWidget(body);
+  for (QWidget* note : {static_cast<QWidget*>(problem_), static_cast<QWidget*>(job_)}) {
+    auto* frame = new QHBoxLayout;
+    frame->setContentsMargins(2 * kSpace, kSpace, 2 * kSpace, 0);
+    frame->addWidget(note);
+    column->addLayout(frame);
+  }
+  column->addWidget(stack_, 1);
+  toast_ = new Toast(body);
+  return body;
+}
+
+void Desk::connectContext() {
+  connect(&context_, &ShellContext::pageWanted, this,
+          [this](const QString& id, const QVariant& argument) { open(id, argument); });
+  connect(&context_, &ShellContext::noticed, toast_, &Toast::say);
+  connect(&context_, &ShellContext::failed, problem_, &ProblemPanel::tell);
+  connect(&context_, &ShellContext::themeChanged, this, &Desk::applyColours);
+  connect(&context_, &ShellContext::jobStarted, job_, &JobPanel::begin);
+  connect(&context_, &ShellContext::jobMoved, job_, &JobPanel::move);
+  connect(&context_, &ShellContext::jobEnded, this, [this] {
+    if (!context_.working()) job_->end();
+  });
+  connect(job_, &JobPanel::cancelled, this, [this] { context_.cancelJobs(); });
+}
+
+std::vector<QString> Desk::pageIds() const {
+  return order_;
+}
+
+Page* Desk::pageFor(const QString& id) {
+  if (const auto found = made_.find(id); found != made_.end()) return found->second;
+  Page* page = entries_.at(id).make(context_);
+  page->retranslate();
+  page->applyTheme(theme(context_.themeKind()));
+  stack_->addWidget(page);
+  made_.emplace(id, page);
+  return page;
+}
+
+bool Desk::open(const QString& id, const QVariant& argument) {
+  if (!entries_.contains(id)) {
+    context_.notify(tr("This page is not open to you"));
+    return false;
+  }
+  if (id != currentId_ && current_ != nullptr) {
+    if (busy()) {
+      context_.notify(tr("A run is going on. Finish or stop it first"));
+      return false;
+    }
+    if (!current_->leave()) return false;
+  }
+  try {
+    Page* page = pageFor(id);
+    current_ = page;
+    currentId_ = id;
+    stack_->setCurrentWidget(page);
+    title_->setText(entries_.at(id).title());
+    rail_->setCurrent(id);
+    problem_->hide();
+    page->enter(argument);
+  } catch (...) {
+    context_.report(std::current_exception());
+  }
+  return currentId_ == id;
+}
+
+void Desk::openHome() {
+  if (!home_.isEmpty()) open(home_);
+}
+
+bool Desk::busy() const {
+  return current_ != nullptr && current_->busy();
+}
+
+bool Desk::mayLeave() {
+  if (busy()) {
+    context_.notify(tr("A run is going on. Finish or stop it first"));
+    return false;
+  }
+  if (context_.working()) {
+    context_.notify(tr("Work is going on. Wait for it, or cancel it"));
+    return false;
+  }
+  return current_ == nullptr || current_->leave();
+}
+
+void Desk::setLanguage(Language language) {
+  setup_.language = language;
+  language_->setText(languageName(language));
+  for (QAction* action : languages_->actions()) {
+    action->setChecked(action->data().toInt() == static_cast<int>(language));
+  }
+}
+
+void Desk::setThemeKind(ThemeKind kind) {
+  context_.setThemeKind(kind);
+}
+
+void Desk::applyColours(ThemeKind kind) {
+  const Theme& colours = theme(kind);
+  rail_->setTheme(colours);
+  problem_->setTheme(colours);
+  language_->setIcon(icon(QStringLiteral("language"), colours));
+  theme_->setIcon(icon(QStringLiteral("theme"), colours));
+  help_->setIcon(icon(QStringLiteral("help"), colours));
+  user_->setIcon(icon(QStringLiteral("user"), colours));
+  signOut_->setIcon(icon(QStringLiteral("sign-out"), colours));
+  for (const auto& [id, page] : made_) page->applyTheme(colours);
+}
+
+void Desk::retranslate() {
+  const Actor& actor = context_.workplace().actor();
+  language_->setToolTip(tr("Language"));
+  language_->setAccessibleName(tr("Language"));
+  theme_->setToolTip(tr("Light or dark colours"));
+  theme_->setAccessibleName(theme_->toolTip());
+  help_->setToolTip(tr("Keys and help (F1)"));
+  help_->setAccessibleName(help_->toolTip());
+  user_->setText(actor.userId.empty() ? tr("Guest") : QString::fromStdString(actor.login));
+  user_->setToolTip(tr("Your account"));
+  user_->setAccessibleName(tr("Your account"));
+  signOut_->setText(actor.userId.empty() ? tr("End") : tr("Sign out"));
+  practiceSign_->setText(tr("Practice: nothing is recorded"));
+  userMenu_->clear();
+  if (!actor.practiceOnly) {
+    userMenu_->addAction(tr("Change password\u2026"), this, &Desk::passwordChangeWanted);
+    if (context_.workplace().may(Operation::kPractice)) {
+      userMenu_->addAction(tr("PIN for practice\u2026"), this, &Desk::pinWanted);
+    }
+    userMenu_->addAction(tr("Lock now"), QKeySequence(QStringLiteral("Ctrl+Alt+L")), this, &Desk::lockWanted);
+    userMenu_->addSeparator();
+  }
+  userMenu_->addAction(tr("About Torsio"), this, &Desk::aboutWanted);
+  rail_->retranslate();
+  if (const auto entry = entries_.find(currentId_); entry != entries_.end()) {
+    title_->setText(entry->second.title());
+  }
+}
+
+void Desk::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) retranslate();
+  QWidget::changeEvent(event);
+}
+
+}  // namespace torsio::gui

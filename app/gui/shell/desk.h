@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <vector>
+
+#include <QString>
+#include <QVariant>
+#include <QWidget>
+
+#include "app/gui/shell/language.h"
+#include "app/gui/shell/page.h"
+#include "app/gui/shell/shell_context.h"
+
+class QLabel;
+class QMenu;
+class QStackedWidget;
+class QToolButton;
+
+namespace torsio::gui {
+
+class JobPanel;
+class ProblemPanel;
+class Rail;
+class Toast;
+
+/// Pages of one line of work: training, review, office.
+struct PageGroup {
+  std::function<QString()> title;
+  std::vector<PageEntry> pages;
+};
+
+struct DeskSetup {
+  std::filesystem::path assets;
+  QString centre;
+  Language language = Language::kEnglish;
+  ThemeKind theme = ThemeKind::kLight;
+  bool kiosk = false;
+  std::vector<PageGroup> groups;  ///< everybody's; the desk keeps what the actor may open
+};
+
+/// What a signed-in person works at: navigation, header, and one page at a time. It dies with the sign-out,
+/// and with it everything that was on it.
+class Desk : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `workplace` outlives the desk.
+  Desk(Workplace& workplace, const DeskSetup& setup, QWidget* parent = nullptr);
+  ~Desk() override;
+
+  [[nodiscard]] ShellContext& context() noexcept { return context_; }
+  [[nodiscard]] Page* page() const noexcept { return current_; }
+  [[nodiscard]] const QString& pageId() const noexcept { return currentId_; }
+  /// Ids the actor may open, in the order of the navigation; the first one of the actor's own work is home.
+  [[nodiscard]] std::vector<QString> pageIds() const;
+
+  /// False: the present page is busy or not finished (the user has been told), or the page is not the
+  /// actor's.
+  bool open(const QString& id, const QVariant& argument = {});
+  void openHome();
+  /// A scored run goes on: no lock, no sign-out, no closing.
+  [[nodiscard]] bool busy() const;
+  /// Whether the desk may be left now; says why not.
+  [[nodiscard]] bool mayLeave();
+
+  /// Marks the chosen language and theme in the header; the colours of all pages follow.
+  void setLanguage(Language language);
+  void setThemeKind(ThemeKind kind);
+  [[nodiscard]] Rail& rail() noexcept { return *rail_; }
+
+ Q_SIGNALS:
+  void signOutWanted();
+  void lockWanted();
+  void passwordChangeWanted();
+  void pinWanted();
+  void languageWanted(torsio::gui::Language language);
+  void themeWanted(torsio::gui::ThemeKind kind);
+  void shortcutsWanted();
+  void aboutWanted();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  [[nodiscard]] bool allowed(const PageEntry& entry) const;
+  void createRail(const std::vector<PageGroup>& groups);
+  QWidget* createHeader();
+  QWidget* createBody();
+  void connectContext();
+  void retranslate();
+  void applyColours(ThemeKind kind);
+  Page* pageFor(const QString& id);
+
+  ShellContext context_;
+  DeskSetup setup_;
+  std::map<QString, PageEntry> entries_;
+  std::vector<QString> order_;
+  QString home_;
+  std::map<QString, Page*> made_;
+  Page* current_ = nullptr;
+  QString currentId_;
+
+  Rail* rail_ = nullptr;
+  QLabel* title_ = nullptr;
+  QLabel* centre_ = nullptr;
+  QLabel* practiceSign_ = nullptr;
+  QToolButton* language_ = nullptr;
+  QToolButton* theme_ = nullptr;
+  QToolButton* help_ = nullptr;
+  QToolButton* user_ = nullptr;
+  QToolButton* signOut_ = nullptr;
+  QMenu* languages_ = nullptr;
+  QMenu* userMenu_ = nullptr;
+  QStackedWidget* stack_ = nullptr;
+  ProblemPanel* problem_ = nullptr;
+  JobPanel* job_ = nullptr;
+  Toast* toast_ = nullptr;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QString>
+#include <QWidget>
+
+#include "app/gui/shell/language.h"
+#include "app/session/access/first_run.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QRadioButton;
+class QStackedWidget;
+
+namespace torsio::gui {
+
+class Background;
+class JobPanel;
+
+/// What the wizard was told.
+struct FirstRunChoice {
+  FirstRun first;
+  QString locator;  ///< of the database
+};
+
+/// The first start of a centre, in four short steps: language and centre, first administrator, database,
+/// demonstration cohort. Nothing is made before the last button; the start passwords of the demonstration are
+/// shown once.
+class FirstRunPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `defaultFile`: where an embedded database would lie.
+  explicit FirstRunPanel(const QString& defaultFile, QWidget* parent = nullptr);
+  ~FirstRunPanel() override;
+
+  [[nodiscard]] JobPanel& job() noexcept { return *job_; }
+  void setLanguage(Language language);
+  void setWorking(bool working);
+  /// After success: the accounts with their start passwords, once. Without any the panel is done at once.
+  void showAccounts(const std::vector<StartAccount>& accounts);
+  /// Under the buttons: what is missing, or what went wrong.
+  void say(const QString& sentence);
+
+ Q_SIGNALS:
+  void languageWanted(torsio::gui::Language language);
+  void chosen(const torsio::gui::FirstRunChoice& choice);
+  void done();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  QWidget* createCentreStep();
+  QWidget* createAdministratorStep();
+  QWidget* createDatabaseStep();
+  QWidget* createDemonstrationStep();
+  QWidget* createAccountsStep();
+  void go(int step);
+  void next();
+  /// Empty when the present step is complete; else what is missing.
+  [[nodiscard]] QString missing() const;
+  [[nodiscard]] QString locator() const;
+  void chooseFile();
+  void testDatabase();
+  void showEngine();
+  void retranslate();
+  void retranslateDatabase();
+
+  Background* background_;
+  QStackedWidget* steps_;
+  JobPanel* job_;
+  QLabel* step_;
+  QLabel* heading_;
+  QLabel* why_;
+  QLabel* answer_;
+  QPushButton* back_;
+  QPushButton* next_;
+  bool working_ = false;
+
+  QLabel* languageLabel_ = nullptr;
+  QComboBox* language_ = nullptr;
+  QLabel* centreLabel_ = nullptr;
+  QLineEdit* centre_ = nullptr;
+
+  QLabel* loginLabel_ = nullptr;
+  QLineEdit* login_ = nullptr;
+  QLabel* passwordLabel_ = nullptr;
+  QLineEdit* password_ = nullptr;
+  QLabel* againLabel_ = nullptr;
+  QLineEdit* again_ = nullptr;
+
+  QRadioButton* file_ = nullptr;
+  QLabel* fileNote_ = nullptr;
+  QLineEdit* path_ = nullptr;
+  QPushButton* choose_ = nullptr;
+  QRadioButton* server_ = nullptr;
+  QLabel* serverNote_ = nullptr;
+  QLineEdit* address_ = nullptr;
+  QPushButton* test_ = nullptr;
+
+  QRadioButton* without_ = nullptr;
+  QLabel* withoutNote_ = nullptr;
+  QRadioButton* with_ = nullptr;
+  QLabel* withNote_ = nullptr;
+
+  QLabel* accounts_ = nullptr;
+  QPushButton* copy_ = nullptr;
+};
+
+}  // namespace torsio::gui

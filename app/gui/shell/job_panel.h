@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+#include <QString>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace torsio::gui {
+
+/// "12 s left", "3 min left"; empty while `remaining_s` is negative (not known).
+[[nodiscard]] QString timeLeft(double remaining_s);
+
+/// A long piece of work: its name, what it does now, how far it is, how long it still takes, and a way to
+/// give it up.
+class JobPanel : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit JobPanel(QWidget* parent = nullptr);
+
+  void begin(const QString& title);
+  void move(const QString& step, double fraction, double remaining_s);
+  void end();
+
+ Q_SIGNALS:
+  void cancelled();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void retranslate();
+  QLabel* title_;
+  QLabel* step_;
+  QLabel* left_;
+  QProgressBar* bar_;
+  QPushButton* cancel_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/shell/password_panel.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/look/form.h"
+#include "app/gui/look/theme.h"
+#include "app/session/access/access_service.h"
+#include "sim/base/error.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kCardWidth = 460;
+
+}  // namespace
+
+PasswordPanel::PasswordPanel(QWidget* parent) : QWidget(parent) {
+  QVBoxLayout* column = centredCard(this, kCardWidth);
+  heading_ = new QLabel(this);
+  heading_->setProperty("heading", true);
+  why_ = sentence(this);
+  old_ = secretField(this);
+  new_ = secretField(this);
+  again_ = secretField(this);
+  column->addWidget(heading_);
+  column->addWidget(why_);
+  column->addSpacing(kSpace);
+  oldLabel_ = fieldAbove(column, old_);
+  newLabel_ = fieldAbove(column, new_);
+  againLabel_ = fieldAbove(column, again_);
+  answer_ = sentence(this, false);
+  column->addWidget(answer_);
+  column->addSpacing(kSpace);
+  back_ = linkButton(this);
+  save_ = primaryButton(this);
+  auto* row = new QHBoxLayout;
+  row->addWidget(back_);
+  row->addStretch(1);
+  row->addWidget(save_);
+  column->addLayout(row);
+  for (QLineEdit* field : {old_, new_, again_}) {
+    connect(field, &QLineEdit::textChanged, this, &PasswordPanel::check);
+    connect(field, &QLineEdit::returnPressed, this, &PasswordPanel::submit);
+  }
+  connect(save_, &QPushButton::clicked, this, &PasswordPanel::submit);
+  connect(back_, &QPushButton::clicked, this, &PasswordPanel::givenUp);
+  retranslate();
+}
+
+void PasswordPanel::begin(const QString& login, const QString& oldPassword, bool forced) {
+  login_ = login;
+  known_ = oldPassword;
+  forced_ = forced;
+  for (QLineEdit* field : {old_, new_, again_}) field->clear();
+  oldLabel_->setVisible(known_.isEmpty());
+  old_->setVisible(known_.isEmpty());
+  retranslate();
+  check();
+  (known_.isEmpty() ? old_ : new_)->setFocus();
+}
+
+void PasswordPanel::say(const QString& text) {
+  setLook(answer_, "caution", !text.isEmpty());
+  answer_->setText(text);
+}
+
+void PasswordPanel::setWorking(bool working) {
+  working_ = working;
+  check();
+}
+
+void PasswordPanel::check() {
+  QString problem;
+  bool sound = false;
+  const QString password = new_->text();
+  if (!password.isEmpty()) {
+    try {
+      checkPassword(password.toStdString(), login_.toStdString());
+      sound = again_->text() == password;
+      if (!again_->text().isEmpty() && !sound) problem = tr("The two are not the same yet");
+    } catch (const Error& error) {
+      problem =
+          tr("%1. %2").arg(QString::fromStdString(error.happened()), QString::fromStdString(error.remedy()));
+      problem[0] = problem[0].toUpper();
+    }
+  }
+  say(problem);
+  save_->setEnabled(sound && !working_ && (!known_.isEmpty() || !old_->text().isEmpty()));
+}
+
+void PasswordPanel::submit() {
+  if (!save_->isEnabled()) return;
+  const QString old = known_.isEmpty() ? old_->text() : known_;
+  Q_EMIT chosen(login_, old, new_->text());
+}
+
+void PasswordPanel::retranslate() {
+  heading_->setText(tr("Choose a new password"));
+  why_->setText(
+      forced_ ? tr("Your password was set by somebody else. Choose one that only you know: at least fifteen "
+                   "characters, a short sentence for example.")
+              : tr("At least fifteen characters, a short sentence for example. Nothing else is asked for."));
+  nameField(oldLabel_, tr("&Present password"));
+  nameField(newLabel_, tr("&New password"));
+  nameField(againLabel_, tr("The same &again"));
+  back_->setText(forced_ ? tr("Back to the sign-in") : tr("Cancel"));
+  save_->setText(tr("Save password"));
+}
+
+void PasswordPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) {
+    retranslate();
+    check();
+  }
+  QWidget::changeEvent(event);
+}
+
+}  // namespace torsio::gui

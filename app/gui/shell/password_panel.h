@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace torsio::gui {
+
+/// A new password for oneself: forced after the first sign-in and after a reset, or wished from the user
+/// menu. Length counts; the reason of a refusal is said while typing.
+class PasswordPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PasswordPanel(QWidget* parent = nullptr);
+
+  /// `oldPassword`: known already after a sign-in that forces the change; else empty, and asked for.
+  void begin(const QString& login, const QString& oldPassword, bool forced);
+  void say(const QString& sentence);
+  void setWorking(bool working);
+
+ Q_SIGNALS:
+  void chosen(const QString& login, const QString& oldPassword, const QString& newPassword);
+  void givenUp();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void check();
+  void submit();
+  void retranslate();
+
+  QString login_;
+  QString known_;
+  bool forced_ = true;
+  bool working_ = false;
+  QLabel* heading_;
+  QLabel* why_;
+  QLabel* oldLabel_;
+  QLabel* newLabel_;
+  QLabel* againLabel_;
+  QLineEdit* old_;
+  QLineEdit* new_;
+  QLineEdit* again_;
+  QLabel* answer_;
+  QPushButton* save_;
+  QPushButton* back_;
+};
+
+}  // namespace torsio::gui

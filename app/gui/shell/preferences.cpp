@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/shell/preferences.h"
+
+#include <QSettings>
+
+namespace torsio::gui {
+
+namespace {
+
+QString keyFor(const QString& userId, const char* name) {
+  return userId.isEmpty() ? QStringLiteral("station/%1").arg(QLatin1String(name))
+                          : QStringLiteral("users/%1/%2").arg(userId, QLatin1String(name));
+}
+
+}  // namespace
+
+QVariant Preferences::read(const QString& key) const {
+  return remember_ ? QSettings().value(key) : QVariant();
+}
+
+void Preferences::write(const QString& key, const QVariant& value) const {
+  if (remember_) QSettings().setValue(key, value);
+}
+
+std::optional<Language> Preferences::language(const QString& userId) const {
+  return languageOf(read(keyFor(userId, "language")).toString());
+}
+
+void Preferences::setLanguage(const QString& userId, Language language) {
+  write(keyFor(userId, "language"), languageCode(language));
+}
+
+std::optional<ThemeKind> Preferences::themeKind(const QString& userId) const {
+  const QString name = read(keyFor(userId, "theme")).toString();
+  if (name == QLatin1String("dark")) return ThemeKind::kDark;
+  if (name == QLatin1String("light")) return ThemeKind::kLight;
+  return std::nullopt;
+}
+
+void Preferences::setThemeKind(const QString& userId, ThemeKind kind) {
+  write(keyFor(userId, "theme"), kind == ThemeKind::kDark ? QStringLiteral("dark") : QStringLiteral("light"));
+}
+
+QString Preferences::database() const {
+  return read(QStringLiteral("station/database")).toString();
+}
+
+void Preferences::setDatabase(const QString& locator) {
+  write(QStringLiteral("station/database"), locator);
+}
+
+QVariant Preferences::layout(const QString& name) const {
+  return read(QStringLiteral("layout/%1").arg(name));
+}
+
+void Preferences::setLayout(const QString& name, const QVariant& value) {
+  write(QStringLiteral("layout/%1").arg(name), value);
+}
+
+}  // namespace torsio::gui

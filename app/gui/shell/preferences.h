@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <QString>
+#include <QVariant>
+
+#include "app/gui/look/theme.h"
+#include "app/gui/shell/language.h"
+
+namespace torsio::gui {
+
+/// What this station remembers for itself and, under an opaque user id, for each person who sits down at it:
+/// language, theme, layout, and which database is used. Never a name, never a secret.
+class Preferences {
+ public:
+  /// `remember` off (tests, pictures): nothing is read or written.
+  explicit Preferences(bool remember) : remember_(remember) {}
+
+  /// Empty user id: the station's own choice, which everybody begins with.
+  [[nodiscard]] std::optional<Language> language(const QString& userId) const;
+  void setLanguage(const QString& userId, Language language);
+  [[nodiscard]] std::optional<ThemeKind> themeKind(const QString& userId) const;
+  void setThemeKind(const QString& userId, ThemeKind kind);
+
+  /// Locator of the database; empty: the default file.
+  [[nodiscard]] QString database() const;
+  void setDatabase(const QString& locator);
+
+  [[nodiscard]] QVariant layout(const QString& name) const;
+  void setLayout(const QString& name, const QVariant& value);
+
+ private:
+  [[nodiscard]] QVariant read(const QString& key) const;
+  void write(const QString& key, const QVariant& value) const;
+  bool remember_;
+};
+
+}  // namespace torsio::gui

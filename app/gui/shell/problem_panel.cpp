@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/shell/problem_panel.h"
+
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+
+#include "app/gui/look/icons.h"
+#include "app/gui/look/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kDetailLines = 4;
+
+QPushButton* linkButton(QWidget* parent) {
+  auto* button = new QPushButton(parent);
+  button->setProperty("link", true);
+  return button;
+}
+
+}  // namespace
+
+ProblemPanel::ProblemPanel(QWidget* parent)
+    : QFrame(parent),
+      sign_(new QLabel(this)),
+      happened_(new QLabel(this)),
+      remedy_(new QLabel(this)),
+      details_(new QPlainTextEdit(this)),
+      fold_(linkButton(this)),
+      copy_(linkButton(this)),
+      close_(linkButton(this)) {
+  setObjectName(QStringLiteral("problem"));
+  QFont bold = happened_->font();
+  bold.setWeight(QFont::DemiBold);
+  happened_->setFont(bold);
+  for (QLabel* label : {happened_, remedy_}) {
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    label->setTextFormat(Qt::PlainText);
+  }
+  details_->setReadOnly(true);
+  details_->setMaximumHeight(details_->fontMetrics().lineSpacing() * kDetailLines + 2 * kSpace);
+  details_->hide();
+
+  auto* texts = new QVBoxLayout;
+  texts->setSpacing(4);
+  texts->addWidget(happened_);
+  texts->addWidget(remedy_);
+  texts->addWidget(details_);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(2 * kSpace, kSpace, kSpace, kSpace);
+  row->setSpacing(kSpace + 4);
+  row->addWidget(sign_, 0, Qt::AlignTop);
+  row->addLayout(texts, 1);
+  for (QPushButton* button : {fold_, copy_, close_}) row->addWidget(button, 0, Qt::AlignTop);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+
+  connect(fold_, &QPushButton::clicked, this, [this] { showDetails(details_->isHidden()); });
+  connect(copy_, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(wholeText()); });
+  connect(close_, &QPushButton::clicked, this, &QWidget::hide);
+  retranslate();
+}
+
+void ProblemPanel::tell(const QString& happened, const QString& remedy, const QString& details) {
+  happened_->setText(happened);
+  remedy_->setText(remedy);
+  remedy_->setVisible(!remedy.isEmpty());
+  details_->setPlainText(details);
+  fold_->setVisible(!details.isEmpty());
+  showDetails(false);
+  setAccessibleDescription(wholeText());
+  setVisible(true);
+}
+
+void ProblemPanel::setClosable(bool closable) {
+  close_->setVisible(closable);
+}
+
+QString ProblemPanel::wholeText() const {
+  QStringList parts{happened_->text()};
+  for (const QString& part : {remedy_->text(), details_->toPlainText()}) {
+    if (!part.isEmpty()) parts << part;
+  }
+  return parts.join(QLatin1Char('\n'));
+}
+
+void ProblemPanel::setTheme(const Theme& theme) {
+  sign_->setPixmap(icon(QStringLiteral("warning"), theme.caution).pixmap(20, 20));
+}
+
+void ProblemPanel::showDetails(bool shown) {
+  details_->setVisible(shown);
+  fold_->setText(shown ? tr("Hide details") : tr("Details"));
+}
+
+void ProblemPanel::retranslate() {
+  setAccessibleName(tr("A problem"));
+  details_->setAccessibleName(tr("Details"));
+  copy_->setText(tr("Copy"));
+  close_->setText(tr("Close"));
+  showDetails(!details_->isHidden());
+}
+
+void ProblemPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) retranslate();
+  QFrame::changeEvent(event);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <QFrame>
+#include <QString>
+
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace torsio::gui {
+
+struct Theme;
+
+/// One line of the navigation.
+struct RailItem {
+  QString id;
+  QString icon;
+  std::function<QString()> title;
+};
+
+/// Lines that belong together; the heading is shown only when there are several groups.
+struct RailGroup {
+  std::function<QString()> title;
+  std::vector<RailItem> items;
+};
+
+/// The navigation at the left edge: icon and name of every page that the user may open. Narrow, it shows
+/// icons only and keeps the names as tool tips.
+class Rail : public QFrame {
+  Q_OBJECT
+
+ public:
+  Rail(const std::vector<RailGroup>& groups, QWidget* parent = nullptr);
+
+  /// Marks where the user is; unknown ids mark nothing.
+  void setCurrent(const QString& id);
+  void setNarrow(bool narrow);
+  [[nodiscard]] bool narrow() const noexcept { return narrow_; }
+  void setTheme(const Theme& theme);
+  void retranslate();
+
+ Q_SIGNALS:
+  void chosen(const QString& id);
+  void narrowChanged(bool narrow);
+
+ private:
+  struct Line {
+    RailItem item;
+    QPushButton* button;
+  };
+  struct Heading {
+    std::function<QString()> title;
+    QLabel* label;
+  };
+  void addLine(const RailItem& item, QVBoxLayout* column);
+
+  std::vector<Line> lines_;
+  std::vector<Heading> headings_;
+  QLabel* name_;
+  QPushButton* fold_;
+  QString current_;
+  bool narrow_ = false;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QWidget>
+
+#include "app/gui/shell/background.h"
+#include "app/gui/shell/desk.h"
+#include "app/gui/shell/first_run_panel.h"
+#include "app/gui/shell/language.h"
+#include "app/gui/shell/preferences.h"
+#include "app/session/access/access_service.h"
+
+class QStackedWidget;
+
+namespace torsio::gui {
+
+class LockPanel;
+class PasswordPanel;
+class ProblemPanel;
+class SignInPanel;
+class TroublePanel;
+
+/// What the program's window needs from outside.
+struct ShellSetup {
+  std::filesystem::path assets;
+  std::string station;
+  QString locator;  ///< of the database; the station's choice of the first run overrides it
+  std::vector<PageGroup> groups;
+  std::optional<ThemeKind> theme;  ///< given on the command line; nothing: the user's, else the role's
+  bool systemIsDark = false;
+  bool kiosk = false;
+  bool remember = true;
+  PasswordCost passwordCost = PasswordCost::kModerate;
+};
+
+/// The program's window: first run, sign-in, forced password change, the desk of whoever signed in, and the
+/// lock. One of them is shown at a time. Passwords are checked off the GUI thread.
+class ShellWindow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ShellWindow(const ShellSetup& setup);
+  ~ShellWindow() override;
+
+  /// Opens the database and shows the first screen.
+  void start();
+  [[nodiscard]] Desk* desk() noexcept { return desk_; }
+  [[nodiscard]] Workplace* workplace() noexcept { return workplace_.get(); }
+  [[nodiscard]] Background& background() noexcept { return background_; }
+  [[nodiscard]] LanguageSwitch& languageSwitch() noexcept { return language_; }
+  /// "first run", "sign-in", "password", "desk", "lock", "trouble": for tests.
+  [[nodiscard]] QString screen() const;
+
+  /// Refused while the desk is busy or a page has something unfinished.
+  bool signOut(const QString& reason = {});
+  /// Hides the desk until its owner's password is given; never while a run goes on.
+  bool lock();
+  void chooseLanguage(Language language);
+  void chooseTheme(ThemeKind kind);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void createPanels();
+  void createKeys();
+  void show(QWidget* panel);
+  void openDatabase();
+  void setUp(const FirstRunChoice& choice);
+  void enterFirstRun();
+  void enterSignIn();
+  void tryPassword(const QString& login, const QString& password);
+  void tryPin(const QString& login, const QString& pin);
+  void enterAsGuest();
+  void took(const SignInAnswer& answer, const QString& login, const QString& password);
+  void changePassword(const QString& login, const QString& oldPassword, const QString& newPassword);
+  void unlock(const QString& password);
+  void enterDesk();
+  void leaveDesk();
+  void openDesk();
+  void choosePin();
+  void applyChoices(const QString& userId, bool station);
+  [[nodiscard]] QString userId() const;
+  [[nodiscard]] WorkplaceKey key() const;
+
+  ShellSetup setup_;
+  Preferences preferences_;
+  LanguageSwitch language_;
+  Background background_;
+  std::unique_ptr<Workplace> workplace_;
+  ThemeKind theme_ = ThemeKind::kLight;
+  QString centre_;
+  QStackedWidget* stack_;
+  TroublePanel* trouble_ = nullptr;
+  FirstRunPanel* firstRun_ = nullptr;
+  SignInPanel* signIn_ = nullptr;
+  PasswordPanel* password_ = nullptr;
+  LockPanel* lock_ = nullptr;
+  Desk* desk_ = nullptr;
+};
+
+}  // namespace torsio::gui

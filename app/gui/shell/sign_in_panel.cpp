@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/shell/sign_in_panel.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/look/form.h"
+#include "app/gui/look/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kCardWidth = 420;
+constexpr int kSecond_ms = 1000;
+constexpr std::int64_t kSecond_us = 1'000'000;
+
+}  // namespace
+
+SignInPanel::SignInPanel(QWidget* parent) : QWidget(parent) {
+  QVBoxLayout* column = centredCard(this, kCardWidth);
+  auto* name = new QLabel(QStringLiteral("Torsio"), this);
+  name->setProperty("figure", true);
+  centre_ = sentence(this);
+  heading_ = new QLabel(this);
+  heading_->setProperty("subheading", true);
+  login_ = new QLineEdit(this);
+  secret_ = secretField(this);
+  column->addWidget(name);
+  column->addWidget(centre_);
+  column->addSpacing(2 * kSpace);
+  column->addWidget(heading_);
+  column->addSpacing(kSpace);
+  loginLabel_ = fieldAbove(column, login_);
+  column->addSpacing(4);
+  secretLabel_ = fieldAbove(column, secret_);
+  column->addSpacing(kSpace);
+  enter_ = primaryButton(this);
+  answer_ = sentence(this, false);
+  column->addWidget(enter_);
+  column->addWidget(answer_);
+  column->addSpacing(kSpace);
+  mode_ = linkButton(this);
+  guest_ = linkButton(this);
+  guestNote_ = sentence(this);
+  guestNote_->setProperty("small", true);
+  tool_ = sentence(this);
+  tool_->setProperty("small", true);
+  auto* ways = new QHBoxLayout;
+  ways->addWidget(mode_);
+  ways->addStretch(1);
+  ways->addWidget(guest_);
+  column->addLayout(ways);
+  column->addWidget(guestNote_);
+  column->addSpacing(2 * kSpace);
+  column->addWidget(tool_);
+
+  connect(enter_, &QPushButton::clicked, this, &SignInPanel::submit);
+  connect(login_, &QLineEdit::returnPressed, this, [this] { secret_->setFocus(); });
+  connect(secret_, &QLineEdit::returnPressed, this, &SignInPanel::submit);
+  connect(mode_, &QPushButton::clicked, this, [this] { setPinMode(!pinMode_); });
+  connect(guest_, &QPushButton::clicked, this, &SignInPanel::guestChosen);
+  for (QLineEdit* field : {login_, secret_})
+    connect(field, &QLineEdit::textChanged, this, &SignInPanel::enableForm);
+  second_.setInterval(kSecond_ms);
+  connect(&second_, &QTimer::timeout, this, &SignInPanel::countDown);
+  retranslate();
+  enableForm();
+}
+
+void SignInPanel::setCentre(const QString& name) {
+  centre_->setText(name);
+  centre_->setVisible(!name.isEmpty());
+}
+
+void SignInPanel::say(const QString& text, bool caution) {
+  setLook(answer_, "caution", caution);
+  answer_->setText(text);
+}
+
+void SignInPanel::waitUntil(std::int64_t utc_us, std::int64_t now_us) {
+  wait_s_ = static_cast<int>((utc_us - now_us + kSecond_us - 1) / kSecond_us) + 1;
+  second_.start();
+  countDown();
+}
+
+void SignInPanel::countDown() {
+  if (--wait_s_ > 0) {
+    say(tr("Too many wrong tries. Please wait %n second(s)", nullptr, wait_s_), true);
+  } else {
+    second_.stop();
+    wait_s_ = 0;
+    say(tr("You may try again now"), false);
+  }
+  enableForm();
+}
+
+void SignInPanel::setWorking(bool working) {
+  working_ = working;
+  enableForm();
+}
+
+void SignInPanel::clear() {
+  second_.stop();
+  wait_s_ = 0;
+  login_->clear();
+  secret_->clear();
+  say({}, false);
+  setPinMode(false);
+}
+
+void SignInPanel::setPinMode(bool pin) {
+  pinMode_ = pin;
+  secret_->clear();
+  retranslate();
+  (login_->text().isEmpty() ? login_ : secret_)->setFocus();
+}
+
+void SignInPanel::submit() {
+  if (!enter_->isEnabled()) return;
+  const QString login = login_->text().trimmed();
+  const QString secret = secret_->text();
+  secret_->clear();
+  say(tr("Checking\u2026"), false);
+  if (pinMode_) {
+    Q_EMIT pinGiven(login, secret);
+  } else {
+    Q_EMIT passwordGiven(login, secret);
+  }
+}
+
+void SignInPanel::enableForm() {
+  const bool open = !working_ && wait_s_ == 0;
+  for (QWidget* field : {static_cast<QWidget*>(login_), static_cast<QWidget*>(secret_)})
+    field->setEnabled(!working_);
+  enter_->setEnabled(open && !login_->text().trimmed().isEmpty() && !secret_->text().isEmpty());
+  mode_->setEnabled(!working_);
+  guest_->setEnabled(!working_);
+}
+
+void SignInPanel::retranslate() {
+  heading_->setText(pinMode_ ? tr("Practice with your PIN") : tr("Sign in"));
+  nameField(loginLabel_, tr("Sign-in &name"));
+  nameField(secretLabel_, pinMode_ ? tr("Station &PIN") : tr("&Password"));
+  enter_->setText(pinMode_ ? tr("Practise") : tr("Sign in"));
+  mode_->setText(pinMode_ ? tr("Sign in with the password") : tr("Practise with a PIN"));
+  guest_->setText(tr("Practise as a guest"));
+  guestNote_->setText(tr("With a PIN or as a guest nothing is recorded and nothing is scored."));
+  tool_->setText(tr("A training tool and not a medical device. No patient data."));
+}
+
+void SignInPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) {
+    say({}, false);
+    retranslate();
+  }
+  QWidget::changeEvent(event);
+}
+
+void SignInPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  (login_->text().isEmpty() ? login_ : secret_)->setFocus();
+}
+
+}  // namespace torsio::gui

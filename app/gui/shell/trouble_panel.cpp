@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/shell/trouble_panel.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/look/form.h"
+#include "app/gui/look/theme.h"
+#include "app/gui/shell/problem_panel.h"
+#include "sim/base/error.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kCardWidth = 720;
+
+}  // namespace
+
+TroublePanel::TroublePanel(QWidget* parent) : QWidget(parent), problem_(new ProblemPanel(this)) {
+  QVBoxLayout* column = centredCard(this, kCardWidth);
+  problem_->setClosable(false);
+  retry_ = primaryButton(this);
+  other_ = linkButton(this);
+  column->addWidget(problem_);
+  column->addSpacing(kSpace);
+  auto* row = new QHBoxLayout;
+  row->addWidget(other_);
+  row->addStretch(1);
+  row->addWidget(retry_);
+  column->addLayout(row);
+  connect(retry_, &QPushButton::clicked, this, &TroublePanel::retryWanted);
+  connect(other_, &QPushButton::clicked, this, &TroublePanel::otherDatabaseWanted);
+  retranslate();
+}
+
+void TroublePanel::tell(const std::exception_ptr& problem) {
+  try {
+    std::rethrow_exception(problem);
+  } catch (const Error& error) {
+    problem_->tell(QString::fromStdString(error.happened()), QString::fromStdString(error.remedy()),
+                   QString::fromStdString(error.where()));
+  } catch (const std::exception& error) {
+    problem_->tell(tr("The database cannot be used"), tr("Try again; if it stays so, ask your administrator"),
+                   QString::fromUtf8(error.what()));
+  }
+}
+
+void TroublePanel::setTheme(const Theme& theme) {
+  problem_->setTheme(theme);
+}
+
+void TroublePanel::retranslate() {
+  retry_->setText(tr("Try again"));
+  other_->setText(tr("Use another database\u2026"));
+}
+
+void TroublePanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) retranslate();
+  QWidget::changeEvent(event);
+}
+
+}  // namespace torsio::gui
