@@ -96,6 +96,14 @@ Attempt measured(TrialRepository& trials, const TrialListing& listing, const Sto
 
 }  // namespace
 
+std::string metricTitle(const std::string& metric) {
+  if (metric == kOnTargetMetric) return "Twists on target";
+  if (metric == kTargetsReachedMetric) return "Targets reached";
+  for (const MetricCard& card : metricCards())
+    if (card.id == metric) return std::string(card.name);
+  return metric;
+}
+
 Attempt measureAttempt(const TrialHeader& header, std::span<const Sample> samples, double tolerance_rad,
                        std::optional<double> forceLimit_N, std::optional<double> torqueLimit_Nm) {
   Attempt attempt;

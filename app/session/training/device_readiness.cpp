@@ -7,8 +7,9 @@ namespace torsio {
 
 Light DeviceReadiness::light() const noexcept {
   if (findings.empty()) return Light::kRed;
-  return std::max_element(findings.begin(), findings.end(),
-                          [](const DeviceFinding& a, const DeviceFinding& b) { return a.light < b.light; })
+  return std::max_element(
+             findings.begin(), findings.end(),
+             [](const ReadinessFinding& a, const ReadinessFinding& b) { return a.light < b.light; })
       ->light;
 }
 
@@ -16,9 +17,10 @@ DeviceReadiness pointerReadiness(bool gradedWithMouse) {
   DeviceReadiness readiness;
   readiness.device = "Mouse and keyboard";
   readiness.findings.push_back({"connected", Light::kGreen, readiness.device, ""});
-  readiness.findings.push_back(gradedWithMouse ? DeviceFinding{"force", Light::kGreen, "shown, not felt", ""}
-                                               : DeviceFinding{"force", Light::kAmber, "shown, not felt",
-                                                               "Connect the haptic device for a graded run"});
+  readiness.findings.push_back(gradedWithMouse
+                                   ? ReadinessFinding{"force", Light::kGreen, "shown, not felt", ""}
+                                   : ReadinessFinding{"force", Light::kAmber, "shown, not felt",
+                                                      "Connect the haptic device for a graded run"});
   return readiness;
 }
 

@@ -14,7 +14,7 @@ enum class Light {
 };
 
 /// One line of the device check.
-struct DeviceFinding {
+struct ReadinessFinding {
   std::string code{};  ///< "connected", "docked", "calibrated", "force", "rate", "seat"; the window has words
   Light light = Light::kGreen;
   std::string detail{};  ///< what was measured, for people who know the device: "0.8 mm", "driver 2023.1"
@@ -25,7 +25,7 @@ struct DeviceFinding {
 struct DeviceReadiness {
   std::string device{};  ///< "Mouse and keyboard", "Touch", "Scripted hand"
   bool haptic = false;   ///< renders force
-  std::vector<DeviceFinding> findings{};
+  std::vector<ReadinessFinding> findings{};
 
   /// The worst light; red without any finding: a device that was not checked is not ready.
   [[nodiscard]] Light light() const noexcept;

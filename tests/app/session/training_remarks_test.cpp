@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "app/session/training/remarks.h"
+#include "app/session/training/transcript.h"
+#include "db/repository/people_repository.h"
+#include "db/repository/remark_repository.h"
+#include "db/repository/sheet_repository.h"
+#include "sim/base/error.h"
+#include "tests/app/session/training_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::kCentreTime_us;
+using testing::TrainingCentre;
+
+/// A chief physician was asked to score a trial of T-01, remarked on it and gave 7 of 10, proficiency 6.
+class RemarksTest : public ::testing::Test {
+ protected:
+  TrainingCentre centre_;
+  std::string trial_ = centre_.attempt("first", "practice", 1.0);
+  std::string chief_ = PeopleRepository(centre_.connection()).raters().front().person.id;
+  std::string remark_ = "11111111-1111-4111-8111-111111111111";
+
+  void SetUp() override {
+    SheetRepository sheets(centre_.connection());
+    sheets.addRubric("rubric", "Twist sheet", kCentreTime_us, false);
+    StoredRubricRevision revision;
+    revision.id = "revision";
+    revision.rubricId = "rubric";
+    revision.overall = {.lo = 10, .hi = 100, .stepsPerPoint = 10};
+    revision.rows.push_back(
+        {.code = "proficiency", .label = "Proficiency", .scale = {.lo = 1, .hi = 10, .stepsPerPoint = 1}});
+    revision.createdBy = "office";
+    sheets.addRevision(revision);
+    const StoredAssignment assignment{.id = "assignment",
+                                      .raterId = chief_,
+                                      .enrolmentId = centre_.enrolment(),
+                                      .scoringPoint = "pre",
+                                      .trialId = trial_,
+                                      .rubricRevisionId = "revision",
+                                      .caseLabel = "7F",
+                                      .assignedBy = "office"};
+    sheets.assign({&assignment, 1});
+    Sheet sheet;
+    sheet.overall_steps = 70;
+    sheet.rows.push_back({.code = "proficiency", .score_steps = 6});
+    sheets.submit("assignment", "22222222-2222-4222-8222-222222222222", sheet, "", kCentreTime_us);
+    RemarkRepository(centre_.connection())
+        .add({.id = remark_,
+              .trialId = trial_,
+              .author = chief_,
+              .authorPersonId = chief_,
+              .purpose = "remark",
+              .tick = 1500,
+              .time_us = 1'500'000,
+              .text = "let go more gently",
+              .createdUtc_us = kCentreTime_us});
+  }
+  void release() {
+    SheetRepository(centre_.connection())
+        .setReleased(centre_.cohort().id, "pre", true, "", "office", kCentreTime_us);
+  }
+};
+
+TEST_F(RemarksTest, AppearWhenTheMarksAreReleased) {
+  EXPECT_TRUE(ownRemarks(centre_.workplace()).empty());
+  EXPECT_EQ(unreadRemarks(centre_.workplace()), 0U);
+  EXPECT_THROW(markRemarkRead(centre_.workplace(), remark_), Error);
+
+  release();
+
+  const std::vector<TrialRemarks> all = ownRemarks(centre_.workplace());
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0].moduleTitle, "Quarter turn, first");
+  EXPECT_EQ(all[0].unread, 1U);
+  ASSERT_EQ(all[0].remarks.size(), 1U);
+  EXPECT_DOUBLE_EQ(all[0].remarks[0].at_s, 1.5);
+  EXPECT_EQ(all[0].remarks[0].text, "let go more gently");
+  EXPECT_EQ(unreadRemarks(centre_.workplace()), 1U);
+}
+
+TEST_F(RemarksTest, CanBeReadAndAnswered) {
+  release();
+  markRemarkRead(centre_.workplace(), remark_);
+  replyToRemark(centre_.workplace(), remark_, "I will");
+
+  const std::vector<TrialRemarks> all = ownRemarks(centre_.workplace());
+  EXPECT_EQ(all[0].unread, 0U);
+  ASSERT_EQ(all[0].remarks[0].replies.size(), 1U);
+  EXPECT_TRUE(all[0].remarks[0].replies[0].own);
+  EXPECT_EQ(all[0].remarks[0].replies[0].text, "I will");
+  EXPECT_EQ(unreadRemarks(centre_.workplace()), 0U);
+  EXPECT_THROW(replyToRemark(centre_.workplace(), remark_, ""), Error);
+}
+
+TEST_F(RemarksTest, BelongToTheTraineeOnly) {
+  release();
+  centre_.become("T-02");
+  EXPECT_TRUE(ownRemarks(centre_.workplace()).empty());
+  EXPECT_THROW(markRemarkRead(centre_.workplace(), remark_), Error);
+  EXPECT_THROW(static_cast<void>(scoreGap(centre_.workplace(), trial_)), Error);
+}
+
+TEST_F(RemarksTest, OwnMarksComeFirstThenTheGap) {
+  release();
+  const ScoreGap before = scoreGap(centre_.workplace(), trial_);
+  EXPECT_FALSE(before.selfScored);
+  EXPECT_TRUE(before.released);
+  EXPECT_FALSE(before.overall.panel);  // nothing is told before the trainee has judged
+  ASSERT_EQ(before.rows.size(), 1U);
+  EXPECT_EQ(before.rows[0].label, "Proficiency");
+  EXPECT_DOUBLE_EQ(before.overall.highest, 10.0);
+
+  selfScore(centre_.workplace(), trial_, 8.5, {{"proficiency", 9.0}});
+
+  const ScoreGap gap = scoreGap(centre_.workplace(), trial_);
+  EXPECT_EQ(gap.overall.own, 8.5);
+  EXPECT_EQ(gap.overall.panel, 7.0);
+  EXPECT_EQ(gap.rows[0].own, 9.0);
+  EXPECT_EQ(gap.rows[0].panel, 6.0);
+  EXPECT_EQ(gap.raters, 1U);
+  EXPECT_THROW(selfScore(centre_.workplace(), trial_, 7.0, {}), Error);  // they were seen
+}
+
+TEST_F(RemarksTest, OwnMarksMayChangeUntilTheOthersAreShown) {
+  selfScore(centre_.workplace(), trial_, 8.5, {});
+  selfScore(centre_.workplace(), trial_, 6.0, {{"proficiency", 5.0}});
+
+  const ScoreGap gap = scoreGap(centre_.workplace(), trial_);
+  EXPECT_EQ(gap.overall.own, 6.0);
+  EXPECT_FALSE(gap.overall.panel);
+  EXPECT_EQ(RemarkRepository(centre_.connection()).selfScores(trial_).size(), 2U);
+  EXPECT_THROW(selfScore(centre_.workplace(), trial_, 10.4, {}), Error);  // beyond the scale
+  EXPECT_THROW(selfScore(centre_.workplace(), trial_, 7.03, {}), Error);  // between two steps
+  EXPECT_THROW(selfScore(centre_.workplace(), trial_, 7.0, {{"style", 5.0}}), Error);
+}
+
+TEST(Transcript, HoldsEveryAttemptAndTheTimeSpent) {
+  TrainingCentre centre;
+  for (int i = 0; i < 2; ++i) centre.attempt("first", "practice", 1.0);
+  const StoredExposure hour{.id = "33333333-3333-4333-8333-333333333333",
+                            .enrolmentId = centre.enrolment(),
+                            .kind = "real",
+                            .startedUtc_us = kCentreTime_us,
+                            .duration_us = 12 * testing::kMinute_us,
+                            .recordedBy = "office"};
+  StudyRepository(centre.connection()).addExposures({&hour, 1});
+
+  const Transcript sheet = transcript(centre.workplace(), centre.person());
+
+  EXPECT_EQ(sheet.centre, "Skills laboratory");
+  EXPECT_EQ(sheet.traineeCode, "T-01");
+  ASSERT_EQ(sheet.modules.size(), 3U);
+  EXPECT_EQ(sheet.modules[0].attempts.size(), 2U);
+  EXPECT_EQ(sheet.modules[0].step.state, StepState::kMastered);
+  EXPECT_DOUBLE_EQ(sheet.real_min, 12.0);
+}
+
+}  // namespace
+}  // namespace torsio
