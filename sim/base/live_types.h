@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <type_traits>
 
 #include "sim/base/device_sample.h"
 
 namespace torsio {
+
+/// Version of the rules by which a tick answers; stamped on every sample, so that a trial replays by the
+/// rules that it was recorded with. 1: the tip is a sphere, the contact force a plain spring, nothing watches
+/// the energy. 2: jaw and shaft collide, contact is a virtual coupling to a surface that gives way, passivity
+/// is kept.
+inline constexpr std::uint32_t kServoRules = 2;
 
 /// Stages of one exercise (paper Fig. 6): no force and no deformation before contact.
 enum class ExercisePhase : std::uint8_t {
@@ -50,6 +57,37 @@ enum ForceLimit : std::uint32_t {
   kForceSlew = 1U << 6,
   kForceEngaging = 1U << 7,
   kForceInhibited = 1U << 8,
+  kForcePassivity = 1U << 9,  ///< damped, because more energy came out of the tissue than went in
+};
+
+/// Bits of Sample::contact: which parts of the instrument touch the organ.
+enum ToolContact : std::uint32_t {
+  kContactNone = 0,
+  kContactJaw = 1U << 0,    ///< the tip or a blade of the jaw
+  kContactShaft = 1U << 1,  ///< the shaft behind the jaw
+  kContactHeld = 1U << 2,   ///< tissue between the blades
+};
+
+/// Where the surface gives way under a part of the instrument. World frame, of the deformed organ. The law of
+/// its shape stands in sim/servo/indentation.h; a depth of 0 means that nothing is touched.
+struct ContactPatch {
+  Vec3 point_m;               ///< of the surface before it gives way
+  Vec3 normal;                ///< unit, outwards
+  double depth_m = 0.0;       ///< by which the surface gives way under the part
+  double toolRadius_m = 0.0;  ///< of the part
+  double radius_m = 0.0;      ///< of the patch: beyond it nothing moves
+  friend constexpr bool operator==(const ContactPatch&, const ContactPatch&) = default;
+};
+
+/// When the stages of an exercise were last reached, servo time; -1: never yet.
+struct ExerciseTimes {
+  std::int64_t phaseSince_us = 0;  ///< the present phase
+  std::int64_t touched_us = -1;
+  std::int64_t gripped_us = -1;
+  std::int64_t released_us = -1;
+  std::int64_t slipped_us = -1;
+  std::int64_t returned_us = -1;
+  friend constexpr bool operator==(const ExerciseTimes&, const ExerciseTimes&) = default;
 };
 
 /// A wish of a view. At most one is obeyed at the start of each tick, and it is recorded with that tick.
@@ -73,8 +111,10 @@ struct Sample {
   ServoCommand command;  ///< obeyed at the start of this tick; kNone mostly
   ExercisePhase phase = ExercisePhase::kTracking;
   std::uint32_t limits = kForceFull;
-  TwistResponse response;  ///< response.force_N: before the governor
-  Vec3 force_N;            ///< sent to the device
+  TwistResponse response;                ///< response.force_N: before the governor
+  Vec3 force_N;                          ///< sent to the device
+  std::uint32_t contact = kContactNone;  ///< ToolContact bits
+  std::uint32_t rules = kServoRules;     ///< by which this tick was answered
   friend bool operator==(const Sample&, const Sample&) = default;
 };
 
@@ -92,6 +132,12 @@ struct LiveState {
   double tickDuration_us = 0.0;  ///< of the previous tick, measured on the monotonic clock
   std::int64_t refusedSamples = 0;
   std::int64_t lateTicks = 0;
+  std::uint32_t contact = kContactNone;  ///< ToolContact bits
+  /// Under the jaw and under the shaft.
+  std::array<ContactPatch, 2> patches{};
+  ExerciseTimes times;
+  /// Energy that the hand has put into the rendered force since it was last zero; below 0 it got more back.
+  double portEnergy_J = 0.0;
 };
 
 static_assert(std::is_trivially_copyable_v<Sample>);

@@ -35,6 +35,10 @@ class HapticDevice {
   [[nodiscard]] virtual DeviceSample read(std::int64_t time_us) noexcept = 0;
   /// The force to render until the next write. Servo thread; no allocation, no lock, no log.
   virtual void write(const ForceCommand& command) noexcept = 0;
+  /// Lets go of the hand at once and until the next write: a watchdog calls it when the tick stalls, from a
+  /// thread of its own while read or write may hang. Never waits. A device whose force ends by itself when
+  /// nobody writes, or that renders none, has nothing to do.
+  virtual void dropForce() noexcept {}
 };
 
 }  // namespace torsio
