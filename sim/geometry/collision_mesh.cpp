@@ -13,6 +13,7 @@
 #include "sim/base/portable_math.h"
 #include "sim/geometry/mesh_repair.h"
 #include "sim/geometry/nearest_on_triangle.h"
+#include "sim/geometry/nearest_to_segment.h"
 
 namespace torsio {
 
@@ -33,6 +34,38 @@ double boxDistance2(const fcl::AABBd& box, const Vec3& p) {
   return dx * dx + dy * dy + dz * dz;
 }
 
+/// The segment with the box round it.
+struct Reaching {
+  explicit Reaching(const Segment& s)
+      : segment(s),
+        low{std::min(s.from_m.x, s.to_m.x), std::min(s.from_m.y, s.to_m.y), std::min(s.from_m.z, s.to_m.z)},
+        high{std::max(s.from_m.x, s.to_m.x), std::max(s.from_m.y, s.to_m.y), std::max(s.from_m.z, s.to_m.z)} {
+  }
+
+  /// Lower bound of the squared distance to a box: between the boxes, and to the ball round the other box.
+  [[nodiscard]] double distance2(const fcl::AABBd& box) const {
+    const double dx = std::max({box.min_[0] - high.x, 0.0, low.x - box.max_[0]});
+    const double dy = std::max({box.min_[1] - high.y, 0.0, low.y - box.max_[1]});
+    const double dz = std::max({box.min_[2] - high.z, 0.0, low.z - box.max_[2]});
+    const Vec3 centre{0.5 * (box.min_[0] + box.max_[0]), 0.5 * (box.min_[1] + box.max_[1]),
+                      0.5 * (box.min_[2] + box.max_[2])};
+    const Vec3 corner{box.max_[0] - centre.x, box.max_[1] - centre.y, box.max_[2] - centre.z};
+    const double ball = norm(segment.at(nearestAlong(segment, centre)) - centre) - norm(corner);
+    return std::max(dx * dx + dy * dy + dz * dz, ball > 0.0 ? ball * ball : 0.0);
+  }
+
+  Segment segment;
+  Vec3 low;
+  Vec3 high;
+};
+
+double squaredDistance(const NearestOnTriangle& nearest) {
+  return nearest.distance2;
+}
+double squaredDistance(const NearestToSegment& nearest) {
+  return nearest.on.distance2;
+}
+
 int depthBelow(const Model& model, int node) {
   const auto& bv = model.getBV(node);
   if (bv.isLeaf()) return 1;
@@ -49,7 +82,10 @@ struct CollisionMesh::Hierarchy {
   std::vector<TriangleCorners> corners;
   std::vector<FeatureNormals> normals;
 
-  NearestOnTriangle search(const Vec3& p, std::uint32_t& triangle) const noexcept;
+  /// Depth first, nearer child first, from `best` on. `bound2`: lower bound of the squared distance to a box;
+  /// `look`: a triangle's own.
+  template <typename Nearest, typename Bound, typename Look>
+  void search(Nearest& best, std::uint32_t& triangle, const Bound& bound2, const Look& look) const noexcept;
 };
 
 namespace {
@@ -101,10 +137,11 @@ std::vector<std::array<Vec3, 7>> featureNormals(const TriangleMesh& mesh) {
 
 }  // namespace
 
-// Depth first, nearer child first. FCL builds the hierarchy; its own distance query compares oriented boxes
-// with shapes, takes three to four times as long for a point, and leaves open which of two equally near
-// triangles it reports.
-NearestOnTriangle CollisionMesh::Hierarchy::search(const Vec3& p, std::uint32_t& triangle) const noexcept {
+// FCL builds the hierarchy; its own distance query compares oriented boxes with shapes, takes three to four
+// times as long for a point, and leaves open which of two equally near triangles it reports.
+template <typename Nearest, typename Bound, typename Look>
+void CollisionMesh::Hierarchy::search(Nearest& best, std::uint32_t& triangle, const Bound& bound2,
+                                      const Look& look) const noexcept {
   struct Open {
     int node;
     double bound2;
@@ -112,31 +149,41 @@ NearestOnTriangle CollisionMesh::Hierarchy::search(const Vec3& p, std::uint32_t&
   std::array<Open, kDeepest> stack;
   std::size_t open = 0;
   stack[open++] = {0, 0.0};
-  NearestOnTriangle best;
+  double best2 = squaredDistance(best);
   while (open > 0) {
     const Open top = stack[--open];
-    if (top.bound2 * kRoundingMargin > best.distance2) continue;
+    if (top.bound2 * kRoundingMargin > best2) continue;
     const auto& node = model.getBV(top.node);
     if (node.isLeaf()) {
       const auto candidate = static_cast<std::uint32_t>(node.primitiveId());
-      const NearestOnTriangle n = nearestOnTriangle(p, corners[candidate]);
-      if (n.distance2 < best.distance2 || (n.distance2 == best.distance2 && candidate < triangle)) {
+      const Nearest n = look(corners[candidate]);
+      const double n2 = squaredDistance(n);
+      if (n2 < best2 || (n2 == best2 && candidate < triangle)) {
         best = n;
+        best2 = n2;
         triangle = candidate;
       }
       continue;
     }
-    const Open left{node.leftChild(), boxDistance2(model.getBV(node.leftChild()).bv, p)};
-    const Open right{node.rightChild(), boxDistance2(model.getBV(node.rightChild()).bv, p)};
+    const Open left{node.leftChild(), bound2(model.getBV(node.leftChild()).bv)};
+    const Open right{node.rightChild(), bound2(model.getBV(node.rightChild()).bv)};
     const bool leftFirst = left.bound2 <= right.bound2;
     stack[open++] = leftFirst ? right : left;
     stack[open++] = leftFirst ? left : right;
   }
-  return best;
 }
 
-CollisionMesh::CollisionMesh(const TriangleMesh& mesh) : hierarchy_(std::make_unique<Hierarchy>()) {
+namespace {
+
+const TriangleMesh& solid(const TriangleMesh& mesh) {
   TORSIO_EXPECTS(mesh.triangles.size() >= 4);
+  return mesh;
+}
+
+}  // namespace
+
+CollisionMesh::CollisionMesh(const TriangleMesh& mesh)
+    : hierarchy_(std::make_unique<Hierarchy>()), patches_(solid(mesh)) {
   buildModel(hierarchy_->model, mesh);
   TORSIO_EXPECTS(depthBelow(hierarchy_->model, 0) + 1 < static_cast<int>(kDeepest));
   hierarchy_->corners.reserve(mesh.triangles.size());
@@ -153,7 +200,10 @@ CollisionMesh& CollisionMesh::operator=(CollisionMesh&&) noexcept = default;
 SurfacePoint CollisionMesh::closest(const Vec3& point_m) const noexcept {
   SurfacePoint surface;
   std::uint32_t triangle = 0;
-  const NearestOnTriangle best = hierarchy_->search(point_m, triangle);
+  NearestOnTriangle best;
+  hierarchy_->search(
+      best, triangle, [&point_m](const fcl::AABBd& box) { return boxDistance2(box, point_m); },
+      [&point_m](const TriangleCorners& corners) { return nearestOnTriangle(point_m, corners); });
   surface.triangle = triangle;
   surface.normal = hierarchy_->normals[triangle][best.feature];
   surface.position_m = hierarchy_->corners[triangle].a;
@@ -166,6 +216,32 @@ SurfacePoint CollisionMesh::closest(const Vec3& point_m) const noexcept {
   const double distance_m = std::sqrt(best.distance2);
   surface.distance_m = dot(point_m - best.point, surface.normal) < 0.0 ? -distance_m : distance_m;
   return surface;
+}
+
+SegmentHit CollisionMesh::nearest(const Segment& segment, double reach_m) const noexcept {
+  constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
+  SegmentHit hit;
+  if (!isFinite(segment.from_m) || !isFinite(segment.to_m)) return hit;
+  const Reaching reaching(segment);
+  NearestToSegment best;
+  best.on.distance2 = reach_m * reach_m;
+  std::uint32_t triangle = kNone;
+  hierarchy_->search(
+      best, triangle, [&reaching](const fcl::AABBd& box) { return reaching.distance2(box); },
+      [&segment](const TriangleCorners& corners) { return nearestToSegment(segment, corners); });
+  if (triangle == kNone) return hit;
+  hit.found = true;
+  hit.along = best.along;
+  hit.surface.triangle = triangle;
+  hit.surface.position_m = best.on.point;
+  hit.surface.normal = hierarchy_->normals[triangle][best.on.feature];
+  hit.surface.barycentric[0] = best.on.u;
+  hit.surface.barycentric[1] = best.on.v;
+  hit.surface.barycentric[2] = best.on.w;
+  const double distance_m = std::sqrt(best.on.distance2);
+  const Vec3 way = segment.at(best.along) - best.on.point;
+  hit.surface.distance_m = dot(way, hit.surface.normal) < 0.0 ? -distance_m : distance_m;
+  return hit;
 }
 
 }  // namespace torsio

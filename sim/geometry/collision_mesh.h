@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <memory>
 
 #include "sim/base/vec3.h"
+#include "sim/geometry/segment.h"
+#include "sim/geometry/surface_patches.h"
+#include "sim/geometry/surface_point.h"
 #include "sim/geometry/triangle_mesh.h"
 
 namespace torsio {
-
-/// Closest point of the organ's rest surface to a query point. Metres.
-struct SurfacePoint {
-  Vec3 position_m;
-  Vec3 normal;              ///< unit, outwards (angle-weighted pseudonormal)
-  double distance_m = 0.0;  ///< signed: negative inside the organ
-  std::uint32_t triangle = 0;
-  double barycentric[3] = {1.0, 0.0, 0.0};  ///< of the triangle's corners
-};
 
 /// Bounding-volume hierarchy over a closed rest surface (FCL, private). Immutable after construction: queries
 /// keep no state, so that any thread may ask, and are noexcept and without allocation, so that they may run
@@ -35,9 +28,18 @@ class CollisionMesh {
   /// distance is zero. A point that is not finite gets an infinite distance.
   [[nodiscard]] SurfacePoint closest(const Vec3& point_m) const noexcept;
 
+  /// The closest pair of surface and segment, when it is nearer than `reach_m`; a small reach makes it quick.
+  /// The sign belongs to the segment's point. A segment that pierces the surface has distance 0 there; a
+  /// surface that is merely touched by a segment inside has a negative one.
+  [[nodiscard]] SegmentHit nearest(const Segment& segment, double reach_m) const noexcept;
+
+  /// For queries of the surface in a deformed state (deformed_surface.h).
+  [[nodiscard]] const SurfacePatches& patches() const noexcept { return patches_; }
+
  private:
   struct Hierarchy;
   std::unique_ptr<Hierarchy> hierarchy_;
+  SurfacePatches patches_;
 };
 
 }  // namespace torsio
