@@ -20,7 +20,9 @@ namespace {
 
 // bytes = magic, version, then one zstd frame (with its own checksum) over the columns in this order.
 constexpr std::array<std::uint8_t, 4> kMagic{'T', 'R', 'S', 'C'};
-constexpr std::uint8_t kVersion = 1;
+// Version 1 had no columns for the contact and the rules: its samples follow rules 1 and touch with the tip.
+constexpr std::uint8_t kVersion = 2;
+constexpr std::uint8_t kOldestVersion = 1;
 constexpr std::size_t kHeaderSize = kMagic.size() + 1;
 constexpr int kCompressionLevel = 3;
 
@@ -52,8 +54,12 @@ enum Column : std::size_t {
   kSentX,
   kSentY,
   kSentZ,
+  kContact,
+  kRules,
   kColumns
 };
+constexpr std::size_t kColumnsOfVersion1 = kContact;
+
 using Row = std::array<std::int64_t, kColumns>;
 
 [[noreturn]] void damaged(const char* what) {
@@ -94,6 +100,8 @@ Row toRow(const Sample& s) noexcept {
   row[kSentX] = toSteps(s.force_N.x, kForceStep_N);
   row[kSentY] = toSteps(s.force_N.y, kForceStep_N);
   row[kSentZ] = toSteps(s.force_N.z, kForceStep_N);
+  row[kContact] = s.contact;
+  row[kRules] = s.rules;
   return row;
 }
 
@@ -136,6 +144,8 @@ Sample toSample(const Row& row) {
   if (!std::isfinite(s.command.value)) damaged("a command value that is not finite");
   s.phase = static_cast<ExercisePhase>(row[kPhase]);
   s.limits = within<std::uint32_t>(row[kLimits]);
+  s.contact = within<std::uint32_t>(row[kContact]);
+  s.rules = within<std::uint32_t>(row[kRules]);
   answersFromRow(row, s);
   return s;
 }
@@ -153,9 +163,10 @@ std::vector<std::uint8_t> packColumns(std::span<const Sample> samples) {
   return packed;
 }
 
-std::vector<std::uint8_t> decompress(std::span<const std::byte> frame, std::size_t samples) {
+std::vector<std::uint8_t> decompress(std::span<const std::byte> frame, std::size_t samples,
+                                     std::size_t columns) {
   // The most that `samples` rows can take, so that damaged sizes cannot ask for all memory.
-  const std::size_t largest = kColumns * largestPackedColumn(samples);
+  const std::size_t largest = columns * largestPackedColumn(samples);
   const unsigned long long size = ZSTD_getFrameContentSize(frame.data(), frame.size());
   if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > largest) {
     damaged("the size of the packed samples is impossible");
@@ -204,17 +215,21 @@ std::vector<Sample> decodeChunk(const TrialChunk& chunk) {
                   [](std::uint8_t a, std::byte b) { return std::byte{a} == b; })) {
     damaged("this is not a chunk of samples");
   }
-  if (bytes[kMagic.size()] != std::byte{kVersion}) {
+  const auto version = std::to_integer<std::uint8_t>(bytes[kMagic.size()]);
+  if (version < kOldestVersion || version > kVersion) {
     throw Error(ErrorCode::kBadData, "the samples were written in another format version", "recorded chunk",
                 "Open the trial with the version that wrote it, or a newer one");
   }
   const auto count = static_cast<std::size_t>(chunk.samples);
-  const std::vector<std::uint8_t> packed = decompress(bytes.subspan(kHeaderSize), count);
+  const std::size_t columns = version == 1 ? kColumnsOfVersion1 : kColumns;
+  const std::vector<std::uint8_t> packed = decompress(bytes.subspan(kHeaderSize), count, columns);
 
-  std::vector<Row> rows(count);
+  Row missing{};
+  missing[kRules] = 1;
+  std::vector<Row> rows(count, missing);
   std::vector<std::int64_t> column(count);
   std::span<const std::uint8_t> rest(packed);
-  for (std::size_t c = 0; c < kColumns; ++c) {
+  for (std::size_t c = 0; c < columns; ++c) {
     rest = unpackColumn(rest, column);
     for (std::size_t i = 0; i < count; ++i) rows[i][c] = column[i];
   }

@@ -64,6 +64,8 @@ inline Sample noiseSample(std::int64_t tick, Random& random) {
   s.limits = static_cast<std::uint32_t>(random.next());
   s.response = {random.normal(), random.normal(), {random.normal(), 1e30, -1e-30}, 0.1, random.uniform()};
   s.force_N = {random.normal(), random.normal(), random.normal()};
+  s.contact = static_cast<std::uint32_t>(random.next());
+  s.rules = 1 + static_cast<std::uint32_t>(random.bounded(kServoRules));
   return s;
 }
 
