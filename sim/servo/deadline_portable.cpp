@@ -18,7 +18,11 @@ void sleepUntil(std::int64_t deadline_ns) noexcept {
   std::this_thread::sleep_until(deadline);
 }
 
-bool requestRealTime() noexcept {
+bool requestRealTime(RealTimeRank) noexcept {
+  return false;
+}
+
+bool lockMemory() noexcept {
   return false;
 }
 

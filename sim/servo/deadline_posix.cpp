@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cerrno>
+#include <cstddef>
 #include <ctime>
 #include <pthread.h>
 #include <sched.h>
+#include <sys/mman.h>
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
@@ -16,6 +18,11 @@ namespace {
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 // Above ordinary real-time work, below the kernel's own threads (99).
 constexpr int kPriority = 80;
+// A tick that never ends must not keep its watchdog from running.
+constexpr int kWatchdogPriority = 81;
+// More than a tick takes (DeformedSurface), far less than any thread has.
+constexpr std::size_t kStack = 128 * 1024;
+constexpr std::size_t kPage = 4096;
 
 }  // namespace
 
@@ -33,14 +40,28 @@ void sleepUntil(std::int64_t deadline_ns) noexcept {
   }
 }
 
-bool requestRealTime() noexcept {
+bool requestRealTime(RealTimeRank rank) noexcept {
 #ifdef __linux__
   // The default timer slack of 50 us would delay every wake-up of an ordinary thread.
   prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
 #endif
   sched_param parameters{};
-  parameters.sched_priority = kPriority;
+  parameters.sched_priority = rank == RealTimeRank::kWatchdog ? kWatchdogPriority : kPriority;
   return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
+}
+
+bool lockMemory() noexcept {
+  volatile std::byte stack[kStack];
+  for (std::size_t at = 0; at < kStack; at += kPage) {
+    stack[at] = std::byte{0};
+    (void)stack[at];
+  }
+#ifdef MCL_ONFAULT
+  // Only what is there: a whole address space would fill every thread's stack with pages.
+  return mlockall(MCL_CURRENT | MCL_ONFAULT) == 0;
+#else
+  return mlockall(MCL_CURRENT) == 0;
+#endif
 }
 
 }  // namespace torsio

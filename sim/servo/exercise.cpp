@@ -8,6 +8,7 @@
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
 #include "sim/servo/grasp_share.h"
+#include "sim/servo/indentation.h"
 
 namespace torsio {
 
@@ -41,9 +42,7 @@ double turnAbout(const Vec3& axis, const Quat& from, const Quat& to) noexcept {
   return 2.0 * portableAtan2(q.x * axis.x + q.y * axis.y + q.z * axis.z, q.w);
 }
 
-}  // namespace
-
-Exercise::Exercise(const ExerciseOptions& options) : options_(options) {
+void check(const ExerciseOptions& options) {
   if (!(options.maxStiffness_N_per_m > 0.0) || !std::isfinite(options.maxStiffness_N_per_m) ||
       options.tickPeriod_us <= 0) {
     throw Error(ErrorCode::kBadParameter,
@@ -52,6 +51,30 @@ Exercise::Exercise(const ExerciseOptions& options) : options_(options) {
                     std::to_string(options.tickPeriod_us) + " us",
                 "exercise", "Check what the device reports");
   }
+  if (options.rules < 1 || options.rules > kServoRules) {
+    throw Error(ErrorCode::kBadParameter,
+                "rules " + std::to_string(options.rules) + " of the tick are not known, only 1 to " +
+                    std::to_string(kServoRules),
+                "exercise", "Use the version that recorded the trial, or a newer one");
+  }
+}
+
+double surfaceStiffness_N_per_m(const ExerciseOptions& options) {
+  check(options);
+  return std::min(kSurfaceStiffness_N_per_m, options.maxStiffness_N_per_m);
+}
+
+/// Where the surface gives way by `depth_m` under a part.
+ContactPatch patchUnder(const PartTouch& touch, double depth_m) noexcept {
+  return {touch.point_m, touch.normal, depth_m, touch.radius_m, kPatchShare * touch.radius_m};
+}
+
+}  // namespace
+
+Exercise::Exercise(const ExerciseOptions& options)
+    : options_(options),
+      jaw_(surfaceStiffness_N_per_m(options), options.tickPeriod_us),
+      shaft_(surfaceStiffness_N_per_m(options), options.tickPeriod_us) {
   contactStiffness_N_per_m_ = std::min(kContactStiffness_N_per_m, options.maxStiffness_N_per_m);
   returnFactor_ = portableExp(-static_cast<double>(options.tickPeriod_us) * 1e-6 / kReturnTime_s);
 }
@@ -63,11 +86,11 @@ bool Exercise::updateJaw(const ToolState& tool) noexcept {
   return jawClosed_ && !wasClosed;
 }
 
-Exercise::Touch Exercise::touch(const Vec3& tip_m, const Scene& scene) const noexcept {
+ToolTouch Exercise::touchWithTip(const Vec3& tip_m, const Scene& scene) const noexcept {
   const bool atRest = twist_.graspAngle_rad == 0.0;
   const Vec3 rest_m = atRest ? tip_m : scene.model.toRest_m(tip_m, twist_);
   const SurfacePoint surface = scene.collision.closest(rest_m);
-  Touch found;
+  PartTouch found;
   found.gap_m = surface.distance_m - scene.instrument.tipRadius_m;
   found.normal = surface.normal;
   if (!atRest && found.gap_m < 0.0) {
@@ -76,15 +99,21 @@ Exercise::Touch Exercise::touch(const Vec3& tip_m, const Scene& scene) const noe
         scene.model.toDeformed_m(surface.position_m + surface.normal * kNormalProbe_m, twist_);
     found.normal = normalized(above_m - foot_m);
   }
-  return found;
+  return {.tip = found, .jaw = found, .shaft = {}};
 }
 
-bool Exercise::grip(const ToolState& tool, const Scene& scene) noexcept {
+std::optional<SurfacePoint> Exercise::graspable(const ToolShape& shape, const ToolState& tool,
+                                                const ToolTouch& at, const Scene& scene) const noexcept {
+  if (options_.rules >= 2) return tissueInMouth(shape, tool, scene);
+  if (!(at.tip.gap_m <= scene.instrument.gripReach_m)) return std::nullopt;
+  return scene.collision.closest(tool.pose.position_m);
+}
+
+bool Exercise::grip(const Vec3& held_m, const ToolState& tool, const Scene& scene) noexcept {
   const Vec3& tip_m = tool.pose.position_m;
-  const SurfacePoint surface = scene.collision.closest(tip_m);
-  const double arc_m = scene.lattice().nearestArc_m(surface.position_m);
+  const double arc_m = scene.lattice().nearestArc_m(held_m);
   axis_ = scene.model.graspFrame(arc_m);
-  const double share = graspShare(scene.model, axis_, arc_m, surface.position_m);
+  const double share = graspShare(scene.model, axis_, arc_m, held_m);
   if (!(std::abs(share) > kLeastShare)) return false;  // held there: nothing to twist
   gain_ = 1.0 / share;
   twist_ = {arc_m, 0.0};
@@ -134,10 +163,10 @@ void Exercise::relax(bool touching, std::uint32_t& events) noexcept {
   events |= touching ? (kEventReturned | kEventTouched) : kEventReturned;
 }
 
-void Exercise::moveOn(const Touch& at, bool wantsGrip, const ToolState& tool, const Scene& scene,
-                      std::uint32_t& events) noexcept {
-  const bool touching = at.gap_m < 0.0;
-  const bool gripsNext = wantsGrip && phase_ == ExercisePhase::kTracking;
+void Exercise::moveOn(double gap_m, const std::optional<SurfacePoint>& held, const ToolState& tool,
+                      const Scene& scene, std::uint32_t& events) noexcept {
+  const bool touching = gap_m < 0.0;
+  const bool gripsNext = held && phase_ == ExercisePhase::kTracking;
   gripPending_ = gripsNext;  // a grip begins with one tick of contact
   switch (phase_) {
     case ExercisePhase::kTracking:
@@ -146,10 +175,10 @@ void Exercise::moveOn(const Touch& at, bool wantsGrip, const ToolState& tool, co
       events |= kEventTouched;
       break;
     case ExercisePhase::kContact:
-      if (wantsGrip && grip(tool, scene)) {
+      if (held && grip(held->position_m, tool, scene)) {
         phase_ = ExercisePhase::kTwisting;
         events |= kEventGripped;
-      } else if (at.gap_m > kContactHysteresis_m) {
+      } else if (gap_m > kContactHysteresis_m) {
         phase_ = ExercisePhase::kTracking;
         events |= kEventLeft;
       }
@@ -163,20 +192,49 @@ void Exercise::moveOn(const Touch& at, bool wantsGrip, const ToolState& tool, co
   }
 }
 
-TwistResponse Exercise::responseTo(const Touch& at, const ToolState& tool,
-                                   const Scene& scene) const noexcept {
+Vec3 Exercise::pushBack(const ToolTouch& at, std::array<ContactPatch, 2>& patches) noexcept {
+  const bool holding = phase_ == ExercisePhase::kTwisting;
+  Vec3 force_N;
+  const double jaw_m = jaw_.step(holding ? 0.0 : -at.jaw.gap_m);
+  if (jaw_m > 0.0) {
+    patches[0] = patchUnder(at.jaw, jaw_m);
+    force_N += at.jaw.normal * jaw_.force_N();
+  }
+  const double shaft_m = shaft_.step(-at.shaft.gap_m);
+  if (shaft_m > 0.0) {
+    patches[1] = patchUnder(at.shaft, shaft_m);
+    force_N += at.shaft.normal * shaft_.force_N();
+  }
+  return force_N;
+}
+
+TwistResponse Exercise::responseTo(const ToolTouch& at, const ToolState& tool, const Scene& scene,
+                                   std::array<ContactPatch, 2>& patches) noexcept {
   TwistResponse response;
-  response.depth_m = std::max(0.0, -at.gap_m);
+  response.depth_m = std::max(0.0, -at.jaw.gap_m);
   response.angle_rad = twist_.graspAngle_rad;
   response.graspArc_m = twist_.graspArc_m;
   if (phase_ == ExercisePhase::kTwisting) {
     response.torque_Nm = scene.model.torque_Nm(twist_);
     response.force_N =
         scene.model.graspForce_N(twist_, tool.pose.position_m) - gripOffset(tool) * kGripStiffness_N_per_m;
-  } else if (at.gap_m < 0.0) {
-    response.force_N = at.normal * (contactStiffness_N_per_m_ * -at.gap_m);
+  } else if (options_.rules == 1 && at.jaw.gap_m < 0.0) {
+    response.force_N = at.jaw.normal * (contactStiffness_N_per_m_ * -at.jaw.gap_m);
   }
+  if (options_.rules >= 2) response.force_N += pushBack(at, patches);
   return response;
+}
+
+void Exercise::noteContacts(const ToolTouch& at, ExerciseStep& answer) noexcept {
+  if (options_.rules == 1) return;
+  const bool holding = phase_ == ExercisePhase::kTwisting;
+  if (holding) answer.contact |= kContactHeld;
+  if (!holding && at.jaw.gap_m < 0.0) answer.contact |= kContactJaw;
+  if (at.shaft.gap_m < 0.0) answer.contact |= kContactShaft;
+  const bool leaves = at.shaft.gap_m > kContactHysteresis_m;
+  if (!shaftTouched_ && at.shaft.gap_m < 0.0) answer.events |= kEventShaftTouched;
+  if (shaftTouched_ && leaves) answer.events |= kEventShaftLeft;
+  shaftTouched_ = at.shaft.gap_m < 0.0 || (shaftTouched_ && !leaves);
 }
 
 ExerciseStep Exercise::step(const ToolState& tool, const Scene& scene) noexcept {
@@ -191,12 +249,17 @@ ExerciseStep Exercise::step(const ToolState& tool, const Scene& scene) noexcept 
       letGo(kEventReleased | kEventSlipped, answer.events);
     }
   }
-  const Touch at = touch(tool.pose.position_m, scene);
-  const bool inReach = at.gap_m <= scene.instrument.gripReach_m;
-  const bool wantsGrip = (closing || gripPending_) && inReach && !letGoNow;
-  moveOn(at, wantsGrip, tool, scene, answer.events);
+  const ToolShape shape = toolShape(tool, scene.instrument);
+  const ToolTouch at = options_.rules == 1
+                           ? touchWithTip(tool.pose.position_m, scene)
+                           : touchTool(shape, scene, twist_, phase_ == ExercisePhase::kTwisting);
+  const bool closes = (closing || gripPending_) && !letGoNow &&
+                      (phase_ == ExercisePhase::kTracking || phase_ == ExercisePhase::kContact);
+  const std::optional<SurfacePoint> held = closes ? graspable(shape, tool, at, scene) : std::nullopt;
+  moveOn(std::min(at.jaw.gap_m, at.shaft.gap_m), held, tool, scene, answer.events);
   answer.phase = phase_;
-  answer.response = responseTo(at, tool, scene);
+  answer.response = responseTo(at, tool, scene, answer.patches);
+  noteContacts(at, answer);
   return answer;
 }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "sim/base/live_types.h"
 #include "sim/scene/scene.h"
+#include "sim/servo/contact_coupling.h"
+#include "sim/servo/tool_touch.h"
 
 namespace torsio {
 
@@ -18,10 +22,25 @@ enum ExerciseEvent : std::uint32_t {
   kEventReleased = 1U << 3,  ///< Twisting to Released: the jaw opened, or a view or a lost device let go
   kEventSlipped = 1U << 4,   ///< with kEventReleased: the tool pulled itself free
   kEventReturned = 1U << 5,  ///< the organ is at rest again
+  kEventShaftTouched = 1U << 6,
+  kEventShaftLeft = 1U << 7,
 };
 
-/// Stiffness of the contact spring, softer than any device's limit; the device's own limit caps it.
+/// Events of one tick with their time, for whoever must not miss one.
+struct ExerciseMoment {
+  std::int64_t tick = 0;
+  std::int64_t time_us = 0;
+  std::uint32_t events = kEventNone;               ///< ExerciseEvent bits
+  ExercisePhase phase = ExercisePhase::kTracking;  ///< after them
+  friend constexpr bool operator==(const ExerciseMoment&, const ExerciseMoment&) = default;
+};
+static_assert(std::is_trivially_copyable_v<ExerciseMoment>);
+
+/// Stiffness that a steady push meets, softer than any device's limit; the device's own limit caps it. By
+/// rules 1 that of a plain spring, by rules 2 that of the coupling (contact_coupling.h).
 inline constexpr double kContactStiffness_N_per_m = 400.0;
+static_assert(kSurfaceStiffness_N_per_m * kCouplingRatio / (1.0 + kCouplingRatio) ==
+              kContactStiffness_N_per_m);
 /// Spring that keeps the jaw on the grasped section: along the axis and towards or away from it. Round the
 /// axis the tip is free: there the twist itself pulls back.
 inline constexpr double kGripStiffness_N_per_m = 100.0;
@@ -42,19 +61,24 @@ struct ExerciseOptions {
   TwistDrive drive = TwistDrive::kTangential;
   double maxStiffness_N_per_m = 500.0;  ///< of the device; > 0
   std::int64_t tickPeriod_us = 1000;    ///< > 0
+  std::uint32_t rules = kServoRules;    ///< 1 .. kServoRules: older ones replay older trials
 };
 
 /// Answer of one tick.
 struct ExerciseStep {
   TwistResponse response;
   ExercisePhase phase = ExercisePhase::kTracking;
-  std::uint32_t events = kEventNone;  ///< ExerciseEvent bits
+  std::uint32_t events = kEventNone;      ///< ExerciseEvent bits
+  std::uint32_t contact = kContactNone;   ///< ToolContact bits
+  std::array<ContactPatch, 2> patches{};  ///< under the jaw and under the shaft
 };
 
 /// The flow of paper Fig. 6 as a state machine: tracking, contact, twisting, released. Outside contact there
 /// is no force and no deformation; while the jaw holds the organ, the hand prescribes the angle of the
-/// grasped section and the model answers with the torque (docs/model.md). A jaw grips only by closing near
-/// the surface, never by arriving closed.
+/// grasped section and the model answers with the torque (docs/model.md). A jaw grips only by closing with
+/// tissue between its blades, never by arriving closed. Jaw and shaft collide with the organ as the twist has
+/// left it, each through a virtual coupling of its own; the blades do not while they hold tissue
+/// (docs/contact.md). A device without torque feels the push on the shaft as a force at the tip.
 ///
 /// A plain value: a copy continues on its own. It knows neither time nor thread; one step is one tick. What
 /// it computes consists of IEEE basic operations and portable functions, so that a replay repeats it bit for
@@ -75,14 +99,13 @@ class Exercise {
   [[nodiscard]] const TwistState& twist() const noexcept { return twist_; }
 
  private:
-  struct Touch {
-    double gap_m = 0.0;  // between tip and surface, negative inside
-    Vec3 normal;         // world frame, deformed organ
-  };
-
   [[nodiscard]] bool updateJaw(const ToolState& tool) noexcept;
-  [[nodiscard]] Touch touch(const Vec3& tip_m, const Scene& scene) const noexcept;
-  [[nodiscard]] bool grip(const ToolState& tool, const Scene& scene) noexcept;
+  /// By rules 1: a sphere at the tip, taken back to the organ at rest.
+  [[nodiscard]] ToolTouch touchWithTip(const Vec3& tip_m, const Scene& scene) const noexcept;
+  /// The surface point that a closing jaw would hold.
+  [[nodiscard]] std::optional<SurfacePoint> graspable(const ToolShape& shape, const ToolState& tool,
+                                                      const ToolTouch& at, const Scene& scene) const noexcept;
+  [[nodiscard]] bool grip(const Vec3& held_m, const ToolState& tool, const Scene& scene) noexcept;
   [[nodiscard]] double driveAngle(const ToolState& tool) const noexcept;
   /// Turns the organ with the tool. False when the jaw slipped off.
   [[nodiscard]] bool follow(const ToolState& tool) noexcept;
@@ -91,13 +114,19 @@ class Exercise {
   void letGo(std::uint32_t why, std::uint32_t& events) noexcept;
   void relax(bool touching, std::uint32_t& events) noexcept;
   /// The transition of this tick, if any.
-  void moveOn(const Touch& at, bool wantsGrip, const ToolState& tool, const Scene& scene,
-              std::uint32_t& events) noexcept;
-  [[nodiscard]] TwistResponse responseTo(const Touch& at, const ToolState& tool,
-                                         const Scene& scene) const noexcept;
+  void moveOn(double gap_m, const std::optional<SurfacePoint>& held, const ToolState& tool,
+              const Scene& scene, std::uint32_t& events) noexcept;
+  void noteContacts(const ToolTouch& at, ExerciseStep& answer) noexcept;
+  /// Steps both couplings and returns the force of the touched parts.
+  [[nodiscard]] Vec3 pushBack(const ToolTouch& at, std::array<ContactPatch, 2>& patches) noexcept;
+  [[nodiscard]] TwistResponse responseTo(const ToolTouch& at, const ToolState& tool, const Scene& scene,
+                                         std::array<ContactPatch, 2>& patches) noexcept;
 
   ExerciseOptions options_;
-  double contactStiffness_N_per_m_;
+  double contactStiffness_N_per_m_;  // rules 1
+  ContactCoupling jaw_;
+  ContactCoupling shaft_;
+  bool shaftTouched_ = false;
   double returnFactor_;  // of the angle, a tick
   ExercisePhase phase_ = ExercisePhase::kTracking;
   TwistState twist_;

@@ -25,6 +25,13 @@ void requireSameScene(const Scene& scene, const TrialHeader& header) {
               "trial " + header.trialId, "Replay it with the scene and the version that recorded it");
 }
 
+void requireKnownRules(const std::vector<Sample>& recorded, const TrialHeader& header) {
+  const auto known = [](const Sample& sample) { return sample.rules >= 1 && sample.rules <= kServoRules; };
+  if (std::all_of(recorded.begin(), recorded.end(), known)) return;
+  throw Error(ErrorCode::kVerifyFailed, "the trial was recorded by rules that this version does not know",
+              "trial " + header.trialId, "Replay it with the version that recorded it, or a newer one");
+}
+
 DeviceCapabilities capabilitiesOf(const TrialHeader& header) {
   DeviceCapabilities device;
   device.model = header.deviceModel;
@@ -39,9 +46,10 @@ DeviceCapabilities capabilitiesOf(const TrialHeader& header) {
 /// The first field in which the two differ, if any.
 std::optional<ReplayDifference> difference(const Sample& recorded, const Sample& replayed) {
   using Field = std::pair<const char*, double (*)(const Sample&)>;
-  static constexpr std::array<Field, 13> kFields{{
+  static constexpr std::array<Field, 14> kFields{{
       {"time", [](const Sample& s) { return static_cast<double>(s.device.time_us); }},
       {"phase", [](const Sample& s) { return static_cast<double>(s.phase); }},
+      {"contact", [](const Sample& s) { return static_cast<double>(s.contact); }},
       {"limits", [](const Sample& s) { return static_cast<double>(s.limits); }},
       {"angle", [](const Sample& s) { return s.response.angle_rad; }},
       {"torque", [](const Sample& s) { return s.response.torque_Nm; }},
@@ -72,7 +80,8 @@ class Rerun {
               {.drive = header.drive,
                .targetAngle_rad = header.targetAngle_rad,
                .forceScale = header.forceScale,
-               .tickPeriod_us = header.tickPeriod_us}) {}
+               .tickPeriod_us = header.tickPeriod_us,
+               .rules = recorded.empty() ? kServoRules : recorded.front().rules}) {}
 
   const Sample& next(const Sample& recorded) {
     if (recorded.command.kind != ServoCommand::Kind::kNone) (void)commands_.push(recorded.command);
@@ -98,6 +107,7 @@ class Rerun {
 ReplayReport replayTrial(const Scene& scene, const Trial& trial) {
   requireSameScene(scene, trial.header);
   const std::vector<Sample> recorded = decodeTrial(trial);
+  requireKnownRules(recorded, trial.header);
   ReplayReport report;
   report.chunks = static_cast<std::int64_t>(trial.chunks.size());
   report.contentIntact = contentHash(trial) == trial.summary.contentHash;

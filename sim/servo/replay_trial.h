@@ -35,8 +35,9 @@ struct ReplayReport {
 };
 
 /// Runs the servo loop again over the recorded device samples and commands and compares: integers exactly,
-/// answers in stored steps, and the digest over the exact bits of all answers, chunk by chunk. Throws
-/// Error{kVerifyFailed} when `scene` is not the one that was recorded (organ or parameters), and
+/// answers in stored steps, and the digest over the exact bits of all answers, chunk by chunk. The loop
+/// follows the rules that are stamped on the samples (kServoRules). Throws Error{kVerifyFailed} when `scene`
+/// is not the one that was recorded (organ or parameters) or the rules are newer than this version, and
 /// Error{kBadData} when the record cannot be decoded. Any one thread; much faster than real time.
 [[nodiscard]] ReplayReport replayTrial(const Scene& scene, const Trial& trial);
 

@@ -21,7 +21,8 @@ const HapticDevice& deviceOf(const ServoLoop::Links& links) {
 ExerciseOptions exerciseOptions(const ServoLoop::Links& links, const ServoOptions& options) {
   return {.drive = options.drive,
           .maxStiffness_N_per_m = deviceOf(links).capabilities().maxStiffness_N_per_m,
-          .tickPeriod_us = options.tickPeriod_us};
+          .tickPeriod_us = options.tickPeriod_us,
+          .rules = options.rules};
 }
 
 GovernorLimits governorLimits(const ServoLoop::Links& links, const ServoOptions& options) {
@@ -57,6 +58,7 @@ ServoLoop::ServoLoop(const Links& links, const ServoOptions& options)
     : links_(links),
       options_(options),
       exercise_(exerciseOptions(links, options)),
+      passivity_({.tickPeriod_us = options.tickPeriod_us}),
       governor_(governorLimits(links, options)) {
   if (!inUnitRange(options.forceScale) || !std::isfinite(options.targetAngle_rad)) {
     throw Error(ErrorCode::kBadParameter,
@@ -69,6 +71,7 @@ ServoLoop::ServoLoop(const Links& links, const ServoOptions& options)
 void ServoLoop::tick(std::int64_t time_us) noexcept {
   const auto begun = std::chrono::steady_clock::now();
   countLate(time_us);
+  sample_.rules = options_.rules;
   sample_.tick = nextTick_++;
   sample_.command = nextCommand();
   obey(sample_.command);
@@ -77,29 +80,56 @@ void ServoLoop::tick(std::int64_t time_us) noexcept {
   sample_.device.time_us = time_us;
   const ToolState tool = toolState(sample_.device);
   const ExerciseStep step = exercise_.step(tool, *links_.scene);
-  sample_.phase = step.phase;
-  sample_.response = step.response;
-  events_ = step.events;
-
-  Vec3 wanted_N = step.response.force_N * options_.forceScale;
-  if (!isFinite(step.response)) {
-    sample_.response = {};  // no NaN enters a record; the governor still sees it and inhibits
-    wanted_N.x = std::numeric_limits<double>::quiet_NaN();
-  }
+  noteEvents(step);
+  std::uint32_t damped = kForceFull;
+  const Vec3 wanted_N = wantedForce_N(step, tool, damped);
   const ForceCommand force = governor_.govern({.now_us = time_us,
                                                .computed_us = time_us,
                                                .wanted_N = wanted_N,
                                                .tip_m = tool.pose.position_m,
                                                .deviceStatus = tool.status});
   links_.device->write(force);
+  passivity_.sent(force.force_N);
   sample_.force_N = force.force_N;
-  sample_.limits = force.limits;
+  sample_.limits = force.limits | damped;
 
   // A refused sample is counted by the ring.
   if (links_.recording != nullptr) (void)links_.recording->push(sample_);
   publish();
   lastTickDuration_us_ =
       std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begun).count();
+}
+
+Vec3 ServoLoop::wantedForce_N(const ExerciseStep& step, const ToolState& tool,
+                              std::uint32_t& limits) noexcept {
+  const bool finite = isFinite(step.response);
+  // No NaN enters a record; the governor still sees it and inhibits.
+  sample_.response = finite ? step.response : TwistResponse{};
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  const Vec3 scaled_N = finite ? step.response.force_N * options_.forceScale : Vec3{kNaN, 0.0, 0.0};
+  if (options_.rules < 2) return scaled_N;
+  constexpr std::uint32_t kNoHand = kDeviceLost | kDeviceUncalibrated | kDeviceInvalid | kDeviceEnded;
+  const bool sound = finite && (tool.status & kNoHand) == 0;
+  const Vec3 passive_N =
+      passivity_.control(sample_.device.time_us, tool.pose.position_m, scaled_N, sound, limits);
+  return finite ? passive_N : scaled_N;
+}
+
+void ServoLoop::noteEvents(const ExerciseStep& step) noexcept {
+  const std::int64_t now_us = sample_.device.time_us;
+  if (step.phase != sample_.phase || nextTick_ == 1) times_.phaseSince_us = now_us;
+  if ((step.events & kEventTouched) != 0) times_.touched_us = now_us;
+  if ((step.events & kEventGripped) != 0) times_.gripped_us = now_us;
+  if ((step.events & kEventReleased) != 0) times_.released_us = now_us;
+  if ((step.events & kEventSlipped) != 0) times_.slipped_us = now_us;
+  if ((step.events & kEventReturned) != 0) times_.returned_us = now_us;
+  events_ = step.events;
+  sample_.phase = step.phase;
+  sample_.contact = step.contact;
+  patches_ = step.patches;
+  if (links_.events == nullptr || events_ == kEventNone) return;
+  // A refused moment is counted by the ring; the phases of the samples still tell it.
+  (void)links_.events->push({sample_.tick, now_us, events_, step.phase});
 }
 
 ServoCommand ServoLoop::nextCommand() noexcept {
@@ -157,6 +187,10 @@ void ServoLoop::publish() noexcept {
   live.refusedSamples =
       links_.recording != nullptr ? static_cast<std::int64_t>(links_.recording->refused()) : 0;
   live.lateTicks = lateTicks_;
+  live.contact = sample_.contact;
+  live.patches = patches_;
+  live.times = times_;
+  live.portEnergy_J = passivity_.energy_J();
   links_.live->publish(live);
 }
 

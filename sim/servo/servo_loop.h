@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "sim/base/latest_value.h"
@@ -8,6 +9,7 @@
 #include "sim/base/spsc_ring.h"
 #include "sim/device/force_governor.h"
 #include "sim/device/haptic_device.h"
+#include "sim/device/passivity.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/exercise.h"
@@ -19,6 +21,7 @@ struct ServoOptions {
   double targetAngle_rad = 0.0;
   double forceScale = 1.0;  ///< 0..1, shown; the material is never rescaled
   std::int64_t tickPeriod_us = 1000;
+  std::uint32_t rules = kServoRules;  ///< 1 .. kServoRules; older ones replay older trials
 };
 
 /// The part of the device's capabilities that a trial must remember (TrialHeader::deviceLimits).
@@ -34,19 +37,27 @@ class ServoLoop {
     SpscRing<Sample>* recording = nullptr;       ///< may be null: nothing recorded
     LatestValue<LiveState>* live = nullptr;      ///< may be null
     SpscRing<ServoCommand>* commands = nullptr;  ///< may be null
+    SpscRing<ExerciseMoment>* events = nullptr;  ///< may be null: each tick in which something happened
   };
 
   /// Throws Error{kBadParameter} for options out of range or a device whose limits make no sense.
   ServoLoop(const Links& links, const ServoOptions& options);
 
-  /// Drain one command, read, collide, step the tissue, govern, write, record, publish. `time_us` never
-  /// decreases; it is the time of the sample, whatever the device says.
-  /// Allocates nothing, locks nothing, logs nothing; on any doubt the force is zero.
+  /// Drain one command, read, collide, step the tissue, keep it passive, govern, write, record, publish.
+  /// `time_us` never decreases; it is the time of the sample, whatever the device says. Allocates nothing,
+  /// locks nothing, logs nothing; on any doubt the force is zero.
   void tick(std::int64_t time_us) noexcept;
 
   [[nodiscard]] const Sample& lastSample() const noexcept { return sample_; }
   /// ExerciseEvent bits of the last tick.
   [[nodiscard]] std::uint32_t lastEvents() const noexcept { return events_; }
+  /// When the stages were last reached.
+  [[nodiscard]] const ExerciseTimes& times() const noexcept { return times_; }
+  /// Of the passivity observer, J.
+  [[nodiscard]] double portEnergy_J() const noexcept { return passivity_.energy_J(); }
+  /// Asks the device to let go of the hand until the next write: for a watchdog. Any thread.
+  void dropForce() noexcept { links_.device->dropForce(); }
+  [[nodiscard]] std::int64_t tickPeriod_us() const noexcept { return options_.tickPeriod_us; }
   [[nodiscard]] GovernorState governorState() const noexcept { return governor_.state(); }
   /// Ticks that did not come in time: whole periods missing between two ticks.
   [[nodiscard]] std::int64_t lateTicks() const noexcept { return lateTicks_; }
@@ -56,13 +67,20 @@ class ServoLoop {
   [[nodiscard]] ServoCommand nextCommand() noexcept;
   void obey(const ServoCommand& command) noexcept;
   void countLate(std::int64_t time_us) noexcept;
+  /// The wanted force of this tick, scaled and kept passive; NaN when the tissue answered nonsense.
+  [[nodiscard]] Vec3 wantedForce_N(const ExerciseStep& step, const ToolState& tool,
+                                   std::uint32_t& limits) noexcept;
+  void noteEvents(const ExerciseStep& step) noexcept;
   void publish() noexcept;
 
   Links links_;
   ServoOptions options_;
   Exercise exercise_;
+  PassivityController passivity_;
   ForceGovernor governor_;
   Sample sample_;
+  std::array<ContactPatch, 2> patches_{};
+  ExerciseTimes times_;
   std::uint32_t events_ = kEventNone;
   std::int64_t nextTick_ = 0;
   std::int64_t last_us_ = 0;

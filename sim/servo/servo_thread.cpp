@@ -7,7 +7,7 @@
 namespace torsio {
 
 ServoThread::ServoThread(ServoLoop& loop, std::int64_t period_us)
-    : loop_(loop), period_ns_(period_us * 1000) {
+    : loop_(loop), period_ns_(period_us * 1000), watchdog_([&loop] { loop.dropForce(); }) {
   TORSIO_EXPECTS(period_us > 0);
 }
 
@@ -18,21 +18,25 @@ ServoThread::~ServoThread() {
 void ServoThread::start() {
   TORSIO_EXPECTS(!thread_.joinable());
   stop_.store(false, std::memory_order_relaxed);
+  watchdog_.start();
   thread_ = std::thread([this] { run(); });
 }
 
 void ServoThread::stop() noexcept {
   stop_.store(true, std::memory_order_relaxed);
   if (thread_.joinable()) thread_.join();
+  watchdog_.stop();
 }
 
 void ServoThread::run() noexcept {
   realTime_.store(requestRealTime(), std::memory_order_relaxed);
+  memoryLocked_.store(lockMemory(), std::memory_order_relaxed);
   const std::int64_t begun_ns = deadlineNow_ns();
   std::int64_t deadline_ns = begun_ns;
   while (!stop_.load(std::memory_order_relaxed)) {
     sleepUntil(deadline_ns);
     const std::int64_t awake_ns = deadlineNow_ns();
+    watchdog_.beat(awake_ns);
     wakeUp_.add_ns(awake_ns - deadline_ns);
     loop_.tick((awake_ns - begun_ns) / 1000);
     const std::int64_t done_ns = deadlineNow_ns();

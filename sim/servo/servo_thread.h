@@ -6,13 +6,15 @@
 #include <thread>
 
 #include "sim/servo/servo_loop.h"
+#include "sim/servo/servo_watchdog.h"
 #include "sim/servo/timing_histogram.h"
 
 namespace torsio {
 
-/// Calls ServoLoop::tick on absolute deadlines in a thread of its own, with real-time scheduling where the
-/// system permits it. A deadline that has passed by a whole period or more is skipped: late ticks are counted
-/// (ServoLoop::lateTicks) and never caught up in a burst.
+/// Calls ServoLoop::tick on absolute deadlines in a thread of its own, with real-time scheduling and locked
+/// memory where the system permits them. A deadline that has passed by a whole period or more is skipped:
+/// late ticks are counted (ServoLoop::lateTicks) and never caught up in a burst. A watchdog lets go of the
+/// hand when a tick does not end (servo_watchdog.h).
 class ServoThread {
  public:
   /// `loop` outlives the thread and is touched by nobody else while it runs. `period_us` > 0.
@@ -29,12 +31,18 @@ class ServoThread {
 
   /// True when the system granted real-time scheduling.
   [[nodiscard]] bool realTime() const noexcept { return realTime_.load(std::memory_order_relaxed); }
+  /// True when the system granted to keep the process in memory.
+  [[nodiscard]] bool memoryLocked() const noexcept { return memoryLocked_.load(std::memory_order_relaxed); }
   /// From each deadline to the beginning of its tick. Any thread.
   [[nodiscard]] TimingSummary wakeUp() const noexcept { return wakeUp_.summary(); }
+  [[nodiscard]] const TimingHistogram& wakeUpHistogram() const noexcept { return wakeUp_; }
   /// Duration of the ticks. Any thread.
   [[nodiscard]] TimingSummary duration() const noexcept { return duration_.summary(); }
+  [[nodiscard]] const TimingHistogram& durationHistogram() const noexcept { return duration_; }
   /// Deadlines that were skipped. Any thread.
   [[nodiscard]] std::int64_t skipped() const noexcept { return skipped_.load(std::memory_order_relaxed); }
+  /// Ticks during which the watchdog had to drop the force. Any thread.
+  [[nodiscard]] std::int64_t stalls() const noexcept { return watchdog_.stalls(); }
 
  private:
   void run() noexcept;
@@ -44,9 +52,11 @@ class ServoThread {
   std::thread thread_;
   std::atomic<bool> stop_{false};
   std::atomic<bool> realTime_{false};
+  std::atomic<bool> memoryLocked_{false};
   std::atomic<std::int64_t> skipped_{0};
   TimingHistogram wakeUp_;
   TimingHistogram duration_;
+  ServoWatchdog watchdog_;
 };
 
 }  // namespace torsio

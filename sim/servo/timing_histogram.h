@@ -32,6 +32,16 @@ class TimingHistogram {
     }
   }
 
+  /// Calls `visit(from_us, to_us, count)` for every bucket that holds something, in order. Any thread.
+  template <typename Visit>
+  void forEach(const Visit& visit) const {
+    for (std::size_t i = 0; i < kBuckets; ++i) {
+      const std::int64_t count = buckets_[i].load(std::memory_order_relaxed);
+      const double from_us = i > 0 ? static_cast<double>(edgeAfter_ns(i - 1)) * 1e-3 : 0.0;
+      if (count > 0) visit(from_us, static_cast<double>(edgeAfter_ns(i)) * 1e-3, count);
+    }
+  }
+
   [[nodiscard]] TimingSummary summary() const noexcept {
     TimingSummary result;
     std::array<std::int64_t, kBuckets> counts{};

@@ -9,6 +9,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/random.h"
+#include "sim/servo/indentation.h"
 #include "tests/sim/servo/bar_scene.h"
 
 namespace torsio {
@@ -28,11 +29,17 @@ const Scene& scene() {
   return kScene;
 }
 
+/// Stylus towards the axis: shaft outwards.
+Quat inwards(double angle_rad) {
+  return axisAngle({0.0, 0.0, 1.0}, angle_rad) * axisAngle({0.0, 1.0, 0.0}, 0.5 * kPi);
+}
+
 /// The tool on the surface of the bar, pressed in by `depth_m`, `angle_rad` round it.
 ToolState onSurface(double angle_rad, double depth_m, double grip = 0.0, double z_m = kArc_m) {
   ToolState tool;
   const double radius_m = kBarRadius_m + kTipRadius_m - depth_m;
   tool.pose.position_m = {radius_m * std::cos(angle_rad), radius_m * std::sin(angle_rad), z_m};
+  tool.pose.orientation = inwards(angle_rad);
   tool.grip = grip;
   return tool;
 }
@@ -40,6 +47,12 @@ ToolState onSurface(double angle_rad, double depth_m, double grip = 0.0, double 
 class ExerciseTest : public ::testing::Test {
  protected:
   ExerciseStep step(const ToolState& tool) { return exercise.step(tool, scene()); }
+  /// Held still until the coupling has come to rest: 20 ticks are 40 of its time constants.
+  ExerciseStep settled(const ToolState& tool) {
+    ExerciseStep answer;
+    for (int i = 0; i < 20; ++i) answer = step(tool);
+    return answer;
+  }
   /// Touches, closes the jaw and holds; the angle is 0.
   void gripAt(double angle_rad, TwistDrive drive = TwistDrive::kTangential) {
     exercise = Exercise({.drive = drive});
@@ -68,6 +81,7 @@ TEST_F(ExerciseTest, AnswersWithNothingAtAllOutOfContact) {
     const double angle_rad = 2.0 * kPi * random.uniform();
     tool.pose.position_m = {radius_m * std::cos(angle_rad), radius_m * std::sin(angle_rad),
                             0.3 * random.uniform()};
+    tool.pose.orientation = inwards(angle_rad);
     tool.grip = random.uniform();
 
     const ExerciseStep answer = step(tool);
@@ -80,23 +94,103 @@ TEST_F(ExerciseTest, AnswersWithNothingAtAllOutOfContact) {
 
 TEST_F(ExerciseTest, PushesBackAlongTheNormalInContactAndDeformsNothing) {
   const ExerciseStep answer = step(onSurface(0.0, 0.001));
+  const ExerciseStep steady = settled(onSurface(0.0, 0.001));
 
   EXPECT_EQ(answer.phase, ExercisePhase::kContact);
   EXPECT_EQ(answer.events, static_cast<std::uint32_t>(kEventTouched));
+  EXPECT_EQ(answer.contact, static_cast<std::uint32_t>(kContactJaw));
   EXPECT_NEAR(answer.response.depth_m, 0.001, kFlat_m);
-  // 400 N/m times 1 mm, outwards along x.
-  EXPECT_NEAR(answer.response.force_N.x, 0.4, 400.0 * kFlat_m);
-  EXPECT_NEAR(answer.response.force_N.z, 0.0, 1e-9);
+  // 400 N/m times 1 mm, outwards along x; at the onset the coupling's damper adds to it, up to 500 N/m.
+  EXPECT_GT(answer.response.force_N.x, steady.response.force_N.x);
+  EXPECT_LE(answer.response.force_N.x, 0.5);
+  EXPECT_NEAR(steady.response.force_N.x, 0.4, 400.0 * kFlat_m);
+  EXPECT_NEAR(steady.response.force_N.z, 0.0, 1e-9);
   EXPECT_EQ(answer.response.torque_Nm, 0.0);
   EXPECT_EQ(exercise.twist(), TwistState{});
+}
+
+TEST_F(ExerciseTest, FeelsTheShaftAndTellsItFromTheJaw) {
+  // Stylus across the bar: the tip is 60 mm past it, the shaft lies 1 mm deep in its side.
+  ToolState tool;
+  tool.pose.position_m = {kBarRadius_m + kTipRadius_m - 0.001, -0.060, kArc_m};
+  tool.pose.orientation = axisAngle({1.0, 0.0, 0.0}, -0.5 * kPi);  // shaft along +y
+
+  const ExerciseStep first = step(tool);
+  const ExerciseStep steady = settled(tool);
+  tool.pose.position_m.x += 0.010;
+  const ExerciseStep left = step(tool);
+
+  EXPECT_EQ(first.contact, static_cast<std::uint32_t>(kContactShaft));
+  EXPECT_EQ(first.events, static_cast<std::uint32_t>(kEventTouched | kEventShaftTouched));
+  EXPECT_EQ(first.phase, ExercisePhase::kContact);
+  EXPECT_NEAR(steady.response.force_N.x, 0.4, 400.0 * kFlat_m);
+  EXPECT_EQ(steady.response.depth_m, 0.0);  // of the tip
+  EXPECT_NEAR(steady.patches[1].depth_m, 0.0008, kFlat_m);
+  EXPECT_NEAR(steady.patches[1].point_m.x, kBarRadius_m, kFlat_m);
+  EXPECT_NEAR(steady.patches[1].point_m.y, 0.0, 0.002);  // anywhere on the facet that faces +x
+  EXPECT_EQ(steady.patches[0], ContactPatch{});
+  EXPECT_EQ(left.events, static_cast<std::uint32_t>(kEventLeft | kEventShaftLeft));
+  EXPECT_EQ(left.response, TwistResponse{});
+}
+
+TEST_F(ExerciseTest, GripsOnlyWhatLiesBetweenTheBlades) {
+  // The bar lies beside the jaw, behind the open blade, nearer than the reach of 4 mm.
+  const auto beside = [](double grip) {
+    ToolState tool;
+    const double across_m = kBarRadius_m + 0.0055;
+    tool.pose.position_m = {across_m, -0.010, kArc_m};
+    // Shaft along +y, blades in the plane of x and y.
+    tool.pose.orientation = axisAngle({1.0, 0.0, 0.0}, -0.5 * kPi) * axisAngle({0.0, 0.0, 1.0}, 0.5 * kPi);
+    tool.grip = grip;
+    return tool;
+  };
+  const ToolShape shape = toolShape(beside(0.0), scene().instrument);
+  const bool bladeTowardsBar =
+      shape.blades[0].to_m.x < shape.tip_m.x || shape.blades[1].to_m.x < shape.tip_m.x;
+  ASSERT_TRUE(bladeTowardsBar);
+  const std::optional<SurfacePoint> besideJaw = tissueInMouth(shape, beside(0.0), scene());
+  const std::optional<SurfacePoint> ahead =
+      tissueInMouth(toolShape(onSurface(0.0, -0.002), scene().instrument), onSurface(0.0, -0.002), scene());
+  const std::optional<SurfacePoint> away =
+      tissueInMouth(toolShape(onSurface(0.0, -0.005), scene().instrument), onSurface(0.0, -0.005), scene());
+
+  ASSERT_TRUE(ahead.has_value());
+  EXPECT_NEAR(norm(ahead->position_m - Vec3{kBarRadius_m, 0.0, kArc_m}), 0.0, 0.002);
+  EXPECT_FALSE(away.has_value());
+  // 10 mm before the hinge the blade stands 4.7 mm from the middle of the jaw, the bar 5.5 mm.
+  EXPECT_FALSE(besideJaw.has_value());
+}
+
+TEST_F(ExerciseTest, GivesWayUnderTheTipByTheForceOverTheStiffness) {
+  const ExerciseStep steady = settled(onSurface(0.0, 0.001));
+
+  const ContactPatch& patch = steady.patches[0];
+  EXPECT_NEAR(patch.depth_m * kSurfaceStiffness_N_per_m, norm(steady.response.force_N), 1e-12);
+  EXPECT_NEAR(patch.depth_m, 0.0008, kFlat_m);  // 4/5 of the penetration
+  EXPECT_EQ(patch.toolRadius_m, kTipRadius_m);
+  EXPECT_EQ(patch.radius_m, kPatchShare * kTipRadius_m);
+}
+
+TEST_F(ExerciseTest, FollowsOlderRulesWhenAsked) {
+  exercise = Exercise({.rules = 1});
+
+  const ExerciseStep answer = step(onSurface(0.0, 0.001));
+
+  EXPECT_NEAR(answer.response.force_N.x, 0.4, 400.0 * kFlat_m);  // a plain spring, at once
+  EXPECT_EQ(answer.contact, 0U);
+  EXPECT_EQ(answer.patches[0], ContactPatch{});
+  EXPECT_THROW(Exercise({.rules = kServoRules + 1}), Error);
+  EXPECT_THROW(Exercise({.rules = 0}), Error);
 }
 
 TEST_F(ExerciseTest, KeepsTheContactSpringBelowTheDevicesStiffness) {
   exercise = Exercise({.maxStiffness_N_per_m = 100.0});
 
-  const ExerciseStep answer = step(onSurface(0.0, 0.001));
+  const ExerciseStep first = step(onSurface(0.0, 0.001));
+  const ExerciseStep steady = settled(onSurface(0.0, 0.001));
 
-  EXPECT_NEAR(norm(answer.response.force_N), 0.1, 100.0 * kFlat_m);
+  EXPECT_LE(norm(first.response.force_N), 0.1);
+  EXPECT_NEAR(norm(steady.response.force_N), 0.08, 100.0 * kFlat_m);  // 4/5 of the device's 100 N/m
 }
 
 TEST_F(ExerciseTest, EndsTheContactForceAtTheSurfaceAndTheContactALittleAbove) {
@@ -171,7 +265,7 @@ TEST_F(ExerciseTest, TurnsTheOrganWithTheStylusWhenItIsDrivenByRoll) {
   for (int degrees = 1; degrees <= 400; ++degrees) {
     // A swing across the axis must not count as a turn about it.
     const Quat swing = axisAngle({1.0, 0.0, 0.0}, 0.3 * std::sin(0.05 * degrees));
-    tool.pose.orientation = swing * axisAngle({0.0, 0.0, 1.0}, degrees * kDegree);
+    tool.pose.orientation = swing * axisAngle({0.0, 0.0, 1.0}, degrees * kDegree) * inwards(0.0);
     answer = step(tool);
   }
 
@@ -184,7 +278,7 @@ TEST_F(ExerciseTest, HoldsTheOrganByRollWhetherTheTipStaysOrGoesRound) {
   ExerciseStep answer;
   for (int degrees = 1; degrees <= 90; ++degrees) {
     ToolState tool = onSurface(degrees * kDegree, 0.001, 1.0);
-    tool.pose.orientation = axisAngle({0.0, 0.0, 1.0}, degrees * kDegree);
+    tool.pose.orientation = axisAngle({0.0, 0.0, 1.0}, degrees * kDegree) * inwards(0.0);
     answer = step(tool);
   }
 
@@ -196,7 +290,7 @@ TEST_F(ExerciseTest, MeasuresThePureRollExactly) {
   gripAt(0.0, TwistDrive::kRoll);
   ToolState tool = onSurface(0.0, 0.001, 1.0);
   for (const double angle_rad : {0.5, 1.0, 0.2, -1.0}) {
-    tool.pose.orientation = axisAngle({0.0, 0.0, 1.0}, angle_rad);
+    tool.pose.orientation = axisAngle({0.0, 0.0, 1.0}, angle_rad) * inwards(0.0);
     EXPECT_NEAR(step(tool).response.angle_rad, angle_rad, kRounding);
   }
 }
@@ -293,7 +387,8 @@ TEST_F(ExerciseTest, FeelsTheTwistedSurfaceWhileTheOrganReturns) {
 
   EXPECT_EQ(released.phase, ExercisePhase::kReleased);
   EXPECT_NEAR(released.response.depth_m, 0.001, kFlat_m);
-  EXPECT_NEAR(released.response.force_N.y, 0.4, 400.0 * kFlat_m);
+  EXPECT_GT(released.response.force_N.y, 0.4 - 400.0 * kFlat_m);  // more at the onset
+  EXPECT_LE(released.response.force_N.y, 0.5 + 500.0 * kFlat_m);
   EXPECT_NEAR(released.response.force_N.x, 0.0, 0.02);  // a facet may tilt by 2.5 degrees
 }
 
@@ -313,7 +408,7 @@ TEST_F(ExerciseTest, ObeysItsRulesUnderWildMotion) {
   double angle_rad = 0.0;
   double depth_m = 0.0;
   int grips = 0;
-  for (int i = 0; i < 30'000; ++i) {
+  for (int i = 0; i < 8'000; ++i) {
     angle_rad += 0.02 * random.normal();
     depth_m += 0.001 * random.normal() - 0.002 * depth_m;
     tool = onSurface(angle_rad, depth_m, random.bounded(2) == 0 ? tool.grip : random.uniform(),
@@ -346,7 +441,7 @@ TEST_F(ExerciseTest, ObeysItsRulesUnderWildMotion) {
     }
     before = answer.phase;
   }
-  EXPECT_GT(grips, 20);
+  EXPECT_GT(grips, 10);
 }
 
 TEST_F(ExerciseTest, ContinuesFromACopyBitForBit) {

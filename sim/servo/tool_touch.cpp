@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/servo/tool_touch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/portable_math.h"
+#include "sim/geometry/deformed_surface.h"
+#include "sim/tissue/twist_model_map.h"
+
+namespace torsio {
+
+namespace {
+
+// Nearer than this the direction to the surface is rounding; the surface's own normal counts.
+constexpr double kOnSurface_m = 1e-6;
+// Where an axis that has entered the organ is looked at besides the place of entry, metres along it.
+constexpr std::array kWithin_m{-0.016, -0.008, -0.004, 0.004, 0.008, 0.016};
+// Farther than this from the surface of a deformed organ the tip is just outside or deep inside.
+constexpr double kTipReach_m = 0.010;
+// Share of the jaw's length that the mouth reaches back.
+constexpr double kMouthShare = 0.5;
+
+PartTouch fromSurface(const Vec3& axisPoint_m, const SurfacePoint& surface, double radius_m) noexcept {
+  PartTouch touch;
+  touch.gap_m = surface.distance_m - radius_m;
+  touch.point_m = surface.position_m;
+  touch.radius_m = radius_m;
+  const bool near = std::abs(surface.distance_m) < kOnSurface_m || !std::isfinite(surface.distance_m);
+  touch.normal = near ? surface.normal : (axisPoint_m - surface.position_m) / surface.distance_m;
+  return touch;
+}
+
+const PartTouch& deeper(const PartTouch& a, const PartTouch& b) noexcept {
+  return b.gap_m < a.gap_m ? b : a;
+}
+
+template <typename Surface>
+PartTouch touchCapsule(Surface& surface, const Segment& axis, double radius_m) noexcept {
+  const SegmentHit hit = surface.nearest(axis, radius_m + kLookAhead_m);
+  if (!hit.found) return {};
+  PartTouch touch = fromSurface(axis.at(hit.along), hit.surface, radius_m);
+  if (hit.surface.distance_m > 0.0) return touch;
+  const double length_m = norm(axis.to_m - axis.from_m);
+  if (!(length_m > 0.0)) return touch;
+  for (const double way_m : kWithin_m) {
+    const Vec3 point_m = axis.at(std::clamp(hit.along + way_m / length_m, 0.0, 1.0));
+    touch = deeper(touch, fromSurface(point_m, surface.closest(point_m), radius_m));
+  }
+  return touch;
+}
+
+template <typename Surface>
+ToolTouch touchAll(Surface& surface, const PartTouch& tip, const ToolShape& shape, bool holding) noexcept {
+  ToolTouch touch;
+  touch.tip = tip;
+  touch.jaw = tip;
+  if (!holding) {
+    for (const Segment& blade : shape.blades) {
+      touch.jaw = deeper(touch.jaw, touchCapsule(surface, blade, shape.bladeRadius_m));
+    }
+  }
+  touch.shaft = touchCapsule(surface, shape.shaft, shape.tipRadius_m);
+  return touch;
+}
+
+/// The tip of a deformed organ. Far from the surface the map back to rest tells inside from outside; only
+/// deep inside the exact distance is worth its time.
+PartTouch touchTip(DeformedSurface& surface, const ToolShape& shape, const Scene& scene,
+                   const TwistState& twist) noexcept {
+  const SegmentHit hit = surface.nearest({shape.tip_m, shape.tip_m}, kTipReach_m);
+  if (hit.found) return fromSurface(shape.tip_m, hit.surface, shape.tipRadius_m);
+  const Vec3 rest_m = scene.model.toRest_m(shape.tip_m, twist);
+  if (scene.collision.closest(rest_m).distance_m > 0.0) return {};
+  return fromSurface(shape.tip_m, surface.closest(shape.tip_m), shape.tipRadius_m);
+}
+
+/// The vertices as the model moves them.
+struct MovedVertices {
+  TwistMap map;
+  const std::vector<TwistVertex>& vertices;
+
+  static Vec3 at(const void* self, std::uint32_t vertex) noexcept {
+    const auto& moved = *static_cast<const MovedVertices*>(self);
+    return moved.map.vertex(moved.vertices[vertex]);
+  }
+};
+
+}  // namespace
+
+ToolShape toolShape(const ToolState& tool, const Instrument& instrument) noexcept {
+  const auto placed = [&tool](const Vec3& inTool_m) {
+    return tool.pose.position_m + rotate(tool.pose.orientation, inTool_m);
+  };
+  const double closed = std::clamp(tool.grip, 0.0, 1.0);
+  const SinCos open = portableSinCos(kJawOpening_rad * (1.0 - closed));
+  const Vec3 hinge_m = placed({0.0, 0.0, kJawLength_m});
+  const double forward_m = kJawLength_m * (1.0 - open.cos);
+  const double sideways_m = kJawLength_m * open.sin;
+  ToolShape shape;
+  shape.tip_m = tool.pose.position_m;
+  shape.blades = {Segment{hinge_m, placed({0.0, sideways_m, forward_m})},
+                  Segment{hinge_m, placed({0.0, -sideways_m, forward_m})}};
+  shape.shaft = {hinge_m, placed({0.0, 0.0, std::max(kJawLength_m, instrument.shaftLength_m)})};
+  shape.mouth = {shape.tip_m, placed({0.0, 0.0, kMouthShare * kJawLength_m})};
+  shape.tipRadius_m = instrument.tipRadius_m;
+  shape.bladeRadius_m = kBladeShare * instrument.tipRadius_m;
+  return shape;
+}
+
+ToolTouch touchTool(const ToolShape& shape, const Scene& scene, const TwistState& twist,
+                    bool holding) noexcept {
+  if (twist.graspAngle_rad == 0.0) {
+    const PartTouch tip = fromSurface(shape.tip_m, scene.collision.closest(shape.tip_m), shape.tipRadius_m);
+    return touchAll(scene.collision, tip, shape, holding);
+  }
+  const TwistModel::Tables& tables = scene.model.tables();
+  const MovedVertices moved{TwistMap(tables, scene.model.lattice(), twist), tables.vertices};
+  DeformedSurface surface(scene.collision.patches(), {&moved, &MovedVertices::at});
+  return touchAll(surface, touchTip(surface, shape, scene, twist), shape, holding);
+}
+
+std::optional<SurfacePoint> tissueInMouth(const ToolShape& shape, const ToolState& tool,
+                                          const Scene& scene) noexcept {
+  const double reach_m = scene.instrument.gripReach_m + shape.tipRadius_m;
+  const SurfacePoint atTip = scene.collision.closest(shape.tip_m);
+  const SegmentHit hit = scene.collision.nearest(shape.mouth, reach_m);
+  if (!hit.found && !(atTip.distance_m <= reach_m)) return std::nullopt;
+  const SurfacePoint found = hit.found ? hit.surface : atTip;  // else the mouth is deep inside
+  if (found.distance_m <= 0.0) return found;
+  const Vec3 inTool_m = rotate(conjugate(tool.pose.orientation), found.position_m - shape.shaft.from_m);
+  const double forward_m = -inTool_m.z;
+  const SinCos open = portableSinCos(kJawOpening_rad);
+  const bool between = forward_m > 0.0 && std::abs(inTool_m.y) * open.cos <= forward_m * open.sin;
+  return between ? std::optional(found) : std::nullopt;
+}
+
+}  // namespace torsio

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+
+#include "sim/base/device_sample.h"
+#include "sim/geometry/segment.h"
+#include "sim/geometry/surface_point.h"
+#include "sim/scene/scene.h"
+#include "sim/tissue/twist_model.h"
+
+namespace torsio {
+
+/// The jaw of assets/instruments/grasper.json: hinge behind the tip, turn of each blade when it is open.
+inline constexpr double kJawLength_m = 0.020;
+inline constexpr double kJawOpening_rad = 25.0 * kDegree;
+/// A blade is thinner than the closed jaw: share of the tip's radius.
+inline constexpr double kBladeShare = 0.6;
+/// Surfaces farther from blade and shaft than this are not looked for.
+inline constexpr double kLookAhead_m = 0.001;
+
+/// The instrument as the collision sees it, world frame: a sphere at the tip, where the blades meet; two
+/// blades from the hinge, which open by `grip` in the tool's y-z plane; the shaft from the hinge along the
+/// tool's +z axis, as thick as the tip.
+struct ToolShape {
+  Vec3 tip_m;
+  std::array<Segment, 2> blades;
+  Segment shaft;
+  Segment
+      mouth;  ///< between the blades, from the tip halfway to the hinge: what tissue must reach to be held
+  double tipRadius_m = 0.0;
+  double bladeRadius_m = 0.0;
+};
+
+/// Any thread.
+[[nodiscard]] ToolShape toolShape(const ToolState& tool, const Instrument& instrument) noexcept;
+
+/// One part of the instrument and the deformed surface, world frame.
+struct PartTouch {
+  double gap_m = std::numeric_limits<double>::infinity();  ///< between them; negative: that deep inside
+  Vec3 point_m;                                            ///< of the surface
+  Vec3 normal;                                             ///< unit, outwards: where the surface pushes
+  double radius_m = 0.0;                                   ///< of the part
+};
+
+struct ToolTouch {
+  PartTouch tip;    ///< the sphere at the tip; of a deformed organ infinite gap beyond a centimetre
+  PartTouch jaw;    ///< the deeper of tip and blades
+  PartTouch shaft;  ///< infinite gap beyond kLookAhead_m
+};
+
+/// Where the instrument touches the organ as `twist` has left it. A part whose axis lies outside has the
+/// depth of the capsule; one whose axis has entered is as deep as the deepest of some points of the axis near
+/// the place of entry. `holding`: the blades are in the tissue and do not collide.
+///
+/// At rest the rest hierarchy answers (CollisionMesh::nearest), else DeformedSurface over the vertices as the
+/// model moves them: the surface that is drawn. noexcept, allocation-free; runs in the servo tick, 3 to 10 us
+/// at rest.
+[[nodiscard]] ToolTouch touchTool(const ToolShape& shape, const Scene& scene, const TwistState& twist,
+                                  bool holding) noexcept;
+
+/// The surface point that closing the jaw would take hold of, of the organ at rest: the nearest to the mouth
+/// within `gripReach_m` of the tip's radius, if it lies between the open blades; nothing else can be held.
+[[nodiscard]] std::optional<SurfacePoint> tissueInMouth(const ToolShape& shape, const ToolState& tool,
+                                                        const Scene& scene) noexcept;
+
+}  // namespace torsio

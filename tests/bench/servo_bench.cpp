@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One whole tick of the servo, by its stages of the exercise: device, collision against the deformed organ,
+// model, passivity, governor, record into the ring, publish. Prints median, 99 % and 99.9 % in wall time and
+// in processor time (what a loaded machine takes away shows in the first only), the ratio to one STREAM triad
+// over the organ's vertices, allocations, locks, and a histogram. Options: seconds of exercise (20).
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/device/scripted_hand.h"
+#include "sim/servo/hand_task.h"
+#include "sim/servo/servo_loop.h"
+#include "sim/servo/timing_histogram.h"
+#include "tests/sim/servo/bar_scene.h"
+#include "tests/support/allocation_count.h"
+#include "tests/support/lock_count.h"
+
+namespace torsio {
+namespace {
+
+constexpr double kMedianTarget_us = 100.0;
+constexpr double kP999Target_us = 200.0;
+
+struct Quantiles {
+  double median_us = 0.0;
+  double p99_us = 0.0;
+  double p999_us = 0.0;
+  double max_us = 0.0;
+};
+
+Quantiles quantiles(std::vector<double> values_us) {
+  if (values_us.empty()) return {};
+  std::sort(values_us.begin(), values_us.end());
+  const auto at = [&](double share) {
+    return values_us[static_cast<std::size_t>(share * static_cast<double>(values_us.size() - 1))];
+  };
+  return {at(0.5), at(0.99), at(0.999), values_us.back()};
+}
+
+double processor_us() {
+  return static_cast<double>(std::clock()) * (1e6 / CLOCKS_PER_SEC);
+}
+
+/// Median time of a[i] = b[i] + s c[i] over as many doubles as the organ has coordinates.
+double triad_us(std::size_t vertices) {
+  std::vector<double> a(3 * vertices, 0.0);
+  const std::vector<double> b(a.size(), 1.0);
+  const std::vector<double> c(a.size(), 2.0);
+  std::vector<double> times_us;
+  double scale = 0.5;
+  for (int repeat = 0; repeat < 401; ++repeat) {
+    const auto begun = std::chrono::steady_clock::now();
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] = b[i] + scale * c[i];
+    times_us.push_back(
+        std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begun).count());
+    scale = a[static_cast<std::size_t>(repeat)] * 0.25;  // each pass needs the one before
+  }
+  return quantiles(std::move(times_us)).median_us;
+}
+
+void print(const char* name, const std::vector<double>& values_us) {
+  const Quantiles q = quantiles(values_us);
+  std::printf("  %-28s %8.1f %8.1f %8.1f %8.1f us  (%zu ticks)\n", name, q.median_us, q.p99_us, q.p999_us,
+              q.max_us, values_us.size());
+}
+
+void measure(const Scene& scene, double seconds) {
+  ScriptedHand hand({.seed = 3,
+                     .task = handTask(scene),
+                     .profile = {.initialSkill = 0.6, .finalSkill = 0.6},
+                     .duration_s = seconds});
+  const int ticks = static_cast<int>(seconds * 1e3);
+  SpscRing<Sample> ring(static_cast<std::size_t>(ticks) + 1);
+  LatestValue<LiveState> live;
+  ServoLoop loop({.device = &hand, .scene = &scene, .recording = &ring, .live = &live}, {});
+  std::vector<double> wall_us(static_cast<std::size_t>(ticks));
+  std::vector<double> processor(wall_us.size());
+  std::array<std::vector<double>, 4> byPhase_us;
+  for (auto& phase : byPhase_us) phase.reserve(wall_us.size());
+  TimingHistogram histogram;
+
+  const std::int64_t allocations = testing::allocationCount();
+  const std::int64_t locks = testing::lockCount();
+  for (int i = 0; i < ticks; ++i) {
+    const double before_us = processor_us();
+    const auto begun = std::chrono::steady_clock::now();
+    loop.tick(1000LL * i);
+    const auto took = std::chrono::steady_clock::now() - begun;
+    const auto at = static_cast<std::size_t>(i);
+    wall_us[at] = std::chrono::duration<double, std::micro>(took).count();
+    processor[at] = processor_us() - before_us;
+    byPhase_us[static_cast<std::size_t>(loop.lastSample().phase)].push_back(wall_us[at]);
+    histogram.add_ns(std::chrono::duration_cast<std::chrono::nanoseconds>(took).count());
+  }
+  const std::int64_t taken = testing::allocationCount() - allocations;
+  const std::int64_t locked = testing::lockCount() - locks;
+
+  std::printf("\n%s: %zu triangles, %zu patches\n  %-28s %8s %8s %8s %8s\n", scene.title.c_str(),
+              scene.mesh.triangles.size(), scene.collision.patches().patches().size(), "tick", "median",
+              "99 %", "99.9 %", "longest");
+  print("wall time", wall_us);
+  print("processor time", processor);
+  constexpr std::array kPhases{"tracking", "contact", "twisting, organ deformed", "released, organ deformed"};
+  for (std::size_t p = 0; p < kPhases.size(); ++p) print(kPhases[p], byPhase_us[p]);
+  const double triad = triad_us(scene.mesh.vertices_m.size());
+  const Quantiles q = quantiles(wall_us);
+  const Quantiles deformed = quantiles(byPhase_us[2]);
+  std::printf("  triad over the vertices %.1f us: the median tick is %.2f of it, deformed %.2f\n", triad,
+              q.median_us / triad, deformed.median_us / triad);
+  std::printf("  allocations %lld, locks %lld%s\n", static_cast<long long>(taken),
+              static_cast<long long>(locked),
+              testing::lockCountWorks() ? "" : " (not counted on this platform)");
+  std::printf("  median at most %.0f us: %s; 99.9 %% at most %.0f us: %s\n", kMedianTarget_us,
+              deformed.median_us <= kMedianTarget_us ? "met" : "MISSED", kP999Target_us,
+              q.p999_us <= kP999Target_us ? "met" : "MISSED");
+  histogram.forEach([](double from_us, double to_us, std::int64_t count) {
+    std::printf("    %8.1f .. %8.1f us %8lld\n", from_us, to_us, static_cast<long long>(count));
+  });
+}
+
+Scene shipped(const std::string& id) {
+  SceneRequest request;
+  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  request.id = id;
+  return loadScene(request);
+}
+
+}  // namespace
+}  // namespace torsio
+
+int main(int argc, char** argv) {
+  const double seconds = argc > 1 ? std::strtod(argv[1], nullptr) : 20.0;
+  if (!(seconds >= 1.0 && seconds <= 3600.0)) {
+    std::fputs("usage: torsio_bench_servo [SECONDS of exercise, 1 to 3600]\n", stderr);
+    return 2;
+  }
+  using namespace torsio;
+  const TriangleMesh bar = testing::prism(testing::circleOutline(kBarRadius_m, 100), kBarLength_m, 104);
+  measure(barScene(bar), seconds);
+  for (const char* id : {"arm", "stomach"}) measure(shipped(id), seconds);
+  return 0;
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/servo/indentation.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/portable_math.h"
+
+namespace torsio {
+namespace {
+
+constexpr ContactPatch kPatch{{0.1, 0.2, 0.3}, {0.0, 0.0, 1.0}, 0.002, 0.0025, 0.015};
+constexpr double kRounding_m = 1e-15;
+
+double depthAt(double r_m) {
+  return -indentationAt(kPatch, kPatch.point_m + Vec3{r_m, 0.0, 0.0}).z;
+}
+
+TEST(Indentation, FollowsTheMembraneLaw) {
+  EXPECT_EQ(depthAt(0.0), kPatch.depth_m);
+  EXPECT_NEAR(depthAt(0.0025), kPatch.depth_m, kRounding_m);
+  // Half way in the logarithm: r = sqrt(a R).
+  EXPECT_NEAR(depthAt(std::sqrt(0.0025 * 0.015)), 0.5 * kPatch.depth_m, kRounding_m);
+  EXPECT_NEAR(depthAt(0.005), 0.002 * std::log(3.0) / std::log(6.0), kRounding_m);
+  EXPECT_NEAR(depthAt(0.0149999), 0.0, 1e-7);
+  EXPECT_EQ(depthAt(0.015), 0.0);
+  EXPECT_EQ(depthAt(0.1), 0.0);
+}
+
+TEST(Indentation, PushesBackWithTheForceOfItsTension) {
+  // F = 2 pi S w0 / ln(R / a) must be the contact force k w0.
+  const double tension = membraneTension_N_per_m(kPatch, 500.0);
+
+  EXPECT_NEAR(2.0 * kPi * tension * kPatch.depth_m / std::log(6.0), 500.0 * kPatch.depth_m, 1e-12);
+  // And the slope of the dent at its rim carries it: F = 2 pi r S |dw/dr| at any r beyond the tip.
+  const double r_m = 0.006;
+  const double step_m = 1e-7;
+  const double slope = (depthAt(r_m - step_m) - depthAt(r_m + step_m)) / (2.0 * step_m);
+  EXPECT_NEAR(2.0 * kPi * r_m * tension * slope, 500.0 * kPatch.depth_m, 1e-6);
+}
+
+TEST(Indentation, MovesTheVerticesOfAViewUnderBothPartsAndNoOthers) {
+  LiveState state;
+  state.patches = {kPatch, ContactPatch{{0.1, 0.2, 0.4}, {1.0, 0.0, 0.0}, 0.001, 0.0025, 0.015}};
+  // Millimetres, four floats a vertex.
+  std::vector<float> xyz{100, 200, 300, 7, 100, 200, 400, 7, 0, 0, 0, 7};
+
+  EXPECT_TRUE(indentSurface(state, xyz, 4, 0.001));
+
+  EXPECT_FLOAT_EQ(xyz[2], 298.0F);
+  EXPECT_FLOAT_EQ(xyz[4], 99.0F);
+  const std::vector<float> rest(xyz.begin() + 8, xyz.end());
+  EXPECT_EQ(rest, (std::vector<float>{0, 0, 0, 7}));
+  EXPECT_EQ(xyz[3], 7.0F);
+  std::array<Vec3, 1> exact{kPatch.point_m};
+  EXPECT_TRUE(indentSurface(state, exact));
+  EXPECT_NEAR(exact[0].z, 0.298, kRounding_m);
+}
+
+TEST(Indentation, MovesNothingOutOfContact) {
+  std::vector<float> xyz{0.1F, 0.2F, 0.3F};
+  const std::vector<float> before = xyz;
+
+  EXPECT_FALSE(indentSurface(LiveState{}, xyz));
+
+  EXPECT_EQ(xyz, before);
+  EXPECT_EQ(indentationAt(ContactPatch{}, {}), Vec3{});
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The instrument against organs that are twisted: the answer of the tick against FCL and against every
+// triangle of the fully moved mesh.
+#include "sim/servo/tool_touch.h"
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/capsule.h>
+#include <fcl/narrowphase/distance.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/random.h"
+#include "tests/sim/servo/bar_scene.h"
+
+namespace torsio {
+namespace {
+
+/// FCL's own accuracy for a capsule against a mesh (LIBCCD's tolerance), and the stated accuracy of the map.
+constexpr double kFcl_m = 1e-5;
+constexpr double kRounding_m = 1e-12;
+
+TriangleMesh moved(const Scene& scene, const TwistState& twist) {
+  TriangleMesh mesh = scene.mesh;
+  scene.model.deform(twist, mesh.vertices_m);
+  return mesh;
+}
+
+Quat anyTurn(Random& random) {
+  return normalized(Quat{random.normal(), random.normal(), random.normal(), random.normal()});
+}
+
+/// Tools whose tip lies up to 20 mm outside or 8 mm inside somewhere on the moved surface.
+std::vector<ToolState> toolsNear(const TriangleMesh& mesh, const CollisionMesh& surface, int count) {
+  Random random(5);
+  std::vector<ToolState> tools(static_cast<std::size_t>(count));
+  for (ToolState& tool : tools) {
+    const Vec3& v = mesh.vertices_m[random.bounded(mesh.vertices_m.size())];
+    const Vec3 normal = surface.closest(v).normal;
+    tool.pose.position_m = v + normal * (-0.008 + 0.028 * random.uniform());
+    tool.pose.orientation = anyTurn(random);
+    tool.grip = random.uniform();
+  }
+  return tools;
+}
+
+void agreesWithTheMovedMesh(const Scene& scene, const TwistState& twist, int count) {
+  const TriangleMesh mesh = moved(scene, twist);
+  const CollisionMesh surface(mesh);
+  int touching = 0;
+  int shafts = 0;
+  for (const ToolState& tool : toolsNear(mesh, surface, count)) {
+    const ToolShape shape = toolShape(tool, scene.instrument);
+
+    const ToolTouch touch = touchTool(shape, scene, twist, false);
+
+    const SurfacePoint tip = surface.closest(shape.tip_m);
+    if (std::isfinite(touch.tip.gap_m)) {
+      ASSERT_NEAR(touch.tip.gap_m, tip.distance_m - shape.tipRadius_m, kRounding_m);
+      ASSERT_NEAR(norm(touch.tip.point_m - tip.position_m), 0.0, 1e-6);
+    } else {
+      ASSERT_GT(tip.distance_m, 0.009);
+    }
+    const SegmentHit shaft = surface.nearest(shape.shaft, shape.tipRadius_m + kLookAhead_m);
+    ASSERT_EQ(shaft.found, std::isfinite(touch.shaft.gap_m));
+    if (shaft.found && shaft.surface.distance_m > 0.0) {
+      ASSERT_NEAR(touch.shaft.gap_m, shaft.surface.distance_m - shape.tipRadius_m, kRounding_m);
+      ASSERT_NEAR(norm(touch.shaft.normal), 1.0, 1e-9);
+    }
+    touching += touch.jaw.gap_m < 0.0 ? 1 : 0;
+    shafts += touch.shaft.gap_m < 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(touching, count / 10);
+  EXPECT_GT(shafts, count / 10);
+}
+
+TEST(ToolTouch, AgreesWithEveryTriangleOfATwistedBar) {
+  const Scene scene = barScene();
+  for (const double angle_rad : {0.0, 0.3, -1.5, 4.0}) {
+    SCOPED_TRACE(angle_rad);
+    agreesWithTheMovedMesh(scene, {0.2, angle_rad}, 300);
+  }
+}
+
+TEST(ToolTouch, AgreesWithEveryTriangleOfTheShippedOrgansTwistedToTheirTargets) {
+  const std::filesystem::path assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  for (const std::string& id : sceneIds(assets)) {
+    SceneRequest request;
+    request.assets = assets;
+    request.id = id;
+    for (const std::string& pattern : patternIds(assets, id)) {
+      SCOPED_TRACE(id + ", " + pattern);
+      request.pattern = pattern;
+      const Scene scene = loadScene(request);
+      const double arc_m = scene.pattern.graspArc * scene.lattice().length_m();
+      agreesWithTheMovedMesh(scene, {arc_m, scene.pattern.targetAngle_rad}, 120);
+    }
+  }
+}
+
+TEST(ToolTouch, AgreesWithFclOnATwistedBar) {
+  const Scene scene = barScene();
+  const TwistState twist{0.2, 1.2};
+  const TriangleMesh mesh = moved(scene, twist);
+  const CollisionMesh surface(mesh);
+  auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+  std::vector<fcl::Vector3d> points;
+  for (const Vec3& v : mesh.vertices_m) points.emplace_back(v.x, v.y, v.z);
+  std::vector<fcl::Triangle> triangles;
+  for (const TriangleMesh::Triangle& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
+  model->beginModel();
+  model->addSubModel(points, triangles);
+  model->endModel();
+
+  int compared = 0;
+  for (const ToolState& tool : toolsNear(mesh, surface, 400)) {
+    const ToolShape shape = toolShape(tool, scene.instrument);
+    const ToolTouch touch = touchTool(shape, scene, twist, false);
+    if (!(touch.shaft.gap_m > 0.0) || !std::isfinite(touch.shaft.gap_m)) continue;  // FCL has no depth
+    const auto capsule =
+        std::make_shared<fcl::Capsuled>(shape.tipRadius_m, norm(shape.shaft.to_m - shape.shaft.from_m));
+    fcl::Transform3d pose = fcl::Transform3d::Identity();
+    const Quat& q = tool.pose.orientation;
+    pose.linear() = fcl::Quaterniond(q.w, q.x, q.y, q.z).toRotationMatrix();
+    const Vec3 middle = shape.shaft.at(0.5);
+    pose.translation() = fcl::Vector3d(middle.x, middle.y, middle.z);
+    fcl::DistanceResultd result;
+    fcl::distance(model.get(), fcl::Transform3d::Identity(), capsule.get(), pose, fcl::DistanceRequestd(true),
+                  result);
+    EXPECT_NEAR(touch.shaft.gap_m, result.min_distance, kFcl_m);
+    ++compared;
+  }
+  EXPECT_GT(compared, 5);
+}
+
+TEST(ToolTouch, MeasuresTheDepthOfAShaftThatHasEntered) {
+  const Scene scene = barScene();
+  ToolState tool;
+  tool.pose.orientation = axisAngle({1.0, 0.0, 0.0}, -0.5 * kPi);  // shaft along +y, through the bar
+  for (const double depth_m : {0.001, 0.002, 0.004, 0.008}) {
+    tool.pose.position_m = {kBarRadius_m + 0.0025 - depth_m, -0.060, 0.125};
+
+    const ToolTouch touch = touchTool(toolShape(tool, scene.instrument), scene, {}, false);
+
+    // Beyond the shaft's radius the deepest of some points counts: a chord of the circle, 72 sides.
+    EXPECT_NEAR(-touch.shaft.gap_m, depth_m, depth_m < 0.0025 ? 4e-5 : 0.15 * depth_m);
+    EXPECT_GT(touch.shaft.normal.x, 0.8);
+  }
+}
+
+TEST(ToolTouch, OpensTheBladesByTheGrip) {
+  ToolState tool;
+  const ToolShape open = toolShape(tool, Instrument{});
+  tool.grip = 1.0;
+  const ToolShape closed = toolShape(tool, Instrument{});
+
+  // 20 mm at 25 degrees: 8.45 mm to the side, 1.87 mm back.
+  EXPECT_NEAR(std::abs(open.blades[0].to_m.y), 0.00845, 1e-5);
+  EXPECT_NEAR(open.blades[0].to_m.z, 0.00187, 1e-5);
+  EXPECT_EQ(open.blades[0].to_m.y, -open.blades[1].to_m.y);
+  EXPECT_NEAR(norm(closed.blades[0].to_m), 0.0, 1e-15);
+  EXPECT_EQ(open.shaft.from_m, (Vec3{0.0, 0.0, kJawLength_m}));
+}
+
+}  // namespace
+}  // namespace torsio
