@@ -35,6 +35,7 @@ void buildProgram(CLI::App& program) {
   addBench(program);
   addCompareGroups(program);
   addDemo(program);
+  addDevice(program);
   addEvaluate(program);
   addLearning(program);
   addMetrics(program);

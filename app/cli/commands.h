@@ -14,6 +14,7 @@ void addAllocate(CLI::App& program);
 void addBench(CLI::App& program);
 void addCompareGroups(CLI::App& program);
 void addDemo(CLI::App& program);
+void addDevice(CLI::App& program);
 void addEvaluate(CLI::App& program);
 void addLearning(CLI::App& program);
 void addMetrics(CLI::App& program);

@@ -16,10 +16,8 @@ using Handle = std::uint32_t;
 using Boolean = std::uint8_t;
 using UShort = std::uint16_t;
 using ULong = unsigned long;  ///< 8 bytes on Linux, 4 on Windows, as in the vendor's interface
-using Long = long;
 using SchedulerHandle = ULong;
 using CallbackCode = std::uint32_t;
-using WaitCode = std::uint32_t;
 
 /// One entry of the error stack, returned by value: a smaller struct would corrupt the stack on Windows.
 struct ErrorInfo {
@@ -138,15 +136,9 @@ inline constexpr ErrorCode kInvalidLicense = 0x0600;
   X(SchedulerHandle, hdScheduleAsynchronous, (SchedulerCallback callback, void* userData, UShort priority)) \
   X(void, hdUnschedule, (SchedulerHandle callback))
 
-#define TORSIO_HD_OPTIONAL(X)                                                                   \
-  X(void, hdSetSchedulerRate, (ULong rate))                                                     \
-  X(void, hdScheduleSynchronous, (SchedulerCallback callback, void* userData, UShort priority)) \
-  X(Boolean, hdWaitForCompletion, (SchedulerHandle callback, WaitCode wait))                    \
-  X(double, hdGetSchedulerTimeStamp, ())                                                        \
-  X(void, hdGetLongv, (Enum name, Long * values))                                               \
-  X(void, hdGetFloatv, (Enum name, float* values))                                              \
-  X(Enum, hdCheckCalibrationStyle, ())                                                          \
-  X(Boolean, hdDeploymentLicense, (const char* vendor, const char* application, const char* password))
+#define TORSIO_HD_OPTIONAL(X)               \
+  X(void, hdSetSchedulerRate, (ULong rate)) \
+  X(void, hdScheduleSynchronous, (SchedulerCallback callback, void* userData, UShort priority))
 
 /// Table of function pointers; optional ones may be null.
 struct Api {

@@ -37,7 +37,10 @@ void HdapiDevice::beginClose() {
 
 bool HdapiDevice::close() {
   beginClose();
-  return closed_.wait_for(std::chrono::microseconds(patience_us_)) == std::future_status::ready;
+  // Patience is spent once; later calls only look.
+  const std::chrono::microseconds patience(waited_ ? 0 : patience_us_);
+  waited_ = true;
+  return closed_.wait_for(patience) == std::future_status::ready;
 }
 
 HdapiSnapshot HdapiDevice::snapshot() noexcept {

@@ -40,10 +40,10 @@ inline constexpr std::int64_t kReadingLost_us = 250'000;
 ///
 /// | status              | when                                                                            |
 /// |---------------------|---------------------------------------------------------------------------------|
-/// | kDeviceUncalibrated | before calibration, after it was lost, and for kJumpSettles_us after a jump      |
-/// | kDeviceStale        | no frame, servo below kLowestRate_Hz, HD_WARM_MOTORS, lost, no new mailbox entry |
-/// | kDeviceInvalid      | the pose is no rigid motion, or the device's own force protection tripped        |
-/// | kDeviceWarm         | a motor above kWarmAbove, until all are below kWarmUntilBelow                    |
+/// | kDeviceUncalibrated | before calibration, after it was lost, kJumpSettles_us after a jump, after a trip
+/// | | kDeviceStale        | no frame, servo below kLowestRate_Hz, HD_WARM_MOTORS, lost, no new mailbox entry
+/// | | kDeviceInvalid      | the pose is no rigid motion, or the device's own force protection tripped | |
+/// kDeviceWarm         | a motor above kWarmAbove, until all are below kWarmUntilBelow                    |
 /// | kDeviceLost         | device, communication, timer or scheduler error: the servo has ended             |
 ///
 /// start, close and destruction belong to one thread; enableForce, retryCalibration, snapshot and nextEvent
@@ -60,8 +60,8 @@ class HdapiDevice final : public HapticDevice {
   /// Begins to close in a thread of its own and returns as soon as the tick function is done for good; the
   /// library may take as long as it wants. Not from within the tick function.
   void beginClose();
-  /// beginClose(), then waits for at most HdapiOptions::patience_us. False when the library did not let go
-  /// (unplugged devices block it): the process must end before the device can be opened again.
+  /// beginClose(), then waits, the first time for at most HdapiOptions::patience_us. False when the library
+  /// did not let go (unplugged devices block it): the process must end before the device can be opened again.
   bool close();
 
   /// Wish for force output. It is granted while the device is calibrated, quick and cool, and always ramped.
@@ -83,6 +83,7 @@ class HdapiDevice final : public HapticDevice {
   std::shared_ptr<HdapiSession> session_;  // shared with the thread that closes it
   const std::int64_t patience_us_;
   std::future<void> closed_;
+  bool waited_ = false;
   bool started_ = false;
   bool driven_ = false;  // by the vendor's servo thread
   // Mailbox operation, servo thread only.

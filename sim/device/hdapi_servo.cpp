@@ -172,7 +172,8 @@ void HdapiServo::judge(std::int64_t now_us) noexcept {
   if (lost()) status |= kDeviceLost;
   if (lost() || !frameOpen_ || slow || warmStop_) status |= kDeviceStale;
   if (!calibration_.calibrated() || now_us < distrustUntil_us_) status |= kDeviceUncalibrated;
-  if (tripped_) status |= kDeviceInvalid;
+  // Amplifiers that dropped out leave no hand at the organ: contact and grip start anew, too.
+  if (tripped_) status |= kDeviceInvalid | kDeviceUncalibrated;
   tripped_ = false;
   if (warm_ || warmStop_) status |= kDeviceWarm;
   if ((status & ~static_cast<std::uint32_t>(kDeviceWarm)) != 0) gate_.close();

@@ -79,6 +79,10 @@ HdapiSession::HdapiSession(const hd::Api& api, const HdapiOptions& options)
       api_.hdEnable(safeguard);
     }
     (void)drainHdapiErrors(api_);
+    if (api_.hdIsEnabled(hd::kForceOutput) != 0) {
+      throw Error(ErrorCode::kDevice, "the device's force cannot be switched off", identity_.openedAs,
+                  "Unplug the device, plug it in again and run the vendor's set-up tool");
+    }
     readIdentity();
     readCapabilities(options);
     servo_ = std::make_unique<HdapiServo>(api_, setup(), *clock_);

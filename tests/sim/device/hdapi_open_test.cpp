@@ -55,6 +55,13 @@ TEST_F(HdapiOpen, A3_AcceptsHandleZero) {
   EXPECT_EQ(device->identity().serial, "000123");
 }
 
+TEST_F(HdapiOpen, A3_RefusesADeviceWhoseForceCannotBeSwitchedOff) {
+  fake.set_stuck_force(1);
+
+  EXPECT_TRUE(mentions(refusal(), "force cannot be switched off"));
+  EXPECT_EQ(fake.calls("hdDisableDevice"), 1);
+}
+
 TEST_F(HdapiOpen, A4_LetsGoOfADeviceThatIsInitiatedAlreadyAndTriesAgain) {
   fake.fault("hdInitDevice", 0, 1, hd::kDeviceAlreadyInitiated, 0);
 

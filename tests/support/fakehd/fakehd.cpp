@@ -134,6 +134,7 @@ struct Fake {
   int errorCount = 0;
   bool initiated = false;
   bool forceEnabled = false;
+  bool stuckForce = false;
   std::map<hd::Enum, bool> enabled;
   bool inFrame = false;
   int framesThisTick = 0;
@@ -375,6 +376,7 @@ void readEnvironment(Fake& f) {
     f.unplugAtTick = std::atoi(environment("FAKEHD_UNPLUG_AT_TICK"));
   }
   if (*environment("FAKEHD_TICK_US") != '\0') f.period_us = std::atoi(environment("FAKEHD_TICK_US"));
+  if (std::string(environment("FAKEHD_POSE")) == "centre") f.pose = {{0, 0, 0}, {0, 0, 0}, 1, {0, 0, 0}};
   f.logFile = environment("FAKEHD_LOG");
 }
 
@@ -509,7 +511,7 @@ void hdEnable(hd::Enum capability) {
 void hdDisable(hd::Enum capability) {
   Fake& f = fake();
   const Guard guard(f.spin);
-  if (!enter(f, __func__)) return;
+  if (!enter(f, __func__) || (f.stuckForce && capability == hd::kForceOutput)) return;
   f.enabled[capability] = false;
   if (capability == hd::kForceOutput) {
     f.forceEnabled = false;
@@ -730,14 +732,6 @@ void hdScheduleSynchronous(hd::SchedulerCallback callback, void* userData, hd::U
   });
 }
 
-hd::Boolean hdWaitForCompletion(hd::SchedulerHandle, hd::WaitCode) {
-  return 0;
-}
-
-double hdGetSchedulerTimeStamp() {
-  return 0.0;
-}
-
 // --- controls
 // -------------------------------------------------------------------------------------------------
 
@@ -769,6 +763,7 @@ void fakehd_reset() {
   f.errorCount = 0;
   f.initiated = false;
   f.forceEnabled = false;
+  f.stuckForce = false;
   f.enabled.clear();
   f.inFrame = false;
   f.framesThisTick = 0;
@@ -836,6 +831,11 @@ void fakehd_set_pose_function(FakePoseFunction function, void* context) {
   FAKEHD_GUARDED
   f.poseFunction = function;
   f.poseContext = context;
+}
+void fakehd_set_stuck_force(int stuck) {
+  FAKEHD_GUARDED
+  f.stuckForce = stuck != 0;
+  f.enabled[hd::kForceOutput] = f.stuckForce;
 }
 void fakehd_set_buttons(std::int32_t mask) {
   FAKEHD_GUARDED

@@ -9,8 +9,8 @@
 ///
 /// Without fakehd_reset() the fake runs in real time and takes its story from the environment, for tests of
 /// the whole program: FAKEHD_NO_DEVICE, FAKEHD_NO_LICENCE, FAKEHD_MODEL, FAKEHD_CALIBRATION=ok|update|dock,
-/// FAKEHD_DOCK_AT_TICK, FAKEHD_UNPLUG_AT_TICK, FAKEHD_TICK_US, FAKEHD_LOG (file that gets a line for each
-/// call that matters for the order of teardown).
+/// FAKEHD_DOCK_AT_TICK, FAKEHD_UNPLUG_AT_TICK, FAKEHD_TICK_US, FAKEHD_POSE=centre, FAKEHD_LOG (file that gets
+/// a line for each call that matters for the order of teardown).
 extern "C" {
 
 /// What the fake's hand does in one tick.
@@ -48,6 +48,8 @@ void fakehd_set_number(std::uint32_t name, const double* values, int count);
 
 void fakehd_set_pose(const FakePose* pose);
 void fakehd_set_pose_function(FakePoseFunction function, void* context);
+/// 1: the force output is on and hdDisable does not change it.
+void fakehd_set_stuck_force(int stuck);
 void fakehd_set_buttons(std::int32_t mask);
 void fakehd_set_temperature(const double* values, int count);
 /// HD_CALIBRATION_OK ... ; the stylus in the inkwell turns "manual input" into "update".

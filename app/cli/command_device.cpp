@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <csignal>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/session/device_check.h"
+#include "assessment/report/number_format.h"
+#include "sim/base/error.h"
+
+namespace torsio::cli {
+
+namespace {
+
+// A signal can reach nothing but a global.
+volatile std::sig_atomic_t stopAsked = 0;
+
+void askToStop(int) {
+  stopAsked = 1;
+}
+
+/// An interrupted program would leave the device with its last force until the vendor's watchdog notices, and
+/// some units unusable until they are replugged.
+void closeInOrderOnSignals() {
+  std::signal(SIGINT, askToStop);
+  std::signal(SIGTERM, askToStop);
+}
+
+struct DeviceArguments {
+  DeviceChoice choice;
+  bool json = false;
+  bool forceTest = false;
+  double checkSeconds = 2.0;
+  double wait_s = 30.0;
+  double monitorSeconds = 10.0;
+  double interval_s = 0.25;
+};
+
+const char* gradeWord(FindingGrade grade) {
+  switch (grade) {
+    case FindingGrade::kGood:
+      return "good";
+    case FindingGrade::kNote:
+      return "note";
+    case FindingGrade::kBad:
+      return "problem";
+  }
+  return "";
+}
+
+void runList(const DeviceArguments& arguments) {
+  const std::vector<DeviceDriver> drivers = deviceDrivers(arguments.choice.library);
+  if (arguments.json) {
+    nlohmann::ordered_json out = nlohmann::ordered_json::array();
+    for (const DeviceDriver& driver : drivers) {
+      out.push_back({{"id", driver.id},
+                     {"name", driver.name},
+                     {"needs", driver.needs},
+                     {"available", driver.available},
+                     {"finding", driver.finding},
+                     {"remedy", driver.remedy}});
+    }
+    std::cout << out.dump(2) << '\n';
+    return;
+  }
+  for (const DeviceDriver& driver : drivers) {
+    std::cout << std::left << std::setw(9) << driver.id << " " << std::setw(22) << driver.name
+              << (driver.available ? " available      " : " not available  ") << driver.finding << "\n";
+    if (!driver.remedy.empty()) std::cout << std::string(10, ' ') << "What to do: " << driver.remedy << "\n";
+  }
+}
+
+void printCheck(const DeviceCheckResult& result, bool json) {
+  if (!json) {
+    for (const DeviceFinding& finding : result.findings) {
+      std::cout << std::left << std::setw(8) << gradeWord(finding.grade) << " " << finding.subject << ": "
+                << finding.sentence << "\n";
+      if (!finding.remedy.empty())
+        std::cout << std::string(9, ' ') << "What to do: " << finding.remedy << "\n";
+    }
+    if (result.usable()) std::cout << "The device is ready for training.\n";
+    return;
+  }
+  nlohmann::ordered_json out;
+  out["usable"] = result.usable();
+  out["findings"] = nlohmann::ordered_json::array();
+  for (const DeviceFinding& finding : result.findings) {
+    out["findings"].push_back({{"subject", finding.subject},
+                               {"grade", gradeWord(finding.grade)},
+                               {"sentence", finding.sentence},
+                               {"remedy", finding.remedy}});
+  }
+  out["model"] = result.capabilities.model;
+  out["serial"] = result.identity.serial;
+  out["max_force_n"] = result.capabilities.maxForce_N;
+  out["continuous_force_n"] = result.capabilities.continuousForce_N;
+  out["rate_hz"] = result.rate_Hz;
+  out["regular_share"] = result.regularShare;
+  out["interval_edges_us"] = kTimingEdges_us;
+  out["intervals"] = result.timing.intervals;
+  out["longest_interval_us"] = result.timing.longest_us;
+  std::cout << out.dump(2) << '\n';
+}
+
+void runCheck(const DeviceArguments& arguments) {
+  closeInOrderOnSignals();
+  DeviceCheckRequest request;
+  request.choice = arguments.choice;
+  request.seconds = arguments.checkSeconds;
+  request.calibrationWait_s = arguments.wait_s;
+  request.forceTest = arguments.forceTest;
+  request.say = [](const std::string& text) { std::cerr << text << "." << std::endl; };
+  request.cancelled = [] { return stopAsked != 0; };
+  if (arguments.forceTest) {
+    request.say("Warning: the device will push against the hand. Keep face and objects out of its reach");
+  }
+  const DeviceCheckResult result = checkDevice(request);
+  printCheck(result, arguments.json);
+  if (const DeviceFinding* const worst = result.worst()) {
+    throw Error(ErrorCode::kDevice, worst->sentence, worst->subject, worst->remedy);
+  }
+}
+
+std::string readoutLine(const DeviceReadout& r) {
+  std::ostringstream line;
+  line << std::right << std::setw(7) << formatFixed(r.time_s, 2) << " s  tip";
+  for (const double x_mm : {r.tip_mm.x, r.tip_mm.y, r.tip_mm.z})
+    line << " " << std::setw(7) << formatFixed(x_mm, 1);
+  line << " mm  roll " << std::setw(7) << formatFixed(r.roll_deg, 1) << " deg"
+       << (r.rollAtStop ? " (stop)" : "") << "  buttons " << (r.firstButton ? "1" : "-")
+       << (r.secondButton ? "2" : "-") << "  motors " << formatFixed(100.0 * r.warmest, 0) << " %  "
+       << formatFixed(r.rate_Hz, 0) << " Hz  " << (r.docked ? "docked, " : "") << r.state;
+  return line.str();
+}
+
+void runMonitor(const DeviceArguments& arguments) {
+  closeInOrderOnSignals();
+  DeviceMonitorRequest request;
+  request.choice = arguments.choice;
+  request.seconds = arguments.monitorSeconds;
+  request.interval_s = arguments.interval_s;
+  request.show = [](const DeviceReadout& r) { std::cout << readoutLine(r) << std::endl; };
+  request.cancelled = [] { return stopAsked != 0; };
+  monitorDevice(request);
+}
+
+}  // namespace
+
+void addDevice(CLI::App& program) {
+  auto arguments = std::make_shared<DeviceArguments>();
+  CLI::App* command = program.add_subcommand("device", "Haptic devices: what there is and whether it works");
+  command->require_subcommand(1);
+  const auto addChoice = [arguments](CLI::App* sub) {
+    sub->add_option("--library", arguments->choice.library, "The vendor's library, path or name");
+  };
+  const auto addName = [arguments](CLI::App* sub) {
+    sub->add_option("--name", arguments->choice.name, "Name that the vendor's set-up tool gave the device");
+  };
+
+  CLI::App* list = command->add_subcommand("list", "All drivers and whether they can be used now");
+  addChoice(list);
+  list->add_flag("--json", arguments->json, "Print JSON");
+  list->callback([arguments] { runList(*arguments); });
+
+  CLI::App* check =
+      command->add_subcommand("check", "Tests the haptic device; exit code 12 unless it is ready");
+  addChoice(check);
+  addName(check);
+  check->add_option("--seconds", arguments->checkSeconds, "Length of the measurement")->capture_default_str();
+  check->add_option("--wait", arguments->wait_s, "Seconds to wait for the stylus in the inkwell")
+      ->capture_default_str();
+  check->add_flag("--force-test", arguments->forceTest, "I hold the stylus: push upwards with 0.5 N for 2 s");
+  check->add_flag("--json", arguments->json, "Print JSON");
+  check->callback([arguments] { runCheck(*arguments); });
+
+  CLI::App* monitor = command->add_subcommand("monitor", "Shows what the haptic device reads; no force");
+  addChoice(monitor);
+  addName(monitor);
+  monitor->add_option("--seconds", arguments->monitorSeconds, "How long")->capture_default_str();
+  monitor->add_option("--interval", arguments->interval_s, "Seconds between two lines")
+      ->capture_default_str();
+  monitor->callback([arguments] { runMonitor(*arguments); });
+}
+
+}  // namespace torsio::cli

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `torsio device` through the real program: with no vendor library, with the fake one, with the fake one
+// unplugged in the middle. The fake takes its story from the environment (tests/support/fakehd/fakehd.h) and
+// its servo runs in real time, as the program's does; no test depends on how regular that is.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/base/error.h"
+#include "tests/app/cli/program.h"
+
+namespace torsio {
+namespace {
+
+namespace fs = std::filesystem;
+using test::emptyFolder;
+using test::ProgramRun;
+
+class DeviceCommand : public testing::Test {
+ protected:
+  fs::path folder_ = emptyFolder("device");
+
+  /// `story`: FAKEHD_... assignments, parted by a space.
+  ProgramRun run(const std::string& arguments, const std::string& story = "") const {
+    for (const char* name :
+         {"FAKEHD_NO_DEVICE", "FAKEHD_NO_LICENCE", "FAKEHD_CALIBRATION", "FAKEHD_DOCK_AT_TICK",
+          "FAKEHD_UNPLUG_AT_TICK", "FAKEHD_POSE", "FAKEHD_LOG", "FAKEHD_TICK_US"}) {
+      unsetenv(name);
+    }
+    for (std::size_t begin = 0; begin < story.size();) {
+      const std::size_t end = std::min(story.find(' ', begin), story.size());
+      const std::string word = story.substr(begin, end - begin);
+      const std::size_t equals = word.find('=');
+      setenv(word.substr(0, equals).c_str(), word.substr(equals + 1).c_str(), 1);
+      begin = end + 1;
+    }
+    return test::runTorsio("device " + arguments, folder_);
+  }
+  ProgramRun check(const std::string& story, const std::string& more = "--seconds 0.4") const {
+    return run("check --library " TORSIO_FAKEHD " " + more, story);
+  }
+};
+
+void expectMentions(const std::string& text, const std::vector<std::string>& parts) {
+  for (const std::string& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+constexpr int kDevice = static_cast<int>(ErrorCode::kDevice);
+
+TEST_F(DeviceCommand, L1_CheckSaysWhatToInstallWithoutAVendorLibrary) {
+  const ProgramRun result = run("check --library /nowhere/libHD.so");
+
+  EXPECT_EQ(result.code, kDevice);
+  expectMentions(result.out, {"problem", "Library: the vendor's library is not installed",
+                              "/nowhere/libHD.so", "Install the device's driver"});
+  expectMentions(result.err, {"torsio: Library: ", "not installed"});
+}
+
+TEST_F(DeviceCommand, L1_ListNamesEveryDriverWithoutAVendorLibrary) {
+  const ProgramRun result = run("list --library /nowhere/libHD.so");
+
+  EXPECT_EQ(result.code, 0) << result.err;
+  expectMentions(result.out, {"hdapi", "not available", "What to do:", "pointer", "Mouse and keyboard",
+                              "scripted", "replay", "idle"});
+}
+
+TEST_F(DeviceCommand, ListShowsTheDeviceDriverAsAvailableWithTheLibrary) {
+  const ProgramRun result = run("list --json --library " TORSIO_FAKEHD);
+
+  ASSERT_EQ(result.code, 0) << result.err;
+  const auto drivers = nlohmann::json::parse(result.out);
+  ASSERT_EQ(drivers.size(), 5U);
+  EXPECT_EQ(drivers[0]["id"], "hdapi");
+  EXPECT_TRUE(drivers[0]["available"]);
+}
+
+TEST_F(DeviceCommand, L2_CheckNamesAMissingDependency) {
+  const ProgramRun result = run("check --library " TORSIO_FAKEHD_DEPENDENCY);
+
+  EXPECT_EQ(result.code, kDevice);
+  expectMentions(result.out, {"libncurses_of_another_year.so.5", "which is missing"});
+}
+
+TEST_F(DeviceCommand, L3_CheckNamesAMissingFunction) {
+  const ProgramRun result = run("check --library " TORSIO_FAKEHD_INCOMPLETE);
+
+  EXPECT_EQ(result.code, kDevice);
+  expectMentions(result.out, {"lacks hdUnschedule", "OpenHaptics 3.0 to 3.5"});
+}
+
+TEST_F(DeviceCommand, CheckFindsACalibratedDeviceReady) {
+  const ProgramRun result = check("");
+
+  EXPECT_EQ(result.code, 0) << result.out << result.err;
+  expectMentions(result.out,
+                 {"Device: Touch, serial number 000123", "Licence:", "Calibration: the device is",
+                  "Rate:", "Jitter:", "3.30 N", "no torque about the stylus", "ready for training"});
+  EXPECT_EQ(result.out.find("Force:"), std::string::npos) << "no force without consent";
+}
+
+TEST_F(DeviceCommand, A1_CheckSaysThatNoDeviceAnswers) {
+  const ProgramRun result = check("FAKEHD_NO_DEVICE=1");
+
+  EXPECT_EQ(result.code, kDevice);
+  expectMentions(result.out, {"Device: no haptic device could be opened", "Check power and cable"});
+}
+
+TEST_F(DeviceCommand, A6_CheckSpeaksOfTheLicence) {
+  const ProgramRun result = check("FAKEHD_NO_LICENCE=1");
+
+  EXPECT_EQ(result.code, kDevice);
+  expectMentions(result.out, {"no valid licence", "OH_SDK_LICENSE_PATH"});
+}
+
+TEST_F(DeviceCommand, C2_CheckAsksForTheInkwellAndGoesOnWhenTheStylusIsThere) {
+  const ProgramRun result = check("FAKEHD_CALIBRATION=dock FAKEHD_DOCK_AT_TICK=600");
+
+  EXPECT_EQ(result.code, 0) << result.out << result.err;
+  expectMentions(result.err, {"Put the stylus into the inkwell"});
+  expectMentions(result.out, {"Calibration: done in the inkwell"});
+}
+
+TEST_F(DeviceCommand, C2_CheckGivesUpWhenNobodyDocksTheStylus) {
+  const ProgramRun result = check("FAKEHD_CALIBRATION=dock", "--wait 0.3");
+
+  EXPECT_EQ(result.code, kDevice);
+  expectMentions(result.out, {"Calibration: the device is not calibrated", "repeat the check"});
+}
+
+TEST_F(DeviceCommand, E2_CheckSaysThatTheDeviceWasUnpluggedInTheMiddle) {
+  const ProgramRun result = check("FAKEHD_UNPLUG_AT_TICK=300", "--seconds 20");
+
+  EXPECT_EQ(result.code, kDevice);
+  expectMentions(result.out, {"Connection: the connection to the device broke off", "Check cable and power",
+                              "does not let go"});
+  expectMentions(result.err, {"torsio: Connection: "});
+}
+
+TEST_F(DeviceCommand, S4_CheckRefusesAServoThatIsTooSlow) {
+  const ProgramRun result = check("FAKEHD_TICK_US=2500");
+
+  EXPECT_EQ(result.code, kDevice);
+  expectMentions(result.out, {"problem", "Rate:", "no force is rendered"});
+}
+
+TEST_F(DeviceCommand, ForceTestWarnsAndPushesOnlyWithConsent) {
+  const fs::path log = folder_ / "calls";
+  const ProgramRun result =
+      check("FAKEHD_POSE=centre FAKEHD_LOG=" + log.string(), "--seconds 0.2 --force-test");
+
+  EXPECT_EQ(result.code, 0) << result.out << result.err;
+  expectMentions(result.err, {"Warning: the device will push", "Hold the stylus"});
+  expectMentions(result.out, {"Force: 0.5 N upwards were sent"});
+  expectMentions(readFile(log), {"force output on\n", "\nforce\n", "zero force\n"});
+}
+
+TEST_F(DeviceCommand, MonitorShowsReadingsAndEndsInOrder) {
+  const ProgramRun result = run("monitor --seconds 0.3 --interval 0.1 --library " TORSIO_FAKEHD);
+
+  EXPECT_EQ(result.code, 0) << result.err;
+  expectMentions(result.out, {"tip", "roll", "docked, ready, force off"});
+}
+
+TEST_F(DeviceCommand, E2_MonitorEndsWithTheDeviceCodeWhenTheDeviceIsUnplugged) {
+  const ProgramRun result =
+      run("monitor --seconds 30 --interval 0.05 --library " TORSIO_FAKEHD, "FAKEHD_UNPLUG_AT_TICK=200");
+
+  EXPECT_EQ(result.code, kDevice);
+  expectMentions(result.out, {"connection lost"});
+  expectMentions(result.err, {"the connection to the device broke off", "plug the device in again"});
+}
+
+TEST_F(DeviceCommand, F8_MonitorClosesTheDeviceInOrderOnTheTerminationSignal) {
+  const fs::path log = folder_ / "calls";
+  setenv("FAKEHD_LOG", log.c_str(), 1);
+  const std::string script = "touch " + log.string() +
+                             "; " TORSIO_PROGRAM
+                             " device monitor --seconds 60 --interval 0.05 --library " TORSIO_FAKEHD
+                             " >/dev/null & program=$!; "
+                             "until grep -q hdStartScheduler " +
+                             log.string() +
+                             "; do sleep 0.02; done; "
+                             "kill -TERM $program; wait $program";
+  const int status = std::system(script.c_str());
+
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  const std::string calls = readFile(log);
+  const std::size_t start = calls.find("hdStartScheduler");
+  const std::size_t stop = calls.find("hdStopScheduler");
+  const std::size_t unschedule = calls.find("hdUnschedule");
+  const std::size_t disable = calls.find("hdDisableDevice");
+  ASSERT_TRUE(start != std::string::npos && disable != std::string::npos) << calls;
+  EXPECT_TRUE(start < stop && stop < unschedule && unschedule < disable) << calls;
+}
+
+TEST_F(DeviceCommand, RefusesTimesOutOfRange) {
+  EXPECT_EQ(check("", "--seconds 0").code, static_cast<int>(ErrorCode::kBadParameter));
+  EXPECT_EQ(run("").code, static_cast<int>(ErrorCode::kUsage));
+}
+
+}  // namespace
+}  // namespace torsio
