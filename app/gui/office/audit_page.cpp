@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/office/audit_page.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QJsonDocument>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "app/gui/look/data_table.h"
+#include "app/gui/look/page_heading.h"
+#include "app/gui/shell/shell_context.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr std::int64_t kDay_us = 86'400'000'000;
+constexpr std::int64_t kMostEntries = 20'000;
+
+QDateTime timeOf(const AuditEntry& entry) {
+  return QDateTime::fromMSecsSinceEpoch(entry.atUtc_us / 1000);
+}
+
+QString indented(const std::string& json) {
+  const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(json));
+  if (document.isNull()) return QString::fromStdString(json);
+  return QString::fromUtf8(document.toJson(QJsonDocument::Indented)).trimmed();
+}
+
+}  // namespace
+
+AuditPage::AuditPage(ShellContext& shell)
+    : Page(shell),
+      heading_(new PageHeading(this)),
+      verify_(new QPushButton(this)),
+      verdict_(new QLabel(this)),
+      days_(new QComboBox(this)),
+      table_(new DataTable(QStringLiteral("audit"), this)),
+      entry_(new QPlainTextEdit(this)) {
+  verify_->setProperty("primary", true);
+  heading_->addAction(verify_);
+  verdict_->setWordWrap(true);
+  verdict_->hide();
+  table_->addTool(days_);
+  entry_->setReadOnly(true);
+  auto* splitter = new QSplitter(Qt::Vertical, this);
+  splitter->addWidget(table_);
+  splitter->addWidget(entry_);
+  splitter->setStretchFactor(0, 3);
+  splitter->setStretchFactor(1, 1);
+  splitter->setChildrenCollapsible(false);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+  column->setSpacing(2 * kSpace);
+  column->addWidget(heading_);
+  column->addWidget(verdict_);
+  column->addWidget(splitter, 1);
+
+  for (const int days : {1, 7, 30, 0}) days_->addItem(QString(), days);
+  days_->setCurrentIndex(1);
+  connect(verify_, &QPushButton::clicked, this, &AuditPage::verify);
+  connect(days_, &QComboBox::currentIndexChanged, this, &AuditPage::read);
+  connect(table_, &DataTable::currentChanged, this, &AuditPage::showEntry);
+  retranslate();
+}
+
+void AuditPage::enter(const QVariant&) {
+  read();
+}
+
+void AuditPage::retranslate() {
+  heading_->setTexts(
+      tr("Audit trail"),
+      tr("Who did what, when, where and why. Entries are chained: none can be changed or taken out "
+         "without being found."));
+  verify_->setText(tr("&Verify"));
+  verify_->setToolTip(tr("Checks every entry, every sealed mark and every recorded trial"));
+  const QStringList spans{tr("Last day"), tr("Last week"), tr("Last month"), tr("Everything")};
+  for (int index = 0; index < spans.size(); ++index) days_->setItemText(index, spans[index]);
+  days_->setAccessibleName(tr("Time span"));
+  entry_->setAccessibleName(tr("Chosen entry"));
+  entry_->setPlaceholderText(tr("Choose an entry to see what was changed."));
+  table_->setColumns({{tr("No."), true},
+                      {tr("When")},
+                      {tr("Who")},
+                      {tr("Station")},
+                      {tr("What")},
+                      {tr("Object")},
+                      {tr("Why")}});
+  table_->setEmptyText(tr("Nothing happened in this time."));
+  show();
+  showVerdict();
+}
+
+void AuditPage::read() {
+  try {
+    const int days = days_->currentData().toInt();
+    AuditFilter filter{.limit = kMostEntries};
+    if (days > 0) filter.fromUtc_us = shell().workplace().now_us() - days * kDay_us;
+    entries_ = auditEntries(shell().workplace(), filter);
+    logins_ = auditActors(shell().workplace());
+    show();
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void AuditPage::show() {
+  std::vector<Row> rows;
+  rows.reserve(entries_.size());
+  for (const AuditEntry& entry : entries_) {
+    const auto login = logins_.find(entry.actor);
+    const QString actor = QString::fromStdString(login == logins_.end() ? entry.actor : login->second);
+    const auto sequence = static_cast<qlonglong>(entry.sequence);
+    rows.push_back(
+        {QString::number(sequence),
+         {{locale().toString(sequence), sequence},
+          {locale().toString(timeOf(entry), QLocale::ShortFormat), static_cast<qlonglong>(entry.atUtc_us)},
+          {actor},
+          {QString::fromStdString(entry.station)},
+          {QString::fromStdString(entry.action)},
+          {QString::fromStdString(entry.objectKind), {}, QString::fromStdString(entry.objectId)},
+          {QString::fromStdString(entry.reason)}}});
+  }
+  table_->setRows(std::move(rows));
+}
+
+void AuditPage::showEntry(const QString& id) {
+  const auto found = std::find_if(entries_.begin(), entries_.end(), [&id](const AuditEntry& entry) {
+    return QString::number(static_cast<qlonglong>(entry.sequence)) == id;
+  });
+  if (found == entries_.end()) {
+    entry_->clear();
+    return;
+  }
+  QStringList lines;
+  const auto add = [&lines](const QString& name, const QString& value) {
+    if (!value.isEmpty()) lines << QStringLiteral("%1: %2").arg(name, value);
+  };
+  add(tr("When (UTC)"), timeOf(*found).toUTC().toString(Qt::ISODateWithMs));
+  add(tr("What"), QString::fromStdString(found->action));
+  add(tr("Object"), QStringLiteral("%1 %2").arg(QString::fromStdString(found->objectKind),
+                                                QString::fromStdString(found->objectId)));
+  add(tr("Before"), indented(found->oldJson));
+  add(tr("After"), indented(found->newJson));
+  add(tr("Why"), QString::fromStdString(found->reason));
+  add(tr("Seal"), QString::fromStdString(found->entryHash));
+  entry_->setPlainText(lines.join(QLatin1Char('\n')));
+}
+
+void AuditPage::verify() {
+  const auto findings = std::make_shared<std::vector<AuditFinding>>();
+  shell().run(
+      tr("Verifying the audit trail"),
+      [findings](Workplace& workplace, const ProgressCallback&) { *findings = verifyAudit(workplace); },
+      [this, findings] {
+        findings_ = *findings;
+        showVerdict();
+        read();
+      });
+}
+
+void AuditPage::showVerdict() {
+  verdict_->setVisible(findings_.has_value());
+  if (!findings_) return;
+  const bool sound = findings_->empty();
+  verdict_->setProperty("good", sound);
+  verdict_->setProperty("caution", !sound);
+  if (sound) {
+    verdict_->setText(tr("\u2713 Everything is as it was written: entries, marks and trials."));
+  } else {
+    QStringList lines{tr("\u26A0 %n finding(s). Do not report from this record before they are explained.",
+                         nullptr, static_cast<int>(findings_->size()))};
+    constexpr std::size_t kShown = 10;
+    for (std::size_t i = 0; i < std::min(findings_->size(), kShown); ++i) {
+      const AuditFinding& finding = (*findings_)[i];
+      lines << QStringLiteral("\u2022 %1 %2: %3")
+                   .arg(QString::fromStdString(finding.objectKind), QString::fromStdString(finding.objectId),
+                        QString::fromStdString(finding.what));
+    }
+    verdict_->setText(lines.join(QLatin1Char('\n')));
+  }
+  verdict_->style()->unpolish(verdict_);
+  verdict_->style()->polish(verdict_);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/gui/shell/page.h"
+#include "app/session/access/audit_service.h"
+
+class QComboBox;
+class QLabel;
+class QPlainTextEdit;
+class QPushButton;
+
+namespace torsio::gui {
+
+class DataTable;
+class PageHeading;
+
+/// Who did what when, and whether anything was changed behind the program's back.
+class AuditPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit AuditPage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+
+ private:
+  void read();
+  void show();
+  void showEntry(const QString& id);
+  void verify();
+  void showVerdict();
+
+  std::vector<AuditEntry> entries_;
+  std::map<std::string, std::string> logins_;
+  std::optional<std::vector<AuditFinding>> findings_;  // empty: not looked for yet
+  PageHeading* heading_;
+  QPushButton* verify_;
+  QLabel* verdict_;
+  QComboBox* days_;
+  DataTable* table_;
+  QPlainTextEdit* entry_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/office/roster_wizard.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QVBoxLayout>
+
+#include "app/gui/look/data_table.h"
+#include "app/gui/look/theme.h"
+#include "app/gui/shell/shell_context.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr std::size_t kSampleRows = 5;
+
+struct RosterTexts {
+  Q_DECLARE_TR_FUNCTIONS(RosterTexts)
+
+ public:
+  static QString field(RosterField field) {
+    switch (field) {
+      case RosterField::kExternalId:
+        return tr("Staff or student number");
+      case RosterField::kFullName:
+        return tr("Full name");
+      case RosterField::kEmail:
+        return tr("E-mail");
+      case RosterField::kSex:
+        return tr("Sex");
+      case RosterField::kLevel:
+        return tr("Level");
+      case RosterField::kExperience:
+        return tr("Experience");
+      case RosterField::kAge:
+        return tr("Age");
+      case RosterField::kHandedness:
+        return tr("Handedness");
+      case RosterField::kRaterClass:
+        return tr("Class of rater");
+    }
+    return {};
+  }
+
+  static QString status(RosterStatus status) {
+    switch (status) {
+      case RosterStatus::kNew:
+        return tr("+ new");
+      case RosterStatus::kSame:
+        return tr("= as it is");
+      case RosterStatus::kChanges:
+        return tr("\u2192 changes");
+      case RosterStatus::kError:
+        return tr("! error");
+    }
+    return {};
+  }
+
+  /// What the user should read about one line.
+  static QString note(const RosterRow& row) {
+    QStringList parts;
+    if (!row.problem.empty()) {
+      parts << tr("%1. %2.").arg(QString::fromStdString(row.problem), QString::fromStdString(row.remedy));
+    }
+    for (const RosterChange& change : row.changes) {
+      parts << tr("%1: %2 \u2192 %3")
+                   .arg(field(change.field),
+                        change.from.empty() ? QStringLiteral("\u2013") : QString::fromStdString(change.from),
+                        QString::fromStdString(change.to));
+    }
+    if (!row.hint.empty()) parts << QString::fromStdString(row.hint);
+    return parts.join(QStringLiteral("; "));
+  }
+};
+
+QString plainWords(const Error& error) {
+  QString words = QString::fromStdString(error.happened());
+  if (!error.where().empty()) words += QStringLiteral(" (%1)").arg(QString::fromStdString(error.where()));
+  if (!error.remedy().empty()) words += QStringLiteral(". ") + QString::fromStdString(error.remedy());
+  return words + QLatin1Char('.');
+}
+
+}  // namespace
+
+RosterWizard::RosterWizard(ShellContext& shell, QWidget* parent) : QWizard(parent), shell_(shell) {
+  setWindowTitle(tr("Import a roster"));
+  setWizardStyle(QWizard::ModernStyle);
+  setOption(QWizard::NoBackButtonOnStartPage);
+  setButtonText(QWizard::FinishButton, tr("Import"));
+  setMinimumSize(760, 560);
+  addPage(new RosterFilePage(import_, this));
+  addPage(new RosterColumnsPage(import_, this));
+  addPage(new RosterPreviewPage(import_, shell, this));
+}
+
+void RosterWizard::accept() {
+  try {
+    import_.outcome = importRoster(shell_.workplace(), *import_.file, import_.kind, import_.columns,
+                                   import_.preview->fingerprint, RosterMode::kCommit);
+    QWizard::accept();
+  } catch (...) {
+    QWizard::reject();
+    shell_.report(std::current_exception());
+  }
+}
+
+RosterFilePage::RosterFilePage(RosterImport& import, QWidget* parent)
+    : QWizardPage(parent),
+      import_(import),
+      trainees_(new QRadioButton(tr("&Trainees"), this)),
+      raters_(new QRadioButton(tr("&Raters"), this)),
+      path_(new QLineEdit(this)),
+      problem_(new QLabel(this)) {
+  setTitle(tr("The file"));
+  setSubTitle(
+      tr("A table saved as CSV (UTF-8), one person a line, with a header line. The staff or student number "
+         "tells who somebody is; an e-mail address alone never does."));
+  trainees_->setChecked(true);
+  path_->setObjectName(QStringLiteral("path"));
+  path_->setPlaceholderText(tr("Path of the CSV file"));
+  path_->setAccessibleName(tr("Path of the CSV file"));
+  problem_->setWordWrap(true);
+  problem_->setProperty("caution", true);
+  auto* choose = new QPushButton(tr("&Choose\u2026"), this);
+  auto* blank = new QPushButton(tr("&Save an empty template\u2026"), this);
+  blank->setProperty("link", true);
+  auto* kinds = new QHBoxLayout;
+  kinds->addWidget(trainees_);
+  kinds->addWidget(raters_);
+  kinds->addStretch(1);
+  auto* file = new QHBoxLayout;
+  file->addWidget(path_, 1);
+  file->addWidget(choose);
+  auto* column = new QVBoxLayout(this);
+  column->setSpacing(2 * kSpace);
+  column->addLayout(kinds);
+  column->addLayout(file);
+  column->addWidget(blank, 0, Qt::AlignLeft);
+  column->addWidget(problem_);
+  column->addStretch(1);
+  connect(choose, &QPushButton::clicked, this, &RosterFilePage::choose);
+  connect(blank, &QPushButton::clicked, this, &RosterFilePage::saveTemplate);
+  connect(path_, &QLineEdit::textChanged, this, [this] {
+    problem_->clear();
+    Q_EMIT completeChanged();
+  });
+}
+
+bool RosterFilePage::isComplete() const {
+  return !path_->text().trimmed().isEmpty();
+}
+
+bool RosterFilePage::validatePage() {
+  try {
+    import_.kind = raters_->isChecked() ? RosterKind::kRaters : RosterKind::kTrainees;
+    import_.file = readRoster(std::filesystem::path(path_->text().trimmed().toStdString()));
+    import_.columns = suggestColumns(*import_.file, import_.kind);
+    return true;
+  } catch (const Error& error) {
+    problem_->setText(plainWords(error));
+    return false;
+  }
+}
+
+void RosterFilePage::choose() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Roster"), {}, tr("Tables (*.csv *.txt *.tsv);;All files (*)"));
+  if (!file.isEmpty()) path_->setText(file);
+}
+
+void RosterFilePage::saveTemplate() {
+  const QString file = QFileDialog::getSaveFileName(this, tr("Empty template"), QStringLiteral("roster.csv"),
+                                                    tr("Tables (*.csv)"));
+  if (file.isEmpty()) return;
+  try {
+    writeFileAtomically(std::filesystem::path(file.toStdString()),
+                        rosterTemplate(raters_->isChecked() ? RosterKind::kRaters : RosterKind::kTrainees));
+    problem_->clear();
+  } catch (const Error& error) {
+    problem_->setText(plainWords(error));
+  }
+}
+
+RosterColumnsPage::RosterColumnsPage(RosterImport& import, QWidget* parent)
+    : QWizardPage(parent), import_(import), form_(new QFormLayout), sample_(new DataTable(QString(), this)) {
+  setTitle(tr("The columns"));
+  setSubTitle(
+      tr("Which column holds what. Fields with a star are needed; the first lines of the file stand below."));
+  auto* column = new QVBoxLayout(this);
+  column->setSpacing(2 * kSpace);
+  column->addLayout(form_);
+  column->addWidget(sample_, 1);
+}
+
+void RosterColumnsPage::initializePage() {
+  while (form_->rowCount() > 0) form_->removeRow(0);
+  choices_.clear();
+  for (const RosterField field : rosterFields(import_.kind)) {
+    auto* choice = new QComboBox(this);
+    choice->setObjectName(QString::fromLatin1(rosterFieldCode(field).data()));
+    choice->addItem(tr("not in this file"), -1);
+    for (std::size_t i = 0; i < import_.file->header.size(); ++i) {
+      choice->addItem(QString::fromStdString(import_.file->header[i]), static_cast<int>(i));
+    }
+    const auto& suggested = import_.columns[static_cast<std::size_t>(field)];
+    choice->setCurrentIndex(suggested ? static_cast<int>(*suggested) + 1 : 0);
+    const QString name = RosterTexts::field(field);
+    form_->addRow(isRequired(field, import_.kind) ? tr("%1 *").arg(name) : name, choice);
+    choices_[field] = choice;
+    connect(choice, &QComboBox::currentIndexChanged, this, &QWizardPage::completeChanged);
+  }
+  showSample();
+}
+
+void RosterColumnsPage::showSample() {
+  std::vector<Column> columns;
+  for (const std::string& name : import_.file->header) columns.push_back({QString::fromStdString(name)});
+  sample_->setColumns(columns);
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < std::min(kSampleRows, import_.file->rows.size()); ++i) {
+    Row row{QString::number(i), {}};
+    for (const std::string& value : import_.file->rows[i].values) {
+      row.cells.push_back({QString::fromStdString(value)});
+    }
+    rows.push_back(std::move(row));
+  }
+  sample_->setRows(std::move(rows));
+}
+
+bool RosterColumnsPage::isComplete() const {
+  return std::all_of(choices_.begin(), choices_.end(), [this](const auto& choice) {
+    return !isRequired(choice.first, import_.kind) || choice.second->currentData().toInt() >= 0;
+  });
+}
+
+bool RosterColumnsPage::validatePage() {
+  for (const auto& [field, choice] : choices_) {
+    const int column = choice->currentData().toInt();
+    auto& chosen = import_.columns[static_cast<std::size_t>(field)];
+    chosen = column < 0 ? std::nullopt : std::optional<std::size_t>(static_cast<std::size_t>(column));
+  }
+  return true;
+}
+
+RosterPreviewPage::RosterPreviewPage(RosterImport& import, ShellContext& shell, QWidget* parent)
+    : QWizardPage(parent),
+      import_(import),
+      shell_(shell),
+      summary_(new QLabel(this)),
+      lines_(new DataTable(QStringLiteral("roster-preview"), this)) {
+  setTitle(tr("What would happen"));
+  setSubTitle(
+      tr("Nothing is stored yet. With an error in any line nothing at all is imported: mend the file and "
+         "choose it again."));
+  setFinalPage(true);
+  summary_->setWordWrap(true);
+  lines_->setColumns({{tr("Line"), true}, {tr("Status")}, {tr("Number")}, {tr("Name")}, {tr("Note")}});
+  auto* column = new QVBoxLayout(this);
+  column->setSpacing(2 * kSpace);
+  column->addWidget(summary_);
+  column->addWidget(lines_, 1);
+}
+
+void RosterPreviewPage::initializePage() {
+  import_.preview.reset();
+  lines_->setRows({});
+  try {
+    import_.preview = previewRoster(shell_.workplace(), *import_.file, import_.kind, import_.columns);
+    if (import_.preview->importable()) {
+      // Proves before the last button that the database would take it.
+      static_cast<void>(importRoster(shell_.workplace(), *import_.file, import_.kind, import_.columns,
+                                     import_.preview->fingerprint, RosterMode::kDryRun));
+    }
+  } catch (const Error& error) {
+    summary_->setText(plainWords(error));
+    import_.preview.reset();
+    Q_EMIT completeChanged();
+    return;
+  }
+  const RosterPreview& preview = *import_.preview;
+  summary_->setText(tr("%1 new, %2 with changes, %3 as they are, %4 with errors.")
+                        .arg(preview.added)
+                        .arg(preview.changed)
+                        .arg(preview.same)
+                        .arg(preview.errors));
+  std::vector<Row> rows;
+  for (const RosterRow& row : preview.rows) {
+    const auto value = [&row](RosterField field) {
+      return QString::fromStdString(row.values[static_cast<std::size_t>(field)]);
+    };
+    const auto line = static_cast<qulonglong>(row.line);
+    const QString note = RosterTexts::note(row);
+    rows.push_back({QString::number(line),
+                    {{QString::number(line), line},
+                     {RosterTexts::status(row.status)},
+                     {value(RosterField::kExternalId)},
+                     {value(RosterField::kFullName)},
+                     {note, {}, note}}});
+  }
+  lines_->setRows(std::move(rows));
+  Q_EMIT completeChanged();
+}
+
+bool RosterPreviewPage::isComplete() const {
+  return import_.preview && import_.preview->importable();
+}
+
+}  // namespace torsio::gui

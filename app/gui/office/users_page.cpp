@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/office/users_page.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <QDateTime>
+#include <QLocale>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/look/data_table.h"
+#include "app/gui/look/page_heading.h"
+#include "app/gui/office/user_dialogs.h"
+#include "app/gui/shell/shell_context.h"
+#include "app/session/access/access_service.h"
+#include "app/session/access/first_run.h"
+#include "app/session/people/people_service.h"
+
+namespace torsio::gui {
+
+namespace {
+
+/// Everybody of the record, with names where the actor may see them.
+std::vector<PersonChoice> peopleToChoose(Workplace& workplace) {
+  std::vector<PersonChoice> choices;
+  if (workplace.may(Operation::kPersonViewIdentity)) {
+    for (const NamedPersonRow& person : namedPeople(workplace)) {
+      const QString code = QString::fromStdString(person.row.person.code);
+      const QString name = QString::fromStdString(person.identity.fullName);
+      choices.push_back(
+          {person.row.person.id, name.isEmpty() ? code : QStringLiteral("%1 \u00B7 %2").arg(code, name)});
+    }
+    return choices;
+  }
+  for (const PersonRow& person : people(workplace)) {
+    choices.push_back({person.person.id, QString::fromStdString(person.person.code)});
+  }
+  return choices;
+}
+
+QPushButton* listButton(DataTable* table) {
+  auto* button = new QPushButton(table);
+  table->addTool(button);
+  return button;
+}
+
+}  // namespace
+
+UsersPage::UsersPage(ShellContext& shell)
+    : Page(shell),
+      heading_(new PageHeading(this)),
+      table_(new DataTable(QStringLiteral("users"), this)),
+      add_(new QPushButton(this)),
+      roles_(listButton(table_)),
+      password_(listButton(table_)),
+      active_(listButton(table_)) {
+  add_->setProperty("primary", true);
+  heading_->addAction(add_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+  column->setSpacing(2 * kSpace);
+  column->addWidget(heading_);
+  column->addWidget(table_, 1);
+
+  connect(add_, &QPushButton::clicked, this, &UsersPage::add);
+  connect(roles_, &QPushButton::clicked, this, &UsersPage::changeRoles);
+  connect(password_, &QPushButton::clicked, this, &UsersPage::newPassword);
+  connect(active_, &QPushButton::clicked, this, &UsersPage::switchActive);
+  connect(table_, &DataTable::currentChanged, this, &UsersPage::showButtons);
+  connect(table_, &DataTable::activated, this, &UsersPage::changeRoles);
+  retranslate();
+}
+
+void UsersPage::enter(const QVariant&) {
+  try {
+    users_ = users(shell().workplace());
+    show();
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void UsersPage::retranslate() {
+  heading_->setTexts(tr("Users and roles"),
+                     tr("Who may sign in, and as what. Every change is kept in the audit trail."));
+  add_->setText(tr("&New user\u2026"));
+  roles_->setText(tr("&Roles\u2026"));
+  password_->setText(tr("New &password\u2026"));
+  table_->setColumns({{tr("Sign-in name")},
+                      {tr("Roles")},
+                      {tr("State")},
+                      {tr("Password")},
+                      {tr("Station PIN")},
+                      {tr("Since")}});
+  table_->setEmptyText(tr("No users yet."));
+  show();
+}
+
+void UsersPage::show() {
+  std::vector<Row> rows;
+  for (const StoredUser& user : users_) {
+    QStringList roles;
+    for (const std::string& role : user.roles) roles << roleName(role);
+    const QDateTime since = QDateTime::fromMSecsSinceEpoch(user.createdUtc_us / 1000);
+    rows.push_back(
+        {QString::fromStdString(user.id),
+         {{QString::fromStdString(user.login)},
+          {roles.join(QStringLiteral(", "))},
+          {user.active ? tr("active") : tr("disabled")},
+          {user.mustChangePassword ? tr("to be changed") : tr("own")},
+          {user.hasPin ? tr("set") : QStringLiteral("\u2013")},
+          {locale().toString(since, QLocale::ShortFormat), static_cast<qlonglong>(user.createdUtc_us)}}});
+  }
+  table_->setRows(std::move(rows));
+  showButtons();
+}
+
+void UsersPage::showButtons() {
+  const StoredUser* user = current();
+  for (QPushButton* button : {roles_, password_, active_}) button->setEnabled(user != nullptr);
+  active_->setText(user != nullptr && !user->active ? tr("&Enable") : tr("&Disable\u2026"));
+}
+
+const StoredUser* UsersPage::current() const {
+  const std::string id = table_->currentId().toStdString();
+  const auto found =
+      std::find_if(users_.begin(), users_.end(), [&id](const StoredUser& user) { return user.id == id; });
+  return found == users_.end() ? nullptr : &*found;
+}
+
+void UsersPage::add() {
+  try {
+    const std::optional<NewUser> user = askNewUser(this, peopleToChoose(shell().workplace()));
+    if (!user) return;
+    const QString id = QString::fromStdString(addUser(shell().workplace(), *user));
+    enter({});
+    table_->select(id);
+    showStartPassword(this, QString::fromStdString(user->login), QString::fromStdString(user->startPassword));
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void UsersPage::changeRoles() {
+  const StoredUser* user = current();
+  if (user == nullptr) return;
+  try {
+    const std::optional<RolesChange> change =
+        askRoles(this, QString::fromStdString(user->login), user->roles);
+    if (!change) return;
+    setUserRoles(shell().workplace(), user->id, change->roles, change->reason);
+    enter({});
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void UsersPage::newPassword() {
+  const StoredUser* user = current();
+  if (user == nullptr) return;
+  try {
+    const QString login = QString::fromStdString(user->login);
+    const std::optional<std::string> reason = askReason(
+        this, tr("New start password"), tr("The present password of %1 stops working at once.").arg(login));
+    if (!reason) return;
+    const std::string password = randomStartPassword();
+    resetPassword(shell().workplace(), user->id, password, *reason);
+    enter({});
+    showStartPassword(this, login, QString::fromStdString(password));
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void UsersPage::switchActive() {
+  const StoredUser* user = current();
+  if (user == nullptr) return;
+  try {
+    const QString login = QString::fromStdString(user->login);
+    const std::optional<std::string> reason =
+        user->active ? askReason(this, tr("Disable user"),
+                                 tr("%1 cannot sign in any more; everything recorded stays.").arg(login))
+                     : askReason(this, tr("Enable user"), tr("%1 can sign in again.").arg(login));
+    if (!reason) return;
+    setUserActive(shell().workplace(), user->id, !user->active, *reason);
+    enter({});
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+}  // namespace torsio::gui
