@@ -45,8 +45,9 @@ Vec3 PassivityController::control(std::int64_t now_us, const Vec3& tip_m, const 
   const Place oldest = places_[nextPlace_];
   places_[nextPlace_] = {tip_m, now_us};
   nextPlace_ = (nextPlace_ + 1) % kWindow;
-  if (quiet(wanted_N)) energy_J_ = 0.0;
-  if (!(energy_J_ < 0.0) || now_us <= oldest.time_us) return wanted_N;
+  if (quiet(wanted_N)) energy_J_ = std::min(energy_J_, 0.0);
+  // Out of contact nothing is felt, not even damping: what is still owed waits for the next contact.
+  if (!(energy_J_ < 0.0) || wanted_N == Vec3{} || now_us <= oldest.time_us) return wanted_N;
 
   const Vec3 velocity_m_per_s =
       (tip_m - oldest.tip_m) / (static_cast<double>(now_us - oldest.time_us) * 1e-6);

@@ -31,7 +31,8 @@ struct PassivityOptions {
 /// which holds exactly for a force that is held between ticks. A passive tissue never gives back more than it
 /// got: when E < 0, the controller adds -a v, a = min(-E / (T v^2), largest damping), which takes the excess
 /// back within one tick. v is the mean velocity of the last four ticks, because one step of an encoder
-/// (0.055 mm) would count as 55 mm/s. E begins anew at 0 whenever no force is wanted or sent.
+/// (0.055 mm) would count as 55 mm/s. Whenever no force is wanted or sent, what the hand has put in is
+/// forgotten, what it got too much is not; the controller adds nothing where no force is wanted.
 ///
 /// A plain value: copying it copies its memory. IEEE basic operations in a fixed order, so that a replay
 /// repeats it bit for bit. Servo thread; noexcept, no allocation.
@@ -50,7 +51,7 @@ class PassivityController {
   /// What the governor made of it, once a tick after control().
   void sent(const Vec3& force_N) noexcept;
 
-  /// Energy that the hand has put in since the force was last zero, J.
+  /// Energy that the hand has put in since the force was last zero, J; below 0 it got more back.
   [[nodiscard]] double energy_J() const noexcept { return energy_J_; }
 
  private:
