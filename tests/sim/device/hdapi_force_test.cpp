@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cases F1 to F8 and P1 of the haptics plan, seen from the motors: what the fake device is made to render.
 // The governor alone: force_governor_test.cpp.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "sim/device/passivity.h"
 #include "tests/sim/device/hdapi_bench.h"
 
 namespace torsio {
@@ -164,60 +166,99 @@ struct Hand {
   double damping_Ns_per_m = 0.0;  // physical
   double x_m = 0.0;
   double v_m_per_s = 0.0;
-  double taken_J = 0.0;  // by the hand from the motors
+  double absorbed_J = 0.0;  // by wall and physical damping together since the push
+  double lowest_J = 0.0;
 
   static void move(void* context, std::int64_t, const double* force_N, FakePose* pose) {
     auto& hand = *static_cast<Hand*>(context);
     constexpr int kSubsteps = 100;
     constexpr double kStep_s = 1e-3 / kSubsteps;
     for (int i = 0; i < kSubsteps; ++i) {
-      hand.v_m_per_s += (force_N[0] - hand.damping_Ns_per_m * hand.v_m_per_s) / hand.mass_kg * kStep_s;
+      const double drag_N = -hand.damping_Ns_per_m * hand.v_m_per_s;
+      hand.v_m_per_s += (force_N[0] + drag_N) / hand.mass_kg * kStep_s;
       hand.x_m += hand.v_m_per_s * kStep_s;
-      hand.taken_J += force_N[0] * hand.v_m_per_s * kStep_s;
+      hand.absorbed_J -= (force_N[0] + drag_N) * hand.v_m_per_s * kStep_s;
     }
+    hand.lowest_J = std::min(hand.lowest_J, hand.absorbed_J);
     *pose = {{0, 0, 0}, {0, 0, 0}, 1, {1e3 * hand.x_m, 0, 0}};
   }
+  [[nodiscard]] double energy_J() const { return 0.5 * mass_kg * v_m_per_s * v_m_per_s; }
 };
 
 struct Wall {
   HdapiDevice* device = nullptr;
-  double rest_m = 0.0;
-  double stiffness_N_per_m = 0.0;
+  double stiffness_N_per_m = 400.0;
+  bool watched = false;
+  PassivityController passivity{PassivityOptions{}};
+  std::int64_t damped = 0;
+
   static void tick(void* context, std::int64_t time_us) {
     auto& wall = *static_cast<Wall*>(context);
-    const double x_m = toolState(wall.device->read(time_us)).pose.position_m.x;
-    wall.device->write({{-wall.stiffness_N_per_m * (x_m - wall.rest_m), 0.0, 0.0}, 0});
+    const Vec3 tip_m = toolState(wall.device->read(time_us)).pose.position_m;
+    Vec3 force_N{-wall.stiffness_N_per_m * tip_m.x, 0.0, 0.0};
+    std::uint32_t limits = kForceFull;
+    if (wall.watched) force_N = wall.passivity.control(time_us, tip_m, force_N, true, limits);
+    wall.passivity.sent(force_N);
+    wall.damped += (limits & kForcePassivity) != 0 ? 1 : 0;
+    wall.device->write({force_N, 0});
   }
 };
 
-TEST_F(HdapiForces, P1_IsPassiveBelowTheSampledDataBoundAndGeneratesEnergyAboveIt) {
-  // K = 400 N/m held over T = 1 ms needs b > K T / 2 = 0.2 N s/m of physical damping. The force that a tick
-  // computes is rendered from that tick on, so the delay is the half period of the hold.
-  const auto run = [this](double damping_Ns_per_m) {
-    fake.reset();
+class HdapiWall : public HdapiForces {
+ protected:
+  struct Outcome {
     Hand hand;
-    hand.damping_Ns_per_m = damping_Ns_per_m;
-    fake.set_pose_function(&Hand::move, &hand);
+    double given_J = 0.0;
+    std::int64_t damped = 0;
+  };
+  /// Pushes the hand into the wall and lets it swing for three seconds.
+  Outcome push(double damping_Ns_per_m, bool watched) {
+    Outcome outcome;
+    outcome.hand.damping_Ns_per_m = damping_Ns_per_m;
+    fake.set_pose_function(&Hand::move, &outcome.hand);
+    options.stylusTip_m = 0.0;
     open();
-    Wall wall{device.get(), 0.0, 400.0};
+    Wall wall;
+    wall.device = device.get();
+    wall.watched = watched;
     device->enableForce(true);
     device->start({&Wall::tick, &wall});
     fake.run(700);
-    hand.taken_J = 0.0;
-    hand.v_m_per_s = 0.05;  // a push
-    const double given_J = 0.5 * hand.mass_kg * 0.05 * 0.05;
+    outcome.hand.absorbed_J = 0.0;
+    outcome.hand.lowest_J = 0.0;
+    outcome.hand.v_m_per_s = 0.05;
+    outcome.given_J = outcome.hand.energy_J();
     fake.run(3'000);
-    const double stored_J = 0.5 * hand.mass_kg * hand.v_m_per_s * hand.v_m_per_s;
+    outcome.damped = wall.damped;
     device.reset();
-    return std::array<double, 3>{given_J, stored_J, hand.taken_J};
-  };
+    return outcome;
+  }
+};
 
-  const auto [given_J, calm_J, calmTaken_J] = run(0.3);
-  const auto [alsoGiven_J, wild_J, wildTaken_J] = run(0.1);
+// K = 400 N/m held over T = 1 ms needs b > K T / 2 = 0.2 N s/m of physical damping. The force that a tick
+// computes is rendered from that tick on, so the delay is the half period of the hold. Wall and damping
+// together are passive when they never give out more than they took; the push is 125 uJ.
+constexpr double kEnergyRounding_J = 1e-8;
 
-  EXPECT_LT(calm_J, 0.01 * given_J);
-  EXPECT_GT(wild_J, alsoGiven_J);
-  EXPECT_GT(wildTaken_J, calmTaken_J);
+TEST_F(HdapiWall, P1_IsPassiveAboveTheDampingThatTheHeldForceNeeds) {
+  const Outcome outcome = push(0.21, false);
+
+  EXPECT_GE(outcome.hand.lowest_J, -kEnergyRounding_J);
+  EXPECT_LT(outcome.hand.energy_J(), outcome.given_J);
+}
+
+TEST_F(HdapiWall, P1_GivesOutEnergyBelowIt) {
+  const Outcome outcome = push(0.1, false);
+
+  EXPECT_LT(outcome.hand.lowest_J, -outcome.given_J);
+}
+
+TEST_F(HdapiWall, P1_IsKeptFromGivingOutEnergyByThePassivityController) {
+  const Outcome outcome = push(0.1, true);
+
+  EXPECT_GT(outcome.damped, 0);
+  EXPECT_GE(outcome.hand.lowest_J, -0.2 * outcome.given_J);  // the observer sees an excess one tick later
+  EXPECT_LT(outcome.hand.energy_J(), outcome.given_J);
 }
 
 }  // namespace

@@ -6,24 +6,7 @@
 #include "sim/base/latest_value.h"
 #include "tests/sim/device/hdapi_bench.h"
 #include "tests/support/allocation_count.h"
-
-#if !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__) && defined(__linux__)
-#include <dlfcn.h>
-#include <pthread.h>
-#define TORSIO_COUNTS_LOCKS 1
-
-namespace {
-thread_local std::int64_t locks = 0;
-}
-
-// Every system lock of this process passes here; a sanitizer brings its own.
-extern "C" int pthread_mutex_lock(pthread_mutex_t* mutex) noexcept {
-  using Lock = int (*)(pthread_mutex_t*);
-  static const auto next = reinterpret_cast<Lock>(dlsym(RTLD_NEXT, "pthread_mutex_lock"));
-  ++locks;
-  return next(mutex);
-}
-#endif
+#include "tests/support/lock_count.h"
 
 namespace torsio {
 namespace {
@@ -119,15 +102,11 @@ struct Cost {
     auto& cost = *static_cast<Cost*>(context);
     if (before != 0) {
       cost.allocationsBefore = testing::allocationCount();
-#ifdef TORSIO_COUNTS_LOCKS
-      cost.locksBefore = locks;
-#endif
+      cost.locksBefore = testing::lockCount();
       return;
     }
     cost.allocations += testing::allocationCount() - cost.allocationsBefore;
-#ifdef TORSIO_COUNTS_LOCKS
-    cost.locked += locks - cost.locksBefore;
-#endif
+    cost.locked += testing::lockCount() - cost.locksBefore;
     ++cost.callbacks;
   }
 };
@@ -153,9 +132,7 @@ TEST_F(HdapiThreads, T3_AllocatesAndLocksNothingInTheCallback) {
   EXPECT_EQ(cost.callbacks, 1'500 + 10 + 2'500 + 1);
   EXPECT_EQ(cost.allocations, 0);
   EXPECT_EQ(cost.locked, 0);
-#ifdef TORSIO_COUNTS_LOCKS
-  EXPECT_GT(locks, 0) << "the count does not count";
-#endif
+  EXPECT_EQ(testing::lockCount() > 0, testing::lockCountWorks()) << "the count does not count";
 }
 
 }  // namespace
