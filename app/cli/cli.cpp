@@ -32,8 +32,10 @@ void buildProgram(CLI::App& program) {
   program.footer("Without a command Torsio opens its window. Exit codes: docs/cli.md.");
   addAgreement(program);
   addAllocate(program);
+  addAudit(program);
   addBench(program);
   addCompareGroups(program);
+  addDb(program);
   addDemo(program);
   addDevice(program);
   addEvaluate(program);

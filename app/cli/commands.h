@@ -11,8 +11,10 @@ namespace torsio::cli {
 // torsio::Error when it refuses. One source a command: command_<name>.cpp.
 void addAgreement(CLI::App& program);
 void addAllocate(CLI::App& program);
+void addAudit(CLI::App& program);
 void addBench(CLI::App& program);
 void addCompareGroups(CLI::App& program);
+void addDb(CLI::App& program);
 void addDemo(CLI::App& program);
 void addDevice(CLI::App& program);
 void addEvaluate(CLI::App& program);

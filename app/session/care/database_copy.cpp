@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/care/database_copy.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include "app/session/build_info.h"
+#include "db/migrations/migrations.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A new target file goes again when nothing was kept in it.
+class NewFile {
+ public:
+  explicit NewFile(const Locator& target) {
+    std::error_code ignored;
+    if (target.engine == Engine::kSqlite && !fs::exists(target.file, ignored)) file_ = target.file;
+  }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+  ~NewFile() {
+    if (file_.empty()) return;
+    std::error_code ignored;
+    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(file_ + suffix, ignored);
+  }
+  void keep() { file_.clear(); }
+
+ private:
+  std::string file_;
+};
+
+}  // namespace
+
+CopyReport copyDatabase(const std::string& from, const std::string& to, const ProgressCallback& progress) {
+  const Locator source = parseLocator(from);
+  const Locator target = parseLocator(to);
+  std::error_code ignored;
+  if (from == to || (source.engine == Engine::kSqlite && target.engine == Engine::kSqlite &&
+                     fs::equivalent(source.file, target.file, ignored))) {
+    throw Error(ErrorCode::kUsage, "source and target are the same database", target.shown(),
+                "Name another target");
+  }
+  Connection reading = openRecord(from, OpenMode::kReadOnly);
+  NewFile newFile(target);  // before the connection, so that it is closed first
+  MigrationOptions options;
+  options.softwareVersion = softwareVersion();
+  Connection writing = openRecord(to, OpenMode::kCreate, options);
+  CopyReport report =
+      copyRecord(reading, writing, [&](const std::string& table, std::int64_t done, std::int64_t all) {
+        if (!progress) return;
+        progress({.step = table.empty() ? "Comparing" : "Copying " + table,
+                  .fraction = all == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(all)});
+      });
+  newFile.keep();
+  return report;
+}
+
+}  // namespace torsio
