@@ -7,21 +7,10 @@
 #include <QStandardPaths>
 #include <QSysInfo>
 
-#include "app/session/build_info.h"
-#include "db/migrations/migrations.h"
+#include "app/session/access/workplace.h"
 #include "sim/base/file_io.h"
 
 namespace torsio {
-
-namespace {
-
-Connection openUpToDate(const std::string& locator) {
-  MigrationOptions options;
-  options.softwareVersion = softwareVersion();
-  return openRecord(locator, OpenMode::kCreate, options);
-}
-
-}  // namespace
 
 std::string defaultDatabase() {
   const std::filesystem::path folder =

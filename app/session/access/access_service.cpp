@@ -41,9 +41,36 @@ void keepAnAdministrator(Workplace& workplace, const std::string& withoutUser) {
               "Make somebody else an administrator first");
 }
 
-SignInAnswer answer(Workplace& workplace, const SignInResult& result, bool practiceOnly) {
+const char* failureName(SignIn outcome) {
+  switch (outcome) {
+    case SignIn::kWait:
+      return "too many failures";
+    case SignIn::kDisabled:
+      return "disabled";
+    default:
+      return "wrong";
+  }
+}
+
+/// A failure, without what was typed: an unknown login may be a password in the wrong field.
+void noteFailure(Workplace& workplace, const std::string& login, SignIn outcome, const char* with) {
+  std::string userId;
+  for (const StoredUser& user : repository(workplace).users()) {
+    if (user.login == login) userId = user.id;
+  }
+  workplace.note({.action = "user.sign_in_failed",
+                  .objectKind = "app_user",
+                  .objectId = userId,
+                  .newJson = nlohmann::json{{"outcome", failureName(outcome)}, {"with", with}}.dump()});
+}
+
+SignInAnswer answer(Workplace& workplace, const std::string& login, const SignInResult& result,
+                    bool practiceOnly) {
   SignInAnswer answer{result.outcome, {}, result.waitUntilUtc_us};
-  if (result.outcome != SignIn::kOk && result.outcome != SignIn::kMustChange) return answer;
+  if (result.outcome != SignIn::kOk && result.outcome != SignIn::kMustChange) {
+    noteFailure(workplace, login, result.outcome, practiceOnly ? "pin" : "password");
+    return answer;
+  }
   const StoredUser user = userOf(workplace, result.userId);
   answer.actor = {user.id, user.login, user.personId, user.roles, practiceOnly};
   if (result.outcome == SignIn::kOk) {
@@ -96,11 +123,12 @@ void setUpCentre(Workplace& workplace, const FirstRun& first) {
 }
 
 SignInAnswer signIn(Workplace& workplace, const std::string& login, const std::string& password) {
-  return answer(workplace, repository(workplace).signIn(login, password, workplace.now_us()), false);
+  return answer(workplace, login, repository(workplace).signIn(login, password, workplace.now_us()), false);
 }
 
 SignInAnswer signInForPractice(Workplace& workplace, const std::string& login, const std::string& pin) {
-  return answer(workplace, repository(workplace).signInForPractice(login, pin, workplace.now_us()), true);
+  return answer(workplace, login, repository(workplace).signInForPractice(login, pin, workplace.now_us()),
+                true);
 }
 
 SignInAnswer changeOwnPassword(Workplace& workplace, const std::string& login, const std::string& oldPassword,
@@ -108,6 +136,7 @@ SignInAnswer changeOwnPassword(Workplace& workplace, const std::string& login, c
   AccessRepository access = repository(workplace);
   const SignInResult old = access.signIn(login, oldPassword, workplace.now_us());
   if (old.outcome != SignIn::kOk && old.outcome != SignIn::kMustChange) {
+    noteFailure(workplace, login, old.outcome, "password");
     throw Error(ErrorCode::kPermission, "the present password is not right", "password", "Try again");
   }
   if (newPassword == oldPassword) {
@@ -117,10 +146,29 @@ SignInAnswer changeOwnPassword(Workplace& workplace, const std::string& login, c
   checkPassword(newPassword, login);
   Transaction transaction(workplace.connection());
   access.setPassword(old.userId, newPassword, false);
-  SignInAnswer signedIn = answer(workplace, {SignIn::kOk, old.userId}, false);
+  SignInAnswer signedIn = answer(workplace, login, {SignIn::kOk, old.userId}, false);
   workplace.note({.action = "user.change_password", .objectKind = "app_user", .objectId = old.userId});
   transaction.commit();
   return signedIn;
+}
+
+SignInAnswer unlock(Workplace& workplace, const std::string& secret) {
+  const Actor& actor = workplace.actor();
+  if (actor.userId.empty()) {
+    throw Error(ErrorCode::kPermission, "nobody is signed in", "lock", "Sign in first");
+  }
+  AccessRepository access = repository(workplace);
+  const SignInResult result = actor.practiceOnly
+                                  ? access.signInForPractice(actor.login, secret, workplace.now_us())
+                                  : access.signIn(actor.login, secret, workplace.now_us());
+  SignInAnswer unlocked{result.outcome, {}, result.waitUntilUtc_us};
+  if (result.outcome == SignIn::kOk || result.outcome == SignIn::kMustChange) {
+    unlocked.actor = actor;
+    workplace.note({.action = "user.unlock", .objectKind = "app_user", .objectId = actor.userId});
+  } else {
+    noteFailure(workplace, actor.login, result.outcome, actor.practiceOnly ? "pin" : "password");
+  }
+  return unlocked;
 }
 
 void signOut(Workplace& workplace) {
@@ -195,6 +243,10 @@ void resetPassword(Workplace& workplace, const std::string& userId, const std::s
 
 void setOwnPin(Workplace& workplace, const std::string& pin) {
   workplace.require(Operation::kPractice);
+  if (workplace.actor().practiceOnly) {
+    throw Error(ErrorCode::kPermission, "you came in with the PIN", "PIN",
+                "Sign in with your password to change it");
+  }
   Transaction transaction(workplace.connection());
   repository(workplace).setPin(workplace.actor().userId, pin);
   workplace.note({.action = pin.empty() ? "user.remove_pin" : "user.set_pin",

@@ -32,7 +32,8 @@ struct SignInAnswer {
   std::int64_t waitUntilUtc_us = 0;  ///< for kWait
 };
 
-/// With the password; the workplace then belongs to the actor (for kOk only). Audited.
+/// With the password; the workplace then belongs to the actor (for kOk only). Audited; a failure without what
+/// was typed.
 [[nodiscard]] SignInAnswer signIn(Workplace& workplace, const std::string& login,
                                   const std::string& password);
 /// With the station PIN: practice without a record and nothing else.
@@ -42,6 +43,9 @@ struct SignInAnswer {
 /// for a weak or unchanged password, {kPermission} when the old one is wrong.
 SignInAnswer changeOwnPassword(Workplace& workplace, const std::string& login, const std::string& oldPassword,
                                const std::string& newPassword);
+/// After an idle lock: the secret of the user who is signed in (the PIN for practice), nobody else's.
+/// Audited, failures too. Throws Error{kPermission} when nobody is signed in.
+[[nodiscard]] SignInAnswer unlock(Workplace& workplace, const std::string& secret);
 void signOut(Workplace& workplace);
 
 /// A user and a start password that must be changed at the first sign-in. kUserManage.

@@ -16,15 +16,11 @@
 
 namespace torsio {
 
-namespace {
-
 Connection openUpToDate(const std::string& locator) {
   MigrationOptions options;
   options.softwareVersion = softwareVersion();
   return openRecord(locator, OpenMode::kCreate, options);
 }
-
-}  // namespace
 
 struct Workplace::Owned {
   explicit Owned(const std::string& locator) : connection(openUpToDate(locator)) {}

@@ -92,6 +92,9 @@ class Workplace {
   PasswordCost passwordCost_ = PasswordCost::kModerate;
 };
 
+/// Opens (or makes) a database and brings its schema up to date. Throws Error, DbError.
+[[nodiscard]] Connection openUpToDate(const std::string& locator);
+
 /// Name of this machine as it stands on trials and audit entries.
 [[nodiscard]] std::string stationName();
 

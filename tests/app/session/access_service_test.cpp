@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/access/access_service.h"
+
+#include <gtest/gtest.h>
+
+#include "db/repository/audit_repository.h"
+#include "sim/base/error.h"
+#include "tests/app/session/office_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::kOfficePassword;
+using testing::OfficeCentre;
+
+constexpr const char* kStart = "a first word to begin";
+constexpr const char* kOwn = "own words, long enough";
+
+std::string trailText(Connection& connection) {
+  std::string text;
+  for (const AuditEntry& entry : AuditRepository(connection).entries()) {
+    text += entry.actor + entry.action + entry.objectId + entry.oldJson + entry.newJson + entry.reason + "\n";
+  }
+  return text;
+}
+
+TEST(AccessService, FailedSignInIsAuditedWithoutWhatWasTyped) {
+  OfficeCentre centre;
+
+  EXPECT_EQ(signIn(centre.as(""), "rater", "my secret by mistake").outcome, SignIn::kWrong);
+  EXPECT_EQ(signIn(centre.as(""), "password typed as login", "x").outcome, SignIn::kWrong);
+
+  EXPECT_EQ(centre.audited("user.sign_in_failed"), 2);
+  const std::string trail = trailText(centre.connection());
+  EXPECT_EQ(trail.find("secret"), std::string::npos);
+  EXPECT_EQ(trail.find("typed as login"), std::string::npos);
+}
+
+TEST(AccessService, StartPasswordOpensNothingBeforeItWasChanged) {
+  OfficeCentre centre;
+  addUser(centre.as("administrator"), {.login = "new", .roles = {"statistician"}, .startPassword = kStart});
+
+  Workplace& workplace = centre.as("");
+  const SignInAnswer first = signIn(workplace, "new", kStart);
+
+  EXPECT_EQ(first.outcome, SignIn::kMustChange);
+  EXPECT_TRUE(workplace.actor().userId.empty());
+  EXPECT_FALSE(workplace.may(Operation::kPersonViewCoded));
+  EXPECT_THROW(changeOwnPassword(workplace, "new", kStart, kStart), Error);
+  EXPECT_EQ(changeOwnPassword(workplace, "new", kStart, kOwn).outcome, SignIn::kOk);
+  EXPECT_TRUE(workplace.may(Operation::kPersonViewCoded));
+}
+
+TEST(AccessService, UnlocksWithTheSecretOfTheSameUserOnly) {
+  OfficeCentre centre;
+  Workplace& workplace = centre.as("rater");
+
+  EXPECT_EQ(unlock(workplace, "somebody else's words").outcome, SignIn::kWrong);
+  EXPECT_EQ(unlock(workplace, kOfficePassword).outcome, SignIn::kOk);
+
+  EXPECT_EQ(workplace.actor().login, "rater");
+  EXPECT_EQ(centre.audited("user.unlock"), 1);
+  EXPECT_THROW((void)unlock(centre.as(""), kOfficePassword), Error);
+}
+
+TEST(AccessService, PinOpensPracticeAndCannotChangeItself) {
+  OfficeCentre centre;
+  setOwnPin(centre.as("trainee"), "4711");
+
+  Workplace& workplace = centre.as("");
+  const SignInAnswer answer = signInForPractice(workplace, "trainee", "4711");
+
+  EXPECT_EQ(answer.outcome, SignIn::kOk);
+  EXPECT_TRUE(workplace.may(Operation::kPractice));
+  EXPECT_FALSE(workplace.may(Operation::kTrialRecordOwn));
+  EXPECT_THROW(setOwnPin(workplace, "4712"), Error);
+  EXPECT_EQ(unlock(workplace, "4711").outcome, SignIn::kOk);
+}
+
+TEST(AccessService, LastAdministratorStays) {
+  OfficeCentre centre;
+  Workplace& workplace = centre.as("administrator");
+  const std::string self = workplace.actor().userId;
+
+  EXPECT_THROW(setUserActive(workplace, self, false, "leaves"), Error);
+  EXPECT_THROW(setUserRoles(workplace, self, {"rater"}, "changes"), Error);
+}
+
+TEST(AccessService, ARightThatWasTakenAwayIsGoneAtOnce) {
+  OfficeCentre centre;
+  const std::string rater = centre.as("rater").actor().userId;
+  setUserActive(centre.as("administrator"), rater, false, "left the centre");
+
+  EXPECT_FALSE(centre.as("rater").may(Operation::kPractice));
+  EXPECT_EQ(centre.audited("user.disable"), 1);
+}
+
+}  // namespace
+}  // namespace torsio

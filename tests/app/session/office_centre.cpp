@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/session/office_centre.h"
+
+#include <QTemporaryDir>
+
+#include "app/session/people/people_service.h"
+#include "app/session/study/curriculum_service.h"
+#include "app/session/study/rubric_service.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/access_repository.h"
+
+namespace torsio::testing {
+
+OfficeCentre::OfficeCentre() {
+  QTemporaryDir folder;
+  folder.setAutoRemove(false);
+  folder_ = folder.path().toStdString();
+  connection_ =
+      std::make_unique<Connection>(openRecord((folder_ / "office.sqlite").string(), OpenMode::kCreate,
+                                              {.softwareVersion = "test", .now_us = kOfficeTime_us}));
+  workplace_ = std::make_unique<Workplace>(
+      *connection_, ids_, WorkplaceKey{(folder_ / "office.sqlite").string(), "test station", {}},
+      [this] { return now_us_; });
+  workplace_->setPasswordCost(PasswordCost::kTest);
+  AccessRepository access(*connection_, PasswordCost::kTest);
+  for (const std::string& role : access.roles()) {
+    const std::string id = ids_.newUuid();
+    access.addUser({.id = id, .login = role, .createdUtc_us = now_us_, .roles = {role}}, kOfficePassword);
+    access.setPassword(id, kOfficePassword, false);
+    actors_[role] = {id, role, "", {role}, false};
+  }
+}
+
+OfficeCentre::~OfficeCentre() {
+  workplace_.reset();
+  connection_.reset();
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+Workplace& OfficeCentre::as(const std::string& role) {
+  workplace_->setActor(role.empty() ? Actor{} : actors_.at(role));
+  return *workplace_;
+}
+
+std::vector<std::string> OfficeCentre::addTrainees(std::size_t count) {
+  as("administrator");
+  std::vector<std::string> ids;
+  for (std::size_t i = 0; i < count; ++i) {
+    ids.push_back(addPerson(*workplace_, {.fullName = "Trainee " + std::to_string(i + 1),
+                                          .externalId = "S-" + std::to_string(1001 + i),
+                                          .sex = i % 2 == 0 ? "female" : "male",
+                                          .level = i % 3 == 0 ? "doctoral student" : "graduate"}));
+  }
+  return ids;
+}
+
+std::vector<std::string> OfficeCentre::addChiefs(std::size_t count) {
+  as("administrator");
+  std::vector<std::string> ids;
+  for (std::size_t i = 0; i < count; ++i) {
+    ids.push_back(addPerson(*workplace_, {.fullName = "Chief " + std::to_string(i + 1),
+                                          .externalId = "C-" + std::to_string(2001 + i),
+                                          .trainee = false,
+                                          .raterClass = "chief"}));
+  }
+  return ids;
+}
+
+std::string OfficeCentre::runPaperCurriculum() {
+  as("administrator");
+  for (const CurriculumTemplate& shipped : curriculumTemplates(assets())) {
+    if (shipped.id != "paper-three-arms") continue;
+    const std::string id = addCurriculum(*workplace_, shipped.title, shipped.description, shipped.content);
+    const std::string version = publishCurriculum(*workplace_, id, "first", assets());
+    runCurriculum(*workplace_, version);
+    return version;
+  }
+  return {};
+}
+
+std::string OfficeCentre::addPaperRubric() {
+  as("administrator");
+  const std::vector<RubricTemplate> shipped = rubricTemplates(assets());
+  return addRubric(*workplace_, shipped.at(0).title, shipped.at(0).revision);
+}
+
+std::map<std::string, std::int64_t> OfficeCentre::rowCounts() {
+  std::map<std::string, std::int64_t> counts;
+  Statement table = connection_->prepare("SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name");
+  table.execute();
+  std::vector<std::string> names;
+  while (table.step()) names.push_back(table.text(0));
+  for (const std::string& name : names) {
+    Statement row = connection_->prepare("SELECT count(*) FROM " + name);
+    row.execute();
+    if (row.step()) counts[name] = row.int64(0);
+  }
+  return counts;
+}
+
+std::int64_t OfficeCentre::audited(const std::string& action) {
+  Statement row = connection_->prepare("SELECT count(*) FROM audit_entry WHERE action = ?");
+  row.execute({action});
+  return row.step() ? row.int64(0) : 0;
+}
+
+}  // namespace torsio::testing

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/people/people_service.h"
+
+#include <gtest/gtest.h>
+
+#include "app/session/people/consent_service.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+#include "tests/app/session/office_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::OfficeCentre;
+
+TEST(PeopleService, NumbersAreUniqueAndCodesNeverComeTwice) {
+  OfficeCentre centre;
+  const std::string first = centre.addTrainees(1).front();
+
+  EXPECT_THROW(addPerson(centre.workplace(), {.fullName = "Other", .externalId = "S-1001"}), Error);
+  setPersonState(centre.workplace(), first, "left", "moved away");
+  addPerson(centre.workplace(), {.fullName = "Next", .externalId = "S-2"});
+
+  const std::vector<PersonRow> rows = people(centre.workplace());
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].person.code, "T-01");
+  EXPECT_EQ(rows[0].person.state, "left");
+  EXPECT_EQ(rows[1].person.code, "T-02");
+}
+
+TEST(PeopleService, ChangingKeepsOldAndNewInTheTrailWithoutNames) {
+  OfficeCentre centre;
+  const std::string id = centre.addTrainees(1).front();
+  Workplace& workplace = centre.workplace();
+  PersonEntry entry = personEntry(workplace, id);
+  entry.level = "doctoral student";
+  entry.fullName = "Married Name";
+  entry.raterClass = "intern";
+
+  changePerson(workplace, id, entry, "asked by herself");
+
+  EXPECT_EQ(personEntry(workplace, id).raterClass, "intern");
+  EXPECT_EQ(centre.audited("person.change"), 1);
+  entry.trainee = false;
+  EXPECT_THROW(changePerson(workplace, id, entry, "no"), Error);
+}
+
+TEST(PeopleService, NamedExportIsAuditedAndHarmlessToSpreadsheets) {
+  OfficeCentre centre;
+  Workplace& workplace = centre.as("administrator");
+  addPerson(workplace, {.fullName = "=cmd(\"x\"), Dr", .externalId = "S-1"});
+  const std::filesystem::path file = centre.folder() / "people.csv";
+
+  EXPECT_EQ(exportPeople(workplace, file, true), 1U);
+
+  const std::string text = readFile(file);
+  EXPECT_TRUE(
+      text.starts_with("\xEF\xBB\xBF"
+                       "code,trainee,rater_class"));
+  EXPECT_NE(text.find("\"'=cmd(\"\"x\"\"), Dr\""), std::string::npos);
+  EXPECT_EQ(centre.audited("people.export_named"), 1);
+  EXPECT_THROW(exportPeople(centre.as("statistician"), file, true), Error);
+  EXPECT_EQ(exportPeople(centre.as("statistician"), file, false), 1U);
+  EXPECT_EQ(readFile(file).find("cmd"), std::string::npos);
+}
+
+TEST(ConsentService, NewestDecisionCountsAndWithdrawalIsListed) {
+  OfficeCentre centre;
+  const std::string id = centre.addTrainees(1).front();
+  Workplace& workplace = centre.workplace();
+  const std::string version = consentTexts(centre.assets()).at(0).version;
+
+  recordConsent(workplace, id, "research", true, version);
+  centre.passTime_us(1);
+  recordConsent(workplace, id, "research", false, version);
+
+  EXPECT_EQ(consentHistory(workplace, id).size(), 2U);
+  EXPECT_EQ(withdrawnConsents(workplace).size(), 1U);
+  EXPECT_TRUE(people(workplace).at(0).consents.empty());
+  EXPECT_EQ(centre.audited("consent.withdraw"), 1);
+  EXPECT_THROW(recordConsent(workplace, id, "marketing", true, version), Error);
+  EXPECT_THROW(recordConsent(workplace, id, "research", true, ""), Error);
+}
+
+TEST(ConsentService, TextsExistInBothLanguagesUnderOneVersion) {
+  OfficeCentre centre;
+
+  const auto english = consentTexts(centre.assets(), "en");
+  const auto chinese = consentTexts(centre.assets(), "zh_CN");
+
+  ASSERT_EQ(english.size(), 5U);
+  ASSERT_EQ(chinese.size(), 5U);
+  for (std::size_t i = 0; i < english.size(); ++i) {
+    EXPECT_EQ(english[i].purpose, chinese[i].purpose);
+    EXPECT_EQ(english[i].version, chinese[i].version);
+    EXPECT_NE(english[i].text, chinese[i].text);
+  }
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A study from the roster to the frozen data set, through the services alone.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "app/session/access/access_service.h"
+#include "app/session/people/consent_service.h"
+#include "app/session/people/people_service.h"
+#include "app/session/study/allocation_service.h"
+#include "app/session/study/campaign_service.h"
+#include "app/session/study/coded_records.h"
+#include "app/session/study/cohort_service.h"
+#include "app/session/study/curriculum_service.h"
+#include "app/session/study/frozen_data.h"
+#include "app/session/study/run_day.h"
+#include "app/session/study/scoring_plan.h"
+#include "db/repository/audit_repository.h"
+#include "db/repository/sheet_repository.h"
+#include "sim/base/error.h"
+#include "tests/app/session/office_centre.h"
+
+namespace torsio {
+namespace {
+
+using testing::OfficeCentre;
+
+constexpr std::int64_t kMinute_us = 60'000'000;
+
+/// Six trainees in three groups who follow the paper's curriculum, three chiefs, the shipped rubric.
+struct Study {
+  OfficeCentre centre;
+  std::vector<std::string> chiefs;
+  std::string rubric;
+  std::string cohortId;
+  std::vector<std::string> enrolmentIds;
+
+  Study() {
+    const std::vector<std::string> trainees = centre.addTrainees(6);
+    chiefs = centre.addChiefs(3);
+    rubric = centre.addPaperRubric();
+    const std::string version = centre.runPaperCurriculum();
+    cohortId = addCohort(centre.workplace(), {.name = "Study", .curriculumVersionId = version});
+    enrolmentIds = enrolTrainees(centre.workplace(), cohortId, trainees);
+  }
+  void allocate() {
+    Workplace& allocator = centre.as("allocator");
+    AllocationPlan plan;
+    plan.cohortId = cohortId;
+    lockAllocation(allocator, plan);
+    allocateAll(allocator, cohortId);
+  }
+  [[nodiscard]] ScoringPlan plan() const {
+    return {.cohortId = cohortId,
+            .scoringPoints = {"pre", "mid", "post"},
+            .raterIds = chiefs,
+            .rubricRevisionId = rubric,
+            .seed = 3};
+  }
+  [[nodiscard]] StoredArm armOf(const std::string& enrolmentId) {
+    Workplace& workplace = centre.as("administrator");
+    const CohortRow cohort = cohorts(workplace).at(0);
+    const auto version = curriculumVersion(workplace, cohort.cohort.curriculumVersionId);
+    for (const StoredEnrolment& enrolment : enrolments(workplace, cohortId)) {
+      if (enrolment.id != enrolmentId) continue;
+      for (const StoredGroup& group : cohort.groups) {
+        for (const StoredArm& arm : version->arms) {
+          if (group.id == enrolment.groupId && arm.id == group.armId) return arm;
+        }
+      }
+    }
+    return {};
+  }
+  /// Fills in and submits every open sheet as the raters would.
+  void submitAll(const std::string& scoringPoint) {
+    SheetRepository sheets(centre.connection());
+    const StoredRubricRevision revision = sheets.revision(rubric).value();
+    for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
+      if (status.assignment.scoringPoint != scoringPoint || status.state != SheetState::kOpen) continue;
+      Sheet sheet{.overall_steps = 70};
+      for (const StoredRubricRow& row : revision.rows)
+        sheet.rows.push_back({row.code, 70, ""});
+      sheets.submit(status.assignment.id, centre.workplace().ids().newUuid(), sheet, "",
+                    centre.workplace().now_us());
+    }
+  }
+};
+
+TEST(ScoringPlan, EveryRaterScoresEveryTraineeAtEveryPointOnce) {
+  Study study;
+  study.allocate();
+  Workplace& workplace = study.centre.as("administrator");
+
+  const ScoringPlanOutcome first = createAssignments(workplace, study.plan());
+  const ScoringPlanOutcome again = createAssignments(workplace, study.plan());
+
+  EXPECT_EQ(first.created, 3U * 6U * 3U);
+  EXPECT_EQ(again.created, 0U);
+  EXPECT_EQ(again.already, 3U * 6U * 3U);
+  const ScoringMatrix matrix = scoringMatrix(workplace, study.cohortId);
+  ASSERT_EQ(matrix.raters.size(), 3U);
+  ASSERT_EQ(matrix.lines.size(), 18U);
+  for (const ScoringMatrix::Line& line : matrix.lines) EXPECT_EQ(line.missing, 3U);
+}
+
+TEST(ScoringPlan, LiveCasesHaveOneLabelForAllAndOrdersDiffer) {
+  Study study;
+  study.allocate();
+  createAssignments(study.centre.as("administrator"), study.plan());
+
+  SheetRepository sheets(study.centre.connection());
+  std::map<std::string, std::set<std::string>> labelsOfCase;
+  std::vector<std::vector<std::string>> orders;
+  for (const std::string& chief : study.chiefs) {
+    orders.emplace_back();
+    for (const StoredAssignment& one : sheets.assignmentsOf(chief)) {
+      labelsOfCase[one.enrolmentId + one.scoringPoint].insert(one.caseLabel);
+      orders.back().push_back(one.enrolmentId + one.scoringPoint);
+    }
+  }
+  for (const auto& [key, labels] : labelsOfCase) EXPECT_EQ(labels.size(), 1U);
+  EXPECT_NE(orders[0], orders[1]);
+  EXPECT_NE(orders[1], orders[2]);
+}
+
+TEST(ScoringPlan, LabelsDoNotFollowStageOrGroup) {
+  Study study;
+  study.allocate();
+  createAssignments(study.centre.as("administrator"), study.plan());
+
+  // Cases of a stage, sorted by label, would stand together if labels followed the stage.
+  std::vector<std::pair<std::string, std::string>> byLabel;
+  for (const StoredAssignment& one :
+       SheetRepository(study.centre.connection()).assignmentsOf(study.chiefs[0])) {
+    byLabel.emplace_back(one.caseLabel, one.scoringPoint);
+  }
+  std::sort(byLabel.begin(), byLabel.end());
+  std::size_t changes = 0;
+  for (std::size_t i = 1; i < byLabel.size(); ++i)
+    changes += byLabel[i].second != byLabel[i - 1].second ? 1 : 0;
+
+  EXPECT_GT(changes, 6U);  // two if sorted by stage; about twelve of seventeen at random
+}
+
+TEST(ScoringPlan, ReassigningNeedsAReasonAndAnUnaskedRater) {
+  Study study;
+  Workplace& workplace = study.centre.as("administrator");
+  ScoringPlan plan = study.plan();
+  plan.scoringPoints = {"pre"};
+  plan.raterIds.pop_back();
+  createAssignments(workplace, plan);
+  const ScoringCell cell = scoringMatrix(workplace, study.cohortId).lines.at(0).cells.at(0);
+
+  EXPECT_THROW(reassign(workplace, cell.assignmentId, study.chiefs[2], ""), Error);
+  EXPECT_THROW(reassign(workplace, cell.assignmentId, study.chiefs[1], "ill"), Error);
+  const std::string next = reassign(workplace, cell.assignmentId, study.chiefs[2], "ill");
+
+  EXPECT_FALSE(next.empty());
+  const ScoringMatrix matrix = scoringMatrix(workplace, study.cohortId);
+  EXPECT_EQ(matrix.raters.size(), 3U);
+  EXPECT_EQ(matrix.lines.at(0).cells.at(0).state, SheetState::kWithdrawn);
+  EXPECT_EQ(matrix.lines.at(0).cells.at(2).caseLabel, cell.caseLabel);
+  EXPECT_EQ(study.centre.audited("assignment.reassign"), 1);
+}
+
+TEST(ScoringPlan, MarksAreReleasedWhenAllAreInOrWithAReason) {
+  Study study;
+  Workplace& workplace = study.centre.as("administrator");
+  createAssignments(workplace, study.plan());
+  study.submitAll("pre");
+
+  releaseMarks(workplace, study.cohortId, "pre");
+  EXPECT_THROW(releaseMarks(workplace, study.cohortId, "mid"), Error);
+  releaseMarks(workplace, study.cohortId, "mid", "two raters are ill");
+  EXPECT_THROW(retractMarks(workplace, study.cohortId, "mid", ""), Error);
+  retractMarks(workplace, study.cohortId, "mid", "they are back");
+
+  const std::vector<ReleaseState> states = releaseStates(workplace, study.cohortId);
+  ASSERT_EQ(states.size(), 3U);
+  EXPECT_TRUE(states[0].released);
+  EXPECT_EQ(states[0].missing, 0U);
+  EXPECT_FALSE(states[1].released);
+  EXPECT_EQ(states[1].missing, 18U);
+  EXPECT_EQ(study.centre.audited("mark.release"), 2);
+  EXPECT_EQ(study.centre.audited("mark.retract"), 1);
+}
+
+TEST(CampaignService, OrdersAreCounterbalancedWithinEachClass) {
+  OfficeCentre centre;
+  Workplace& workplace = centre.as("administrator");
+  CampaignPlan plan;
+  plan.name = "Models";
+  plan.instrument = paperEvaluationInstrument();
+  plan.models = {{"PM", "proposed"}, {"FEM", "finite elements"}, {"MSM", "mass-spring"}};
+  for (const char* raterClass : {"intern", "deputy_chief", "chief"}) {
+    for (int i = 0; i < 6; ++i) {
+      plan.raterIds.push_back(addPerson(workplace, {.fullName = "Rater",
+                                                    .externalId = std::string(raterClass) + std::to_string(i),
+                                                    .trainee = false,
+                                                    .raterClass = raterClass}));
+    }
+  }
+
+  addCampaign(workplace, plan);
+
+  const CampaignRow row = campaigns(workplace).at(0);
+  std::map<std::string, std::set<std::string>> orders;
+  for (const StoredCampaignRater& rater : row.campaign.raters)
+    orders[rater.classCode].insert(rater.modelOrder);
+  for (const auto& [code, seen] : orders) EXPECT_EQ(seen.size(), 6U) << code;  // 3! orders, six raters
+  EXPECT_EQ(row.marksExpected, 18U * 3U * 9U);
+  std::set<std::string> hidden;
+  for (const StoredModel& model : row.campaign.models) hidden.insert(model.hiddenLabel);
+  EXPECT_EQ(hidden, (std::set<std::string>{"X", "Y", "Z"}));
+}
+
+TEST(CampaignService, RefusesAClassWithAWeightAndNobodyInIt) {
+  OfficeCentre centre;
+  CampaignPlan plan;
+  plan.name = "Models";
+  plan.instrument = paperEvaluationInstrument();
+  plan.models = {{"PM", "proposed"}, {"FEM", "finite elements"}};
+  plan.raterIds = centre.addChiefs(2);
+
+  EXPECT_THROW(addCampaign(centre.workplace(), plan), Error);
+  plan.instrument.classes[2].weight_milli = 600;
+  EXPECT_THROW(addCampaign(centre.workplace(), plan), Error);
+  EXPECT_TRUE(campaigns(centre.workplace()).empty());
+}
+
+TEST(PhaseProgress, CountsNamedUnnamedAndRestTime) {
+  const StoredArm arm{.restAllowance_us = 5 * kMinute_us,
+                      .phases = {{"p1", "virtual", "first", 20 * kMinute_us, ""},
+                                 {"p2", "real", "second", 20 * kMinute_us, ""}}};
+  const auto spent = [](const char* kind, const char* phase, std::int64_t minutes) {
+    return StoredExposure{.phaseId = phase, .kind = kind, .duration_us = minutes * kMinute_us};
+  };
+  const std::vector<StoredExposure> exposures{spent("virtual", "p1", 12), spent("rest", "p1", 3),
+                                              spent("virtual", "", 8), spent("real", "p2", 5)};
+
+  const PhaseProgress progress = phaseProgress(arm, exposures);
+
+  EXPECT_EQ(progress.phase, 1U);
+  EXPECT_EQ(progress.inPhase_us, 5 * kMinute_us);
+  EXPECT_EQ(progress.left_us, 15 * kMinute_us);
+  EXPECT_EQ(progress.virtual_us, 20 * kMinute_us);
+  EXPECT_EQ(progress.restUsed_us, 3 * kMinute_us);
+  EXPECT_EQ(progress.restLeft_us, 0);  // the allowance may not be split
+}
+
+TEST(RunDayBoard, ShowsPhaseExposureRestAndMissingSheets) {
+  Study study;
+  study.allocate();
+  Workplace& workplace = study.centre.as("administrator");
+  createAssignments(workplace, study.plan());
+  const std::string id = study.enrolmentIds[0];
+  const StoredArm arm = study.armOf(id);
+  recordExposure(workplace, {study.cohortId, id, arm.phases[0].id, arm.phases[0].kind, 0, 20 * kMinute_us});
+  recordExposure(workplace, {study.cohortId, id, "", "rest", 0, 2 * kMinute_us});
+  reportDeviation(workplace, {.cohortId = study.cohortId, .enrolmentId = id, .kind = "late"});
+
+  const RunDayBoard board = runDayBoard(workplace, study.cohortId);
+
+  ASSERT_EQ(board.rows.size(), 6U);
+  const auto row = std::find_if(board.rows.begin(), board.rows.end(),
+                                [&](const RunDayRow& r) { return r.enrolmentId == id; });
+  EXPECT_EQ(row->phaseLabel, arm.phases[1].label);
+  EXPECT_EQ(row->progress.virtual_us + row->progress.real_us, 20 * kMinute_us);
+  EXPECT_EQ(row->progress.restUsed_us, 2 * kMinute_us);
+  EXPECT_EQ(row->scoringPointDue, "mid");
+  EXPECT_EQ(row->sheetsMissing, 3U);
+  EXPECT_EQ(row->deviations, 1U);
+  EXPECT_TRUE(row->runningTrialId.empty());
+}
+
+TEST(CohortService, RefusesTimeInAPhaseOfAnotherArmOrKind) {
+  Study study;
+  study.allocate();
+  Workplace& workplace = study.centre.as("administrator");
+  const std::string id = study.enrolmentIds[0];
+  const StoredArm arm = study.armOf(id);
+  const char* other = arm.phases[0].kind == "virtual" ? "real" : "virtual";
+
+  EXPECT_THROW(recordExposure(workplace, {study.cohortId, id, arm.phases[0].id, other, 0, kMinute_us}),
+               Error);
+  EXPECT_THROW(recordExposure(workplace, {study.cohortId, id, "no phase", "real", 0, kMinute_us}), Error);
+  EXPECT_THROW(recordExposure(workplace, {study.cohortId, id, "", "asleep", 0, kMinute_us}), Error);
+  EXPECT_THROW(recordExposure(workplace, {study.cohortId, id, "", "real", 0, 0}), Error);
+}
+
+TEST(CohortService, WhoMayNotSeeTheAllocationSeesNoGroups) {
+  Study study;
+  study.allocate();
+  study.centre.connection().execute(
+      "DELETE FROM role_operation WHERE role_code = 'statistician' AND operation_code = 'allocation.view'");
+
+  for (const StoredEnrolment& enrolment : enrolments(study.centre.as("statistician"), study.cohortId)) {
+    EXPECT_TRUE(enrolment.groupCode.empty());
+    EXPECT_EQ(enrolment.numberInGroup, 0);
+  }
+}
+
+TEST(FrozenData, TellsLaterWhatIsDifferent) {
+  Study study;
+  study.allocate();
+  Workplace& workplace = study.centre.as("administrator");
+  createAssignments(workplace, study.plan());
+  study.submitAll("pre");
+
+  const FrozenRow frozen = freezeData(workplace, study.cohortId, "interim");
+  EXPECT_EQ(frozen.counts.enrolments, 6U);
+  EXPECT_EQ(frozen.counts.allocations, 6U);
+  EXPECT_EQ(frozen.counts.marks, 18U);
+  EXPECT_TRUE(compareWithFrozen(workplace, frozen.id).same);
+  EXPECT_THROW(freezeData(workplace, study.cohortId, "interim"), Error);
+  study.submitAll("mid");
+
+  const FrozenCheck later = compareWithFrozen(workplace, frozen.id);
+  EXPECT_FALSE(later.same);
+  ASSERT_EQ(later.differences.size(), 18U);
+  EXPECT_NE(later.differences[0].find("was added"), std::string::npos);
+  EXPECT_EQ(study.centre.audited("dataset.freeze"), 1);
+}
+
+TEST(Audit, AWholeStudyLeavesAnEntryForEveryChangeAndVerifies) {
+  Study study;
+  study.allocate();
+  Workplace& workplace = study.centre.as("administrator");
+  const std::string version = consentTexts(study.centre.assets()).at(0).version;
+  recordConsent(workplace, people(workplace).at(3).person.id, "training_record", true, version);
+  createAssignments(workplace, study.plan());
+  for (const std::string& enrolment : study.enrolmentIds) {
+    for (const StoredPhase& phase : study.armOf(enrolment).phases) {
+      recordExposure(workplace, {study.cohortId, enrolment, phase.id, phase.kind, 0, phase.duration_us});
+    }
+    setEnrolmentState(workplace, study.cohortId, enrolment, "completed", "");
+  }
+  reportDeviation(workplace, {.cohortId = study.cohortId, .kind = "other", .description = "power cut"});
+  for (const char* point : {"pre", "mid", "post"}) {
+    study.submitAll(point);
+    releaseMarks(workplace, study.cohortId, point);
+  }
+  freezeData(workplace, study.cohortId, "final");
+  exportPeople(workplace, study.centre.folder() / "names.csv", true);
+  addUser(workplace, {.login = "another", .roles = {"rater"}, .startPassword = "a first word to begin"});
+  revealSeed(study.centre.as("allocator"),
+             allocationDesigns(study.centre.as("allocator"), study.cohortId).at(0).stored.id);
+
+  EXPECT_TRUE(AuditRepository(study.centre.connection()).verify().empty());
+  const std::map<std::string, std::int64_t> expected{{"person.add", 9},
+                                                     {"rubric.add", 1},
+                                                     {"curriculum.add", 1},
+                                                     {"curriculum.publish", 1},
+                                                     {"curriculum.running", 1},
+                                                     {"cohort.add", 1},
+                                                     {"enrolment.add", 6},
+                                                     {"allocation.lock", 1},
+                                                     {"allocation.draw", 6},
+                                                     {"consent.grant", 1},
+                                                     {"assignment.create", 3},
+                                                     {"exposure.record", 12},
+                                                     {"enrolment.set_state", 6},
+                                                     {"deviation.report", 1},
+                                                     {"mark.submit", 54},
+                                                     {"mark.release", 3},
+                                                     {"dataset.freeze", 1},
+                                                     {"people.export_named", 1},
+                                                     {"user.add", 1},
+                                                     {"allocation.reveal", 1}};
+  for (const auto& [action, count] : expected) EXPECT_EQ(study.centre.audited(action), count) << action;
+  for (const AuditEntry& entry : AuditRepository(study.centre.connection()).entries({.limit = 10'000})) {
+    const std::string text = entry.oldJson + entry.newJson + entry.reason;
+    EXPECT_EQ(text.find("Trainee "), std::string::npos) << entry.action;
+    EXPECT_EQ(text.find("Chief "), std::string::npos) << entry.action;
+    EXPECT_FALSE(entry.actor.empty());
+  }
+  EXPECT_EQ(codedMarks(study.centre.as("statistician"), study.cohortId).size(), 54U);
+}
+
+}  // namespace
+}  // namespace torsio
