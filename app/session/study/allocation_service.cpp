@@ -121,6 +121,7 @@ struct OpenDraw {
   AllocationDesign design;
   std::vector<StoredAllocation> records;
   Allocator allocator;
+  std::map<std::string, std::int64_t> highestNumber;  ///< in use, by group
 };
 
 std::map<std::string, std::string> codesOf(StudyRepository& study, const std::string& cohortId) {
@@ -141,8 +142,15 @@ OpenDraw openDraw(Workplace& workplace, const Field& field) {
   std::vector<StoredAllocation> records = study.allocations(stored.id);
   const std::vector<StoredAllocation> drawn = drawnOf(records);
   AllocationDesign design = designFromStored(stored, field.groupCodes(), drawn.size());
-  OpenDraw open{stored, design, std::move(records),
-                Allocator(design, seedFrom(study.sealedSeed(stored.id), stored.id))};
+  OpenDraw open{stored,
+                design,
+                std::move(records),
+                Allocator(design, seedFrom(study.sealedSeed(stored.id), stored.id)),
+                {}};
+  for (const StoredEnrolment& enrolment : study.enrolments(field.cohort.id)) {
+    std::int64_t& highest = open.highestNumber[enrolment.groupId];
+    highest = std::max(highest, enrolment.numberInGroup);
+  }
   const std::map<std::string, std::string> codes = codesOf(study, field.cohort.id);
   for (const StoredAllocation& record : drawn) {
     const AllocationRecord again =
@@ -153,14 +161,6 @@ OpenDraw openDraw(Workplace& workplace, const Field& field) {
     }
   }
   return open;
-}
-
-std::int64_t nextNumber(StudyRepository& study, const std::string& cohortId, const std::string& groupId) {
-  std::int64_t highest = 0;
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
-    if (enrolment.groupId == groupId) highest = std::max(highest, enrolment.numberInGroup);
-  }
-  return highest + 1;
 }
 
 StoredAllocation draw(Workplace& workplace, const Field& field, OpenDraw& open,
@@ -175,7 +175,7 @@ StoredAllocation draw(Workplace& workplace, const Field& field, OpenDraw& open,
   record.sequence = static_cast<std::int64_t>(open.records.size() + 1);
   record.enrolmentId = enrolment.id;
   record.groupId = group.id;
-  record.numberInGroup = nextNumber(study, field.cohort.id, group.id);
+  record.numberInGroup = ++open.highestNumber[group.id];
   record.covariatesJson = covariatesJson(open.design, person);
   record.countsBeforeJson = numbersJson(open.design.arms, drawn.countsBefore);
   record.scoresJson = numbersJson(open.design.arms, drawn.scores);
@@ -380,7 +380,7 @@ StoredAllocation overrideAllocation(Workplace& workplace, const std::string& coh
   record.id = workplace.ids().newUuid();
   record.sequence = static_cast<std::int64_t>(open.records.size() + 1);
   record.groupId = groupId;
-  record.numberInGroup = nextNumber(study, cohortId, groupId);
+  record.numberInGroup = ++open.highestNumber[groupId];
   record.drawBefore = record.drawAfter;  // nothing was drawn
   record.allocatedBy = workplace.actor().userId;
   record.softwareVersion = softwareVersion();
