@@ -25,15 +25,15 @@ inline constexpr std::int64_t kReadingLost_us = 250'000;
 ///
 /// Millimetres and device axes become SI and the world frame in hdapi_border.h only; nothing above sees them.
 ///
-/// | channel     | direction | unit | source |
-/// |-------------|-----------|------|-------------------------------------------------------------------------|
-/// | position    | given     | m    | HD_CURRENT_TRANSFORM (mm), middle of the gimbal, moved to the tip | |
-/// orientation | given     | 1    | HD_CURRENT_TRANSFORM; the stylus points along -z | | roll        | given
-/// | rad  | gimbal angle 3, sign turned, unwrapped, from the docked reference         | | grip        | given
-/// | 1    | stylus button 1, 0..1 within kGripTime_us                                 | | buttons     | given
-/// |      | kButtonGrip, kButtonSecond, debounced; further bits are dropped           | | status      | given
-/// |      | see below                                                                | | force       | taken
-/// | N    | HD_CURRENT_FORCE, three axes, at the middle of the gimbal                 |
+/// | channel     | direction | unit | source                                                                |
+/// |-------------|-----------|------|-----------------------------------------------------------------------|
+/// | position    | given     | m    | HD_CURRENT_TRANSFORM (mm), middle of the gimbal, moved to the tip     |
+/// | orientation | given     | 1    | HD_CURRENT_TRANSFORM; the stylus points along -z                      |
+/// | roll        | given     | rad  | gimbal angle 3, sign turned, unwrapped, from the docked reference     |
+/// | grip        | given     | 1    | stylus button 1, 0..1 within kGripTime_us                             |
+/// | buttons     | given     |      | kButtonGrip, kButtonSecond, debounced; further bits are dropped       |
+/// | status      | given     |      | see below                                                             |
+/// | force       | taken     | N    | HD_CURRENT_FORCE, three axes, at the middle of the gimbal             |
 ///
 /// There is no torque about the stylus: the device has three motors. Resistance to a twist is rendered as a
 /// force at the grasp.

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
+#include <cmath>
+
+#include "tests/support/fakehd/fake_state.h"
+
+namespace fakehd {
+
+namespace {
+
+using Matrix = std::array<std::array<double, 3>, 3>;
+
+Matrix multiplied(const Matrix& a, const Matrix& b) {
+  Matrix c{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) c[i][j] += a[i][k] * b[k][j];
+    }
+  }
+  return c;
+}
+Matrix turnX(double a) {
+  return {{{1, 0, 0}, {0, std::cos(a), -std::sin(a)}, {0, std::sin(a), std::cos(a)}}};
+}
+Matrix turnY(double a) {
+  return {{{std::cos(a), 0, std::sin(a)}, {0, 1, 0}, {-std::sin(a), 0, std::cos(a)}}};
+}
+Matrix turnZ(double a) {
+  return {{{std::cos(a), -std::sin(a), 0}, {std::sin(a), std::cos(a), 0}, {0, 0, 1}}};
+}
+
+void place(Fake& f) {
+  const FakePose& p = f.pose;
+  const auto [q1, q2, q3] = std::to_array(p.joints_rad);
+  constexpr double kLink_mm = 133.35;
+  const double reach = kLink_mm * (std::cos(q2) + std::sin(q3));
+  std::array<double, 3> position{-std::sin(q1) * reach, kLink_mm * (std::sin(q2) - std::cos(q3)) + 23.35,
+                                 std::cos(q1) * reach - 168.35};
+  if (p.usePosition != 0) position = std::to_array(p.position_mm);
+  const Matrix r = multiplied(
+      multiplied(turnY(-q1), turnX(-q3)),
+      multiplied(turnY(p.gimbal_rad[0]), multiplied(turnX(-p.gimbal_rad[1]), turnZ(-p.gimbal_rad[2]))));
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t i = 0; i < 3; ++i) f.now.transform[4 * c + i] = r[i][c];
+    f.now.transform[12 + c] = position[c];
+    f.now.joints[c] = p.joints_rad[c];
+    f.now.gimbal[c] = (p.gimbal_rad[c] - f.gimbalOffset[c]) / f.gimbalScale[c];
+  }
+  f.now.transform[15] = 1.0;
+  f.now.buttons = f.buttons;
+}
+
+void tellStory(Fake& f) {
+  const std::int64_t tick = f.tick.load();
+  if (f.dockAtTick >= 0 && tick >= f.dockAtTick) {
+    f.docked = true;
+    f.pose = kInkwellPose;
+    if (f.calibration == hd::kCalibrationNeedsManualInput) f.calibration = hd::kCalibrationNeedsUpdate;
+  }
+  if (f.unplugAtTick >= 0 && tick >= f.unplugAtTick) f.unplugged = true;
+}
+
+}  // namespace
+
+std::array<double, 3> rendered(const Fake& f) {
+  return f.running && f.forceEnabled && !f.unplugged ? f.commanded : std::array<double, 3>{};
+}
+
+bool unschedule(Fake& f, hd::SchedulerHandle handle) {
+  for (int k = 0; k < f.taskCount; ++k) {
+    if (f.tasks[static_cast<std::size_t>(k)].handle != handle) continue;
+    for (int m = k; m + 1 < f.taskCount; ++m) {
+      f.tasks[static_cast<std::size_t>(m)] = f.tasks[static_cast<std::size_t>(m + 1)];
+    }
+    --f.taskCount;
+    return true;
+  }
+  return false;
+}
+
+hd::SchedulerHandle schedule(Fake& f, hd::SchedulerCallback callback, void* userData, hd::UShort priority,
+                             bool once) {
+  if (f.taskCount == kMostTasks) {
+    push(f, hd::kSchedulerFull, 0);
+    return 0;
+  }
+  int at = 0;
+  while (at < f.taskCount && f.tasks[static_cast<std::size_t>(at)].priority >= priority) ++at;
+  for (int k = f.taskCount; k > at; --k) {
+    f.tasks[static_cast<std::size_t>(k)] = f.tasks[static_cast<std::size_t>(k - 1)];
+  }
+  f.tasks[static_cast<std::size_t>(at)] = {f.nextTask, callback, userData, priority, once};
+  ++f.taskCount;
+  return f.nextTask++;
+}
+
+namespace {
+
+/// One tick: the hand moves, then every task runs in decreasing priority.
+void runTick(Fake& f) {
+  std::array<Task, kMostTasks> tasks;
+  int count = 0;
+  FakePoseFunction move = nullptr;
+  {
+    const Guard guard(f.spin);
+    ++f.tick;
+    if (!f.real) f.now_us += f.period_us.load();
+    f.framesThisTick = 0;
+    tellStory(f);
+    move = f.unplugged ? nullptr : f.poseFunction;
+    tasks = f.tasks;
+    count = f.taskCount;
+  }
+  if (move != nullptr) {
+    FakePose pose = f.pose;
+    move(f.poseContext, f.tick.load(), rendered(f).data(), &pose);
+    const Guard guard(f.spin);
+    f.pose = pose;
+  }
+  {
+    const Guard guard(f.spin);
+    if (!f.unplugged) place(f);
+  }
+  for (int i = 0; i < count; ++i) {
+    const Task& task = tasks[static_cast<std::size_t>(i)];
+    if (f.hook != nullptr) f.hook(f.hookContext, 1);
+    const hd::CallbackCode answer = task.callback(task.userData);
+    if (f.hook != nullptr) f.hook(f.hookContext, 0);
+    if (answer == hd::kCallbackContinue && !task.once) continue;
+    const Guard guard(f.spin);
+    (void)unschedule(f, task.handle);
+  }
+}
+
+/// Tasks of hdScheduleSynchronous that nobody has served yet.
+int waitingTasks(Fake& f) {
+  const Guard guard(f.spin);
+  int waiting = 0;
+  for (int k = 0; k < f.taskCount; ++k) waiting += f.tasks[static_cast<std::size_t>(k)].once ? 1 : 0;
+  return waiting;
+}
+
+}  // namespace
+
+void servoLoop(Fake& f) {
+  f.servo = std::this_thread::get_id();
+  auto deadline = std::chrono::steady_clock::now();
+  std::unique_lock lock(f.mutex);
+  while (!f.stop) {
+    if (f.real) {
+      lock.unlock();
+      deadline += std::chrono::microseconds(f.period_us.load());
+      std::this_thread::sleep_until(deadline);
+      runTick(f);
+      lock.lock();
+      f.pendingOnce = waitingTasks(f);
+      f.changed.notify_all();
+      continue;
+    }
+    f.changed.wait(lock, [&f] { return f.stop || f.pendingTicks > 0 || f.pendingOnce > 0; });
+    if (f.stop) break;
+    lock.unlock();
+    runTick(f);
+    lock.lock();
+    if (f.pendingTicks > 0) --f.pendingTicks;
+    f.pendingOnce = waitingTasks(f);
+    f.changed.notify_all();
+  }
+  f.servo = std::thread::id{};
+}
+
+}  // namespace fakehd
