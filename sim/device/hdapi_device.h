@@ -17,9 +17,8 @@ inline constexpr std::int64_t kReadingLost_us = 250'000;
 
 /// PHANTOM Omni or 3D Systems Touch through the vendor's library. Two ways to run:
 ///
-/// - start(tick): the vendor's servo thread calls the tick function inside its own frame, 1000 times a
-/// second;
-///   the tick reads, computes and writes. Least delay.
+/// - start(tick): the vendor's servo thread calls the tick function inside its own frame, a thousand times a
+///   second; the tick reads, computes and writes. Least delay.
 /// - start(): the vendor's servo thread exchanges readings and forces with another thread (ServoThread) over
 ///   mailboxes; neither ever waits for the other. One more tick of delay each way.
 ///
@@ -38,13 +37,13 @@ inline constexpr std::int64_t kReadingLost_us = 250'000;
 /// There is no torque about the stylus: the device has three motors. Resistance to a twist is rendered as a
 /// force at the grasp.
 ///
-/// | status              | when                                                                            |
-/// |---------------------|---------------------------------------------------------------------------------|
-/// | kDeviceUncalibrated | before calibration, after it was lost, kJumpSettles_us after a jump, after a trip
-/// | | kDeviceStale        | no frame, servo below kLowestRate_Hz, HD_WARM_MOTORS, lost, no new mailbox entry
-/// | | kDeviceInvalid      | the pose is no rigid motion, or the device's own force protection tripped | |
-/// kDeviceWarm         | a motor above kWarmAbove, until all are below kWarmUntilBelow                    |
-/// | kDeviceLost         | device, communication, timer or scheduler error: the servo has ended             |
+/// | status              | when                                                                     |
+/// |---------------------|--------------------------------------------------------------------------|
+/// | kDeviceUncalibrated | not calibrated, kJumpSettles_us after a jump of the pose, after a trip   |
+/// | kDeviceStale        | no frame, rate below kLowestRate_Hz, HD_WARM_MOTORS, lost, old mailbox   |
+/// | kDeviceInvalid      | the pose is no rigid motion, or the device's own protection tripped      |
+/// | kDeviceWarm         | a motor above kWarmAbove, until all are below kWarmUntilBelow            |
+/// | kDeviceLost         | device, communication, timer or scheduler error: the servo has ended     |
 ///
 /// start, close and destruction belong to one thread; enableForce, retryCalibration, snapshot and nextEvent
 /// to one (the same or another); read and write to the servo.
