@@ -86,7 +86,8 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "app/report"}},
       {"app/gui",
        {"sim/base", "sim/geometry", "sim/tissue", "sim/device", "sim/record", "sim/scene", "sim/servo",
-        "app/session"}},
+        "assessment/scoring", "assessment/metrics", "assessment/study", "assessment/report", "app/session",
+        "app/report"}},
       {"app/main.cpp", {"app/cli", "app/gui", "app/session"}},
   };
   return kAllowed;

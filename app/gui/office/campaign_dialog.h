@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <QDialog>
+
+#include "app/session/people/people_service.h"
+#include "app/session/study/campaign_service.h"
+
+class QDialogButtonBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+
+namespace torsio::gui {
+
+class DataTable;
+
+/// A new evaluation: name, models, the weights of indices and classes (the paper's to begin with), raters.
+class CampaignDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  CampaignDialog(const std::vector<PersonRow>& raters, QWidget* parent);
+
+  [[nodiscard]] CampaignPlan plan() const;
+
+ private:
+  QWidget* weightFields();
+  void check();
+
+  EvaluationInstrument instrument_;
+  QLineEdit* name_;
+  QPlainTextEdit* models_;
+  std::vector<QDoubleSpinBox*> indexWeights_;
+  std::vector<QDoubleSpinBox*> classWeights_;
+  QLabel* sums_;
+  DataTable* raters_;
+  QDialogButtonBox* buttons_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/office/office_parts.h"
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "app/gui/look/data_table.h"
+#include "app/gui/look/theme.h"
+#include "app/gui/shell/shell_context.h"
+#include "app/session/study/cohort_service.h"
+
+namespace torsio::gui {
+
+QVBoxLayout* pageColumn(QWidget* page) {
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+  column->setSpacing(2 * kSpace);
+  return column;
+}
+
+QPushButton* listButton(DataTable* table) {
+  auto* button = new QPushButton(table);
+  table->addTool(button);
+  return button;
+}
+
+QLabel* fieldBeside(QBoxLayout* row, QWidget* field) {
+  auto* label = new QLabel;
+  label->setBuddy(field);
+  row->addWidget(label);
+  row->addWidget(field);
+  return label;
+}
+
+void fillCohorts(QComboBox* chooser, Workplace& workplace) {
+  const std::string before = chosenId(chooser);
+  const QSignalBlocker quiet(chooser);
+  chooser->clear();
+  for (const CohortRow& row : cohorts(workplace))
+    chooser->addItem(shown(row.cohort.name), shown(row.cohort.id));
+  chooser->setCurrentIndex(chooser->count() - 1);
+  if (!before.empty()) chooseId(chooser, before);
+}
+
+std::string chosenId(const QComboBox* chooser) {
+  return chooser->currentData().toString().toStdString();
+}
+
+void chooseId(QComboBox* chooser, const std::string& id) {
+  const int at = chooser->findData(shown(id));
+  if (at >= 0) chooser->setCurrentIndex(at);
+}
+
+QString shown(const std::string& utf8) {
+  return QString::fromStdString(utf8);
+}
+
+QString orDash(const std::string& text) {
+  return text.empty() ? QStringLiteral("\u2013") : shown(text);
+}
+
+QString shownTime(std::int64_t utc_us, const QLocale& locale) {
+  if (utc_us == 0) return QStringLiteral("\u2013");
+  return locale.toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
+}
+
+QString shownSpan(std::int64_t duration_us) {
+  const std::int64_t seconds = duration_us / 1'000'000;
+  return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'));
+}
+
+bool attempt(ShellContext& shell, const std::function<void()>& action) {
+  try {
+    action();
+    return true;
+  } catch (...) {
+    shell.report(std::current_exception());
+    return false;
+  }
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <string>
+
+#include <QLocale>
+#include <QString>
+
+class QBoxLayout;
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+class QWidget;
+
+namespace torsio {
+class Workplace;
+}
+
+namespace torsio::gui {
+
+class DataTable;
+class ShellContext;
+
+/// The column in which the parts of an office page stand, with the margins all of them share.
+QVBoxLayout* pageColumn(QWidget* page);
+/// A button among the tools of a list.
+QPushButton* listButton(DataTable* table);
+/// A row "label, field" above a list; the label is the field's buddy. Texts are set by the page.
+QLabel* fieldBeside(QBoxLayout* row, QWidget* field);
+
+/// The cohorts of the record, chosen by id; keeps the choice when filled anew. Newest last and chosen first.
+void fillCohorts(QComboBox* chooser, Workplace& workplace);
+/// Id of what is chosen; empty: nothing.
+[[nodiscard]] std::string chosenId(const QComboBox* chooser);
+void chooseId(QComboBox* chooser, const std::string& id);
+
+[[nodiscard]] QString shown(const std::string& utf8);
+/// The text, or a dash when there is none.
+[[nodiscard]] QString orDash(const std::string& text);
+/// Date and time in the user's language; a dash for 0.
+[[nodiscard]] QString shownTime(std::int64_t utc_us, const QLocale& locale);
+/// "12:30" of minutes and seconds.
+[[nodiscard]] QString shownSpan(std::int64_t duration_us);
+
+/// Does something the user asked for; what goes wrong is said in plain words. True when it went well.
+bool attempt(ShellContext& shell, const std::function<void()>& action);
+
+}  // namespace torsio::gui

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/office/run_day_page.h"
+
+#include <algorithm>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "app/gui/look/data_table.h"
+#include "app/gui/look/page_heading.h"
+#include "app/gui/office/office_parts.h"
+#include "app/gui/office/run_day_dialogs.h"
+#include "app/gui/office/study_words.h"
+#include "app/gui/office/user_dialogs.h"
+#include "app/gui/shell/shell_context.h"
+#include "app/session/study/cohort_service.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kReadAgain_ms = 10'000;
+
+}  // namespace
+
+RunDayPage::RunDayPage(ShellContext& shell)
+    : Page(shell),
+      clock_(new QTimer(this)),
+      heading_(new PageHeading(this)),
+      cohortLabel_(nullptr),
+      cohort_(new QComboBox(this)),
+      summary_(new QLabel(this)),
+      table_(new DataTable(QStringLiteral("run-day"), this)),
+      time_(listButton(table_)),
+      deviation_(listButton(table_)),
+      state_(listButton(table_)) {
+  auto* choices = new QHBoxLayout;
+  choices->setSpacing(kSpace);
+  cohortLabel_ = fieldBeside(choices, cohort_);
+  choices->addSpacing(2 * kSpace);
+  choices->addWidget(summary_, 1);
+  cohort_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  QVBoxLayout* column = pageColumn(this);
+  column->addWidget(heading_);
+  column->addLayout(choices);
+  column->addWidget(table_, 1);
+
+  clock_->setInterval(kReadAgain_ms);
+  connect(clock_, &QTimer::timeout, this, &RunDayPage::read);
+  connect(cohort_, &QComboBox::currentIndexChanged, this, &RunDayPage::read);
+  connect(table_, &DataTable::currentChanged, this, &RunDayPage::showButtons);
+  connect(time_, &QPushButton::clicked, this, &RunDayPage::logTime);
+  connect(deviation_, &QPushButton::clicked, this, &RunDayPage::reportDeviation);
+  connect(state_, &QPushButton::clicked, this, &RunDayPage::changeState);
+  retranslate();
+}
+
+void RunDayPage::enter(const QVariant&) {
+  attempt(shell(), [&] {
+    fillCohorts(cohort_, shell().workplace());
+    read();
+    clock_->start();
+  });
+}
+
+bool RunDayPage::leave() {
+  clock_->stop();
+  return true;
+}
+
+void RunDayPage::read() {
+  const bool good = attempt(shell(), [&] {
+    const std::string cohort = chosenId(cohort_);
+    board_ = cohort.empty() ? std::nullopt : std::optional(runDayBoard(shell().workplace(), cohort));
+    show();
+  });
+  if (!good) clock_->stop();  // one message, not one every few seconds
+}
+
+QString RunDayPage::nowText(const RunDayRow& row) const {
+  if (row.state == "withdrawn") return tr("withdrew");
+  if (row.done) return tr("all phases done");
+  if (row.phaseLabel.empty()) return tr("no curriculum");
+  return shown(row.phaseLabel);
+}
+
+void RunDayPage::show() {
+  std::vector<Row> rows;
+  std::size_t running = 0;
+  std::size_t done = 0;
+  std::size_t sheets = 0;
+  if (board_)
+    for (const RunDayRow& row : board_->rows) {
+      running += row.runningTrialId.empty() ? 0 : 1;
+      done += row.done ? 1 : 0;
+      sheets += row.sheetsMissing;
+      const bool open = !row.done && !row.phaseLabel.empty() && row.state != "withdrawn";
+      rows.push_back(
+          {shown(row.enrolmentId),
+           {{shown(row.traineeCode)},
+            {orDash(row.groupCode), {}, shown(row.armLabel)},
+            {nowText(row)},
+            {open ? shownSpan(row.progress.left_us) : QStringLiteral("\u2013"),
+             static_cast<qlonglong>(open ? row.progress.left_us : -1)},
+            {open ? shownSpan(row.progress.restLeft_us) : QStringLiteral("\u2013"),
+             static_cast<qlonglong>(open ? row.progress.restLeft_us : -1)},
+            {row.runningTrialId.empty() ? QStringLiteral("\u2013")
+                                        : tr("records at %1").arg(shown(row.station))},
+            {scoringPointName(row.scoringPointDue)},
+            {row.sheetsMissing == 0 ? QStringLiteral("\u2013") : QString::number(row.sheetsMissing),
+             static_cast<qlonglong>(row.sheetsMissing)},
+            {row.deviations == 0 ? QStringLiteral("\u2013") : QString::number(row.deviations),
+             static_cast<qlonglong>(row.deviations)}}});
+    }
+  table_->setRows(std::move(rows));
+  summary_->setText(board_ ? tr("%1 recording now \u00B7 %2 of %3 done \u00B7 %4 sheets missing")
+                                 .arg(running)
+                                 .arg(done)
+                                 .arg(board_->rows.size())
+                                 .arg(sheets)
+                           : QString());
+  showButtons();
+}
+
+const RunDayRow* RunDayPage::current() const {
+  if (!board_) return nullptr;
+  const std::string id = table_->currentId().toStdString();
+  const auto found = std::find_if(board_->rows.begin(), board_->rows.end(),
+                                  [&](const RunDayRow& row) { return row.enrolmentId == id; });
+  return found == board_->rows.end() ? nullptr : &*found;
+}
+
+void RunDayPage::showButtons() {
+  const RunDayRow* row = current();
+  time_->setEnabled(row != nullptr);
+  deviation_->setEnabled(board_.has_value());
+  state_->setEnabled(row != nullptr);
+  state_->setText(row != nullptr && row->state == "withdrawn" ? tr("&Back in\u2026") : tr("&Withdraw\u2026"));
+}
+
+void RunDayPage::logTime() {
+  const RunDayRow* row = current();
+  if (row == nullptr) return;
+  std::optional<NewExposure> exposure = askExposure(this, shown(row->traineeCode));
+  if (!exposure) return;
+  attempt(shell(), [&] {
+    exposure->cohortId = chosenId(cohort_);
+    exposure->enrolmentId = row->enrolmentId;
+    exposure->startedUtc_us = shell().workplace().now_us() - exposure->duration_us;
+    recordExposure(shell().workplace(), *exposure);
+    read();
+  });
+}
+
+void RunDayPage::reportDeviation() {
+  const RunDayRow* row = current();
+  std::optional<NewDeviation> deviation =
+      askDeviation(this, row != nullptr ? shown(row->traineeCode) : tr("the whole cohort"));
+  if (!deviation) return;
+  attempt(shell(), [&] {
+    deviation->cohortId = chosenId(cohort_);
+    if (row != nullptr) deviation->enrolmentId = row->enrolmentId;
+    torsio::reportDeviation(shell().workplace(), *deviation);
+    read();
+  });
+}
+
+void RunDayPage::changeState() {
+  const RunDayRow* row = current();
+  if (row == nullptr) return;
+  const bool back = row->state == "withdrawn";
+  const std::optional<std::string> reason =
+      back ? askReason(this, tr("Back into the study"),
+                       tr("%1 takes part again.").arg(shown(row->traineeCode)))
+           : askReason(this, tr("Withdraw from the study"),
+                       tr("%1 trains no further; what was recorded stays.").arg(shown(row->traineeCode)));
+  if (!reason) return;
+  attempt(shell(), [&] {
+    setEnrolmentState(shell().workplace(), chosenId(cohort_), row->enrolmentId,
+                      back ? "enrolled" : "withdrawn", *reason);
+    read();
+  });
+}
+
+void RunDayPage::retranslate() {
+  heading_->setTexts(tr("Run day"), tr("Who is at what, what is left, and which sheets are still missing."));
+  cohortLabel_->setText(tr("&Cohort"));
+  time_->setText(tr("&Log time\u2026"));
+  deviation_->setText(tr("&Deviation\u2026"));
+  table_->setColumns({{tr("Trainee")},
+                      {tr("Group")},
+                      {tr("Now at")},
+                      {tr("Time left"), true},
+                      {tr("Rest left"), true},
+                      {tr("Station")},
+                      {tr("Scoring due")},
+                      {tr("Sheets missing"), true},
+                      {tr("Deviations"), true}});
+  table_->setEmptyText(tr("Nobody is enrolled in this cohort yet. Enrol trainees under Cohorts."));
+  show();
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "app/gui/shell/page.h"
+#include "app/session/study/run_day.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTimer;
+
+namespace torsio::gui {
+
+class DataTable;
+class PageHeading;
+
+/// The board of the day: who is at what, how much time is left, where a recording runs, which sheets are
+/// still missing. Reads itself anew every few seconds while it is shown.
+class RunDayPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit RunDayPage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  bool leave() override;
+  void retranslate() override;
+
+  [[nodiscard]] DataTable& table() const noexcept { return *table_; }
+
+ private:
+  void read();
+  void show();
+  void showButtons();
+  void logTime();
+  void reportDeviation();
+  void changeState();
+  [[nodiscard]] const RunDayRow* current() const;
+  [[nodiscard]] QString nowText(const RunDayRow& row) const;
+
+  std::optional<RunDayBoard> board_;
+  QTimer* clock_;
+  PageHeading* heading_;
+  QLabel* cohortLabel_;
+  QComboBox* cohort_;
+  QLabel* summary_;
+  DataTable* table_;
+  QPushButton* time_;
+  QPushButton* deviation_;
+  QPushButton* state_;
+};
+
+}  // namespace torsio::gui
