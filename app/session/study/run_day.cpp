@@ -81,11 +81,43 @@ PhaseProgress phaseProgress(const StoredArm& arm, std::span<const StoredExposure
   return progress;
 }
 
+namespace {
+
+/// What is known of a cohort, by enrolment.
+struct Today {
+  std::map<std::string, std::vector<StoredExposure>> exposures;
+  std::map<std::string, RunningTrial> running;
+  std::map<std::string, std::size_t> deviations;
+  std::map<std::pair<std::string, std::string>, std::size_t> missing;  ///< and scoring point
+};
+
+Today readToday(Workplace& workplace, const std::string& cohortId) {
+  StudyRepository study(workplace.connection());
+  Today today;
+  for (StoredExposure& exposure : study.exposures(cohortId)) {
+    today.exposures[exposure.enrolmentId].push_back(std::move(exposure));
+  }
+  for (RunningTrial& trial : study.runningTrials(cohortId)) {
+    today.running.emplace(trial.enrolmentId, std::move(trial));
+  }
+  for (const StoredDeviation& deviation : study.deviations(cohortId))
+    ++today.deviations[deviation.enrolmentId];
+  for (const AssignmentStatus& status : SheetRepository(workplace.connection()).assignments(cohortId)) {
+    if (status.state == SheetState::kOpen || status.state == SheetState::kDraft) {
+      ++today.missing[{status.assignment.enrolmentId, status.assignment.scoringPoint}];
+    }
+  }
+  return today;
+}
+
+}  // namespace
+
 RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId) {
   workplace.require(Operation::kStudySetup);
   StudyRepository study(workplace.connection());
   RunDayBoard board;
   board.asOfUtc_us = workplace.now_us();
+  board.stations = StationRepository(workplace.connection()).board();
   std::string versionId;
   for (const StoredCohort& cohort : study.cohorts()) {
     if (cohort.id != cohortId) continue;
@@ -103,21 +135,7 @@ RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId) {
       if (arm.id == group.armId) armOfGroup[group.id] = &arm;
     }
   }
-  std::map<std::string, std::vector<StoredExposure>> exposures;
-  for (StoredExposure& exposure : study.exposures(cohortId)) {
-    exposures[exposure.enrolmentId].push_back(std::move(exposure));
-  }
-  std::map<std::string, RunningTrial> running;
-  for (RunningTrial& trial : study.runningTrials(cohortId))
-    running.emplace(trial.enrolmentId, std::move(trial));
-  std::map<std::string, std::size_t> deviations;
-  for (const StoredDeviation& deviation : study.deviations(cohortId)) ++deviations[deviation.enrolmentId];
-  std::map<std::pair<std::string, std::string>, std::size_t> missing;
-  for (const AssignmentStatus& status : SheetRepository(workplace.connection()).assignments(cohortId)) {
-    if (status.state == SheetState::kOpen || status.state == SheetState::kDraft) {
-      ++missing[{status.assignment.enrolmentId, status.assignment.scoringPoint}];
-    }
-  }
+  Today today = readToday(workplace, cohortId);
   for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
     RunDayRow row;
     row.enrolmentId = enrolment.id;
@@ -125,12 +143,12 @@ RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId) {
     row.traineeCode = enrolment.traineeCode;
     row.state = enrolment.state;
     row.groupCode = enrolment.groupCode;
-    row.deviations = deviations[enrolment.id];
+    row.deviations = today.deviations[enrolment.id];
     if (const auto arm = armOfGroup.find(enrolment.groupId); arm != armOfGroup.end()) {
-      fillTraining(row, *arm->second, exposures[enrolment.id], version->scoringPoints);
-      row.sheetsMissing = missing[{enrolment.id, row.scoringPointDue}];
+      fillTraining(row, *arm->second, today.exposures[enrolment.id], version->scoringPoints);
+      row.sheetsMissing = today.missing[{enrolment.id, row.scoringPointDue}];
     }
-    if (const auto trial = running.find(enrolment.id); trial != running.end()) {
+    if (const auto trial = today.running.find(enrolment.id); trial != today.running.end()) {
       row.runningTrialId = trial->second.trialId;
       row.station = trial->second.station;
       row.runningSinceUtc_us = trial->second.startedUtc_us;

@@ -8,6 +8,7 @@
 
 #include "app/session/access/workplace.h"
 #include "db/repository/curriculum_repository.h"
+#include "db/repository/station_repository.h"
 #include "db/repository/study_repository.h"
 
 namespace torsio {
@@ -49,7 +50,8 @@ struct RunDayRow {
 
 struct RunDayBoard {
   std::string cohortName{};
-  std::vector<RunDayRow> rows{};  ///< by group and number
+  std::vector<RunDayRow> rows{};         ///< by group and number
+  std::vector<StationState> stations{};  ///< by name; silent for kStationSilence_us: not answering
   std::int64_t asOfUtc_us = 0;
 };
 /// Everything about today in one look. kStudySetup.
