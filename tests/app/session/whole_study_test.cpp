@@ -80,8 +80,7 @@ struct Study {
     for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
       if (status.assignment.scoringPoint != scoringPoint || status.state != SheetState::kOpen) continue;
       Sheet sheet{.overall_steps = 70};
-      for (const StoredRubricRow& row : revision.rows)
-        sheet.rows.push_back({row.code, 70, ""});
+      for (const StoredRubricRow& row : revision.rows) sheet.rows.push_back({row.code, 70, ""});
       sheets.submit(status.assignment.id, centre.workplace().ids().newUuid(), sheet, "",
                     centre.workplace().now_us());
     }
@@ -273,6 +272,37 @@ TEST(RunDayBoard, ShowsPhaseExposureRestAndMissingSheets) {
   EXPECT_EQ(row->sheetsMissing, 3U);
   EXPECT_EQ(row->deviations, 1U);
   EXPECT_TRUE(row->runningTrialId.empty());
+  EXPECT_TRUE(board.stations.empty());
+}
+
+TEST(RunDayBoard, ShowsWhoRunsAtWhichStation) {
+  Study study;
+  study.allocate();
+  Workplace& workplace = study.centre.as("administrator");
+  const std::string trialId = workplace.ids().newUuid();
+  TrialHeader header;
+  header.trialId = trialId;
+  header.traineeCode = "T-01";
+  header.startedUtc_us = testing::kOfficeTime_us;
+  TrialRepository(study.centre.connection(), {.station = "station 2", .enrolmentId = study.enrolmentIds[0]})
+      .begin(header);
+  StationRepository(study.centre.connection())
+      .beat({.station = "station 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
+
+  const RunDayBoard board = runDayBoard(workplace, study.cohortId);
+
+  std::size_t running = 0;
+  for (const RunDayRow& row : board.rows) {
+    if (row.runningTrialId.empty()) continue;
+    ++running;
+    EXPECT_EQ(row.traineeCode, "T-01");
+    EXPECT_EQ(row.station, "station 2");
+    EXPECT_EQ(row.runningSinceUtc_us, testing::kOfficeTime_us);
+  }
+  EXPECT_EQ(running, 1U);
+  ASSERT_EQ(board.stations.size(), 1U);
+  EXPECT_EQ(board.stations[0].traineeCode, "T-01");
+  EXPECT_EQ(codedTrials(study.centre.as("statistician")).size(), 1U);
 }
 
 TEST(CohortService, RefusesTimeInAPhaseOfAnotherArmOrKind) {
