@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/distance.h>
 #include <gtest/gtest.h>
@@ -128,6 +129,85 @@ TEST(CollisionMesh, AgreesWithTheDistanceQueryOfFcl) {
 
     ASSERT_NEAR(std::abs(collision.closest(p).distance_m), result.min_distance + kProbeRadius_m, 1e-9);
   }
+}
+
+std::vector<Segment> randomSegments(std::size_t count, std::uint64_t seed) {
+  const std::vector<Vec3> ends = randomPoints(2 * count, seed);
+  std::vector<Segment> segments(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    // From a needle to a whole shaft.
+    const double share = i % 3 == 0 ? 0.02 : 1.0;
+    segments[i] = {ends[2 * i], ends[2 * i] + (ends[2 * i + 1] - ends[2 * i]) * share};
+  }
+  return segments;
+}
+
+TEST(CollisionMesh, FindsTheNearestPairOfASegmentAsManyPointsOnItDo) {
+  const CollisionMesh collision(wavyBody());
+  constexpr int kSteps = 200;
+  int pierced = 0;
+  for (const Segment& segment : randomSegments(300, 6)) {
+    double least_m = std::numeric_limits<double>::infinity();
+    bool inside = false;
+    bool outside = false;
+    for (int i = 0; i <= kSteps; ++i) {
+      const double distance_m = collision.closest(segment.at(static_cast<double>(i) / kSteps)).distance_m;
+      least_m = std::min(least_m, std::abs(distance_m));
+      inside = inside || distance_m < 0.0;
+      outside = outside || distance_m > 0.0;
+    }
+    const double step_m = norm(segment.to_m - segment.from_m) / kSteps;
+
+    const SegmentHit hit = collision.nearest(segment, 1.0);
+
+    ASSERT_TRUE(hit.found);
+    const double distance_m = std::abs(hit.surface.distance_m);
+    ASSERT_LE(distance_m, least_m + kRounding_m);
+    ASSERT_GE(distance_m, least_m - step_m);
+    ASSERT_NEAR(norm(segment.at(hit.along) - hit.surface.position_m), distance_m, 1e-11);
+    if (inside && outside) {
+      ASSERT_EQ(distance_m, 0.0);
+      ++pierced;
+    } else if (distance_m > 0.0) {
+      ASSERT_EQ(hit.surface.distance_m < 0.0, inside);
+    }
+    ASSERT_TRUE(distance_m == 0.0 || !collision.nearest(segment, 0.5 * distance_m).found);
+  }
+  EXPECT_GT(pierced, 30);
+}
+
+TEST(CollisionMesh, AgreesWithTheCapsulesOfFcl) {
+  const TriangleMesh mesh = wavyBody();
+  const CollisionMesh collision(mesh);
+  auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+  std::vector<fcl::Vector3d> points;
+  for (const Vec3& v : mesh.vertices_m) points.emplace_back(v.x, v.y, v.z);
+  std::vector<fcl::Triangle> triangles;
+  for (const TriangleMesh::Triangle& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
+  model->beginModel();
+  model->addSubModel(points, triangles);
+  model->endModel();
+  constexpr double kRadius_m = 0.0025;
+  constexpr double kFclCapsule_m = 1e-4;  // its convex solver stops early far from the surface
+
+  int compared = 0;
+  for (const Segment& segment : randomSegments(300, 7)) {
+    const SegmentHit hit = collision.nearest(segment, 1.0);
+    if (hit.surface.distance_m < kRadius_m + 1e-4) continue;  // FCL knows no depth
+    const Vec3 way = segment.to_m - segment.from_m;
+    const auto capsule = std::make_shared<fcl::Capsuled>(kRadius_m, norm(way));
+    fcl::Transform3d pose = fcl::Transform3d::Identity();
+    const fcl::Vector3d along = fcl::Vector3d(way.x, way.y, way.z).normalized();
+    pose.linear() = fcl::Quaterniond::FromTwoVectors(fcl::Vector3d::UnitZ(), along).toRotationMatrix();
+    const Vec3 middle = segment.at(0.5);
+    pose.translation() = fcl::Vector3d(middle.x, middle.y, middle.z);
+    fcl::DistanceResultd result;
+    fcl::distance(model.get(), fcl::Transform3d::Identity(), capsule.get(), pose, fcl::DistanceRequestd(true),
+                  result);
+    ASSERT_NEAR(hit.surface.distance_m - kRadius_m, result.min_distance, kFclCapsule_m);
+    ++compared;
+  }
+  EXPECT_GT(compared, 100);
 }
 
 TEST(CollisionMesh, FindsTheRightSideAtEdgesCornersAndOnTheSurface) {

@@ -2,14 +2,18 @@
 // Real time and a real thread: labelled soak. No upper bound on jitter is asserted, the machine decides it.
 #include "sim/servo/servo_thread.h"
 
+#include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <thread>
 
 #include <gtest/gtest.h>
 
 #include "sim/device/idle_device.h"
+#include "sim/device/scripted_hand.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"
+#include "sim/servo/hand_task.h"
 #include "sim/servo/replay_trial.h"
 #include "tests/sim/servo/bar_scene.h"
 
@@ -107,6 +111,105 @@ TEST(ServoThread, SkipsMissedDeadlinesInsteadOfCatchingUpInABurst) {
     ++ticks;
   }
   EXPECT_LT(bursts, 5) << "of " << ticks;
+}
+
+/// Hangs in one read until it is told to let go of the hand.
+class HangingDevice final : public HapticDevice {
+ public:
+  [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return capabilities_; }
+  [[nodiscard]] DeviceSample read(std::int64_t) noexcept override {
+    if (++reads_ == 50) {
+      while (!dropped.load()) std::this_thread::yield();
+    }
+    return {};
+  }
+  void write(const ForceCommand&) noexcept override {}
+  void dropForce() noexcept override { dropped.store(true); }
+  std::atomic<bool> dropped{false};
+
+ private:
+  DeviceCapabilities capabilities_;
+  int reads_ = 0;
+};
+
+TEST(ServoThread, LetsGoOfTheHandWhenATickHangs) {
+  const Scene scene = barScene();
+  HangingDevice device;
+  ServoLoop loop({.device = &device, .scene = &scene}, {});
+  ServoThread thread(loop, 1000);
+
+  thread.start();
+  while (thread.duration().count < 60) std::this_thread::yield();  // for ever without a watchdog
+  thread.stop();
+
+  EXPECT_TRUE(device.dropped.load());
+  EXPECT_GE(thread.stalls(), 1);
+  // The first tick after the gap sends no force, whatever the tissue wants.
+  EXPECT_GE(loop.lateTicks(), 20);
+}
+
+void print(const char* what, const TimingHistogram& histogram) {
+  const TimingSummary all = histogram.summary();
+  std::printf("%s: median %.0f, 99 %% %.0f, 99.9 %% %.0f, longest %.0f us\n", what, all.median_us, all.p99_us,
+              all.p999_us, all.max_us);
+  histogram.forEach([](double from_us, double to_us, std::int64_t count) {
+    std::printf("  %10.1f .. %10.1f us %8lld\n", from_us, to_us, static_cast<long long>(count));
+  });
+}
+
+TEST(ServoThread, LosesNoSampleInAMinuteOfRealTime) {
+  const Scene scene = barScene();
+  ScriptedHand hand({.seed = 3, .task = handTask(scene), .profile = handProfile(3), .duration_s = 60.0});
+  SpscRing<Sample> ring(kRecordingRing);
+  LatestValue<LiveState> live;
+  MemoryTrialSink sink;
+  TrialHeader header;
+  header.organHash = scene.organHash;
+  header.parameterHash = scene.parameterHash;
+  header.deviceLimits = deviceLimits(hand.capabilities());
+  ServoLoop loop({.device = &hand, .scene = &scene, .recording = &ring, .live = &live}, {});
+  Recorder recorder(ring, sink, header);
+  ServoThread thread(loop, 1000);
+  recorder.start();
+
+  thread.start();
+  std::this_thread::sleep_for(std::chrono::seconds(60));
+  thread.stop();
+  const RecordingResult result = recorder.finish(TrialOutcome::kCompleted, loop.lateTicks());
+
+  EXPECT_GE(loop.ticks() + thread.skipped(), 60'000);
+  EXPECT_EQ(result.summary.samples, loop.ticks());
+  EXPECT_EQ(result.summary.refusedSamples, 0);
+  EXPECT_TRUE(replayTrial(scene, sink.trial()).identical());
+  std::printf("real-time scheduling %s, memory %s, %lld ticks, %lld deadlines skipped\n",
+              thread.realTime() ? "granted" : "refused", thread.memoryLocked() ? "locked" : "not locked",
+              static_cast<long long>(loop.ticks()), static_cast<long long>(thread.skipped()));
+  print("deadline to tick", thread.wakeUpHistogram());
+  print("duration of a tick", thread.durationHistogram());
+}
+
+TEST(ServoLoop, LosesNoSampleInFortyMinutesOnAManualClock) {
+  const Scene scene = barScene();
+  constexpr int kTicks = 40 * 60 * 1000;
+  ScriptedHand hand({.seed = 5, .task = handTask(scene), .profile = handProfile(5), .duration_s = 2'400.0});
+  SpscRing<Sample> ring(kRecordingRing);
+  MemoryTrialSink sink;
+  TrialHeader header;
+  header.organHash = scene.organHash;
+  header.parameterHash = scene.parameterHash;
+  ServoLoop loop({.device = &hand, .scene = &scene, .recording = &ring}, {});
+  Recorder recorder(ring, sink, header);
+
+  for (int i = 0; i < kTicks; ++i) {
+    loop.tick(1000LL * i);
+    if (i % 1000 == 999) recorder.pump();
+  }
+  const RecordingResult result = recorder.finish(TrialOutcome::kCompleted, loop.lateTicks());
+
+  EXPECT_EQ(result.summary.samples, kTicks);
+  EXPECT_EQ(result.summary.refusedSamples, 0);
+  EXPECT_EQ(result.summary.lateTicks, 0);
+  EXPECT_EQ(sink.trial().chunks.size(), 2'400U);
 }
 
 }  // namespace
