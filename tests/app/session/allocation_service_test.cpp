@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/session/demonstration_people.h"
 #include "app/session/people/people_service.h"
 #include "app/session/study/cohort_service.h"
 #include "sim/base/error.h"
@@ -195,6 +196,19 @@ TEST(AllocationService, CheckFindsAGroupThatWasChangedBehindItsBack) {
                                     {list.back().groupId, list.front().id});
 
   EXPECT_FALSE(checkAllocation(allocator, design.stored.id).sound);
+}
+
+TEST(AllocationService, RepeatsTheAllocationOfTheDemonstrationToo) {
+  OfficeCentre centre;
+  const DemonstrationStudy study =
+      storeDemonstrationPeople(centre.connection(), centre.workplace().ids(), 1, testing::kOfficeTime_us);
+  Workplace& allocator = centre.as("allocator");
+
+  const AllocationDesignRow design = allocationDesigns(allocator, study.cohortId).at(0);
+  const AllocationCheck check = checkAllocation(allocator, design.stored.id);
+
+  EXPECT_TRUE(check.sound) << check.finding;
+  EXPECT_EQ(check.records, 30U);
 }
 
 TEST(AllocationService, ASecondDesignNeedsAReasonAndLeavesGroupsAlone) {
