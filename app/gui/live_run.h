@@ -58,6 +58,9 @@ class LiveRun {
 
  private:
   [[nodiscard]] static ServoOptions options(const RunSetup& setup);
+  [[nodiscard]] HapticDevice& device() noexcept {
+    return device_ ? *device_ : static_cast<HapticDevice&>(pointer_);
+  }
 
   std::shared_ptr<const Scene> scene_;
   PointerDevice pointer_;

@@ -58,6 +58,7 @@ class SimulationController : public QObject {
   [[nodiscard]] const SceneRequest& request() const noexcept { return request_; }
   /// Null before the first scene.
   [[nodiscard]] const Scene* scene() const noexcept { return loaded_.scene.get(); }
+  [[nodiscard]] const std::shared_ptr<const Scene>& sharedScene() const noexcept { return loaded_.scene; }
   [[nodiscard]] const ViewScene& viewScene() const noexcept { return loaded_.view; }
   [[nodiscard]] Mode mode() const noexcept { return mode_; }
 

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <QObject>
+
+#include "app/gui/simulation_controller.h"
+#include "app/session/training/device_readiness.h"
+#include "sim/base/clock.h"
+#include "sim/device/haptic_device.h"
+
+namespace torsio::gui {
+
+class ShellContext;
+
+/// What the pages of one trainee at one station hand to each other, and what a test puts in place of the
+/// real world. Lives as long as the shell context.
+class StationDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  /// The one of this shell; made at the first call.
+  [[nodiscard]] static StationDesk& of(ShellContext& shell);
+
+  /// Opens the device for one recording. Empty, or an answer of null: mouse and keyboard.
+  using DeviceOpener = std::function<std::unique_ptr<HapticDevice>(const Scene&, double target_rad)>;
+
+  SceneLoader loader = loadSceneForView;
+  bool realTime = true;
+  std::shared_ptr<const Clock> clock = std::make_shared<MonotonicClock>();
+  DeviceProbe probe;  ///< empty: mouse and keyboard
+  DeviceOpener openDevice;
+
+  std::optional<DeviceReadiness> readiness;  ///< of the last device check since the sign-in
+  std::string moduleId;                      ///< what was chosen on the first page
+  bool graded = false;
+
+ private:
+  using QObject::QObject;
+};
+
+}  // namespace torsio::gui
