@@ -2,12 +2,18 @@
 #include "app/gui/station/station_desk.h"
 
 #include "app/gui/shell/shell_context.h"
+#include "app/session/training/haptic_station.h"
 
 namespace torsio::gui {
 
 StationDesk& StationDesk::of(ShellContext& shell) {
   if (auto* desk = shell.findChild<StationDesk*>(QString(), Qt::FindDirectChildrenOnly)) return *desk;
-  return *new StationDesk(&shell);
+  auto* desk = new StationDesk(&shell);
+  if (hapticLibraryInstalled()) {
+    desk->probe = hapticProbe();
+    desk->openDevice = [](const Scene& scene, double) { return openHapticDevice(scene); };
+  }
+  return *desk;
 }
 
 }  // namespace torsio::gui

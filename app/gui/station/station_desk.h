@@ -23,7 +23,7 @@ class StationDesk : public QObject {
   Q_OBJECT
 
  public:
-  /// The one of this shell; made at the first call.
+  /// The one of this shell; made at the first call, with the haptic device where its library is installed.
   [[nodiscard]] static StationDesk& of(ShellContext& shell);
 
   /// Opens the device for one recording. Empty, or an answer of null: mouse and keyboard.
