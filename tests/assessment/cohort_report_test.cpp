@@ -7,7 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "assessment/report/aggregated_inputs.h"
 #include "assessment/report/cohort_csv.h"
+#include "assessment/report/figure_table.h"
 #include "assessment/report/number_format.h"
 #include "assessment/study/demonstration_marks.h"
 #include "sim/base/error.h"
@@ -139,6 +141,119 @@ TEST(CohortReport, ComparesGroupsAndRatersWhenTheMarksAreGiven) {
         EXPECT_THAT(cell, ::testing::Not(::testing::HasSubstr("not defined")));
 }
 
+TEST(CohortReport, HasTheAdditionsOfTheStatistician) {
+  CohortInputs in = demonstration();
+  in.trials[0].attempts = {{8.0, false}, {3.0, true}, {2.0, true}};
+  const ReportModel report = cohortReport(in);
+
+  const ReportFigure* forest = find(report, "figure-differences");
+  ASSERT_NE(forest, nullptr);
+  EXPECT_EQ(forest->categories.size(), 3U);  // pairs of three groups
+  EXPECT_EQ(forest->references.at(0).value, 0.0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_LT(forest->series[0].low[i], *forest->series[0].y[i]);
+    EXPECT_GT(forest->series[0].high[i], *forest->series[0].y[i]);
+  }
+  ASSERT_NE(find(report, "figure-effects"), nullptr);
+  ASSERT_NE(find(report, "figure-agreement"), nullptr);
+  const ReportFigure* marks = find(report, "figure-marks");
+  ASSERT_NE(marks, nullptr);
+  EXPECT_EQ(marks->series.size(), 10U);      // raters
+  EXPECT_EQ(marks->categories.size(), 30U);  // trainees
+  const ReportFigure* severity = find(report, "figure-severity");
+  ASSERT_NE(severity, nullptr);
+  double sum = 0.0;
+  for (const auto& offset : severity->series[0].y) sum += *offset;
+  EXPECT_NEAR(sum, 0.0, 1e-12);  // complete marks: what one rater is above, the others are below
+  ASSERT_NE(find(report, "figure-bland-altman"), nullptr);
+  ASSERT_NE(find(report, "figure-lc-cusum"), nullptr);
+  EXPECT_EQ(find(report, "figure-lc-cusum")->series.at(0).y.size(), 3U);
+  for (const char* id : {"figure-courses-1", "figure-courses-2", "figure-courses-3", "figure-classes"})
+    EXPECT_NE(find(report, id), nullptr) << id;
+}
+
+TEST(CohortReport, EveryFigureHasATableOfTheValuesThatAreDrawn) {
+  const ReportModel report = cohortReport(demonstration());
+  for (const ReportSection& section : report.sections)
+    for (const ReportFigure& figure : section.figures) {
+      const ReportTable table = figureTable(figure);
+      EXPECT_FALSE(table.rows.empty()) << figure.id;
+      for (const std::vector<std::string>& row : table.rows)
+        EXPECT_EQ(row.size(), table.columns.size()) << figure.id;
+    }
+  // The very numbers, to the last digit.
+  const ReportFigure* means = find(report, "figure-16");
+  EXPECT_EQ(std::stod(figureTable(*means).rows.at(0).at(1)), *means->series.at(0).y.at(0));
+}
+
+TEST(CohortReport, AnAggregatedReportHasNoLineAboutASinglePerson) {
+  CohortInputs in = demonstration();
+  in.identity = ReportIdentity::kAggregated;
+  in.trainees.erase(in.trainees.begin() + 4, in.trainees.begin() + 10);  // four are left of the first group
+
+  const ReportModel report = cohortReport(in);
+  std::string all;
+  for (const ReportSection& section : report.sections) {
+    for (const std::string& paragraph : section.paragraphs) all += paragraph;
+    for (const ReportFigure& figure : section.figures) {
+      EXPECT_FALSE(figure.individual) << figure.id;
+      for (const FigureSeries& series : figure.series) all += series.name;
+      for (const std::string& category : figure.categories) all += category;
+    }
+    for (const ReportTable& table : section.tables)
+      for (const std::vector<std::string>& row : table.rows)
+        for (const std::string& cell : row) all += cell;
+  }
+  for (const CohortTrainee& trainee : in.trainees) EXPECT_EQ(all.find(trainee.code), std::string::npos);
+  EXPECT_EQ(all.find("R101"), std::string::npos);
+  EXPECT_NE(all.find("Group 1 is left out: it has fewer than 5 trainees"), std::string::npos);
+  EXPECT_EQ(find(report, "figure-20"), nullptr);
+  ASSERT_NE(find(report, "figure-23"), nullptr);
+  EXPECT_EQ(find(report, "figure-23")->series.size(), 2U);
+  for (const CohortCsvRow& row : cohortCsvRows(in)) {
+    EXPECT_EQ(row.item, "all");
+    EXPECT_NE(row.group, "Group 1");
+  }
+}
+
+TEST(CohortReport, SmallCountsAreNotShownBesideOthers) {
+  EXPECT_EQ(countsText({{"female", 4}, {"male", 26}}, ReportIdentity::kAggregated),
+            "not shown (fewer than 5)");
+  EXPECT_EQ(countsText({{"female", 5}, {"male", 25}}, ReportIdentity::kAggregated), "female 5, male 25");
+  EXPECT_EQ(countsText({{"female", 4}, {"male", 26}}, ReportIdentity::kCoded), "female 4, male 26");
+}
+
+TEST(CohortReport, SaysWhatWasFrozenWhenAndWhatDeviated) {
+  CohortInputs in = demonstration();
+  in.freeze = CohortFreeze{"final", std::string(64, 'b'), 1'767'600'000'000'000, "admin", false};
+  in.deviations = {{1'767'600'000'000'000, "x101", "late", "came twenty minutes late"}};
+  in.doses = {{"x101", 38.5, 0.0, 5.0}};
+
+  const ReportModel report = cohortReport(in);
+
+  EXPECT_THAT(report.facts, ::testing::Contains(::testing::Pair("Frozen data set", "final")));
+  EXPECT_THAT(report.facts, ::testing::Contains(::testing::Pair("Frozen", "2026-01-05 08:00 UTC by admin")));
+  bool deviation = false;
+  bool dose = false;
+  for (const ReportSection& section : report.sections)
+    for (const ReportTable& table : section.tables) {
+      if (table.id == "table-deviations") deviation = table.rows.at(0).at(3) == "came twenty minutes late";
+      if (table.id == "table-dose") dose = table.rows.at(0).at(2) == "38.5";
+    }
+  EXPECT_TRUE(deviation);
+  EXPECT_TRUE(dose);
+}
+
+TEST(CohortReport, SingleMarksAreLeftOutForWhoMayNotSeeThem) {
+  CohortInputs in = demonstration();
+  in.singleMarks = false;
+  const ReportModel report = cohortReport(in);
+  EXPECT_EQ(find(report, "figure-marks"), nullptr);
+  EXPECT_EQ(find(report, "figure-bland-altman"), nullptr);
+  EXPECT_NE(find(report, "figure-severity"), nullptr);
+  for (const CohortCsvRow& row : cohortCsvRows(in)) EXPECT_NE(row.statistic, "mark");
+}
+
 TEST(CohortReport, SaysWhyAgreementIsNotDefinedWhenMarksAreMissing) {
   CohortInputs in = demonstration();
   in.trainingMarks.pop_back();
@@ -157,6 +272,12 @@ TEST(CohortReport, RefusesInputsThatDoNotBelongTogether) {
   in = demonstration();
   in.trainees[0].group = 7;
   EXPECT_THROW((void)cohortReport(in), Error);
+}
+
+TEST(FormatUtc, KnowsLeapDaysAndTimesBefore1970) {
+  EXPECT_EQ(formatUtc(1'767'600'000'000'000), "2026-01-05 08:00 UTC");  // date -u -d @1767600000
+  EXPECT_EQ(formatUtc(951'782'400'000'000), "2000-02-29 00:00 UTC");    // date -u -d @951782400
+  EXPECT_EQ(formatUtc(-60'000'000), "1969-12-31 23:59 UTC");
 }
 
 TEST(CohortReport, LeavesOutSectionsWithoutData) {

@@ -19,8 +19,12 @@ constexpr std::int64_t kEveryTrial = 10'000'000;
 constexpr std::size_t kProgressEvery = 16;
 
 std::string modelName(const Trial& trial) {
-  const std::optional<Formulation> formulation = sceneRequestFor(trial.header.parametersJson).formulation;
-  return formulation == Formulation::kPaper ? "paper" : "Saint-Venant";
+  try {
+    const std::optional<Formulation> formulation = sceneRequestFor(trial.header.parametersJson).formulation;
+    return formulation == Formulation::kPaper ? "paper" : "Saint-Venant";
+  } catch (const Error&) {
+    return "not known";  // parameters of a later version: the recording counts all the same
+  }
 }
 
 /// Positions of the groups of a cohort's enrolments.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <set>
 #include <string>
 
 #include <QApplication>
@@ -79,6 +81,12 @@ ReportModel smallReport() {
   return model;
 }
 
+ReportFigure intervals() {
+  ReportFigure figure = figureOf(FigureKind::kForest);
+  figure.references = {{5.0, "middle"}};
+  return figure;
+}
+
 int pagesIn(const std::string& pdf) {
   int pages = 0;
   for (std::size_t at = pdf.find("/Type /Page\n"); at != std::string::npos;
@@ -115,6 +123,48 @@ TEST(ChartBuilder, DrawsOneBarSetASeries) {
   ASSERT_NE(bars, nullptr);
   EXPECT_EQ(bars->barSets().size(), 3);
   EXPECT_DOUBLE_EQ(bars->barSets().first()->at(0), 8.0);
+}
+
+TEST(PdfReport, TellsEveryPageAndLeavesNothingWhenGivenUp) {
+  const fs::path folder = freshFolder("cancel");
+  const fs::path file = folder / "cohort.pdf";
+  writeFileAtomically(file, "older");
+  struct GivenUp {};
+
+  EXPECT_THROW(writePdfReport(smallReport(), file,
+                              [](std::size_t page, std::size_t pages) {
+                                EXPECT_GE(pages, 5U);
+                                if (page == 2) throw GivenUp{};
+                              }),
+               GivenUp);
+
+  EXPECT_EQ(readFile(file), "older");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+}
+
+TEST(PdfReport, DrawsForestsHeatMapsAndCloudsAsVectors) {
+  ReportModel model;
+  model.title = "Kinds";
+  ReportSection section;
+  section.title = "All";
+  ReportFigure cloud = figureOf(FigureKind::kScatter);
+  section.figures = {intervals(), figureOf(FigureKind::kHeatMap), cloud};
+  model.sections.push_back(section);
+  const fs::path file = freshFolder("kinds") / "kinds.pdf";
+
+  writePdfReport(model, file);
+
+  EXPECT_EQ(readFile(file).find("/Subtype /Image"), std::string::npos);
+}
+
+TEST(ChartBuilder, TellsSeriesApartWithoutColour) {
+  const auto chart = buildChart(figureOf(FigureKind::kGroupedBars));
+  const auto* bars = qobject_cast<QBarSeries*>(chart->series().first());
+  std::set<Qt::BrushStyle> patterns;
+  for (const QBarSet* set : bars->barSets()) patterns.insert(set->brush().style());
+  EXPECT_EQ(patterns.size(), 3U);
+  // A heat map is darker for more, on white; lightness never turns back.
+  for (int i = 1; i <= 10; ++i) EXPECT_LT(qGray(shade(0.1 * i).rgb()), qGray(shade(0.1 * (i - 1)).rgb()));
 }
 
 TEST(ChartBuilder, DrawsOneBoxASeriesWithItsMedian) {
