@@ -29,14 +29,15 @@ void put(Sheet& sheet, SheetRow* row, SheetAnswer answer) {
 
 }  // namespace
 
-SheetEditor::SheetEditor(StoredRubricRevision rubric, Sheet start) : rubric_(std::move(rubric)) {
+SheetEditor::SheetEditor(StoredRubricRevision rubric, Sheet start, bool withOverall)
+    : rubric_(std::move(rubric)), withOverall_(withOverall) {
   states_.push_back({inRubricOrder(rubric_, std::move(start)), {}, false});
 }
 
 std::vector<std::string> SheetEditor::order() const {
   std::vector<std::string> codes;
   for (const StoredRubricRow& row : rubric_.rows) codes.push_back(row.code);
-  codes.push_back(kOverallRow);
+  if (withOverall_) codes.push_back(kOverallRow);
   return codes;
 }
 

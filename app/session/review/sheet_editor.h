@@ -34,13 +34,14 @@ struct SheetAnswer {
 /// in one text are one step. Plain value: no database, no window. One thread.
 class SheetEditor {
  public:
-  /// `start` may lack rows; rows that the rubric does not have are left out.
-  SheetEditor(StoredRubricRevision rubric, Sheet start);
+  /// `start` may lack rows; rows that the rubric does not have are left out. `withOverall`: false for forms
+  /// of rows alone.
+  SheetEditor(StoredRubricRevision rubric, Sheet start, bool withOverall = true);
 
   [[nodiscard]] const StoredRubricRevision& rubric() const noexcept { return rubric_; }
   /// With every row of the rubric, in its order.
   [[nodiscard]] const Sheet& sheet() const noexcept { return states_[at_].sheet; }
-  /// Codes in the order of scoring: the rubric's rows, then kOverallRow.
+  /// Codes in the order of scoring: the rubric's rows, then kOverallRow if there is one.
   [[nodiscard]] std::vector<std::string> order() const;
   [[nodiscard]] SheetAnswer answer(const std::string& row) const;
   [[nodiscard]] const ScoreScale& scale(const std::string& row) const;
@@ -75,6 +76,7 @@ class SheetEditor {
   [[nodiscard]] static SheetRow* rowIn(Sheet& sheet, const std::string& code);
 
   StoredRubricRevision rubric_;
+  bool withOverall_;
   std::vector<State> states_;
   std::size_t at_ = 0;
 };

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/review/queue_page.h"
+
+#include <cmath>
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "app/gui/look/card.h"
+#include "app/gui/look/data_table.h"
+#include "app/gui/look/form.h"
+#include "app/gui/look/page_heading.h"
+#include "app/gui/review/review_words.h"
+#include "app/gui/shell/shell_context.h"
+
+namespace torsio::gui {
+
+QueuePage::QueuePage(ShellContext& shell, QWidget* parent)
+    : Page(shell, parent),
+      heading_(new PageHeading(this)),
+      continue_(primaryButton(this)),
+      table_(new DataTable(QStringLiteral("review.queue"), this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
+  column->setSpacing(2 * kSpace);
+  column->addWidget(heading_);
+  heading_->addAction(continue_);
+  auto* figures = new QHBoxLayout;
+  figures->setSpacing(2 * kSpace);
+  waiting_ = addFigure(figures);
+  drafts_ = addFigure(figures);
+  time_ = addFigure(figures);
+  due_ = addFigure(figures);
+  column->addLayout(figures);
+  createDoors(column);
+  column->addWidget(table_, 1);
+  connect(continue_, &QPushButton::clicked, this, &QueuePage::goOn);
+  connect(table_, &DataTable::activated, this,
+          [this](const QString& id) { this->shell().open(QStringLiteral("review.case"), id); });
+}
+
+QueuePage::Figure QueuePage::addFigure(QHBoxLayout* row) {
+  Figure one{new Card(QString(), this), new QLabel(this), sentence(this)};
+  one.figure->setProperty("figure", true);
+  one.card->content()->addWidget(one.figure);
+  one.card->content()->addWidget(one.words);
+  one.card->content()->addStretch(1);
+  row->addWidget(one.card, 1);
+  return one;
+}
+
+void QueuePage::createDoors(QVBoxLayout* column) {
+  const auto add = [this, column](const char* page) {
+    Door door{sentence(this, false), new QPushButton(this), new QWidget(this)};
+    auto* row = new QHBoxLayout(door.row);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(door.text, 1);
+    row->addWidget(door.button);
+    column->addWidget(door.row);
+    const QString id = QString::fromLatin1(page);
+    connect(door.button, &QPushButton::clicked, this, [this, id] { this->shell().open(id); });
+    return door;
+  };
+  warmUp_ = add("review.warmup");
+  live_ = add("review.live");
+  alignment_ = add("review.alignment");
+}
+
+void QueuePage::enter(const QVariant&) {
+  queue_ = reviewQueue(shell().workplace());
+  showQueue();
+  continue_->setFocus(Qt::OtherFocusReason);
+}
+
+void QueuePage::retranslate() {
+  heading_->setTexts(tr("Your queue"),
+                     tr("Cases are blinded and shuffled for you alone. Nobody sees your marks before "
+                        "all have submitted, and you see nobody's."));
+  waiting_.card->setTitle(tr("Waiting"));
+  drafts_.card->setTitle(tr("Drafts"));
+  time_.card->setTitle(tr("Time needed"));
+  due_.card->setTitle(tr("Next deadline"));
+  warmUp_.button->setText(tr("&Warm up"));
+  live_.button->setText(tr("&Live sheet"));
+  alignment_.button->setText(tr("&Alignment"));
+  table_->view().setAccessibleName(tr("Your cases"));
+  table_->setColumns({{tr("Case")}, {tr("State")}, {tr("Length"), true}, {tr("Due")}, {tr("Minutes"), true}});
+  table_->setEmptyText(tr("No recorded case is assigned to you. New ones appear here by themselves."));
+  showQueue();
+}
+
+void QueuePage::showFigures() {
+  const QLocale locale;
+  waiting_.figure->setText(locale.toString(static_cast<qlonglong>(queue_.waiting)));
+  waiting_.words->setText(tr("%1 submitted so far").arg(queue_.submitted));
+  drafts_.figure->setText(locale.toString(static_cast<qlonglong>(queue_.drafts)));
+  drafts_.words->setText(queue_.drafts > 0 ? tr("begun and saved with every key")
+                                           : tr("nothing is half done"));
+  const auto minutes = static_cast<int>(std::ceil(queue_.minutes));
+  time_.figure->setText(tr("%1 min").arg(locale.toString(minutes)));
+  time_.words->setText(queue_.fromOwnPace ? tr("at your own pace so far")
+                                          : tr("from the length of the recordings"));
+  due_.figure->setText(queue_.nextDueUtc_us ? dayText(*queue_.nextDueUtc_us) : QStringLiteral("\u2013"));
+  due_.words->setText(queue_.overdue > 0 ? tr("%1 overdue").arg(queue_.overdue) : tr("nothing is overdue"));
+  setLook(due_.words, "caution", queue_.overdue > 0);
+}
+
+void QueuePage::showDoors() {
+  warmUp_.row->setVisible(queue_.warmUpWaiting);
+  warmUp_.text->setText(
+      tr("Before the first case: score two reference runs and see how far you are from the panel."));
+  live_.row->setVisible(queue_.liveWaiting > 0);
+  live_.text->setText(tr("Live cases on the real arm that wait for you: %1.").arg(queue_.liveWaiting));
+  alignment_.row->setVisible(queue_.disagreements > 0);
+  alignment_.text->setText(
+      tr("All have submitted. Your marks that lie apart from the others: %1.").arg(queue_.disagreements));
+}
+
+void QueuePage::showQueue() {
+  showFigures();
+  showDoors();
+  continue_->setEnabled(queue_.next.has_value());
+  continue_->setText(queue_.drafts > 0    ? tr("&Continue the draft")
+                     : queue_.waiting > 0 ? tr("&Continue")
+                                          : tr("All done"));
+  std::vector<Row> rows;
+  for (const QueueLine& line : queue_.lines) {
+    const bool done = line.state == SheetState::kSubmitted;
+    const QString state = done                               ? tr("submitted")
+                          : line.overdue                     ? tr("overdue")
+                          : line.state == SheetState::kDraft ? tr("draft")
+                                                             : tr("waiting");
+    const std::int64_t length_us = line.shown.length_us.value_or(0);
+    Row row{words(line.shown.assignmentId), {}};
+    row.cells = {{tr("Case %1").arg(words(line.shown.label)), static_cast<int>(rows.size())},
+                 {state, static_cast<int>(line.state)},
+                 {clockTime(length_us), static_cast<qlonglong>(length_us)},
+                 {line.shown.dueUtc_us ? dayText(*line.shown.dueUtc_us) : QString(),
+                  static_cast<qlonglong>(line.shown.dueUtc_us.value_or(0))},
+                 {done ? QString() : QLocale().toString(line.estimate_min, 'f', 1), line.estimate_min}};
+    rows.push_back(std::move(row));
+  }
+  table_->setRows(std::move(rows));
+}
+
+void QueuePage::goOn() {
+  if (queue_.next) shell().open(QStringLiteral("review.case"), words(*queue_.next));
+}
+
+void QueuePage::keyPressEvent(QKeyEvent* event) {
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (enter && continue_->hasFocus()) return goOn();
+  Page::keyPressEvent(event);
+}
+
+}  // namespace torsio::gui

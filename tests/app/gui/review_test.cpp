@@ -1,0 +1,563 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The physician's pages, driven as a physician drives them: by keys.
+#include <memory>
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTableView>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "app/gui/look/data_table.h"
+#include "app/gui/review/alignment_page.h"
+#include "app/gui/review/case_page.h"
+#include "app/gui/review/evaluation_page.h"
+#include "app/gui/review/live_page.h"
+#include "app/gui/review/replay_panel.h"
+#include "app/gui/review/review_pages.h"
+#include "app/gui/review/sheet_panel.h"
+#include "app/gui/review/warm_up_page.h"
+#include "app/gui/shell/shell_context.h"
+#include "app/session/review/alignment.h"
+#include "app/session/review/evaluation_form.h"
+#include "app/session/review/warm_up.h"
+#include "db/repository/evaluation_repository.h"
+#include "db/repository/trial_repository.h"
+#include "sim/record/sample_codec.h"
+#include "tests/app/session/review_centre.h"
+
+namespace torsio::gui {
+namespace {
+
+using torsio::testing::ReviewCentre;
+using torsio::testing::reviewSheet;
+
+const std::filesystem::path kAssets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+
+/// One physician at a desk with one page at a time; follows the pages that a page asks for.
+class DeskOf {
+ public:
+  DeskOf(ReviewCentre& centre, std::size_t index)
+      : workplace_(centre.physician(index)), shell_(*workplace_, kAssets, ThemeKind::kLight) {
+    QObject::connect(&shell_, &ShellContext::pageWanted, [this](const QString& id, const QVariant& argument) {
+      wanted_.emplace_back(id, argument);
+    });
+    QObject::connect(&shell_, &ShellContext::failed,
+                     [this](const QString& happened, const QString& remedy, const QString& details) {
+                       failures_ << happened + remedy + details;
+                     });
+    QObject::connect(&shell_, &ShellContext::noticed, [this](const QString& text) { notices_ << text; });
+    QObject::connect(&shell_, &ShellContext::jobStarted, [this](const QString& text) { notices_ << text; });
+  }
+  ~DeskOf() { shell_.waitForJobs(); }
+
+  template <class T>
+  T& open(const QVariant& argument = {}) {
+    page_.reset();
+    auto made = std::make_unique<T>(shell_);
+    T& page = *made;
+    page_ = std::move(made);
+    page_->retranslate();
+    page_->applyTheme(theme(ThemeKind::kLight));
+    page_->resize(1146, 700);  // what a 1366 x 768 screen leaves beside navigation and header
+    page_->show();
+    page_->activateWindow();
+    QApplication::processEvents();
+    page_->enter(argument);
+    shell_.waitForJobs();
+    return page;
+  }
+  /// Follows the last page that was asked for; false: none, or another page than a case.
+  bool follow() {
+    if (wanted_.empty()) return false;
+    const auto [id, argument] = wanted_.back();
+    wanted_.clear();
+    if (id != QStringLiteral("review.case")) return false;
+    page_->enter(argument);
+    shell_.waitForJobs();
+    return true;
+  }
+  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QWidget* target = page_->focusWidget() != nullptr ? page_->focusWidget() : page_.get();
+    QTest::keyClick(target, key, modifiers);
+  }
+  void type(const QString& text) {
+    QWidget* target = page_->focusWidget() != nullptr ? page_->focusWidget() : page_.get();
+    QTest::keyClicks(target, text);
+  }
+  /// Gone without leave(), save or anything else: a crash as far as the page knows.
+  void drop() { page_.reset(); }
+
+  [[nodiscard]] Workplace& workplace() { return *workplace_; }
+  [[nodiscard]] ShellContext& shell() { return shell_; }
+  [[nodiscard]] Page& page() { return *page_; }
+  [[nodiscard]] const QStringList& failures() const { return failures_; }
+  [[nodiscard]] const QStringList& notices() const { return notices_; }
+  [[nodiscard]] std::vector<std::pair<QString, QVariant>>& wanted() { return wanted_; }
+
+ private:
+  std::unique_ptr<Workplace> workplace_;
+  ShellContext shell_;
+  std::unique_ptr<Page> page_;
+  std::vector<std::pair<QString, QVariant>> wanted_;
+  QStringList failures_;
+  QStringList notices_;
+};
+
+Qt::Key digit(int value) {
+  return static_cast<Qt::Key>(Qt::Key_0 + value);
+}
+
+void watchAll(ReplayPanel& replay) {
+  for (int i = 0; i < 100 && replay.playing(); ++i) replay.frame(0.1);
+}
+
+/// Scores the open case with three digits, watches it, and submits: keys only.
+void scoreCase(DeskOf& desk, int time, int accuracy, int overall) {
+  auto& page = static_cast<CasePage&>(desk.page());
+  page.replay().setRealTime(false);
+  desk.press(digit(time));
+  desk.press(Qt::Key_Down);
+  desk.press(digit(accuracy));
+  desk.press(Qt::Key_Tab);
+  desk.press(digit(overall));
+  desk.press(Qt::Key_Space);
+  watchAll(page.replay());
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+}
+
+QString inputOf(const std::string& id) {
+  return QString::fromStdString(id);
+}
+
+TEST(TenPhysicians, ScoreTheSameTrialsByKeysAndSeeNothingOfEachOther) {
+  ReviewCentre::Setup setup;
+  setup.raters = 10;
+  setup.trainees = 3;
+  ReviewCentre centre(setup);
+  for (std::size_t rater = 0; rater < 10; ++rater) {
+    DeskOf desk(centre, rater);
+    EXPECT_TRUE(alignmentCases(*centre.physician(0)).empty())
+        << "before physician " << rater << " has committed";
+    desk.open<CasePage>(inputOf(centre.cases(rater).front()));
+    int done = 0;
+    do {
+      scoreCase(desk, 2 + static_cast<int>(rater) % 8, 5, 3 + done);
+      ++done;
+    } while (desk.follow());
+    EXPECT_EQ(done, 3);
+    EXPECT_TRUE(desk.failures().isEmpty()) << desk.failures().join(u' ').toStdString();
+  }
+  for (std::size_t rater = 0; rater < 10; ++rater) {
+    const auto desk = centre.physician(rater);
+    const std::vector<std::string> ids = centre.cases(rater);
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      const OpenedSheet sealed = openSheet(*desk, ids[i]);
+      EXPECT_EQ(sealed.state, SheetState::kSubmitted);
+      EXPECT_EQ(sealed.sheet.overall_steps, 10 * static_cast<std::int64_t>(3 + i));
+      EXPECT_EQ(SheetEditor(sealed.rubric, sealed.sheet).answer("time").score_steps,
+                10 * static_cast<std::int64_t>(2 + rater % 8));
+    }
+  }
+  EXPECT_FALSE(alignmentCases(*centre.physician(0)).empty());
+}
+
+TEST(CasePage, LosesNoKeystrokeWhenItVanishes) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const QString id = inputOf(centre.cases(0).front());
+  {
+    DeskOf desk(centre, 0);
+    desk.open<CasePage>(id);
+    desk.press(Qt::Key_8);
+    desk.press(Qt::Key_Down);
+    desk.press(Qt::Key_6);
+    desk.press(Qt::Key_Right);  // 6.5
+    auto& page = static_cast<CasePage&>(desk.page());
+    page.sheetPanel().commentField()->setFocus();
+    desk.type(QStringLiteral("calm"));
+
+    desk.drop();
+  }
+
+  DeskOf again(centre, 0);
+  const auto& page = again.open<CasePage>(id);
+
+  EXPECT_EQ(page.editor()->answer("time").score_steps, 80);
+  EXPECT_EQ(page.editor()->answer("accuracy").score_steps, 65);
+  EXPECT_EQ(page.editor()->sheet().comment, "calm");
+}
+
+TEST(CasePage, UndoesToTheFirstMarkAndRedoes) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  desk.press(Qt::Key_8);
+  desk.press(Qt::Key_Down);
+  desk.press(Qt::Key_1);
+  desk.press(Qt::Key_0);  // ten
+  EXPECT_EQ(page.editor()->answer("accuracy").score_steps, 100);
+  desk.press(Qt::Key_Backspace);
+
+  desk.press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(page.editor()->answer("accuracy").score_steps, 100);
+  for (int i = 0; i < 5; ++i) desk.press(Qt::Key_Z, Qt::ControlModifier);
+
+  EXPECT_FALSE(page.editor()->answer("time").given());
+  EXPECT_FALSE(page.editor()->canUndo());
+  desk.press(Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(page.editor()->answer("time").score_steps, 80);
+  // What was undone is undone on the disk too.
+  const OpenedSheet stored = openSheet(desk.workplace(), centre.cases(0).front());
+  EXPECT_EQ(SheetEditor(stored.rubric, stored.sheet).answer("time").score_steps, 80);
+}
+
+TEST(CasePage, KeysAreSilentWhileTyping) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  page.replay().setRealTime(false);
+  page.sheetPanel().commentField()->setFocus();
+
+  desk.type(QStringLiteral("b 7 jkl, n."));
+
+  EXPECT_EQ(page.editor()->sheet().comment, "b 7 jkl, n.");
+  EXPECT_FALSE(page.editor()->answer("time").given());
+  EXPECT_FALSE(page.replay().playing());
+  EXPECT_TRUE(caseRemarks(desk.workplace(), centre.cases(0).front()).empty());
+}
+
+TEST(CasePage, NotAssessableTakesAReason) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  desk.press(Qt::Key_N);
+  desk.type(QStringLiteral("hand in 5 the way"));
+  desk.press(Qt::Key_Return);
+  EXPECT_EQ(page.editor()->answer("time").notAssessableReason, "hand in 5 the way");
+
+  desk.press(Qt::Key_Down);
+  desk.press(Qt::Key_4);
+
+  EXPECT_EQ(page.editor()->answer("accuracy").score_steps, 40);
+}
+
+TEST(CasePage, SubmitsOnlyWhatIsCompleteAndWatched) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  page.replay().setRealTime(false);
+  const auto state = [&] { return openSheet(desk.workplace(), centre.cases(0).front()).state; };
+  desk.press(Qt::Key_7);
+  for (int i = 0; i < 3; ++i) desk.press(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(state(), SheetState::kDraft);
+  EXPECT_EQ(page.sheetPanel().currentRow(), "accuracy");  // the first open row
+  desk.press(Qt::Key_7);
+  desk.press(Qt::Key_Down);
+  desk.press(Qt::Key_7);
+  page.replay().seek_us(1'900'000);  // a jump is not watching
+  for (int i = 0; i < 3; ++i) desk.press(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(state(), SheetState::kDraft);
+
+  page.replay().seek_us(0);
+  desk.press(Qt::Key_L);
+  EXPECT_TRUE(page.replay().playing());
+  desk.press(Qt::Key_L);  // locked: no faster
+  EXPECT_DOUBLE_EQ(page.replay().recording()->playback.speed(), 1.0);
+  watchAll(page.replay());
+  for (int i = 0; i < 2; ++i) desk.press(Qt::Key_Return, Qt::ControlModifier);
+
+  EXPECT_EQ(state(), SheetState::kSubmitted);
+}
+
+TEST(CasePage, BookmarksRemarksAndSteps) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  page.replay().setRealTime(false);
+  desk.press(Qt::Key_Period);
+  desk.press(Qt::Key_Period);
+  desk.press(Qt::Key_B);
+  desk.press(Qt::Key_Comma);
+  desk.press(Qt::Key_R);
+  desk.type(QStringLiteral("second grip slips"));
+  desk.press(Qt::Key_Return);
+
+  const std::vector<CaseRemark> remarks = caseRemarks(desk.workplace(), centre.cases(0).front());
+
+  ASSERT_EQ(remarks.size(), 2U);
+  EXPECT_EQ(remarks[0].time_us, 40'000);
+  EXPECT_EQ(remarks[0].text, "second grip slips");
+  EXPECT_EQ(remarks[1].time_us, 80'000);
+}
+
+TEST(CasePage, AmendingNeedsAReasonAndKeepsBothVersions) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const std::string id = centre.cases(0).front();
+  desk.open<CasePage>(inputOf(id));
+  scoreCase(desk, 7, 6, 6);
+  auto& page = desk.open<CasePage>(inputOf(id));
+  desk.press(Qt::Key_9);  // sealed: nothing happens
+  EXPECT_EQ(page.editor()->answer("time").score_steps, 70);
+  for (QPushButton* button : page.findChildren<QPushButton*>()) {
+    if (button->text().contains(QStringLiteral("mend")) && button->isVisibleTo(&page)) button->click();
+  }
+  desk.press(Qt::Key_9);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(desk.failures().size(), 1);  // no reason yet
+  EXPECT_EQ(sheetVersions(desk.workplace(), id).size(), 1U);
+
+  desk.type(QStringLiteral("looked again"));
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+
+  const std::vector<SheetVersion> versions = sheetVersions(desk.workplace(), id);
+  ASSERT_EQ(versions.size(), 2U);
+  EXPECT_EQ(versions[1].amendReason, "looked again");
+  const OpenedSheet sealed = openSheet(desk.workplace(), id);
+  EXPECT_EQ(SheetEditor(sealed.rubric, sealed.sheet).answer("time").score_steps, 90);
+}
+
+TEST(CasePage, PlaysTheRecordingBitForBitAndProvesIt) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  const std::string id = centre.caseAbout(0, 0);
+  auto& page = desk.open<CasePage>(inputOf(id));
+  const Trial original = TrialRepository(centre.connection()).load(centre.trialIds()[0]);
+
+  ASSERT_NE(page.replay().recording(), nullptr);
+  EXPECT_EQ(page.replay().recording()->playback.samples(), decodeTrial(original));
+
+  const QString digest = QString::fromStdString(blindedDigest(original.summary.contentHash, id));
+  bool shown = false;
+  for (const QLabel* label : page.findChildren<QLabel*>()) shown = shown || label->text().contains(digest);
+  EXPECT_TRUE(shown);
+}
+
+/// Everything that a person or a screen reader can meet in a page.
+QStringList wordsOf(QWidget& page) {
+  QStringList found{page.windowTitle(), page.window()->windowTitle()};
+  QList<QWidget*> all = page.findChildren<QWidget*>();
+  all << &page;
+  for (const QWidget* widget : all) {
+    found << widget->toolTip() << widget->statusTip() << widget->whatsThis() << widget->accessibleName()
+          << widget->accessibleDescription() << widget->objectName();
+    if (const auto* label = qobject_cast<const QLabel*>(widget)) found << label->text();
+    if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) found << button->text();
+    if (const auto* line = qobject_cast<const QLineEdit*>(widget))
+      found << line->text() << line->placeholderText();
+    if (const auto* text = qobject_cast<const QPlainTextEdit*>(widget)) found << text->toPlainText();
+    if (const auto* box = qobject_cast<const QComboBox*>(widget)) found << box->currentText();
+    if (const auto* table = qobject_cast<const DataTable*>(widget)) found << table->asText();
+  }
+  return found;
+}
+
+QStringList gLogged;  // NOLINT: a message handler has no other place
+void keepMessage(QtMsgType, const QMessageLogContext&, const QString& text) {
+  gLogged << text;
+}
+
+TEST(Blinding, NothingThatCanBeReadTellsWhoWhichGroupOrWhen) {
+  ReviewCentre::Setup setup;
+  setup.raters = 3;
+  setup.live = true;
+  ReviewCentre centre(setup);
+  addReferenceRuns(*centre.administrator(),
+                   {{centre.trialIds()[0], centre.rubricRevisionId(), 6.0, 5, false}});
+  for (std::size_t rater = 0; rater < 3; ++rater) {
+    DeskOf scorer(centre, rater);
+    scorer.open<CasePage>(inputOf(centre.caseAbout(rater, 0)));
+    scoreCase(scorer, 2 + 3 * static_cast<int>(rater), 5, 2 + 3 * static_cast<int>(rater));
+  }
+  gLogged.clear();
+  const QtMessageHandler before = qInstallMessageHandler(keepMessage);
+  DeskOf desk(centre, 0);
+  QStringList found;
+  for (const PageEntry& entry : reviewPages()) {
+    const std::unique_ptr<Page> page(entry.make(desk.shell()));
+    page->retranslate();
+    page->show();
+    page->enter(entry.id == QStringLiteral("review.case") ? inputOf(centre.caseAbout(0, 1)) : QVariant());
+    desk.shell().waitForJobs();
+    for (DataTable* table : page->findChildren<DataTable*>()) {
+      table->view().selectAll();
+      QTest::keyClick(&table->view(), Qt::Key_C, Qt::ControlModifier);
+      found << QApplication::clipboard()->text();
+    }
+    found << entry.title() << wordsOf(*page);
+    EXPECT_GT(wordsOf(*page).join(QString()).size(), 40) << entry.id.toStdString();
+  }
+  qInstallMessageHandler(before);
+  found << desk.notices() << desk.failures() << gLogged;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(centre.folder()))
+    found << QString::fromStdString(file.path().filename().string());
+
+  for (const std::string& secret : centre.secrets()) {
+    for (const QString& text : found)
+      EXPECT_FALSE(text.contains(QString::fromStdString(secret), Qt::CaseInsensitive))
+          << secret << " in \"" << text.toStdString() << "\"";
+  }
+}
+
+TEST(ReviewPages, EverythingThatTakesTheKeyboardHasANameAndFitsASmallScreen) {
+  ReviewCentre::Setup setup;
+  setup.live = true;
+  ReviewCentre centre(setup);
+  DeskOf desk(centre, 0);
+  for (const PageEntry& entry : reviewPages()) {
+    const std::unique_ptr<Page> page(entry.make(desk.shell()));
+    page->retranslate();
+    page->resize(1146, 700);
+    page->show();
+    page->enter(entry.id == QStringLiteral("review.case") ? inputOf(centre.cases(0)[0]) : QVariant());
+    desk.shell().waitForJobs();
+    EXPECT_LE(page->minimumSizeHint().width(), 1146) << entry.id.toStdString();
+    EXPECT_LE(page->minimumSizeHint().height(), 700) << entry.id.toStdString();
+    for (QWidget* widget : page->findChildren<QWidget*>()) {
+      const bool reachable = (widget->focusPolicy() & Qt::TabFocus) != 0 && widget->isVisible();
+      if (!reachable) continue;
+      const auto* button = qobject_cast<QAbstractButton*>(widget);
+      const bool named =
+          !widget->accessibleName().isEmpty() || (button != nullptr && !button->text().isEmpty());
+      EXPECT_TRUE(named) << entry.id.toStdString() << ": " << widget->metaObject()->className();
+    }
+  }
+}
+
+TEST(LivePage, ScoresInRunningOrderWithTargetsForFingers) {
+  ReviewCentre::Setup setup;
+  setup.trainees = 10;
+  setup.live = true;
+  setup.trial_s = 0.5;
+  ReviewCentre centre(setup);
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<LivePage>();
+  int targets = 0;
+  for (const QPushButton* button : page.findChildren<QPushButton*>()) {
+    if (!button->isCheckable() || !button->isVisibleTo(&page)) continue;
+    EXPECT_GE(button->minimumHeight(), 44);
+    ++targets;
+  }
+  EXPECT_EQ(targets, 10);
+
+  for (int i = 0; i < 2; ++i) {
+    desk.press(Qt::Key_6);
+    desk.press(Qt::Key_Down);
+    desk.press(Qt::Key_7);
+    desk.press(Qt::Key_Down);
+    desk.press(digit(5 + i));
+    desk.press(Qt::Key_Return, Qt::ControlModifier);
+    desk.press(Qt::Key_Return, Qt::ControlModifier);
+  }
+
+  const std::vector<std::string> live = centre.cases(0, true);
+  EXPECT_EQ(openSheet(desk.workplace(), live[0]).sheet.overall_steps, 50);
+  EXPECT_EQ(openSheet(desk.workplace(), live[1]).sheet.overall_steps, 60);
+  EXPECT_EQ(openSheet(desk.workplace(), live[1]).state, SheetState::kSubmitted);
+  EXPECT_EQ(openSheet(desk.workplace(), live[2]).state, SheetState::kOpen);
+}
+
+TEST(WarmUpPage, ShowsTheOwnOffsetAfterTheMark) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  addReferenceRuns(*centre.administrator(),
+                   {{centre.trialIds()[0], centre.rubricRevisionId(), 6.0, 5, false}});
+  DeskOf desk(centre, 0);
+  auto& page = desk.open<WarmUpPage>();
+  EXPECT_FALSE(wordsOf(page).join(u' ').contains(QStringLiteral("Panel of 5")));
+
+  desk.press(Qt::Key_8);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+
+  EXPECT_TRUE(wordsOf(page).join(u' ').contains(QStringLiteral("Panel of 5")));
+  EXPECT_DOUBLE_EQ(*warmUp(desk.workplace()).runs[0].offset_points, 2.0);
+}
+
+TEST(AlignmentPage, MovesAMarkWithAReasonAndKeepsTheOther) {
+  ReviewCentre::Setup setup;
+  setup.trainees = 1;
+  ReviewCentre centre(setup);
+  for (std::size_t rater = 0; rater < 2; ++rater) {
+    DeskOf scorer(centre, rater);
+    scorer.open<CasePage>(inputOf(centre.caseAbout(rater, 0)));
+    scoreCase(scorer, 3 + 5 * static_cast<int>(rater), 3 + 5 * static_cast<int>(rater),
+              3 + 5 * static_cast<int>(rater));
+  }
+  DeskOf desk(centre, 0);
+  ASSERT_EQ(alignmentCases(desk.workplace()).size(), 1U);
+  auto& page = desk.open<AlignmentPage>();
+  const auto button = [&page](const char* part) {
+    for (QPushButton* one : page.findChildren<QPushButton*>()) {
+      if (one->text().contains(QLatin1String(part)) && one->isVisibleTo(&page)) return one;
+    }
+    return static_cast<QPushButton*>(nullptr);
+  };
+  ASSERT_NE(button("Move"), nullptr);
+  button("Move")->click();
+  desk.press(Qt::Key_8);
+  ASSERT_NE(button("Seal"), nullptr);
+  button("Seal")->click();
+  EXPECT_EQ(desk.failures().size(), 1);  // no reason yet
+
+  for (QLineEdit* line : page.findChildren<QLineEdit*>()) {
+    if (line->accessibleName() == QStringLiteral("Reason")) line->setFocus();
+  }
+  desk.type(QStringLiteral("missed the second grip"));
+  button("Seal")->click();
+
+  EXPECT_EQ(sheetVersions(desk.workplace(), centre.caseAbout(0, 0)).size(), 2U);
+  ASSERT_EQ(alignmentCases(desk.workplace()).size(), 1U);  // two rows still lie apart
+  EXPECT_EQ(alignmentCases(desk.workplace())[0].decision, "move");
+}
+
+TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  StoredCampaign campaign;
+  campaign.id = "campaign";
+  campaign.name = "Three models";
+  campaign.instrument = paperInstrument();
+  campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
+  campaign.models = {{"PM", "proposed model", "K", 1}, {"FEM", "finite elements", "M", 2}};
+  campaign.raters = {{centre.raterId(0), "chief", "FEM,PM"}};
+  EvaluationRepository(centre.connection()).addCampaign(campaign);
+  {
+    DeskOf desk(centre, 0);
+    auto& page = desk.open<EvaluationPage>();
+    const QString all = wordsOf(page).join(u' ');
+    for (const char* hidden : {"FEM", "PM", "finite", "proposed"})
+      EXPECT_FALSE(all.contains(QLatin1String(hidden))) << hidden;
+    for (int i = 0; i < 5; ++i) {
+      desk.press(digit(i + 4));
+      desk.press(Qt::Key_Down);
+    }
+    desk.press(Qt::Key_1);
+    desk.press(Qt::Key_0);
+    desk.press(Qt::Key_Left, Qt::ShiftModifier);  // 9.9
+    desk.drop();
+  }
+  DeskOf desk(centre, 0);
+  desk.open<EvaluationPage>();
+  EXPECT_EQ(evaluationForms(desk.workplace())[0].models[0].scores[5], 99);
+  for (int i = 0; i < 6; ++i) desk.press(Qt::Key_Down);
+  for (int i = 0; i < 3; ++i) {
+    desk.press(Qt::Key_7);
+    desk.press(Qt::Key_Down);
+  }
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+
+  const EvaluationForm form = evaluationForms(desk.workplace())[0];
+  EXPECT_TRUE(form.models[0].submitted);
+  EXPECT_EQ(form.models[0].hiddenLabel, "M");
+  EXPECT_FALSE(form.models[1].submitted);
+}
+
+}  // namespace
+}  // namespace torsio::gui
