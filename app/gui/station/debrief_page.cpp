@@ -77,6 +77,7 @@ DebriefPage::DebriefPage(ShellContext& context, QWidget* parent)
   });
   connect(again_, &QPushButton::clicked, this, [this] {
     StationDesk& desk = StationDesk::of(shell());
+    desk.chosen = true;
     desk.moduleId = debrief_.moduleId;
     shell().open(desk.readiness ? QStringLiteral("station.briefing") : QStringLiteral("station.device"));
   });
@@ -140,6 +141,7 @@ void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding,
   }
   auto* look = linkButton(this);
   look->setObjectName(QStringLiteral("look"));
+  look->setStyleSheet(QStringLiteral("padding: 1px 0;"));  // stands in line with the sentence above it
   look->setText(
       tr("Look at %1 to %2")
           .arg(StationWords::seconds(finding.when.from_s), StationWords::seconds(finding.when.to_s)));
@@ -176,7 +178,7 @@ void DebriefPage::fill() {
   trend_->setEnabled(any && !debrief_.moduleId.empty());
   const QString mode = debrief_.mode == "graded" ? tr("Graded run") : tr("Practice");
   heading_->setTexts(
-      any ? tr("Debrief: %1").arg(QString::fromStdString(debrief_.moduleTitle)) : tr("Debrief"),
+      any && !debrief_.moduleTitle.empty() ? QString::fromStdString(debrief_.moduleTitle) : tr("Your run"),
       any ? tr("%1  \u00b7  %2  \u00b7  %3 s")
                 .arg(mode, StationWords::when(debrief_.startedUtc_us))
                 .arg(debrief_.duration_s, 0, 'f', 0)

@@ -105,6 +105,10 @@ void DeviceCheckPage::check() {
 void DeviceCheckPage::goOn(bool graded) {
   StationDesk& desk = StationDesk::of(shell());
   desk.graded = graded;
+  if (!desk.chosen) {
+    shell().open(QStringLiteral("station.next"));
+    return;
+  }
   shell().open(desk.moduleId.empty() ? QStringLiteral("station.run") : QStringLiteral("station.briefing"));
 }
 
@@ -119,7 +123,7 @@ void DeviceCheckPage::applyTheme(const Theme& theme) {
 
 void DeviceCheckPage::fill() {
   const StationDesk& desk = StationDesk::of(shell());
-  heading_->setTexts(tr("Device check"),
+  heading_->setTexts(tr("Is everything ready?"),
                      tr("Sit down, put the stylus into its dock, and rest your forearm."));
   again_->setText(tr("&Check again"));
   mouse_->setText(tr("Practise with the &mouse"));

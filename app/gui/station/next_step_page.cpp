@@ -49,6 +49,9 @@ NextStepPage::NextStepPage(ShellContext& context, QWidget* parent)
     : Page(context, parent), theme_(&theme(context.themeKind())) {
   const PageColumn page = pageColumn(this, kWidest);
   heading_ = page.heading;
+  consent_ = linkButton(this);
+  heading_->addAction(consent_);
+  connect(consent_, &QPushButton::clicked, this, [this] { shell().open(QStringLiteral("station.consent")); });
   notices_ = new QVBoxLayout;
   notices_->setSpacing(kSpace);
   page.column->addLayout(notices_);
@@ -87,6 +90,7 @@ void NextStepPage::applyTheme(const Theme& theme) {
 
 void NextStepPage::begin(const std::string& moduleId, bool graded) {
   StationDesk& desk = StationDesk::of(shell());
+  desk.chosen = true;
   desk.moduleId = moduleId;
   desk.graded = graded;
   if (!steps_.recordingAllowed) {
@@ -250,15 +254,15 @@ void NextStepPage::addModule(const ModuleStep& step) {
 }
 
 void NextStepPage::fill() {
-  const QString place = QString::fromStdString(steps_.cohortName);
-  QString sentence =
-      place.isEmpty() ? QString() : tr("%1, %2").arg(QString::fromStdString(steps_.traineeCode), place);
+  QString sentence = tr("Trainee %1").arg(QString::fromStdString(steps_.traineeCode));
   if (steps_.exposureTotal_us > 0) {
     sentence = tr("%1  \u00b7  %2 of %3 trained")
                    .arg(sentence, StationWords::minutes(steps_.exposureDone_us),
                         StationWords::minutes(steps_.exposureTotal_us));
   }
-  heading_->setTexts(tr("My next step"), sentence);
+  const QString place = QString::fromStdString(steps_.cohortName);
+  heading_->setTexts(place.isEmpty() ? tr("Welcome") : place, sentence);
+  consent_->setText(tr("&Consent"));
   next_->setTitle(tr("Next"));
   listTitle_->setText(tr("All modules"));
   listTitle_->setVisible(!steps_.modules.empty());

@@ -38,6 +38,7 @@ class NextStepPage : public Page {
   std::vector<RecoveredTrial> recovered_;
   const Theme* theme_;
   PageHeading* heading_;
+  QPushButton* consent_;
   QVBoxLayout* notices_;
   Card* next_;
   QVBoxLayout* nextContent_;

@@ -86,7 +86,8 @@ const TrialRemarks* RemarksPage::chosen() const {
 }
 
 void RemarksPage::retranslate() {
-  heading_->setTexts(tr("Remarks"), tr("What physicians wrote about your runs, at the second it concerns."));
+  heading_->setTexts(tr("What physicians wrote"),
+                     tr("Each remark stands at the second of the run that it concerns."));
   empty_->setText(tr("No remarks yet. They appear here when the marks of a run have been released."));
   remarks_->setTitle(tr("Remarks on this run"));
   marks_->setTitle(tr("Marks"));
@@ -232,6 +233,7 @@ void RemarksPage::fillMarks() {
     if (!gap.selfScored) {
       auto* field = new QDoubleSpinBox(marks_);
       field->setRange(row.lowest, row.highest);
+      field->setButtonSymbols(QAbstractSpinBox::NoButtons);
       field->setSingleStep(std::max(row.step, 0.5));
       field->setDecimals(row.step < 0.99 ? 1 : 0);
       field->setValue(std::round(0.5 * (row.lowest + row.highest)));

@@ -9,6 +9,7 @@
 #include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -28,7 +29,7 @@ namespace {
 
 constexpr int kPanelWidth = 316;
 constexpr int kClock_ms = 100;
-constexpr double kCountdown_pt = 40.0;
+constexpr double kCountdown_pt = 34.0;
 constexpr double kNotice_pt = 64.0;
 constexpr std::int64_t kSoon_us = 30'000'000;
 const QVariant kLater = QStringLiteral("later");
@@ -90,11 +91,26 @@ QWidget* RunPage::createNotice() {
 }
 
 QWidget* RunPage::createPanel() {
-  auto* panel = new QWidget(this);
-  panel->setFixedWidth(kPanelWidth);
+  // What must always be in reach stands below; what is taller than a small screen scrolls.
+  auto* side = new QWidget(this);
+  side->setFixedWidth(kPanelWidth);
+  auto* whole = new QVBoxLayout(side);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->setSpacing(0);
+  auto* scroll = new QScrollArea(side);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* panel = new QWidget;
+  scroll->setWidget(panel);
+  whole->addWidget(scroll, 1);
+  auto* buttons = new QVBoxLayout;
+  buttons->setContentsMargins(kSpace + 4, kSpace, kSpace + 4, kSpace + 4);
+  buttons->setSpacing(kSpace);
+  whole->addLayout(buttons);
   auto* column = new QVBoxLayout(panel);
-  column->setContentsMargins(kSpace + 4, kSpace + 4, kSpace + 4, kSpace + 4);
-  column->setSpacing(kSpace + 2);
+  column->setContentsMargins(kSpace + 4, kSpace + 4, kSpace + 4, 0);
+  column->setSpacing(kSpace);
   title_ = plainLabel(panel, "subheading");
   mode_ = plainLabel(panel, "quiet");
   column->addWidget(title_);
@@ -126,19 +142,19 @@ QWidget* RunPage::createPanel() {
   cue_->setObjectName(QStringLiteral("cue"));
   column->addWidget(cue_);
   column->addStretch(1);
-  rest_ = new QPushButton(panel);
+  rest_ = new QPushButton(side);
   rest_->setObjectName(QStringLiteral("rest"));
-  stop_ = new QPushButton(panel);
+  stop_ = new QPushButton(side);
   stop_->setObjectName(QStringLiteral("stop"));
-  column->addWidget(rest_);
-  column->addWidget(stop_);
+  buttons->addWidget(rest_);
+  buttons->addWidget(stop_);
   connect(rest_, &QPushButton::clicked, this, [this] {
     if (!session_ || !session_->rest()) return;
     endRecording(TrialOutcome::kCompleted);
     tick();
   });
   connect(stop_, &QPushButton::clicked, this, &RunPage::askToStop);
-  return panel;
+  return side;
 }
 
 void RunPage::enter(const QVariant& argument) {
@@ -320,6 +336,7 @@ void RunPage::showState() {
   progress_->setValue(static_cast<int>(phase.done_us * 1000 / std::max<std::int64_t>(1, phase.duration_us)));
   const int number = static_cast<int>(run.phaseIndex()) + 1;
   const int all = static_cast<int>(run.plan().phases.size());
+  phase_->setVisible(all > 1);
   phase_->setText(all > 1
                       ? tr("Phase %1 of %2: %3").arg(number).arg(all).arg(QString::fromStdString(phase.label))
                       : QString::fromStdString(phase.label));

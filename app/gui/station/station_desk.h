@@ -36,7 +36,8 @@ class StationDesk : public QObject {
   DeviceOpener openDevice;
 
   std::optional<DeviceReadiness> readiness;  ///< of the last device check since the sign-in
-  std::string moduleId;                      ///< what was chosen on the first page
+  bool chosen = false;                       ///< something was chosen on the first page
+  std::string moduleId;                      ///< what; empty: the real arm
   bool graded = false;
 
  private:

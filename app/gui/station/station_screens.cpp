@@ -11,6 +11,7 @@
 #include "app/gui/station/run_page.h"
 #include "app/gui/station/station_desk.h"
 #include "app/gui/station/station_pages.h"
+#include "app/gui/station/trend_page.h"
 #include "app/session/assets.h"
 #include "app/session/training/demonstration_station.h"
 #include "sim/device/scripted_hand.h"
@@ -119,10 +120,12 @@ std::vector<ScreenEntry> stationScreens() {
                 return QString::fromStdString(laidOut(workplace).newestTrialId);
               },
               showFinding),
-          screen("station-trend", "station.trend",
-                 [](Workplace& workplace) -> QVariant {
-                   return QString::fromStdString(laidOut(workplace).firstModuleId);
-                 }),
+          screen(
+              "station-trend", "station.trend",
+              [](Workplace& workplace) -> QVariant {
+                return QString::fromStdString(laidOut(workplace).firstModuleId);
+              },
+              [](Page& page) { static_cast<TrendPage&>(page).chooseMetric("twist.settling"); }),
           screen("station-remarks", "station.remarks", nothing),
           screen("station-transcript", "station.transcript", nothing)};
 }

@@ -14,6 +14,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr double kDegree = 180.0 / std::numbers::pi;
+constexpr double kClearlyBetter = 0.15;  // of the logarithm: about a sixth
 
 struct MetricWords {
   const char* id;
@@ -188,13 +189,15 @@ QString StationWords::check(const TargetCheck& check, std::size_t twists) {
   const QString sentence = check.atLeast ? tr("%1: %2, at least %3").arg(name, value, wanted)
                                          : tr("%1: %2, at most %3").arg(name, value, wanted);
   if (check.consecutive <= 1) return sentence;
-  return tr("%1 (%2 of %3 in a row)").arg(sentence).arg(check.streak).arg(check.consecutive);
+  return tr("%1 (%2 in a row, %3 needed)").arg(sentence).arg(check.streak).arg(check.consecutive);
 }
 
 QString StationWords::finding(const DebriefFinding& finding, bool strength) {
   const QString name = metric(finding.metric);
   const QString own = quantity(finding.metric, finding.value);
   const QString expert = quantity(finding.metric, finding.expert);
+  if (strength && finding.merit > kClearlyBetter)
+    return tr("%1: %2, better than the expert (%3)").arg(name, own, expert);
   if (strength && finding.merit >= 0.0)
     return tr("%1: %2, as good as the expert (%3)").arg(name, own, expert);
   if (strength) return tr("%1: %2, close to the expert (%3)").arg(name, own, expert);

@@ -59,7 +59,7 @@ void TranscriptPage::enter(const QVariant&) {
 }
 
 void TranscriptPage::retranslate() {
-  heading_->setTexts(tr("Transcript"), tr("Every module and attempt, to take away."));
+  heading_->setTexts(tr("Every module and attempt"), tr("Save it as PDF or print it, and take it with you."));
   pdf_->setText(tr("Save as &PDF\u2026"));
   print_->setText(tr("P&rint\u2026"));
   pdf_->setEnabled(read_);

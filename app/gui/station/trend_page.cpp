@@ -25,6 +25,7 @@ namespace {
 constexpr const char* kUsualMetrics[] = {"twist.on_target", "twist.settling", "twist.overshoot",
                                          "twist.sparc",     "force.peak",     "time.total"};
 constexpr int kTableHeight = 260;
+constexpr std::size_t kFewest = 8;
 
 }  // namespace
 
@@ -143,6 +144,10 @@ void TrendPage::fillChoices() {
   filling_ = false;
 }
 
+void TrendPage::chooseMetric(const std::string& metric) {
+  metrics_->setCurrentIndex(metrics_->findData(QString::fromStdString(metric)));
+}
+
 void TrendPage::retranslate() {
   fill();
 }
@@ -152,7 +157,8 @@ void TrendPage::applyTheme(const Theme& theme) {
 }
 
 void TrendPage::fill() {
-  heading_->setTexts(tr("Trend"), tr("Every attempt is kept and shown."));
+  heading_->setTexts(trend_.moduleTitle.empty() ? tr("Your way") : QString::fromStdString(trend_.moduleTitle),
+                     tr("Every attempt is kept and shown."));
   moduleLabel_->setText(tr("&Module"));
   metricLabel_->setText(tr("&Quantity"));
   fillChoices();
@@ -181,8 +187,11 @@ void TrendPage::fill() {
   chart_->setTitle(tr("Attempts over time"));
   plot_->setTrend(trend_);
   const QString marks = tr("Filled circle: passed. Triangle: not passed.");
+  const bool few = trend_.points.size() < kFewest;
   note_->setText(trend_.curve.empty()
-                     ? tr("%1 A learning curve is drawn from eight attempts on.").arg(marks)
+                     ? (few ? tr("%1 A learning curve is drawn from eight attempts on.")
+                            : tr("%1 No learning curve fits these values."))
+                           .arg(marks)
                      : tr("%1 Line and band: learning curve with its 95 % band.").arg(marks));
   table_->setColumns({{tr("Attempt"), true},
                       {tr("When")},

@@ -28,6 +28,8 @@ class TrendPage : public Page {
   void enter(const QVariant& argument) override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
+  /// One of the quantities of the list.
+  void chooseMetric(const std::string& metric);
   [[nodiscard]] const Trend& trend() const noexcept { return trend_; }
 
  private:

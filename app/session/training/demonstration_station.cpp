@@ -2,6 +2,7 @@
 #include "app/session/training/demonstration_station.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "app/session/pipeline.h"
@@ -23,7 +24,7 @@ constexpr double kAttempt_s = 20.0;
 constexpr std::int64_t kBetween_us = 600'000'000;
 constexpr std::size_t kFirstAttempts = 10;
 constexpr std::size_t kSecondAttempts = 4;
-constexpr double kPractisedPerAttempt_min = 5.0;
+constexpr double kPractisedPerAttempt_min = 2.0;
 constexpr std::uint64_t kPersonSeed = 4;
 
 /// Codes become ids: a template carries codes where a stored version has ids.
@@ -68,6 +69,7 @@ std::string recordAttempts(Connection& connection, IdSource& ids, const std::fil
   request.pattern = module.patternId;
   const Scene scene = loadScene(request);
   std::string last;
+  std::vector<StoredExposure> exposures;
   for (std::size_t i = 0; i < count; ++i) {
     ScriptedTrial trial;
     trial.trialId = last = ids.newUuid();
@@ -83,8 +85,16 @@ std::string recordAttempts(Connection& connection, IdSource& ids, const std::fil
         connection,
         {.station = kBy, .enrolmentId = enrolmentId, .moduleId = module.id, .attemptMode = module.mode});
     recordScriptedTrial(scene, trial, sink);
+    exposures.push_back({.id = ids.newUuid(),
+                         .enrolmentId = enrolmentId,
+                         .kind = "virtual",
+                         .startedUtc_us = utc_us,
+                         .duration_us = std::llround(kAttempt_s * 1e6),
+                         .recordedBy = kBy,
+                         .demonstration = true});
     utc_us += kBetween_us;
   }
+  StudyRepository(connection).addExposures(exposures);
   return last;
 }
 
@@ -156,7 +166,7 @@ DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource&
                         .decidedUtc_us = utc_us,
                         .recordedBy = kBy,
                         .demonstration = true});
-  std::int64_t at_us = utc_us;
+  std::int64_t at_us = utc_us - static_cast<std::int64_t>(kFirstAttempts + kSecondAttempts + 1) * kBetween_us;
   station.newestTrialId = recordAttempts(connection, ids, assets, version.modules.front(), enrolment.id,
                                          person.code, kFirstAttempts, 0.0, at_us);
   if (version.modules.size() > 1) {
