@@ -111,9 +111,9 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
   inputs.allocation = checkedAllocation(study, cohortId, groups);
 
   inputs.instrument = campaign.campaign.instrument;
-  for (ModelRatings& ratings : groupRatings(inputs.instrument, campaign.ratings)) {
-    inputs.ratings.push_back(std::move(ratings));
-  }
+  if (!campaign.ratings.empty())  // without an evaluation there is no instrument either
+    for (ModelRatings& ratings : groupRatings(inputs.instrument, campaign.ratings))
+      inputs.ratings.push_back(std::move(ratings));
   inputs.evaluations = campaign.models;
   const auto positionOf = [&](const std::string& code) {
     return std::find_if(campaign.models.begin(), campaign.models.end(),

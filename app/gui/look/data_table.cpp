@@ -186,8 +186,9 @@ DataTable::DataTable(const QString& name, QWidget* parent)
     proxy_->setFilterFixedString(text);
     showCount();
   });
-  connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-          [this](const QModelIndex& current) { Q_EMIT currentChanged(idAt(current)); });
+  // Not the model's currentRowChanged: it comes before the row is selected or after, as the user moved.
+  connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          [this] { Q_EMIT currentChanged(currentId()); });
   connect(view_, &QTableView::doubleClicked, this,
           [this](const QModelIndex& index) { Q_EMIT activated(idAt(index)); });
   connect(view_->horizontalHeader(), &QHeaderView::customContextMenuRequested, this,
@@ -240,8 +241,10 @@ QString DataTable::idAt(const QModelIndex& proxied) const {
 }
 
 QString DataTable::currentId() const {
-  const QModelIndex current = view_->selectionModel()->currentIndex();
-  return view_->selectionModel()->isRowSelected(current.row(), {}) ? idAt(current) : QString();
+  const QItemSelectionModel& selection = *view_->selectionModel();
+  if (selection.isRowSelected(selection.currentIndex().row(), {})) return idAt(selection.currentIndex());
+  const QModelIndexList rows = selection.selectedRows();
+  return rows.isEmpty() ? QString() : idAt(rows.first());
 }
 
 QStringList DataTable::selectedIds() const {
