@@ -15,7 +15,7 @@ namespace {
 // Nearer than this the direction to the surface is rounding; the surface's own normal counts.
 constexpr double kOnSurface_m = 1e-6;
 // Where an axis that has entered the organ is looked at besides the place of entry, metres along it.
-constexpr std::array kWithin_m{-0.016, -0.008, -0.004, 0.004, 0.008, 0.016};
+constexpr std::array kWithin_m{0.016, 0.008, 0.004};
 // Farther than this from the surface of a deformed organ the tip is just outside or deep inside.
 constexpr double kTipReach_m = 0.010;
 // Share of the jaw's length that the mouth reaches back.
@@ -35,18 +35,36 @@ const PartTouch& deeper(const PartTouch& a, const PartTouch& b) noexcept {
   return b.gap_m < a.gap_m ? b : a;
 }
 
+/// The depth of an axis that has entered at `hit`, looked for on one side of it (`side` 1 or -1).
+template <typename Surface>
+void lookWithin(Surface& surface, const Segment& axis, const SegmentHit& hit, double length_m, double side,
+                PartTouch& touch) noexcept {
+  double before = hit.along;
+  for (const double way_m : kWithin_m) {
+    const double along = std::clamp(hit.along + side * way_m / length_m, 0.0, 1.0);
+    // The place of entry is so far away; it is the surface too, so that this point is not deeper.
+    const double deepest_m = std::abs(along - hit.along) * length_m - hit.surface.distance_m;
+    if (along == before || touch.gap_m + touch.radius_m <= -deepest_m) continue;
+    before = along;
+    const Vec3 point_m = axis.at(along);
+    touch = deeper(touch, fromSurface(point_m, surface.closest(point_m), touch.radius_m));
+  }
+}
+
 template <typename Surface>
 PartTouch touchCapsule(Surface& surface, const Segment& axis, double radius_m) noexcept {
   const SegmentHit hit = surface.nearest(axis, radius_m + kLookAhead_m);
   if (!hit.found) return {};
   PartTouch touch = fromSurface(axis.at(hit.along), hit.surface, radius_m);
   if (hit.surface.distance_m > 0.0) return touch;
-  const double length_m = norm(axis.to_m - axis.from_m);
+  const Vec3 way_m = axis.to_m - axis.from_m;
+  const double length_m = norm(way_m);
   if (!(length_m > 0.0)) return touch;
-  for (const double way_m : kWithin_m) {
-    const Vec3 point_m = axis.at(std::clamp(hit.along + way_m / length_m, 0.0, 1.0));
-    touch = deeper(touch, fromSurface(point_m, surface.closest(point_m), radius_m));
-  }
+  // One that pierces the surface is inside on one side only.
+  const bool pierces = hit.surface.distance_m == 0.0;
+  const bool inwards = dot(way_m, hit.surface.normal) < 0.0;
+  if (inwards || !pierces) lookWithin(surface, axis, hit, length_m, 1.0, touch);
+  if (!inwards || !pierces) lookWithin(surface, axis, hit, length_m, -1.0, touch);
   return touch;
 }
 

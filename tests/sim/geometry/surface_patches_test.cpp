@@ -82,6 +82,31 @@ TEST(DeformedSurface, AnswersLikeAMeshThatWasBuiltFromTheMovedVertices) {
   }
 }
 
+TEST(DeformedSurface, AnswersTheSameHoweverManyQueriesWereAskedBefore) {
+  const TriangleMesh mesh = testing::ellipsoid({0.03, 0.04, 0.1}, 96, 64);  // more vertices than are kept
+  const SurfacePatches patches(mesh);
+  const Bent rest{mesh.vertices_m};
+  Random random(9);
+  DeformedSurface asked(patches, {&rest, &Bent::at});
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 from{0.08 * random.normal(), 0.08 * random.normal(), 0.1 * random.normal()};
+    const Vec3 to = from + Vec3{random.normal(), random.normal(), random.normal()} * 0.05;
+    DeformedSurface fresh(patches, {&rest, &Bent::at});
+
+    const SurfacePoint point = asked.closest(from);
+    const SegmentHit hit = asked.nearest({from, to}, 0.02);
+
+    const SurfacePoint expected = fresh.closest(from);
+    const SegmentHit expectedHit = fresh.nearest({from, to}, 0.02);
+    ASSERT_EQ(point.distance_m, expected.distance_m);
+    ASSERT_EQ(point.triangle, expected.triangle);
+    ASSERT_EQ(hit.found, expectedHit.found);
+    ASSERT_EQ(hit.along, expectedHit.along);
+    ASSERT_EQ(hit.surface.triangle, expectedHit.surface.triangle);
+    ASSERT_EQ(hit.surface.distance_m, expectedHit.surface.distance_m);
+  }
+}
+
 TEST(DeformedSurface, FindsNothingForAPointThatIsNone) {
   const TriangleMesh mesh = testing::ellipsoid({0.03, 0.04, 0.1}, 32, 24);
   const SurfacePatches patches(mesh);

@@ -188,29 +188,5 @@ TEST(ServoThread, LosesNoSampleInAMinuteOfRealTime) {
   print("duration of a tick", thread.durationHistogram());
 }
 
-TEST(ServoLoop, LosesNoSampleInFortyMinutesOnAManualClock) {
-  const Scene scene = barScene();
-  constexpr int kTicks = 40 * 60 * 1000;
-  ScriptedHand hand({.seed = 5, .task = handTask(scene), .profile = handProfile(5), .duration_s = 2'400.0});
-  SpscRing<Sample> ring(kRecordingRing);
-  MemoryTrialSink sink;
-  TrialHeader header;
-  header.organHash = scene.organHash;
-  header.parameterHash = scene.parameterHash;
-  ServoLoop loop({.device = &hand, .scene = &scene, .recording = &ring}, {});
-  Recorder recorder(ring, sink, header);
-
-  for (int i = 0; i < kTicks; ++i) {
-    loop.tick(1000LL * i);
-    if (i % 1000 == 999) recorder.pump();
-  }
-  const RecordingResult result = recorder.finish(TrialOutcome::kCompleted, loop.lateTicks());
-
-  EXPECT_EQ(result.summary.samples, kTicks);
-  EXPECT_EQ(result.summary.refusedSamples, 0);
-  EXPECT_EQ(result.summary.lateTicks, 0);
-  EXPECT_EQ(sink.trial().chunks.size(), 2'400U);
-}
-
 }  // namespace
 }  // namespace torsio
