@@ -163,7 +163,10 @@ void MainWindow::connectController() {
     request.formulation = formulation;
     controller_->load(request);
   });
-  connect(exercise_, &ExercisePanel::targetChosen, c, &SimulationController::setTarget);
+  connect(exercise_, &ExercisePanel::targetChosen, this, [this](double target_rad) {
+    controller_->setTarget(target_rad);
+    showGhost();
+  });
 
   connect(replayBar_, &ReplayBar::playToggled, this, [this] {
     if (TrialPlayback* playback = controller_->playback()) playback->setPlaying(!playback->playing());
@@ -221,7 +224,7 @@ void MainWindow::frame(double elapsed_s) {
   controller_->advance(elapsed_s);
   const LiveState state = controller_->state();
   if (controller_->scene() != nullptr) {
-    view_->setTwist({state.response.graspArc_m, state.response.angle_rad});
+    view_->setTissue(state);
     showTool(state);
   }
   readoutDue_s_ -= elapsed_s;
@@ -300,6 +303,8 @@ void MainWindow::showHint(const LiveState& state) {
 void MainWindow::showScene() {
   const Scene& scene = *controller_->scene();
   view_->setScene(controller_->viewScene());
+  showGhost();
+  actions_.markers->setEnabled(!controller_->viewScene().markers.empty());
   exercise_->showScene(scene, controller_->target_rad(), controller_->request().organFile.has_value());
   readout_->setLimits({.tolerance_rad = scene.pattern.tolerance_rad,
                        .force_N = scene.pattern.forceLimit_N,
@@ -307,6 +312,16 @@ void MainWindow::showScene() {
   showTitle();
   pointer_->park(controller_->parkingPoint_m());
   view_->setFocus();
+}
+
+void MainWindow::showGhost() {
+  const Scene* scene = controller_->scene();
+  if (scene == nullptr || !actions_.ghost->isChecked()) {
+    view_->setGhost(std::nullopt);
+    return;
+  }
+  const double grasp_m = std::clamp(scene->pattern.graspArc, 0.0, 1.0) * scene->lattice().length_m();
+  view_->setGhost(TwistState{grasp_m, controller_->target_rad()});
 }
 
 void MainWindow::showTitle() {
@@ -416,8 +431,8 @@ void MainWindow::showProblem(const QString& happened, const QString& remedy, con
   box.exec();
 }
 
-void MainWindow::showHelp() {
-  const std::pair<QString, QString> rows[] = {
+std::vector<std::pair<QString, QString>> MainWindow::pointerKeys() {
+  return {
       {tr("Move the instrument"), tr("Mouse, or arrow keys")},
       {tr("Depth"), tr("Wheel, or Page Up and Page Down")},
       {tr("Grip"), tr("Left button or Space (hold), G (keep)")},
@@ -429,8 +444,11 @@ void MainWindow::showHelp() {
       {tr("Move the view"), tr("Middle drag")},
       {tr("Zoom"), tr("Ctrl + wheel, or + and \u2212")},
   };
+}
+
+void MainWindow::showHelp() {
   QString text = QStringLiteral("<table cellspacing='6'>");
-  for (const auto& [what, how] : rows) {
+  for (const auto& [what, how] : pointerKeys()) {
     text +=
         QStringLiteral("<tr><td style='padding-right:24px'><b>%1</b></td><td>%2</td></tr>").arg(what, how);
   }

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include <QElapsedTimer>
 #include <QMainWindow>
@@ -54,6 +56,8 @@ class MainWindow : public QMainWindow {
   void pause();
   void resume();
   [[nodiscard]] ThemeKind themeKind() const noexcept { return themeKind_; }
+  /// How mouse and keys move the instrument and the camera: what and how.
+  [[nodiscard]] static std::vector<std::pair<QString, QString>> pointerKeys();
   /// One round of the frame timer; tests call it themselves.
   void frame(double elapsed_s);
 
@@ -74,6 +78,9 @@ class MainWindow : public QMainWindow {
     QAction* whole = nullptr;
     QAction* lattice = nullptr;
     QAction* wireframe = nullptr;
+    QAction* shear = nullptr;
+    QAction* markers = nullptr;
+    QAction* ghost = nullptr;
     QAction* dark = nullptr;
     QAction* help = nullptr;
     QAction* automatic = nullptr;
@@ -105,6 +112,7 @@ class MainWindow : public QMainWindow {
   void showHelp();
   void showAbout();
   void showScene();
+  void showGhost();
   void showTitle();
   void showMode();
   void showProblem(const QString& happened, const QString& remedy, const QString& details);

@@ -40,6 +40,9 @@ void MainWindow::nameActions() {
   name(a.whole, tr("Whole organ"), tr("Show the whole organ"));
   name(a.lattice, tr("Lattice"), tr("Show ridges and sections on the tissue"));
   name(a.wireframe, tr("Wireframe"), tr("Show the edges of the surface"));
+  name(a.shear, tr("Shear stress"), tr("Colour the tissue by its shear stress"));
+  name(a.markers, tr("Markers"), tr("Show the marker points of the organ"));
+  name(a.ghost, tr("Target pose"), tr("Show the pose to reach as a film over the organ"));
   name(a.help, tr("Controls"), tr("How mouse and keys move the instrument"));
   name(a.automatic, tr("Automatic"), tr("As fine as this machine draws smoothly"));
   name(a.fast, tr("Fast"), tr("Fewer effects, more pictures a second"));
@@ -76,7 +79,10 @@ void MainWindow::createActions() {
   a.lattice = addKeyed(Qt::CTRL | Qt::Key_L);
   a.wireframe = addKeyed(Qt::CTRL | Qt::Key_M);
   a.help = addKeyed(setup_.embedded ? QKeySequence() : QKeySequence(QKeySequence::HelpContents));
-  for (QAction* action : {a.lattice, a.wireframe}) action->setCheckable(true);
+  a.shear = addKeyed(Qt::CTRL | Qt::Key_T);
+  a.markers = addKeyed(Qt::CTRL | Qt::Key_K);
+  a.ghost = addKeyed(Qt::CTRL | Qt::Key_G);
+  for (QAction* action : {a.lattice, a.wireframe, a.shear, a.markers, a.ghost}) action->setCheckable(true);
 
   connect(a.open, &QAction::triggered, this, &MainWindow::chooseOrganFile);
   connect(a.picture, &QAction::triggered, this, &MainWindow::choosePicture);
@@ -90,6 +96,9 @@ void MainWindow::createActions() {
   connect(a.whole, &QAction::triggered, this, &MainWindow::lookWhole);
   connect(a.lattice, &QAction::toggled, this, [this](bool on) { view_->setLattice(on); });
   connect(a.wireframe, &QAction::toggled, this, [this](bool on) { view_->setWireframe(on); });
+  connect(a.shear, &QAction::toggled, this, [this](bool on) { view_->setShearVisible(on); });
+  connect(a.markers, &QAction::toggled, this, [this](bool on) { view_->setMarkersVisible(on); });
+  connect(a.ghost, &QAction::toggled, this, &MainWindow::showGhost);
   connect(a.help, &QAction::triggered, this, &MainWindow::showHelp);
 }
 
@@ -143,7 +152,7 @@ void MainWindow::createMenuBar() {
   m.view = menuBar()->addMenu(QString());
   m.view->addActions({a.front, a.side, a.top, a.whole});
   m.view->addSeparator();
-  m.view->addActions({a.lattice, a.wireframe});
+  m.view->addActions({a.lattice, a.wireframe, a.shear, a.markers, a.ghost});
   m.view->addSeparator();
   m.view->addMenu(m.quality);
   m.view->addAction(a.dark);
@@ -167,7 +176,15 @@ void MainWindow::createToolBar() {
   };
   group({a.record, a.replay, a.release});
   group({a.front, a.side, a.top, a.whole});
-  group({a.lattice, a.wireframe});
+  group({a.lattice, a.shear, a.ghost});
+  if (setup_.embedded) {
+    // Beside a navigation there is less room: the directions are known by their signs.
+    for (QAction* action : {a.front, a.side, a.top, a.whole}) {
+      if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action))) {
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+      }
+    }
+  }
   bar->addAction(a.picture);
   auto* space = new QWidget(bar);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -182,6 +199,8 @@ void MainWindow::createToolBar() {
   menus_.more->setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(menus_.more);
   menu->addActions({a.restart, a.open});
+  menu->addSeparator();
+  menu->addActions({a.wireframe, a.markers});
   menu->addMenu(menus_.quality);
   menu->addSeparator();
   menu->addAction(a.help);
@@ -195,7 +214,8 @@ void MainWindow::applyIcons() {
   const std::pair<QAction*, const char*> icons[] = {
       {a.open, "open"},       {a.picture, "picture"},     {a.replay, "replay"}, {a.release, "release"},
       {a.front, "front"},     {a.side, "side"},           {a.top, "top"},       {a.whole, "fit"},
-      {a.lattice, "lattice"}, {a.wireframe, "wireframe"}, {a.dark, "theme"},    {a.help, "help"}};
+      {a.lattice, "lattice"}, {a.wireframe, "wireframe"}, {a.shear, "stress"},  {a.ghost, "ghost"},
+      {a.markers, "markers"}, {a.dark, "theme"},          {a.help, "help"}};
   for (const auto& [action, file] : icons) {
     if (action != nullptr) action->setIcon(icon(QLatin1String(file), colours));
   }

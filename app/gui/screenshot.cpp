@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/screenshot.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include <QGuiApplication>
 #include <QPixmap>
 
+#include "app/gui/live_run.h"
 #include "app/gui/picture.h"
 #include "app/gui/scripted_twist.h"
 #include "sim/base/error.h"
@@ -52,8 +54,15 @@ struct Stage {
     window.view().setQuality(request.quality);
     window.view().setLattice(request.lattice);
     window.view().setWireframe(request.wireframe);
+    window.view().setShearVisible(request.shear);
+    window.view().setMarkersVisible(request.markers);
     window.show();
     window.controller().adopt(request.scene, std::move(loaded));
+    if (request.ghost) {
+      const Scene& scene = *window.controller().scene();
+      const double grasp_m = scene.pattern.graspArc * scene.lattice().length_m();
+      window.view().setGhost(TwistState{grasp_m, window.controller().target_rad()});
+    }
     window.view().camera().orbit({-request.orbit_deg / OrbitCamera::kDegreesPerPixel, 0.0});
     window.view().applyCamera();
     waitUntil([this] { return window.view().framesDrawn() > 0; }, "the first frame");
@@ -84,28 +93,42 @@ void takeScreenshot(const WindowSetup& setup, const ScreenshotRequest& request) 
   writePicture(request.sceneOnly ? window.view().picture() : window.grab().toImage(), request.file);
 }
 
-double measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& request, double seconds) {
+FrameRate measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& request, double seconds) {
   requireDisplay();
   Stage stage(setup, request);
   MainWindow& window = stage.window;
-  LiveState state = scriptedTwist(*window.controller().scene(), angleOf(request, window));
+  SimulationController& controller = window.controller();
+  LiveState state = scriptedTwist(*controller.scene(), angleOf(request, window));
   const double widest_rad = state.response.angle_rad;
+  // The window shows scripted states, so that every machine draws the same; the servo works beside it.
+  RunSetup start;
+  start.start.position_m = controller.parkingPoint_m();
+  LiveRun servo(controller.sharedScene(), start);
+  servo.start();
+  FrameRate rate;
   QElapsedTimer clock;
   clock.start();
-  std::int64_t first = 0;
+  std::int64_t firstFrame = 0;
+  LiveState begun;
   double begun_s = -1.0;
   while (begun_s < 0.0 || static_cast<double>(clock.elapsed()) * 1e-3 < begun_s + seconds) {
     const double now_s = static_cast<double>(clock.elapsed()) * 1e-3;
+    const LiveState& live = servo.latest();
     if (begun_s < 0.0 && now_s > kWarmUp_s) {
       begun_s = now_s;
-      first = window.view().framesDrawn();
+      firstFrame = window.view().framesDrawn();
+      begun = live;
     }
+    if (begun_s >= 0.0) rate.slowestTick_us = std::max(rate.slowestTick_us, live.tickDuration_us);
     state.response.angle_rad = widest_rad * std::sin(kSwing_rad_per_s * now_s);
-    window.controller().freeze(state);
+    controller.freeze(state);
     QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 20);
   }
-  return static_cast<double>(window.view().framesDrawn() - first) /
-         (static_cast<double>(clock.elapsed()) * 1e-3 - begun_s);
+  const double span_s = static_cast<double>(clock.elapsed()) * 1e-3 - begun_s;
+  rate.frames_per_s = static_cast<double>(window.view().framesDrawn() - firstFrame) / span_s;
+  rate.ticks = servo.latest().tick - begun.tick;
+  rate.lateTicks = servo.latest().lateTicks - begun.lateTicks;
+  return rate;
 }
 
 }  // namespace torsio::gui

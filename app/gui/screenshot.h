@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 
@@ -18,6 +19,9 @@ struct ScreenshotRequest {
   bool sceneOnly = false;  ///< without panels and bars
   bool lattice = false;
   bool wireframe = false;
+  bool shear = false;    ///< coloured by shear stress
+  bool markers = false;  ///< marker points
+  bool ghost = false;    ///< the pose to reach
   RenderQuality quality = RenderQuality::kFine;
   double orbit_deg = 0.0;  ///< the camera turns about the organ so far from the front
 };
@@ -27,8 +31,16 @@ struct ScreenshotRequest {
 /// loader throws.
 void takeScreenshot(const WindowSetup& setup, const ScreenshotRequest& request);
 
-/// Frames per second of the window while the organ is twisted to and fro for `seconds`.
-[[nodiscard]] double measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& request,
-                                      double seconds);
+/// Frame rate and servo timing, measured together.
+struct FrameRate {
+  double frames_per_s = 0.0;
+  std::int64_t ticks = 0;  ///< that the servo made meanwhile, at 1 kHz
+  std::int64_t lateTicks = 0;
+  double slowestTick_us = 0.0;  ///< of those that the view saw
+};
+
+/// The window while the organ is twisted to and fro for `seconds`, and a servo at its full rate beside it.
+[[nodiscard]] FrameRate measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& request,
+                                         double seconds);
 
 }  // namespace torsio::gui

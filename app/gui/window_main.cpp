@@ -103,6 +103,9 @@ ScreenshotRequest pictureOf(const QCommandLineParser& parser, const SceneRequest
   picture.sceneOnly = parser.isSet(QStringLiteral("scene-only"));
   picture.lattice = parser.isSet(QStringLiteral("lattice"));
   picture.wireframe = parser.isSet(QStringLiteral("wireframe"));
+  picture.shear = parser.isSet(QStringLiteral("shear"));
+  picture.markers = parser.isSet(QStringLiteral("markers"));
+  picture.ghost = parser.isSet(QStringLiteral("ghost"));
   picture.quality = wordOf(parser, QStringLiteral("quality"), {"fast", "fine"}) == QLatin1String("fast")
                         ? RenderQuality::kFast
                         : RenderQuality::kFine;
@@ -130,6 +133,9 @@ void addOptions(QCommandLineParser& parser) {
   parser.addOption({QStringLiteral("kiosk"), QStringLiteral("Full screen at a station, nothing else")});
   parser.addOption({QStringLiteral("scene-only"), QStringLiteral("Picture without panels")});
   parser.addOption({QStringLiteral("lattice"), QStringLiteral("Show ridges and sections")});
+  parser.addOption({QStringLiteral("shear"), QStringLiteral("Colour the tissue by shear stress")});
+  parser.addOption({QStringLiteral("markers"), QStringLiteral("Show the marker points")});
+  parser.addOption({QStringLiteral("ghost"), QStringLiteral("Show the pose to reach")});
   parser.addOption({QStringLiteral("wireframe"), QStringLiteral("Show edges")});
 }
 
@@ -192,8 +198,10 @@ int runSimulator(const WindowOptions& options) {
   setup.theme = options.theme.value_or(usual);
   setup.recording = ownTrialFiles();
   if (options.rateOver_s) {
-    const double rate = measureFrameRate(setup, *options.screenshot, *options.rateOver_s);
-    std::printf("%.1f frames/s\n", rate);
+    const FrameRate rate = measureFrameRate(setup, *options.screenshot, *options.rateOver_s);
+    std::printf("%.1f frames/s, %lld servo ticks, %lld late, slowest seen %.0f us\n", rate.frames_per_s,
+                static_cast<long long>(rate.ticks), static_cast<long long>(rate.lateTicks),
+                rate.slowestTick_us);
     return 0;
   }
   if (options.screenshot) {

@@ -1,4 +1,6585 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>AboutBox</name>
+    <message>
+        <source>Training and assessment of surgical twist skills.</source>
+        <translation>外科扭转技能的培训与评估。</translation>
+    </message>
+    <message>
+        <source>This is a training tool and not a medical device. It holds no patient data and must not be used to decide about a patient.</source>
+        <translation>本软件是培训工具，不是医疗器械。它不保存患者数据，不得用于对患者作出决定。</translation>
+    </message>
+    <message>
+        <source>Built with Qt %1 for %2, running on %3.</source>
+        <translation>使用 Qt %1 构建（%2），运行于 %3。</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later, without any warranty.</source>
+        <translation>自由软件，采用 GNU 通用公共许可证第 3 版或更高版本，不提供任何担保。</translation>
+    </message>
+    <message>
+        <source>About Torsio</source>
+        <translation>关于 Torsio</translation>
+    </message>
+</context>
+<context>
+    <name>Assets</name>
+    <message>
+        <source>Arm</source>
+        <translation>手臂</translation>
+    </message>
+    <message>
+        <source>Intestine</source>
+        <translation>肠</translation>
+    </message>
+    <message>
+        <source>Stomach</source>
+        <translation>胃</translation>
+    </message>
+    <message>
+        <source>Right forearm</source>
+        <translation>右前臂</translation>
+    </message>
+    <message>
+        <source>Small intestine, loop</source>
+        <translation>小肠袢</translation>
+    </message>
+    <message>
+        <source>Pronation, 60 degrees</source>
+        <translation>旋前 60 度</translation>
+    </message>
+    <message>
+        <source>Supination, 60 degrees</source>
+        <translation>旋后 60 度</translation>
+    </message>
+    <message>
+        <source>Loop, 180 degrees</source>
+        <translation>肠袢 180 度</translation>
+    </message>
+    <message>
+        <source>Organo-axial, 180 degrees</source>
+        <translation>器官轴型 180 度</translation>
+    </message>
+    <message>
+        <source>Mesentero-axial, 120 degrees</source>
+        <translation>系膜轴型 120 度</translation>
+    </message>
+    <message>
+        <source>Combined, 180 and 90 degrees</source>
+        <translation>混合型 180 度和 90 度</translation>
+    </message>
+    <message>
+        <source>Partial, antrum only, 90 degrees</source>
+        <translation>部分扭转，仅胃窦，90 度</translation>
+    </message>
+</context>
+<context>
+    <name>CarePage</name>
+    <message>
+        <source>trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>rater</source>
+        <translation>评分者</translation>
+    </message>
+    <message>
+        <source>left the centre</source>
+        <translation>已离开中心</translation>
+    </message>
+    <message>
+        <source>consent withdrawn</source>
+        <translation>已撤回同意</translation>
+    </message>
+</context>
+<context>
+    <name>ComparePage</name>
+    <message>
+        <source>Compare models</source>
+        <translation>模型对比</translation>
+    </message>
+</context>
+<context>
+    <name>Desk</name>
+    <message>
+        <source>Training</source>
+        <translation>培训</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>评阅</translation>
+    </message>
+    <message>
+        <source>Office</source>
+        <translation>管理</translation>
+    </message>
+</context>
+<context>
+    <name>OfficePages</name>
+    <message>
+        <source>Run day</source>
+        <translation>训练日</translation>
+    </message>
+    <message>
+        <source>Roster</source>
+        <translation>人员名册</translation>
+    </message>
+    <message>
+        <source>Curricula</source>
+        <translation>课程</translation>
+    </message>
+    <message>
+        <source>Cohorts</source>
+        <translation>批次</translation>
+    </message>
+    <message>
+        <source>Allocation</source>
+        <translation>随机分组</translation>
+    </message>
+    <message>
+        <source>Scoring</source>
+        <translation>评分</translation>
+    </message>
+    <message>
+        <source>Evaluation</source>
+        <translation>模型评价</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Reports</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>Audit trail</source>
+        <translation>审计记录</translation>
+    </message>
+    <message>
+        <source>Care</source>
+        <translation>维护</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>设备</translation>
+    </message>
+</context>
+<context>
+    <name>PersonDialog</name>
+    <message>
+        <source>Change a person</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>New person</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>female</source>
+        <translation>女</translation>
+    </message>
+    <message>
+        <source>male</source>
+        <translation>男</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>其他</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>left</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>does not score</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Trains</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Full name</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Number</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;E-mail</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Se&amp;x</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Level</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Ex&amp;perience</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Age</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Handedness</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>S&amp;cores as</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Reason of the change</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Add person</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>PracticePage</name>
+    <message>
+        <source>Free practice</source>
+        <translation>自由练习</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>可进行</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>是(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>否(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>重置</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>重试</translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>剪切(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>粘贴(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>全选</translation>
+    </message>
+</context>
+<context>
+    <name>RosterTexts</name>
+    <message>
+        <source>Staff or student number</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Full name</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>E-mail</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Sex</source>
+        <translation>性别</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>Experience</source>
+        <translation>经验</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Handedness</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Class of rater</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>+ new</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>= as it is</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>→ changes</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>! error</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1. %2.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>RunDay</name>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>on the simulator</source>
+        <translation>在模拟器上</translation>
+    </message>
+    <message>
+        <source>on the real arm</source>
+        <translation>在真实手臂上</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>休息</translation>
+    </message>
+    <message>
+        <source>came late</source>
+        <translation>迟到</translation>
+    </message>
+    <message>
+        <source>did not come</source>
+        <translation>缺席</translation>
+    </message>
+    <message>
+        <source>device failed</source>
+        <translation>设备故障</translation>
+    </message>
+    <message>
+        <source>swapped with somebody</source>
+        <translation>与他人互换</translation>
+    </message>
+    <message>
+        <source>phase cut short</source>
+        <translation>阶段提前结束</translation>
+    </message>
+    <message>
+        <source>phase too long</source>
+        <translation>阶段超时</translation>
+    </message>
+    <message>
+        <source>rest too long</source>
+        <translation>休息超时</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>其他</translation>
+    </message>
+    <message>
+        <source>Log time</source>
+        <translation>登记时间</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分钟</translation>
+    </message>
+    <message>
+        <source>&amp;What</source>
+        <translation>内容(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;How long</source>
+        <translation>时长(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Report a deviation</source>
+        <translation>报告偏离</translation>
+    </message>
+    <message>
+        <source>What happened, without names</source>
+        <translation>发生了什么（勿写姓名）</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>类型(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;What happened</source>
+        <translation>经过(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+</context>
+<context>
+    <name>Scoring</name>
+    <message>
+        <source>Ask raters</source>
+        <translation>邀请评分者</translation>
+    </message>
+    <message>
+        <source>Every rater gets an order of their own and case labels that tell neither name, group nor stage.</source>
+        <translation>每位评分者的顺序各不相同，病例标签不透露姓名、组别和阶段。</translation>
+    </message>
+    <message>
+        <source>Rater</source>
+        <translation>评分者</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>类别</translation>
+    </message>
+    <message>
+        <source>Ask</source>
+        <translation>邀请</translation>
+    </message>
+    <message>
+        <source>Reassign a sheet</source>
+        <translation>改派评分表</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>nobody: take it back only</source>
+        <translation>无人：仅收回</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>从(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>给(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>原因(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Reassign</source>
+        <translation>改派</translation>
+    </message>
+    <message>
+        <source>Release marks</source>
+        <translation>公布评分</translation>
+    </message>
+    <message>
+        <source>Trainees see their marks of a scoring point from the release on.</source>
+        <translation>公布后学员可看到该评分点的评分。</translation>
+    </message>
+    <message>
+        <source>%1: released, take back</source>
+        <translation>%1：已公布，收回</translation>
+    </message>
+    <message>
+        <source>%1: release, %2 of %3 sheets missing</source>
+        <translation>%1：公布，缺 %2 / %3 份</translation>
+    </message>
+    <message>
+        <source>&amp;Scoring point</source>
+        <translation>评分点(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Do it</source>
+        <translation>执行</translation>
+    </message>
+</context>
+<context>
+    <name>StationPages</name>
+    <message>
+        <source>My next step</source>
+        <translation>我的下一步</translation>
+    </message>
+    <message>
+        <source>Debrief</source>
+        <translation>讲评</translation>
+    </message>
+    <message>
+        <source>Trend</source>
+        <translation>趋势</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>评语</translation>
+    </message>
+    <message>
+        <source>Transcript</source>
+        <translation>成绩单</translation>
+    </message>
+    <message>
+        <source>Device check</source>
+        <translation>设备检查</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>知情同意</translation>
+    </message>
+    <message>
+        <source>Briefing</source>
+        <translation>任务说明</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>操作</translation>
+    </message>
+</context>
+<context>
+    <name>StationWords</name>
+    <message>
+        <source>Twists on target</source>
+        <translation>达标扭转</translation>
+    </message>
+    <message>
+        <source>Targets reached</source>
+        <translation>达到目标次数</translation>
+    </message>
+    <message>
+        <source>Time of a twist</source>
+        <translation>单次扭转时间</translation>
+    </message>
+    <message>
+        <source>Time to target</source>
+        <translation>到达目标时间</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>稳定时间</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>超调</translation>
+    </message>
+    <message>
+        <source>Steadiness of the hold</source>
+        <translation>保持稳定度</translation>
+    </message>
+    <message>
+        <source>Smoothness</source>
+        <translation>平滑度</translation>
+    </message>
+    <message>
+        <source>Smoothness (jerk)</source>
+        <translation>平滑度（急动度）</translation>
+    </message>
+    <message>
+        <source>Economy of turning</source>
+        <translation>转动经济性</translation>
+    </message>
+    <message>
+        <source>Sub-movements</source>
+        <translation>子动作数</translation>
+    </message>
+    <message>
+        <source>Angular path</source>
+        <translation>角路径</translation>
+    </message>
+    <message>
+        <source>Tracking error</source>
+        <translation>跟踪误差</translation>
+    </message>
+    <message>
+        <source>Excursions</source>
+        <translation>越界次数</translation>
+    </message>
+    <message>
+        <source>Path of the tip</source>
+        <translation>尖端路径</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>最大力</translation>
+    </message>
+    <message>
+        <source>Mean force</source>
+        <translation>平均力</translation>
+    </message>
+    <message>
+        <source>Force violations</source>
+        <translation>超力次数</translation>
+    </message>
+    <message>
+        <source>Peak torque</source>
+        <translation>最大扭矩</translation>
+    </message>
+    <message>
+        <source>Abruptness of release</source>
+        <translation>松开的突然程度</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>value and unit</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分钟</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>未解锁</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>可进行</translation>
+    </message>
+    <message>
+        <source>Mastered</source>
+        <translation>已掌握</translation>
+    </message>
+    <message>
+        <source>No attempt left</source>
+        <translation>尝试次数已用完</translation>
+    </message>
+    <message>
+        <source>First master: %1</source>
+        <translation>请先掌握：%1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between titles</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Ask your training office for another attempt.</source>
+        <translation>请向培训办公室申请追加尝试。</translation>
+    </message>
+    <message>
+        <source>%1: at most %2</source>
+        <translation>%1：不超过 %2</translation>
+    </message>
+    <message>
+        <source>%1: at least %2</source>
+        <translation>%1：不低于 %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 times in a row</source>
+        <translation>%1，连续 %2 次</translation>
+    </message>
+    <message>
+        <source>%1, %2 times in a row (%3 so far)</source>
+        <translation>%1，连续 %2 次（已有 %3 次）</translation>
+    </message>
+    <message>
+        <source>Not tried yet</source>
+        <translation>尚未尝试</translation>
+    </message>
+    <message>
+        <source>Last time: interrupted after %1 s</source>
+        <translation>上次：%1 秒后中断</translation>
+    </message>
+    <message>
+        <source>Last time: %1 of %2 twists on target</source>
+        <translation>上次：%2 次扭转中 %1 次达标</translation>
+    </message>
+    <message>
+        <source>Unlocks: %1</source>
+        <translation>解锁：%1</translation>
+    </message>
+    <message>
+        <source>Twists let go on target: %1 of %2, wanted %3</source>
+        <translation>达标松开：%1 / %2，要求 %3</translation>
+    </message>
+    <message>
+        <source>Shortest hold on target: %1 s, wanted %2 s</source>
+        <translation>目标处最短保持：%1 秒，要求 %2 秒</translation>
+    </message>
+    <message>
+        <source>Hold on target: none, wanted %1 s</source>
+        <translation>目标处保持：无，要求 %1 秒</translation>
+    </message>
+    <message>
+        <source>Peak force: %1 N, limit %2 N</source>
+        <translation>最大力：%1 N，限值 %2 N</translation>
+    </message>
+    <message>
+        <source>Peak force: not measured, limit %1 N</source>
+        <translation>最大力：未测得，限值 %1 N</translation>
+    </message>
+    <message>
+        <source>Peak torque: %1 N m, limit %2 N m</source>
+        <translation>最大扭矩：%1 N m，限值 %2 N m</translation>
+    </message>
+    <message>
+        <source>Peak torque: not measured, limit %1 N m</source>
+        <translation>最大扭矩：未测得，限值 %1 N m</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未测得</translation>
+    </message>
+    <message>
+        <source>%1: %2, at least %3</source>
+        <translation>%1：%2，至少 %3</translation>
+    </message>
+    <message>
+        <source>%1: %2, at most %3</source>
+        <translation>%1：%2，至多 %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2 in a row, %3 needed)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1: %2, better than the expert (%3)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1: %2, as good as the expert (%3)</source>
+        <translation>%1：%2，与专家相当（%3）</translation>
+    </message>
+    <message>
+        <source>%1: %2, close to the expert (%3)</source>
+        <translation>%1：%2，接近专家（%3）</translation>
+    </message>
+    <message>
+        <source>%1: %2, the expert had %3</source>
+        <translation>%1：%2，专家为 %3</translation>
+    </message>
+    <message>
+        <source>Turn in one decided movement instead of feeling your way.</source>
+        <translation>果断地一次转动，不要边试边转。</translation>
+    </message>
+    <message>
+        <source>Slow down before the target, then stay.</source>
+        <translation>到目标前放慢，然后停住。</translation>
+    </message>
+    <message>
+        <source>Begin to slow down ten degrees before the target.</source>
+        <translation>在目标前十度开始放慢。</translation>
+    </message>
+    <message>
+        <source>Rest your forearm while you hold.</source>
+        <translation>保持时让前臂有支撑。</translation>
+    </message>
+    <message>
+        <source>Let speed rise and fall once, without stops.</source>
+        <translation>速度一次上升、一次下降，中途不停。</translation>
+    </message>
+    <message>
+        <source>Avoid turning back and forth.</source>
+        <translation>避免来回转动。</translation>
+    </message>
+    <message>
+        <source>One push instead of many small ones.</source>
+        <translation>一次发力，不要多次小动作。</translation>
+    </message>
+    <message>
+        <source>Press less while you turn; the grip holds the tissue.</source>
+        <translation>转动时少用压力，夹持已固定组织。</translation>
+    </message>
+    <message>
+        <source>Turn back a little before you open the jaw.</source>
+        <translation>张开钳口前先稍微转回。</translation>
+    </message>
+    <message>
+        <source>One more run until a level is shown</source>
+        <translation>再完成 1 次即可显示水平</translation>
+    </message>
+    <message>
+        <source>%1 more runs until a level is shown</source>
+        <translation>再完成 %1 次即可显示水平</translation>
+    </message>
+    <message>
+        <source>Learning</source>
+        <translation>学习中</translation>
+    </message>
+    <message>
+        <source>Steady</source>
+        <translation>稳定</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>需关注</translation>
+    </message>
+    <message>
+        <source>Relapsed</source>
+        <translation>退步</translation>
+    </message>
+    <message>
+        <source>Fewer than three runs show nothing but chance.</source>
+        <translation>少于三次的结果只反映偶然。</translation>
+    </message>
+    <message>
+        <source>Not yet shown to be reliable. About five good runs in a row show it.</source>
+        <translation>尚未证明可靠。连续约五次良好操作即可证明。</translation>
+    </message>
+    <message>
+        <source>Reliable, and staying so.</source>
+        <translation>可靠，并保持稳定。</translation>
+    </message>
+    <message>
+        <source>Reliable before; the last runs raise a doubt. One more good run or two settles it.</source>
+        <translation>此前可靠；最近的操作令人存疑。再有一两次良好操作即可消除。</translation>
+    </message>
+    <message>
+        <source>Reliable before, not now. Practise until the level is steady again.</source>
+        <translation>此前可靠，现在不再可靠。请练习至恢复稳定。</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>已连接</translation>
+    </message>
+    <message>
+        <source>Stylus docked</source>
+        <translation>手柄已归位</translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation>已校准</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Update rate</source>
+        <translation>刷新率</translation>
+    </message>
+    <message>
+        <source>Hand and seat</source>
+        <translation>手与坐姿</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Practice only</source>
+        <translation>仅可练习</translation>
+    </message>
+    <message>
+        <source>Not ready</source>
+        <translation>未就绪</translation>
+    </message>
+</context>
+<context>
+    <name>Study</name>
+    <message>
+        <source>before training</source>
+        <translation>训练前</translation>
+    </message>
+    <message>
+        <source>half-way</source>
+        <translation>训练中</translation>
+    </message>
+    <message>
+        <source>after training</source>
+        <translation>训练后</translation>
+    </message>
+    <message>
+        <source>enrolled</source>
+        <translation>已登记</translation>
+    </message>
+    <message>
+        <source>completed</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>withdrew</source>
+        <translation>已退出</translation>
+    </message>
+    <message>
+        <source>sex</source>
+        <translation>性别</translation>
+    </message>
+    <message>
+        <source>level of education</source>
+        <translation>学历</translation>
+    </message>
+    <message>
+        <source>experience</source>
+        <translation>经验</translation>
+    </message>
+    <message>
+        <source>handedness</source>
+        <translation>惯用手</translation>
+    </message>
+    <message>
+        <source>female</source>
+        <translation>女</translation>
+    </message>
+    <message>
+        <source>male</source>
+        <translation>男</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>其他</translation>
+    </message>
+    <message>
+        <source>left-handed</source>
+        <translation>左利手</translation>
+    </message>
+    <message>
+        <source>right-handed</source>
+        <translation>右利手</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>One shuffle of everybody (the paper's case)</source>
+        <translation>全体一次随机排列（论文的做法）</translation>
+    </message>
+    <message>
+        <source>Shuffled blocks, one after another</source>
+        <translation>依次随机区组</translation>
+    </message>
+    <message>
+        <source>Shuffled blocks within strata</source>
+        <translation>分层随机区组</translation>
+    </message>
+    <message>
+        <source>Minimisation (Pocock and Simon)</source>
+        <translation>最小化法（Pocock 与 Simon）</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>未开始</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>草稿</translation>
+    </message>
+    <message>
+        <source>submitted</source>
+        <translation>已提交</translation>
+    </message>
+    <message>
+        <source>taken back</source>
+        <translation>已收回</translation>
+    </message>
+    <message>
+        <source>published, not begun</source>
+        <translation>已发布，未启用</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>进行中</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>已关闭</translation>
+    </message>
+    <message>
+        <source>simulator</source>
+        <translation>模拟器</translation>
+    </message>
+    <message>
+        <source>real arm</source>
+        <translation>真实手臂</translation>
+    </message>
+    <message>
+        <source>twist to a target angle</source>
+        <translation>扭转到目标角度</translation>
+    </message>
+    <message>
+        <source>hold the angle</source>
+        <translation>保持角度</translation>
+    </message>
+    <message>
+        <source>follow a moving angle</source>
+        <translation>跟随变化的角度</translation>
+    </message>
+    <message>
+        <source>share of twists on target</source>
+        <translation>达标扭转比例</translation>
+    </message>
+    <message>
+        <source>targets reached</source>
+        <translation>达到目标次数</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>overshoot</source>
+        <translation>超调</translation>
+    </message>
+    <message>
+        <source>settling time</source>
+        <translation>稳定时间</translation>
+    </message>
+    <message>
+        <source>steadiness of the hold</source>
+        <translation>保持稳定性</translation>
+    </message>
+    <message>
+        <source>smoothness</source>
+        <translation>平滑度</translation>
+    </message>
+    <message>
+        <source>peak force</source>
+        <translation>最大力</translation>
+    </message>
+    <message>
+        <source>force violations</source>
+        <translation>力超限次数</translation>
+    </message>
+    <message>
+        <source>peak torque</source>
+        <translation>最大扭矩</translation>
+    </message>
+</context>
+<context>
+    <name>UserDialogs</name>
+    <message>
+        <source>May work as</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Physician who scores</source>
+        <translation>评分医师</translation>
+    </message>
+    <message>
+        <source>Administrator</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Keeper of the allocation</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Statistician</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>New user</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Add user</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Nobody of the record</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Sign-in name</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Person</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Trainees and physicians need a person of the record. The start password is shown once, and must be changed at the first sign-in.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Roles of %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Change roles</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>原因(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Start password</source>
+        <translation>初始密码</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Hand this start password to %1. It is shown only now, and must be changed at the first sign-in.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::AlignmentPage</name>
+    <message>
+        <source>Your mark stays as it is</source>
+        <translation>您的评分保持不变</translation>
+    </message>
+    <message>
+        <source>The office is asked for a third physician</source>
+        <translation>已请办公室安排第三位医师</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>已保留</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>已修改</translation>
+    </message>
+    <message>
+        <source>third asked for</source>
+        <translation>已请第三位</translation>
+    </message>
+    <message>
+        <source>to be decided</source>
+        <translation>待决定</translation>
+    </message>
+    <message>
+        <source>Case %1</source>
+        <translation>案例 %1</translation>
+    </message>
+    <message>
+        <source>Decided. You may decide anew.</source>
+        <translation>已决定，可重新决定。</translation>
+    </message>
+    <message>
+        <source>Decided: %1</source>
+        <translation>已决定：%1</translation>
+    </message>
+    <message>
+        <source>Leave it unchanged</source>
+        <translation>保持不变</translation>
+    </message>
+    <message>
+        <source>&amp;Keep my mark</source>
+        <translation>保留我的评分(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Seal the moved mark</source>
+        <translation>封存修改后的评分</translation>
+    </message>
+    <message>
+        <source>&amp;Move it …</source>
+        <translation>修改(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>The moved mark is sealed; the one before is kept</source>
+        <translation>修改后的评分已封存，原评分保留</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>评分对齐</translation>
+    </message>
+    <message>
+        <source>Only cases that all have submitted, and only where your mark lies apart. The others are not named; nor are you to them.</source>
+        <translation>仅列出所有人都已提交、且您的评分与他人相差较大的案例。他人不具名，您对他人也不具名。</translation>
+    </message>
+    <message>
+        <source>No disagreement waits for you.</source>
+        <translation>没有待处理的分歧。</translation>
+    </message>
+    <message>
+        <source>Cases where your mark lies apart</source>
+        <translation>您的评分相差较大的案例</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>案例</translation>
+    </message>
+    <message>
+        <source>Apart by</source>
+        <translation>相差</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>决定</translation>
+    </message>
+    <message>
+        <source>Reason (needed to move a mark or to ask for a third physician)</source>
+        <translation>理由（修改评分或请第三位医师时必填）</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>Ask for a &amp;third</source>
+        <translation>请第三位医师(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Look at it again</source>
+        <translation>再看一遍</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::AllocationPage</name>
+    <message>
+        <source>How even it would come out</source>
+        <translation>各组均衡程度预览</translation>
+    </message>
+    <message>
+        <source>How even it would come out, over %1 tries with other seeds</source>
+        <translation>以 %1 个其他种子试抽得到的均衡程度</translation>
+    </message>
+    <message>
+        <source>%1 trainee(s) lack one of these details: %2</source>
+        <translation>%1 名学员缺少其中某项资料：%2</translation>
+    </message>
+    <message>
+        <source>No design is locked yet. Preview the balance, then lock: the seed is drawn and sealed at that moment.</source>
+        <translation>尚未锁定分组方案。请先预览均衡程度再锁定：种子在锁定时抽取并封存。</translation>
+    </message>
+    <message>
+        <source>Locked %1 · %2 allocated, %3 moved by hand
+%4
+Commitment: %5
+Seed: %6</source>
+        <translation>锁定于 %1 · 已分组 %2 人，人工调整 %3 人
+%4
+承诺值：%5
+种子：%6</translation>
+    </message>
+    <message>
+        <source>sealed</source>
+        <translation>已封存</translation>
+    </message>
+    <message>
+        <source>as drawn</source>
+        <translation>按抽取结果</translation>
+    </message>
+    <message>
+        <source>The design is locked and its seed is sealed</source>
+        <translation>方案已锁定，种子已封存</translation>
+    </message>
+    <message>
+        <source>Replace the design</source>
+        <translation>更换方案</translation>
+    </message>
+    <message>
+        <source>Trainees were already allocated by the present design; they stay where they are.</source>
+        <translation>已有学员按现行方案分组；他们保持原组。</translation>
+    </message>
+    <message>
+        <source>Lock the design</source>
+        <translation>锁定方案</translation>
+    </message>
+    <message>
+        <source>After locking, the design cannot be changed without a trace. Lock it?</source>
+        <translation>锁定后，任何更改都会留下记录。确定锁定吗？</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trainee(s) allocated</source>
+        <translation><numerusform>已分组 %n 名学员</numerusform></translation>
+    </message>
+    <message>
+        <source>Open the seal</source>
+        <translation>启封种子</translation>
+    </message>
+    <message>
+        <source>From now on anybody can repeat the draw, and foresee what is left of it.</source>
+        <translation>此后任何人都可以重复抽取，也能预知剩余的抽取结果。</translation>
+    </message>
+    <message>
+        <source>Check of the draw</source>
+        <translation>核对抽取</translation>
+    </message>
+    <message>
+        <source>The whole draw was repeated: every one of %1 records is as drawn, %2 of them moved by hand.</source>
+        <translation>已重复全部抽取：%1 条记录均与抽取一致，其中 %2 条经人工调整。</translation>
+    </message>
+    <message>
+        <source>The draw does not fit its record: %1</source>
+        <translation>抽取与记录不符：%1</translation>
+    </message>
+    <message>
+        <source>Allocation</source>
+        <translation>随机分组</translation>
+    </message>
+    <message>
+        <source>Random groups that anybody can check afterwards: design, lock, draw, proof.</source>
+        <translation>任何人事后都可核对的随机分组：设计、锁定、抽取、验证。</translation>
+    </message>
+    <message>
+        <source>&amp;Cohort</source>
+        <translation>批次(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>方案</translation>
+    </message>
+    <message>
+        <source>&amp;Method</source>
+        <translation>方法(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Balanced by</source>
+        <translation>均衡因素</translation>
+    </message>
+    <message>
+        <source>&amp;Block sizes</source>
+        <translation>区组大小(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Multiples of the number of groups; several are mixed at random</source>
+        <translation>组数的倍数；可填多个，随机混用</translation>
+    </message>
+    <message>
+        <source>&amp;Preview balance</source>
+        <translation>预览均衡(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Lock design…</source>
+        <translation>锁定方案(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>What counts now</source>
+        <translation>现行方案</translation>
+    </message>
+    <message>
+        <source>&amp;Allocate everybody</source>
+        <translation>全部分组(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Open the seal…</source>
+        <translation>启封种子(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Chec&amp;k the draw</source>
+        <translation>核对抽取(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>项目</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>取值</translation>
+    </message>
+    <message>
+        <source>Trainees</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Expected in the groups</source>
+        <translation>各组预期人数</translation>
+    </message>
+    <message>
+        <source>Usual difference</source>
+        <translation>平均差</translation>
+    </message>
+    <message>
+        <source>Worst</source>
+        <translation>最大差</translation>
+    </message>
+    <message>
+        <source>Preview the balance to see how even the groups would be.</source>
+        <translation>预览后可看到各组的均衡程度。</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>序号</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>组别</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>How</source>
+        <translation>方式</translation>
+    </message>
+    <message>
+        <source>Hash</source>
+        <translation>哈希</translation>
+    </message>
+    <message>
+        <source>Nobody is allocated yet.</source>
+        <translation>尚无人分组。</translation>
+    </message>
+    <message>
+        <source>Who was put where</source>
+        <translation>分组记录</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::AngleDial</name>
+    <message>
+        <source>Twist angle</source>
+        <translation>扭转角</translation>
+    </message>
+    <message>
+        <source>%1 degrees, target %2 degrees</source>
+        <translation>%1 度，目标 %2 度</translation>
+    </message>
+    <message>
+        <source>on target</source>
+        <translation>已达目标</translation>
+    </message>
+    <message>
+        <source>target %1</source>
+        <translation>目标 %1</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::AuditPage</name>
+    <message>
+        <source>Audit trail</source>
+        <translation>审计记录</translation>
+    </message>
+    <message>
+        <source>Who did what, when, where and why. Entries are chained: none can be changed or taken out without being found.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Verify</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Checks every entry, every sealed mark and every recorded trial</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Last day</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Last week</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Last month</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Time span</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Chosen entry</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Choose an entry to see what was changed.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>序号</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>工作站</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Object</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Nothing happened in this time.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>When (UTC)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Before</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>After</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Seal</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Verifying the audit trail</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>✓ Everything is as it was written: entries, marks and trials.</source>
+        <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+        <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
+        <translation type="unfinished">
+            <numerusform />
+        </translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::BriefingPage</name>
+    <message>
+        <source>Graded run: it counts as an attempt.</source>
+        <translation>计分操作：计入一次尝试。</translation>
+    </message>
+    <message>
+        <source>Practice: nothing is graded.</source>
+        <translation>练习：不计分。</translation>
+    </message>
+    <message>
+        <source>What is asked for</source>
+        <translation>任务要求</translation>
+    </message>
+    <message>
+        <source>How to do it</source>
+        <translation>操作方法</translation>
+    </message>
+    <message>
+        <source>Twist to %1° and let go within %2°.</source>
+        <translation>扭转至 %1°，松开时误差不超过 %2°。</translation>
+    </message>
+    <message>
+        <source>Hold for %1 s before you let go.</source>
+        <translation>松开前保持 %1 秒。</translation>
+    </message>
+    <message>
+        <source>Keep the force below %1 N.</source>
+        <translation>力保持在 %1 N 以下。</translation>
+    </message>
+    <message>
+        <source>Keep the torque below %1 N m.</source>
+        <translation>扭矩保持在 %1 N m 以下。</translation>
+    </message>
+    <message>
+        <source>Mastered when:
+%1</source>
+        <translation>达标条件：
+%1</translation>
+    </message>
+    <message>
+        <source>Bring the jaw to the marked band, close it, turn in one even movement, hold, and open the jaw gently.
+Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
+        <translation>将钳口移到标记带，夹紧，一次平稳地转动，保持，然后轻轻张开钳口。
+鼠标：左键夹持，拖动转动，滚轮前后移动。</translation>
+    </message>
+    <message>
+        <source>An expert's run of the same twist</source>
+        <translation>专家完成同一扭转的示范</translation>
+    </message>
+    <message>
+        <source>&amp;Watch again</source>
+        <translation>再看一遍(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Start the graded run</source>
+        <translation>开始计分操作(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>开始(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>返回(&amp;B)</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CampaignDialog</name>
+    <message>
+        <source>New evaluation</source>
+        <translation>新建模型评价</translation>
+    </message>
+    <message>
+        <source>PM = proposed model
+FEM = finite elements
+MSM = mass-spring</source>
+        <translation>PM = 本文模型
+FEM = 有限元
+MSM = 质点弹簧</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Models, one a line</source>
+        <translation>模型，每行一个(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Rater</source>
+        <translation>评分者</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>类别</translation>
+    </message>
+    <message>
+        <source>No raters yet: import them under Roster.</source>
+        <translation>尚无评分者：请在“人员名册”中导入。</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>创建</translation>
+    </message>
+    <message>
+        <source>Weights of the indices</source>
+        <translation>指标权重</translation>
+    </message>
+    <message>
+        <source>Weights of the classes of raters</source>
+        <translation>评分者类别权重</translation>
+    </message>
+    <message>
+        <source>Both lists of weights sum to 1.</source>
+        <translation>两组权重之和均为 1。</translation>
+    </message>
+    <message>
+        <source>The weights must sum to 1: indices %1, classes %2.</source>
+        <translation>权重之和必须为 1：指标 %1，类别 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CampaignsPage</name>
+    <message>
+        <source>%1 (shown as %2)</source>
+        <translation>%1（显示为 %2）</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>demonstration</source>
+        <translation>演示</translation>
+    </message>
+    <message>
+        <source>Raters of %1</source>
+        <translation>%1 的评分者</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>not begun</source>
+        <translation>未开始</translation>
+    </message>
+    <message>
+        <source>begun</source>
+        <translation>进行中</translation>
+    </message>
+    <message>
+        <source>Evaluation of models</source>
+        <translation>模型评价</translation>
+    </message>
+    <message>
+        <source>Raters score tissue models on nine indices; they see letters, not names, in an order of their own.</source>
+        <translation>评分者按九项指标为组织模型打分；他们只看到字母而非名称，顺序各不相同。</translation>
+    </message>
+    <message>
+        <source>&amp;New evaluation…</source>
+        <translation>新建评价(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Models</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>Raters</source>
+        <translation>评分者</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>评分</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>性质</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>创建时间</translation>
+    </message>
+    <message>
+        <source>No evaluation yet. An evaluation asks raters of three classes to score models on nine indices.</source>
+        <translation>尚无模型评价。评价请三类评分者按九项指标为模型打分。</translation>
+    </message>
+    <message>
+        <source>Rater</source>
+        <translation>评分者</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>类别</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Choose an evaluation.</source>
+        <translation>请选择一项评价。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CarePage</name>
+    <message>
+        <source>to be reviewed</source>
+        <translation>待审查</translation>
+    </message>
+    <message>
+        <source>locked: %1</source>
+        <translation>已锁定：%1</translation>
+    </message>
+    <message>
+        <source>kept longer: %1</source>
+        <translation>延长保存：%1</translation>
+    </message>
+    <message>
+        <source>%1, %2 free on the disk</source>
+        <translation>%1，磁盘剩余 %2</translation>
+    </message>
+    <message>
+        <source>Disk in use</source>
+        <translation>磁盘用量</translation>
+    </message>
+    <message>
+        <source>On a database server</source>
+        <translation>位于数据库服务器</translation>
+    </message>
+    <message>
+        <source>✓ Checked: sound, schema %1, %2 audit entries</source>
+        <translation>✓ 已检查：完好，结构版本 %1，审计记录 %2 条</translation>
+    </message>
+    <message>
+        <source>✗ Checked: %1 finding(s), first: %2</source>
+        <translation>✗ 已检查：发现 %1 个问题，第一个：%2</translation>
+    </message>
+    <message>
+        <source>There are no simulated people in this record.</source>
+        <translation>记录中没有模拟人员。</translation>
+    </message>
+    <message>
+        <source>%1 simulated people, %2 recordings, %3 marks. They are marked everywhere and can go at once; real data stay.</source>
+        <translation>模拟人员 %1 名，录制 %2 次，评分 %3 个。它们处处带有标记，可一次删除；真实数据不受影响。</translation>
+    </message>
+    <message>
+        <source>&amp;Release…</source>
+        <translation>解除(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>&amp;Lock…</source>
+        <translation>锁定(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Backing up</source>
+        <translation>正在备份</translation>
+    </message>
+    <message>
+        <source>✓ Written and read back: %1 recordings, %2 marks.
+%3</source>
+        <translation>✓ 已写入并回读：录制 %1 次，评分 %2 个。
+%3</translation>
+    </message>
+    <message>
+        <source>Testing a backup</source>
+        <translation>正在测试备份</translation>
+    </message>
+    <message>
+        <source>✓ This backup can be restored: %1 recordings, %2 marks.
+%3</source>
+        <translation>✓ 该备份可以恢复：录制 %1 次，评分 %2 个。
+%3</translation>
+    </message>
+    <message>
+        <source>✗ This backup is not sound. Make a new one.
+%1</source>
+        <translation>✗ 该备份不完好，请重新备份。
+%1</translation>
+    </message>
+    <message>
+        <source>Checking the database</source>
+        <translation>正在检查数据库</translation>
+    </message>
+    <message>
+        <source>Removed: %1 simulated people, %2 recordings</source>
+        <translation>已删除：模拟人员 %1 名，录制 %2 次</translation>
+    </message>
+    <message>
+        <source>Back up to</source>
+        <translation>备份到</translation>
+    </message>
+    <message>
+        <source>Backup (*.sqlite)</source>
+        <translation>备份 (*.sqlite)</translation>
+    </message>
+    <message>
+        <source>Test a backup</source>
+        <translation>测试备份</translation>
+    </message>
+    <message>
+        <source>Remove the demonstration</source>
+        <translation>删除演示数据</translation>
+    </message>
+    <message>
+        <source>%1 simulated people and all that belongs to them go at once. This cannot be taken back.</source>
+        <translation>%1 名模拟人员及其全部数据将一次删除，无法撤销。</translation>
+    </message>
+    <message>
+        <source>Keep longer</source>
+        <translation>延长保存</translation>
+    </message>
+    <message>
+        <source>The record of %1 is kept for another year.</source>
+        <translation>%1 的记录再保存一年。</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>释放</translation>
+    </message>
+    <message>
+        <source>The record of %1 is no longer held.</source>
+        <translation>%1 的记录不再保留。</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>锁定</translation>
+    </message>
+    <message>
+        <source>The record of %1 is kept until somebody releases it.</source>
+        <translation>%1 的记录将一直保留，直到有人解除。</translation>
+    </message>
+    <message>
+        <source>Erase a record</source>
+        <translation>删除个人记录</translation>
+    </message>
+    <message>
+        <source>The identity of %1 and %2 recording(s) are erased for good. Marks stay without a person, so that statistics remain right.</source>
+        <translation>%1 的身份信息和 %2 次录制将永久删除。评分去除个人信息后保留，以保证统计正确。</translation>
+    </message>
+    <message>
+        <source>Care of the record</source>
+        <translation>数据维护</translation>
+    </message>
+    <message>
+        <source>Back up, test the backup, and look after what is due.</source>
+        <translation>备份、测试备份，并处理到期事项。</translation>
+    </message>
+    <message>
+        <source>Backup</source>
+        <translation>备份</translation>
+    </message>
+    <message>
+        <source>A backup is one file, made while others work and read back at once. Keep it on another machine.</source>
+        <translation>备份是一个文件，不影响他人工作，写完立即回读。请存放在另一台机器上。</translation>
+    </message>
+    <message>
+        <source>&amp;Back up…</source>
+        <translation>备份(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>&amp;Test a backup…</source>
+        <translation>测试备份(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>This record</source>
+        <translation>当前数据库</translation>
+    </message>
+    <message>
+        <source>&amp;Check the database</source>
+        <translation>检查数据库(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Demonstration</source>
+        <translation>演示数据</translation>
+    </message>
+    <message>
+        <source>Re&amp;move…</source>
+        <translation>删除(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Restore or move</source>
+        <translation>恢复或迁移</translation>
+    </message>
+    <message>
+        <source>Nobody may work meanwhile, so this is done with all windows closed:
+torsio db restore BACKUP
+torsio db copy FROM TO moves a centre to a PostgreSQL server or back, and compares both.</source>
+        <translation>期间任何人不得使用，因此须关闭所有窗口后进行：
+torsio db restore 备份文件
+torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回，并核对两者。</translation>
+    </message>
+    <message>
+        <source>Records due for review</source>
+        <translation>到期待审查的记录</translation>
+    </message>
+    <message>
+        <source>&amp;Keep longer…</source>
+        <translation>延长保存(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>&amp;Erase…</source>
+        <translation>删除(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>人员</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Lawful basis</source>
+        <translation>法律依据</translation>
+    </message>
+    <message>
+        <source>Last activity</source>
+        <translation>最近活动</translation>
+    </message>
+    <message>
+        <source>Due since</source>
+        <translation>到期时间</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>No record is due.</source>
+        <translation>没有到期的记录。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CasePage</name>
+    <message>
+        <source>The recording could not be opened.</source>
+        <translation>无法打开录像。</translation>
+    </message>
+    <message>
+        <source>Draft found and opened</source>
+        <translation>已找到并打开草稿</translation>
+    </message>
+    <message>
+        <source>This case is scored live; there is no recording.</source>
+        <translation>此案例为现场评分，没有录像。</translation>
+    </message>
+    <message>
+        <source>The recording is being opened. You may score meanwhile.</source>
+        <translation>正在打开录像，您可以先评分。</translation>
+    </message>
+    <message>
+        <source>Opening case %1</source>
+        <translation>正在打开案例 %1</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>已保存</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>未保存</translation>
+    </message>
+    <message>
+        <source>Case %1 is submitted and sealed</source>
+        <translation>案例 %1 已提交并封存</translation>
+    </message>
+    <message>
+        <source>The new version is sealed; the one before is kept</source>
+        <translation>新版本已封存，原版本保留</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>&amp;Amend …</source>
+        <translation>更正(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Makes a new version with a reason; the submitted one is kept</source>
+        <translation>附理由生成新版本；已提交的版本保留</translation>
+    </message>
+    <message>
+        <source>Submit</source>
+        <translation>提交</translation>
+    </message>
+    <message>
+        <source>Checks the sheet and asks once more (Ctrl+Enter)</source>
+        <translation>检查评分表并再次确认（Ctrl+Enter）</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>书签</translation>
+    </message>
+    <message>
+        <source>Marks this moment for yourself (B)</source>
+        <translation>为自己标记此刻（B）</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>评语</translation>
+    </message>
+    <message>
+        <source>Writes to the trainee at this moment (R)</source>
+        <translation>在此刻给学员写评语（R）</translation>
+    </message>
+    <message>
+        <source>Remark at this moment, for the trainee. Enter stores it, Esc leaves it</source>
+        <translation>给学员的此刻评语。回车保存，Esc 放弃</translation>
+    </message>
+    <message>
+        <source>Remark at this moment</source>
+        <translation>此刻的评语</translation>
+    </message>
+    <message>
+        <source>Why is the mark changed?</source>
+        <translation>为什么修改评分？</translation>
+    </message>
+    <message>
+        <source>Back to the sheet</source>
+        <translation>返回评分表</translation>
+    </message>
+    <message>
+        <source>Overall</source>
+        <translation>总分</translation>
+    </message>
+    <message>
+        <source>score of %1</source>
+        <translation>%1 的评分</translation>
+    </message>
+    <message>
+        <source>clearing of %1</source>
+        <translation>清除 %1</translation>
+    </message>
+    <message>
+        <source>reason for %1</source>
+        <translation>%1 的理由</translation>
+    </message>
+    <message>
+        <source>comment</source>
+        <translation>评论</translation>
+    </message>
+    <message>
+        <source>clearing of the sheet</source>
+        <translation>清空评分表</translation>
+    </message>
+    <message>
+        <source>Still open: %1.</source>
+        <translation>尚未填写：%1。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Watched %1 so far; at least %2 is asked.</source>
+        <translation>已观看 %1，至少需要 %2。</translation>
+    </message>
+    <message>
+        <source>Watched %1.</source>
+        <translation>已观看 %1。</translation>
+    </message>
+    <message>
+        <source>It was played at a speed that is not allowed.</source>
+        <translation>播放速度超出允许范围。</translation>
+    </message>
+    <message>
+        <source>All rows have the same score. Is that meant?</source>
+        <translation>各项评分完全相同，是否有意如此？</translation>
+    </message>
+    <message>
+        <source>The overall mark lies outside the rows. Is that meant?</source>
+        <translation>总评超出各项评分范围，是否有意如此？</translation>
+    </message>
+    <message>
+        <source>Submitting seals the sheet.</source>
+        <translation>提交后评分表即封存。</translation>
+    </message>
+    <message>
+        <source>Case %1</source>
+        <translation>案例 %1</translation>
+    </message>
+    <message>
+        <source>%1 long</source>
+        <translation>时长 %1</translation>
+    </message>
+    <message>
+        <source>submitted, being amended</source>
+        <translation>已提交，正在更正</translation>
+    </message>
+    <message>
+        <source>submitted and sealed</source>
+        <translation>已提交并封存</translation>
+    </message>
+    <message>
+        <source>due %1</source>
+        <translation>截止 %1</translation>
+    </message>
+    <message>
+        <source>Change what must be changed, give the reason, seal the new version. Both versions are kept.</source>
+        <translation>修改必要之处，写明理由，封存新版本。两个版本均保留。</translation>
+    </message>
+    <message>
+        <source>Seal the new version</source>
+        <translation>封存新版本</translation>
+    </message>
+    <message>
+        <source>Submit and seal (Ctrl+Enter)</source>
+        <translation>提交并封存（Ctrl+Enter）</translation>
+    </message>
+    <message>
+        <source>Undo %1 (Ctrl+Z)</source>
+        <translation>撤销%1（Ctrl+Z）</translation>
+    </message>
+    <message>
+        <source>Nothing to undo</source>
+        <translation>没有可撤销的操作</translation>
+    </message>
+    <message>
+        <source>Redo %1 (Ctrl+Y)</source>
+        <translation>重做%1（Ctrl+Y）</translation>
+    </message>
+    <message>
+        <source>Nothing to redo</source>
+        <translation>没有可重做的操作</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Bookmarks are yours; remarks reach the trainee when the marks are released.</source>
+        <translation>书签仅供您自己使用；评语在成绩公布后送达学员。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CohortDialog</name>
+    <message>
+        <source>&amp;Groups</source>
+        <translation>组别(&amp;G)</translation>
+    </message>
+    <message>
+        <source>New cohort</source>
+        <translation>新建批次</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>暂无</translation>
+    </message>
+    <message>
+        <source>Group 1, Group 2, Group 3</source>
+        <translation>第 1 组, 第 2 组, 第 3 组</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Description</source>
+        <translation>说明(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Curriculum</source>
+        <translation>课程(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>创建</translation>
+    </message>
+    <message>
+        <source>%1, version %2</source>
+        <translation>%1，第 %2 版</translation>
+    </message>
+    <message>
+        <source>Follow a curriculum</source>
+        <translation>采用课程</translation>
+    </message>
+    <message>
+        <source>The groups of the cohort go through its arms, number by number.</source>
+        <translation>各组按编号依次对应课程的各分支。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CohortsPage</name>
+    <message>
+        <source>none yet</source>
+        <translation>暂无</translation>
+    </message>
+    <message>
+        <source>%1, version %2</source>
+        <translation>%1，第 %2 版</translation>
+    </message>
+    <message>
+        <source>demonstration</source>
+        <translation>演示</translation>
+    </message>
+    <message>
+        <source>Trainees of %1</source>
+        <translation>%1 的学员</translation>
+    </message>
+    <message>
+        <source>Enrol trainees</source>
+        <translation>登记学员</translation>
+    </message>
+    <message>
+        <source>Who takes part in %1? Groups are drawn later.</source>
+        <translation>谁参加 %1？组别稍后抽取。</translation>
+    </message>
+    <message>
+        <source>Follow a curriculum</source>
+        <translation>采用课程</translation>
+    </message>
+    <message>
+        <source>No curriculum is running. Publish one under Curricula and begin it.</source>
+        <translation>没有进行中的课程。请在“课程”中发布并启用。</translation>
+    </message>
+    <message>
+        <source>Back into the study</source>
+        <translation>重新加入研究</translation>
+    </message>
+    <message>
+        <source>Withdraw from the study</source>
+        <translation>退出研究</translation>
+    </message>
+    <message>
+        <source>%1 takes part again.</source>
+        <translation>%1 重新参加。</translation>
+    </message>
+    <message>
+        <source>%1 trains no further; what was recorded stays.</source>
+        <translation>%1 不再训练；已有记录保留。</translation>
+    </message>
+    <message>
+        <source>Cohorts</source>
+        <translation>批次</translation>
+    </message>
+    <message>
+        <source>Who trains together, by which curriculum, and in which group.</source>
+        <translation>谁一起训练、采用哪个课程、在哪一组。</translation>
+    </message>
+    <message>
+        <source>&amp;New cohort…</source>
+        <translation>新建批次(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Enrol trainees…</source>
+        <translation>登记学员(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Curriculum…</source>
+        <translation>课程(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Allocation</source>
+        <translation>随机分组(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Withdraw or take back…</source>
+        <translation>退出或恢复(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Curriculum</source>
+        <translation>课程</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>组数</translation>
+    </message>
+    <message>
+        <source>Enrolled</source>
+        <translation>已登记</translation>
+    </message>
+    <message>
+        <source>In a group</source>
+        <translation>已分组</translation>
+    </message>
+    <message>
+        <source>Withdrew</source>
+        <translation>已退出</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>性质</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>创建时间</translation>
+    </message>
+    <message>
+        <source>No cohort yet. A cohort is a group of trainees who go through one study.</source>
+        <translation>尚无批次。批次是共同参加一项研究的一批学员。</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>组别</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Nobody is enrolled yet.</source>
+        <translation>尚无人登记。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ComparePage</name>
+    <message>
+        <source>Loading the models</source>
+        <translation>正在加载模型</translation>
+    </message>
+    <message>
+        <source>%1 N m</source>
+        <translation>%1 N m</translation>
+    </message>
+    <message>
+        <source>Angle  %1°</source>
+        <translation>角度  %1°</translation>
+    </message>
+    <message>
+        <source>Largest shear  %1 kPa</source>
+        <translation>最大剪应力  %1 kPa</translation>
+    </message>
+    <message>
+        <source>Computed in  %1 µs</source>
+        <translation>计算用时  %1 µs</translation>
+    </message>
+    <message>
+        <source>There is no picture to capture here</source>
+        <translation>此处没有可截取的画面</translation>
+    </message>
+    <message>
+        <source>Save film strip</source>
+        <translation>保存连续画面</translation>
+    </message>
+    <message>
+        <source>film-strip.png</source>
+        <translation>film-strip.png</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG 图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Organ</source>
+        <translation>器官(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Torque</source>
+        <translation>扭矩(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Shear stress</source>
+        <translation>剪应力</translation>
+    </message>
+    <message>
+        <source>Film strip…</source>
+        <translation>连续画面…</translation>
+    </message>
+    <message>
+        <source>Saves both models at five steps of the torque as one picture</source>
+        <translation>将两个模型在五级扭矩下的画面合成一张图片保存</translation>
+    </message>
+    <message>
+        <source>As in the paper</source>
+        <translation>按论文公式</translation>
+    </message>
+    <message>
+        <source>Saint-Venant</source>
+        <translation>圣维南</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ComparisonBars</name>
+    <message>
+        <source>others %1, from %2 to %3</source>
+        <translation>他人 %1（%2 至 %3）</translation>
+    </message>
+    <message>
+        <source>you %1</source>
+        <translation>您 %1</translation>
+    </message>
+    <message>
+        <source>%1; %2; apart by %3</source>
+        <translation>%1；%2；相差 %3</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1；%2</translation>
+    </message>
+    <message>
+        <source>Your marks beside the others'</source>
+        <translation>您的评分与他人评分对照</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Overall</source>
+        <translation>总分</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ConsentPage</name>
+    <message>
+        <source>Consent to the training record</source>
+        <translation>训练记录知情同意</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded before you agree. You can withdraw later at any time.</source>
+        <translation>在您同意之前不会记录任何内容。您可以随时撤回。</translation>
+    </message>
+    <message>
+        <source>I have &amp;read and understood this</source>
+        <translation>我已阅读并理解(&amp;R)</translation>
+    </message>
+    <message>
+        <source>I &amp;agree</source>
+        <translation>我同意(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Not now</source>
+        <translation>暂不(&amp;N)</translation>
+    </message>
+    <message>
+        <source>You have agreed before.</source>
+        <translation>您此前已同意。</translation>
+    </message>
+    <message>
+        <source>You have not agreed so far.</source>
+        <translation>您尚未同意。</translation>
+    </message>
+    <message>
+        <source>&amp;Withdraw</source>
+        <translation>撤回同意(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Nothing will be recorded. Free practice stays open.</source>
+        <translation>不会记录任何内容。自由练习仍可使用。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CredentialsDialog</name>
+    <message>
+        <source>Sign-in &amp;name</source>
+        <translation>登录名(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Password</source>
+        <translation>密码(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CurriculaPage</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>暂无</translation>
+    </message>
+    <message>
+        <source>%1: changed, not saved</source>
+        <translation>%1：已更改，未保存</translation>
+    </message>
+    <message>
+        <source>Published. Begin it, so that cohorts can follow it.</source>
+        <translation>已发布。启用后批次才能采用。</translation>
+    </message>
+    <message>
+        <source>New curriculum</source>
+        <translation>新建课程</translation>
+    </message>
+    <message>
+        <source>nothing in it yet</source>
+        <translation>空白</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Begin with</source>
+        <translation>起点(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Publish a version</source>
+        <translation>发布版本</translation>
+    </message>
+    <message>
+        <source>A published version never changes. What is new in it, in a few words:</source>
+        <translation>已发布的版本不再改变。请简述本版的新内容：</translation>
+    </message>
+    <message>
+        <source>Close a version</source>
+        <translation>关闭版本</translation>
+    </message>
+    <message>
+        <source>No further cohort can begin it; those who follow it go on.</source>
+        <translation>不再有新批次可采用；已采用的继续进行。</translation>
+    </message>
+    <message>
+        <source>Curricula</source>
+        <translation>课程</translation>
+    </message>
+    <message>
+        <source>What the groups go through: exercises, phases, rest and scoring points. Published versions never change.</source>
+        <translation>各组的训练内容：练习、阶段、休息和评分点。已发布的版本不再改变。</translation>
+    </message>
+    <message>
+        <source>&amp;New curriculum…</source>
+        <translation>新建课程(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save draft</source>
+        <translation>保存草稿(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Publish…</source>
+        <translation>发布(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>开始(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Close…</source>
+        <translation>关闭(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Newest version</source>
+        <translation>最新版本</translation>
+    </message>
+    <message>
+        <source>Draft of</source>
+        <translation>草稿日期</translation>
+    </message>
+    <message>
+        <source>No curriculum yet. Begin with the template of the paper's three arms.</source>
+        <translation>尚无课程。可从论文的三组方案模板开始。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::CurriculumEditor</name>
+    <message>
+        <source>nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>New exercise</source>
+        <translation>新练习</translation>
+    </message>
+    <message>
+        <source>any exercise</source>
+        <translation>任意练习</translation>
+    </message>
+    <message>
+        <source>New phase</source>
+        <translation>新阶段</translation>
+    </message>
+    <message>
+        <source>%1 %2. %3.</source>
+        <translation>%1：%2。%3。</translation>
+    </message>
+    <message>
+        <source>✓ Nothing is missing: this can be published.</source>
+        <translation>✓ 内容完整，可以发布。</translation>
+    </message>
+    <message>
+        <source>Check: complete</source>
+        <translation>检查：完整</translation>
+    </message>
+    <message numerus="yes">
+        <source>Check: %n to mend</source>
+        <translation><numerusform>检查：%n 处待改</numerusform></translation>
+    </message>
+    <message>
+        <source>Exercises</source>
+        <translation>练习</translation>
+    </message>
+    <message>
+        <source>Groups and phases</source>
+        <translation>组别与阶段</translation>
+    </message>
+    <message>
+        <source>Scoring points</source>
+        <translation>评分点</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>标题</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>器官</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>扭转</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Counts as</source>
+        <translation>性质</translation>
+    </message>
+    <message>
+        <source>Target angle</source>
+        <translation>目标角度</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>容差</translation>
+    </message>
+    <message>
+        <source>Hold for</source>
+        <translation>保持时间</translation>
+    </message>
+    <message>
+        <source>Attempts at most</source>
+        <translation>最多次数</translation>
+    </message>
+    <message>
+        <source>Only after</source>
+        <translation>须先完成</translation>
+    </message>
+    <message>
+        <source>Mastered when</source>
+        <translation>掌握标准</translation>
+    </message>
+    <message>
+        <source>reaches</source>
+        <translation>达到</translation>
+    </message>
+    <message>
+        <source>times in a row</source>
+        <translation>连续次数</translation>
+    </message>
+    <message>
+        <source>Name of the group</source>
+        <translation>组名</translation>
+    </message>
+    <message>
+        <source>Rest, minutes</source>
+        <translation>休息（分钟）</translation>
+    </message>
+    <message>
+        <source>Phases</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>不限</translation>
+    </message>
+    <message>
+        <source>The rest may be taken in parts</source>
+        <translation>休息可分次使用</translation>
+    </message>
+    <message>
+        <source>practice</source>
+        <translation>练习</translation>
+    </message>
+    <message>
+        <source>graded</source>
+        <translation>计分</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>不评判</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Add phase</source>
+        <translation>添加阶段</translation>
+    </message>
+    <message>
+        <source>Remove phase</source>
+        <translation>删除阶段</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>地点</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>分钟</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>练习</translation>
+    </message>
+    <message>
+        <source>Scoring point</source>
+        <translation>评分点</translation>
+    </message>
+    <message>
+        <source>After minutes of training</source>
+        <translation>训练多少分钟后</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::DataTable</name>
+    <message numerus="yes">
+        <source>%n row(s)</source>
+        <translation type="unfinished">
+            <numerusform />
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Filter…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Copy with headers</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>torsio::gui::DebriefPage</name>
+    <message>
+        <source>Looking at your run</source>
+        <translation>正在分析您的操作</translation>
+    </message>
+    <message>
+        <source>Bookmark at %1</source>
+        <translation>已在 %1 处添加书签</translation>
+    </message>
+    <message>
+        <source>Look at %1 to %2</source>
+        <translation>查看 %1 至 %2</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>What went well</source>
+        <translation>做得好的地方</translation>
+    </message>
+    <message>
+        <source>What to work on</source>
+        <translation>需要改进的地方</translation>
+    </message>
+    <message>
+        <source>The run</source>
+        <translation>操作过程</translation>
+    </message>
+    <message>
+        <source>Show the &amp;expert (dashed)</source>
+        <translation>显示专家曲线（虚线）(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Set &amp;bookmark</source>
+        <translation>添加书签(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Whole run</source>
+        <translation>全程(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Again</source>
+        <translation>再来一次(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Trend</source>
+        <translation>趋势(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Next step</source>
+        <translation>下一步(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Graded run</source>
+        <translation>计分操作</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>练习</translation>
+    </message>
+    <message>
+        <source>Your run</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1  ·  %2  ·  %3 s</source>
+        <translation>%1  ·  %2  ·  %3 秒</translation>
+    </message>
+    <message>
+        <source>After your first run you see here what was good and what to work on.</source>
+        <translation>完成第一次操作后，这里会显示优点和需要改进之处。</translation>
+    </message>
+    <message>
+        <source>Interrupted: kept, not counted</source>
+        <translation>已中断：已保存，不计次数</translation>
+    </message>
+    <message>
+        <source>Passed: every target was reached</source>
+        <translation>通过：所有目标均已达到</translation>
+    </message>
+    <message>
+        <source>Not passed yet</source>
+        <translation>尚未通过</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>not passed</source>
+        <translation>未通过</translation>
+    </message>
+    <message>
+        <source>No twist was finished in this run.</source>
+        <translation>本次操作没有完成任何扭转。</translation>
+    </message>
+    <message>
+        <source>There is no expert's run to compare with.</source>
+        <translation>没有可供比较的专家示范。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::DebriefPlot</name>
+    <message>
+        <source>Angle and force of the run over time</source>
+        <translation>操作过程中的角度和力</translation>
+    </message>
+    <message>
+        <source>Twists: %1, in %2 s. Plus and minus zoom, arrows move, B sets a bookmark.</source>
+        <translation>扭转 %1 次，共 %2 秒。加减号缩放，方向键移动，B 添加书签。</translation>
+    </message>
+    <message>
+        <source>Wheel zooms, dragging moves, a double click sets a bookmark</source>
+        <translation>滚轮缩放，拖动移动，双击添加书签</translation>
+    </message>
+    <message>
+        <source>Angle in degrees</source>
+        <translation>角度（度）</translation>
+    </message>
+    <message>
+        <source>Force in N</source>
+        <translation>力（N）</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::Desk</name>
+    <message>
+        <source>This page is not open to you</source>
+        <translation>您无权打开此页面</translation>
+    </message>
+    <message>
+        <source>A run is going on. Finish or stop it first</source>
+        <translation>训练正在进行，请先完成或停止</translation>
+    </message>
+    <message>
+        <source>Work is going on. Wait for it, or cancel it</source>
+        <translation>有任务正在进行，请等待完成或取消</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Light or dark colours</source>
+        <translation>浅色或深色</translation>
+    </message>
+    <message>
+        <source>Keys and help (F1)</source>
+        <translation>按键与帮助 (F1)</translation>
+    </message>
+    <message>
+        <source>Guest</source>
+        <translation>访客</translation>
+    </message>
+    <message>
+        <source>Your account</source>
+        <translation>您的账户</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>Sign out</source>
+        <translation>退出登录</translation>
+    </message>
+    <message>
+        <source>Practice: nothing is recorded</source>
+        <translation>练习：不作任何记录</translation>
+    </message>
+    <message>
+        <source>Change password…</source>
+        <translation>修改密码…</translation>
+    </message>
+    <message>
+        <source>PIN for practice…</source>
+        <translation>练习用 PIN 码…</translation>
+    </message>
+    <message>
+        <source>Lock now</source>
+        <translation>立即锁定</translation>
+    </message>
+    <message>
+        <source>Remove demonstration data…</source>
+        <translation>删除演示数据…</translation>
+    </message>
+    <message>
+        <source>About Torsio</source>
+        <translation>关于 Torsio</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::DeviceCheckPage</name>
+    <message>
+        <source>Checking the device</source>
+        <translation>正在检查设备</translation>
+    </message>
+    <message>
+        <source>Is everything ready?</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Sit down, put the stylus into its dock, and rest your forearm.</source>
+        <translation>请坐好，将手柄放回底座，前臂放松。</translation>
+    </message>
+    <message>
+        <source>&amp;Check again</source>
+        <translation>重新检查(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Practise with the &amp;mouse</source>
+        <translation>用鼠标练习(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Practise</source>
+        <translation>练习(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Continue to the graded run</source>
+        <translation>继续计分操作(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>继续(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>正在检查…</translation>
+    </message>
+    <message>
+        <source>This takes a few seconds.</source>
+        <translation>需要几秒钟。</translation>
+    </message>
+    <message>
+        <source>Everything is in order. Practice and graded runs may begin.</source>
+        <translation>一切正常。可以开始练习和计分操作。</translation>
+    </message>
+    <message>
+        <source>Good enough to practise. A graded run needs every line to be in order.</source>
+        <translation>可以练习。计分操作要求每一项都正常。</translation>
+    </message>
+    <message>
+        <source>Something is wrong. Nothing is scored with this device now.</source>
+        <translation>设备有问题，目前不能用它计分。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::DevicesPage</name>
+    <message>
+        <source>Checking the device</source>
+        <translation>正在检查设备</translation>
+    </message>
+    <message>
+        <source>✓ good</source>
+        <translation>✓ 正常</translation>
+    </message>
+    <message>
+        <source>! note</source>
+        <translation>! 注意</translation>
+    </message>
+    <message>
+        <source>✗ not usable</source>
+        <translation>✗ 不可用</translation>
+    </message>
+    <message>
+        <source>Not checked yet in this session. The check takes a few seconds; put the stylus into the inkwell first.</source>
+        <translation>本次尚未检查。检查需几秒钟；请先将手写笔插入笔座。</translation>
+    </message>
+    <message>
+        <source>This station can run scored trials with the device: %1 servo steps a second.</source>
+        <translation>本工作站可用该设备进行计分训练：每秒 %1 个伺服步。</translation>
+    </message>
+    <message>
+        <source>No scored run with the device now: %1. Practice with the mouse works meanwhile.</source>
+        <translation>目前不能用该设备计分：%1。其间可用鼠标练习。</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Whether the haptic device of this station is fit for a scored run.</source>
+        <translation>本工作站的力反馈设备是否可用于计分训练。</translation>
+    </message>
+    <message>
+        <source>&amp;Check the device</source>
+        <translation>检查设备(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Device &amp;name</source>
+        <translation>设备名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>the usual one</source>
+        <translation>默认设备</translation>
+    </message>
+    <message>
+        <source>&amp;Force test: somebody holds the stylus</source>
+        <translation>力测试：有人握住手写笔(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>What was looked at</source>
+        <translation>检查项</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>发现</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>处理办法</translation>
+    </message>
+    <message>
+        <source>Press Check the device.</source>
+        <translation>请按“检查设备”。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::EvaluationPage</name>
+    <message>
+        <source>Saved</source>
+        <translation>已保存</translation>
+    </message>
+    <message>
+        <source>Still open: %1 of %2</source>
+        <translation>尚未填写：%2 项中的 %1 项</translation>
+    </message>
+    <message>
+        <source>All nine are scored. Press again to seal them; sealed marks stay as they are.</source>
+        <translation>九项均已评分。再按一次即封存，封存后不可更改。</translation>
+    </message>
+    <message>
+        <source>Model %1 is submitted and sealed</source>
+        <translation>模型 %1 已提交并封存</translation>
+    </message>
+    <message>
+        <source>%1. Model %2, submitted</source>
+        <translation>%1. 模型 %2，已提交</translation>
+    </message>
+    <message>
+        <source>%1. Model %2</source>
+        <translation>%1. 模型 %2</translation>
+    </message>
+    <message>
+        <source>No evaluation asks for you at present.</source>
+        <translation>目前没有需要您参加的评价。</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3; keys 0 to 9 score, arrows left and right fine-tune, with Shift in steps of %4.</source>
+        <translation>%1：%2 至 %3 分；数字键 0 至 9 评分，左右箭头微调，按住 Shift 时每步 %4。</translation>
+    </message>
+    <message>
+        <source>All models are submitted. Thank you.</source>
+        <translation>所有模型均已提交，谢谢。</translation>
+    </message>
+    <message>
+        <source>Submitted and sealed</source>
+        <translation>已提交并封存</translation>
+    </message>
+    <message>
+        <source>Evaluation</source>
+        <translation>模型评价</translation>
+    </message>
+    <message>
+        <source>Nine indices for each model, after each trial. Which model stands behind a letter is hidden, and the order is your own.</source>
+        <translation>每次试验后为每个模型评九项指标。字母对应的模型不公开，顺序因人而异。</translation>
+    </message>
+    <message>
+        <source>Submit this model</source>
+        <translation>提交此模型</translation>
+    </message>
+    <message>
+        <source>Ctrl+Enter</source>
+        <translation>Ctrl+Enter</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ExercisePanel</name>
+    <message>
+        <source>Exercise</source>
+        <translation>练习</translation>
+    </message>
+    <message>
+        <source>&amp;Organ</source>
+        <translation>器官(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Pattern</source>
+        <translation>扭转类型(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Model</source>
+        <translation>模型(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Target</source>
+        <translation>目标(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Saint-Venant</source>
+        <translation>圣维南</translation>
+    </message>
+    <message>
+        <source>As in the paper</source>
+        <translation>按论文公式</translation>
+    </message>
+    <message>
+        <source>Which reading of the equations turns the organ</source>
+        <translation>用哪一种公式计算器官的扭转</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::FigureCanvas</name>
+    <message numerus="yes">
+        <source>%n row(s) more in the table</source>
+        <translation><numerusform>表中还有 %n 行</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::FigureCard</name>
+    <message>
+        <source>missing = %1</source>
+        <translation>缺失 = %1</translation>
+    </message>
+    <message>
+        <source>&amp;Picture</source>
+        <translation>图形(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
+        <translation>数值(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copies the picture and its table (Ctrl+C)</source>
+        <translation>复制图形及其数据表（Ctrl+C）</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::FirstRunPanel</name>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
+    </message>
+    <message>
+        <source>Database file</source>
+        <translation>数据库文件</translation>
+    </message>
+    <message>
+        <source>Torsio databases (*.sqlite)</source>
+        <translation>Torsio 数据库 (*.sqlite)</translation>
+    </message>
+    <message>
+        <source>A centre keeps its records there already. You can sign in to it after this step</source>
+        <translation>该数据库已有中心在使用，完成此步骤后即可登录</translation>
+    </message>
+    <message>
+        <source>The database answers and is empty: it can be used</source>
+        <translation>数据库连接正常且为空，可以使用</translation>
+    </message>
+    <message>
+        <source>Enter the name of your centre</source>
+        <translation>请输入中心名称</translation>
+    </message>
+    <message>
+        <source>Enter a sign-in name</source>
+        <translation>请输入登录名</translation>
+    </message>
+    <message>
+        <source>The two passwords are not the same</source>
+        <translation>两次输入的密码不一致</translation>
+    </message>
+    <message>
+        <source>Say where the database is</source>
+        <translation>请指定数据库位置</translation>
+    </message>
+    <message>
+        <source>Sign-in name</source>
+        <translation>登录名</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>角色</translation>
+    </message>
+    <message>
+        <source>Start password</source>
+        <translation>初始密码</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Physician who scores</source>
+        <translation>评分医师</translation>
+    </message>
+    <message>
+        <source>Welcome to Torsio</source>
+        <translation>欢迎使用 Torsio</translation>
+    </message>
+    <message>
+        <source>The first administrator</source>
+        <translation>首位管理员</translation>
+    </message>
+    <message>
+        <source>Where records are kept</source>
+        <translation>记录保存位置</translation>
+    </message>
+    <message>
+        <source>Something to try it with</source>
+        <translation>试用内容</translation>
+    </message>
+    <message>
+        <source>Accounts of the demonstration</source>
+        <translation>演示账户</translation>
+    </message>
+    <message>
+        <source>Four short steps set up your centre. Everything can be changed later.</source>
+        <translation>只需四步即可设置您的中心，之后均可更改。</translation>
+    </message>
+    <message>
+        <source>This person lets others in. There is no default password; choose one of at least fifteen characters, a short sentence for example.</source>
+        <translation>管理员为其他人开通账户。没有默认密码；请设置至少十五个字符的密码，例如一个短句。</translation>
+    </message>
+    <message>
+        <source>One computer, or a server that several stations share.</source>
+        <translation>单台计算机，或多个工作站共用的服务器。</translation>
+    </message>
+    <message>
+        <source>A demonstration cohort shows every screen with content: 30 simulated trainees, ten physicians, 900 marks.</source>
+        <translation>演示班级让每个页面都有内容：30 名模拟学员、10 名医师、900 个评分。</translation>
+    </message>
+    <message>
+        <source>These start passwords are shown only now. Each must be changed at the first sign-in.</source>
+        <translation>初始密码只在此处显示一次，首次登录时必须修改。</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>语言(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the centre</source>
+        <translation>中心名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Skills laboratory, city hospital</source>
+        <translation>市医院技能培训中心</translation>
+    </message>
+    <message>
+        <source>Sign-in &amp;name</source>
+        <translation>登录名(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Password</source>
+        <translation>密码(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The same &amp;again</source>
+        <translation>再次输入(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Begin empty</source>
+        <translation>从空白开始(&amp;B)</translation>
+    </message>
+    <message>
+        <source>People, curricula and cohorts are entered or imported.</source>
+        <translation>人员、课程和班级由您录入或导入。</translation>
+    </message>
+    <message>
+        <source>With a &amp;demonstration cohort</source>
+        <translation>包含演示班级(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Takes about a minute. Every row is marked as a demonstration; it can be removed with one click.</source>
+        <translation>约需一分钟。每条数据都标记为演示数据，可一键删除。</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>上一步</translation>
+    </message>
+    <message>
+        <source>I have noted them</source>
+        <translation>我已记下</translation>
+    </message>
+    <message>
+        <source>Set up</source>
+        <translation>完成设置</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>A &amp;file on this computer</source>
+        <translation>本机上的文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>For one station. Not on a network drive: such files are damaged there.</source>
+        <translation>适用于单个工作站。不要放在网络驱动器上，否则文件会损坏。</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>A Postgre&amp;SQL server</source>
+        <translation>PostgreSQL 服务器(&amp;S)</translation>
+    </message>
+    <message>
+        <source>For several stations. Keep the password in the server account's password file (.pgpass), not in this line.</source>
+        <translation>适用于多个工作站。密码请保存在账户的密码文件 (.pgpass) 中，不要写在此行。</translation>
+    </message>
+    <message>
+        <source>Address of the server</source>
+        <translation>服务器地址</translation>
+    </message>
+    <message>
+        <source>&amp;Test the database</source>
+        <translation>测试数据库(&amp;T)</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::JobPanel</name>
+    <message>
+        <source>%1 min left</source>
+        <translation>剩余 %1 分钟</translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>剩余 %1 秒</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation>正在停止…</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 %, %2</source>
+        <translation>%1 %，%2</translation>
+    </message>
+    <message>
+        <source>Work in progress</source>
+        <translation>任务进行中</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::LevelBar</name>
+    <message>
+        <source>%1, at the limit</source>
+        <translation>%1，已达上限</translation>
+    </message>
+    <message>
+        <source>at limit  %1</source>
+        <translation>已达上限  %1</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::LivePage</name>
+    <message>
+        <source>The timer is running. Stop it first</source>
+        <translation>计时器正在运行，请先停止</translation>
+    </message>
+    <message>
+        <source>submitted</source>
+        <translation>已提交</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>草稿</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>待评</translation>
+    </message>
+    <message>
+        <source>%1.  Case %2, %3</source>
+        <translation>%1.  案例 %2，%3</translation>
+    </message>
+    <message>
+        <source>Saved on this machine</source>
+        <translation>已保存在本机</translation>
+    </message>
+    <message>
+        <source>Time taken: %1</source>
+        <translation>用时：%1</translation>
+    </message>
+    <message>
+        <source>Still open: %1</source>
+        <translation>尚未填写：%1</translation>
+    </message>
+    <message>
+        <source>All rows have the same score. Press again to seal the sheet.</source>
+        <translation>各项评分完全相同。再按一次即封存。</translation>
+    </message>
+    <message>
+        <source>Everything is scored. Press again to seal the sheet.</source>
+        <translation>已全部评分。再按一次即封存。</translation>
+    </message>
+    <message>
+        <source>Case %1 is submitted and sealed</source>
+        <translation>案例 %1 已提交并封存</translation>
+    </message>
+    <message>
+        <source>Case %1</source>
+        <translation>案例 %1</translation>
+    </message>
+    <message>
+        <source>No live case</source>
+        <translation>没有现场案例</translation>
+    </message>
+    <message>
+        <source>Stop the timer</source>
+        <translation>停止计时</translation>
+    </message>
+    <message>
+        <source>Start the timer</source>
+        <translation>开始计时</translation>
+    </message>
+    <message>
+        <source>Submitted and sealed</source>
+        <translation>已提交并封存</translation>
+    </message>
+    <message>
+        <source>Live sheet</source>
+        <translation>现场评分表</translation>
+    </message>
+    <message>
+        <source>Real arm, in running order. Works without a network; every tap is saved.</source>
+        <translation>真实手臂，按出场顺序。无需网络，每次点击即保存。</translation>
+    </message>
+    <message>
+        <source>Note the time</source>
+        <translation>记录用时</translation>
+    </message>
+    <message>
+        <source>Submit</source>
+        <translation>提交</translation>
+    </message>
+    <message>
+        <source>Timer</source>
+        <translation>计时器</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::LockPanel</name>
+    <message>
+        <source>Locked</source>
+        <translation>未解锁</translation>
+    </message>
+    <message>
+        <source>%1 is signed in here. Nothing was lost; the work goes on where it was left.</source>
+        <translation>%1 已在此登录。内容没有丢失，解锁后可继续。</translation>
+    </message>
+    <message>
+        <source>&amp;Password</source>
+        <translation>密码(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>解锁</translation>
+    </message>
+    <message>
+        <source>Sign out</source>
+        <translation>退出登录</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::MainWindow</name>
+    <message>
+        <source>Loading…</source>
+        <translation>正在加载…</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>提示</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Source of the organ</source>
+        <translation>器官来源</translation>
+    </message>
+    <message>
+        <source>Replay of a recorded trial</source>
+        <translation>正在回放录制内容</translation>
+    </message>
+    <message>
+        <source>%1 mm to the surface. Wheel: nearer</source>
+        <translation>距表面 %1 mm。滚轮：靠近</translation>
+    </message>
+    <message>
+        <source>Bring the jaw to the marked band. Wheel: depth, right drag: look round</source>
+        <translation>将钳口移到标记带。滚轮：深度；右键拖动：环视</translation>
+    </message>
+    <message>
+        <source>Touching. Hold the left button or Space to grip</source>
+        <translation>已接触。按住左键或空格键夹持</translation>
+    </message>
+    <message>
+        <source>Holding. Drag, or press Q and E, to twist; let go to release</source>
+        <translation>已夹持。拖动或按 Q、E 键扭转；松开即释放</translation>
+    </message>
+    <message>
+        <source>The tissue returns to rest</source>
+        <translation>组织正在恢复</translation>
+    </message>
+    <message>
+        <source>● Recording  %1 s</source>
+        <translation>● 录制中  %1 秒</translation>
+    </message>
+    <message>
+        <source>%1 – Torsio</source>
+        <translation>%1 – Torsio</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Open organ</source>
+        <translation>打开器官</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)</source>
+        <translation>网格文件 (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>毫米</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>厘米</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>米</translation>
+    </message>
+    <message>
+        <source>The file's numbers are</source>
+        <translation>文件中的数值单位为</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存图片</translation>
+    </message>
+    <message>
+        <source>torsio.png</source>
+        <translation>torsio.png</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG 图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>Nothing has been recorded yet.</source>
+        <translation>尚无录制内容。</translation>
+    </message>
+    <message>
+        <source>%1   %2, %3   %4 s</source>
+        <translation>%1   %2，%3   %4 秒</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>Recorded trial</source>
+        <translation>录制的试验</translation>
+    </message>
+    <message>
+        <source>Torsio</source>
+        <translation>Torsio</translation>
+    </message>
+    <message>
+        <source>Move the instrument</source>
+        <translation>移动器械</translation>
+    </message>
+    <message>
+        <source>Mouse, or arrow keys</source>
+        <translation>鼠标或方向键</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Wheel, or Page Up and Page Down</source>
+        <translation>滚轮，或 Page Up、Page Down 键</translation>
+    </message>
+    <message>
+        <source>Grip</source>
+        <translation>夹持</translation>
+    </message>
+    <message>
+        <source>Left button or Space (hold), G (keep)</source>
+        <translation>左键或空格键（按住），G 键（保持）</translation>
+    </message>
+    <message>
+        <source>Twist what is held</source>
+        <translation>扭转所夹组织</translation>
+    </message>
+    <message>
+        <source>Drag, Shift + wheel, or Q and E</source>
+        <translation>拖动、Shift + 滚轮，或 Q、E 键</translation>
+    </message>
+    <message>
+        <source>Tilt the instrument</source>
+        <translation>倾斜器械</translation>
+    </message>
+    <message>
+        <source>A, D, W, S</source>
+        <translation>A、D、W、S</translation>
+    </message>
+    <message>
+        <source>Let go</source>
+        <translation>松开</translation>
+    </message>
+    <message>
+        <source>Release the button, or Esc</source>
+        <translation>松开按键，或按 Esc</translation>
+    </message>
+    <message>
+        <source>Bookmark</source>
+        <translation>书签</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Look round</source>
+        <translation>环视</translation>
+    </message>
+    <message>
+        <source>Right drag, or Ctrl + arrow keys</source>
+        <translation>右键拖动，或 Ctrl + 方向键</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>平移视图</translation>
+    </message>
+    <message>
+        <source>Middle drag</source>
+        <translation>中键拖动</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Ctrl + wheel, or + and −</source>
+        <translation>Ctrl + 滚轮，或 + 和 −</translation>
+    </message>
+    <message>
+        <source>Controls</source>
+        <translation>操作方法</translation>
+    </message>
+    <message>
+        <source>About Torsio</source>
+        <translation>关于 Torsio</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Torsio %1&lt;/h3&gt;&lt;p&gt;Training and assessment of surgical twist skills.&lt;/p&gt;&lt;p&gt;A training tool; not a medical device.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Torsio %1&lt;/h3&gt;&lt;p&gt;外科扭转技能的培训与评估。&lt;/p&gt;&lt;p&gt;培训工具，不是医疗器械。&lt;/p&gt;&lt;p&gt;自由软件，采用 GNU 通用公共许可证第 3 版或更高版本。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Open organ…</source>
+        <translation>打开器官…</translation>
+    </message>
+    <message>
+        <source>Use a mesh of your own instead of a shipped organ</source>
+        <translation>使用自己的网格代替自带器官</translation>
+    </message>
+    <message>
+        <source>Picture…</source>
+        <translation>图片…</translation>
+    </message>
+    <message>
+        <source>Save the scene as a PNG picture</source>
+        <translation>将场景保存为 PNG 图片</translation>
+    </message>
+    <message>
+        <source>Start the exercise anew and record it</source>
+        <translation>重新开始练习并录制</translation>
+    </message>
+    <message>
+        <source>Replay…</source>
+        <translation>回放…</translation>
+    </message>
+    <message>
+        <source>Look at a recorded trial again</source>
+        <translation>重新观看录制内容</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>释放</translation>
+    </message>
+    <message>
+        <source>Let go of the tissue; it returns to rest</source>
+        <translation>松开组织，使其恢复</translation>
+    </message>
+    <message>
+        <source>Restart exercise</source>
+        <translation>重新开始练习</translation>
+    </message>
+    <message>
+        <source>Begin the exercise anew</source>
+        <translation>从头开始练习</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>Look from the front</source>
+        <translation>从正面观察</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>侧面</translation>
+    </message>
+    <message>
+        <source>Look from the patient's left side</source>
+        <translation>从患者左侧观察</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上方</translation>
+    </message>
+    <message>
+        <source>Look from the head</source>
+        <translation>从头侧观察</translation>
+    </message>
+    <message>
+        <source>Whole organ</source>
+        <translation>整个器官</translation>
+    </message>
+    <message>
+        <source>Show the whole organ</source>
+        <translation>显示整个器官</translation>
+    </message>
+    <message>
+        <source>Lattice</source>
+        <translation>网格线</translation>
+    </message>
+    <message>
+        <source>Show ridges and sections on the tissue</source>
+        <translation>在组织上显示脊线和截面</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>线框</translation>
+    </message>
+    <message>
+        <source>Show the edges of the surface</source>
+        <translation>显示表面的边</translation>
+    </message>
+    <message>
+        <source>Shear stress</source>
+        <translation>剪应力</translation>
+    </message>
+    <message>
+        <source>Colour the tissue by its shear stress</source>
+        <translation>按剪应力为组织着色</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记点</translation>
+    </message>
+    <message>
+        <source>Show the marker points of the organ</source>
+        <translation>显示器官的标记点</translation>
+    </message>
+    <message>
+        <source>Target pose</source>
+        <translation>目标姿态</translation>
+    </message>
+    <message>
+        <source>Show the pose to reach as a film over the organ</source>
+        <translation>以半透明形式显示需要达到的姿态</translation>
+    </message>
+    <message>
+        <source>How mouse and keys move the instrument</source>
+        <translation>如何用鼠标和键盘移动器械</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>As fine as this machine draws smoothly</source>
+        <translation>在本机流畅的前提下尽量精细</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>快速</translation>
+    </message>
+    <message>
+        <source>Fewer effects, more pictures a second</source>
+        <translation>效果较少，帧率更高</translation>
+    </message>
+    <message>
+        <source>Fine</source>
+        <translation>精细</translation>
+    </message>
+    <message>
+        <source>Shadow, ambient occlusion and antialiasing</source>
+        <translation>阴影、环境光遮蔽和抗锯齿</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>画质</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>更多</translation>
+    </message>
+    <message>
+        <source>More commands</source>
+        <translation>更多命令</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>Dark colours for a dark room</source>
+        <translation>适合暗室的深色</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>全屏</translation>
+    </message>
+    <message>
+        <source>Fill the whole screen</source>
+        <translation>铺满整个屏幕</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>退出</translation>
+    </message>
+    <message>
+        <source>End the program</source>
+        <translation>结束程序</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>版本与许可证</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Exercise</source>
+        <translation>练习(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::NextStepPage</name>
+    <message>
+        <source>Your run of %1 was interrupted. %2 s were recorded and count as training time; no attempt was used.</source>
+        <translation>您在 %1 的操作被中断。已记录 %2 秒并计入训练时间；未占用尝试次数。</translation>
+    </message>
+    <message>
+        <source>Look at it</source>
+        <translation>查看</translation>
+    </message>
+    <message>
+        <source>One remark of a physician that you have not read</source>
+        <translation>有一条医师评语未读</translation>
+    </message>
+    <message>
+        <source>%1 remarks of physicians that you have not read</source>
+        <translation>有 %1 条医师评语未读</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>阅读</translation>
+    </message>
+    <message>
+        <source>Nothing is planned for you yet</source>
+        <translation>尚未为您安排训练</translation>
+    </message>
+    <message>
+        <source>You are in no cohort. Your training office adds you; free practice is open meanwhile.</source>
+        <translation>您尚未加入任何班组，请联系培训办公室。在此期间可以自由练习。</translation>
+    </message>
+    <message>
+        <source>Your cohort follows no curriculum yet. Free practice is open meanwhile.</source>
+        <translation>您的班组尚无课程。在此期间可以自由练习。</translation>
+    </message>
+    <message>
+        <source>Your training time is complete</source>
+        <translation>您的训练时间已完成</translation>
+    </message>
+    <message>
+        <source>Nothing is open now</source>
+        <translation>目前没有开放的模块</translation>
+    </message>
+    <message>
+        <source>Look at your trend, or take your transcript.</source>
+        <translation>可以查看趋势或打印成绩单。</translation>
+    </message>
+    <message>
+        <source>On the real arm: %1</source>
+        <translation>真实手臂训练：%1</translation>
+    </message>
+    <message>
+        <source>%1 left. The timer logs your training time; nothing is recorded.</source>
+        <translation>剩余 %1。计时器记录训练时间，不做其他记录。</translation>
+    </message>
+    <message>
+        <source>takes at most %1</source>
+        <translation>最多需要 %1</translation>
+    </message>
+    <message>
+        <source>the last attempt</source>
+        <translation>最后一次尝试</translation>
+    </message>
+    <message>
+        <source>%1 attempts left</source>
+        <translation>剩余 %1 次尝试</translation>
+    </message>
+    <message>
+        <source>&amp;Begin on the real arm</source>
+        <translation>开始真实手臂训练(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Begin graded run</source>
+        <translation>开始计分操作(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>开始(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Practise first</source>
+        <translation>先练习(&amp;P)</translation>
+    </message>
+    <message>
+        <source>%1  ·  %2</source>
+        <translation>%1  ·  %2</translation>
+    </message>
+    <message>
+        <source>Not tried yet</source>
+        <translation>尚未尝试</translation>
+    </message>
+    <message>
+        <source>Trend</source>
+        <translation>趋势</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>Begin %1</source>
+        <translation>开始 %1</translation>
+    </message>
+    <message>
+        <source>Trainee %1</source>
+        <translation>学员 %1</translation>
+    </message>
+    <message>
+        <source>%1  ·  %2 of %3 trained</source>
+        <translation>%1  ·  已训练 %2 / %3</translation>
+    </message>
+    <message>
+        <source>Welcome</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Consent</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>All modules</source>
+        <translation>全部模块</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::PasswordPanel</name>
+    <message>
+        <source>The two are not the same yet</source>
+        <translation>两次输入尚不一致</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
+    </message>
+    <message>
+        <source>Choose a new password</source>
+        <translation>设置新密码</translation>
+    </message>
+    <message>
+        <source>Your password was set by somebody else. Choose one that only you know: at least fifteen characters, a short sentence for example.</source>
+        <translation>当前密码由他人设置。请设置只有您知道的密码：至少十五个字符，例如一个短句。</translation>
+    </message>
+    <message>
+        <source>At least fifteen characters, a short sentence for example. Nothing else is asked for.</source>
+        <translation>至少十五个字符，例如一个短句，没有其他要求。</translation>
+    </message>
+    <message>
+        <source>&amp;Present password</source>
+        <translation>当前密码(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;New password</source>
+        <translation>新密码(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The same &amp;again</source>
+        <translation>再次输入(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Back to the sign-in</source>
+        <translation>返回登录</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Save password</source>
+        <translation>保存密码</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::PeopleDialog</name>
+    <message>
+        <source>Code</source>
+        <translation>代码</translation>
+    </message>
+    <message>
+        <source>Sex</source>
+        <translation>性别</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>Experience</source>
+        <translation>经验</translation>
+    </message>
+    <message>
+        <source>Class of raters</source>
+        <translation>评分者类别</translation>
+    </message>
+    <message>
+        <source>Nobody is left to choose.</source>
+        <translation>没有可选人员。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::PracticePage</name>
+    <message>
+        <source>A recording is going on. Stop it first</source>
+        <translation>正在录制，请先停止</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ProblemPanel</name>
+    <message>
+        <source>Hide details</source>
+        <translation>隐藏详情</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>详情</translation>
+    </message>
+    <message>
+        <source>A problem</source>
+        <translation>出现问题</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::QueuePage</name>
+    <message>
+        <source>Your queue</source>
+        <translation>您的待评列表</translation>
+    </message>
+    <message>
+        <source>Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, and you see nobody's.</source>
+        <translation>案例已盲化，并为您单独打乱顺序。在所有人提交之前，没有人能看到您的评分，您也看不到他人的评分。</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>待评</translation>
+    </message>
+    <message>
+        <source>Drafts</source>
+        <translation>草稿</translation>
+    </message>
+    <message>
+        <source>Time needed</source>
+        <translation>所需时间</translation>
+    </message>
+    <message>
+        <source>Next deadline</source>
+        <translation>最近截止日期</translation>
+    </message>
+    <message>
+        <source>&amp;Warm up</source>
+        <translation>热身(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Live sheet</source>
+        <translation>现场评分表(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Alignment</source>
+        <translation>评分对齐(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Your cases</source>
+        <translation>您的案例</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>案例</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Due</source>
+        <translation>截止</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>分钟</translation>
+    </message>
+    <message>
+        <source>No recorded case is assigned to you. New ones appear here by themselves.</source>
+        <translation>没有分配给您的录像案例。新案例会自动出现在这里。</translation>
+    </message>
+    <message>
+        <source>%1 submitted so far</source>
+        <translation>已提交 %1 份</translation>
+    </message>
+    <message>
+        <source>begun and saved with every key</source>
+        <translation>已开始，每次按键均已保存</translation>
+    </message>
+    <message>
+        <source>nothing is half done</source>
+        <translation>没有未完成的草稿</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分钟</translation>
+    </message>
+    <message>
+        <source>at your own pace so far</source>
+        <translation>按您目前的速度</translation>
+    </message>
+    <message>
+        <source>from the length of the recordings</source>
+        <translation>按录像时长估计</translation>
+    </message>
+    <message>
+        <source>%1 overdue</source>
+        <translation>%1 份已逾期</translation>
+    </message>
+    <message>
+        <source>nothing is overdue</source>
+        <translation>没有逾期</translation>
+    </message>
+    <message>
+        <source>Before the first case: score two reference runs and see how far you are from the panel.</source>
+        <translation>开始之前：请先为两段参考录像评分，看看您与专家组的差距。</translation>
+    </message>
+    <message>
+        <source>Live cases on the real arm that wait for you: %1.</source>
+        <translation>等待您的真实手臂现场案例：%1。</translation>
+    </message>
+    <message>
+        <source>All have submitted. Your marks that lie apart from the others: %1.</source>
+        <translation>所有人均已提交。您与他人相差较大的评分：%1。</translation>
+    </message>
+    <message>
+        <source>&amp;Continue the draft</source>
+        <translation>继续草稿(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>继续(&amp;C)</translation>
+    </message>
+    <message>
+        <source>All done</source>
+        <translation>全部完成</translation>
+    </message>
+    <message>
+        <source>submitted</source>
+        <translation>已提交</translation>
+    </message>
+    <message>
+        <source>overdue</source>
+        <translation>已逾期</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>草稿</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>待评</translation>
+    </message>
+    <message>
+        <source>Case %1</source>
+        <translation>案例 %1</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::Rail</name>
+    <message>
+        <source>Pages</source>
+        <translation>页面</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Hide names</source>
+        <translation>隐藏名称</translation>
+    </message>
+    <message>
+        <source>Show names</source>
+        <translation>显示名称</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ReadoutPanel</name>
+    <message>
+        <source>Twist</source>
+        <translation>扭转</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>负荷</translation>
+    </message>
+    <message>
+        <source>Timing</source>
+        <translation>计时</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>扭矩</translation>
+    </message>
+    <message>
+        <source>N m</source>
+        <translation>N m</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Servo tick</source>
+        <translation>伺服周期</translation>
+    </message>
+    <message>
+        <source>Time that one step of the 1 kHz loop takes, of 1000 µs; how many steps came late</source>
+        <translation>1 kHz 循环每一步所用时间（上限 1000 µs），以及延迟的步数</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>帧率</translation>
+    </message>
+    <message>
+        <source>Pictures drawn in one second</source>
+        <translation>每秒绘制的画面数</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>自由</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>Twisting</source>
+        <translation>扭转中</translation>
+    </message>
+    <message>
+        <source>Released</source>
+        <translation>已释放</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>%1, too long</source>
+        <translation>%1，过长</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n late</source>
+        <translation><numerusform>%1，延迟 %n 步</numerusform></translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /秒</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RemarksPage</name>
+    <message>
+        <source>What physicians wrote</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Each remark stands at the second of the run that it concerns.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>No remarks yet. They appear here when the marks of a run have been released.</source>
+        <translation>暂无评语。评分发布后会显示在这里。</translation>
+    </message>
+    <message>
+        <source>Remarks on this run</source>
+        <translation>本次操作的评语</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>评分</translation>
+    </message>
+    <message>
+        <source>Runs with remarks</source>
+        <translation>有评语的操作</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>%1
+%2, %3 not read</source>
+        <translation>%1
+%2，%3 条未读</translation>
+    </message>
+    <message>
+        <source>%1
+%2</source>
+        <translation>%1
+%2</translation>
+    </message>
+    <message>
+        <source>You, %1</source>
+        <translation>您，%1</translation>
+    </message>
+    <message>
+        <source>Physician, %1</source>
+        <translation>医师，%1</translation>
+    </message>
+    <message>
+        <source>Physician, at %1</source>
+        <translation>医师，时刻 %1</translation>
+    </message>
+    <message>
+        <source>Mark as read</source>
+        <translation>标为已读</translation>
+    </message>
+    <message>
+        <source>Look at the run</source>
+        <translation>查看操作</translation>
+    </message>
+    <message>
+        <source>Write a reply</source>
+        <translation>写回复</translation>
+    </message>
+    <message>
+        <source>Reply</source>
+        <translation>回复</translation>
+    </message>
+    <message>
+        <source>Score yourself first; then you see how the physicians scored.</source>
+        <translation>请先自评，然后可以看到医师的评分。</translation>
+    </message>
+    <message>
+        <source>Your own marks beside those of one physician.</source>
+        <translation>您的自评与一位医师的评分。</translation>
+    </message>
+    <message>
+        <source>Your own marks beside the mean of %1 physicians.</source>
+        <translation>您的自评与 %1 位医师的平均分。</translation>
+    </message>
+    <message>
+        <source>Your marks are kept. The physicians' marks appear when they are released.</source>
+        <translation>您的自评已保存。医师评分发布后会显示。</translation>
+    </message>
+    <message>
+        <source>You</source>
+        <translation>自评</translation>
+    </message>
+    <message>
+        <source>Physicians</source>
+        <translation>医师</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>Overall</source>
+        <translation>总分</translation>
+    </message>
+    <message>
+        <source>&amp;Keep my marks</source>
+        <translation>保存自评(&amp;K)</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ReplayBar</name>
+    <message>
+        <source>Close replay</source>
+        <translation>关闭回放</translation>
+    </message>
+    <message>
+        <source>Position in the recording</source>
+        <translation>录制位置</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>%1 × speed</source>
+        <translation>%1 倍速</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ReplayPanel</name>
+    <message>
+        <source>The organ in three dimensions</source>
+        <translation>器官三维视图</translation>
+    </message>
+    <message>
+        <source>5 s back</source>
+        <translation>后退 5 秒</translation>
+    </message>
+    <message>
+        <source>Jumps five seconds back (J)</source>
+        <translation>后退五秒（J）</translation>
+    </message>
+    <message>
+        <source>5 s on</source>
+        <translation>前进 5 秒</translation>
+    </message>
+    <message>
+        <source>Jumps five seconds on; what is skipped does not count as watched</source>
+        <translation>前进五秒；跳过的部分不计入已观看</translation>
+    </message>
+    <message>
+        <source>Plays or pauses (Space)</source>
+        <translation>播放或暂停（空格）</translation>
+    </message>
+    <message>
+        <source>Time in the recording</source>
+        <translation>录像时间</translation>
+    </message>
+    <message>
+        <source>Proves that this is the recording as it was stored. It tells nothing else, and it is another one for each physician</source>
+        <translation>证明此录像与存储时一致。它不透露其他信息，且每位医师各不相同</translation>
+    </message>
+    <message>
+        <source>The organ of this recording is not on this machine; the traces are complete.</source>
+        <translation>本机没有此录像的器官模型；曲线是完整的。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>%1 ×, locked</source>
+        <translation>%1 ×，已锁定</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Scored recordings play as they happened</source>
+        <translation>评分录像按原速播放</translation>
+    </message>
+    <message>
+        <source>J slower, L faster; the speed is kept with the mark</source>
+        <translation>J 减速，L 加速；速度随评分一并保存</translation>
+    </message>
+    <message>
+        <source>Recording %1, unchanged</source>
+        <translation>录像 %1，未改动</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ReportPreview</name>
+    <message numerus="yes">
+        <source>%n row(s) more in the report</source>
+        <translation><numerusform>报告中还有 %n 行</numerusform></translation>
+    </message>
+    <message>
+        <source>Demonstration data: nothing in it is a result.</source>
+        <translation>演示数据：其中任何内容都不是研究结果。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ReportsPage</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>as they are now</source>
+        <translation>当前数据</translation>
+    </message>
+    <message>
+        <source>Preparing the report</source>
+        <translation>正在准备报告</translation>
+    </message>
+    <message>
+        <source>This report will name the trainees. That you took it out is kept in the audit trail.</source>
+        <translation>此报告将显示学员姓名。导出行为会记入审计记录。</translation>
+    </message>
+    <message>
+        <source>The record has changed since this data set was frozen; the report says so.</source>
+        <translation>该数据集冻结后记录已有变化；报告中会说明。</translation>
+    </message>
+    <message>
+        <source>For a report that others rely on, freeze the data first: then anybody can check later that nothing changed.</source>
+        <translation>正式报告请先冻结数据：以后任何人都能核对数据未被更改。</translation>
+    </message>
+    <message>
+        <source>Freeze data</source>
+        <translation>冻结数据</translation>
+    </message>
+    <message>
+        <source>Name of the data set. It keeps a list of everything the report is made of, with hashes.</source>
+        <translation>数据集名称。它保存报告所依据的全部内容及其哈希的清单。</translation>
+    </message>
+    <message>
+        <source>Frozen as “%1”</source>
+        <translation>已冻结为“%1”</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>保存报告</translation>
+    </message>
+    <message>
+        <source>Save table of numbers</source>
+        <translation>保存数据表</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Table, comma-separated (*.csv)</source>
+        <translation>逗号分隔表 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Writing the report…</source>
+        <translation>正在写入报告…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>Cancelled; no file was written</source>
+        <translation>已取消；未写入文件</translation>
+    </message>
+    <message>
+        <source>Reports</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Choose a cohort, freeze its data, look through the report, and write it.</source>
+        <translation>选择批次，冻结数据，浏览报告，然后保存。</translation>
+    </message>
+    <message>
+        <source>Save &amp;PDF…</source>
+        <translation>保存 PDF(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Save &amp;numbers (CSV)…</source>
+        <translation>保存数据 (CSV)(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>&amp;Cohort</source>
+        <translation>批次(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Evaluation of models</source>
+        <translation>模型评价(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Data</source>
+        <translation>数据(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Freeze…</source>
+        <translation>冻结(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>People are &amp;shown</source>
+        <translation>人员显示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>by code</source>
+        <translation>按代码</translation>
+    </message>
+    <message>
+        <source>aggregated only</source>
+        <translation>仅汇总</translation>
+    </message>
+    <message>
+        <source>trainees with names</source>
+        <translation>显示学员姓名</translation>
+    </message>
+    <message>
+        <source>Preview of the report</source>
+        <translation>报告预览</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ResultsPage</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Computing results</source>
+        <translation>正在计算结果</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Every figure of the report with its values. Ctrl+C copies what is shown.</source>
+        <translation>报告的每幅图及其数值。Ctrl+C 复制当前内容。</translation>
+    </message>
+    <message>
+        <source>&amp;Cohort</source>
+        <translation>批次(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Evaluation of models</source>
+        <translation>模型评价(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Figures and tables</source>
+        <translation>图和表</translation>
+    </message>
+    <message>
+        <source>There is nothing to show yet: no cohort has marks or recordings.</source>
+        <translation>暂无内容：没有批次有评分或录制。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ReviewPages</name>
+    <message>
+        <source>Queue</source>
+        <translation>待评列表</translation>
+    </message>
+    <message>
+        <source>Warm-up</source>
+        <translation>热身</translation>
+    </message>
+    <message>
+        <source>Live sheet</source>
+        <translation>现场评分表</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>评分对齐</translation>
+    </message>
+    <message>
+        <source>My severity</source>
+        <translation>我的严格度</translation>
+    </message>
+    <message>
+        <source>Evaluation</source>
+        <translation>模型评价</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>案例</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RosterColumnsPage</name>
+    <message>
+        <source>The columns</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Which column holds what. Fields with a star are needed; the first lines of the file stand below.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>not in this file</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 *</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RosterFilePage</name>
+    <message>
+        <source>&amp;Trainees</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Raters</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The file</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>A table saved as CSV (UTF-8), one person a line, with a header line. The staff or student number tells who somebody is; an e-mail address alone never does.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Path of the CSV file</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Save an empty template…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Roster</source>
+        <translation>人员名册</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Empty template</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RosterPage</name>
+    <message>
+        <source>People</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Who trains and who scores. Everything else in the record knows them by their code only.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Import a roster…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;New person…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Show na&amp;mes</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Change…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>代码</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>Trains</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Scores as</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Sex</source>
+        <translation>性别</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>Experience</source>
+        <translation>经验</translation>
+    </message>
+    <message>
+        <source>Consent to the record</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Nobody yet. Import the roster of your centre, or add people by hand.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>given</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>not given</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>active</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>left</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Came &amp;back…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Has &amp;left…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 people added, %2 changed</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Has left</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 keeps the record and is offered nowhere any more.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Came back</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 is offered again.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Export with names</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Export under codes</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Exporting people</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 people written to %2</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RosterPreviewPage</name>
+    <message>
+        <source>What would happen</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Nothing is stored yet. With an error in any line nothing at all is imported: mend the file and choose it again.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Line</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Status</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>%1 new, %2 with changes, %3 as they are, %4 with errors.</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RosterWizard</name>
+    <message>
+        <source>Import a roster</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Import</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RunDayPage</name>
+    <message>
+        <source>withdrew</source>
+        <translation>已退出</translation>
+    </message>
+    <message>
+        <source>all phases done</source>
+        <translation>全部阶段已完成</translation>
+    </message>
+    <message>
+        <source>no curriculum</source>
+        <translation>无课程</translation>
+    </message>
+    <message>
+        <source>records at %1</source>
+        <translation>在 %1 录制</translation>
+    </message>
+    <message>
+        <source>%1 recording now · %2 of %3 done · %4 sheets missing</source>
+        <translation>正在录制 %1 · 已完成 %2 / %3 · 缺评分表 %4</translation>
+    </message>
+    <message>
+        <source>&amp;Back in…</source>
+        <translation>恢复(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>&amp;Withdraw…</source>
+        <translation>退出(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>the whole cohort</source>
+        <translation>整个批次</translation>
+    </message>
+    <message>
+        <source>Back into the study</source>
+        <translation>重新加入研究</translation>
+    </message>
+    <message>
+        <source>%1 takes part again.</source>
+        <translation>%1 重新参加。</translation>
+    </message>
+    <message>
+        <source>Withdraw from the study</source>
+        <translation>退出研究</translation>
+    </message>
+    <message>
+        <source>%1 trains no further; what was recorded stays.</source>
+        <translation>%1 不再训练；已有记录保留。</translation>
+    </message>
+    <message>
+        <source>Run day</source>
+        <translation>训练日</translation>
+    </message>
+    <message>
+        <source>Who is at what, what is left, and which sheets are still missing.</source>
+        <translation>谁在做什么、还剩多少、缺哪些评分表。</translation>
+    </message>
+    <message>
+        <source>&amp;Cohort</source>
+        <translation>批次(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Log time…</source>
+        <translation>登记时间(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>&amp;Deviation…</source>
+        <translation>偏离(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>组别</translation>
+    </message>
+    <message>
+        <source>Now at</source>
+        <translation>当前阶段</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>剩余时间</translation>
+    </message>
+    <message>
+        <source>Rest left</source>
+        <translation>剩余休息</translation>
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>工作站</translation>
+    </message>
+    <message>
+        <source>Scoring due</source>
+        <translation>应评分点</translation>
+    </message>
+    <message>
+        <source>Sheets missing</source>
+        <translation>缺评分表</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>偏离</translation>
+    </message>
+    <message>
+        <source>Nobody is enrolled in this cohort yet. Enrol trainees under Cohorts.</source>
+        <translation>该批次尚无人登记。请在“批次”中登记学员。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::RunPage</name>
+    <message>
+        <source>The computer stood still. That time does not count.</source>
+        <translation>计算机曾停顿，这段时间不计入。</translation>
+    </message>
+    <message>
+        <source>The rest is used up. Training goes on.</source>
+        <translation>休息时间已用完，训练继续。</translation>
+    </message>
+    <message>
+        <source>The time on the real arm is over. It has been logged.</source>
+        <translation>真实手臂训练时间结束，已记录。</translation>
+    </message>
+    <message>
+        <source>End this run now?</source>
+        <translation>现在结束本次操作？</translation>
+    </message>
+    <message>
+        <source>What was recorded is kept, and the attempt counts.</source>
+        <translation>已记录的内容会保存，并计入一次尝试。</translation>
+    </message>
+    <message>
+        <source>What was recorded is kept.</source>
+        <translation>已记录的内容会保存。</translation>
+    </message>
+    <message>
+        <source>&amp;End the run</source>
+        <translation>结束操作(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>继续(&amp;G)</translation>
+    </message>
+    <message>
+        <source>A run goes on. End it first.</source>
+        <translation>操作正在进行，请先结束。</translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation>剩余时间</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Load on the tissue</source>
+        <translation>组织受力</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>扭矩</translation>
+    </message>
+    <message>
+        <source>N m</source>
+        <translation>N m</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Graded run</source>
+        <translation>计分操作</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>练习</translation>
+    </message>
+    <message>
+        <source>No run goes on</source>
+        <translation>没有正在进行的操作</translation>
+    </message>
+    <message>
+        <source>Choose a module on the page “My next step”.</source>
+        <translation>请在“我的下一步”页面选择模块。</translation>
+    </message>
+    <message>
+        <source>Phase %1 of %2: %3</source>
+        <translation>第 %1 / %2 阶段：%3</translation>
+    </message>
+    <message>
+        <source>&amp;Rest (%1 left)</source>
+        <translation>休息（剩余 %1）(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Rest (used up)</source>
+        <translation>休息（已用完）(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation>休息</translation>
+    </message>
+    <message>
+        <source>Your training clock stands still. Training goes on by itself when the rest is used up.</source>
+        <translation>训练计时已暂停。休息时间用完后训练自动继续。</translation>
+    </message>
+    <message>
+        <source>&amp;Go on now</source>
+        <translation>现在继续(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Go to the real arm</source>
+        <translation>请到真实手臂处</translation>
+    </message>
+    <message>
+        <source>Come to the simulator</source>
+        <translation>请回到模拟器</translation>
+    </message>
+    <message>
+        <source>The next phase starts by itself: %1</source>
+        <translation>下一阶段将自动开始：%1</translation>
+    </message>
+    <message>
+        <source>I am &amp;ready</source>
+        <translation>我准备好了(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Train on the real arm</source>
+        <translation>在真实手臂上训练</translation>
+    </message>
+    <message>
+        <source>This timer logs your training time. Nothing is recorded by the simulator.</source>
+        <translation>计时器记录训练时间，模拟器不做记录。</translation>
+    </message>
+    <message>
+        <source>Bring the jaw to the marked band.</source>
+        <translation>将钳口移到标记带。</translation>
+    </message>
+    <message>
+        <source>Touching. Close the jaw.</source>
+        <translation>已接触，请夹紧。</translation>
+    </message>
+    <message>
+        <source>On target. Hold, then let go gently.</source>
+        <translation>已到目标。保持，然后轻轻松开。</translation>
+    </message>
+    <message>
+        <source>On target. Let go gently.</source>
+        <translation>已到目标。轻轻松开。</translation>
+    </message>
+    <message>
+        <source>Beyond the target. Turn back a little.</source>
+        <translation>超过目标，请稍微转回。</translation>
+    </message>
+    <message>
+        <source>Nearly there. Slow down.</source>
+        <translation>快到了，请放慢。</translation>
+    </message>
+    <message>
+        <source>The other way round.</source>
+        <translation>方向反了。</translation>
+    </message>
+    <message>
+        <source>Turn in one even movement.</source>
+        <translation>一次平稳地转动。</translation>
+    </message>
+    <message>
+        <source>The tissue returns to rest.</source>
+        <translation>组织正在复原。</translation>
+    </message>
+    <message>
+        <source>Above the limit: ease off</source>
+        <translation>超过限值：请减力</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::SceneView</name>
+    <message>
+        <source>Organ and instrument</source>
+        <translation>器官与器械</translation>
+    </message>
+    <message>
+        <source>Three-dimensional view; the numbers beside it say the same in text.</source>
+        <translation>三维视图；旁边的数字以文字给出相同内容。</translation>
+    </message>
+    <message>
+        <source>This display cannot show the organ: it has no OpenGL.</source>
+        <translation>此显示环境没有 OpenGL，无法显示器官。</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ScoreRow</name>
+    <message>
+        <source>Why can this not be judged? Enter ends, Esc takes it back</source>
+        <translation>为什么无法评判？回车结束，Esc 撤回</translation>
+    </message>
+    <message>
+        <source>Why %1 cannot be judged</source>
+        <translation>%1 为什么无法评判</translation>
+    </message>
+    <message>
+        <source>not assessable</source>
+        <translation>无法评判</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>%1; now %2</source>
+        <translation>%1；现为 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ScoringPage</name>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Scoring point</source>
+        <translation>评分点</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>缺</translation>
+    </message>
+    <message>
+        <source>not asked</source>
+        <translation>未邀请</translation>
+    </message>
+    <message>
+        <source>case %1: %2</source>
+        <translation>病例 %1：%2</translation>
+    </message>
+    <message>
+        <source>● submitted %1 · ○ open or ◐ draft %2</source>
+        <translation>● 已提交 %1 · ○ 未开始或 ◐ 草稿 %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheet(s) asked for</source>
+        <translation><numerusform>已发出 %n 份评分表</numerusform></translation>
+    </message>
+    <message>
+        <source>Scoring</source>
+        <translation>评分</translation>
+    </message>
+    <message>
+        <source>Who scores whom, and how far it has come. Marks are not shown here.</source>
+        <translation>谁为谁评分、进展如何。此处不显示分数。</translation>
+    </message>
+    <message>
+        <source>&amp;Ask raters…</source>
+        <translation>邀请评分者(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;Cohort</source>
+        <translation>批次(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Reassign…</source>
+        <translation>改派(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Re&amp;lease marks…</source>
+        <translation>公布评分(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>No rater has been asked yet. Press Ask raters: each gets the cases in an order of their own.</source>
+        <translation>尚未邀请评分者。请按“邀请评分者”：每人的病例顺序各不相同。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::SeverityPage</name>
+    <message>
+        <source>points from the panel: you judge as the others do.</source>
+        <translation>分，与专家组之差：您与他人判断一致。</translation>
+    </message>
+    <message>
+        <source>points from the panel: you are stricter.</source>
+        <translation>分，与专家组之差：您较严格。</translation>
+    </message>
+    <message>
+        <source>points from the panel: you are milder.</source>
+        <translation>分，与专家组之差：您较宽松。</translation>
+    </message>
+    <message>
+        <source>95 % interval %1 to %2; cases: %3. Your mean is %4, the others' %5.</source>
+        <translation>95 % 区间 %1 至 %2；案例数：%3。您的均分 %4，他人 %5。</translation>
+    </message>
+    <message>
+        <source>From one case; an interval needs two at least.</source>
+        <translation>仅有一个案例；区间至少需要两个。</translation>
+    </message>
+    <message>
+        <source>Nothing to compare yet.</source>
+        <translation>暂无可比较的内容。</translation>
+    </message>
+    <message>
+        <source>Cases appear here once all physicians have submitted them.</source>
+        <translation>所有医师提交后，案例会显示在这里。</translation>
+    </message>
+    <message>
+        <source>Your cases that wait for the others: %1. Thank you for your time.</source>
+        <translation>等待他人提交的案例：%1。感谢您付出的时间。</translation>
+    </message>
+    <message>
+        <source>Thank you for your time. Reports never correct your marks silently.</source>
+        <translation>感谢您付出的时间。报告绝不会悄悄修正您的评分。</translation>
+    </message>
+    <message>
+        <source>Case %1</source>
+        <translation>案例 %1</translation>
+    </message>
+    <message>
+        <source>My severity</source>
+        <translation>我的严格度</translation>
+    </message>
+    <message>
+        <source>For your eyes only. Overall marks of cases that all have submitted; the mean of the others does not contain yours.</source>
+        <translation>仅供您本人查看。取所有人均已提交案例的总评；他人均分不含您的评分。</translation>
+    </message>
+    <message>
+        <source>You and the panel</source>
+        <translation>您与专家组</translation>
+    </message>
+    <message>
+        <source>Your mark (upwards) against the panel's mean</source>
+        <translation>您的评分（纵轴）与专家组均分</translation>
+    </message>
+    <message>
+        <source>Your marks and the panel's, case by case</source>
+        <translation>逐案例的您与专家组评分</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>案例</translation>
+    </message>
+    <message>
+        <source>You</source>
+        <translation>自评</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>专家组</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>No case is complete yet.</source>
+        <translation>尚无完成的案例。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::SeverityPlot</name>
+    <message>
+        <source>Your marks against the panel's</source>
+        <translation>您的评分与专家组对照</translation>
+    </message>
+    <message>
+        <source>Cases: %1; the list beside it holds the same figures</source>
+        <translation>案例数：%1；旁边的列表含有相同数据</translation>
+    </message>
+    <message>
+        <source>mean of the others, points</source>
+        <translation>他人均分</translation>
+    </message>
+    <message>
+        <source>you are milder</source>
+        <translation>您较宽松</translation>
+    </message>
+    <message>
+        <source>you are stricter</source>
+        <translation>您较严格</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::SheetPanel</name>
+    <message>
+        <source>Co&amp;mment for the trainee</source>
+        <translation>给学员的评论(&amp;M)</translation>
+    </message>
+    <message>
+        <source>What would help most next time?</source>
+        <translation>下次怎样做最有帮助？</translation>
+    </message>
+    <message>
+        <source>Overall</source>
+        <translation>总分</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ShellContext</name>
+    <message>
+        <source>Something unexpected happened</source>
+        <translation>发生意外情况</translation>
+    </message>
+    <message>
+        <source>Nothing was lost; please try again</source>
+        <translation>内容没有丢失，请重试</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was changed</source>
+        <translation>已取消，没有任何更改</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ShellWindow</name>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
+    </message>
+    <message>
+        <source>Something is unfinished here. Only its owner can sign out</source>
+        <translation>此处有未完成的内容，只有本人可以退出登录</translation>
+    </message>
+    <message>
+        <source>Leave kiosk mode</source>
+        <translation>退出展台模式</translation>
+    </message>
+    <message>
+        <source>An administrator ends the kiosk with name and password.</source>
+        <translation>管理员可用登录名和密码结束展台模式。</translation>
+    </message>
+    <message>
+        <source>Only an administrator can end the kiosk</source>
+        <translation>只有管理员可以结束展台模式</translation>
+    </message>
+    <message>
+        <source>Nobody here? You will be signed out in %1 s. Press any key to stay</source>
+        <translation>没有人在吗？%1 秒后将退出登录。按任意键继续</translation>
+    </message>
+    <message>
+        <source>Nobody here? The screen will be locked in %1 s. Press any key to stay</source>
+        <translation>没有人在吗？%1 秒后将锁定屏幕。按任意键继续</translation>
+    </message>
+    <message>
+        <source>You were signed out because nobody was here</source>
+        <translation>由于长时间无人操作，已退出登录</translation>
+    </message>
+    <message>
+        <source>Leave the password out of the address; it would stand in a settings file. Put it into .pgpass</source>
+        <translation>请不要在地址中写密码，否则它会保存在设置文件里。请写入 .pgpass</translation>
+    </message>
+    <message>
+        <source>Setting up the centre</source>
+        <translation>正在设置中心</translation>
+    </message>
+    <message>
+        <source>Name and password do not fit together. Please try again</source>
+        <translation>登录名与密码不匹配，请重试</translation>
+    </message>
+    <message>
+        <source>This account is switched off. Ask your administrator</source>
+        <translation>该账户已停用，请联系管理员</translation>
+    </message>
+    <message>
+        <source>The new password is in force</source>
+        <translation>新密码已生效</translation>
+    </message>
+    <message>
+        <source>Too many wrong tries. Please wait %1 s</source>
+        <translation>错误次数过多，请等待 %1 秒</translation>
+    </message>
+    <message>
+        <source>That is not the password. Please try again</source>
+        <translation>密码不正确，请重试</translation>
+    </message>
+    <message>
+        <source>PIN for practice</source>
+        <translation>练习用 PIN 码</translation>
+    </message>
+    <message>
+        <source>At least four digits. With it you practise at a station; nothing is recorded.
+Leave it empty to remove it.</source>
+        <translation>至少四位数字。可用它在工作站练习，不作任何记录。
+留空则删除。</translation>
+    </message>
+    <message>
+        <source>The PIN was removed</source>
+        <translation>PIN 码已删除</translation>
+    </message>
+    <message>
+        <source>The PIN is in force</source>
+        <translation>PIN 码已生效</translation>
+    </message>
+    <message>
+        <source>There is no demonstration data</source>
+        <translation>没有演示数据</translation>
+    </message>
+    <message>
+        <source>Remove demonstration data</source>
+        <translation>删除演示数据</translation>
+    </message>
+    <message>
+        <source>Remove %1 simulated people, %2 trials and %3 marks?</source>
+        <translation>删除 %1 名模拟人员、%2 次试验和 %3 个评分？</translation>
+    </message>
+    <message>
+        <source>Your own data stay as they are. This cannot be undone.</source>
+        <translation>您自己的数据不受影响。此操作无法撤销。</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Removing the demonstration</source>
+        <translation>正在删除演示数据</translation>
+    </message>
+    <message>
+        <source>Removed from the user menu</source>
+        <translation>通过用户菜单删除</translation>
+    </message>
+    <message>
+        <source>The demonstration data were removed</source>
+        <translation>演示数据已删除</translation>
+    </message>
+    <message>
+        <source>Warning of the idle lock</source>
+        <translation>无操作锁定提醒</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ShortcutSheet</name>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>通用</translation>
+    </message>
+    <message>
+        <source>This sheet</source>
+        <translation>本页</translation>
+    </message>
+    <message>
+        <source>F1, or ?</source>
+        <translation>F1 或 ?</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>全屏</translation>
+    </message>
+    <message>
+        <source>Next field, previous field</source>
+        <translation>下一字段、上一字段</translation>
+    </message>
+    <message>
+        <source>Tab, Shift + Tab</source>
+        <translation>Tab、Shift + Tab</translation>
+    </message>
+    <message>
+        <source>Page of the navigation</source>
+        <translation>导航中的页面</translation>
+    </message>
+    <message>
+        <source>Alt + 1 to Alt + 9</source>
+        <translation>Alt + 1 至 Alt + 9</translation>
+    </message>
+    <message>
+        <source>Lock now</source>
+        <translation>立即锁定</translation>
+    </message>
+    <message>
+        <source>Close a dialog, let go</source>
+        <translation>关闭对话框、松开</translation>
+    </message>
+    <message>
+        <source>On this page</source>
+        <translation>本页面</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::SignInPanel</name>
+    <message>
+        <source>Too many wrong tries. Please wait %1 s</source>
+        <translation>错误次数过多，请等待 %1 秒</translation>
+    </message>
+    <message>
+        <source>You may try again now</source>
+        <translation>现在可以重试</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>正在检查…</translation>
+    </message>
+    <message>
+        <source>Practice with your PIN</source>
+        <translation>使用 PIN 码练习</translation>
+    </message>
+    <message>
+        <source>Sign in</source>
+        <translation>登录</translation>
+    </message>
+    <message>
+        <source>Sign-in &amp;name</source>
+        <translation>登录名(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Station &amp;PIN</source>
+        <translation>工作站 PIN 码(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Password</source>
+        <translation>密码(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Practise</source>
+        <translation>开始练习</translation>
+    </message>
+    <message>
+        <source>Sign in with the password</source>
+        <translation>使用密码登录</translation>
+    </message>
+    <message>
+        <source>Practise with a PIN</source>
+        <translation>使用 PIN 码练习</translation>
+    </message>
+    <message>
+        <source>Practise as a guest</source>
+        <translation>以访客身份练习</translation>
+    </message>
+    <message>
+        <source>With a PIN or as a guest nothing is recorded and nothing is scored.</source>
+        <translation>使用 PIN 码或访客身份时，不记录也不评分。</translation>
+    </message>
+    <message>
+        <source>Leave kiosk mode…</source>
+        <translation>退出展台模式…</translation>
+    </message>
+    <message>
+        <source>A training tool and not a medical device. No patient data.</source>
+        <translation>培训工具，不是医疗器械。不含患者数据。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::SimulationController</name>
+    <message>
+        <source>Something unexpected went wrong</source>
+        <translation>出现意外错误</translation>
+    </message>
+    <message>
+        <source>Please report this.</source>
+        <translation>请报告此问题。</translation>
+    </message>
+    <message>
+        <source>Stop the recording before choosing another exercise.</source>
+        <translation>请先停止录制，再选择其他练习。</translation>
+    </message>
+    <message>
+        <source>The simulation is busy; please try again.</source>
+        <translation>模拟正忙，请重试。</translation>
+    </message>
+    <message>
+        <source>There is no place to keep a recording.</source>
+        <translation>没有可保存录制的位置。</translation>
+    </message>
+    <message>
+        <source>The recording could not go to its usual place and was kept as a file</source>
+        <translation>记录无法保存到通常位置，已存为文件</translation>
+    </message>
+    <message>
+        <source>Free some space or check the database, then import the file.</source>
+        <translation>请释放空间或检查数据库，然后导入该文件。</translation>
+    </message>
+    <message>
+        <source>Recorded %1 s to %2</source>
+        <translation>已录制 %1 秒，保存到 %2</translation>
+    </message>
+    <message>
+        <source>Stop the recording before replaying another one.</source>
+        <translation>请先停止录制，再回放其他内容。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::StressLegend</name>
+    <message>
+        <source>%1 kPa</source>
+        <translation>%1 kPa</translation>
+    </message>
+    <message>
+        <source>%1 Pa</source>
+        <translation>%1 Pa</translation>
+    </message>
+    <message>
+        <source>Shear stress</source>
+        <translation>剪应力</translation>
+    </message>
+    <message>
+        <source>Dark blue is %1, yellow is %2 and more</source>
+        <translation>深蓝为 %1，黄色为 %2 及以上</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::TraceView</name>
+    <message>
+        <source>Traces of angle, torque and force</source>
+        <translation>角度、扭矩和力的曲线</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>扭矩</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Nothing is loaded</source>
+        <translation>未载入任何内容</translation>
+    </message>
+    <message>
+        <source>%1 long; greatest angle %2 degrees, torque %3 newton metres, force %4 newtons; bookmarks: %5</source>
+        <translation>时长 %1；最大角度 %2 度，扭矩 %3 牛·米，力 %4 牛；书签：%5</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::TranscriptPage</name>
+    <message>
+        <source>Every module and attempt</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Save it as PDF or print it, and take it with you.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Save as &amp;PDF…</source>
+        <translation>保存为 PDF(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>P&amp;rint…</source>
+        <translation>打印(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Transcript of twist training</source>
+        <translation>扭转训练成绩单</translation>
+    </message>
+    <message>
+        <source>Demonstration: these people and runs are simulated.</source>
+        <translation>演示数据：人员和操作均为模拟。</translation>
+    </message>
+    <message>
+        <source>Trainee %1</source>
+        <translation>学员 %1</translation>
+    </message>
+    <message>
+        <source>%1 (trainee %2)</source>
+        <translation>%1（学员 %2）</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>Programme: %1</source>
+        <translation>方案：%1</translation>
+    </message>
+    <message>
+        <source>Time trained: %1 min on the simulator, %2 min on the real arm, %3 min of rest.</source>
+        <translation>训练时间：模拟器 %1 分钟，真实手臂 %2 分钟，休息 %3 分钟。</translation>
+    </message>
+    <message>
+        <source>%1. Level: %2.</source>
+        <translation>%1。水平：%2。</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>模式</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Twists on target</source>
+        <translation>达标扭转</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Graded</source>
+        <translation>计分</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>练习</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>已中断</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>进行中</translation>
+    </message>
+    <message>
+        <source>Made on %1 with Torsio %2. A training record, no certificate of clinical competence.</source>
+        <translation>由 Torsio %2 于 %1 生成。本记录为训练记录，不是临床能力证明。</translation>
+    </message>
+    <message>
+        <source>Signature: ______________________________</source>
+        <translation>签名：______________________________</translation>
+    </message>
+    <message>
+        <source>transcript-%1.pdf</source>
+        <translation>成绩单-%1.pdf</translation>
+    </message>
+    <message>
+        <source>Save transcript</source>
+        <translation>保存成绩单</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Saved to %1</source>
+        <translation>已保存到 %1</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::TrendPage</name>
+    <message>
+        <source>Your way</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Every attempt is kept and shown.</source>
+        <translation>每次尝试都会保存并显示。</translation>
+    </message>
+    <message>
+        <source>&amp;Module</source>
+        <translation>模块(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Quantity</source>
+        <translation>指标(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>水平</translation>
+    </message>
+    <message>
+        <source>Distance to the threshold</source>
+        <translation>与阈值的差距</translation>
+    </message>
+    <message>
+        <source>missing in the last run; threshold %1</source>
+        <translation>上次操作的差距；阈值 %1</translation>
+    </message>
+    <message>
+        <source>Reached</source>
+        <translation>已达到</translation>
+    </message>
+    <message>
+        <source>in the last run; threshold %1</source>
+        <translation>上次操作；阈值 %1</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>This quantity has no threshold in this module.</source>
+        <translation>本模块对该指标没有阈值。</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>尝试次数</translation>
+    </message>
+    <message>
+        <source>Graded attempts left: %1</source>
+        <translation>剩余计分尝试：%1</translation>
+    </message>
+    <message>
+        <source>No limit in this module.</source>
+        <translation>本模块不限次数。</translation>
+    </message>
+    <message>
+        <source>Attempts over time</source>
+        <translation>历次尝试</translation>
+    </message>
+    <message>
+        <source>Filled circle: passed. Triangle: not passed.</source>
+        <translation>实心圆：通过。三角：未通过。</translation>
+    </message>
+    <message>
+        <source>%1 A learning curve is drawn from eight attempts on.</source>
+        <translation>%1满八次后绘制学习曲线。</translation>
+    </message>
+    <message>
+        <source>%1 No learning curve fits these values.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 Line and band: learning curve with its 95 % band.</source>
+        <translation>%1曲线与色带：学习曲线及其 95% 区间。</translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>次序</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>模式</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>No attempt yet. Your runs at this module appear here.</source>
+        <translation>尚无尝试。您在本模块的操作会显示在这里。</translation>
+    </message>
+    <message>
+        <source>Graded</source>
+        <translation>计分</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>练习</translation>
+    </message>
+    <message>
+        <source>not defined</source>
+        <translation>无定义</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>Not passed</source>
+        <translation>未通过</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::TrendPlot</name>
+    <message>
+        <source>%1 over the attempts</source>
+        <translation>%1随尝试次数的变化</translation>
+    </message>
+    <message>
+        <source>Attempt</source>
+        <translation>次序</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>threshold</source>
+        <translation>阈值</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::TroublePanel</name>
+    <message>
+        <source>The database cannot be used</source>
+        <translation>数据库无法使用</translation>
+    </message>
+    <message>
+        <source>Try again; if it stays so, ask your administrator</source>
+        <translation>请重试；如仍无法解决，请联系管理员</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>重试</translation>
+    </message>
+    <message>
+        <source>Use another database…</source>
+        <translation>使用其他数据库…</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::UsersPage</name>
+    <message>
+        <source>Users and roles</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Who may sign in, and as what. Every change is kept in the audit trail.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;New user…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Roles…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>New &amp;password…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Sign-in name</source>
+        <translation>登录名</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Station PIN</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>创建时间</translation>
+    </message>
+    <message>
+        <source>No users yet.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>active</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>to be changed</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>own</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>set</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Enable</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Disable…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>New start password</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The present password of %1 stops working at once.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Disable user</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 cannot sign in any more; everything recorded stays.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Enable user</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 can sign in again.</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
+    <name>torsio::gui::WarmUpPage</name>
+    <message>
+        <source>The recording could not be opened.</source>
+        <translation>无法打开录像。</translation>
+    </message>
+    <message>
+        <source>The office has chosen no reference run yet. You may begin with your queue.</source>
+        <translation>办公室尚未选定参考录像，您可以直接开始评分。</translation>
+    </message>
+    <message>
+        <source>The recording is being opened. You may score meanwhile.</source>
+        <translation>正在打开录像，您可以先评分。</translation>
+    </message>
+    <message>
+        <source>Opening reference %1</source>
+        <translation>正在打开参考录像 %1</translation>
+    </message>
+    <message>
+        <source>Reference %1, scored</source>
+        <translation>参考 %1，已评</translation>
+    </message>
+    <message>
+        <source>Reference %1</source>
+        <translation>参考 %1</translation>
+    </message>
+    <message>
+        <source>On to the &amp;queue</source>
+        <translation>前往待评列表(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Queue</source>
+        <translation>待评列表(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Score first; then the panel's mark is shown.</source>
+        <translation>请先评分，然后显示专家组的评分。</translation>
+    </message>
+    <message>
+        <source>You: %1. Panel of %2: %3.</source>
+        <translation>您：%1。%2 人专家组：%3。</translation>
+    </message>
+    <message>
+        <source>That is as the panel sees it.</source>
+        <translation>与专家组看法一致。</translation>
+    </message>
+    <message>
+        <source>You are stricter by %1.</source>
+        <translation>您严格了 %1 分。</translation>
+    </message>
+    <message>
+        <source>You are milder by %1.</source>
+        <translation>您宽松了 %1 分。</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Over all reference runs: %1 points from the panel. You may score a run again; every try is kept.</source>
+        <translation>全部参考录像：与专家组相差 %1 分。您可以重新评分，每次尝试均保留。</translation>
+    </message>
+    <message>
+        <source>You may score it again, or go on with the next run.</source>
+        <translation>您可以重新评分，或继续下一段。</translation>
+    </message>
+    <message>
+        <source>Warm-up</source>
+        <translation>热身</translation>
+    </message>
+    <message>
+        <source>Score the reference runs before the real cases and see your own offset from the panel. Nobody else sees it.</source>
+        <translation>在正式评分之前先评参考录像，了解您与专家组的差距。其他人看不到。</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with the panel</source>
+        <translation>与专家组比较(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Enter</source>
+        <translation>Ctrl+Enter</translation>
+    </message>
+    <message>
+        <source>Your offset</source>
+        <translation>您的差距</translation>
+    </message>
+</context>
 </TS>

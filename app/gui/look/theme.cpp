@@ -114,6 +114,9 @@ QToolBar { background: %window; border: none; border-bottom: 1px solid %line; sp
 QToolBar::separator { width: 1px; background: %line; margin: 6px 8px; }
 QToolButton { color: %text; background: transparent; border: 1px solid transparent; border-radius: 6px;
   padding: 5px 8px; }
+QToolButton[popupMode="2"] { padding-right: 22px; }
+QToolButton::menu-indicator { image: url(%chevron); width: 10px; height: 10px; subcontrol-origin: padding;
+  subcontrol-position: center right; right: 6px; }
 QToolButton:hover { background: %raised; }
 QToolButton:pressed { background: %track; }
 QToolButton:checked { background: %raised; border-color: %accent; color: %accent; }
@@ -182,8 +185,9 @@ QFrame#rail QPushButton:hover { background: %raised; }
 QFrame#rail QPushButton:checked { background: %raised; color: %accent; font-weight: 600; border-left: 3px solid %accent; }
 QFrame#rail QPushButton:focus { border-color: %accent; }
 QFrame#header { background: %surface; border: none; border-bottom: 1px solid %line; }
-QFrame#problem { background: %surface; border: 1px solid %caution; border-left: 4px solid %caution; border-radius: 8px; }
-QFrame#job { background: %surface; border: 1px solid %accent; border-radius: 8px; }
+QFrame#problem { margin: 8px 16px 0 16px; background: %surface; border: 1px solid %caution; border-left: 4px solid %caution; border-radius: 8px; }
+QFrame#job { margin: 8px 16px 0 16px; background: %surface; border: 1px solid %accent; border-radius: 8px; }
+QLabel#idleWarning { background: %caution; color: %window; padding: 8px; font-weight: 600; }
 QLabel#toast { background: %text; color: %window; border-radius: 6px; padding: 10px 16px; }
 QPushButton[primary="true"] { background: %accent; color: %onAccent; border-color: %accent; font-weight: 600; }
 QPushButton[primary="true"]:hover { border-color: %text; }

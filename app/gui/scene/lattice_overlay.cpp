@@ -11,20 +11,20 @@
 
 namespace torsio::gui {
 
-namespace {
-
-constexpr double kStep_m = 0.0025;  // longest piece of a line before it is put onto the skin
-constexpr float kLift_mm = 0.35F;   // above the skin: chords of a round surface run below it
-
-using Attribute = QQuick3DGeometry::Attribute;
-
-SkinAnchor anchorAt(const Scene& scene, const Vec3& point_m) {
+SkinAnchor skinAnchor(const Scene& scene, const Vec3& point_m) {
   const SurfacePoint hit = scene.collision.closest(point_m);
   SkinAnchor anchor;
   anchor.corners = scene.mesh.triangles[hit.triangle];
   for (std::size_t k = 0; k < 3; ++k) anchor.weights[k] = static_cast<float>(hit.barycentric[k]);
   return anchor;
 }
+
+namespace {
+
+constexpr double kStep_m = 0.0025;  // longest piece of a line before it is put onto the skin
+constexpr float kLift_mm = 0.35F;   // above the skin: chords of a round surface run below it
+
+using Attribute = QQuick3DGeometry::Attribute;
 
 /// Refines a polyline and puts it onto the skin.
 SkinLine skinLine(const Scene& scene, std::span<const Vec3> corners_m, bool closed) {
@@ -36,9 +36,9 @@ SkinLine skinLine(const Scene& scene, std::span<const Vec3> corners_m, bool clos
     const Vec3& b = corners_m[(i + 1) % corners_m.size()];
     const int steps = std::max(1, static_cast<int>(std::ceil(norm(b - a) / kStep_m)));
     for (int k = 0; k < steps; ++k)
-      line.anchors.push_back(anchorAt(scene, a + (b - a) * (double(k) / steps)));
+      line.anchors.push_back(skinAnchor(scene, a + (b - a) * (double(k) / steps)));
   }
-  if (!closed) line.anchors.push_back(anchorAt(scene, corners_m.back()));
+  if (!closed) line.anchors.push_back(skinAnchor(scene, corners_m.back()));
   return line;
 }
 

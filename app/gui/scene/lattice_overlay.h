@@ -34,6 +34,9 @@ struct LatticeLines {
 /// Puts ridges and sections onto the skin. Some thousand closest-point queries: tens of milliseconds.
 [[nodiscard]] LatticeLines latticeLines(const Scene& scene);
 
+/// The skin point nearest to a world point of the organ at rest.
+[[nodiscard]] SkinAnchor skinAnchor(const Scene& scene, const Vec3& point_m);
+
 /// Flat ribbons along skin lines. GUI thread.
 class RibbonGeometry : public QQuick3DGeometry {
   Q_OBJECT

@@ -9,14 +9,31 @@
 
 namespace torsio::gui {
 
+namespace {
+
+constexpr float kGamma = 2.2F;
+
+}  // namespace
+
 OrganSurface::OrganSurface(const TriangleMesh& mesh, const TissueLook& look) : triangles_(mesh.triangles) {
   vertices_.resize(mesh.vertices_m.size());
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     const std::array<float, 3> tint = mottle(look, mesh.vertices_m[i]);
+    tints_.push_back(tint);
     std::copy(tint.begin(), tint.end(), vertices_[i].colour);
     vertices_[i].colour[3] = 1.0F;
   }
   update(mesh.vertices_m);
+}
+
+void OrganSurface::paint(std::span<const std::array<float, 3>> colours) {
+  TORSIO_EXPECTS(colours.empty() || colours.size() == vertices_.size());
+  for (std::size_t i = 0; i < vertices_.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      // The scene graph reads vertex colours as linear light.
+      vertices_[i].colour[k] = colours.empty() ? tints_[i][k] : std::pow(colours[i][k], kGamma);
+    }
+  }
 }
 
 void OrganSurface::update(std::span<const Vec3> vertices_m) {

@@ -30,6 +30,9 @@ class OrganSurface {
   /// Vertices in metres, world frame, one a mesh vertex; normals are recomputed (area-weighted).
   void update(std::span<const Vec3> vertices_m);
 
+  /// Colours of one's own instead of the tissue's, sRGB, one a vertex; empty: the tissue's again.
+  void paint(std::span<const std::array<float, 3>> colours);
+
   [[nodiscard]] std::span<const SurfaceVertex> vertices() const noexcept { return vertices_; }
   [[nodiscard]] std::span<const TriangleMesh::Triangle> triangles() const noexcept { return triangles_; }
   /// Every edge once: the wireframe.
@@ -37,6 +40,7 @@ class OrganSurface {
 
  private:
   std::vector<SurfaceVertex> vertices_;
+  std::vector<std::array<float, 3>> tints_;  // of the tissue
   std::vector<TriangleMesh::Triangle> triangles_;
 };
 

@@ -14,11 +14,14 @@
 #include <QQuickWindow>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <QVariantList>
 
 #include "app/gui/look/theme.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/scene/organ_geometry.h"
+#include "app/gui/scene/stress_legend.h"
 #include "app/gui/scene/view_frame.h"
+#include "sim/servo/indentation.h"
 
 /// The linker drops resources of a static library that nothing names.
 static void initSceneResources() {
@@ -33,6 +36,11 @@ namespace {
 // Share of the organ's radius: what is seen of a line is the same on a large organ and a small one.
 constexpr float kLatticeWidth = 0.0042F;
 constexpr float kGraspWidth = 0.013F;
+// The arrow of the force, shares of the organ's radius.
+constexpr double kShortestArrow = 0.10;
+constexpr double kLongestArrow = 0.55;
+constexpr double kLongestArrow_N = 3.3;  // what the device can give at most: the arrow is full there
+constexpr double kLeastForce_N = 0.02;   // below the friction of the device nobody feels it
 constexpr double kJawHolding_deg = 3.0;  // each jaw, closed on tissue
 
 void registerSceneTypes() {
@@ -61,6 +69,7 @@ ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene, const std::st
   view.look = tissueLook(tissue.empty() ? scene->id : tissue);
   view.surface = OrganSurface(scene->mesh, view.look);
   view.lines = latticeLines(*scene);
+  view.shear = ShearMap(scene);
   view.deform = [scene](const TwistState& state, std::span<Vec3> out_m) {
     scene->model.deform(state, out_m);
   };
@@ -71,6 +80,8 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Organ and instrument"));
   setAccessibleDescription(tr("Three-dimensional view; the numbers beside it say the same in text."));
   setMinimumSize(320, 240);
+  legend_ = new StressLegend(this);
+  legend_->hide();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   if (platformCanRender()) {
@@ -82,6 +93,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
     sentence->setWordWrap(true);
     layout->addWidget(sentence);
   }
+  legend_->raise();
 }
 
 SceneView::~SceneView() = default;
@@ -107,6 +119,7 @@ void SceneView::createScene() {
   organ_ = root_->property("organ").value<OrganGeometry*>();
   wire_ = root_->property("wire").value<WireGeometry*>();
   lattice_ = root_->property("lattice").value<RibbonGeometry*>();
+  ghost_ = root_->property("ghost").value<OrganGeometry*>();
   grasp_ = root_->property("graspBand").value<RibbonGeometry*>();
   connect(quick_->quickWindow(), &QQuickWindow::afterRendering, this, &SceneView::noteFrame,
           Qt::DirectConnection);
@@ -114,10 +127,18 @@ void SceneView::createScene() {
 
 void SceneView::noteFrame() {
   ++framesDrawn_;
-  if (!renderer_.isEmpty()) return;
+  const double frame_s = sinceFrame_.isValid() ? static_cast<double>(sinceFrame_.nsecsElapsed()) * 1e-9 : 0.0;
+  sinceFrame_.start();
+  if (!renderer_.isEmpty()) {
+    if (quality_ == RenderQuality::kAutomatic && control_.note(frame_s)) {
+      QMetaObject::invokeMethod(this, &SceneView::applyQuality, Qt::QueuedConnection);
+    }
+    return;
+  }
   if (QOpenGLContext* context = QOpenGLContext::currentContext(); context != nullptr) {
     const GLubyte* name = context->functions()->glGetString(GL_RENDERER);
     renderer_ = name != nullptr ? QString::fromLatin1(reinterpret_cast<const char*>(name)) : tr("unknown");
+    control_ = QualityControl(!isSoftware(renderer_));
     QMetaObject::invokeMethod(this, &SceneView::applyQuality, Qt::QueuedConnection);
   }
 }
@@ -150,6 +171,14 @@ void SceneView::setScene(const ViewScene& view) {
     lattice_->setLines(view_.lines.lattice, kLatticeWidth * organRadius_, view_.surface);
     grasp_->setLines(view_.lines.grasp, kGraspWidth * organRadius_, view_.surface);
   }
+  setGhost(std::nullopt);
+  setForce({}, {});
+  legend_->setTop(view_.shear.top_Pa());
+  shearShare_.assign(view_.surface.vertices().size(), 0.0F);
+  shearColours_.resize(view_.surface.vertices().size());
+  dented_ = false;
+  setShearVisible(shearVisible_);
+  setMarkersVisible(markersVisible_);
   setRootProperty("tissueColour", view_.look.colour);
   setRootProperty("tissueRoughness", view_.look.roughness);
   setRootProperty("filmAmount", view_.look.clearcoat);
@@ -160,13 +189,93 @@ void SceneView::setScene(const ViewScene& view) {
 void SceneView::setTwist(const TwistState& state) {
   if (!view_.deform || (shown_.has_value() && *shown_ == state)) return;
   shown_ = state;
+  dented_ = false;
   view_.deform(state, deformed_m_);
+  showSkin();
+}
+
+void SceneView::setTissue(const LiveState& state) {
+  if (!view_.deform) return;
+  const TwistState twist{state.response.graspArc_m, state.response.angle_rad};
+  const bool touched = state.patches[0].depth_m > 0.0 || state.patches[1].depth_m > 0.0;
+  if (touched || dented_ || !shown_.has_value() || *shown_ != twist) {
+    shown_ = twist;
+    view_.deform(twist, deformed_m_);
+    dented_ = indentSurface(state, deformed_m_);
+    showSkin();
+  }
+  setForce(state.tool.position_m, state.response.force_N);
+}
+
+void SceneView::showSkin() {
   view_.surface.update(deformed_m_);
+  if (shearVisible_ && !view_.shear.empty()) {
+    view_.shear.evaluate(*shown_, shearShare_);
+    std::transform(shearShare_.begin(), shearShare_.end(), shearColours_.begin(), shearColour);
+    view_.surface.paint(shearColours_);
+  }
   if (root_ == nullptr) return;
   organ_->updateVertices(view_.surface);
   grasp_->follow(view_.surface);
   if (wireframe_) wire_->updateVertices(view_.surface);
   if (latticeVisible_) lattice_->follow(view_.surface);
+  if (markersVisible_) placeMarkers();
+}
+
+void SceneView::setForce(const Vec3& at_m, const Vec3& force_N) {
+  const double size_N = norm(force_N);
+  setRootProperty("forceVisible", size_N > kLeastForce_N);
+  if (size_N <= kLeastForce_N) return;
+  const QVector3D along = toViewDirection(force_N).normalized();
+  setRootProperty("forcePosition", toView(at_m));
+  setRootProperty("forceRotation", QQuaternion::rotationTo({0.0F, 1.0F, 0.0F}, along));
+  const double share = std::min(size_N / kLongestArrow_N, 1.0);
+  setRootProperty("forceLength", organRadius_ * (kShortestArrow + (kLongestArrow - kShortestArrow) * share));
+}
+
+void SceneView::setShearVisible(bool visible) {
+  const bool possible = !view_.shear.empty();
+  shearVisible_ = visible;
+  legend_->setVisible(visible && possible);
+  placeLegend();
+  if (view_.surface.vertices().empty() || !possible) return;
+  if (!visible) view_.surface.paint({});
+  setRootProperty("tissueColour", visible ? QColor(Qt::white) : view_.look.colour);
+  if (!shown_.has_value()) shown_ = TwistState{};
+  if (visible) {
+    view_.deform(*shown_, deformed_m_);
+    showSkin();
+  } else if (organ_ != nullptr) {
+    organ_->updateVertices(view_.surface);
+  }
+}
+
+void SceneView::setMarkersVisible(bool visible) {
+  markersVisible_ = visible;
+  setRootProperty("markersVisible", visible && !view_.markers.empty());
+  if (visible && root_ != nullptr && !view_.surface.vertices().empty()) placeMarkers();
+}
+
+void SceneView::placeMarkers() {
+  QVariantList places;
+  for (const SkinAnchor& marker : view_.markers) places << markerPlace(marker, view_.surface);
+  setRootProperty("markerPositions", places);
+}
+
+void SceneView::setGhost(const std::optional<TwistState>& state) {
+  setRootProperty("ghostVisible", state.has_value());
+  if (!state || root_ == nullptr || !view_.deform) return;
+  OrganSurface ghost = view_.surface;
+  std::vector<Vec3> vertices_m(ghost.vertices().size());
+  view_.deform(*state, vertices_m);
+  ghost.update(vertices_m);
+  ghost.paint(std::vector<std::array<float, 3>>(ghost.vertices().size(), {1.0F, 1.0F, 1.0F}));  // one colour
+  ghost_->setSurface(ghost);
+}
+
+void SceneView::placeLegend() {
+  legend_->resize(legend_->sizeHint());
+  legend_->move(2 * kSpace, height() - legend_->height() - 2 * kSpace);
 }
 
 void SceneView::setInstrument(const InstrumentParts& parts) {
@@ -207,9 +316,8 @@ void SceneView::setQuality(RenderQuality quality) {
 }
 
 void SceneView::applyQuality() {
-  const bool capable = !renderer_.isEmpty() && !isSoftware(renderer_);
-  setRootProperty("fine",
-                  quality_ == RenderQuality::kFine || (quality_ == RenderQuality::kAutomatic && capable));
+  setRootProperty("fine", quality_ == RenderQuality::kFine || (quality_ == RenderQuality::kAutomatic &&
+                                                               !renderer_.isEmpty() && control_.fine()));
 }
 
 void SceneView::setTheme(const Theme& theme) {
@@ -218,6 +326,10 @@ void SceneView::setTheme(const Theme& theme) {
   setRootProperty("latticeColour", theme.lattice);
   setRootProperty("wireColour", theme.wire);
   setRootProperty("graspColour", theme.grasp);
+  setRootProperty("forceColour", theme.caution);
+  setRootProperty("markerColour", theme.accent);
+  setRootProperty("ghostColour", theme.grasp);
+  legend_->setTheme(theme);
 }
 
 void SceneView::applyCamera() {
@@ -240,6 +352,7 @@ QImage SceneView::picture() {
 
 void SceneView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  placeLegend();
   applyCamera();
 }
 

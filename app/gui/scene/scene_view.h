@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -10,13 +11,18 @@
 #include <vector>
 
 #include <QColor>
+#include <QElapsedTimer>
 #include <QImage>
 #include <QWidget>
 
 #include "app/gui/scene/lattice_overlay.h"
+#include "app/gui/scene/markers.h"
 #include "app/gui/scene/orbit_camera.h"
 #include "app/gui/scene/organ_surface.h"
+#include "app/gui/scene/quality_control.h"
+#include "app/gui/scene/shear_map.h"
 #include "app/gui/scene/tissue_look.h"
+#include "sim/base/live_types.h"
 #include "sim/base/pose.h"
 #include "sim/tissue/twist_model.h"
 
@@ -26,6 +32,7 @@ class QQuickWidget;
 namespace torsio::gui {
 
 class OrganGeometry;
+class StressLegend;
 class WireGeometry;
 struct InstrumentParts;
 struct Theme;
@@ -35,6 +42,8 @@ struct ViewScene {
   OrganSurface surface;
   LatticeLines lines;
   TissueLook look;
+  ShearMap shear;                   ///< empty: no map can be shown
+  std::vector<SkinAnchor> markers;  ///< empty: the organ has none
   /// The vertices for a state of twist, one a vertex of the surface, metres. GUI thread.
   std::function<void(const TwistState&, std::span<Vec3>)> deform;
 };
@@ -46,7 +55,7 @@ struct ViewScene {
                                       const std::string& tissue = {});
 
 enum class RenderQuality {
-  kAutomatic,  ///< fine on a graphics card, fast on a software renderer
+  kAutomatic,  ///< by frame time: fine as long as it stays smooth; a software renderer starts fast
   kFast,
   kFine,  ///< antialiasing, shadow, ambient occlusion
 };
@@ -67,6 +76,16 @@ class SceneView : public QWidget {
   void setInstrument(const InstrumentParts& parts);
   /// Moves the skin; does nothing when the state is the shown one.
   void setTwist(const TwistState& state);
+  /// The same with the dents under the instrument and the force that the tissue answers with.
+  void setTissue(const LiveState& state);
+  /// An arrow at a world point along the force on the tool; nothing below what a hand feels.
+  void setForce(const Vec3& at_m, const Vec3& force_N);
+  /// Colours the skin by shear stress, with a legend.
+  void setShearVisible(bool visible);
+  [[nodiscard]] bool shearVisible() const noexcept { return shearVisible_; }
+  void setMarkersVisible(bool visible);
+  /// A translucent organ at the pose to reach; nothing: none.
+  void setGhost(const std::optional<TwistState>& state);
   /// `grip`: 0 open .. 1 closed.
   void setTool(const Pose& pose, double grip);
   void setToolVisible(bool visible);
@@ -101,6 +120,9 @@ class SceneView : public QWidget {
   void createScene();
   void noteFrame();
   void applyQuality();
+  void showSkin();
+  void placeMarkers();
+  void placeLegend();
   void setRootProperty(const char* name, const QVariant& value);
 
   QQuickWidget* quick_ = nullptr;  // null on a platform without OpenGL
@@ -109,10 +131,17 @@ class SceneView : public QWidget {
   WireGeometry* wire_ = nullptr;
   RibbonGeometry* lattice_ = nullptr;
   RibbonGeometry* grasp_ = nullptr;
+  OrganGeometry* ghost_ = nullptr;
+  StressLegend* legend_ = nullptr;
 
   ViewScene view_;
   std::vector<Vec3> deformed_m_;
   std::optional<TwistState> shown_;
+  bool dented_ = false;
+  bool shearVisible_ = false;
+  bool markersVisible_ = false;
+  std::vector<float> shearShare_;
+  std::vector<std::array<float, 3>> shearColours_;
   OrbitCamera camera_;
   QVector3D organCentre_;
   float organRadius_ = 100.0F;
@@ -120,6 +149,8 @@ class SceneView : public QWidget {
   bool wireframe_ = false;
   bool latticeVisible_ = false;
   RenderQuality quality_ = RenderQuality::kAutomatic;
+  QualityControl control_;
+  QElapsedTimer sinceFrame_;
   QString renderer_;
   std::int64_t framesDrawn_ = 0;
 };

@@ -8,6 +8,7 @@ Rectangle {
     id: root
 
     property alias organ: organGeometry
+    property alias ghost: ghostGeometry
     property alias wire: wireGeometry
     property alias lattice: latticeGeometry
     property alias graspBand: graspGeometry
@@ -35,6 +36,17 @@ Rectangle {
     property color wireColour: "#20323c"
     property color latticeColour: "#12303c"
     property color graspColour: "#0f766e"
+
+    property bool forceVisible: false
+    property vector3d forcePosition
+    property quaternion forceRotation
+    property real forceLength: 20     // mm
+    property color forceColour: "#9a5b00"
+    property bool markersVisible: false
+    property var markerPositions: []
+    property color markerColour: "#0b6384"
+    property bool ghostVisible: false
+    property color ghostColour: "#065f7e"
 
     property bool wireVisible: false
     property bool latticeVisible: false
@@ -133,6 +145,67 @@ Rectangle {
                 lighting: PrincipledMaterial.NoLighting
                 baseColor: root.graspColour
                 cullMode: Material.NoCulling
+            }
+        }
+
+        // The pose to reach, as a film over the scene.
+        Model {
+            visible: root.ghostVisible
+            geometry: OrganGeometry { id: ghostGeometry }
+            castsShadows: false
+            receivesShadows: false
+            materials: PrincipledMaterial {
+                lighting: PrincipledMaterial.NoLighting
+                baseColor: root.ghostColour
+                opacity: 0.16
+            }
+        }
+
+        // The force of the tissue on the instrument: a shaft with a head, standing on the contact.
+        Node {
+            visible: root.forceVisible
+            position: root.forcePosition
+            rotation: root.forceRotation
+
+            PrincipledMaterial {
+                id: forceMaterial
+                lighting: PrincipledMaterial.NoLighting
+                baseColor: root.forceColour
+            }
+            Model {
+                source: "#Cylinder"     // 100 high, 100 wide
+                castsShadows: false
+                y: root.forceLength * 0.36
+                scale: Qt.vector3d(root.forceLength * 0.0009, root.forceLength * 0.0072, root.forceLength * 0.0009)
+                materials: forceMaterial
+            }
+            Model {
+                source: "#Cone"         // 100 high, 100 wide, standing on its base
+                castsShadows: false
+                y: root.forceLength * 0.7
+                scale: Qt.vector3d(root.forceLength * 0.0024, root.forceLength * 0.003, root.forceLength * 0.0024)
+                materials: forceMaterial
+            }
+            Model {
+                source: "#Sphere"       // the contact itself
+                castsShadows: false
+                scale: Qt.vector3d(root.forceLength * 0.0014, root.forceLength * 0.0014, root.forceLength * 0.0014)
+                materials: forceMaterial
+            }
+        }
+
+        Repeater3D {
+            model: root.markersVisible ? root.markerPositions.length : 0
+            Model {
+                required property int index
+                source: "#Sphere"
+                castsShadows: false
+                position: root.markerPositions[index] ?? Qt.vector3d(0, 0, 0)
+                scale: Qt.vector3d(0.055, 0.055, 0.055)
+                materials: PrincipledMaterial {
+                    lighting: PrincipledMaterial.NoLighting
+                    baseColor: root.markerColour
+                }
             }
         }
 

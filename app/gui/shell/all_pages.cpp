@@ -3,7 +3,11 @@
 
 #include <QCoreApplication>
 
+#include "app/gui/compare_page.h"
+#include "app/gui/office/office_pages.h"
+#include "app/gui/review/review_pages.h"
 #include "app/gui/shell/practice_page.h"
+#include "app/gui/station/station_pages.h"
 
 namespace torsio::gui {
 
@@ -16,15 +20,21 @@ QString named(const char* text) {
 }  // namespace
 
 std::vector<PageGroup> allPages() {
-  std::vector<PageEntry> station;
-  station.push_back(practicePage());
-  return {{[] { return named(QT_TRANSLATE_NOOP("Desk", "Training")); }, station},
-          {[] { return named(QT_TRANSLATE_NOOP("Desk", "Review")); }, {}},
-          {[] { return named(QT_TRANSLATE_NOOP("Desk", "Office")); }, {}}};
+  std::vector<PageEntry> training = stationPages();
+  training.push_back(practicePage());
+  training.push_back(comparePage());
+  return {{[] { return named(QT_TRANSLATE_NOOP("Desk", "Training")); }, training},
+          {[] { return named(QT_TRANSLATE_NOOP("Desk", "Review")); }, reviewPages()},
+          {[] { return named(QT_TRANSLATE_NOOP("Desk", "Office")); }, officePages()}};
 }
 
 std::vector<ScreenEntry> allScreens() {
-  return practiceScreens();
+  std::vector<ScreenEntry> screens = stationScreens();
+  for (const std::vector<ScreenEntry>& more :
+       {practiceScreens(), compareScreens(), reviewScreens(), officeScreens()}) {
+    screens.insert(screens.end(), more.begin(), more.end());
+  }
+  return screens;
 }
 
 }  // namespace torsio::gui

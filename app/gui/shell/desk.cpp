@@ -31,6 +31,18 @@ QToolButton* headerButton(QWidget* parent) {
   return button;
 }
 
+/// The keyboard goes to the first field of a page that has not chosen one itself.
+void focusInto(QWidget& page) {
+  if (page.focusWidget() != nullptr && page.focusWidget()->hasFocus()) return;
+  for (QWidget* widget = page.nextInFocusChain(); widget != &page; widget = widget->nextInFocusChain()) {
+    const bool takes = (widget->focusPolicy() & Qt::TabFocus) != 0 && widget->isEnabled();
+    if (takes && widget->isVisibleTo(&page) && page.isAncestorOf(widget)) {
+      widget->setFocus(Qt::OtherFocusReason);
+      return;
+    }
+  }
+}
+
 /// Which of the groups (training, review, office) an actor's home is in.
 std::size_t homeGroup(const Actor& actor) {
   switch (homeOf(actor)) {
@@ -89,11 +101,16 @@ void Desk::createRail(const std::vector<PageGroup>& groups) {
       if (!allowed(entry)) continue;
       entries_.emplace(entry.id, entry);
       if (entry.icon.isEmpty()) continue;
-      order_.push_back(entry.id);
       group.items.push_back({entry.id, entry.icon, entry.title});
       if (home_.isEmpty() && g == own) home_ = entry.id;
     }
-    if (!group.items.empty()) shown.push_back(std::move(group));
+    if (group.items.empty()) continue;
+    // One's own work stands first.
+    shown.insert(g == own ? shown.begin() : shown.end(), std::move(group));
+  }
+  order_.clear();
+  for (const RailGroup& group : shown) {
+    for (const RailItem& item : group.items) order_.push_back(item.id);
   }
   if (home_.isEmpty() && !order_.empty()) home_ = order_.front();
   rail_ = new Rail(shown, this);
@@ -155,18 +172,12 @@ QWidget* Desk::createBody() {
   auto* column = new QVBoxLayout(body);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  auto* notes = new QVBoxLayout;
-  notes->setSpacing(kSpace);
   problem_ = new ProblemPanel(body);
   problem_->hide();
   job_ = new JobPanel(body);
   stack_ = new QStackedWidget(body);
-  for (QWidget* note : {static_cast<QWidget*>(problem_), static_cast<QWidget*>(job_)}) {
-    auto* frame = new QHBoxLayout;
-    frame->setContentsMargins(2 * kSpace, kSpace, 2 * kSpace, 0);
-    frame->addWidget(note);
-    column->addLayout(frame);
-  }
+  column->addWidget(problem_);
+  column->addWidget(job_);
   column->addWidget(stack_, 1);
   toast_ = new Toast(body);
   return body;
@@ -221,6 +232,7 @@ bool Desk::open(const QString& id, const QVariant& argument) {
     rail_->setCurrent(id);
     problem_->hide();
     page->enter(argument);
+    focusInto(*page);
   } catch (...) {
     context_.report(std::current_exception());
   }
@@ -291,6 +303,10 @@ void Desk::retranslate() {
       userMenu_->addAction(tr("PIN for practice\u2026"), this, &Desk::pinWanted);
     }
     userMenu_->addAction(tr("Lock now"), QKeySequence(QStringLiteral("Ctrl+Alt+L")), this, &Desk::lockWanted);
+    userMenu_->addSeparator();
+  }
+  if (!actor.practiceOnly && context_.workplace().may(Operation::kPersonErase)) {
+    userMenu_->addAction(tr("Remove demonstration data\u2026"), this, &Desk::demonstrationRemovalWanted);
     userMenu_->addSeparator();
   }
   userMenu_->addAction(tr("About Torsio"), this, &Desk::aboutWanted);

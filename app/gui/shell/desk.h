@@ -79,6 +79,7 @@ class Desk : public QWidget {
   void themeWanted(torsio::gui::ThemeKind kind);
   void shortcutsWanted();
   void aboutWanted();
+  void demonstrationRemovalWanted();
 
  protected:
   void changeEvent(QEvent* event) override;

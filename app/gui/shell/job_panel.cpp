@@ -26,9 +26,9 @@ constexpr double kMinute_s = 60.0;
 QString timeLeft(double remaining_s) {
   if (remaining_s < 0.0 || !std::isfinite(remaining_s)) return {};
   if (remaining_s >= 2.0 * kMinute_s) {
-    return JobPanel::tr("%n min left", nullptr, static_cast<int>(std::lround(remaining_s / kMinute_s)));
+    return JobPanel::tr("%1 min left").arg(std::lround(remaining_s / kMinute_s));
   }
-  return JobPanel::tr("%n s left", nullptr, static_cast<int>(std::ceil(remaining_s)));
+  return JobPanel::tr("%1 s left").arg(std::lround(std::ceil(remaining_s)));
 }
 
 JobPanel::JobPanel(QWidget* parent)

@@ -62,7 +62,7 @@ Language systemLanguage() {
 
 LanguageSwitch::LanguageSwitch(QObject* parent) : QObject(parent) {
   initTranslations();
-  QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
+  install();
 }
 
 LanguageSwitch::~LanguageSwitch() {
@@ -72,14 +72,17 @@ LanguageSwitch::~LanguageSwitch() {
 void LanguageSwitch::choose(Language language) {
   if (language == present_) return;
   present_ = language;
+  install();
+}
+
+void LanguageSwitch::install() {
   // The locale first: widgets format their numbers and dates when the translator's event reaches them.
-  if (language == Language::kEnglish) {
-    QLocale::setDefault(QLocale(QLocale::English, QLocale::UnitedKingdom));
-    QCoreApplication::removeTranslator(&texts_);
-    return;
-  }
-  QLocale::setDefault(QLocale(QLocale::Chinese, QLocale::China));
-  const bool loaded = texts_.load(QStringLiteral(":/torsio/translations/torsio_zh_CN.qm"));
+  QLocale::setDefault(present_ == Language::kEnglish ? QLocale(QLocale::English, QLocale::UnitedKingdom)
+                                                     : QLocale(QLocale::Chinese, QLocale::China));
+  QCoreApplication::removeTranslator(&texts_);
+  // English has a file as well: its plurals.
+  const bool loaded =
+      texts_.load(QStringLiteral(":/torsio/translations/torsio_%1.qm").arg(languageCode(present_)));
   TORSIO_EXPECTS(loaded);
   QCoreApplication::installTranslator(&texts_);
 }

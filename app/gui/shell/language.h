@@ -33,6 +33,7 @@ class LanguageSwitch : public QObject {
   [[nodiscard]] Language present() const noexcept { return present_; }
 
  private:
+  void install();
   Language present_ = Language::kEnglish;
   QTranslator texts_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include <QString>
@@ -35,6 +36,8 @@ class Page : public QWidget {
   [[nodiscard]] virtual bool leave() { return true; }
   /// True while a scored run goes on: no idle lock, no sign-out, no other page.
   [[nodiscard]] virtual bool busy() const { return false; }
+  /// Keys that are no commands of a menu or button, for the sheet on F1: what and how.
+  [[nodiscard]] virtual std::vector<std::pair<QString, QString>> keys() const { return {}; }
   virtual void retranslate() = 0;
   virtual void applyTheme(const Theme& theme) { static_cast<void>(theme); }
 

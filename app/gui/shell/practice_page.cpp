@@ -16,6 +16,7 @@ namespace {
 
 /// For a picture: the organ half-way through the exercise, whatever the machine's speed.
 void holdAtTarget(MainWindow& simulator) {
+  while (simulator.controller().loading()) QCoreApplication::processEvents();
   SceneRequest request = simulator.controller().request();
   request.assets = simulator.assets();
   if (request.id.empty()) request.id = "stomach";
@@ -83,6 +84,10 @@ bool PracticePage::leave() {
   }
   simulator_->pause();
   return true;
+}
+
+std::vector<std::pair<QString, QString>> PracticePage::keys() const {
+  return MainWindow::pointerKeys();
 }
 
 void PracticePage::retranslate() {

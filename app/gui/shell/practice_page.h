@@ -27,6 +27,7 @@ class PracticePage : public Page {
 
   void enter(const QVariant& argument) override;
   [[nodiscard]] bool leave() override;
+  [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
   [[nodiscard]] MainWindow& simulator() noexcept { return *simulator_; }

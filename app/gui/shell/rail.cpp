@@ -2,6 +2,7 @@
 #include "app/gui/shell/rail.h"
 
 #include <QFont>
+#include <QFontMetrics>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr int kNarrow = 64;
 constexpr int kLeastHeight = 40;  // a finger finds it
+constexpr int kBesideName = 64;   // icon, gaps and padding of a line
 constexpr int kNumberedPages = 9;
 
 }  // namespace
@@ -106,6 +108,10 @@ void Rail::retranslate() {
     const QString title = line.item.title();
     line.button->setText(narrow_ ? QString() : title);
     line.button->setShortcut(keys);
+    // Marked lines are bolder: the rail must not clip them, nor move when the mark does.
+    QFont bold = line.button->font();
+    bold.setWeight(QFont::DemiBold);
+    line.button->setMinimumWidth(narrow_ ? 0 : QFontMetrics(bold).horizontalAdvance(title) + kBesideName);
     line.button->setAccessibleName(title);
     line.button->setToolTip(
         keys.isEmpty() ? title : tr("%1 (%2)").arg(title, keys.toString(QKeySequence::NativeText)));

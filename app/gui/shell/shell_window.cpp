@@ -6,18 +6,26 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QInputDialog>
+#include <QLabel>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "app/gui/shell/about_box.h"
+#include "app/gui/shell/credentials_dialog.h"
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/shell/lock_panel.h"
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/rail.h"
+#include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
 #include "app/session/access/first_run.h"
-#include "app/session/trial_store.h"
+#include "app/session/care/demonstration_removal.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 
@@ -42,21 +50,36 @@ QString said(const std::exception_ptr& problem) {
 }  // namespace
 
 ShellWindow::ShellWindow(const ShellSetup& setup)
-    : setup_(setup), preferences_(setup.remember), stack_(new QStackedWidget(this)) {
+    : setup_(setup),
+      preferences_(setup.remember),
+      idle_(setup.clock != nullptr ? *setup.clock : machineClock_, setup.idle),
+      mayClose_(!setup.kiosk),
+      idleWarning_(new QLabel(this)),
+      stack_(new QStackedWidget(this)) {
   setWindowTitle(QStringLiteral("Torsio"));
   setObjectName(QStringLiteral("shell"));
   setAutoFillBackground(true);
   resize(1366, 768);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  idleWarning_->setObjectName(QStringLiteral("idleWarning"));
+  idleWarning_->setAlignment(Qt::AlignCenter);
+  idleWarning_->hide();
+  column->addWidget(idleWarning_);
   column->addWidget(stack_);
   applyChoices({}, true);
   createPanels();
   createKeys();
+  retranslate();
+  qApp->installEventFilter(this);
+  connect(&second_, &QTimer::timeout, this, &ShellWindow::watchIdleness);
+  second_.start(1000);
   restoreGeometry(preferences_.layout(QStringLiteral("window")).toByteArray());
 }
 
 ShellWindow::~ShellWindow() {
+  qApp->removeEventFilter(this);
   delete desk_;  // before the workplace that it works at
 }
 
@@ -105,7 +128,81 @@ void ShellWindow::createPanels() {
   });
 }
 
-void ShellWindow::createKeys() {}
+void ShellWindow::createKeys() {
+  const auto key = [this](const QKeySequence& keys, auto act) {
+    connect(new QShortcut(keys, this), &QShortcut::activated, this, act);
+  };
+  const auto sheet = [this] { ShortcutSheet(desk_, this).exec(); };
+  key(Qt::Key_F1, sheet);
+  key(QKeySequence(QStringLiteral("?")), sheet);
+  key(Qt::Key_F11, [this] { toggleFullScreen(); });
+  key(Qt::CTRL | Qt::ALT | Qt::Key_L, [this] { lock(); });
+  connect(signIn_, &SignInPanel::leaveKioskWanted, this, &ShellWindow::leaveKiosk);
+  signIn_->setKiosk(setup_.kiosk);
+}
+
+void ShellWindow::toggleFullScreen() {
+  if (!setup_.kiosk) setWindowState(windowState() ^ Qt::WindowFullScreen);
+}
+
+/// Only somebody who may change the centre's settings gets out of the kiosk.
+void ShellWindow::leaveKiosk() {
+  CredentialsDialog dialog(tr("Leave kiosk mode"),
+                           tr("An administrator ends the kiosk with name and password."), this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  background_.run(
+      [this, key = key(), login = dialog.login(), password = dialog.password()]() -> Background::Finish {
+        Workplace own(key);
+        const SignInAnswer answer = torsio::signIn(own, login.toStdString(), password.toStdString());
+        const bool may = answer.outcome == SignIn::kOk && own.may(Operation::kSettingsEdit);
+        if (answer.outcome == SignIn::kOk) torsio::signOut(own);
+        return [this, may] {
+          if (!may) {
+            signIn_->say(tr("Only an administrator can end the kiosk"), true);
+            return;
+          }
+          mayClose_ = true;
+          close();
+        };
+      },
+      [this](const std::exception_ptr& problem) { signIn_->say(said(problem), true); });
+}
+
+bool ShellWindow::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::KeyPress:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonPress:
+    case QEvent::Wheel:
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+      idle_.activity();
+      break;
+    default:
+      break;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void ShellWindow::watchIdleness() {
+  const bool watched = desk_ != nullptr && stack_->currentWidget() == desk_;
+  const bool busy = !watched || desk_->busy();
+  if (busy != idle_.busy()) idle_.setBusy(busy);  // each call begins the count anew
+  const IdleState state = idle_.state();
+  idleWarning_->setVisible(watched && state == IdleState::kWarning);
+  if (!watched) return;
+  if (state == IdleState::kWarning) {
+    const std::int64_t left_s = (idle_.untilLock_us() + 999'999) / 1'000'000;
+    const bool ends = setup_.kiosk || workplace_->actor().practiceOnly;
+    idleWarning_->setText(
+        ends ? tr("Nobody here? You will be signed out in %1 s. Press any key to stay").arg(left_s)
+             : tr("Nobody here? The screen will be locked in %1 s. Press any key to stay").arg(left_s));
+  } else if (state == IdleState::kLocked) {
+    idle_.unlock();  // the lock panel is the lock; the guard counts anew once it is open
+    const bool ends = setup_.kiosk || workplace_->actor().practiceOnly;
+    if (!ends || !signOut(tr("You were signed out because nobody was here"))) lock();
+  }
+}
 
 void ShellWindow::show(QWidget* panel) {
   stack_->setCurrentWidget(panel);
@@ -165,7 +262,13 @@ void ShellWindow::setUp(const FirstRunChoice& choice) {
       [this, choice, key = key()]() -> Background::Finish {
         Workplace own(key);
         own.setPasswordCost(setup_.passwordCost);
-        if (!needsFirstRun(own.connection())) return [this] { openDatabase(); };
+        if (!needsFirstRun(own.connection())) {
+          return [this, choice] {  // a centre is there already: its people sign in
+            firstRun_->job().end();
+            preferences_.setDatabase(choice.locator);
+            openDatabase();
+          };
+        }
         const auto accounts =
             performFirstRun(own, choice.first, setup_.assets, [this](const Progress& progress) {
               QMetaObject::invokeMethod(this, [this, progress] {
@@ -275,8 +378,7 @@ void ShellWindow::unlock(const QString& password) {
             show(desk_);
           } else if (answer.outcome == SignIn::kWait) {
             const std::int64_t left_s = (answer.waitUntilUtc_us - workplace_->now_us()) / 1'000'000 + 1;
-            lock_->say(
-                tr("Too many wrong tries. Please wait %n second(s)", nullptr, static_cast<int>(left_s)));
+            lock_->say(tr("Too many wrong tries. Please wait %1 s").arg(left_s));
           } else {
             lock_->say(tr("That is not the password. Please try again"));
           }
@@ -311,6 +413,9 @@ void ShellWindow::openDesk() {
   connect(desk_, &Desk::languageWanted, this, &ShellWindow::chooseLanguage);
   connect(desk_, &Desk::themeWanted, this, &ShellWindow::chooseTheme);
   connect(desk_, &Desk::pinWanted, this, &ShellWindow::choosePin);
+  connect(desk_, &Desk::shortcutsWanted, this, [this] { ShortcutSheet(desk_, this).exec(); });
+  connect(desk_, &Desk::aboutWanted, this, [this] { showAboutBox(this); });
+  connect(desk_, &Desk::demonstrationRemovalWanted, this, &ShellWindow::removeDemonstration);
   connect(desk_, &Desk::passwordChangeWanted, this, [this] {
     password_->begin(QString::fromStdString(workplace_->actor().login), {}, false);
     show(password_);
@@ -365,6 +470,45 @@ void ShellWindow::choosePin() {
   }
 }
 
+void ShellWindow::removeDemonstration() {
+  try {
+    const DemonstrationSize size = demonstrationSize(*workplace_);
+    if (size.rows == 0) {
+      desk_->context().notify(tr("There is no demonstration data"));
+      return;
+    }
+    const QLocale locale;
+    QMessageBox question(QMessageBox::Question, tr("Remove demonstration data"),
+                         tr("Remove %1 simulated people, %2 trials and %3 marks?")
+                             .arg(locale.toString(static_cast<qlonglong>(size.people)),
+                                  locale.toString(static_cast<qlonglong>(size.trials)),
+                                  locale.toString(static_cast<qlonglong>(size.marks))),
+                         QMessageBox::Cancel, this);
+    question.setInformativeText(tr("Your own data stay as they are. This cannot be undone."));
+    const QAbstractButton* remove = question.addButton(tr("Remove"), QMessageBox::DestructiveRole);
+    question.setDefaultButton(QMessageBox::Cancel);
+    question.exec();
+    if (question.clickedButton() != remove) return;
+    desk_->context().run(
+        tr("Removing the demonstration"),
+        [reason = tr("Removed from the user menu").toStdString()](Workplace& own, const ProgressCallback&) {
+          static_cast<void>(removeDemonstrationData(own, reason));
+        },
+        [this] { desk_->context().notify(tr("The demonstration data were removed")); });
+  } catch (...) {
+    desk_->context().report(std::current_exception());
+  }
+}
+
+void ShellWindow::retranslate() {
+  idleWarning_->setAccessibleName(tr("Warning of the idle lock"));
+}
+
+void ShellWindow::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) retranslate();
+  QWidget::changeEvent(event);
+}
+
 void ShellWindow::applyChoices(const QString& user, bool station) {
   const auto language = preferences_.language(user);
   const auto stations = preferences_.language({});
@@ -393,7 +537,7 @@ void ShellWindow::chooseTheme(ThemeKind kind) {
 }
 
 void ShellWindow::closeEvent(QCloseEvent* event) {
-  if (background_.working() || (desk_ != nullptr && !desk_->mayLeave())) {
+  if (!mayClose_ || background_.working() || (desk_ != nullptr && !desk_->mayLeave())) {
     event->ignore();
     return;
   }

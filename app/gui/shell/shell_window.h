@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <QTimer>
 #include <QWidget>
 
 #include "app/gui/shell/background.h"
@@ -15,7 +16,9 @@
 #include "app/gui/shell/language.h"
 #include "app/gui/shell/preferences.h"
 #include "app/session/access/access_service.h"
+#include "app/session/access/idle_guard.h"
 
+class QLabel;
 class QStackedWidget;
 
 namespace torsio::gui {
@@ -36,6 +39,8 @@ struct ShellSetup {
   bool systemIsDark = false;
   bool kiosk = false;
   bool remember = true;
+  IdleLimits idle;
+  const Clock* clock = nullptr;  ///< of the idle lock; null: the machine's
   PasswordCost passwordCost = PasswordCost::kModerate;
 };
 
@@ -63,8 +68,12 @@ class ShellWindow : public QWidget {
   bool lock();
   void chooseLanguage(Language language);
   void chooseTheme(ThemeKind kind);
+  /// About once a second: warns of the idle lock, and locks. Tests call it themselves.
+  void watchIdleness();
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
 
  private:
@@ -85,6 +94,10 @@ class ShellWindow : public QWidget {
   void leaveDesk();
   void openDesk();
   void choosePin();
+  void removeDemonstration();
+  void toggleFullScreen();
+  void leaveKiosk();
+  void retranslate();
   void applyChoices(const QString& userId, bool station);
   [[nodiscard]] QString userId() const;
   [[nodiscard]] WorkplaceKey key() const;
@@ -93,9 +106,14 @@ class ShellWindow : public QWidget {
   Preferences preferences_;
   LanguageSwitch language_;
   Background background_;
+  MonotonicClock machineClock_;
+  IdleGuard idle_;
+  QTimer second_;
   std::unique_ptr<Workplace> workplace_;
+  bool mayClose_ = true;
   ThemeKind theme_ = ThemeKind::kLight;
   QString centre_;
+  QLabel* idleWarning_;
   QStackedWidget* stack_;
   TroublePanel* trouble_ = nullptr;
   FirstRunPanel* firstRun_ = nullptr;

@@ -58,6 +58,10 @@ SignInPanel::SignInPanel(QWidget* parent) : QWidget(parent) {
   column->addWidget(guestNote_);
   column->addSpacing(2 * kSpace);
   column->addWidget(tool_);
+  leaveKiosk_ = linkButton(this);
+  leaveKiosk_->hide();
+  column->addWidget(leaveKiosk_, 0, Qt::AlignRight);
+  connect(leaveKiosk_, &QPushButton::clicked, this, &SignInPanel::leaveKioskWanted);
 
   connect(enter_, &QPushButton::clicked, this, &SignInPanel::submit);
   connect(login_, &QLineEdit::returnPressed, this, [this] { secret_->setFocus(); });
@@ -90,7 +94,7 @@ void SignInPanel::waitUntil(std::int64_t utc_us, std::int64_t now_us) {
 
 void SignInPanel::countDown() {
   if (--wait_s_ > 0) {
-    say(tr("Too many wrong tries. Please wait %n second(s)", nullptr, wait_s_), true);
+    say(tr("Too many wrong tries. Please wait %1 s").arg(wait_s_), true);
   } else {
     second_.stop();
     wait_s_ = 0;
@@ -102,6 +106,10 @@ void SignInPanel::countDown() {
 void SignInPanel::setWorking(bool working) {
   working_ = working;
   enableForm();
+}
+
+void SignInPanel::setKiosk(bool kiosk) {
+  leaveKiosk_->setVisible(kiosk);
 }
 
 void SignInPanel::clear() {
@@ -150,6 +158,7 @@ void SignInPanel::retranslate() {
   mode_->setText(pinMode_ ? tr("Sign in with the password") : tr("Practise with a PIN"));
   guest_->setText(tr("Practise as a guest"));
   guestNote_->setText(tr("With a PIN or as a guest nothing is recorded and nothing is scored."));
+  leaveKiosk_->setText(tr("Leave kiosk mode\u2026"));
   tool_->setText(tr("A training tool and not a medical device. No patient data."));
 }
 

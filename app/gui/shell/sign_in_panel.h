@@ -28,6 +28,8 @@ class SignInPanel : public QWidget {
   /// UTC.
   void waitUntil(std::int64_t utc_us, std::int64_t now_us);
   void setWorking(bool working);
+  /// A quiet way out for administrators.
+  void setKiosk(bool kiosk);
   /// For the next person: no name, no password, no sentence.
   void clear();
 
@@ -35,6 +37,7 @@ class SignInPanel : public QWidget {
   void passwordGiven(const QString& login, const QString& password);
   void pinGiven(const QString& login, const QString& pin);
   void guestChosen();
+  void leaveKioskWanted();
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -64,6 +67,7 @@ class SignInPanel : public QWidget {
   QPushButton* guest_;
   QLabel* guestNote_;
   QLabel* tool_;
+  QPushButton* leaveKiosk_;
 };
 
 }  // namespace torsio::gui

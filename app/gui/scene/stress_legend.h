@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "app/gui/look/theme.h"
+
+namespace torsio::gui {
+
+/// What the colours of the shear map mean: a bar with figures, over the scene. Says the same in its
+/// accessible description.
+class StressLegend : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StressLegend(QWidget* parent = nullptr);
+  void setTop(double top_Pa);
+  void setTheme(const Theme& theme);
+  [[nodiscard]] QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void describe();
+  [[nodiscard]] QString figure(double stress_Pa) const;
+  const Theme* theme_;
+  double top_Pa_ = 0.0;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <QString>
+
+class QLineEdit;
+
+namespace torsio::gui {
+
+/// Asks for somebody's name and password, for one act that not everybody may do.
+class CredentialsDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  CredentialsDialog(const QString& title, const QString& why, QWidget* parent = nullptr);
+  [[nodiscard]] QString login() const;
+  [[nodiscard]] QString password() const;
+
+ private:
+  QLineEdit* login_;
+  QLineEdit* password_;
+};
+
+}  // namespace torsio::gui

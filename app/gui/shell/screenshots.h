@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <QSize>
+#include <QString>
+
+#include "app/gui/look/theme.h"
+#include "app/gui/shell/language.h"
+#include "app/session/progress.h"
+
+namespace torsio::gui {
+
+struct ScreenshotsRequest {
+  std::filesystem::path out;
+  std::filesystem::path assets;
+  std::vector<QSize> sizes;
+  std::vector<Language> languages;
+  std::vector<ThemeKind> themes;
+  QString only;  ///< a part of the name; empty: all
+  ProgressCallback progress;
+};
+
+/// Pictures of every screen of the program on the demonstration cohort, and an index.html that shows them.
+/// The record lies in a temporary folder and is gone afterwards. On a display without OpenGL the scene is
+/// replaced by a sentence. Returns how many pictures were written. Throws Error.
+int takeAllScreenshots(const ScreenshotsRequest& request);
+
+/// `torsio screenshots --out DIR [--size WxH,...] [--language en,zh_CN] [--theme light,dark] [--only NAME]`.
+/// Returns the exit code.
+[[nodiscard]] int runScreenshots(int argc, char** argv);
+
+}  // namespace torsio::gui

@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program's window as its people use it: first run, sign-in, forced change, lock, sign-out.
+#include <QApplication>
+#include <QClipboard>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "app/gui/shell/job_panel.h"
+#include "app/gui/shell/problem_panel.h"
+#include "app/gui/shell/rail.h"
+#include "app/gui/shell/shell_window.h"
+#include "app/gui/shell/sign_in_panel.h"
+#include "sim/base/error.h"
+
+namespace torsio::gui {
+namespace {
+
+constexpr const char* kAdminPassword = "a short sentence for the lab";
+constexpr const char* kStartPassword = "start with these words";
+constexpr const char* kOwnPassword = "only I know this sentence";
+
+/// What a role's folder gives to the shell, without any content.
+class BarePage : public Page {
+ public:
+  BarePage(ShellContext& context, QString name) : Page(context), name_(std::move(name)) {
+    setAccessibleName(name_);
+  }
+  void enter(const QVariant& argument) override {
+    ++entered;
+    argument_ = argument;
+  }
+  bool leave() override { return mayLeave; }
+  bool busy() const override { return isBusy; }
+  void retranslate() override {}
+  ShellContext& context() { return shell(); }
+
+  int entered = 0;
+  bool mayLeave = true;
+  bool isBusy = false;
+  QVariant argument_;
+
+ private:
+  QString name_;
+};
+
+PageEntry entry(const QString& id, std::vector<Operation> needs) {
+  return {.id = id,
+          .icon = QStringLiteral("practice"),
+          .title = [id] { return QStringLiteral("Title of %1").arg(id); },
+          .needs = std::move(needs),
+          .make = [id](ShellContext& context) -> Page* { return new BarePage(context, id); }};
+}
+
+std::vector<PageGroup> bareGroups() {
+  return {
+      {[] { return QStringLiteral("Training"); },
+       {entry("station.next", {Operation::kTrialRecordOwn}), entry("practice", {Operation::kPractice})}},
+      {[] { return QStringLiteral("Review"); }, {entry("review.queue", {Operation::kMarkSubmit})}},
+      {[] { return QStringLiteral("Office"); },
+       {entry("office.users", {Operation::kUserManage}), entry("office.audit", {Operation::kAuditView})}}};
+}
+
+template <typename Widget>
+Widget* named(QWidget& where, const QString& name) {
+  for (Widget* widget : where.findChildren<Widget*>()) {
+    if (widget->accessibleName() == name && widget->isVisibleTo(&where)) return widget;
+  }
+  ADD_FAILURE() << "no field " << name.toStdString();
+  return nullptr;
+}
+
+void press(QWidget& where, const QString& text) {
+  for (QPushButton* button : where.findChildren<QPushButton*>()) {
+    if (button->text() == text && button->isVisible() && button->isEnabled()) {
+      QTest::mouseClick(button, Qt::LeftButton);
+      return;
+    }
+  }
+  ADD_FAILURE() << "no button " << text.toStdString();
+}
+
+bool says(QWidget& where, const QString& part) {
+  for (const QLabel* label : where.findChildren<QLabel*>()) {
+    if (label->isVisible() && label->text().contains(part)) return true;
+  }
+  return false;
+}
+
+class Shell : public ::testing::Test {
+ protected:
+  QTemporaryDir folder_;
+  ManualClock clock_;
+  std::unique_ptr<ShellWindow> window_;
+
+  ShellSetup setup() {
+    ShellSetup setup;
+    setup.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+    setup.station = "test";
+    setup.locator = folder_.filePath(QStringLiteral("torsio.sqlite"));
+    setup.groups = bareGroups();
+    setup.remember = false;
+    setup.clock = &clock_;
+    setup.passwordCost = PasswordCost::kTest;
+    return setup;
+  }
+
+  void open(const ShellSetup& with) {
+    window_ = std::make_unique<ShellWindow>(with);
+    window_->QWidget::show();
+    window_->start();
+  }
+
+  /// A centre with an administrator and a trainee who has a start password, nobody signed in.
+  void openFoundedCentre(ShellSetup with) {
+    WorkplaceKey key;
+    key.locator = with.locator.toStdString();
+    key.station = "test";
+    Workplace office(key);
+    office.setPasswordCost(PasswordCost::kTest);
+    FirstRun first;
+    first.centre = "City hospital";
+    first.login = "admin";
+    first.password = kAdminPassword;
+    setUpCentre(office, first);
+    ASSERT_EQ(torsio::signIn(office, "admin", kAdminPassword).outcome, SignIn::kOk);
+    addUser(office, {.login = "chen", .roles = {"trainee"}, .startPassword = kStartPassword});
+    torsio::signOut(office);
+    open(with);
+  }
+
+  void enter(const QString& login, const QString& password) {
+    named<QLineEdit>(*window_, QStringLiteral("Sign-in name"))->setText(login);
+    named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(password);
+    press(*window_, QStringLiteral("Sign in"));
+    window_->background().wait();
+  }
+
+  BarePage& page() { return static_cast<BarePage&>(*window_->desk()->page()); }
+};
+
+TEST_F(Shell, TheFirstRunMakesACentreAndLeadsItsAdministratorToTheOffice) {
+  open(setup());
+  ASSERT_EQ(window_->screen(), QStringLiteral("first run"));
+
+  press(*window_, QStringLiteral("Next"));
+  EXPECT_TRUE(says(*window_, QStringLiteral("Enter the name of your centre")));
+  named<QLineEdit>(*window_, QStringLiteral("Name of the centre"))->setText(QStringLiteral("City hospital"));
+  press(*window_, QStringLiteral("Next"));
+  named<QLineEdit>(*window_, QStringLiteral("Sign-in name"))->setText(QStringLiteral("admin"));
+  named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QStringLiteral("short"));
+  press(*window_, QStringLiteral("Next"));
+  EXPECT_TRUE(says(*window_, QStringLiteral("The first administrator")));  // a weak password leads nowhere
+  named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QString::fromLatin1(kAdminPassword));
+  named<QLineEdit>(*window_, QStringLiteral("The same again"))->setText(QString::fromLatin1(kAdminPassword));
+  press(*window_, QStringLiteral("Next"));
+  press(*window_, QStringLiteral("Next"));
+  press(*window_, QStringLiteral("Set up"));
+  window_->background().wait();
+
+  ASSERT_EQ(window_->screen(), QStringLiteral("desk"));
+  EXPECT_EQ(window_->desk()->pageId(), QStringLiteral("office.users"));
+  EXPECT_TRUE(says(*window_, QStringLiteral("City hospital")));
+}
+
+TEST_F(Shell, AServerAddressWithAPasswordIsRefusedBeforeItIsStored) {
+  open(setup());
+  FirstRunChoice choice;
+  choice.locator = QStringLiteral("postgresql://torsio:secret@server/torsio");
+  auto* panel = window_->findChild<FirstRunPanel*>();
+
+  Q_EMIT panel->chosen(choice);
+
+  EXPECT_FALSE(window_->background().working());
+  EXPECT_TRUE(says(*window_, QStringLiteral("Leave the password out of the address")));
+}
+
+TEST_F(Shell, AWrongPasswordSaysNeitherWhichPartWasWrongNorKeepsIt) {
+  openFoundedCentre(setup());
+
+  enter(QStringLiteral("admin"), QStringLiteral("not this one at all"));
+
+  EXPECT_EQ(window_->screen(), QStringLiteral("sign-in"));
+  EXPECT_TRUE(says(*window_, QStringLiteral("Name and password do not fit together")));
+  EXPECT_TRUE(named<QLineEdit>(*window_, QStringLiteral("Password"))->text().isEmpty());
+}
+
+TEST_F(Shell, AfterTooManyTriesItSaysHowLongToWaitAndLetsNobodyTry) {
+  openFoundedCentre(setup());
+
+  for (int i = 0; i < 4; ++i) enter(QStringLiteral("admin"), QStringLiteral("not this one at all"));
+  named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QString::fromLatin1(kAdminPassword));
+  press(*window_, QStringLiteral("Sign in"));
+  window_->background().wait();
+
+  EXPECT_EQ(window_->screen(), QStringLiteral("sign-in"));
+  EXPECT_TRUE(says(*window_, QStringLiteral("Please wait")));
+}
+
+TEST_F(Shell, AStartPasswordMustBeChangedBeforeAnythingElse) {
+  openFoundedCentre(setup());
+
+  enter(QStringLiteral("chen"), QString::fromLatin1(kStartPassword));
+  ASSERT_EQ(window_->screen(), QStringLiteral("password"));
+  named<QLineEdit>(*window_, QStringLiteral("New password"))->setText(QString::fromLatin1(kOwnPassword));
+  named<QLineEdit>(*window_, QStringLiteral("The same again"))->setText(QString::fromLatin1(kOwnPassword));
+  press(*window_, QStringLiteral("Save password"));
+  window_->background().wait();
+
+  ASSERT_EQ(window_->screen(), QStringLiteral("desk"));
+  EXPECT_EQ(window_->desk()->pageId(), QStringLiteral("station.next"));
+  window_->signOut();
+  enter(QStringLiteral("chen"), QString::fromLatin1(kOwnPassword));
+  EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
+}
+
+TEST_F(Shell, TheDeskOffersOnlyWhatItsActorMayOpen) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+
+  const std::vector<QString> pages = window_->desk()->pageIds();
+
+  EXPECT_EQ(std::count(pages.begin(), pages.end(), QStringLiteral("station.next")), 0);
+  EXPECT_EQ(std::count(pages.begin(), pages.end(), QStringLiteral("office.audit")), 1);
+  EXPECT_FALSE(window_->desk()->open(QStringLiteral("review.queue")));
+  EXPECT_EQ(window_->desk()->pageId(), QStringLiteral("office.users"));
+}
+
+TEST_F(Shell, PagesAreKeptAndEnteredAnew) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  Desk& desk = *window_->desk();
+  Page* first = desk.page();
+
+  desk.context().open(QStringLiteral("office.audit"), QStringLiteral("argument"));
+  EXPECT_EQ(page().argument_.toString(), QStringLiteral("argument"));
+  desk.open(QStringLiteral("office.users"));
+
+  EXPECT_EQ(desk.page(), first);
+  EXPECT_EQ(page().entered, 2);
+}
+
+TEST_F(Shell, ABusyPageBlocksSignOutOtherPagesAndClosing) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  page().isBusy = true;
+
+  EXPECT_FALSE(window_->signOut());
+  EXPECT_FALSE(window_->desk()->open(QStringLiteral("office.audit")));
+  EXPECT_FALSE(window_->close());
+  EXPECT_TRUE(says(*window_, QStringLiteral("A run is going on")));
+
+  page().isBusy = false;
+  EXPECT_TRUE(window_->signOut());
+  EXPECT_EQ(window_->screen(), QStringLiteral("sign-in"));
+}
+
+TEST_F(Shell, APageWithSomethingUnfinishedIsNotLeft) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  page().mayLeave = false;
+
+  EXPECT_FALSE(window_->desk()->open(QStringLiteral("office.audit")));
+  EXPECT_FALSE(window_->signOut());
+  EXPECT_EQ(window_->desk()->pageId(), QStringLiteral("office.users"));
+  page().mayLeave = true;
+}
+
+TEST_F(Shell, AnIdleDeskWarnsThenLocksAndOpensAsItWas) {
+  ShellSetup with = setup();
+  with.idle = {.warn_us = 10'000'000, .lock_us = 20'000'000};
+  openFoundedCentre(with);
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  Desk* desk = window_->desk();
+  window_->watchIdleness();
+
+  clock_.advance_us(12'000'000);
+  window_->watchIdleness();
+  EXPECT_TRUE(says(*window_, QStringLiteral("The screen will be locked in 8")));
+  clock_.advance_us(9'000'000);
+  window_->watchIdleness();
+  ASSERT_EQ(window_->screen(), QStringLiteral("lock"));
+
+  named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QStringLiteral("not this one at all"));
+  press(*window_, QStringLiteral("Unlock"));
+  window_->background().wait();
+  EXPECT_EQ(window_->screen(), QStringLiteral("lock"));
+  named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QString::fromLatin1(kAdminPassword));
+  press(*window_, QStringLiteral("Unlock"));
+  window_->background().wait();
+  EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
+  EXPECT_EQ(window_->desk(), desk);
+}
+
+TEST_F(Shell, TheIdleLockNeverEndsARun) {
+  ShellSetup with = setup();
+  with.idle = {.warn_us = 10'000'000, .lock_us = 20'000'000};
+  openFoundedCentre(with);
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  page().isBusy = true;
+
+  for (int second = 0; second < 60; ++second) {
+    clock_.advance_us(1'000'000);
+    window_->watchIdleness();
+  }
+
+  EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
+  EXPECT_FALSE(window_->lock());
+  page().isBusy = false;
+}
+
+TEST_F(Shell, AGuestPractisesAndReachesNothingElse) {
+  openFoundedCentre(setup());
+
+  press(*window_, QStringLiteral("Practise as a guest"));
+
+  ASSERT_EQ(window_->screen(), QStringLiteral("desk"));
+  EXPECT_EQ(window_->desk()->pageIds(), std::vector<QString>{QStringLiteral("practice")});
+  EXPECT_TRUE(says(*window_, QStringLiteral("nothing is recorded")));
+  EXPECT_FALSE(window_->workplace()->may(Operation::kTrialRecordOwn));
+}
+
+TEST_F(Shell, AGuestWhoLeavesIsSignedOutNotLocked) {
+  openFoundedCentre(setup());
+  press(*window_, QStringLiteral("Practise as a guest"));
+
+  window_->lock();
+
+  EXPECT_EQ(window_->screen(), QStringLiteral("sign-in"));
+}
+
+TEST_F(Shell, TheKioskDoesNotClose) {
+  ShellSetup with = setup();
+  with.kiosk = true;
+  openFoundedCentre(with);
+
+  EXPECT_FALSE(window_->close());
+  EXPECT_TRUE(window_->isVisible());
+}
+
+TEST_F(Shell, AProblemIsSaidPlainlyWithItsDetailsFoldedAndCanBeCopied) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+
+  window_->desk()->context().report(
+      std::make_exception_ptr(Error(ErrorCode::kFileUnwritable, "the report cannot be written",
+                                    "/reports/a.pdf", "Choose another folder")));
+
+  auto* panel = window_->desk()->findChild<ProblemPanel*>();
+  ASSERT_TRUE(panel->isVisible());
+  EXPECT_TRUE(says(*panel, QStringLiteral("report cannot be written")));
+  EXPECT_TRUE(says(*panel, QStringLiteral("Choose another folder")));
+  EXPECT_FALSE(says(*panel, QStringLiteral("/reports/a.pdf")));
+  press(*panel, QStringLiteral("Copy"));
+  EXPECT_TRUE(QApplication::clipboard()->text().contains(QStringLiteral("/reports/a.pdf")));
+  press(*panel, QStringLiteral("Close"));
+  EXPECT_FALSE(panel->isVisible());
+}
+
+TEST_F(Shell, LongWorkShowsItsProgressAndCanBeCancelled) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  ShellContext& context = window_->desk()->context();
+  bool done = false;
+  std::atomic<bool> seen{false};
+
+  context.run(
+      QStringLiteral("Export"),
+      [&seen](Workplace&, const ProgressCallback& progress) {
+        while (true) {
+          progress({"Writing", 0.5, 30.0});
+          seen.store(true);
+        }
+      },
+      [&done] { done = true; });
+  while (!seen.load()) QApplication::processEvents();
+  QApplication::processEvents();
+  auto* job = window_->desk()->findChild<JobPanel*>();
+  EXPECT_TRUE(says(*job, QStringLiteral("50 %")));
+  EXPECT_TRUE(says(*job, QStringLiteral("30 s left")));
+  EXPECT_FALSE(window_->signOut());
+  press(*job, QStringLiteral("Cancel"));
+  context.waitForJobs();
+
+  EXPECT_FALSE(done);
+  EXPECT_FALSE(job->isVisible());
+}
+
+TEST_F(Shell, EverythingThatTakesTheKeyboardHasANameForScreenReaders) {
+  openFoundedCentre(setup());
+  const auto check = [this] {
+    for (QWidget* widget : window_->findChildren<QWidget*>()) {
+      if ((widget->focusPolicy() & Qt::TabFocus) == 0 || !widget->isVisible()) continue;
+      const auto* button = qobject_cast<QAbstractButton*>(widget);
+      if (button != nullptr && !button->text().isEmpty()) continue;
+      EXPECT_FALSE(widget->accessibleName().isEmpty()) << widget->metaObject()->className();
+    }
+  };
+  check();
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  check();
+  window_->desk()->rail().setNarrow(true);
+  check();
+}
+
+}  // namespace
+}  // namespace torsio::gui
