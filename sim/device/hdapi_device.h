@@ -77,6 +77,8 @@ class HdapiDevice final : public HapticDevice {
   }
   [[nodiscard]] DeviceSample read(std::int64_t time_us) noexcept override;
   void write(const ForceCommand& command) noexcept override;
+  /// The frame that hangs ends with zero force, and so does every other until the gate has opened anew.
+  void dropForce() noexcept override { session_->servo().dropForce(); }
 
  private:
   std::shared_ptr<HdapiSession> session_;  // shared with the thread that closes it

@@ -226,7 +226,8 @@ Vec3 HdapiServo::forceToSend(std::int64_t now_us) noexcept {
   }
   const bool expired = seenForce_ == 0 || now_us - seenForce_us_ > kForceExpires_us;
   const double size_N = norm(command_.force_N);
-  if (expired || !std::isfinite(size_N) || revoked_.load(std::memory_order_relaxed)) gate_.close();
+  const bool asked = dropAsked_.exchange(false, std::memory_order_relaxed);
+  if (asked || expired || !std::isfinite(size_N) || revoked_.load(std::memory_order_relaxed)) gate_.close();
   const double gain = gate_.advance(std::clamp<std::int64_t>(interval_us_, 0, kServoPeriod_us));
   if (!(gain > 0.0)) return {};
   return command_.force_N * (gain * setup_.maxForce_N / std::max(size_N, setup_.maxForce_N));

@@ -93,6 +93,10 @@ class HdapiServo {
   /// Ends the frames: zero force from the next one on. After it returned the tick function is never called
   /// again. Not from within the tick function.
   void revokeTick() noexcept;
+  /// Zero force from the frame in progress or, outside of one, from the next on, until the gate has opened
+  /// anew. Any thread; calls nothing of the library, which belongs to the servo thread: while a frame hangs,
+  /// only the device's own protection is left.
+  void dropForce() noexcept { dropAsked_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool lost() const noexcept { return lost_.load(std::memory_order_acquire); }
 
  private:
@@ -153,6 +157,7 @@ class HdapiServo {
   SpscRing<HdapiEvent> events_;
   std::atomic<bool> forceWished_{false};
   std::atomic<bool> calibrationWished_{false};
+  std::atomic<bool> dropAsked_{false};
   std::atomic<bool> revoked_{false};
   std::atomic<bool> inTick_{false};
   std::atomic<bool> lost_{false};

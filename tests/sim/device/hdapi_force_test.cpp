@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "sim/device/passivity.h"
+#include "sim/servo/servo_watchdog.h"
 #include "tests/sim/device/hdapi_bench.h"
 
 namespace torsio {
@@ -102,6 +104,59 @@ TEST_F(HdapiForces, F7_FadesTheForceOutsideTheWorkspaceThatTheDeviceReports) {
 
   EXPECT_EQ(rendered_N(), Vec3{});
   EXPECT_TRUE(loop.sent.limits & kForceWorkspace);
+}
+
+/// A tick that hangs once, watched as the servo watches it; all on the fake's clock.
+struct Watched {
+  HdapiDevice* device = nullptr;
+  const testing::FakeHd* fake = nullptr;
+  ServoWatchdog* dog = nullptr;
+  bool hangs = false;
+
+  static void tick(void* context, std::int64_t) {
+    auto& watched = *static_cast<Watched*>(context);
+    watched.dog->beat(1000 * watched.fake->now_us());
+    watched.device->write({{0.5, 0.0, 0.0}, 0});
+    if (!std::exchange(watched.hangs, false)) return;
+    watched.fake->advance_us(kStall_ns / 1000);
+    watched.dog->check(1000 * watched.fake->now_us());
+  }
+};
+
+TEST_F(HdapiForces, F5_SendsNoForceFromATickThatHungAndRampsAfterwards) {
+  open();
+  ServoWatchdog dog([this] { device->dropForce(); });
+  Watched watched{device.get(), &fake, &dog, false};
+  device->enableForce(true);
+  device->start({&Watched::tick, &watched});
+  fake.run(1'000);
+  ASSERT_NEAR(rendered_N().x, 0.5, kRounding_N);
+
+  watched.hangs = true;
+  fake.run(1);
+  EXPECT_EQ(dog.stalls(), 1);
+  EXPECT_EQ(rendered_N(), Vec3{});
+  fake.run(10);
+  EXPECT_LE(rendered_N().x, 0.5 * 10 / 500 + kRounding_N);
+  fake.run(600);
+  EXPECT_NEAR(rendered_N().x, 0.5, kRounding_N);
+  (void)device->close();
+}
+
+TEST_F(HdapiForces, F5_DropsTheForceOfAThreadThatHangsBeforeItWouldExpire) {
+  open();
+  device->enableForce(true);
+  device->start();
+  for (int i = 0; i < 700; ++i) {
+    device->write({{0.5, 0.0, 0.0}, 0});
+    fake.run(1);
+  }
+  ASSERT_NEAR(rendered_N().x, 0.5, kRounding_N);
+
+  device->dropForce();
+  fake.run(1);
+
+  EXPECT_EQ(rendered_N(), Vec3{});
 }
 
 class HdapiExit : public HdapiForces {
