@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The office through its real widgets: a whole study from the roster file to the report that leaves the
+// house.
+#include <filesystem>
+#include <functional>
+#include <map>
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDialog>
+#include <QInputDialog>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QTableView>
+#include <QTimer>
+#include <gtest/gtest.h>
+
+#include "app/gui/charts/figure_canvas.h"
+#include "app/gui/charts/figure_card.h"
+#include "app/gui/look/data_table.h"
+#include "app/gui/office/allocation_page.h"
+#include "app/gui/office/campaigns_page.h"
+#include "app/gui/office/care_page.h"
+#include "app/gui/office/cohorts_page.h"
+#include "app/gui/office/curricula_page.h"
+#include "app/gui/office/curriculum_editor.h"
+#include "app/gui/office/office_pages.h"
+#include "app/gui/office/reports_page.h"
+#include "app/gui/office/results_page.h"
+#include "app/gui/office/roster_wizard.h"
+#include "app/gui/office/run_day_page.h"
+#include "app/gui/office/scoring_page.h"
+#include "app/gui/shell/shell_context.h"
+#include "app/session/people/people_service.h"
+#include "app/session/reporting/report_export.h"
+#include "app/session/study/curriculum_service.h"
+#include "assessment/report/figure_table.h"
+#include "assessment/study/demonstration_marks.h"
+#include "db/repository/sheet_repository.h"
+#include "sim/base/file_io.h"
+#include "tests/app/session/office_centre.h"
+
+namespace torsio::gui {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::OfficeCentre;
+
+/// A centre with the surroundings of its pages; what a page reports as failed is kept.
+class Office {
+ public:
+  Office() : shell_(centre.workplace(), centre.assets(), ThemeKind::kLight) {
+    QSettings().clear();
+    QObject::connect(&shell_, &ShellContext::failed,
+                     [this](const QString& happened, const QString& remedy, const QString& details) {
+                       failures << QStringLiteral("%1 | %2 | %3").arg(happened, remedy, details);
+                       ADD_FAILURE() << failures.last().toStdString();
+                     });
+  }
+
+  OfficeCentre centre;
+  QStringList failures;
+
+  ShellContext& shell() { return shell_; }
+
+  template <typename Made>
+  std::unique_ptr<Made> open(const std::string& role, const QVariant& argument = {}) {
+    centre.as(role);
+    auto page = std::make_unique<Made>(shell_);
+    page->resize(1366, 768);
+    page->enter(argument);
+    shell_.waitForJobs();
+    QApplication::processEvents();
+    return page;
+  }
+
+ private:
+  ShellContext shell_;
+};
+
+/// The button with this text, mnemonics and dots apart.
+QPushButton* button(QWidget& in, const QString& text) {
+  for (QPushButton* found : in.findChildren<QPushButton*>()) {
+    QString plain = found->text();
+    if (plain.remove(QLatin1Char('&')).remove(QChar(0x2026)) == text) return found;
+  }
+  return nullptr;
+}
+
+void press(QWidget& in, const QString& text) {
+  QPushButton* found = button(in, text);
+  ASSERT_NE(found, nullptr) << text.toStdString();
+  ASSERT_TRUE(found->isEnabled()) << text.toStdString();
+  found->click();
+}
+
+/// Answers the next modal dialog.
+void answer(const std::function<void(QDialog&)>& fill) {
+  QTimer::singleShot(0, [fill] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    fill(*dialog);
+  });
+}
+
+void type(QDialog& dialog, const QString& text) {
+  if (auto* input = qobject_cast<QInputDialog*>(&dialog)) {
+    input->setTextValue(text);
+  } else {
+    dialog.findChild<QLineEdit*>()->setText(text);
+  }
+  dialog.accept();
+}
+
+/// 30 made-up trainees as a hospital's spreadsheet has them.
+fs::path rosterFile(const fs::path& folder, bool raters) {
+  std::string text = raters ? "staff no;name;class\r\n" : "staff no;name;sex;level\r\n";
+  for (int i = 1; i <= (raters ? 10 : 30); ++i) {
+    text += (raters ? std::string("C-") : std::string("S-")).append(std::to_string(100 + i));
+    text += raters ? ";Chief " : ";Intern ";
+    text += std::to_string(i);
+    text += raters ? ";chief" : (i % 2 == 0 ? ";female;graduate" : ";male;doctoral student");
+    text += "\r\n";
+  }
+  const fs::path file = folder / (raters ? "raters.csv" : "interns.csv");
+  writeFileAtomically(file, text);
+  return file;
+}
+
+/// Through the three steps of the wizard, the columns chosen by hand where the headers do not tell.
+std::size_t importFile(Office& office, const fs::path& file, RosterKind kind) {
+  office.centre.as("administrator");
+  RosterImport import;
+  import.kind = kind;
+  import.file = readRoster(file);
+  import.columns = suggestColumns(*import.file, kind);
+  import.columns[static_cast<std::size_t>(RosterField::kExternalId)] = 0;
+  import.columns[static_cast<std::size_t>(RosterField::kFullName)] = 1;
+  if (kind == RosterKind::kRaters) import.columns[static_cast<std::size_t>(RosterField::kRaterClass)] = 2;
+  RosterPreviewPage preview(import, office.shell(), nullptr);
+  preview.initializePage();
+  EXPECT_TRUE(preview.isComplete());
+  return importRoster(office.centre.workplace(), *import.file, kind, import.columns,
+                      import.preview->fingerprint, RosterMode::kCommit)
+      .added;
+}
+
+/// Every open sheet of the cohort, filled in by the stated rule of the demonstration.
+void submitSimulatedMarks(OfficeCentre& centre, const std::string& cohortId) {
+  SheetRepository sheets(centre.connection());
+  DemonstrationPeople people;
+  people.groups.resize(3);
+  std::map<std::string, std::string> codeOf;
+  for (const StoredEnrolment& enrolment : enrolments(centre.as("allocator"), cohortId)) {
+    people.groups.at(static_cast<std::size_t>(enrolment.groupCode.back() - '1'))
+        .push_back(enrolment.traineeCode);
+    codeOf[enrolment.id] = enrolment.traineeCode;
+  }
+  std::map<std::string, std::string> raterCode;
+  for (const PersonRow& person : torsio::people(centre.as("administrator")))
+    if (person.rater) {
+      people.raters.push_back(person.person.code);
+      raterCode[person.person.id] = person.person.code;
+    }
+  people.raterClasses.resize(3);
+  std::map<std::tuple<std::string, std::string, std::size_t>, std::int64_t> marks;
+  for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, people, 5))
+    marks[{mark.trainee, mark.rater, mark.occasion}] = mark.steps;
+  const std::map<std::string, std::size_t> occasions{{"pre", 0}, {"mid", 1}, {"post", 2}};
+  for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
+    const StoredAssignment& one = status.assignment;
+    Sheet sheet;
+    sheet.overall_steps =
+        marks.at({codeOf.at(one.enrolmentId), raterCode.at(one.raterId), occasions.at(one.scoringPoint)});
+    const StoredRubricRevision rubric = sheets.revision(one.rubricRevisionId).value();
+    for (const StoredRubricRow& row : rubric.rows) sheet.rows.push_back({row.code, row.scale.lo, ""});
+    sheets.submit(one.id, centre.workplace().ids().newUuid(), sheet, "", centre.workplace().now_us());
+  }
+}
+
+void setUpCurriculum(Office& office) {
+  auto page = office.open<CurriculaPage>("administrator");
+  answer([](QDialog& dialog) { type(dialog, QStringLiteral("Twist skills 2026")); });
+  press(*page, QStringLiteral("New curriculum"));
+  ASSERT_EQ(page->curricula().visibleRows(), 1);
+  EXPECT_TRUE(page->editor().problems().empty());
+  EXPECT_EQ(page->editor().content().arms.size(), 3U);
+  answer([](QDialog& dialog) { type(dialog, QStringLiteral("first")); });
+  press(*page, QStringLiteral("Publish"));
+  press(*page, QStringLiteral("Begin"));
+}
+
+std::string setUpCohort(Office& office) {
+  auto page = office.open<CohortsPage>("administrator");
+  answer([](QDialog& dialog) { type(dialog, QStringLiteral("Interns 2026")); });
+  press(*page, QStringLiteral("New cohort"));
+  answer([](QDialog& dialog) { dialog.accept(); });  // everybody is chosen to begin with
+  press(*page, QStringLiteral("Enrol trainees"));
+  EXPECT_EQ(page->members().visibleRows(), 30);
+  return page->cohorts().currentId().toStdString();
+}
+
+void allocateEverybody(Office& office, const std::string& cohortId, int people) {
+  auto page = office.open<AllocationPage>("allocator", QString::fromStdString(cohortId));
+  press(*page, QStringLiteral("Preview balance"));
+  EXPECT_GT(page->balance().visibleRows(), 0);
+  QTimer::singleShot(0, [] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_NE(box, nullptr);
+    box->button(QMessageBox::Yes)->click();
+  });
+  press(*page, QStringLiteral("Lock design"));
+  press(*page, QStringLiteral("Allocate everybody"));
+  EXPECT_EQ(page->records().visibleRows(), people);
+}
+
+void askAllRaters(Office& office, const std::string& cohortId) {
+  auto page = office.open<ScoringPage>("administrator", QString::fromStdString(cohortId));
+  answer([](QDialog& dialog) { dialog.accept(); });
+  press(*page, QStringLiteral("Ask raters"));
+  EXPECT_EQ(page->matrix().visibleRows(), 90);
+}
+
+TEST(Office, RunsAWholeStudyFromTheRosterToTheReport) {
+  Office office;
+
+  EXPECT_EQ(importFile(office, rosterFile(office.centre.folder(), false), RosterKind::kTrainees), 30U);
+  EXPECT_EQ(importFile(office, rosterFile(office.centre.folder(), true), RosterKind::kRaters), 10U);
+  setUpCurriculum(office);
+  const std::string cohortId = setUpCohort(office);
+  allocateEverybody(office, cohortId, 30);
+  askAllRaters(office, cohortId);
+  submitSimulatedMarks(office.centre, cohortId);
+
+  auto board = office.open<RunDayPage>("administrator");
+  EXPECT_EQ(board->table().visibleRows(), 30);
+  EXPECT_TRUE(board->leave());
+  auto results = office.open<ResultsPage>("administrator");
+  results->showItem(QStringLiteral("figure-22"));
+  EXPECT_EQ(results->card().table().visibleRows(), 10);
+
+  auto reports = office.open<ReportsPage>("administrator");
+  answer([](QDialog& dialog) { type(dialog, QStringLiteral("final")); });
+  press(*reports, QStringLiteral("Freeze"));
+  office.shell().waitForJobs();
+  ASSERT_NE(reports->inputs(), nullptr);
+  ASSERT_TRUE(reports->inputs()->freeze.has_value());
+  EXPECT_TRUE(reports->inputs()->freeze->unchanged);
+  EXPECT_EQ(reports->inputs()->scores.size(), 90U);
+  const fs::path pdf = office.centre.folder() / "report.pdf";
+  const fs::path csv = office.centre.folder() / "report.csv";
+  EXPECT_TRUE(reports->exportTo(ReportFormat::kPdf, pdf));
+  EXPECT_TRUE(reports->exportTo(ReportFormat::kCsv, csv));
+
+  EXPECT_EQ(readFile(pdf).substr(0, 5), "%PDF-");
+  EXPECT_NE(readFile(csv).find("icc_2_k"), std::string::npos);
+  EXPECT_EQ(office.centre.audited("report.export_coded"), 2);
+  EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
+}
+
+TEST(Office, EveryPageOpensOnAnEmptyRecordInBothThemes) {
+  Office office;
+  for (const PageEntry& entry : officePages()) {
+    office.centre.as("administrator");
+    bool may = true;
+    for (const Operation operation : entry.needs) may = may && office.centre.workplace().may(operation);
+    if (!may) office.centre.as("allocator");
+    const std::unique_ptr<Page> page(entry.make(office.shell()));
+
+    page->enter({});
+    office.shell().waitForJobs();
+    page->applyTheme(theme(ThemeKind::kDark));
+    page->retranslate();
+
+    EXPECT_FALSE(entry.title().isEmpty());
+    EXPECT_TRUE(page->leave()) << entry.id.toStdString();
+  }
+  EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
+}
+
+TEST(Office, NamedReportsNeedTheRightAndLeaveAnEntryOfTheirOwn) {
+  Office office;
+  office.centre.addTrainees(6);
+  office.centre.runPaperCurriculum();
+  auto cohorts = office.open<CohortsPage>("administrator");
+  answer([](QDialog& dialog) { type(dialog, QStringLiteral("Six")); });
+  press(*cohorts, QStringLiteral("New cohort"));
+  answer([](QDialog& dialog) { dialog.accept(); });
+  press(*cohorts, QStringLiteral("Enrol trainees"));
+  allocateEverybody(office, cohorts->cohorts().currentId().toStdString(), 6);
+
+  auto statistician = office.open<ReportsPage>("statistician");
+  EXPECT_EQ(statistician->identity().count(), 2);  // coded and aggregated
+  auto administrator = office.open<ReportsPage>("administrator");
+  ASSERT_EQ(administrator->identity().count(), 3);
+  administrator->identity().setCurrentIndex(2);
+  office.shell().waitForJobs();
+  const fs::path file = office.centre.folder() / "named.csv";
+  EXPECT_TRUE(administrator->exportTo(ReportFormat::kCsv, file));
+
+  EXPECT_EQ(office.centre.audited("report.export_named"), 1);
+  EXPECT_EQ(office.centre.audited("report.export_coded"), 0);
+}
+
+TEST(FigureCanvas, CopiesPictureAndTableAndSaysItsValues) {
+  ReportFigure figure;
+  figure.title = "Scores";
+  figure.categories = {"a", "b"};
+  FigureSeries series;
+  series.name = "Group 1";
+  series.y = {1.25, std::nullopt};
+  figure.series = {series};
+  FigureCanvas canvas;
+  canvas.resize(500, 300);
+  canvas.setFigure(figure);
+
+  QKeyEvent copy(QEvent::KeyPress, Qt::Key_C, Qt::ControlModifier);
+  QApplication::sendEvent(&canvas, &copy);
+
+  const QMimeData* got = QApplication::clipboard()->mimeData();
+  ASSERT_NE(got, nullptr);
+  EXPECT_TRUE(got->hasImage());
+  EXPECT_EQ(got->text(), QStringLiteral("Category\tGroup 1\na\t1.25\nb\t"));
+  EXPECT_EQ(canvas.accessibleName(), QStringLiteral("Scores"));
+  EXPECT_TRUE(canvas.accessibleDescription().contains(QStringLiteral("Group 1 1.25")));
+}
+
+TEST(CarePage, BacksUpTestsTheBackupAndChecksTheRecord) {
+  Office office;
+  office.centre.addTrainees(3);
+  auto page = office.open<CarePage>("administrator");
+
+  const fs::path backup = office.centre.folder() / "backup.sqlite";
+  page->backUp(backup);
+  office.shell().waitForJobs();
+  EXPECT_TRUE(fs::exists(backup));
+  page->testBackup(backup);
+  office.shell().waitForJobs();
+  EXPECT_TRUE(page->backupText().text().contains(QStringLiteral("can be restored")));
+  page->checkRecord();
+  office.shell().waitForJobs();
+
+  EXPECT_TRUE(page->recordText().text().contains(QStringLiteral("sound")));
+  EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
+}
+
+}  // namespace
+}  // namespace torsio::gui

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The office with a large record, 10,000 trials and 100,000 marks: the report is built within 3 s once its
+// recordings are measured (that happens once for each), and every list opens within 100 ms.
+#include <chrono>
+#include <cstdio>
+#include <functional>
+
+#include <QApplication>
+
+#include "app/gui/look/data_table.h"
+#include "app/gui/office/office_pages.h"
+#include "app/gui/shell/shell_context.h"
+#include "app/session/reporting/report_data.h"
+#include "app/session/study/allocation_service.h"
+#include "app/session/study/cohort_service.h"
+#include "assessment/report/cohort_report.h"
+#include "db/repository/people_repository.h"
+#include "db/repository/rating_repository.h"
+#include "db/repository/study_repository.h"
+#include "db/repository/trial_repository.h"
+#include "sim/record/sample_codec.h"
+#include "tests/app/session/office_centre.h"
+
+namespace torsio {
+namespace {
+
+constexpr int kTrainees = 3'333;
+constexpr int kRaters = 10;
+constexpr int kTrialsEach = 3;
+constexpr double kReportTarget_ms = 3'000.0;
+constexpr double kListTarget_ms = 100.0;
+
+double milliseconds(const std::function<void()>& work) {
+  const auto begun = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+}
+
+bool report(const char* what, double took_ms, double target_ms) {
+  std::printf("%-52s %9.1f ms   target %6.0f ms   %s\n", what, took_ms, target_ms,
+              took_ms <= target_ms ? "met" : "MISSED");
+  return took_ms <= target_ms;
+}
+
+std::vector<Sample> twist() {
+  std::vector<Sample> samples(200);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    Sample& sample = samples[i];
+    sample.tick = static_cast<std::int64_t>(i);
+    sample.phase = i < 50 || i > 150 ? ExercisePhase::kContact : ExercisePhase::kTwisting;
+    sample.response.angle_rad =
+        sample.phase == ExercisePhase::kTwisting ? 0.01 * static_cast<double>(i - 50) : 0.0;
+  }
+  return samples;
+}
+
+/// Three groups, everybody with three recordings and thirty marks, stored through the repositories.
+std::string fill(testing::OfficeCentre& centre) {
+  Connection& connection = centre.connection();
+  IdSource& ids = centre.workplace().ids();
+  std::vector<StoredTrainee> trainees;
+  for (int i = 0; i < kTrainees; ++i) {
+    StoredTrainee trainee;
+    trainee.person.id = ids.newUuid();
+    trainee.person.code = "T-" + std::to_string(10'000 + i);
+    trainee.person.sex = i % 2 == 0 ? "female" : "male";
+    trainee.person.createdUtc_us = testing::kOfficeTime_us;
+    trainees.push_back(trainee);
+  }
+  const std::vector<std::string> raters = centre.addChiefs(kRaters);
+  Transaction transaction(connection);
+  PeopleRepository(connection).addTrainees(trainees);
+  StudyRepository study(connection);
+  StoredCohort cohort{.id = ids.newUuid(), .name = "Large", .createdUtc_us = testing::kOfficeTime_us};
+  std::vector<StoredGroup> groups;
+  for (int g = 1; g <= 3; ++g)
+    groups.push_back({.id = ids.newUuid(),
+                      .cohortId = cohort.id,
+                      .number = g,
+                      .code = "G" + std::to_string(g),
+                      .label = "arm"});
+  study.addCohort(cohort, groups);
+  std::vector<StoredEnrolment> enrolments;
+  for (int i = 0; i < kTrainees; ++i)
+    enrolments.push_back({.id = ids.newUuid(),
+                          .cohortId = cohort.id,
+                          .traineeId = trainees[static_cast<std::size_t>(i)].person.id,
+                          .groupId = groups[static_cast<std::size_t>(i % 3)].id,
+                          .numberInGroup = 1 + i / 3,
+                          .enrolledUtc_us = testing::kOfficeTime_us});
+  study.enrol(enrolments);
+  std::vector<StoredTrainingMark> marks;
+  for (const StoredEnrolment& enrolment : enrolments)
+    for (std::size_t r = 0; r < raters.size(); ++r)
+      for (const char* point : {"pre", "mid", "post"}) {
+        StoredTrainingMark mark;
+        mark.id = ids.newUuid();
+        mark.enrolmentId = enrolment.id;
+        mark.raterId = raters[r];
+        mark.scoringPoint = point;
+        mark.score_steps = 10 * static_cast<std::int64_t>(1 + (marks.size() * 7 + r) % 10);
+        mark.submittedUtc_us = testing::kOfficeTime_us;
+        marks.push_back(std::move(mark));
+      }
+  RatingRepository(connection).submit(marks);
+  const TrialChunk chunk = encodeChunk(0, twist());
+  for (std::size_t i = 0; i < enrolments.size() * kTrialsEach; ++i) {
+    TrialHeader header;
+    header.trialId = ids.newUuid();
+    header.traineeCode = trainees[i / kTrialsEach].person.code;
+    header.sceneId = "arm";
+    header.patternId = "pronation";
+    header.parametersJson = "{}";
+    header.targetAngle_rad = 1.0;
+    header.startedUtc_us = testing::kOfficeTime_us;
+    TrialRepository trials(connection, {.station = "bench", .enrolmentId = enrolments[i / kTrialsEach].id});
+    trials.begin(header);
+    trials.append(chunk);
+    TrialSummary summary;
+    summary.samples = chunk.samples;
+    summary.contentHash = header.trialId;  // all recordings are alike; what is measured is reading them
+    trials.finish(summary);
+  }
+  transaction.commit();
+  return cohort.id;
+}
+
+bool measureReport(testing::OfficeCentre& centre, const std::string& cohortId) {
+  TrialDigests digests(centre.assets());
+  ReportRequest request;
+  request.cohortId = cohortId;
+  Workplace& workplace = centre.as("statistician");
+  CohortInputs inputs;
+  const double first = milliseconds([&] { inputs = reportInputs(workplace, request, digests); });
+  std::printf("%-52s %9.1f ms   (once for each recording)\n", "first look: 10,000 recordings are measured",
+              first);
+  ReportModel model;
+  const double again = milliseconds([&] {
+    inputs = reportInputs(workplace, request, digests);
+    model = cohortReport(inputs);
+  });
+  return report("the report is built", again, kReportTarget_ms);
+}
+
+bool measureLists(testing::OfficeCentre& centre) {
+  gui::ShellContext shell(centre.workplace(), centre.assets(), gui::ThemeKind::kLight);
+  bool good = true;
+  for (const gui::PageEntry& entry : gui::officePages()) {
+    if (entry.id == "office.results" || entry.id == "office.reports") continue;  // measured above
+    centre.as(entry.id == "office.allocation" ? "allocator" : "administrator");
+    const std::unique_ptr<gui::Page> page(entry.make(shell));
+    page->resize(1366, 768);
+    const double took = milliseconds([&] {
+      page->enter({});
+      page->grab();
+    });
+    static_cast<void>(page->leave());
+    good = report(entry.id.toStdString().c_str(), took, kListTarget_ms) && good;
+  }
+  return good;
+}
+
+}  // namespace
+}  // namespace torsio
+
+int main(int argc, char** argv) {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  QApplication application(argc, argv);
+  torsio::testing::OfficeCentre centre;
+  std::string cohortId;
+  std::printf("filling: %.0f ms\n", torsio::milliseconds([&] { cohortId = torsio::fill(centre); }));
+  const bool report = torsio::measureReport(centre, cohortId);
+  const bool lists = torsio::measureLists(centre);
+  return report && lists ? 0 : 1;
+}
