@@ -74,6 +74,7 @@ void NextStepPage::enter(const QVariant&) {
       recovered_.push_back(std::move(trial));
     steps_ = nextSteps(shell().workplace(), shell().workplace().actor().personId);
     fill();
+    if (auto* start = findChild<QPushButton*>(QStringLiteral("begin"))) start->setFocus();
   } catch (...) {
     shell().report(std::current_exception());
   }

@@ -42,7 +42,8 @@ void emptyLayout(QLayout* layout) {
   while (QLayoutItem* item = layout->takeAt(0)) {
     if (item->layout() != nullptr) emptyLayout(item->layout());
     if (item->widget() != nullptr) {
-      item->widget()->hide();
+      // The click that led here may still be in its slot.
+      item->widget()->setParent(nullptr);
       item->widget()->deleteLater();
     }
     delete item;

@@ -125,7 +125,7 @@ std::vector<ScreenEntry> stationScreens() {
               [](Workplace& workplace) -> QVariant {
                 return QString::fromStdString(laidOut(workplace).firstModuleId);
               },
-              [](Page& page) { static_cast<TrendPage&>(page).chooseMetric("twist.settling"); }),
+              [](Page& page) { static_cast<TrendPage&>(page).chooseMetric("time.total"); }),
           screen("station-remarks", "station.remarks", nothing),
           screen("station-transcript", "station.transcript", nothing)};
 }

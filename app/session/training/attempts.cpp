@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "app/session/training/trainee_record.h"
-#include "app/session/trial_trace.h"
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/statistics/quantiles.h"
 #include "sim/record/sample_codec.h"
@@ -104,6 +103,11 @@ std::string metricTitle(const std::string& metric) {
   return metric;
 }
 
+bool cutOff(const MeasuredTwist& twist, std::span<const Sample> samples) {
+  return twist.firstSample + twist.samples == samples.size() &&
+         samples.back().phase == ExercisePhase::kTwisting;
+}
+
 Attempt measureAttempt(const TrialHeader& header, std::span<const Sample> samples, double tolerance_rad,
                        std::optional<double> forceLimit_N, std::optional<double> torqueLimit_Nm) {
   Attempt attempt;
@@ -119,6 +123,7 @@ Attempt measureAttempt(const TrialHeader& header, std::span<const Sample> sample
   const MeasuredTrial measuredTrial = measureRecordedTrial(header, samples, options);
   std::map<std::string_view, std::vector<double>> ofTwists;
   for (const MeasuredTwist& twist : measuredTrial.twists) {
+    if (cutOff(twist, samples)) continue;
     ++attempt.twists;
     if (std::abs(twist.releasedAt_rad - twist.target_rad) <= tolerance_rad) ++attempt.onTarget;
     if (!twist.metrics) continue;

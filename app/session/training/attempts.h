@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/session/access/workplace.h"
+#include "app/session/trial_trace.h"
 #include "db/repository/curriculum_repository.h"
 #include "db/repository/trial_repository.h"
 #include "sim/base/live_types.h"
@@ -40,6 +41,9 @@ struct Attempt {
   /// missing.
   std::map<std::string, double> values{};
 };
+
+/// Whether the recording ended in the middle of this twist: such a twist is not judged.
+[[nodiscard]] bool cutOff(const MeasuredTwist& twist, std::span<const Sample> samples);
 
 /// What one recording gives, from its samples. `tolerance_rad` and limits are those of the module.
 [[nodiscard]] Attempt measureAttempt(const TrialHeader& header, std::span<const Sample> samples,

@@ -174,7 +174,9 @@ MeasuredTrial measure(const TrialHeader& header, std::span<const Sample> samples
   options.tolerance_rad = rules.tolerance_rad;
   options.forceLimit_N = rules.forceLimit_N;
   options.torqueLimit_Nm = rules.torqueLimit_Nm;
-  return measureRecordedTrial(header, samples, options);
+  MeasuredTrial trial = measureRecordedTrial(header, samples, options);
+  std::erase_if(trial.twists, [&](const MeasuredTwist& twist) { return cutOff(twist, samples); });
+  return trial;
 }
 
 std::optional<double> largest(const MeasuredTrial& trial, std::string_view metric) {

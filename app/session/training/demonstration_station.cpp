@@ -136,9 +136,10 @@ DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource&
     station.cohortId = cohort.id;
     const auto version = CurriculumRepository(connection).version(cohort.curriculumVersionId);
     if (version && !version->modules.empty()) station.firstModuleId = version->modules.front().id;
-    for (const TrialListing& trial :
-         TrialRepository(connection).list({.traineeCode = person.code, .limit = 1}))
-      station.newestTrialId = trial.trialId;
+    for (const TrialListing& trial : TrialRepository(connection).list({.traineeCode = person.code})) {
+      const bool own = trial.station == kBy && !trial.moduleId.empty();
+      if (own && station.newestTrialId.empty()) station.newestTrialId = trial.trialId;
+    }
     return station;
   }
   Transaction transaction(connection);

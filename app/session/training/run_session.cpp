@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include <QString>
-#include <QSysInfo>
 #include <nlohmann/json.hpp>
 
 #include "app/session/build_info.h"
+#include "app/session/care/recording_host.h"
 #include "app/session/study/cohort_service.h"
 #include "app/session/training/trainee_record.h"
 #include "db/repository/people_repository.h"
@@ -20,7 +19,6 @@ namespace torsio {
 namespace {
 
 constexpr const char* kTrainingRecord = "training_record";
-constexpr std::int64_t kAgreesWithin_us = 500'000;
 constexpr std::int64_t kTick_us = 1'000;
 
 /// May this run begin at all? Throws with the first thing that is missing.
@@ -76,12 +74,6 @@ RunPlan planOf(const NextSteps& steps, const ModuleStep& step) {
   return plan;
 }
 
-RecordingHost thisHost() {
-  return {.name = stationName(),
-          .os = QSysInfo::prettyProductName().toStdString(),
-          .cpu = QSysInfo::currentCpuArchitecture().toStdString()};
-}
-
 }  // namespace
 
 RunSession::RunSession(Workplace& workplace, const RunRequest& request, const Clock& clock)
@@ -91,7 +83,8 @@ RunSession::RunSession(Workplace& workplace, const RunRequest& request, const Cl
           (workplace.require(Operation::kTrialRecordOwn), nextSteps(workplace, workplace.actor().personId))),
       step_(chosenStep(steps_, request)),
       graded_(request.graded),
-      run_(planOf(steps_, step_), clock) {}
+      run_(planOf(steps_, step_), clock),
+      pulse_(workplace) {}
 
 void RunSession::start() {
   workplace_.require(Operation::kTrialRecordOwn);
@@ -102,6 +95,7 @@ void RunSession::start() {
                    .objectKind = "enrolment",
                    .objectId = steps_.enrolmentId,
                    .newJson = what.dump()});
+  pulse_.beat();
 }
 
 void RunSession::log(bool all) {
@@ -120,6 +114,8 @@ std::vector<RunEvent> RunSession::advance() {
   const RunState before = run_.state();
   std::vector<RunEvent> events = run_.advance();
   log(run_.state() != before || run_.over());
+  if (run_.over()) pulse_.show("");
+  pulse_.beat();
   return events;
 }
 
@@ -161,6 +157,8 @@ void RunSession::stop(const std::string& reason) {
   workplace_.note(
       {.action = "run.stop", .objectKind = "enrolment", .objectId = steps_.enrolmentId, .reason = reason});
   transaction.commit();
+  pulse_.show("");
+  pulse_.beat();
 }
 
 TrialOrder RunSession::newTrial() {
@@ -184,70 +182,27 @@ TrialOrder RunSession::newTrial() {
                    .attemptMode = graded_ ? "graded" : "practice",
                    .host = thisHost()};
   trials_.push_back(order.header.trialId);
+  pulse_.show(order.header.trialId);
   return order;
 }
 
 std::unique_ptr<TrialSink> RunSession::sinkFor(const TrialOrder& order) const {
-  return std::make_unique<OwnConnectionTrialSink>(workplace_.key().locator, order.context);
+  return recordingSink(workplace_.key().locator, order.context);
 }
 
-namespace {
-
-/// Training time that a recording proves and nobody logged; its station went down before.
-std::int64_t logMissing(Workplace& workplace, const TrialListing& trial) {
-  StudyRepository studies(workplace.connection());
-  for (const StoredCohort& cohort : studies.cohorts()) {
-    std::int64_t logged_us = 0;
-    bool here = false;
-    for (const StoredEnrolment& enrolment : studies.enrolments(cohort.id))
-      here = here || enrolment.id == trial.enrolmentId;
-    if (!here) continue;
-    for (const StoredExposure& exposure : studies.exposures(cohort.id)) {
-      const bool same = exposure.enrolmentId == trial.enrolmentId && exposure.phaseId == trial.phaseId &&
-                        exposure.kind == "virtual" &&
-                        exposure.startedUtc_us >= trial.startedUtc_us - kAgreesWithin_us;
-      if (same) logged_us += exposure.duration_us;
-    }
-    const std::int64_t missing_us = trial.summary->samples * kTick_us - logged_us;
-    if (missing_us < kAgreesWithin_us) return 0;
-    const StoredExposure found{.id = workplace.ids().newUuid(),
-                               .enrolmentId = trial.enrolmentId,
-                               .phaseId = trial.phaseId,
-                               .kind = "virtual",
-                               .startedUtc_us = trial.startedUtc_us + logged_us,
-                               .duration_us = missing_us,
-                               .recordedBy = workplace.actor().userId,
-                               .demonstration = trial.demonstration};
-    studies.addExposures({&found, 1});
-    return missing_us;
-  }
-  return 0;
-}
-
-}  // namespace
-
-std::vector<RecoveredTrial> recoverInterrupted(Workplace& workplace) {
+std::vector<RecoveredTrial> recoverInterrupted(Workplace& workplace, const std::filesystem::path& folder) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialRecordOwn);
   std::vector<RecoveredTrial> own;
-  Transaction transaction(workplace.connection());
-  TrialRepository trials(workplace.connection());
-  for (const TrialListing& trial :
-       trials.closeInterrupted(workplace.station(), workplace.now_us() - kQuietTrial_us)) {
-    const std::int64_t added_us = trial.enrolmentId.empty() ? 0 : logMissing(workplace, trial);
-    const nlohmann::json what{{"exposure_us", added_us}};
-    workplace.note({.action = "trial.close_interrupted",
-                    .objectKind = "trial",
-                    .objectId = trial.trialId,
-                    .newJson = what.dump()});
-    if (trial.traineeCode != record.code) continue;
+  for (const SettledTrial& settled : settleStation(workplace, folder).trials) {
+    const TrialListing& trial = settled.trial;
+    if (trial.traineeCode != record.code || trial.summary->outcome != TrialOutcome::kInterrupted) continue;
     own.push_back({.trialId = trial.trialId,
                    .moduleId = trial.moduleId,
                    .phaseLabel = trial.phaseLabel,
                    .startedUtc_us = trial.startedUtc_us,
                    .recorded_s = static_cast<double>(trial.summary->samples * kTick_us) * 1e-6,
-                   .exposureAdded_s = static_cast<double>(added_us) * 1e-6});
+                   .exposureAdded_s = static_cast<double>(settled.exposureAdded_us) * 1e-6});
   }
-  transaction.commit();
   return own;
 }
 

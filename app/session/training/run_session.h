@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "app/session/access/workplace.h"
+#include "app/session/care/station_pulse.h"
+#include "app/session/care/station_start.h"
 #include "app/session/training/device_readiness.h"
 #include "app/session/training/next_steps.h"
 #include "app/session/training/training_run.h"
@@ -42,7 +45,7 @@ class RunSession {
   [[nodiscard]] bool graded() const noexcept { return graded_; }
 
   void start();
-  /// Moves the clock and logs exposure.
+  /// Moves the clock, logs exposure and gives the station's sign of life. Call it often.
   std::vector<RunEvent> advance();
   [[nodiscard]] bool rest();
   std::vector<RunEvent> resume();
@@ -51,7 +54,7 @@ class RunSession {
 
   /// A new recording for the present phase. Virtual phases only.
   [[nodiscard]] TrialOrder newTrial();
-  /// Where it is kept: a sink with a connection of its own, for the recorder's thread.
+  /// Where it is kept: recordingSink of care/unstored_trials.h, for the recorder's thread.
   [[nodiscard]] std::unique_ptr<TrialSink> sinkFor(const TrialOrder& order) const;
   /// Ids of the recordings so far.
   [[nodiscard]] const std::vector<std::string>& trials() const noexcept { return trials_; }
@@ -67,6 +70,7 @@ class RunSession {
   TrainingRun run_;
   std::int64_t utcOffset_us_ = 0;  // wall clock minus run clock at the start
   std::vector<std::string> trials_;
+  StationPulse pulse_;
 };
 
 /// An interrupted run that was found at the start of the program.
@@ -78,11 +82,10 @@ struct RecoveredTrial {
   double recorded_s = 0.0;
   double exposureAdded_s = 0.0;  ///< training time of the recording that had not been logged yet
 };
-/// A trial of this station with no sign of life for so long was interrupted.
-inline constexpr std::int64_t kQuietTrial_us = 10'000'000;
-/// Closes the trials of this station that were cut off, as interrupted, and logs the training time that they
-/// prove. Returns those of the actor. kTrialRecordOwn.
-std::vector<RecoveredTrial> recoverInterrupted(Workplace& workplace);
+/// Puts the recordings of this station in order (settleStation). Returns those of the actor that were cut
+/// off. kTrialRecordOwn.
+std::vector<RecoveredTrial> recoverInterrupted(Workplace& workplace,
+                                               const std::filesystem::path& folder = unstoredFolder());
 
 /// The actor's own decision about a purpose of consent. kTrialRecordOwn. Throws Error{kBadParameter}.
 void decideOwnConsent(Workplace& workplace, const std::string& purpose, bool granted,

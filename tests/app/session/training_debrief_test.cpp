@@ -93,6 +93,22 @@ TEST(Debrief, PassesAnExpertAndFailsWhoDidNothing) {
   EXPECT_FALSE(failed.checks.front().passed);
 }
 
+TEST(Debrief, ATwistThatTheEndOfTheRunCutsOffIsNotJudged) {
+  Trial trial = expertRun(trainingBar(), trainingBar().pattern.targetAngle_rad);
+  std::vector<Sample> samples = decodeTrial(trial);
+  const auto gripped = std::find_if(samples.begin(), samples.end(), [](const Sample& sample) {
+    return sample.response.angle_rad > 0.5 * trainingBar().pattern.targetAngle_rad;
+  });
+  samples.erase(gripped, samples.end());
+
+  const Debrief told = makeDebrief(trial.header, samples, {}, &trial);
+  const Attempt attempt = measureAttempt(trial.header, samples, 5.0 * kDegree, {}, {});
+
+  EXPECT_TRUE(told.twists.empty());
+  EXPECT_TRUE(told.strengths.empty());
+  EXPECT_EQ(attempt.twists, 0);
+}
+
 TEST(Debrief, MasteryCountsTheAttemptsUntilThisOne) {
   TrainingCentre centre;
   const std::string first = centre.attempt("first", "practice", kExpert);
