@@ -175,11 +175,11 @@
     <name>PersonDialog</name>
     <message>
         <source>Change a person</source>
-        <translation type="unfinished" />
+        <translation>修改人员</translation>
     </message>
     <message>
         <source>New person</source>
-        <translation type="unfinished" />
+        <translation>新建人员</translation>
     </message>
     <message>
         <source>not known</source>
@@ -199,59 +199,59 @@
     </message>
     <message>
         <source>right</source>
-        <translation type="unfinished" />
+        <translation>右手</translation>
     </message>
     <message>
         <source>left</source>
-        <translation type="unfinished" />
+        <translation>左手</translation>
     </message>
     <message>
         <source>does not score</source>
-        <translation type="unfinished" />
+        <translation>不评分</translation>
     </message>
     <message>
         <source>&amp;Trains</source>
-        <translation type="unfinished" />
+        <translation>参加培训(&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Full name</source>
-        <translation type="unfinished" />
+        <translation>姓名(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Number</source>
-        <translation type="unfinished" />
+        <translation>编号(&amp;N)</translation>
     </message>
     <message>
         <source>&amp;E-mail</source>
-        <translation type="unfinished" />
+        <translation>电子邮箱(&amp;E)</translation>
     </message>
     <message>
         <source>Se&amp;x</source>
-        <translation type="unfinished" />
+        <translation>性别(&amp;X)</translation>
     </message>
     <message>
         <source>&amp;Level</source>
-        <translation type="unfinished" />
+        <translation>级别(&amp;L)</translation>
     </message>
     <message>
         <source>Ex&amp;perience</source>
-        <translation type="unfinished" />
+        <translation>经验(&amp;P)</translation>
     </message>
     <message>
         <source>&amp;Age</source>
-        <translation type="unfinished" />
+        <translation>年龄(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Handedness</source>
-        <translation type="unfinished" />
+        <translation>惯用手(&amp;H)</translation>
     </message>
     <message>
         <source>S&amp;cores as</source>
-        <translation type="unfinished" />
+        <translation>评分身份(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Reason of the change</source>
-        <translation type="unfinished" />
+        <translation>修改原因(&amp;R)</translation>
     </message>
     <message>
         <source>Save</source>
@@ -259,7 +259,7 @@
     </message>
     <message>
         <source>Add person</source>
-        <translation type="unfinished" />
+        <translation>添加人员</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -359,15 +359,15 @@
     <name>RosterTexts</name>
     <message>
         <source>Staff or student number</source>
-        <translation type="unfinished" />
+        <translation>工号或学号</translation>
     </message>
     <message>
         <source>Full name</source>
-        <translation type="unfinished" />
+        <translation>姓名</translation>
     </message>
     <message>
         <source>E-mail</source>
-        <translation type="unfinished" />
+        <translation>电子邮箱</translation>
     </message>
     <message>
         <source>Sex</source>
@@ -383,39 +383,39 @@
     </message>
     <message>
         <source>Age</source>
-        <translation type="unfinished" />
+        <translation>年龄</translation>
     </message>
     <message>
         <source>Handedness</source>
-        <translation type="unfinished" />
+        <translation>惯用手</translation>
     </message>
     <message>
         <source>Class of rater</source>
-        <translation type="unfinished" />
+        <translation>评分者类别</translation>
     </message>
     <message>
         <source>+ new</source>
-        <translation type="unfinished" />
+        <translation>+ 新增</translation>
     </message>
     <message>
         <source>= as it is</source>
-        <translation type="unfinished" />
+        <translation>= 不变</translation>
     </message>
     <message>
         <source>→ changes</source>
-        <translation type="unfinished" />
+        <translation>→ 有更改</translation>
     </message>
     <message>
         <source>! error</source>
-        <translation type="unfinished" />
+        <translation>! 错误</translation>
     </message>
     <message>
         <source>%1. %2.</source>
-        <translation type="unfinished" />
+        <translation>%1。%2。</translation>
     </message>
     <message>
         <source>%1: %2 → %3</source>
-        <translation type="unfinished" />
+        <translation>%1：%2 → %3</translation>
     </message>
 </context>
 <context>
@@ -821,11 +821,11 @@
     </message>
     <message>
         <source>%1 (%2 in a row, %3 needed)</source>
-        <translation type="unfinished" />
+        <translation>%1（已连续 %2 次，需要 %3 次）</translation>
     </message>
     <message>
         <source>%1: %2, better than the expert (%3)</source>
-        <translation type="unfinished" />
+        <translation>%1：%2，优于专家（%3）</translation>
     </message>
     <message>
         <source>%1: %2, as good as the expert (%3)</source>
@@ -1131,7 +1131,7 @@
     <name>UserDialogs</name>
     <message>
         <source>May work as</source>
-        <translation type="unfinished" />
+        <translation>可担任的角色</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -1147,47 +1147,47 @@
     </message>
     <message>
         <source>Administrator</source>
-        <translation type="unfinished" />
+        <translation>管理员</translation>
     </message>
     <message>
         <source>Keeper of the allocation</source>
-        <translation type="unfinished" />
+        <translation>分组保管人</translation>
     </message>
     <message>
         <source>Statistician</source>
-        <translation type="unfinished" />
+        <translation>统计师</translation>
     </message>
     <message>
         <source>New user</source>
-        <translation type="unfinished" />
+        <translation>新建用户</translation>
     </message>
     <message>
         <source>Add user</source>
-        <translation type="unfinished" />
+        <translation>添加用户</translation>
     </message>
     <message>
         <source>Nobody of the record</source>
-        <translation type="unfinished" />
+        <translation>不对应任何在册人员</translation>
     </message>
     <message>
         <source>&amp;Sign-in name</source>
-        <translation type="unfinished" />
+        <translation>登录名(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Person</source>
-        <translation type="unfinished" />
+        <translation>人员(&amp;P)</translation>
     </message>
     <message>
         <source>Trainees and physicians need a person of the record. The start password is shown once, and must be changed at the first sign-in.</source>
-        <translation type="unfinished" />
+        <translation>学员和医师必须对应在册人员。初始密码只显示一次，首次登录时必须修改。</translation>
     </message>
     <message>
         <source>Roles of %1</source>
-        <translation type="unfinished" />
+        <translation>%1 的角色</translation>
     </message>
     <message>
         <source>Change roles</source>
-        <translation type="unfinished" />
+        <translation>修改角色</translation>
     </message>
     <message>
         <source>&amp;Reason</source>
@@ -1199,11 +1199,11 @@
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished" />
+        <translation>完成</translation>
     </message>
     <message>
         <source>Hand this start password to %1. It is shown only now, and must be changed at the first sign-in.</source>
-        <translation type="unfinished" />
+        <translation>请将此初始密码交给 %1。密码只在此时显示，首次登录时必须修改。</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
@@ -1311,6 +1311,10 @@
     <message>
         <source>Look at it again</source>
         <translation>再看一遍</translation>
+    </message>
+    <message>
+        <source>Diamond: you. Band: lowest to highest of the others. Line: their mean.</source>
+        <translation>菱形：您。色带：他人最低至最高。竖线：他人均分。</translation>
     </message>
 </context>
 <context>
@@ -1537,43 +1541,43 @@ Seed: %6</source>
     </message>
     <message>
         <source>Who did what, when, where and why. Entries are chained: none can be changed or taken out without being found.</source>
-        <translation type="unfinished" />
+        <translation>何人在何时、何地、因何做了何事。条目相互链接，任何修改或删除都会被发现。</translation>
     </message>
     <message>
         <source>&amp;Verify</source>
-        <translation type="unfinished" />
+        <translation>验证(&amp;V)</translation>
     </message>
     <message>
         <source>Checks every entry, every sealed mark and every recorded trial</source>
-        <translation type="unfinished" />
+        <translation>检查每个条目、每个已封存的评分和每次录制的试验</translation>
     </message>
     <message>
         <source>Last day</source>
-        <translation type="unfinished" />
+        <translation>最近一天</translation>
     </message>
     <message>
         <source>Last week</source>
-        <translation type="unfinished" />
+        <translation>最近一周</translation>
     </message>
     <message>
         <source>Last month</source>
-        <translation type="unfinished" />
+        <translation>最近一个月</translation>
     </message>
     <message>
         <source>Everything</source>
-        <translation type="unfinished" />
+        <translation>全部</translation>
     </message>
     <message>
         <source>Time span</source>
-        <translation type="unfinished" />
+        <translation>时间范围</translation>
     </message>
     <message>
         <source>Chosen entry</source>
-        <translation type="unfinished" />
+        <translation>所选条目</translation>
     </message>
     <message>
         <source>Choose an entry to see what was changed.</source>
-        <translation type="unfinished" />
+        <translation>选择一个条目以查看更改内容。</translation>
     </message>
     <message>
         <source>No.</source>
@@ -1585,7 +1589,7 @@ Seed: %6</source>
     </message>
     <message>
         <source>Who</source>
-        <translation type="unfinished" />
+        <translation>人员</translation>
     </message>
     <message>
         <source>Station</source>
@@ -1593,11 +1597,11 @@ Seed: %6</source>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished" />
+        <translation>操作</translation>
     </message>
     <message>
         <source>Object</source>
-        <translation type="unfinished" />
+        <translation>对象</translation>
     </message>
     <message>
         <source>Why</source>
@@ -1605,37 +1609,35 @@ Seed: %6</source>
     </message>
     <message>
         <source>Nothing happened in this time.</source>
-        <translation type="unfinished" />
+        <translation>此时间段内没有记录。</translation>
     </message>
     <message>
         <source>When (UTC)</source>
-        <translation type="unfinished" />
+        <translation>时间 (UTC)</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished" />
+        <translation>更改前</translation>
     </message>
     <message>
         <source>After</source>
-        <translation type="unfinished" />
+        <translation>更改后</translation>
     </message>
     <message>
         <source>Seal</source>
-        <translation type="unfinished" />
+        <translation>封印</translation>
     </message>
     <message>
         <source>Verifying the audit trail</source>
-        <translation type="unfinished" />
+        <translation>正在验证审计记录</translation>
     </message>
     <message>
         <source>✓ Everything is as it was written: entries, marks and trials.</source>
-        <translation type="unfinished" />
+        <translation>✓ 条目、评分和试验均与写入时一致。</translation>
     </message>
     <message numerus="yes">
         <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
-        <translation type="unfinished">
-            <numerusform />
-        </translation>
+        <translation><numerusform>⚠ 发现 %n 处问题。查明原因之前请勿据此记录出具报告。</numerusform></translation>
     </message>
 </context>
 <context>
@@ -2895,25 +2897,23 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <name>torsio::gui::DataTable</name>
     <message numerus="yes">
         <source>%n row(s)</source>
-        <translation type="unfinished">
-            <numerusform />
-        </translation>
+        <translation><numerusform>%n 行</numerusform></translation>
     </message>
     <message>
         <source>%1 of %2 rows</source>
-        <translation type="unfinished" />
+        <translation>%1 / %2 行</translation>
     </message>
     <message>
         <source>Filter…</source>
-        <translation type="unfinished" />
+        <translation>筛选…</translation>
     </message>
     <message>
         <source>Filter</source>
-        <translation type="unfinished" />
+        <translation>筛选</translation>
     </message>
     <message>
         <source>Copy with headers</source>
-        <translation type="unfinished" />
+        <translation>连同表头复制</translation>
     </message>
 </context>
 <context>
@@ -2980,7 +2980,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Your run</source>
-        <translation type="unfinished" />
+        <translation>您的训练</translation>
     </message>
     <message>
         <source>%1  ·  %2  ·  %3 s</source>
@@ -3117,7 +3117,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Is everything ready?</source>
-        <translation type="unfinished" />
+        <translation>是否一切就绪？</translation>
     </message>
     <message>
         <source>Sit down, put the stylus into its dock, and rest your forearm.</source>
@@ -4249,11 +4249,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Welcome</source>
-        <translation type="unfinished" />
+        <translation>欢迎</translation>
     </message>
     <message>
         <source>&amp;Consent</source>
-        <translation type="unfinished" />
+        <translation>同意书(&amp;C)</translation>
     </message>
     <message>
         <source>Next</source>
@@ -4393,6 +4393,10 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>Next deadline</source>
         <translation>最近截止日期</translation>
+    </message>
+    <message>
+        <source>Also waiting</source>
+        <translation>其他待办</translation>
     </message>
     <message>
         <source>&amp;Warm up</source>
@@ -4617,11 +4621,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <name>torsio::gui::RemarksPage</name>
     <message>
         <source>What physicians wrote</source>
-        <translation type="unfinished" />
+        <translation>医师的评语</translation>
     </message>
     <message>
         <source>Each remark stands at the second of the run that it concerns.</source>
-        <translation type="unfinished" />
+        <translation>每条评语都标在所涉及的训练时刻。</translation>
     </message>
     <message>
         <source>No remarks yet. They appear here when the marks of a run have been released.</source>
@@ -5026,50 +5030,50 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <name>torsio::gui::RosterColumnsPage</name>
     <message>
         <source>The columns</source>
-        <translation type="unfinished" />
+        <translation>列</translation>
     </message>
     <message>
         <source>Which column holds what. Fields with a star are needed; the first lines of the file stand below.</source>
-        <translation type="unfinished" />
+        <translation>指定各列的内容。带星号的字段为必填；下方为文件的前几行。</translation>
     </message>
     <message>
         <source>not in this file</source>
-        <translation type="unfinished" />
+        <translation>文件中没有</translation>
     </message>
     <message>
         <source>%1 *</source>
-        <translation type="unfinished" />
+        <translation>%1 *</translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::RosterFilePage</name>
     <message>
         <source>&amp;Trainees</source>
-        <translation type="unfinished" />
+        <translation>学员(&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Raters</source>
-        <translation type="unfinished" />
+        <translation>评分者(&amp;R)</translation>
     </message>
     <message>
         <source>The file</source>
-        <translation type="unfinished" />
+        <translation>文件</translation>
     </message>
     <message>
         <source>A table saved as CSV (UTF-8), one person a line, with a header line. The staff or student number tells who somebody is; an e-mail address alone never does.</source>
-        <translation type="unfinished" />
+        <translation>保存为 CSV (UTF-8) 的表格，每行一人，首行为表头。以工号或学号识别人员，仅凭电子邮箱不作识别。</translation>
     </message>
     <message>
         <source>Path of the CSV file</source>
-        <translation type="unfinished" />
+        <translation>CSV 文件路径</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
-        <translation type="unfinished" />
+        <translation>选择(&amp;C)…</translation>
     </message>
     <message>
         <source>&amp;Save an empty template…</source>
-        <translation type="unfinished" />
+        <translation>保存空白模板(&amp;S)…</translation>
     </message>
     <message>
         <source>Roster</source>
@@ -5077,46 +5081,46 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
-        <translation type="unfinished" />
+        <translation>表格 (*.csv *.txt *.tsv);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Empty template</source>
-        <translation type="unfinished" />
+        <translation>空白模板</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation type="unfinished" />
+        <translation>表格 (*.csv)</translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::RosterPage</name>
     <message>
         <source>People</source>
-        <translation type="unfinished" />
+        <translation>人员</translation>
     </message>
     <message>
         <source>Who trains and who scores. Everything else in the record knows them by their code only.</source>
-        <translation type="unfinished" />
+        <translation>参加培训和评分的人员。记录的其他部分只使用其代码。</translation>
     </message>
     <message>
         <source>&amp;Import a roster…</source>
-        <translation type="unfinished" />
+        <translation>导入名单(&amp;I)…</translation>
     </message>
     <message>
         <source>&amp;New person…</source>
-        <translation type="unfinished" />
+        <translation>新建人员(&amp;N)…</translation>
     </message>
     <message>
         <source>Show na&amp;mes</source>
-        <translation type="unfinished" />
+        <translation>显示姓名(&amp;M)</translation>
     </message>
     <message>
         <source>&amp;Change…</source>
-        <translation type="unfinished" />
+        <translation>修改(&amp;C)…</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation type="unfinished" />
+        <translation>导出(&amp;E)…</translation>
     </message>
     <message>
         <source>Code</source>
@@ -5132,11 +5136,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Trains</source>
-        <translation type="unfinished" />
+        <translation>参加培训</translation>
     </message>
     <message>
         <source>Scores as</source>
-        <translation type="unfinished" />
+        <translation>评分身份</translation>
     </message>
     <message>
         <source>Sex</source>
@@ -5152,7 +5156,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Consent to the record</source>
-        <translation type="unfinished" />
+        <translation>同意记录</translation>
     </message>
     <message>
         <source>State</source>
@@ -5160,94 +5164,94 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Nobody yet. Import the roster of your centre, or add people by hand.</source>
-        <translation type="unfinished" />
+        <translation>尚无人员。请导入本中心的名单，或手动添加人员。</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished" />
+        <translation>是</translation>
     </message>
     <message>
         <source>given</source>
-        <translation type="unfinished" />
+        <translation>已同意</translation>
     </message>
     <message>
         <source>not given</source>
-        <translation type="unfinished" />
+        <translation>未同意</translation>
     </message>
     <message>
         <source>active</source>
-        <translation type="unfinished" />
+        <translation>在册</translation>
     </message>
     <message>
         <source>left</source>
-        <translation type="unfinished" />
+        <translation>左手</translation>
     </message>
     <message>
         <source>Came &amp;back…</source>
-        <translation type="unfinished" />
+        <translation>已返回(&amp;B)…</translation>
     </message>
     <message>
         <source>Has &amp;left…</source>
-        <translation type="unfinished" />
+        <translation>已离开(&amp;L)…</translation>
     </message>
     <message>
         <source>%1 people added, %2 changed</source>
-        <translation type="unfinished" />
+        <translation>已添加 %1 人，修改 %2 人</translation>
     </message>
     <message>
         <source>Has left</source>
-        <translation type="unfinished" />
+        <translation>已离开</translation>
     </message>
     <message>
         <source>%1 keeps the record and is offered nowhere any more.</source>
-        <translation type="unfinished" />
+        <translation>%1 的记录保留，但不再出现在选择列表中。</translation>
     </message>
     <message>
         <source>Came back</source>
-        <translation type="unfinished" />
+        <translation>已返回</translation>
     </message>
     <message>
         <source>%1 is offered again.</source>
-        <translation type="unfinished" />
+        <translation>%1 重新出现在选择列表中。</translation>
     </message>
     <message>
         <source>Export with names</source>
-        <translation type="unfinished" />
+        <translation>含姓名导出</translation>
     </message>
     <message>
         <source>Export under codes</source>
-        <translation type="unfinished" />
+        <translation>仅以代码导出</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation type="unfinished" />
+        <translation>表格 (*.csv)</translation>
     </message>
     <message>
         <source>Exporting people</source>
-        <translation type="unfinished" />
+        <translation>正在导出人员</translation>
     </message>
     <message>
         <source>%1 people written to %2</source>
-        <translation type="unfinished" />
+        <translation>已将 %1 人写入 %2</translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::RosterPreviewPage</name>
     <message>
         <source>What would happen</source>
-        <translation type="unfinished" />
+        <translation>导入预览</translation>
     </message>
     <message>
         <source>Nothing is stored yet. With an error in any line nothing at all is imported: mend the file and choose it again.</source>
-        <translation type="unfinished" />
+        <translation>尚未保存任何内容。只要有一行出错就不会导入，请修正文件后重新选择。</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation type="unfinished" />
+        <translation>行</translation>
     </message>
     <message>
         <source>Status</source>
-        <translation type="unfinished" />
+        <translation>状态</translation>
     </message>
     <message>
         <source>Number</source>
@@ -5263,18 +5267,18 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>%1 new, %2 with changes, %3 as they are, %4 with errors.</source>
-        <translation type="unfinished" />
+        <translation>新增 %1，更改 %2，不变 %3，错误 %4。</translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::RosterWizard</name>
     <message>
         <source>Import a roster</source>
-        <translation type="unfinished" />
+        <translation>导入名单</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished" />
+        <translation>导入</translation>
     </message>
 </context>
 <context>
@@ -6120,11 +6124,11 @@ Leave it empty to remove it.</source>
     <name>torsio::gui::TranscriptPage</name>
     <message>
         <source>Every module and attempt</source>
-        <translation type="unfinished" />
+        <translation>所有模块和尝试</translation>
     </message>
     <message>
         <source>Save it as PDF or print it, and take it with you.</source>
-        <translation type="unfinished" />
+        <translation>可保存为 PDF 或打印带走。</translation>
     </message>
     <message>
         <source>Save as &amp;PDF…</source>
@@ -6239,7 +6243,7 @@ Leave it empty to remove it.</source>
     <name>torsio::gui::TrendPage</name>
     <message>
         <source>Your way</source>
-        <translation type="unfinished" />
+        <translation>您的进程</translation>
     </message>
     <message>
         <source>Every attempt is kept and shown.</source>
@@ -6307,7 +6311,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>%1 No learning curve fits these values.</source>
-        <translation type="unfinished" />
+        <translation>%1 没有学习曲线能拟合这些数值。</translation>
     </message>
     <message>
         <source>%1 Line and band: learning curve with its 95 % band.</source>
@@ -6396,23 +6400,23 @@ Leave it empty to remove it.</source>
     <name>torsio::gui::UsersPage</name>
     <message>
         <source>Users and roles</source>
-        <translation type="unfinished" />
+        <translation>用户与角色</translation>
     </message>
     <message>
         <source>Who may sign in, and as what. Every change is kept in the audit trail.</source>
-        <translation type="unfinished" />
+        <translation>谁可以登录以及担任何种角色。每次更改都记入审计记录。</translation>
     </message>
     <message>
         <source>&amp;New user…</source>
-        <translation type="unfinished" />
+        <translation>新建用户(&amp;N)…</translation>
     </message>
     <message>
         <source>&amp;Roles…</source>
-        <translation type="unfinished" />
+        <translation>角色(&amp;R)…</translation>
     </message>
     <message>
         <source>New &amp;password…</source>
-        <translation type="unfinished" />
+        <translation>新密码(&amp;P)…</translation>
     </message>
     <message>
         <source>Sign-in name</source>
@@ -6420,7 +6424,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Roles</source>
-        <translation type="unfinished" />
+        <translation>角色</translation>
     </message>
     <message>
         <source>State</source>
@@ -6428,11 +6432,11 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Password</source>
-        <translation type="unfinished" />
+        <translation>密码</translation>
     </message>
     <message>
         <source>Station PIN</source>
-        <translation type="unfinished" />
+        <translation>工作站 PIN 码</translation>
     </message>
     <message>
         <source>Since</source>
@@ -6440,59 +6444,59 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>No users yet.</source>
-        <translation type="unfinished" />
+        <translation>尚无用户。</translation>
     </message>
     <message>
         <source>active</source>
-        <translation type="unfinished" />
+        <translation>在册</translation>
     </message>
     <message>
         <source>disabled</source>
-        <translation type="unfinished" />
+        <translation>已停用</translation>
     </message>
     <message>
         <source>to be changed</source>
-        <translation type="unfinished" />
+        <translation>待修改</translation>
     </message>
     <message>
         <source>own</source>
-        <translation type="unfinished" />
+        <translation>已自设</translation>
     </message>
     <message>
         <source>set</source>
-        <translation type="unfinished" />
+        <translation>已设置</translation>
     </message>
     <message>
         <source>&amp;Enable</source>
-        <translation type="unfinished" />
+        <translation>启用(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Disable…</source>
-        <translation type="unfinished" />
+        <translation>停用(&amp;D)…</translation>
     </message>
     <message>
         <source>New start password</source>
-        <translation type="unfinished" />
+        <translation>新的初始密码</translation>
     </message>
     <message>
         <source>The present password of %1 stops working at once.</source>
-        <translation type="unfinished" />
+        <translation>%1 的当前密码立即失效。</translation>
     </message>
     <message>
         <source>Disable user</source>
-        <translation type="unfinished" />
+        <translation>停用用户</translation>
     </message>
     <message>
         <source>%1 cannot sign in any more; everything recorded stays.</source>
-        <translation type="unfinished" />
+        <translation>%1 将无法登录，已记录的内容保留。</translation>
     </message>
     <message>
         <source>Enable user</source>
-        <translation type="unfinished" />
+        <translation>启用用户</translation>
     </message>
     <message>
         <source>%1 can sign in again.</source>
-        <translation type="unfinished" />
+        <translation>%1 可以重新登录。</translation>
     </message>
 </context>
 <context>

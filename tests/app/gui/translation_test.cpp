@@ -30,7 +30,7 @@ std::vector<Message> chineseMessages() {
   QXmlStreamReader xml(&file);
   std::vector<Message> messages;
   while (!xml.atEnd()) {
-    if (!xml.readNextStartElement() && !xml.isStartElement()) continue;
+    if (xml.readNext() != QXmlStreamReader::StartElement) continue;
     if (xml.name() == QLatin1String("message")) messages.emplace_back();
     if (xml.name() == QLatin1String("source")) messages.back().source = xml.readElementText();
     if (xml.name() == QLatin1String("translation")) {
