@@ -15,10 +15,12 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/random.h"
 #include "sim/device/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/servo_loop.h"
 #include "sim/servo/timing_histogram.h"
+#include "sim/servo/tool_touch.h"
 #include "tests/sim/servo/bar_scene.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/lock_count.h"
@@ -113,17 +115,45 @@ void measure(const Scene& scene, double seconds) {
   const double triad = triad_us(scene.mesh.vertices_m.size());
   const Quantiles q = quantiles(wall_us);
   const Quantiles deformed = quantiles(byPhase_us[2]);
+  const Quantiles spent = quantiles(processor);
   std::printf("  triad over the vertices %.1f us: the median tick is %.2f of it, deformed %.2f\n", triad,
               q.median_us / triad, deformed.median_us / triad);
   std::printf("  allocations %lld, locks %lld%s\n", static_cast<long long>(taken),
               static_cast<long long>(locked),
               testing::lockCountWorks() ? "" : " (not counted on this platform)");
-  std::printf("  median at most %.0f us: %s; 99.9 %% at most %.0f us: %s\n", kMedianTarget_us,
-              deformed.median_us <= kMedianTarget_us ? "met" : "MISSED", kP999Target_us,
-              q.p999_us <= kP999Target_us ? "met" : "MISSED");
+  std::printf("  median at most %.0f us: %s; 99.9 %% in processor time at most %.0f us: %s\n",
+              kMedianTarget_us, deformed.median_us <= kMedianTarget_us ? "met" : "MISSED", kP999Target_us,
+              spent.p999_us <= kP999Target_us ? "met" : "MISSED");
   histogram.forEach([](double from_us, double to_us, std::int64_t count) {
     std::printf("    %8.1f .. %8.1f us %8lld\n", from_us, to_us, static_cast<long long>(count));
   });
+}
+
+/// The collision alone, with the tool anywhere from 20 mm outside to 20 mm inside the organ at its target.
+void measureAnywhere(const Scene& scene) {
+  constexpr int kPlaces = 20'000;
+  const TwistState twist{scene.pattern.graspArc * scene.lattice().length_m(), scene.pattern.targetAngle_rad};
+  TriangleMesh mesh = scene.mesh;
+  scene.model.deform(twist, mesh.vertices_m);
+  Random random(5);
+  std::vector<double> processor;
+  processor.reserve(kPlaces);
+  double sum = 0.0;
+  for (int i = 0; i < kPlaces; ++i) {
+    ToolState tool;
+    tool.pose.position_m = mesh.vertices_m[random.bounded(mesh.vertices_m.size())];
+    const Vec3 way{random.normal(), random.normal(), random.normal()};
+    tool.pose.position_m += normalized(way) * (0.020 * random.uniform());
+    tool.pose.orientation =
+        normalized(Quat{random.normal(), random.normal(), random.normal(), random.normal()});
+    const ToolShape shape = toolShape(tool, scene.instrument);
+    const double before_us = processor_us();
+    const ToolTouch touch = touchTool(shape, scene, twist, false);
+    processor.push_back(processor_us() - before_us);
+    sum += std::min(touch.jaw.gap_m, 1.0);
+  }
+  print("collision, tool anywhere", processor);
+  std::printf("  mean gap %.2f mm\n", 1e3 * sum / kPlaces);
 }
 
 Scene shipped(const std::string& id) {
@@ -144,7 +174,10 @@ int main(int argc, char** argv) {
   }
   using namespace torsio;
   const TriangleMesh bar = testing::prism(testing::circleOutline(kBarRadius_m, 100), kBarLength_m, 104);
-  measure(barScene(bar), seconds);
-  for (const char* id : {"arm", "stomach"}) measure(shipped(id), seconds);
+  const Scene scenes[] = {barScene(bar), shipped("arm"), shipped("stomach")};
+  for (const Scene& scene : scenes) {
+    measure(scene, seconds);
+    measureAnywhere(scene);
+  }
   return 0;
 }

@@ -3,6 +3,7 @@
 // triangle of the fully moved mesh.
 #include "sim/servo/tool_touch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -47,6 +48,18 @@ std::vector<ToolState> toolsNear(const TriangleMesh& mesh, const CollisionMesh& 
   return tools;
 }
 
+/// Signed distance of the deepest of the place of entry and the points 4, 8 and 16 mm behind it.
+double deepestWithin_m(const CollisionMesh& surface, const Segment& axis, const SegmentHit& entry) {
+  const Vec3 way_m = axis.to_m - axis.from_m;
+  const double inwards = dot(way_m, entry.surface.normal) < 0.0 ? 1.0 : -1.0;
+  double deepest_m = 0.0;
+  for (const double behind_m : {0.004, 0.008, 0.016}) {
+    const double along = std::clamp(entry.along + inwards * behind_m / norm(way_m), 0.0, 1.0);
+    deepest_m = std::min(deepest_m, surface.closest(axis.at(along)).distance_m);
+  }
+  return deepest_m;
+}
+
 void agreesWithTheMovedMesh(const Scene& scene, const TwistState& twist, int count) {
   const TriangleMesh mesh = moved(scene, twist);
   const CollisionMesh surface(mesh);
@@ -69,6 +82,10 @@ void agreesWithTheMovedMesh(const Scene& scene, const TwistState& twist, int cou
     if (shaft.found && shaft.surface.distance_m > 0.0) {
       ASSERT_NEAR(touch.shaft.gap_m, shaft.surface.distance_m - shape.tipRadius_m, kRounding_m);
       ASSERT_NEAR(norm(touch.shaft.normal), 1.0, 1e-9);
+    }
+    if (shaft.found && shaft.surface.distance_m == 0.0) {
+      const double deepest_m = deepestWithin_m(surface, shape.shaft, shaft);
+      ASSERT_NEAR(touch.shaft.gap_m, deepest_m - shape.tipRadius_m, kRounding_m);
     }
     touching += touch.jaw.gap_m < 0.0 ? 1 : 0;
     shafts += touch.shaft.gap_m < 0.0 ? 1 : 0;
