@@ -30,6 +30,7 @@ AlignmentPage::AlignmentPage(ShellContext& shell, QWidget* parent)
       right_(new QWidget(this)),
       case_(new QLabel(this)),
       state_(sentence(this)),
+      legend_(sentence(this)),
       bars_(new ComparisonBars(this)),
       sheet_(new SheetPanel(false, this)),
       reason_(new QLineEdit(this)),
@@ -59,6 +60,7 @@ AlignmentPage::AlignmentPage(ShellContext& shell, QWidget* parent)
   head->addWidget(state_, 1);
   head->addWidget(replay_);
   right->addLayout(head);
+  right->addWidget(legend_);
   right->addWidget(bars_);
   right->addWidget(sheet_, 1);
   right->addStretch(0);
@@ -149,6 +151,7 @@ void AlignmentPage::showCase() {
                                         : tr("Decided: %1").arg(words(one->reason)));
   bars_->setRows(one->rows);
   bars_->setVisible(!moving);
+  legend_->setVisible(!moving);
   sheet_->setVisible(moving);
   replay_->setVisible(!one->shown.live);
   keep_->setText(moving ? tr("Leave it unchanged") : tr("&Keep my mark"));
@@ -210,6 +213,7 @@ void AlignmentPage::retranslate() {
   reason_->setAccessibleName(tr("Reason"));
   third_->setText(tr("Ask for a &third"));
   replay_->setText(tr("Look at it again"));
+  legend_->setText(tr("Diamond: you. Band: lowest to highest of the others. Line: their mean."));
   bars_->retranslate();
   sheet_->retranslate();
   showList();

@@ -51,6 +51,7 @@ class AlignmentPage : public Page {
   QWidget* right_;
   QLabel* case_;
   QLabel* state_;
+  QLabel* legend_;
   ComparisonBars* bars_;
   SheetPanel* sheet_;
   QLineEdit* reason_;

@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/gui/look/form.h"
@@ -192,7 +193,7 @@ void EvaluationPage::showModels() {
   const EvaluationForm* one = form();
   const std::size_t count = one != nullptr ? one->models.size() : 0;
   for (std::size_t i = 0; i < count; ++i) {
-    auto* button = new QPushButton(this);
+    auto* button = new QToolButton(this);
     button->setCheckable(true);
     button->setChecked(i == model_);
     const QString label = words(one->models[i].hiddenLabel);
@@ -201,7 +202,7 @@ void EvaluationPage::showModels() {
     group_->addButton(button);
     choices_->addWidget(button);
     button->show();
-    connect(button, &QPushButton::clicked, this, [this, i] { openModel(i); });
+    connect(button, &QToolButton::clicked, this, [this, i] { openModel(i); });
   }
   choices_->addStretch(1);
 }

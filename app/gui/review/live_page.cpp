@@ -8,6 +8,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/gui/look/card.h"
@@ -60,7 +61,9 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
   right->addLayout(foot);
   row->addLayout(right, 3);
   column->addLayout(row, 1);
-  for (QPushButton* button : {start_, write_, submit_}) button->setMinimumHeight(kTouch_px);
+  // The style sheet of the application decides the height of push buttons; a finger needs more.
+  const QString tall = QStringLiteral("QPushButton { min-height: %1px; }").arg(kTouch_px - 2 * kSpace + 2);
+  for (QPushButton* button : {start_, write_, submit_}) button->setStyleSheet(tall);
   group_->setExclusive(true);
   sheet_->commentField()->installEventFilter(this);
   connect(sheet_, &SheetPanel::edited, this, &LivePage::edited);
@@ -120,9 +123,10 @@ void LivePage::showLines() {
   while (QLayoutItem* item = order_->takeAt(0)) delete item;
   int number = 0;
   for (const QueueLine& line : lines_) {
-    auto* button = new QPushButton(this);
+    auto* button = new QToolButton(this);
     button->setCheckable(true);
     button->setMinimumHeight(kTouch_px);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     const QString state = line.state == SheetState::kSubmitted ? tr("submitted")
                           : line.state == SheetState::kDraft   ? tr("draft")
                                                                : tr("waiting");
@@ -132,7 +136,7 @@ void LivePage::showLines() {
     order_->addWidget(button);
     button->show();
     const std::string id = line.shown.assignmentId;
-    connect(button, &QPushButton::clicked, this, [this, id] {
+    connect(button, &QToolButton::clicked, this, [this, id] {
       if (!leave()) return showLines();
       try {
         openLine(id);

@@ -54,11 +54,15 @@ QueuePage::Figure QueuePage::addFigure(QHBoxLayout* row) {
   return one;
 }
 
-void QueuePage::createDoors(QVBoxLayout* column) {
+void QueuePage::createDoors(QVBoxLayout* outer) {
+  doors_ = new Card(QString(), this);
+  outer->addWidget(doors_);
+  QVBoxLayout* column = doors_->content();
   const auto add = [this, column](const char* page) {
     Door door{sentence(this, false), new QPushButton(this), new QWidget(this)};
     auto* row = new QHBoxLayout(door.row);
     row->setContentsMargins(0, 0, 0, 0);
+    door.button->setMinimumWidth(16 * fontMetrics().averageCharWidth());
     row->addWidget(door.text, 1);
     row->addWidget(door.button);
     column->addWidget(door.row);
@@ -85,6 +89,7 @@ void QueuePage::retranslate() {
   drafts_.card->setTitle(tr("Drafts"));
   time_.card->setTitle(tr("Time needed"));
   due_.card->setTitle(tr("Next deadline"));
+  doors_->setTitle(tr("Also waiting"));
   warmUp_.button->setText(tr("&Warm up"));
   live_.button->setText(tr("&Live sheet"));
   alignment_.button->setText(tr("&Alignment"));
@@ -117,6 +122,7 @@ void QueuePage::showDoors() {
   live_.row->setVisible(queue_.liveWaiting > 0);
   live_.text->setText(tr("Live cases on the real arm that wait for you: %1.").arg(queue_.liveWaiting));
   alignment_.row->setVisible(queue_.disagreements > 0);
+  doors_->setVisible(queue_.warmUpWaiting || queue_.liveWaiting > 0 || queue_.disagreements > 0);
   alignment_.text->setText(
       tr("All have submitted. Your marks that lie apart from the others: %1.").arg(queue_.disagreements));
 }

@@ -35,7 +35,7 @@ class QueuePage : public Page {
     QLabel* words;
   };
   Figure addFigure(QHBoxLayout* row);
-  void createDoors(QVBoxLayout* column);
+  void createDoors(QVBoxLayout* outer);
   void showQueue();
   void showFigures();
   void showDoors();
@@ -52,6 +52,7 @@ class QueuePage : public Page {
     QPushButton* button;
     QWidget* row;
   };
+  Card* doors_;
   Door warmUp_;
   Door live_;
   Door alignment_;

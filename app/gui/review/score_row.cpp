@@ -29,13 +29,13 @@ constexpr double kCorner = 4.0;
 }  // namespace
 
 ScoreRow::ScoreRow(std::string code, const QString& label, const ScoreScale& scale,
-                   std::vector<StoredAnchor> anchors, bool large, QWidget* parent)
+                   std::vector<StoredAnchor> anchors, RowShape shape, QWidget* parent)
     : QWidget(parent),
       code_(std::move(code)),
       label_(label),
       scale_(scale),
       anchors_(std::move(anchors)),
-      large_(large),
+      shape_(shape),
       theme_(&theme(ThemeKind::kLight)),
       name_(new QLabel(label, this)),
       value_(new QLabel(this)),
@@ -45,8 +45,8 @@ ScoreRow::ScoreRow(std::string code, const QString& label, const ScoreScale& sca
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   strip_->setAttribute(Qt::WA_TransparentForMouseEvents);
-  strip_->setFixedHeight(large_ ? kTouch_px : fontMetrics().height() + kSpace + 2);
-  name_->setProperty("subheading", large_);
+  strip_->setFixedHeight(shape_ == RowShape::kLarge ? kTouch_px : fontMetrics().height() + kSpace + 2);
+  name_->setProperty("subheading", shape_ == RowShape::kLarge);
   QFont bold = name_->font();
   bold.setBold(true);
   name_->setFont(bold);
@@ -55,18 +55,33 @@ ScoreRow::ScoreRow(std::string code, const QString& label, const ScoreScale& sca
   reason_->hide();
   reason_->setMaxLength(200);
   reason_->installEventFilter(this);
-  auto* head = new QHBoxLayout;
-  head->addWidget(name_, 1);
-  head->addWidget(value_);
+  arrange();
+  anchor_->setVisible(!anchors_.empty());
+  connect(reason_, &QLineEdit::textEdited, this, &ScoreRow::reasoned);
+}
+
+void ScoreRow::arrange() {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(kMarkWidth + kSpace, kSpace / 2, kSpace, kSpace / 2);
   column->setSpacing(kSpace / 2);
-  column->addLayout(head);
-  column->addWidget(strip_);
+  auto* head = new QHBoxLayout;
+  if (shape_ == RowShape::kCompact) {
+    head->setSpacing(2 * kSpace);
+    name_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Deformation efficiency  ")));
+    value_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("10.0 ")));
+    value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    head->addWidget(name_);
+    head->addWidget(strip_, 1);
+    head->addWidget(value_);
+    column->addLayout(head);
+  } else {
+    head->addWidget(name_, 1);
+    head->addWidget(value_);
+    column->addLayout(head);
+    column->addWidget(strip_);
+  }
   column->addWidget(anchor_);
   column->addWidget(reason_);
-  anchor_->setVisible(!anchors_.empty());
-  connect(reason_, &QLineEdit::textEdited, this, &ScoreRow::reasoned);
 }
 
 void ScoreRow::setTheme(const Theme& theme) {

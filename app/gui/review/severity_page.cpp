@@ -88,7 +88,8 @@ void SeverityPlot::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   const int line = fontMetrics().height();
   const double side = std::min<double>(width() - 48.0, height() - 2.0 * line - 16.0);
-  const QRectF area(40.0, 8.0, std::max(side, 10.0), std::max(side, 10.0));
+  const double left = std::max(40.0, (width() - side) / 2.0);
+  const QRectF area(left, 8.0, std::max(side, 10.0), std::max(side, 10.0));
   drawAxes(painter, area);
   const double span = severity_.highest_points - severity_.lowest_points;
   painter.setPen(QPen(theme_->surface, 1.0));

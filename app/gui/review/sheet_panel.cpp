@@ -15,7 +15,7 @@ namespace torsio::gui {
 
 SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
     : QWidget(parent),
-      large_(largeTargets),
+      shape_(largeTargets ? RowShape::kLarge : RowShape::kUsual),
       theme_(&theme(ThemeKind::kLight)),
       scroll_(new QScrollArea(this)),
       commentLabel_(new QLabel(this)),
@@ -35,7 +35,7 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   column->addWidget(scroll_, 1);
   commentLabel_->setBuddy(comment_);
   comment_->setTabChangesFocus(true);
-  comment_->setFixedHeight(3 * fontMetrics().lineSpacing() + 2 * kSpace);
+  comment_->setFixedHeight((largeTargets ? 2 : 3) * fontMetrics().lineSpacing() + 2 * kSpace);
   column->addWidget(commentLabel_);
   column->addWidget(comment_);
   connect(comment_, &QPlainTextEdit::textChanged, this, [this] {
@@ -72,6 +72,7 @@ void SheetPanel::setEditor(SheetEditor* editor) {
 
 void SheetPanel::setScoresOnly() {
   scoresOnly_ = true;
+  shape_ = RowShape::kCompact;
   commentLabel_->hide();
   comment_->hide();
 }
@@ -92,7 +93,7 @@ void SheetPanel::build() {
   if (editor_ == nullptr) return;
   const auto add = [this](const std::string& code, const QString& label, const ScoreScale& scale,
                           const std::vector<StoredAnchor>& anchors) {
-    auto* row = new ScoreRow(code, label, scale, anchors, large_, this);
+    auto* row = new ScoreRow(code, label, scale, anchors, shape_, this);
     row->setTheme(*theme_);
     row->setReadOnly(readOnly_);
     row->retranslate();

@@ -20,6 +20,9 @@ namespace torsio::gui {
 
 class ScoreRow;
 
+/// Usual: name above the scale. Large: for fingers. Compact: name beside the scale, for long forms.
+enum class RowShape { kUsual, kLarge, kCompact };
+
 /// The rubric with its anchors, one row a line, and a comment. Number keys score the marked row, arrows move
 /// and adjust, N says "not assessable". It changes the editor that it was given and tells each change; saving
 /// is the page's business.
@@ -34,7 +37,7 @@ class SheetPanel : public QWidget {
   void retranslate();
   /// The editor outlives its showing. Null: empty.
   void setEditor(SheetEditor* editor);
-  /// Scores alone: no comment, no "not assessable".
+  /// Scores alone, in compact rows: no comment, no "not assessable".
   void setScoresOnly();
   /// A sealed sheet is read only.
   void setReadOnly(bool readOnly);
@@ -65,7 +68,7 @@ class SheetPanel : public QWidget {
   void choose(const std::string& row, std::int64_t steps);
   void changed();
 
-  bool large_;
+  RowShape shape_;
   bool readOnly_ = false;
   bool scoresOnly_ = false;
   SheetEditor* editor_ = nullptr;
@@ -86,7 +89,7 @@ class ScoreRow : public QWidget {
 
  public:
   ScoreRow(std::string code, const QString& label, const ScoreScale& scale, std::vector<StoredAnchor> anchors,
-           bool large, QWidget* parent);
+           RowShape shape, QWidget* parent);
 
   [[nodiscard]] const std::string& code() const noexcept { return code_; }
   void setTheme(const Theme& theme);
@@ -117,6 +120,7 @@ class ScoreRow : public QWidget {
   [[nodiscard]] int cellAt(const QPoint& at) const;
   [[nodiscard]] std::int64_t stepsOf(int cell) const;
   [[nodiscard]] int cellCount() const;
+  void arrange();
   void describe();
   void showAnchor();
 
@@ -124,7 +128,7 @@ class ScoreRow : public QWidget {
   QString label_;
   ScoreScale scale_;
   std::vector<StoredAnchor> anchors_;
-  bool large_;
+  RowShape shape_;
   bool current_ = false;
   bool readOnly_ = false;
   int hovered_ = -1;

@@ -132,7 +132,7 @@ void TraceView::drawTraces() {
   const qreal ratio = devicePixelRatioF();
   traces_ = QPixmap((QSizeF(size()) * ratio).toSize());
   traces_.setDevicePixelRatio(ratio);
-  traces_.fill(theme_->surface);
+  traces_.fill(theme_->window);
   QPainter painter(&traces_);
   painter.setFont(font());
   const QRect area = plot();
@@ -156,7 +156,7 @@ void TraceView::drawLane(QPainter& painter, const Lane& lane, const QRect& area)
     const float share = (value - whole.low) / (whole.high - whole.low);
     return area.bottom() - static_cast<int>(std::lround(share * static_cast<float>(area.height() - 3))) - 1;
   };
-  painter.fillRect(area, theme_->window);
+  painter.fillRect(area, theme_->surface);
   painter.setPen(theme_->line);
   painter.drawLine(area.left(), yOf(0.0F), area.right(), yOf(0.0F));
   painter.setPen(lane.colour);
@@ -175,8 +175,9 @@ void TraceView::drawLane(QPainter& painter, const Lane& lane, const QRect& area)
   painter.drawText(QRect(0, area.top(), labelWidth, area.height() / 2), Qt::AlignLeft | Qt::AlignBottom,
                    lane.name);
   painter.setPen(theme_->quietText);
-  const double peak = static_cast<double>(whole.high);
-  const int decimals = peak >= 10.0 ? 0 : peak >= 1.0 ? 1 : 2;
+  // The direction of a twist is a sign: what is named is the end that lies farther from zero.
+  const double peak = static_cast<double>(-whole.low > whole.high ? whole.low : whole.high);
+  const int decimals = std::abs(peak) >= 10.0 ? 0 : std::abs(peak) >= 1.0 ? 1 : 2;
   painter.drawText(QRect(0, area.center().y(), labelWidth + kSpace, area.height() / 2),
                    Qt::AlignLeft | Qt::AlignTop,
                    QStringLiteral("%1 %2").arg(QLocale().toString(peak, 'f', decimals), lane.unit));
@@ -255,13 +256,14 @@ void TraceView::describe() {
     return;
   }
   const QLocale locale;
+  const auto largest = [&locale](const RangePyramid& values, int decimals) {
+    const RangePyramid::Range whole = values.whole();
+    return locale.toString(static_cast<double>(std::max(-whole.low, whole.high)), 'f', decimals);
+  };
   setAccessibleDescription(
       tr("%1 long; greatest angle %2 degrees, torque %3 newton metres, force %4 newtons; bookmarks: %5")
-          .arg(clockTime(duration_us()),
-               locale.toString(static_cast<double>(data_->angle_deg.whole().high), 'f', 0),
-               locale.toString(static_cast<double>(data_->torque_Nm.whole().high), 'f', 2),
-               locale.toString(static_cast<double>(data_->force_N.whole().high), 'f', 1),
-               locale.toString(static_cast<qlonglong>(bookmarks_us_.size()))));
+          .arg(clockTime(duration_us()), largest(data_->angle_deg, 0), largest(data_->torque_Nm, 2),
+               largest(data_->force_N, 1), locale.toString(static_cast<qlonglong>(bookmarks_us_.size()))));
 }
 
 }  // namespace torsio::gui

@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/gui/look/card.h"
@@ -132,7 +133,7 @@ void WarmUpPage::showRuns() {
   }
   while (QLayoutItem* item = choices_->takeAt(0)) delete item;
   for (const WarmUpRun& run : warmUp_.runs) {
-    auto* button = new QPushButton(this);
+    auto* button = new QToolButton(this);
     button->setCheckable(true);
     button->setChecked(run.number == number_);
     const int number = static_cast<int>(run.number);
@@ -140,7 +141,7 @@ void WarmUpPage::showRuns() {
     group_->addButton(button);
     choices_->addWidget(button);
     button->show();
-    connect(button, &QPushButton::clicked, this, [this, at = run.number] { openRun(at); });
+    connect(button, &QToolButton::clicked, this, [this, at = run.number] { openRun(at); });
   }
   choices_->addStretch(1);
 }

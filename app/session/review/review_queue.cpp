@@ -68,6 +68,9 @@ ReviewQueue reviewQueue(Workplace& workplace) {
     queue.minutes += line.estimate_min;
     queue.lines.push_back(std::move(line));
   }
+  // Submitted ones sink to the end; the rest keeps the rater's own order.
+  std::stable_partition(queue.lines.begin(), queue.lines.end(),
+                        [](const QueueLine& line) { return line.state != SheetState::kSubmitted; });
   for (const SheetState wanted : {SheetState::kDraft, SheetState::kOpen}) {
     const auto found = std::find_if(queue.lines.begin(), queue.lines.end(),
                                     [wanted](const QueueLine& line) { return line.state == wanted; });

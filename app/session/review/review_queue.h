@@ -20,9 +20,8 @@ struct QueueLine {
 
 /// What a physician sees first.
 struct ReviewQueue {
-  std::vector<QueueLine>
-      lines{};              ///< recorded cases in the rater's own order; live ones are on the live sheet
-  std::size_t waiting = 0;  ///< recorded, not begun
+  std::vector<QueueLine> lines{};  ///< recorded cases in the rater's own order, submitted ones last
+  std::size_t waiting = 0;         ///< recorded, not begun
   std::size_t drafts = 0;
   std::size_t submitted = 0;
   std::size_t liveWaiting = 0;  ///< on the real arm, drafts included
