@@ -5,9 +5,10 @@
 #include <utility>
 
 #include <QStandardPaths>
-#include <QSysInfo>
 
 #include "app/session/access/workplace.h"
+#include "app/session/care/recording_host.h"
+#include "app/session/care/unstored_trials.h"
 #include "sim/base/file_io.h"
 
 namespace torsio {
@@ -23,8 +24,7 @@ TrialStore::TrialStore(std::string locator)
     : locator_(std::move(locator)), connection_(openUpToDate(locator_)) {}
 
 std::unique_ptr<TrialSink> TrialStore::newSink() const {
-  return std::make_unique<OwnConnectionTrialSink>(
-      locator_, TrialContext{QSysInfo::machineHostName().toStdString(), ""});
+  return recordingSink(locator_, {.station = stationName(), .host = thisHost()});
 }
 
 std::vector<TrialListing> TrialStore::list() {

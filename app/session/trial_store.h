@@ -20,7 +20,7 @@ class TrialStore {
   /// Opens or makes the database and brings its schema up to date. Throws Error, DbError.
   explicit TrialStore(std::string locator);
 
-  /// A sink with a connection of its own, for the recorder's thread. Free practice: nobody's trial.
+  /// Where a recording of free practice goes (recordingSink of care/unstored_trials.h): nobody's trial.
   [[nodiscard]] std::unique_ptr<TrialSink> newSink() const;
   /// Newest first, finished or not.
   [[nodiscard]] std::vector<TrialListing> list();

@@ -9,6 +9,7 @@
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/record/spill_place.h"
 #include "sim/record/trial_file.h"
 
 namespace torsio {
@@ -128,7 +129,9 @@ bool Recorder::deliver() {
 }
 
 void Recorder::spill() {
-  std::filesystem::path folder = options_.spillFolder;
+  SpillPlace place;
+  if (const auto* knowing = dynamic_cast<const SpillingTrialSink*>(sink_)) place = knowing->spillPlace();
+  std::filesystem::path folder = place.folder.empty() ? options_.spillFolder : place.folder;
   try {
     if (folder.empty()) folder = std::filesystem::temp_directory_path();
     ensureFolder(folder);
@@ -136,7 +139,7 @@ void Recorder::spill() {
     result_.problem += "; " + std::string(refusal.what());
   }
   result_.spillFile = folder / fileNameOf(header_.trialId);
-  spillSink_ = std::make_unique<TrialFileSink>(*result_.spillFile);
+  spillSink_ = std::make_unique<TrialFileSink>(*result_.spillFile, place.context);
   sink_ = spillSink_.get();
   begun_ = false;
   delivered_ = 0;

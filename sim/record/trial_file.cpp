@@ -22,7 +22,7 @@ namespace torsio {
 namespace {
 
 constexpr std::string_view kMagic = "TORSIO TRIAL 1\n";
-enum class RecordKind : char { kHeader = 'H', kChunk = 'C', kSummary = 'S' };
+enum class RecordKind : char { kHeader = 'H', kContext = 'X', kChunk = 'C', kSummary = 'S' };
 constexpr std::size_t kLengthSize = 8;
 constexpr std::size_t kDigestSize = sizeof(Digest::Value);
 
@@ -73,7 +73,8 @@ std::optional<Record> takeRecord(std::span<const std::byte>& rest, const std::fi
 
 }  // namespace
 
-TrialFileSink::TrialFileSink(std::filesystem::path file) : file_(std::move(file)) {}
+TrialFileSink::TrialFileSink(std::filesystem::path file, std::string context)
+    : file_(std::move(file)), context_(std::move(context)) {}
 
 void TrialFileSink::write(const std::string& bytes) {
   if (!out_.is_open()) out_.open(temporaryBeside(file_), std::ios::binary | std::ios::in | std::ios::ate);
@@ -95,7 +96,12 @@ void TrialFileSink::write(const std::string& bytes) {
 void TrialFileSink::begin(const TrialHeader& header) {
   out_ = std::ofstream(temporaryBeside(file_), std::ios::binary | std::ios::trunc);
   sound_ = 0;
-  write(std::string(kMagic) + record(RecordKind::kHeader, toBytes(header)));
+  std::string bytes = std::string(kMagic) + record(RecordKind::kHeader, toBytes(header));
+  if (!context_.empty()) {
+    const auto text = std::as_bytes(std::span(context_));
+    bytes += record(RecordKind::kContext, {text.begin(), text.end()});
+  }
+  write(bytes);
 }
 
 void TrialFileSink::append(const TrialChunk& chunk) {
@@ -113,7 +119,7 @@ void TrialFileSink::finish(const TrialSummary& summary) {
   }
 }
 
-Trial readTrialFile(const std::filesystem::path& file) {
+TrialFile openTrialFile(const std::filesystem::path& file) {
   const std::string content = readFile(file);
   if (content.substr(0, kMagic.size()) != kMagic) {
     throw Error(ErrorCode::kFileUnreadable, "this is not a trial file", file.string(),
@@ -123,35 +129,42 @@ Trial readTrialFile(const std::filesystem::path& file) {
     throw Error(ErrorCode::kBadData, what, file.string(), "The file is damaged: restore it from a copy");
   };
   std::span<const std::byte> rest = std::as_bytes(std::span(content)).subspan(kMagic.size());
-  Trial trial;
+  TrialFile read;
+  Trial& trial = read.trial;
   bool begun = false;
-  bool finished = false;
   while (const std::optional<Record> next = takeRecord(rest, file)) {
-    if (finished || begun == (next->kind == RecordKind::kHeader)) broken("the records are out of order");
+    if (read.finished || begun == (next->kind == RecordKind::kHeader)) broken("the records are out of order");
     switch (next->kind) {
       case RecordKind::kHeader:
         trial.header = headerFromBytes(next->payload);
         begun = true;
+        break;
+      case RecordKind::kContext:
+        read.context.assign(reinterpret_cast<const char*>(next->payload.data()), next->payload.size());
         break;
       case RecordKind::kChunk:
         trial.chunks.push_back(chunkFromBytes(next->payload));
         break;
       case RecordKind::kSummary:
         trial.summary = summaryFromBytes(next->payload);
-        finished = true;
+        read.finished = true;
         break;
       default:
         broken("an unknown record");
     }
   }
   if (!begun) broken("the file ends before the trial begins");
-  if (finished && !rest.empty()) broken("bytes follow after the end of the trial");
-  if (!finished) {
+  if (read.finished && !rest.empty()) broken("bytes follow after the end of the trial");
+  if (!read.finished) {
     trial.summary.outcome = TrialOutcome::kInterrupted;
     for (const TrialChunk& chunk : trial.chunks) trial.summary.samples += chunk.samples;
     trial.summary.contentHash = contentHash(trial);
   }
-  return trial;
+  return read;
+}
+
+Trial readTrialFile(const std::filesystem::path& file) {
+  return openTrialFile(file).trial;
 }
 
 }  // namespace torsio

@@ -15,8 +15,9 @@ namespace torsio {
 /// file has the ending ".part", so that a crash leaves a readable file that nobody takes for a whole one.
 class TrialFileSink final : public TrialSink {
  public:
-  /// Nothing is written before begin(). `file`: its folder must exist.
-  explicit TrialFileSink(std::filesystem::path file);
+  /// Nothing is written before begin(). `file`: its folder must exist. `context`: kept with the trial, any
+  /// text that readers understand; empty: none.
+  explicit TrialFileSink(std::filesystem::path file, std::string context = {});
 
   void begin(const TrialHeader& header) override;
   void append(const TrialChunk& chunk) override;
@@ -26,9 +27,20 @@ class TrialFileSink final : public TrialSink {
   void write(const std::string& bytes);
 
   std::filesystem::path file_;
+  std::string context_;
   std::ofstream out_;
   std::uintmax_t sound_ = 0;  // bytes of the file that are whole records
 };
+
+/// A trial file with what its writer added.
+struct TrialFile {
+  Trial trial;
+  std::string context;    ///< of TrialFileSink; empty: none
+  bool finished = false;  ///< false: cut off
+};
+
+/// Reads a trial file as readTrialFile does. Throws the same.
+[[nodiscard]] TrialFile openTrialFile(const std::filesystem::path& file);
 
 /// Reads a trial file, whole or cut off after any record: then the outcome is kInterrupted and the content
 /// hash that of what is there. Throws Error (kFileMissing, kFileUnreadable, kBadData).

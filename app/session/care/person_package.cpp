@@ -63,7 +63,8 @@ std::string csvCell(const Json& value) {
 void writeTable(const fs::path& folder, const PersonTable& table) {
   std::string csv = "\xEF\xBB\xBF";
   Json rows = Json::array();
-  for (std::size_t i = 0; i < table.columns.size(); ++i) csv.append(i == 0 ? "" : ",").append(table.columns[i]);
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    csv.append(i == 0 ? "" : ",").append(table.columns[i]);
   csv += "\r\n";
   for (const std::vector<Value>& values : table.rows) {
     Json row = Json::object();

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "db/repository/trial_repository.h"
+#include "sim/record/trial.h"
+
+namespace torsio {
+
+/// Where recordings wait that their database did not take: in the user's data folder, made when the first one
+/// comes. Needs a QCoreApplication.
+[[nodiscard]] std::filesystem::path unstoredFolder();
+
+/// Where a recording goes: a sink with a connection of its own, for the recorder's thread. When the database
+/// stays away the recorder writes a file into `folder`, and the file knows its database and `context`.
+[[nodiscard]] std::unique_ptr<TrialSink> recordingSink(
+    const std::string& locator, const TrialContext& context,
+    const std::filesystem::path& folder = unstoredFolder());
+
+/// A recording in a file that belongs to one database.
+struct UnstoredTrial {
+  std::filesystem::path file;
+  Trial trial;
+  TrialContext context;
+};
+
+/// What waits for a database.
+struct UnstoredTrials {
+  std::vector<UnstoredTrial> trials{};
+  std::vector<std::string> unreadable{};  ///< one sentence a file
+};
+
+/// A file without its end that has grown since then belongs to a recorder at work.
+inline constexpr std::int64_t kQuietFile_us = 10'000'000;
+
+/// Reads the files of `folder` that wait for the database at `locator`, oldest recording first; those of
+/// other databases are passed over. Files that were cut off are read as far as they go, as interrupted
+/// trials, unless they were written to in the last kQuietFile_us. A missing folder is an empty one.
+[[nodiscard]] UnstoredTrials unstoredTrials(const std::string& locator, const std::filesystem::path& folder);
+
+}  // namespace torsio
