@@ -29,6 +29,7 @@ namespace torsio {
 
 namespace {
 
+constexpr qsizetype kLongTitle = 22;
 constexpr std::size_t kFewPoints = 14;  // lines with no more points carry markers
 
 QString text(const std::string& utf8) {
@@ -91,7 +92,9 @@ class Builder {
         TORSIO_EXPECTS(false);  // buildFigure() draws it
     }
     references();
-    chart_->legend()->setVisible(inLegend_ > 1 || !figure_.references.empty());
+    const bool courses = std::any_of(figure_.series.begin(), figure_.series.end(),
+                                     [](const FigureSeries& series) { return series.faint; });
+    chart_->legend()->setVisible(inLegend_ > 1 || !figure_.references.empty() || (courses && inLegend_ > 0));
     return std::move(chart_);
   }
 
@@ -129,6 +132,15 @@ class Builder {
     return crowded() ? QString(plain).replace(' ', QStringLiteral("<br>")) : plain;
   }
 
+  /// A long title on two lines: Qt cuts what does not fit along an upright axis.
+  [[nodiscard]] static QString wrapped(const std::string& title) {
+    QString out = text(title).toHtmlEscaped();
+    if (out.size() <= kLongTitle) return out;
+    const qsizetype half = out.indexOf(QLatin1Char(' '), out.size() / 2);
+    if (half > 0) out.replace(half, 1, QStringLiteral("<br>"));
+    return out;
+  }
+
   template <typename Axis>
   Axis* styled(Axis* axis, const std::string& title) const {
     axis->setLabelsFont(font(look_.label_px - 1));
@@ -164,6 +176,7 @@ class Builder {
     if (!figure_.yMin || !figure_.yMax) axis->applyNiceNumbers();
     const double span = axis->max() - axis->min();
     axis->setLabelFormat(span >= 8.0 ? "%.0f" : span >= 0.8 ? "%.1f" : "%.2f");
+    if (side == Qt::AlignLeft) axis->setTitleText(wrapped(figure_.yLabel));
     chart_->addAxis(axis, side);
     values_ = axis;
   }

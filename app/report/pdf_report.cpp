@@ -71,7 +71,8 @@ double heightOf(const ReportFigure& figure) {
 void addTwin(PageFlow& flow, const ReportFigure& figure) {
   const ReportTable twin = figureTable(figure, kTableDecimals);
   if (twin.rows.size() > kLongestTwin || twin.columns.size() > kWidestTwin) {
-    flow.text(QStringLiteral("The %1 values drawn stand in the table of numbers (CSV).")
+    flow.text(QStringLiteral(
+                  "The %1 values drawn are too many to print here; the program shows them under Results.")
                   .arg(twin.rows.size() * (twin.columns.size() - 1)),
               7.5, false, kQuiet);
     return;

@@ -129,6 +129,13 @@ void addTraining(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
     rows.place.occasion = in.occasions[score.occasion];
     rows.add("score", score.score, score.n);
   }
+  for (const TrainingMark& mark : in.trainingMarks) {
+    rows.place.item = mark.trainee;
+    rows.place.group = in.groups[mark.group].name;
+    rows.place.index = mark.rater;
+    rows.place.occasion = in.occasions[mark.occasion];
+    rows.add("rater_mark", pointsFromSteps(mark.steps, in.trainingScale), 1);
+  }
 }
 
 void addTrials(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
@@ -148,6 +155,11 @@ void addTrials(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
     rows.add("peak_torque_Nm", trial.peakTorque_Nm, trial.samples);
     rows.add("peak_force_N", trial.peakForce_N, trial.samples);
     rows.add("refused_samples", static_cast<double>(trial.refusedSamples), trial.samples);
+    for (std::size_t i = 0; i < trial.attempts.size(); ++i) {
+      rows.place.index = std::to_string(i + 1);
+      rows.add("twist_error_deg", trial.attempts[i].error_deg, 1);
+    }
+    rows.place.index.clear();
     rows.addText("trial", trial.trialId, trial.samples);
     rows.addText("content_hash", trial.contentHash, trial.samples);
   }
@@ -258,7 +270,9 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
   addTrials(in, rows);
   addDeviations(in, rows);
   if (!inputs.singleMarks)
-    std::erase_if(rows, [](const CohortCsvRow& row) { return row.statistic == "mark"; });
+    std::erase_if(rows, [](const CohortCsvRow& row) {
+      return row.statistic == "mark" || row.statistic == "rater_mark";
+    });
   if (aggregated) std::erase_if(rows, [](const CohortCsvRow& row) { return !isAggregate(row); });
   return rows;
 }

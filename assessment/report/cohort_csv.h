@@ -14,7 +14,7 @@ struct CohortCsvRow {
   std::string item;     ///< rater, trainee or trial; "all" for a summary
   std::string group;
   std::string model;
-  std::string index;
+  std::string index;  ///< of the instrument; a rater's code for "rater_mark"; the number of a twist
   std::string occasion;
   std::string statistic;
   std::string value;  ///< shortest text that reads back as the same number, or a hash; empty when undefined

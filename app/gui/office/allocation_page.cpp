@@ -114,6 +114,7 @@ QWidget* AllocationPage::designForm() {
   grid->addWidget(method_, 0, 1);
   grid->addWidget(factorsLabel_, 1, 0);
   auto* checks = new QHBoxLayout;
+  checks->setSpacing(2 * kSpace);
   for (const std::string& name : allocationFactorNames()) checks->addWidget(factors_.at(name));
   checks->addStretch(1);
   grid->addLayout(checks, 1, 1);

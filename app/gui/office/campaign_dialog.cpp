@@ -39,6 +39,7 @@ QDoubleSpinBox* weightField(std::int64_t weight_milli, QWidget* parent) {
   field->setRange(0.0, 1.0);
   field->setDecimals(3);
   field->setSingleStep(0.05);
+  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
   field->setValue(static_cast<double>(weight_milli) / static_cast<double>(kWhole_milli));
   return field;
 }

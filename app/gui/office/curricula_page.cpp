@@ -27,6 +27,12 @@
 
 namespace torsio::gui {
 
+namespace {
+
+constexpr int kListWidth = 330;
+
+}  // namespace
+
 CurriculaPage::CurriculaPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
@@ -58,6 +64,8 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
   splitter->setStretchFactor(1, 3);
   splitter->setChildrenCollapsible(false);
   splitter->setHandleWidth(2 * kSpace);
+  splitter->setStyleSheet(QStringLiteral("QSplitter::handle { background: transparent; }"));
+  table_->setMinimumWidth(kListWidth);
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addWidget(splitter, 1);

@@ -126,6 +126,9 @@ QWidget* CurriculumEditor::exercisesTab() {
   hold_->setSuffix(QStringLiteral(" s"));
   attempts_->setRange(0, 10'000);
   consecutive_->setRange(1, 1000);
+  for (QAbstractSpinBox* box : std::initializer_list<QAbstractSpinBox*>{target_, tolerance_, hold_, attempts_,
+                                                                        threshold_, consecutive_, rest_})
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
   for (const std::string& id : sceneIds(assets_)) scene_->addItem(shown(id), shown(id));
   connect(exercises_, &QListWidget::currentRowChanged, this, &CurriculumEditor::showExercise);
   connect(addExercise_, &QPushButton::clicked, this, &CurriculumEditor::addExercise);

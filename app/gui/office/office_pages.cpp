@@ -3,12 +3,14 @@
 
 #include <QCoreApplication>
 
+#include "app/gui/look/data_table.h"
 #include "app/gui/office/allocation_page.h"
 #include "app/gui/office/audit_page.h"
 #include "app/gui/office/campaigns_page.h"
 #include "app/gui/office/care_page.h"
 #include "app/gui/office/cohorts_page.h"
 #include "app/gui/office/curricula_page.h"
+#include "app/gui/office/curriculum_editor.h"
 #include "app/gui/office/devices_page.h"
 #include "app/gui/office/reports_page.h"
 #include "app/gui/office/results_page.h"
@@ -69,12 +71,22 @@ std::vector<PageEntry> officePages() {
 
 std::vector<ScreenEntry> officeScreens() {
   const auto shows = [](const char* id) {
-    return [id](Page& page) { dynamic_cast<ResultsPage&>(page).showItem(QString::fromLatin1(id)); };
+    return [id](Page& page) {
+      auto& results = dynamic_cast<ResultsPage&>(page);
+      results.settle();
+      results.showItem(QString::fromLatin1(id));
+    };
   };
+  const auto fromTemplate = [](Page& page) {
+    auto& curricula = dynamic_cast<CurriculaPage&>(page);
+    if (curricula.curricula().visibleRows() == 0) curricula.add("Twist skills 2026", "paper-three-arms");
+    curricula.editor().setCurrentIndex(1);
+  };
+  const auto report = [](Page& page) { dynamic_cast<ReportsPage&>(page).settle(); };
   return {
       screen("office-run-day", "office.runday"),
       screen("office-roster", "office.roster"),
-      screen("office-curricula", "office.curricula"),
+      screen("office-curricula", "office.curricula", fromTemplate),
       screen("office-cohorts", "office.cohorts"),
       screen("office-allocation", "office.allocation"),
       screen("office-scoring", "office.scoring"),
@@ -82,8 +94,8 @@ std::vector<ScreenEntry> officeScreens() {
       screen("office-results-scores", "office.results", shows("figure-22")),
       screen("office-results-differences", "office.results", shows("figure-differences")),
       screen("office-results-boxes", "office.results", shows("figure-19")),
-      screen("office-results-marks", "office.results", shows("figure-severity")),
-      screen("office-reports", "office.reports"),
+      screen("office-results-severity", "office.results", shows("figure-severity")),
+      screen("office-reports", "office.reports", report),
       screen("office-users", "office.users"),
       screen("office-audit", "office.audit"),
       screen("office-care", "office.care"),

@@ -150,6 +150,10 @@ void ReportsPage::compute() {
       });
 }
 
+void ReportsPage::settle() {
+  shell().waitForJobs();
+}
+
 void ReportsPage::showButtons() {
   const bool ready = inputs_ != nullptr;
   pdf_->setEnabled(ready);

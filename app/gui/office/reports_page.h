@@ -31,6 +31,9 @@ class ReportsPage : public Page {
   /// Writes the file. False: it was given up or went wrong, which has been said.
   bool exportTo(ReportFormat format, const std::filesystem::path& file);
 
+  /// Waits until the report is prepared: pictures and tests.
+  void settle();
+
   [[nodiscard]] QComboBox& identity() const noexcept { return *identity_; }
   [[nodiscard]] QComboBox& dataSet() const noexcept { return *frozen_; }
   [[nodiscard]] const std::shared_ptr<CohortInputs>& inputs() const noexcept { return inputs_; }

@@ -69,6 +69,7 @@ ResultsPage::ResultsPage(ShellContext& shell)
   splitter->setSizes({kContentsWidth, 3 * kContentsWidth});
   splitter->setChildrenCollapsible(false);
   splitter->setHandleWidth(2 * kSpace);
+  splitter->setStyleSheet(QStringLiteral("QSplitter::handle { background: transparent; }"));
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addLayout(choices);
@@ -161,6 +162,10 @@ void ResultsPage::showItem(const QString& id) {
   contents_->setCurrentRow(first);
   contents_->scrollToItem(contents_->item(first));
   showCurrent();
+}
+
+void ResultsPage::settle() {
+  shell().waitForJobs();
 }
 
 void ResultsPage::showCurrent() {

@@ -33,6 +33,8 @@ class ResultsPage : public Page {
   [[nodiscard]] FigureCard& card() const noexcept { return *card_; }
   /// Shows the figure or table with this id of the report ("figure-22").
   void showItem(const QString& id);
+  /// Waits until what was chosen is computed: pictures and tests.
+  void settle();
 
  private:
   void compute();

@@ -77,6 +77,7 @@ std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee) 
   auto* minutes = new QDoubleSpinBox(&dialog);
   minutes->setRange(0.5, 240.0);
   minutes->setDecimals(1);
+  minutes->setButtonSymbols(QAbstractSpinBox::NoButtons);
   minutes->setValue(20.0);
   minutes->setSuffix(words(QT_TRANSLATE_NOOP("RunDay", " min")));
   dialog.form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "&What")), kind);
