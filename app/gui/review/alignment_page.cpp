@@ -70,6 +70,10 @@ AlignmentPage::AlignmentPage(ShellContext& shell, QWidget* parent)
   buttons->addStretch(1);
   right->addLayout(buttons);
   right->addStretch(1);
+  connectAll();
+}
+
+void AlignmentPage::connectAll() {
   connect(table_, &DataTable::currentChanged, this, [this](const QString& id) {
     if (id.isEmpty() || id.toStdString() == chosen_) return;
     chosen_ = id.toStdString();

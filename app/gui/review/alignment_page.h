@@ -38,6 +38,7 @@ class AlignmentPage : public Page {
 
  private:
   [[nodiscard]] const AlignmentCase* current() const;
+  void connectAll();
   void read();
   void showList();
   void showCase();

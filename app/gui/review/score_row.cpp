@@ -67,7 +67,8 @@ void ScoreRow::arrange() {
   auto* head = new QHBoxLayout;
   if (shape_ == RowShape::kCompact) {
     head->setSpacing(2 * kSpace);
-    name_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("Deformation efficiency  ")));
+    name_->setMinimumWidth(
+        QFontMetrics(name_->font()).horizontalAdvance(QStringLiteral("Deformation efficiency  ")));
     value_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("10.0 ")));
     value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     head->addWidget(name_);

@@ -106,7 +106,7 @@ std::int64_t TraceView::duration_us() const noexcept {
 }
 
 QRect TraceView::plot() const {
-  const int labels = fontMetrics().horizontalAdvance(QStringLiteral("-000.000")) + kSpace;
+  const int labels = fontMetrics().horizontalAdvance(QStringLiteral("-0.000 N m ")) + kSpace;
   const int axis = fontMetrics().height() + kWatchedHeight + kSpace;
   return rect().adjusted(labels, kSpace / 2, -kSpace, -axis);
 }
