@@ -151,7 +151,7 @@ MeasuredTrial measureRecordedTrial(const TrialHeader& header, std::span<const Sa
   targets.forceLimit_N = options.forceLimit_N;
   targets.torqueLimit_Nm = options.torqueLimit_Nm;
   targets.shearLimit_Pa = options.shearLimit_Pa;
-  out.whole = measured(trace, targets);
+  if (options.wholeTrial) out.whole = measured(trace, targets);
   const std::vector<double> wanted = targetsOf(header, samples);
   for (const Stretch& stretch : twistsIn(samples)) {
     const Sample& last = samples[stretch.letGo - 1];

@@ -24,6 +24,7 @@ struct TrialMeasurement {
   std::optional<double> forceLimit_N;
   std::optional<double> torqueLimit_Nm;
   std::optional<double> shearLimit_Pa;  ///< needs the scene
+  bool wholeTrial = true;               ///< false: its twists only; saves most of the time for a long trial
 };
 
 /// One twist from grip to the end of the elastic return, or why it cannot be measured.

@@ -119,6 +119,7 @@ Attempt measureAttempt(const TrialHeader& header, std::span<const Sample> sample
   TrialMeasurement options;
   options.tolerance_rad = tolerance_rad;
   options.forceLimit_N = forceLimit_N;
+  options.wholeTrial = false;
   options.torqueLimit_Nm = torqueLimit_Nm;
   const MeasuredTrial measuredTrial = measureRecordedTrial(header, samples, options);
   std::map<std::string_view, std::vector<double>> ofTwists;

@@ -173,6 +173,7 @@ MeasuredTrial measure(const TrialHeader& header, std::span<const Sample> samples
   TrialMeasurement options;
   options.tolerance_rad = rules.tolerance_rad;
   options.forceLimit_N = rules.forceLimit_N;
+  options.wholeTrial = false;
   options.torqueLimit_Nm = rules.torqueLimit_Nm;
   MeasuredTrial trial = measureRecordedTrial(header, samples, options);
   std::erase_if(trial.twists, [&](const MeasuredTwist& twist) { return cutOff(twist, samples); });
