@@ -51,8 +51,10 @@ void verify(const AuditArguments& arguments) {
   }
   if (!check.audit.empty()) {
     throw Error(ErrorCode::kVerifyFailed,
-                std::to_string(check.audit.size()) + " things are not as they were recorded", check.location,
-                "Keep this file as it is, and compare it with a backup");
+                (check.audit.size() == 1 ? std::string("one row is")
+                                         : std::to_string(check.audit.size()) + " rows are") +
+                    " not as recorded",
+                check.location, "Keep this file as it is, and compare it with a backup");
   }
 }
 

@@ -7,11 +7,19 @@
 #include <string>
 #include <vector>
 
+#include "db/repository/access_repository.h"
+#include "db/repository/alignment_repository.h"
 #include "db/repository/audit_repository.h"
+#include "db/repository/curriculum_repository.h"
+#include "db/repository/desk_repository.h"
 #include "db/repository/evaluation_repository.h"
+#include "db/repository/freeze_repository.h"
 #include "db/repository/people_repository.h"
 #include "db/repository/rating_repository.h"
+#include "db/repository/remark_repository.h"
+#include "db/repository/retention_repository.h"
 #include "db/repository/sheet_repository.h"
+#include "db/repository/station_repository.h"
 #include "db/repository/study_repository.h"
 #include "db/repository/trial_repository.h"
 #include "tests/db/test_database.h"
@@ -96,6 +104,61 @@ TEST_F(QueryPlanTest, TheQueueOfARaterAndTheAuditTrailAreFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)sheets.allSubmitted("e", "pre"); }));
   expectNoWalk(
       plansOf(connection, [&] { (void)AuditRepository(connection).entries({.objectKind = "trial"}); }));
+}
+
+TEST_F(QueryPlanTest, TheStartOfAStationAndItsBoardAreFoundByIndex) {
+  Connection connection = openWithSchema();
+  TrialRepository trials(connection);
+  expectNoWalk(plansOf(connection, [&] { (void)trials.closeInterrupted("station", 0); }));
+  expectNoWalk(plansOf(connection, [&] { (void)trials.context("t"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)trials.list({.moduleId = "m"}); }));
+  StationRepository stations(connection);
+  const auto board = plansOf(connection, [&] { (void)stations.board(); });
+  expectNoWalk(board, true);  // one row a station
+  expectNoSort(board);
+  expectNoWalk(plansOf(connection, [&] { (void)stations.find("s"); }));
+}
+
+TEST_F(QueryPlanTest, RemarksAndWhatIsUnreadAreFoundByIndex) {
+  Connection connection = openWithSchema();
+  RemarkRepository remarks(connection);
+  expectNoWalk(plansOf(connection, [&] { (void)remarks.remarks("t"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)remarks.receipts("t"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)remarks.unreadOnTrialsOf("p", "r"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)remarks.unreadReplies("a"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)remarks.selfScores("t"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)remarks.warmups("r"); }));
+}
+
+TEST_F(QueryPlanTest, TheDeskOfARaterIsFoundByIndex) {
+  Connection connection = openWithSchema();
+  DeskRepository desk(connection);
+  expectNoWalk(plansOf(connection, [&] { (void)desk.assignment("a"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)desk.isWithdrawn("a"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)desk.marksOfCase("e", "pre"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)desk.committed("r"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)desk.trialLength_us("t"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)desk.newestMark("a"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)desk.draftViewing("a"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)desk.viewing("m"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)desk.workingTimes_us("r", 20); }));
+  expectNoWalk(plansOf(connection, [&] { (void)desk.evaluationDraft("c", "r"); }));
+  AlignmentRepository alignment(connection);
+  expectNoWalk(plansOf(connection, [&] { (void)alignment.history("a"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)alignment.latest("a"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)alignment.ofCase("e", "pre"); }));
+}
+
+TEST_F(QueryPlanTest, WhatTheOfficeOpensIsFoundByIndex) {
+  Connection connection = openWithSchema();
+  CurriculumRepository curricula(connection);
+  expectNoWalk(plansOf(connection, [&] { (void)curricula.draft("c"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)curricula.version("v"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)curricula.versionIds("c"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)FreezeRepository(connection).list("c"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)RetentionRepository(connection).holds("p"); }));
+  AccessRepository access(connection, PasswordCost::kTest);
+  expectNoWalk(plansOf(connection, [&] { (void)access.allowed("u", "trial.view"); }));
 }
 
 }  // namespace

@@ -9,66 +9,18 @@
 #include "db/repository/rating_repository.h"
 #include "db/repository/trial_repository.h"
 #include "sim/base/clock.h"
+#include "tests/db/large_record.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 
 namespace torsio {
 namespace {
 
-constexpr int kTrainees = 10'000;
-constexpr int kTraineesPerCohort = 50;
 constexpr std::int64_t kListLimit_us = 100'000;
 constexpr std::int64_t kInsertLimit_us = 20'000;  // p99 of one second of samples
 
 class ScaleTest : public DatabaseTest {
  protected:
-  /// 200 cohorts of 50; each trainee marked by two chiefs at five stages' worth of versions: 100,000 marks.
-  static std::string fill(Connection& connection, SampleRecord& sample) {
-    StudyRepository study(connection);
-    std::string cohortId;
-    for (int first = 0; first < kTrainees; first += kTraineesPerCohort) {
-      Transaction transaction(connection);
-      cohortId = sample.ids.newUuid();
-      study.addCohort({cohortId, "cohort " + std::to_string(first), "", kSampleTime_us, true}, {});
-      std::vector<StoredTrainee> trainees;
-      std::vector<StoredEnrolment> enrolments;
-      for (int i = 0; i < kTraineesPerCohort; ++i) {
-        StoredTrainee trainee;
-        trainee.person.id = sample.ids.newUuid();
-        trainee.person.code = "S-" + std::to_string(first + i);
-        trainees.push_back(trainee);
-        enrolments.push_back(
-            {.id = sample.ids.newUuid(), .cohortId = cohortId, .traineeId = trainee.person.id});
-      }
-      PeopleRepository(connection).addTrainees(trainees);
-      study.enrol(enrolments);
-      RatingRepository(connection).submit(marksFor(sample, enrolments));
-      transaction.commit();
-    }
-    return cohortId;
-  }
-
-  static std::vector<StoredTrainingMark> marksFor(SampleRecord& sample,
-                                                  const std::vector<StoredEnrolment>& enrolments) {
-    std::vector<StoredTrainingMark> marks;
-    for (const StoredEnrolment& enrolment : enrolments) {
-      for (const StoredRater& chief : sample.chiefs) {
-        for (std::int64_t version = 1; version <= 5; ++version) {
-          StoredTrainingMark mark;
-          mark.id = sample.ids.newUuid();
-          mark.enrolmentId = enrolment.id;
-          mark.raterId = chief.person.id;
-          mark.scoringPoint = "pre";
-          mark.version = version;
-          mark.amendReason = version == 1 ? "" : "again";
-          mark.score_steps = 50;
-          marks.push_back(mark);
-        }
-      }
-    }
-    return marks;
-  }
-
   /// The best of three: other programs on the machine only ever add.
   static std::int64_t duration_us(const std::string& what, const std::function<void()>& action) {
     const MonotonicClock clock;
@@ -101,8 +53,8 @@ class ScaleTest : public DatabaseTest {
 TEST_F(ScaleTest, ListsOpenAtOnceInALargeRecord) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
-  const std::string cohortId = fill(connection, sample);
-  ASSERT_EQ(numberFrom(connection, "SELECT count(*) FROM training_mark"), 100'000);
+  const std::string cohortId = fillLargeRecord(connection, sample);
+  ASSERT_EQ(numberFrom(connection, "SELECT count(*) FROM training_mark"), kManyMarks);
 
   std::size_t marks = 0;
   std::size_t trainees = 0;
@@ -113,7 +65,7 @@ TEST_F(ScaleTest, ListsOpenAtOnceInALargeRecord) {
       kListLimit_us);
   EXPECT_LE(duration_us("enrolments", [&] { (void)StudyRepository(connection).enrolments(cohortId); }),
             kListLimit_us);
-  EXPECT_EQ(trainees, static_cast<std::size_t>(kTrainees) + 1);
+  EXPECT_EQ(trainees, static_cast<std::size_t>(kManyTrainees) + 1);
   EXPECT_EQ(marks, 100U);
 }
 

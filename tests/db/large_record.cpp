@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/db/large_record.h"
+
+#include "db/repository/rating_repository.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr int kTraineesPerCohort = 50;
+constexpr std::int64_t kVersions = 5;
+
+std::vector<StoredTrainingMark> marksFor(SampleRecord& sample,
+                                         const std::vector<StoredEnrolment>& enrolments) {
+  std::vector<StoredTrainingMark> marks;
+  for (const StoredEnrolment& enrolment : enrolments) {
+    for (const StoredRater& chief : sample.chiefs) {
+      for (std::int64_t version = 1; version <= kVersions; ++version) {
+        StoredTrainingMark mark;
+        mark.id = sample.ids.newUuid();
+        mark.enrolmentId = enrolment.id;
+        mark.raterId = chief.person.id;
+        mark.scoringPoint = "pre";
+        mark.version = version;
+        mark.amendReason = version == 1 ? "" : "again";
+        mark.score_steps = 50;
+        marks.push_back(mark);
+      }
+    }
+  }
+  return marks;
+}
+
+}  // namespace
+
+std::string fillLargeRecord(Connection& connection, SampleRecord& sample) {
+  StudyRepository study(connection);
+  std::string cohortId;
+  for (int first = 0; first < kManyTrainees; first += kTraineesPerCohort) {
+    Transaction transaction(connection);
+    cohortId = sample.ids.newUuid();
+    study.addCohort({cohortId, "cohort " + std::to_string(first), "", kSampleTime_us, true}, {});
+    std::vector<StoredTrainee> trainees;
+    std::vector<StoredEnrolment> enrolments;
+    for (int i = 0; i < kTraineesPerCohort; ++i) {
+      StoredTrainee trainee;
+      trainee.person.id = sample.ids.newUuid();
+      trainee.person.code = "S-" + std::to_string(first + i);
+      trainees.push_back(trainee);
+      enrolments.push_back(
+          {.id = sample.ids.newUuid(), .cohortId = cohortId, .traineeId = trainee.person.id});
+    }
+    PeopleRepository(connection).addTrainees(trainees);
+    study.enrol(enrolments);
+    RatingRepository(connection).submit(marksFor(sample, enrolments));
+    transaction.commit();
+  }
+  return cohortId;
+}
+
+}  // namespace torsio

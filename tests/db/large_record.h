@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "tests/db/sample_record.h"
+
+namespace torsio {
+
+inline constexpr int kManyTrainees = 10'000;
+inline constexpr int kManyMarks = 100'000;
+
+/// A record as large as a centre ever gets: 200 cohorts of 50 trainees, each marked by both chiefs of
+/// `sample` in five versions. Returns the id of the last cohort.
+std::string fillLargeRecord(Connection& connection, SampleRecord& sample);
+
+}  // namespace torsio
