@@ -17,4 +17,14 @@ namespace torsio::gui {
 /// Where a marker is now, view frame.
 [[nodiscard]] QVector3D markerPlace(const SkinAnchor& marker, const OrganSurface& surface);
 
+/// The markers as small balls. GUI thread.
+class MarkerGeometry : public QQuick3DGeometry {
+  Q_OBJECT
+
+ public:
+  MarkerGeometry();
+  /// Centres in the view frame, radius in its unit (mm).
+  void setMarkers(const std::vector<QVector3D>& centres, float radius_mm);
+};
+
 }  // namespace torsio::gui

@@ -14,7 +14,6 @@
 #include <QQuickWindow>
 #include <QUrl>
 #include <QVBoxLayout>
-#include <QVariantList>
 
 #include "app/gui/look/theme.h"
 #include "app/gui/scene/instrument_geometry.h"
@@ -36,6 +35,7 @@ namespace {
 // Share of the organ's radius: what is seen of a line is the same on a large organ and a small one.
 constexpr float kLatticeWidth = 0.0042F;
 constexpr float kGraspWidth = 0.013F;
+constexpr float kMarkerRadius = 0.014F;
 // The arrow of the force, shares of the organ's radius.
 constexpr double kShortestArrow = 0.10;
 constexpr double kLongestArrow = 0.55;
@@ -49,6 +49,7 @@ void registerSceneTypes() {
     qmlRegisterType<OrganGeometry>("Torsio.Scene", 1, 0, "OrganGeometry");
     qmlRegisterType<WireGeometry>("Torsio.Scene", 1, 0, "WireGeometry");
     qmlRegisterType<RibbonGeometry>("Torsio.Scene", 1, 0, "RibbonGeometry");
+    qmlRegisterType<MarkerGeometry>("Torsio.Scene", 1, 0, "MarkerGeometry");
     qmlRegisterType<InstrumentGeometry>("Torsio.Scene", 1, 0, "InstrumentGeometry");
     return true;
   }();
@@ -119,6 +120,7 @@ void SceneView::createScene() {
   organ_ = root_->property("organ").value<OrganGeometry*>();
   wire_ = root_->property("wire").value<WireGeometry*>();
   lattice_ = root_->property("lattice").value<RibbonGeometry*>();
+  markers_ = root_->property("markers").value<MarkerGeometry*>();
   ghost_ = root_->property("ghost").value<OrganGeometry*>();
   grasp_ = root_->property("graspBand").value<RibbonGeometry*>();
   connect(quick_->quickWindow(), &QQuickWindow::afterRendering, this, &SceneView::noteFrame,
@@ -177,12 +179,12 @@ void SceneView::setScene(const ViewScene& view) {
   shearShare_.assign(view_.surface.vertices().size(), 0.0F);
   shearColours_.resize(view_.surface.vertices().size());
   dented_ = false;
-  setShearVisible(shearVisible_);
-  setMarkersVisible(markersVisible_);
   setRootProperty("tissueColour", view_.look.colour);
   setRootProperty("tissueRoughness", view_.look.roughness);
   setRootProperty("filmAmount", view_.look.clearcoat);
   setRootProperty("filmRoughness", view_.look.filmRoughness);
+  setShearVisible(shearVisible_);
+  setMarkersVisible(markersVisible_);
   frameOrgan();
 }
 
@@ -230,7 +232,9 @@ void SceneView::setForce(const Vec3& at_m, const Vec3& force_N) {
   setRootProperty("forcePosition", toView(at_m));
   setRootProperty("forceRotation", QQuaternion::rotationTo({0.0F, 1.0F, 0.0F}, along));
   const double share = std::min(size_N / kLongestArrow_N, 1.0);
-  setRootProperty("forceLength", organRadius_ * (kShortestArrow + (kLongestArrow - kShortestArrow) * share));
+  const auto length =
+      static_cast<float>(organRadius_ * (kShortestArrow + (kLongestArrow - kShortestArrow) * share));
+  setRootProperty("forceSize", QVector3D(length, length, length));
 }
 
 void SceneView::setShearVisible(bool visible) {
@@ -257,9 +261,9 @@ void SceneView::setMarkersVisible(bool visible) {
 }
 
 void SceneView::placeMarkers() {
-  QVariantList places;
-  for (const SkinAnchor& marker : view_.markers) places << markerPlace(marker, view_.surface);
-  setRootProperty("markerPositions", places);
+  std::vector<QVector3D> places;
+  for (const SkinAnchor& marker : view_.markers) places.push_back(markerPlace(marker, view_.surface));
+  markers_->setMarkers(places, kMarkerRadius * organRadius_);
 }
 
 void SceneView::setGhost(const std::optional<TwistState>& state) {

@@ -132,6 +132,7 @@ class SceneView : public QWidget {
   RibbonGeometry* lattice_ = nullptr;
   RibbonGeometry* grasp_ = nullptr;
   OrganGeometry* ghost_ = nullptr;
+  MarkerGeometry* markers_ = nullptr;
   StressLegend* legend_ = nullptr;
 
   ViewScene view_;

@@ -9,6 +9,7 @@ Rectangle {
 
     property alias organ: organGeometry
     property alias ghost: ghostGeometry
+    property alias markers: markerGeometry
     property alias wire: wireGeometry
     property alias lattice: latticeGeometry
     property alias graspBand: graspGeometry
@@ -40,10 +41,9 @@ Rectangle {
     property bool forceVisible: false
     property vector3d forcePosition
     property quaternion forceRotation
-    property real forceLength: 20     // mm
+    property vector3d forceSize       // mm: the length of the arrow, on each axis
     property color forceColour: "#9a5b00"
     property bool markersVisible: false
-    property var markerPositions: []
     property color markerColour: "#0b6384"
     property bool ghostVisible: false
     property color ghostColour: "#065f7e"
@@ -166,6 +166,7 @@ Rectangle {
             visible: root.forceVisible
             position: root.forcePosition
             rotation: root.forceRotation
+            scale: root.forceSize
 
             PrincipledMaterial {
                 id: forceMaterial
@@ -175,37 +176,39 @@ Rectangle {
             Model {
                 source: "#Cylinder"     // 100 high, 100 wide
                 castsShadows: false
-                y: root.forceLength * 0.36
-                scale: Qt.vector3d(root.forceLength * 0.0009, root.forceLength * 0.0072, root.forceLength * 0.0009)
+                y: 0.36
+                scale.x: 0.0009
+                scale.y: 0.0072
+                scale.z: 0.0009
                 materials: forceMaterial
             }
             Model {
                 source: "#Cone"         // 100 high, 100 wide, standing on its base
                 castsShadows: false
-                y: root.forceLength * 0.7
-                scale: Qt.vector3d(root.forceLength * 0.0024, root.forceLength * 0.003, root.forceLength * 0.0024)
+                y: 0.7
+                scale.x: 0.0024
+                scale.y: 0.003
+                scale.z: 0.0024
                 materials: forceMaterial
             }
             Model {
                 source: "#Sphere"       // the contact itself
                 castsShadows: false
-                scale: Qt.vector3d(root.forceLength * 0.0014, root.forceLength * 0.0014, root.forceLength * 0.0014)
+                scale.x: 0.0014
+                scale.y: 0.0014
+                scale.z: 0.0014
                 materials: forceMaterial
             }
         }
 
-        Repeater3D {
-            model: root.markersVisible ? root.markerPositions.length : 0
-            Model {
-                required property int index
-                source: "#Sphere"
-                castsShadows: false
-                position: root.markerPositions[index] ?? Qt.vector3d(0, 0, 0)
-                scale: Qt.vector3d(0.055, 0.055, 0.055)
-                materials: PrincipledMaterial {
-                    lighting: PrincipledMaterial.NoLighting
-                    baseColor: root.markerColour
-                }
+        Model {
+            visible: root.markersVisible
+            geometry: MarkerGeometry { id: markerGeometry }
+            castsShadows: false
+            materials: PrincipledMaterial {
+                lighting: PrincipledMaterial.NoLighting
+                baseColor: root.markerColour
+                cullMode: Material.NoCulling
             }
         }
 

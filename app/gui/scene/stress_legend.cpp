@@ -48,7 +48,7 @@ void StressLegend::describe() {
 QSize StressLegend::sizeHint() const {
   const int text = std::max(fontMetrics().horizontalAdvance(figure(top_Pa_)),
                             fontMetrics().horizontalAdvance(tr("Shear stress")) - kBarWidth - kSpace);
-  return {kBarWidth + text + 4 * kSpace, kBarHeight + fontMetrics().height() * 2 + 3 * kSpace};
+  return {kBarWidth + text + 4 * kSpace, kBarHeight + fontMetrics().height() + 3 * kSpace};
 }
 
 void StressLegend::paintEvent(QPaintEvent*) {

@@ -68,7 +68,10 @@ ProblemPanel::ProblemPanel(QWidget* parent)
 }
 
 void ProblemPanel::tell(const QString& happened, const QString& remedy, const QString& details) {
-  happened_->setText(happened);
+  QString sentence =
+      happened;  // errors begin in lower case: they also stand within lines of the command line
+  if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
+  happened_->setText(sentence);
   remedy_->setText(remedy);
   remedy_->setVisible(!remedy.isEmpty());
   details_->setPlainText(details);

@@ -107,6 +107,7 @@ void ShellWindow::createPanels() {
   connect(firstRun_, &FirstRunPanel::done, this, &ShellWindow::enterDesk);
   connect(signIn_, &SignInPanel::passwordGiven, this, &ShellWindow::tryPassword);
   connect(signIn_, &SignInPanel::pinGiven, this, &ShellWindow::tryPin);
+  connect(signIn_, &SignInPanel::languageWanted, this, &ShellWindow::chooseLanguage);
   connect(signIn_, &SignInPanel::guestChosen, this, &ShellWindow::enterAsGuest);
   connect(password_, &PasswordPanel::chosen, this, &ShellWindow::changePassword);
   connect(password_, &PasswordPanel::givenUp, this, [this] {

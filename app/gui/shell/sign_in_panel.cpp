@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -58,9 +59,15 @@ SignInPanel::SignInPanel(QWidget* parent) : QWidget(parent) {
   column->addWidget(guestNote_);
   column->addSpacing(2 * kSpace);
   column->addWidget(tool_);
+  language_ = linkButton(this);
   leaveKiosk_ = linkButton(this);
   leaveKiosk_->hide();
-  column->addWidget(leaveKiosk_, 0, Qt::AlignRight);
+  auto* lowest = new QHBoxLayout;
+  lowest->addWidget(language_);
+  lowest->addStretch(1);
+  lowest->addWidget(leaveKiosk_);
+  column->addLayout(lowest);
+  connect(language_, &QPushButton::clicked, this, [this] { Q_EMIT languageWanted(otherLanguage()); });
   connect(leaveKiosk_, &QPushButton::clicked, this, &SignInPanel::leaveKioskWanted);
 
   connect(enter_, &QPushButton::clicked, this, &SignInPanel::submit);
@@ -106,6 +113,10 @@ void SignInPanel::countDown() {
 void SignInPanel::setWorking(bool working) {
   working_ = working;
   enableForm();
+}
+
+Language SignInPanel::otherLanguage() {
+  return QLocale().language() == QLocale::Chinese ? Language::kEnglish : Language::kSimplifiedChinese;
 }
 
 void SignInPanel::setKiosk(bool kiosk) {
@@ -158,6 +169,7 @@ void SignInPanel::retranslate() {
   mode_->setText(pinMode_ ? tr("Sign in with the password") : tr("Practise with a PIN"));
   guest_->setText(tr("Practise as a guest"));
   guestNote_->setText(tr("With a PIN or as a guest nothing is recorded and nothing is scored."));
+  language_->setText(languageName(otherLanguage()));
   leaveKiosk_->setText(tr("Leave kiosk mode\u2026"));
   tool_->setText(tr("A training tool and not a medical device. No patient data."));
 }

@@ -7,6 +7,8 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "app/gui/shell/language.h"
+
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -38,6 +40,7 @@ class SignInPanel : public QWidget {
   void pinGiven(const QString& login, const QString& pin);
   void guestChosen();
   void leaveKioskWanted();
+  void languageWanted(torsio::gui::Language language);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -50,6 +53,7 @@ class SignInPanel : public QWidget {
   void countDown();
   void enableForm();
   void retranslate();
+  [[nodiscard]] static Language otherLanguage();
 
   bool pinMode_ = false;
   bool working_ = false;
@@ -68,6 +72,7 @@ class SignInPanel : public QWidget {
   QLabel* guestNote_;
   QLabel* tool_;
   QPushButton* leaveKiosk_;
+  QPushButton* language_;
 };
 
 }  // namespace torsio::gui

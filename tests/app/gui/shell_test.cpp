@@ -351,7 +351,7 @@ TEST_F(Shell, AProblemIsSaidPlainlyWithItsDetailsFoldedAndCanBeCopied) {
 
   auto* panel = window_->desk()->findChild<ProblemPanel*>();
   ASSERT_TRUE(panel->isVisible());
-  EXPECT_TRUE(says(*panel, QStringLiteral("report cannot be written")));
+  EXPECT_TRUE(says(*panel, QStringLiteral("The report cannot be written")));
   EXPECT_TRUE(says(*panel, QStringLiteral("Choose another folder")));
   EXPECT_FALSE(says(*panel, QStringLiteral("/reports/a.pdf")));
   press(*panel, QStringLiteral("Copy"));
