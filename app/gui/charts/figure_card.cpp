@@ -64,7 +64,11 @@ FigureCard::FigureCard(QWidget* parent)
   notes_->setProperty("quiet", true);
   notes_->setWordWrap(true);
   notes_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  for (QPushButton* button : {picture_, values_}) button->setCheckable(true);
+  for (QPushButton* button : {picture_, values_}) {
+    button->setCheckable(true);
+    button->setStyleSheet(
+        QStringLiteral("QPushButton:checked { border: 2px solid palette(highlight); font-weight: 600; }"));
+  }
   picture_->setChecked(true);
   auto* both = new QButtonGroup(this);
   both->addButton(picture_);

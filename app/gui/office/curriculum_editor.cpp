@@ -149,14 +149,21 @@ QWidget* CurriculumEditor::groupsTab() {
   label(form, groupLabel_);
   label(form, rest_);
   form->addRow(QString(), splittable_);
-  label(form, phases_);
+  auto* phasesTitle = new QLabel;
+  phasesTitle->setBuddy(phases_);
+  labels_.push_back(phasesTitle);
+  form->addRow(phasesTitle);
+  form->addRow(phases_);
   auto* acts = new QHBoxLayout;
   acts->addWidget(addPhase_);
   acts->addWidget(removePhase_);
   acts->addStretch(1);
-  form->addRow(QString(), acts);
+  form->addRow(acts);
   phases_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
   phases_->verticalHeader()->setVisible(false);
+  phases_->verticalHeader()->setDefaultSectionSize(5 * kSpace);
+  phases_->setColumnWidth(2, 10 * kSpace);
+  phases_->setColumnWidth(3, 20 * kSpace);
   phases_->setMinimumHeight(170);
   phases_->setTabKeyNavigation(false);
   connect(groups_, &QListWidget::currentRowChanged, this, &CurriculumEditor::showGroup);
@@ -343,6 +350,9 @@ void CurriculumEditor::showGroup() {
   groupLabel_->setText(shown(arm->label));
   rest_->setValue(static_cast<double>(arm->restAllowance_us) / kMinute_us);
   splittable_->setChecked(arm->restSplittable);
+  for (int row = 0; row < phases_->rowCount(); ++row)
+    for (const int column : {0, 3})
+      if (QWidget* before = phases_->cellWidget(row, column)) before->hide();  // it goes a moment later
   phases_->setRowCount(static_cast<int>(arm->phases.size()));
   for (int row = 0; row < phases_->rowCount(); ++row) {
     const StoredPhase& phase = arm->phases[static_cast<std::size_t>(row)];

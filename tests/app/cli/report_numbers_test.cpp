@@ -11,7 +11,7 @@
 #include "app/session/csv_table.h"
 #include "app/session/scoring_service.h"
 #include "assessment/report/number_format.h"
-#include "db/connection/connection.h"
+#include "db/migrations/migrations.h"
 #include "db/repository/study_repository.h"
 #include "sim/base/file_io.h"
 #include "tests/app/cli/program.h"
@@ -86,7 +86,7 @@ TEST(ReportNumbers, EqualThoseOfTheCommandsToTheLastDigit) {
   }
 
   // Agreement and comparison, from the marks in the record.
-  Connection connection((folder / "out" / "torsio.sqlite").string());
+  Connection connection = openRecord((folder / "out" / "torsio.sqlite").string(), OpenMode::kReadWrite);
   const TrainingResult training = readTraining(connection, StudyRepository(connection).cohorts().at(0).id);
   const std::vector<std::string> occasions = {"before", "after 20 min", "after 40 min"};
   std::map<std::pair<std::string, std::string>, std::string>
@@ -98,7 +98,7 @@ TEST(ReportNumbers, EqualThoseOfTheCommandsToTheLastDigit) {
   std::string marks = "target,rater,score\n";
   for (const auto& [key, line] : lines) marks += line;
   writeFileAtomically(folder / "marks.csv", marks);
-  const ProgramRun agreed = runTorsio("agreement " + (folder / "marks.csv").string(), folder);
+  const ProgramRun agreed = runTorsio("agreement --ratings " + (folder / "marks.csv").string(), folder);
   ASSERT_EQ(agreed.code, 0) << agreed.err;
   const json agreement = json::parse(agreed.out);
   EXPECT_EQ(report.at("agreement", "", "", "", occasions[2], "icc_2_1"),
