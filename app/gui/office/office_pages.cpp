@@ -80,7 +80,7 @@ std::vector<ScreenEntry> officeScreens() {
   const auto fromTemplate = [](Page& page) {
     auto& curricula = dynamic_cast<CurriculaPage&>(page);
     if (curricula.curricula().visibleRows() == 0) curricula.add("Twist skills 2026", "paper-three-arms");
-    curricula.editor().setCurrentIndex(1);
+    curricula.editor().setCurrentIndex(curricula.editor().content().arms.empty() ? 0 : 1);
   };
   const auto report = [](Page& page) { dynamic_cast<ReportsPage&>(page).settle(); };
   return {

@@ -7,7 +7,8 @@
 
 namespace torsio::gui {
 
-/// The pages of the administrator, allocator and statistician, in the order of the navigation; the first one is home.
+/// The pages of the administrator, allocator and statistician, in the order of the navigation; the first one
+/// is home.
 [[nodiscard]] std::vector<PageEntry> officePages();
 /// Their pictures for the user guide.
 [[nodiscard]] std::vector<ScreenEntry> officeScreens();
