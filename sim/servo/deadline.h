@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace torsio {
@@ -21,10 +22,25 @@ enum class RealTimeRank { kServo, kWatchdog };
 /// permit real-time scheduling: the thread then runs like any other.
 bool requestRealTime(RealTimeRank rank = RealTimeRank::kServo) noexcept;
 
-/// Asks that the memory which the process uses now stays in memory, so that no tick waits for a disk, and
-/// touches the calling thread's stack. Memory that is taken later is not locked: where the permitted amount
-/// is small, its refusal would end the program. False when the system does not permit it: everything works, a
-/// tick may once wait for a page.
-bool lockMemory() noexcept;
+/// Asks that what a servo thread works on stays in memory, so that no tick waits for a disk: the calling
+/// thread's stack, touched once, and one object. Let go of at the end of its life, in the same thread. The
+/// whole process is not locked: libraries that hand pages back to the system (the window's script engine)
+/// cannot live with that.
+class LockedMemory {
+ public:
+  LockedMemory(const void* object, std::size_t bytes) noexcept;
+  ~LockedMemory();
+  LockedMemory(const LockedMemory&) = delete;
+  LockedMemory& operator=(const LockedMemory&) = delete;
+
+  /// False when the system did not permit it: everything works, a tick may once wait for a page.
+  [[nodiscard]] bool locked() const noexcept { return locked_; }
+
+ private:
+  const void* object_;
+  std::size_t bytes_;
+  const void* stack_ = nullptr;
+  bool locked_ = false;
+};
 
 }  // namespace torsio

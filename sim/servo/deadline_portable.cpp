@@ -22,8 +22,8 @@ bool requestRealTime(RealTimeRank) noexcept {
   return false;
 }
 
-bool lockMemory() noexcept {
-  return false;
-}
+LockedMemory::LockedMemory(const void* object, std::size_t bytes) noexcept : object_(object), bytes_(bytes) {}
+
+LockedMemory::~LockedMemory() = default;
 
 }  // namespace torsio

@@ -21,7 +21,7 @@ constexpr int kPriority = 80;
 // A tick that never ends must not keep its watchdog from running.
 constexpr int kWatchdogPriority = 81;
 // More than a tick takes (DeformedSurface), far less than any thread has.
-constexpr std::size_t kStack = 128 * 1024;
+constexpr std::size_t kStack = 256 * 1024;
 constexpr std::size_t kPage = 4096;
 
 }  // namespace
@@ -50,18 +50,20 @@ bool requestRealTime(RealTimeRank rank) noexcept {
   return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
 }
 
-bool lockMemory() noexcept {
+LockedMemory::LockedMemory(const void* object, std::size_t bytes) noexcept : object_(object), bytes_(bytes) {
   volatile std::byte stack[kStack];
   for (std::size_t at = 0; at < kStack; at += kPage) {
     stack[at] = std::byte{0};
     (void)stack[at];
   }
-#ifdef MCL_ONFAULT
-  // Only what is there: a whole address space would fill every thread's stack with pages.
-  return mlockall(MCL_CURRENT | MCL_ONFAULT) == 0;
-#else
-  return mlockall(MCL_CURRENT) == 0;
-#endif
+  stack_ =
+      const_cast<const std::byte*>(&stack[0]);  // NOLINT: the pages outlive the array, it is their address
+  locked_ = mlock(stack_, kStack) == 0 && mlock(object_, bytes_) == 0;
+}
+
+LockedMemory::~LockedMemory() {
+  munlock(object_, bytes_);
+  munlock(stack_, kStack);
 }
 
 }  // namespace torsio

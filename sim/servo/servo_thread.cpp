@@ -30,7 +30,8 @@ void ServoThread::stop() noexcept {
 
 void ServoThread::run() noexcept {
   realTime_.store(requestRealTime(), std::memory_order_relaxed);
-  memoryLocked_.store(lockMemory(), std::memory_order_relaxed);
+  const LockedMemory memory(&loop_, sizeof(loop_));
+  memoryLocked_.store(memory.locked(), std::memory_order_relaxed);
   const std::int64_t begun_ns = deadlineNow_ns();
   std::int64_t deadline_ns = begun_ns;
   while (!stop_.load(std::memory_order_relaxed)) {

@@ -31,7 +31,7 @@ class ServoThread {
 
   /// True when the system granted real-time scheduling.
   [[nodiscard]] bool realTime() const noexcept { return realTime_.load(std::memory_order_relaxed); }
-  /// True when the system granted to keep the process in memory.
+  /// True when the system granted to keep the servo's stack and state in memory.
   [[nodiscard]] bool memoryLocked() const noexcept { return memoryLocked_.load(std::memory_order_relaxed); }
   /// From each deadline to the beginning of its tick. Any thread.
   [[nodiscard]] TimingSummary wakeUp() const noexcept { return wakeUp_.summary(); }

@@ -8,6 +8,8 @@
 
 #include "app/session/build_info.h"
 #include "app/session/demonstration.h"
+#include "app/session/review/demonstration_desk.h"
+#include "app/session/training/demonstration_station.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people_repository.h"
 #include "db/repository/setting_repository.h"
@@ -21,10 +23,16 @@ namespace {
 constexpr std::string_view kLegible = "abcdefghijkmnpqrstuvwxyz23456789";  // no l and 1, no o and 0
 constexpr int kGroups = 4;
 constexpr int kLettersInGroup = 5;
-constexpr const char* kChief = "chief";
+constexpr double kDesksAt = 0.97;  // of the whole work
 
-void fillWithPeople(Workplace& workplace, const std::filesystem::path& assets,
-                    const ProgressCallback& progress) {
+/// Whose accounts are worth signing in with: their pages hold something.
+struct DemonstrationUsers {
+  std::string traineeId;
+  std::string raterId;
+};
+
+DemonstrationUsers fillWithPeople(Workplace& workplace, const std::filesystem::path& assets,
+                                  const ProgressCallback& progress) {
   DemonstrationOptions options;
   options.training.assets = assets;
   options.training.id = "arm";
@@ -32,6 +40,14 @@ void fillWithPeople(Workplace& workplace, const std::filesystem::path& assets,
   options.example.id = "stomach";
   options.progress = progress;
   static_cast<void>(fillDemonstration(options, workplace.connection()));
+  // What the trainee and the physician of the demonstration find when they sign in.
+  if (progress) progress({"Laying out the desks", kDesksAt, -1.0});
+  const DemonstrationStation station =
+      storeDemonstrationStation(workplace.connection(), workplace.ids(), assets, workplace.now_us());
+  const DemonstrationDesk desk =
+      storeDemonstrationDesk(workplace.connection(), workplace.ids(), loadScene(options.training),
+                             {.seed = options.seed, .utc_us = workplace.now_us()});
+  return {station.personId, desk.raterIds.front()};
 }
 
 StartAccount account(Workplace& workplace, const std::string& login, const std::string& role,
@@ -45,15 +61,19 @@ StartAccount account(Workplace& workplace, const std::string& login, const std::
   return made;
 }
 
-std::vector<StartAccount> demonstrationAccounts(Workplace& workplace) {
+std::vector<StartAccount> demonstrationAccounts(Workplace& workplace, const DemonstrationUsers& users) {
   PeopleRepository people(workplace.connection());
   const std::vector<StoredTrainee> trainees = people.trainees();
   const std::vector<StoredRater> raters = people.raters();
-  const auto chief = std::find_if(raters.begin(), raters.end(),
-                                  [](const StoredRater& rater) { return rater.classCode == kChief; });
-  TORSIO_EXPECTS(!trainees.empty() && chief != raters.end());
-  return {account(workplace, "demo.trainee", "trainee", trainees.front().person),
-          account(workplace, "demo.physician", "rater", chief->person)};
+  const auto trainee = std::find_if(trainees.begin(), trainees.end(), [&](const StoredTrainee& candidate) {
+    return candidate.person.id == users.traineeId;
+  });
+  const auto rater = std::find_if(raters.begin(), raters.end(), [&](const StoredRater& candidate) {
+    return candidate.person.id == users.raterId;
+  });
+  TORSIO_EXPECTS(trainee != trainees.end() && rater != raters.end());
+  return {account(workplace, "demo.trainee", "trainee", trainee->person),
+          account(workplace, "demo.physician", "rater", rater->person)};
 }
 
 }  // namespace
@@ -93,8 +113,7 @@ std::vector<StartAccount> performFirstRun(Workplace& workplace, const FirstRun& 
     const SignInAnswer answer = signIn(workplace, first.login, first.password);
     TORSIO_EXPECTS(answer.outcome == SignIn::kOk);
     if (first.demonstration) {
-      fillWithPeople(workplace, assets, progress);
-      accounts = demonstrationAccounts(workplace);
+      accounts = demonstrationAccounts(workplace, fillWithPeople(workplace, assets, progress));
     }
     transaction.commit();
   } catch (...) {
