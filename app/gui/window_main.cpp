@@ -8,10 +8,10 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QPalette>
-#include <QQuickWindow>
 #include <QStandardPaths>
 
 #include "app/gui/main_window.h"
+#include "app/gui/scene/scene_view.h"
 #include "app/gui/screenshot.h"
 #include "app/gui/shell/all_pages.h"
 #include "app/gui/shell/shell_window.h"
@@ -238,7 +238,7 @@ int runShell(const WindowOptions& options) {
 
 int runWindow(int argc, char** argv) {
   requireAnyDisplay();
-  QQuickWindow::setGraphicsApi(QSGRendererInterface::OpenGL);
+  SceneView::prepareGraphics();
   QApplication::setApplicationName(QStringLiteral("torsio"));
   QApplication::setApplicationDisplayName(QStringLiteral("Torsio"));
   QApplication::setOrganizationName(QStringLiteral("torsio"));

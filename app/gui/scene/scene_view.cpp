@@ -99,6 +99,11 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
 
 SceneView::~SceneView() = default;
 
+void SceneView::prepareGraphics() {
+  QQuickWindow::setGraphicsApi(QSGRendererInterface::OpenGL);
+  QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+}
+
 bool SceneView::platformCanRender() {
   const QString platform = QGuiApplication::platformName();
   return platform != QLatin1String("offscreen") && platform != QLatin1String("minimal") &&

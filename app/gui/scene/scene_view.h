@@ -69,6 +69,9 @@ class SceneView : public QWidget {
   explicit SceneView(QWidget* parent = nullptr);
   ~SceneView() override;
 
+  /// Before the application object exists: OpenGL, shared by all windows. A view that is put into another
+  /// window loses its scene graph otherwise.
+  static void prepareGraphics();
   /// False on platforms that cannot draw the scene.
   [[nodiscard]] static bool platformCanRender();
 

@@ -296,6 +296,7 @@ int runScreenshots(int argc, char** argv) {
       qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
   }
+  SceneView::prepareGraphics();
   QApplication application(argc, argv);
   ScreenshotsRequest request = parse(QApplication::arguments());
   request.progress = [](const Progress& progress) {
