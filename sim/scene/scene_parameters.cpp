@@ -59,6 +59,17 @@ Json toJson(const TwistOperation& operation) {
   return json;
 }
 
+Json toJson(const Instrument& instrument) {
+  Json json{{"id", instrument.id},
+            {"tip_radius_m", instrument.tipRadius_m},
+            {"grip_reach_m", instrument.gripReach_m}};
+  // Trials recorded before the shaft could touch know of no length: the usual one goes unsaid, so that their
+  // hashes stay true.
+  if (instrument.shaftLength_m != Instrument{}.shaftLength_m)
+    json["shaft_length_m"] = instrument.shaftLength_m;
+  return json;
+}
+
 Vec3 vectorOf(const nlohmann::json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
@@ -81,9 +92,7 @@ std::string parametersText(const SceneDescription& scene, const TwistPattern& pa
   json["organ_unit_m"] = scene.organUnit_m;
   json["lattice"] = toJson(scene.lattice);
   json["material"] = {{"id", scene.material.id}, {"shear_modulus_pa", scene.material.shearModulus_Pa}};
-  json["instrument"] = {{"id", scene.instrument.id},
-                        {"tip_radius_m", scene.instrument.tipRadius_m},
-                        {"grip_reach_m", scene.instrument.gripReach_m}};
+  json["instrument"] = toJson(scene.instrument);
   json["pattern"] = {{"id", pattern.id},
                      {"ends", nameOf(kEnds, pattern.ends)},
                      {"force_limit_n", pattern.forceLimit_N},

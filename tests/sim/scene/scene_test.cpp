@@ -14,6 +14,7 @@
 #include "sim/base/portable_math.h"
 #include "sim/geometry/mesh_export.h"
 #include "sim/scene/scene_file.h"
+#include "sim/scene/scene_parameters.h"
 #include "tests/support/procedural_mesh.h"
 
 namespace torsio {
@@ -165,6 +166,27 @@ TEST(Scene, ChangesItsParameterHashWithEveryWish) {
   hashes.insert(loadScene(request).parameterHash);
 
   EXPECT_EQ(hashes.size(), 7U);
+}
+
+TEST(Scene, EverythingOfTheInstrumentDecidesTheParameters) {
+  SceneDescription description = readSceneFile(kAssets, "arm");
+  const TwistPattern pattern = description.patterns.at(0).pattern;
+  const auto textWith = [&](auto&& edit) {
+    SceneDescription changed = description;
+    edit(changed.instrument);
+    return parametersText(changed, pattern, false);
+  };
+  const std::string usual = parametersText(description, pattern, false);
+
+  const std::string longer = textWith([](Instrument& i) { i.shaftLength_m = 0.33; });
+  const std::set<std::string> texts{usual, longer, textWith([](Instrument& i) { i.tipRadius_m = 0.003; }),
+                                    textWith([](Instrument& i) { i.gripReach_m = 0.005; })};
+
+  EXPECT_EQ(texts.size(), 4U);
+  EXPECT_THAT(longer, HasSubstr(R"("grip_reach_m":0.004,"shaft_length_m":0.33})"));
+  // The usual length goes unsaid: the hashes of older trials stay true.
+  EXPECT_THAT(usual, ::testing::Not(HasSubstr("shaft_length_m")));
+  EXPECT_EQ(sceneRequestFor(longer).pattern, pattern.id);
 }
 
 TEST(Scene, IsRebuiltFromItsParameters) {
