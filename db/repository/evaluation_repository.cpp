@@ -221,6 +221,12 @@ void EvaluationRepository::submit(const std::string& campaignId,
   transaction.commit();
 }
 
+bool EvaluationRepository::hasMarks(const std::string& campaignId) {
+  Statement row = connection_.prepare("SELECT 1 FROM evaluation_mark WHERE campaign_id = ? LIMIT 1");
+  row.execute({campaignId});
+  return row.step();
+}
+
 std::vector<StoredEvaluationMark> EvaluationRepository::marks(const std::string& campaignId) {
   std::vector<StoredEvaluationMark> marks;
   Statement row = connection_.prepare(

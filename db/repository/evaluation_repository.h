@@ -106,6 +106,8 @@ class EvaluationRepository {
   void submit(const std::string& campaignId, std::span<const StoredEvaluationMark> marks);
   /// The newest version of every mark, ordered by model, class, rater code, index.
   [[nodiscard]] std::vector<StoredEvaluationMark> marks(const std::string& campaignId);
+  /// Whether anybody has submitted a mark.
+  [[nodiscard]] bool hasMarks(const std::string& campaignId);
 
   void storeRun(const std::string& campaignId, const StoredEvaluationRun& run);
   [[nodiscard]] std::optional<StoredEvaluationRun> latestRun(const std::string& campaignId);

@@ -30,6 +30,7 @@ namespace {
 constexpr int kSortRole = Qt::UserRole;
 constexpr int kIdRole = Qt::UserRole + 1;
 constexpr int kRowHeight = 32;
+constexpr int kMeasuredRows = 200;  // for the widths of the columns: all of a long list would take too long
 
 /// Numbers by size, texts by the rules of the language ("T-2" before "T-10").
 class SortedRows final : public QSortFilterProxyModel {
@@ -154,6 +155,7 @@ DataTable::DataTable(const QString& name, QWidget* parent)
   view_->verticalHeader()->setDefaultSectionSize(kRowHeight);
   view_->horizontalHeader()->setSectionsMovable(true);
   view_->horizontalHeader()->setStretchLastSection(true);
+  view_->horizontalHeader()->setResizeContentsPrecision(kMeasuredRows);
   view_->horizontalHeader()->setHighlightSections(false);
   view_->horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
   view_->setContextMenuPolicy(Qt::ActionsContextMenu);

@@ -12,6 +12,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSplitter>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/gui/look/data_table.h"
@@ -23,7 +24,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr std::int64_t kDay_us = 86'400'000'000;
-constexpr std::int64_t kMostEntries = 20'000;
+constexpr std::int64_t kFirstEntries = 1'000;  // on the screen at once, however long the record is
 
 QDateTime timeOf(const AuditEntry& entry) {
   return QDateTime::fromMSecsSinceEpoch(entry.atUtc_us / 1000);
@@ -39,16 +40,21 @@ QString indented(const std::string& json) {
 
 AuditPage::AuditPage(ShellContext& shell)
     : Page(shell),
+      most_(kFirstEntries),
       heading_(new PageHeading(this)),
       verify_(new QPushButton(this)),
       verdict_(new QLabel(this)),
       days_(new QComboBox(this)),
+      more_(new QToolButton(this)),
       table_(new DataTable(QStringLiteral("audit"), this)),
       entry_(new QPlainTextEdit(this)) {
   verify_->setProperty("primary", true);
   heading_->addAction(verify_);
   verdict_->setWordWrap(true);
   verdict_->hide();
+  more_->setObjectName(QStringLiteral("more"));
+  more_->hide();
+  table_->addTool(more_);
   table_->addTool(days_);
   entry_->setReadOnly(true);
   auto* splitter = new QSplitter(Qt::Vertical, this);
@@ -67,12 +73,24 @@ AuditPage::AuditPage(ShellContext& shell)
   for (const int days : {1, 7, 30, 0}) days_->addItem(QString(), days);
   days_->setCurrentIndex(1);
   connect(verify_, &QPushButton::clicked, this, &AuditPage::verify);
-  connect(days_, &QComboBox::currentIndexChanged, this, &AuditPage::read);
+  connect(days_, &QComboBox::currentIndexChanged, this, [this] {
+    most_ = kFirstEntries;
+    read();
+  });
+  connect(more_, &QToolButton::clicked, this, &AuditPage::readMore);
   connect(table_, &DataTable::currentChanged, this, &AuditPage::showEntry);
   retranslate();
 }
 
 void AuditPage::enter(const QVariant&) {
+  most_ = kFirstEntries;
+  read();
+}
+
+/// Counted from the newest again: stations' clocks differ, so the time of the oldest entry shown is no
+/// border.
+void AuditPage::readMore() {
+  most_ *= 2;
   read();
 }
 
@@ -85,6 +103,8 @@ void AuditPage::retranslate() {
   verify_->setToolTip(tr("Checks every entry, every sealed mark and every recorded trial"));
   const QStringList spans{tr("Last day"), tr("Last week"), tr("Last month"), tr("Everything")};
   for (int index = 0; index < spans.size(); ++index) days_->setItemText(index, spans[index]);
+  more_->setText(tr("Show &more"));
+  more_->setToolTip(tr("Only the newest entries of this time are shown; this shows twice as many"));
   days_->setAccessibleName(tr("Time span"));
   entry_->setAccessibleName(tr("Chosen entry"));
   entry_->setPlaceholderText(tr("Choose an entry to see what was changed."));
@@ -103,9 +123,12 @@ void AuditPage::retranslate() {
 void AuditPage::read() {
   try {
     const int days = days_->currentData().toInt();
-    AuditFilter filter{.limit = kMostEntries};
+    AuditFilter filter{.limit = most_ + 1};  // one more tells whether there are older ones
     if (days > 0) filter.fromUtc_us = shell().workplace().now_us() - days * kDay_us;
     entries_ = auditEntries(shell().workplace(), filter);
+    const bool older = std::ssize(entries_) > most_;
+    if (older) entries_.pop_back();
+    more_->setVisible(older);
     logins_ = auditActors(shell().workplace());
     show();
   } catch (...) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,7 @@ class QComboBox;
 class QLabel;
 class QPlainTextEdit;
 class QPushButton;
+class QToolButton;
 
 namespace torsio::gui {
 
@@ -30,18 +33,21 @@ class AuditPage : public Page {
 
  private:
   void read();
+  void readMore();
   void show();
   void showEntry(const QString& id);
   void verify();
   void showVerdict();
 
   std::vector<AuditEntry> entries_;
+  std::int64_t most_;  // of them are read
   std::map<std::string, std::string> logins_;
   std::optional<std::vector<AuditFinding>> findings_;  // empty: not looked for yet
   PageHeading* heading_;
   QPushButton* verify_;
   QLabel* verdict_;
   QComboBox* days_;
+  QToolButton* more_;
   DataTable* table_;
   QPlainTextEdit* entry_;
 };

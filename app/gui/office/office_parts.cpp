@@ -12,6 +12,7 @@
 #include "app/gui/look/data_table.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/session/reporting/report_data.h"
 #include "app/session/study/cohort_service.h"
 
 namespace torsio::gui {
@@ -41,9 +42,26 @@ void fillCohorts(QComboBox* chooser, Workplace& workplace) {
   const std::string before = chosenId(chooser);
   const QSignalBlocker quiet(chooser);
   chooser->clear();
-  for (const CohortRow& row : cohorts(workplace))
+  int first = -1;
+  for (const CohortRow& row : cohorts(workplace)) {
     chooser->addItem(shown(row.cohort.name), shown(row.cohort.id));
-  chooser->setCurrentIndex(chooser->count() - 1);
+    if (row.allocated > 0) first = chooser->count() - 1;
+  }
+  chooser->setCurrentIndex(first >= 0 ? first : chooser->count() - 1);
+  if (!before.empty()) chooseId(chooser, before);
+}
+
+void fillCampaigns(QComboBox* chooser, Workplace& workplace, const QString& none) {
+  const std::string before = chosenId(chooser);
+  const QSignalBlocker quiet(chooser);
+  chooser->clear();
+  chooser->addItem(none, QString());
+  int first = 0;
+  for (const ReportableCampaign& campaign : reportableCampaigns(workplace)) {
+    chooser->addItem(shown(campaign.name), shown(campaign.id));
+    if (campaign.hasMarks) first = chooser->count() - 1;
+  }
+  chooser->setCurrentIndex(first);
   if (!before.empty()) chooseId(chooser, before);
 }
 

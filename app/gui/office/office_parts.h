@@ -33,8 +33,11 @@ QPushButton* listButton(DataTable* table);
 /// A row "label, field" above a list; the label is the field's buddy. Texts are set by the page.
 QLabel* fieldBeside(QBoxLayout* row, QWidget* field);
 
-/// The cohorts of the record, chosen by id; keeps the choice when filled anew. Newest last and chosen first.
+/// The cohorts of the record, newest last; keeps the choice when filled anew. Chosen first: the newest whose
+/// people are in groups, since there is something to see; else the newest.
 void fillCohorts(QComboBox* chooser, Workplace& workplace);
+/// The evaluation campaigns and "none". Chosen first: the newest that somebody has scored in.
+void fillCampaigns(QComboBox* chooser, Workplace& workplace, const QString& none);
 /// Id of what is chosen; empty: nothing.
 [[nodiscard]] std::string chosenId(const QComboBox* chooser);
 void chooseId(QComboBox* chooser, const std::string& id);

@@ -87,17 +87,8 @@ ReportsPage::ReportsPage(ShellContext& shell)
 void ReportsPage::enter(const QVariant&) {
   attempt(shell(), [&] {
     Workplace& workplace = shell().workplace();
-    {
-      const QSignalBlocker quiet(campaign_);
-      fillCohorts(cohort_, workplace);
-      const std::string before = chosenId(campaign_);
-      campaign_->clear();
-      campaign_->addItem(tr("none"), QString());
-      for (const auto& [id, name] : reportableCampaigns(workplace))
-        campaign_->addItem(shown(name), shown(id));
-      campaign_->setCurrentIndex(campaign_->count() - 1);
-      if (!before.empty()) chooseId(campaign_, before);
-    }
+    fillCohorts(cohort_, workplace);
+    fillCampaigns(campaign_, workplace, tr("none"));
     fillFrozen();
     compute();
   });

@@ -88,14 +88,8 @@ ResultsPage::ResultsPage(ShellContext& shell)
 void ResultsPage::enter(const QVariant& argument) {
   attempt(shell(), [&] {
     Workplace& workplace = shell().workplace();
-    const QSignalBlocker quiet(campaign_);
     fillCohorts(cohort_, workplace);
-    const std::string before = chosenId(campaign_);
-    campaign_->clear();
-    campaign_->addItem(tr("none"), QString());
-    for (const auto& [id, name] : reportableCampaigns(workplace)) campaign_->addItem(shown(name), shown(id));
-    campaign_->setCurrentIndex(campaign_->count() - 1);
-    if (!before.empty()) chooseId(campaign_, before);
+    fillCampaigns(campaign_, workplace, tr("none"));
     if (argument.isValid()) chooseId(cohort_, argument.toString().toStdString());
     compute();
   });

@@ -26,6 +26,7 @@
 #include "app/gui/shell/trouble_panel.h"
 #include "app/session/access/first_run.h"
 #include "app/session/care/demonstration_removal.h"
+#include "app/session/care/station_start.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 
@@ -74,6 +75,7 @@ ShellWindow::ShellWindow(const ShellSetup& setup)
   retranslate();
   qApp->installEventFilter(this);
   connect(&second_, &QTimer::timeout, this, &ShellWindow::watchIdleness);
+  connect(&second_, &QTimer::timeout, this, &ShellWindow::beat);
   second_.start(1000);
   restoreGeometry(preferences_.layout(QStringLiteral("window")).toByteArray());
 }
@@ -226,6 +228,7 @@ void ShellWindow::start() {
 }
 
 void ShellWindow::openDatabase() {
+  pulse_.reset();
   try {
     workplace_ = std::make_unique<Workplace>(key());
     workplace_->setPasswordCost(setup_.passwordCost);
@@ -239,10 +242,44 @@ void ShellWindow::openDatabase() {
       if (const auto language = languageOf(QString::fromStdString(sign.language))) chooseLanguage(*language);
     }
     enterSignIn();
+    settle();
   } catch (...) {
     trouble_->tell(std::current_exception());
     show(trouble_);
   }
+}
+
+/// Recordings that wait in files can take long to store; until then nobody signs in.
+void ShellWindow::settle() {
+  background_.run(
+      [this, key = key(),
+       folder = setup_.unstored.empty() ? unstoredFolder() : setup_.unstored]() -> Background::Finish {
+        Workplace own(key);
+        const StationStart start = settleStation(own, folder);
+        return [this, kept = start.kept] {
+          kept_.clear();
+          for (const std::string& sentence : kept) kept_ << QString::fromStdString(sentence);
+          if (!kept_.isEmpty()) signIn_->say(kept_.join(QLatin1Char('\n')), true);
+          pulse_.emplace(*workplace_);
+          beat();
+        };
+      },
+      [this](const std::exception_ptr& problem) {
+        signIn_->say(said(problem), true);
+        pulse_.emplace(*workplace_);
+      });
+}
+
+void ShellWindow::beat() {
+  if (pulse_ && (desk_ == nullptr || !desk_->busy())) pulse_->beat();
+}
+
+void ShellWindow::tellKept() {
+  if (kept_.isEmpty() || workplace_->actor().practiceOnly) return;
+  Q_EMIT desk_->context().failed(
+      tr("%n recording(s) of this station could not be stored", nullptr, static_cast<int>(kept_.size())),
+      tr("The files are kept. Please show this to your administrator"), kept_.join(QLatin1Char('\n')));
+  kept_.clear();
 }
 
 void ShellWindow::enterFirstRun() {
@@ -257,6 +294,7 @@ void ShellWindow::setUp(const FirstRunChoice& choice) {
     return;
   }
   setup_.locator = choice.locator;
+  pulse_.reset();
   workplace_.reset();
   firstRun_->job().begin(tr("Setting up the centre"));
   background_.run(
@@ -282,6 +320,7 @@ void ShellWindow::setUp(const FirstRunChoice& choice) {
           workplace_ = std::make_unique<Workplace>(this->key());
           workplace_->setPasswordCost(setup_.passwordCost);
           workplace_->setActor(actor);
+          pulse_.emplace(*workplace_);
           centre_ = QString::fromStdString(choice.first.centre);
           preferences_.setDatabase(choice.locator);
           firstRun_->showAccounts(accounts);
@@ -397,6 +436,7 @@ void ShellWindow::enterDesk() {
   const bool station = homeOf(workplace_->actor()) == Home::kStation;
   applyChoices(userId(), station);
   openDesk();
+  tellKept();
 }
 
 void ShellWindow::openDesk() {
@@ -551,6 +591,8 @@ void ShellWindow::closeEvent(QCloseEvent* event) {
       workplace_->setActor({});  // as in signOut
     }
   }
+  if (pulse_) pulse_->leave();
+  pulse_.reset();
   event->accept();
 }
 

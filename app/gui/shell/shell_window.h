@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <QStringList>
 #include <QTimer>
 #include <QWidget>
 
@@ -17,6 +18,7 @@
 #include "app/gui/shell/preferences.h"
 #include "app/session/access/access_service.h"
 #include "app/session/access/idle_guard.h"
+#include "app/session/care/station_pulse.h"
 
 class QLabel;
 class QStackedWidget;
@@ -42,6 +44,7 @@ struct ShellSetup {
   IdleLimits idle;
   const Clock* clock = nullptr;  ///< of the idle lock; null: the machine's
   PasswordCost passwordCost = PasswordCost::kModerate;
+  std::filesystem::path unstored;  ///< where recordings wait for their database; empty: unstoredFolder()
 };
 
 /// The program's window: first run, sign-in, forced password change, the desk of whoever signed in, and the
@@ -70,6 +73,8 @@ class ShellWindow : public QWidget {
   void chooseTheme(ThemeKind kind);
   /// About once a second: warns of the idle lock, and locks. Tests call it themselves.
   void watchIdleness();
+  /// About once a second: the sign of life of this station. While a run goes on, the run gives it.
+  void beat();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -84,6 +89,8 @@ class ShellWindow : public QWidget {
   void setUp(const FirstRunChoice& choice);
   void enterFirstRun();
   void enterSignIn();
+  void settle();
+  void tellKept();
   void tryPassword(const QString& login, const QString& password);
   void tryPin(const QString& login, const QString& pin);
   void enterAsGuest();
@@ -110,6 +117,8 @@ class ShellWindow : public QWidget {
   IdleGuard idle_;
   QTimer second_;
   std::unique_ptr<Workplace> workplace_;
+  std::optional<StationPulse> pulse_;  // of workplace_
+  QStringList kept_;                   // recordings that could not be stored; told until somebody signs in
   bool mayClose_ = true;
   ThemeKind theme_ = ThemeKind::kLight;
   QString centre_;

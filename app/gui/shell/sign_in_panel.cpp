@@ -113,6 +113,8 @@ void SignInPanel::countDown() {
 void SignInPanel::setWorking(bool working) {
   working_ = working;
   enableForm();
+  // The keyboard left the fields while they were shut.
+  if (!working && isVisible()) (login_->text().isEmpty() ? login_ : secret_)->setFocus();
 }
 
 Language SignInPanel::otherLanguage() {

@@ -68,6 +68,7 @@ void lockRecord(Workplace& workplace, const std::string& personId, const std::st
 
 void extendRecord(Workplace& workplace, const std::string& personId, std::int64_t untilUtc_us,
                   const std::string& reason) {
+  workplace.require(Operation::kRetentionManage);
   if (untilUtc_us <= workplace.now_us()) {
     throw Error(ErrorCode::kBadParameter, "this day has passed", personId, "Choose a later day");
   }

@@ -119,9 +119,14 @@ std::vector<ReportableCohort> reportableCohorts(Workplace& workplace) {
   return out;
 }
 
-std::vector<std::pair<std::string, std::string>> reportableCampaigns(Workplace& workplace) {
+std::vector<ReportableCampaign> reportableCampaigns(Workplace& workplace) {
   workplace.require(Operation::kResultsCompute);
-  return EvaluationRepository(workplace.connection()).campaigns();
+  EvaluationRepository repository(workplace.connection());
+  std::vector<ReportableCampaign> campaigns;
+  for (const auto& [id, name] : repository.campaigns()) {
+    campaigns.push_back({id, name, repository.hasMarks(id)});
+  }
+  return campaigns;
 }
 
 CohortInputs reportInputs(Workplace& workplace, const ReportRequest& request, TrialDigests& digests,

@@ -18,8 +18,13 @@ struct ReportableCohort {
 };
 /// Oldest first. kResultsCompute.
 [[nodiscard]] std::vector<ReportableCohort> reportableCohorts(Workplace& workplace);
-/// Evaluation campaigns, id and name, oldest first. kResultsCompute.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> reportableCampaigns(Workplace& workplace);
+struct ReportableCampaign {
+  std::string id{};
+  std::string name{};
+  bool hasMarks = false;  ///< somebody has scored in it
+};
+/// Oldest first. kResultsCompute.
+[[nodiscard]] std::vector<ReportableCampaign> reportableCampaigns(Workplace& workplace);
 
 /// What a report is asked for.
 struct ReportRequest {
