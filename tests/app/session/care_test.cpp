@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <fstream>
+#include <functional>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -19,6 +20,7 @@
 #include "sim/base/file_io.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/trial_file.h"
+#include "tests/app/session/audit_entries.h"
 #include "tests/db/full_record.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
@@ -224,6 +226,31 @@ TEST_F(CareTest, TheRetentionQueueIsReviewedBeforeAnythingIsErased) {
   EXPECT_EQ(refusalFrom([&] { extendRecord(office, "appeal", now_us_, "late"); }).code,
             ErrorCode::kBadParameter);
   EXPECT_EQ(refusalFrom([&] { lockRecord(office, "appeal", ""); }).code, ErrorCode::kBadParameter);
+}
+
+TEST_F(CareTest, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
+  Workplace office = workplaceOf("administrator");
+  StoredTrainee due;
+  due.person = {.id = "due", .code = "R-2", .createdUtc_us = kSampleTime_us};
+  PeopleRepository(connection_).addTrainees({&due, 1});
+  const auto audited = [&](const char* action, const std::function<void()>& change) {
+    testing::expectAudited(connection_, "u-administrator", action, change);
+    EXPECT_TRUE(AuditRepository(connection_).verify().empty()) << action;
+  };
+
+  audited("database.backup", [&] { backUpDatabase(office, in("backup.sqlite")); });
+  audited("database.check", [&] { (void)checkDatabase(office); });
+  audited("retention.rule", [&] { setRetentionRule(office, kRetainTrainee, 30, "contract"); });
+  now_us_ += 31 * kDay_us;
+  audited("retention.lock", [&] { lockRecord(office, "due", "an appeal is open"); });
+  audited("retention.extend", [&] { extendRecord(office, "due", now_us_ + kDay_us, "not read yet"); });
+  audited("retention.release", [&] { releaseRecord(office, "due", "the appeal is closed"); });
+  now_us_ += 2 * kDay_us;
+  const std::vector<std::string> chosen{"due"};
+  audited("person.erase", [&] { (void)eraseDue(office, chosen, "yearly review", false); });
+  audited("person.export", [&] { exportPersonPackage(office, real_.traineeId, in("package"), "asked"); });
+  audited("demonstration.remove", [&] { removeDemonstrationData(office, "the course begins"); });
+  audited("person.erase", [&] { erasePersonRecord(office, real_.traineeId, "asked"); });
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // What a rater may see: the de-identification layer, and nothing of the others before all have committed.
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -18,6 +19,7 @@
 #include "db/repository/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/sample_codec.h"
+#include "tests/app/session/audit_entries.h"
 #include "tests/app/session/review_centre.h"
 
 namespace torsio {
@@ -236,6 +238,38 @@ TEST(EvaluationForm, HidesTheModelsAndKeepsTheOwnOrder) {
   EXPECT_EQ(EvaluationRepository(centre.connection()).marks(campaign.id).size(), 9U);
   EXPECT_EQ(refusal([&] { saveEvaluationScore(*desk, campaign.id, "M", 0, 10); }).first, ErrorCode::kBadData);
   EXPECT_TRUE(DeskRepository(centre.connection()).evaluationDraft(campaign.id, centre.raterId(0)).empty());
+}
+
+TEST(ReviewDesk, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto desk = centre.physician(0);
+  const auto office = centre.administrator();
+  const std::string own = centre.caseAbout(0, 0);
+  StoredCampaign campaign{.id = "campaign", .name = "One model", .instrument = paperInstrument()};
+  campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
+  campaign.models = {{"PM", "proposed model", "K", 1}};
+  campaign.raters = {{centre.raterId(0), "chief", "PM"}};
+  EvaluationRepository(centre.connection()).addCampaign(campaign);
+  for (std::size_t i = 0; i < 9; ++i) saveEvaluationScore(*desk, campaign.id, "K", i, 73);
+  const auto auditedBy = [&](Workplace& by, const char* action, const std::function<void()>& change) {
+    testing::expectAudited(centre.connection(), by.actor().userId, action, change);
+    EXPECT_TRUE(AuditRepository(centre.connection()).verify().empty()) << action;
+  };
+
+  auditedBy(*office, "reference_run.add", [&] {
+    addReferenceRuns(*office, {{centre.trialIds()[0], centre.rubricRevisionId(), 6.2, 8, false}});
+  });
+  auditedBy(*desk, "warmup.score", [&] { scoreReferenceRun(*desk, 1, 50); });
+  auditedBy(*desk, "remark.add", [&] { addCaseRemark(*desk, own, {900'000, "second grip slips"}); });
+  auditedBy(*desk, "sheet.submit", [&] { submitSheet(*desk, own, reviewSheet(4, 4, 4), whole()); });
+  auditedBy(*desk, "sheet.amend", [&] { amendSheet(*desk, own, reviewSheet(3, 3, 3), "a slip"); });
+  const auto other = centre.physician(1);
+  auditedBy(*other, "sheet.submit",
+            [&] { submitSheet(*other, centre.caseAbout(1, 0), reviewSheet(8, 8, 8), whole()); });
+  auditedBy(*desk, "alignment.third", [&] { askForThird(*desk, own, "far apart"); });
+  auditedBy(*desk, "alignment.keep", [&] { keepMark(*desk, own, ""); });
+  auditedBy(*desk, "alignment.move", [&] { moveMark(*desk, own, reviewSheet(7, 7, 7), "seen again"); });
+  auditedBy(*desk, "evaluation.form", [&] { submitEvaluation(*desk, campaign.id, "K"); });
 }
 
 }  // namespace

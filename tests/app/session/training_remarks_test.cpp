@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+
 #include <gtest/gtest.h>
 
+#include "app/session/training/debrief.h"
 #include "app/session/training/remarks.h"
+#include "app/session/training/run_session.h"
 #include "app/session/training/transcript.h"
 #include "db/repository/people_repository.h"
 #include "db/repository/remark_repository.h"
 #include "db/repository/sheet_repository.h"
+#include "sim/base/clock.h"
 #include "sim/base/error.h"
+#include "tests/app/session/audit_entries.h"
 #include "tests/app/session/training_centre.h"
 
 namespace torsio {
@@ -135,6 +141,26 @@ TEST_F(RemarksTest, OwnMarksMayChangeUntilTheOthersAreShown) {
   EXPECT_THROW(selfScore(centre_.workplace(), trial_, 10.4, {}), Error);  // beyond the scale
   EXPECT_THROW(selfScore(centre_.workplace(), trial_, 7.03, {}), Error);  // between two steps
   EXPECT_THROW(selfScore(centre_.workplace(), trial_, 7.0, {{"style", 5.0}}), Error);
+}
+
+TEST_F(RemarksTest, EveryChangeAtTheStationLeavesAnEntryAndTheTrailStaysWhole) {
+  Workplace& desk = centre_.workplace();
+  const auto audited = [&](const char* action, const std::function<void()>& change) {
+    testing::expectAudited(centre_.connection(), desk.actor().userId, action, change);
+    EXPECT_TRUE(AuditRepository(centre_.connection()).verify().empty()) << action;
+  };
+  const ManualClock clock;
+  RunSession session(desk, {centre_.module("first"), false, testing::deviceWith(Light::kGreen)}, clock);
+
+  audited("run.start", [&] { session.start(); });
+  audited("run.stop", [&] { session.stop("enough"); });
+  audited("trial.self_score", [&] { selfScore(desk, trial_, 6.0, {}); });
+  audited("trial.bookmark", [&] { addBookmark(desk, trial_, 2.5, "good grip"); });
+  release();
+  audited("remark.read", [&] { markRemarkRead(desk, remark_); });
+  audited("remark.reply", [&] { replyToRemark(desk, remark_, "I will"); });
+  audited("transcript.make", [&] { (void)transcript(desk, centre_.person()); });
+  audited("consent.own", [&] { decideOwnConsent(desk, "training_record", false, "1"); });
 }
 
 TEST(Transcript, HoldsEveryAttemptAndTheTimeSpent) {

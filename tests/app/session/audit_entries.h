@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "db/repository/audit_repository.h"
+
+namespace torsio::testing {
+
+/// Runs a change and expects that the newest entry of the trail tells of it: `action`, by `userId`.
+template <typename Change>
+void expectAudited(Connection& connection, const std::string& userId, const std::string& action,
+                   const Change& change) {
+  AuditRepository audit(connection);
+  const std::int64_t before = audit.length();
+
+  change();
+
+  EXPECT_GT(audit.length(), before) << action;
+  const std::vector<AuditEntry> newest = audit.entries({.limit = 1});
+  ASSERT_EQ(newest.size(), 1U) << action;
+  EXPECT_EQ(newest.front().action, action);
+  EXPECT_EQ(newest.front().actor, userId) << action;
+}
+
+}  // namespace torsio::testing

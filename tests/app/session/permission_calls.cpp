@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/session/permission_calls.h"
+
+#include <string>
+
+#include "app/session/access/access_service.h"
+#include "app/session/access/audit_service.h"
+#include "app/session/access/settings_service.h"
+#include "app/session/care/database_care.h"
+#include "app/session/care/demonstration_removal.h"
+#include "app/session/care/person_package.h"
+#include "app/session/care/retention.h"
+#include "app/session/people/consent_service.h"
+#include "app/session/people/people_service.h"
+#include "app/session/people/roster_import.h"
+#include "app/session/reporting/report_data.h"
+#include "app/session/reporting/report_export.h"
+#include "app/session/reporting/trial_digests.h"
+#include "app/session/review/alignment.h"
+#include "app/session/review/blinded_case.h"
+#include "app/session/review/case_remarks.h"
+#include "app/session/review/case_sheet.h"
+#include "app/session/review/evaluation_form.h"
+#include "app/session/review/own_severity.h"
+#include "app/session/review/review_queue.h"
+#include "app/session/review/warm_up.h"
+#include "app/session/study/allocation_service.h"
+#include "app/session/study/campaign_service.h"
+#include "app/session/study/coded_records.h"
+#include "app/session/study/cohort_service.h"
+#include "app/session/study/curriculum_service.h"
+#include "app/session/study/frozen_data.h"
+#include "app/session/study/rubric_service.h"
+#include "app/session/study/run_day.h"
+#include "app/session/study/scoring_plan.h"
+#include "app/session/training/attempts.h"
+#include "app/session/training/debrief.h"
+#include "app/session/training/next_steps.h"
+#include "app/session/training/remarks.h"
+#include "app/session/training/run_session.h"
+#include "app/session/training/transcript.h"
+#include "app/session/training/trend.h"
+#include "sim/base/clock.h"
+
+namespace torsio::testing {
+
+namespace {
+using O = Operation;
+using Path = const std::filesystem::path&;
+
+void takeOut(Workplace& workplace, ReportIdentity identity, Path folder) {
+  CohortInputs inputs;
+  inputs.identity = identity;
+  exportReport(workplace, {.cohortId = kNoSuch, .identity = identity}, inputs, ReportFormat::kCsv,
+               folder / (std::string(identityCode(identity)) + " report.csv"));
+}
+
+}  // namespace
+
+std::vector<ServiceCall> officeCalls() {
+  return {
+      {O::kPractice, "setOwnPin", [](Workplace& w, Path) { setOwnPin(w, "1"); }},
+      {O::kPersonViewCoded, "people", [](Workplace& w, Path) { (void)people(w); }},
+      {O::kPersonViewCoded, "consentStates", [](Workplace& w, Path) { (void)consentStates(w, kNoSuch); }},
+      {O::kPersonViewIdentity, "namedPeople", [](Workplace& w, Path) { (void)namedPeople(w); }},
+      {O::kPersonViewIdentity, "identityOf", [](Workplace& w, Path) { (void)identityOf(w, kNoSuch); }},
+      {O::kPersonEdit, "addPerson", [](Workplace& w, Path) { (void)addPerson(w, {}); }},
+      {O::kPersonEdit, "changePerson", [](Workplace& w, Path) { changePerson(w, kNoSuch, {}, ""); }},
+      {O::kPersonEdit, "setPersonState", [](Workplace& w, Path) { setPersonState(w, kNoSuch, "left", ""); }},
+      {O::kPersonEdit, "importRoster",
+       [](Workplace& w, Path) {
+         (void)importRoster(w, {}, RosterKind::kTrainees, {}, "", RosterMode::kDryRun);
+       }},
+      {O::kPersonExport, "exportPersonPackage",
+       [](Workplace& w, Path folder) { (void)exportPersonPackage(w, kNoSuch, folder / "package", "asked"); }},
+      {O::kPersonErase, "erasePersonRecord", [](Workplace& w, Path) { erasePersonRecord(w, kNoSuch, ""); }},
+      {O::kConsentRecord, "recordConsent",
+       [](Workplace& w, Path) { recordConsent(w, kNoSuch, "nothing", true, "1"); }},
+      {O::kReportExportCoded, "exportPeople, coded",
+       [](Workplace& w, Path folder) { (void)exportPeople(w, folder / "coded.csv", false); }},
+      {O::kReportExportNamed, "exportPeople, named",
+       [](Workplace& w, Path folder) { (void)exportPeople(w, folder / "named.csv", true); }},
+      {O::kUserManage, "users", [](Workplace& w, Path) { (void)users(w); }},
+      {O::kUserManage, "addUser", [](Workplace& w, Path) { (void)addUser(w, {}); }},
+      {O::kUserManage, "setUserActive", [](Workplace& w, Path) { setUserActive(w, kNoSuch, false, ""); }},
+      {O::kUserManage, "resetPassword", [](Workplace& w, Path) { resetPassword(w, kNoSuch, "short", ""); }},
+      {O::kAuditView, "auditEntries", [](Workplace& w, Path) { (void)auditEntries(w); }},
+      {O::kAuditView, "verifyAudit", [](Workplace& w, Path) { (void)verifyAudit(w); }},
+      {O::kDatabaseBackup, "checkDatabase", [](Workplace& w, Path) { (void)checkDatabase(w); }},
+      // Restoring has no service yet that works for a signed-in user: the gate itself is asked.
+      {O::kDatabaseRestore, "require", [](Workplace& w, Path) { w.require(O::kDatabaseRestore); }},
+      {O::kRetentionManage, "retentionQueue", [](Workplace& w, Path) { (void)retentionQueue(w); }},
+      {O::kRetentionManage, "lockRecord", [](Workplace& w, Path) { lockRecord(w, kNoSuch, ""); }},
+      {O::kSettingsEdit, "centreSettings", [](Workplace& w, Path) { (void)centreSettings(w); }},
+      {O::kSettingsEdit, "setCentreSetting", [](Workplace& w, Path) { setCentreSetting(w, "", ""); }},
+      {O::kUserManage, "setUserRoles", [](Workplace& w, Path) { setUserRoles(w, kNoSuch, {}, ""); }},
+      {O::kAuditView, "auditActors", [](Workplace& w, Path) { (void)auditActors(w); }},
+      {O::kPersonViewCoded, "consentHistory", [](Workplace& w, Path) { (void)consentHistory(w, kNoSuch); }},
+      {O::kPersonViewCoded, "withdrawnConsents", [](Workplace& w, Path) { (void)withdrawnConsents(w); }},
+      {O::kPersonViewCoded, "raterClasses", [](Workplace& w, Path) { (void)raterClasses(w); }},
+      {O::kPersonEdit, "personEntry", [](Workplace& w, Path) { (void)personEntry(w, kNoSuch); }},
+      {O::kPersonEdit, "ensureRaterClasses", [](Workplace& w, Path) { ensureRaterClasses(w); }},
+      {O::kPersonEdit, "previewRoster",
+       [](Workplace& w, Path) { (void)previewRoster(w, {}, RosterKind::kTrainees, {}); }},
+      {O::kDatabaseBackup, "backUpDatabase",
+       [](Workplace& w, Path folder) { backUpDatabase(w, folder / "backup.sqlite"); }},
+      {O::kPersonErase, "demonstrationSize", [](Workplace& w, Path) { (void)demonstrationSize(w); }},
+      {O::kPersonErase, "removeDemonstrationData",
+       [](Workplace& w, Path) { removeDemonstrationData(w, "why"); }},
+      {O::kPersonErase, "eraseDue", [](Workplace& w, Path) { (void)eraseDue(w, {}, "why", false); }},
+      {O::kRetentionManage, "eraseDue, on trial",
+       [](Workplace& w, Path) { (void)eraseDue(w, {}, "", true); }},
+      {O::kRetentionManage, "retentionRules", [](Workplace& w, Path) { (void)retentionRules(w); }},
+      {O::kRetentionManage, "setRetentionRule",
+       [](Workplace& w, Path) { setRetentionRule(w, kNoSuch, 30, "law"); }},
+      {O::kRetentionManage, "extendRecord", [](Workplace& w, Path) { extendRecord(w, kNoSuch, 0, "why"); }},
+      {O::kRetentionManage, "releaseRecord", [](Workplace& w, Path) { releaseRecord(w, kNoSuch, ""); }},
+  };
+}
+
+std::vector<ServiceCall> studyCalls() {
+  return {
+      {O::kTrialViewCoded, "codedTrials", [](Workplace& w, Path) { (void)codedTrials(w); }},
+      {O::kMarkViewCoded, "codedMarks", [](Workplace& w, Path) { (void)codedMarks(w, kNoSuch); }},
+      {O::kMarkRelease, "releaseStates", [](Workplace& w, Path) { (void)releaseStates(w, kNoSuch); }},
+      {O::kMarkRelease, "releaseMarks", [](Workplace& w, Path) { releaseMarks(w, kNoSuch, "never"); }},
+      {O::kMarkRelease, "retractMarks", [](Workplace& w, Path) { retractMarks(w, kNoSuch, "pre", "why"); }},
+      {O::kEvaluationSetup, "campaigns", [](Workplace& w, Path) { (void)campaigns(w); }},
+      {O::kEvaluationSetup, "addCampaign", [](Workplace& w, Path) { (void)addCampaign(w, {}); }},
+      {O::kPersonViewCoded, "cohorts", [](Workplace& w, Path) { (void)cohorts(w); }},
+      {O::kPersonViewCoded, "curricula", [](Workplace& w, Path) { (void)curricula(w); }},
+      {O::kCurriculumEdit, "addCurriculum", [](Workplace& w, Path) { (void)addCurriculum(w, "", ""); }},
+      {O::kCurriculumEdit, "publishCurriculum",
+       [](Workplace& w, Path) { (void)publishCurriculum(w, kNoSuch, "", {}); }},
+      {O::kCurriculumEdit, "runCurriculum", [](Workplace& w, Path) { runCurriculum(w, kNoSuch); }},
+      {O::kCurriculumEdit, "addRubric", [](Workplace& w, Path) { (void)addRubric(w, "", {}); }},
+      {O::kStudySetup, "addCohort", [](Workplace& w, Path) { (void)addCohort(w, {}); }},
+      {O::kStudySetup, "assignCurriculum", [](Workplace& w, Path) { assignCurriculum(w, kNoSuch, kNoSuch); }},
+      {O::kStudySetup, "createAssignments", [](Workplace& w, Path) { (void)createAssignments(w, {}); }},
+      {O::kStudySetup, "scoringMatrix", [](Workplace& w, Path) { (void)scoringMatrix(w, kNoSuch); }},
+      {O::kStudySetup, "reassign", [](Workplace& w, Path) { (void)reassign(w, kNoSuch, kNoSuch, "why"); }},
+      {O::kStudySetup, "reportDeviation", [](Workplace& w, Path) { (void)reportDeviation(w, {}); }},
+      {O::kStudySetup, "runDayBoard", [](Workplace& w, Path) { (void)runDayBoard(w, kNoSuch); }},
+      {O::kStudyEnrol, "enrolTrainees", [](Workplace& w, Path) { (void)enrolTrainees(w, kNoSuch, {}); }},
+      {O::kStudyEnrol, "setEnrolmentState",
+       [](Workplace& w, Path) { setEnrolmentState(w, kNoSuch, kNoSuch, "completed", ""); }},
+      {O::kAllocationRun, "previewBalance", [](Workplace& w, Path) { (void)previewBalance(w, {}); }},
+      {O::kAllocationRun, "lockAllocation", [](Workplace& w, Path) { (void)lockAllocation(w, {}); }},
+      {O::kAllocationRun, "allocateOne", [](Workplace& w, Path) { (void)allocateOne(w, kNoSuch, kNoSuch); }},
+      {O::kAllocationRun, "allocateAll", [](Workplace& w, Path) { (void)allocateAll(w, kNoSuch); }},
+      {O::kAllocationRun, "overrideAllocation",
+       [](Workplace& w, Path) { (void)overrideAllocation(w, kNoSuch, kNoSuch, kNoSuch, "why"); }},
+      {O::kAllocationView, "allocationDesigns",
+       [](Workplace& w, Path) { (void)allocationDesigns(w, kNoSuch); }},
+      {O::kAllocationView, "checkAllocation", [](Workplace& w, Path) { (void)checkAllocation(w, kNoSuch); }},
+      {O::kAllocationReveal, "revealSeed", [](Workplace& w, Path) { (void)revealSeed(w, kNoSuch); }},
+      {O::kResultsCompute, "freezeData", [](Workplace& w, Path) { (void)freezeData(w, kNoSuch, ""); }},
+      {O::kResultsCompute, "frozenData", [](Workplace& w, Path) { (void)frozenData(w, kNoSuch); }},
+      {O::kAllocationView, "allocations", [](Workplace& w, Path) { (void)allocations(w, kNoSuch); }},
+      {O::kPersonViewCoded, "enrolments", [](Workplace& w, Path) { (void)enrolments(w, kNoSuch); }},
+      {O::kPersonViewCoded, "deviations", [](Workplace& w, Path) { (void)deviations(w, kNoSuch); }},
+      {O::kPersonViewCoded, "rubrics", [](Workplace& w, Path) { (void)rubrics(w); }},
+      {O::kCurriculumEdit, "curriculumDraft", [](Workplace& w, Path) { (void)curriculumDraft(w, kNoSuch); }},
+      {O::kCurriculumEdit, "saveCurriculumDraft",
+       [](Workplace& w, Path) { saveCurriculumDraft(w, kNoSuch, {}); }},
+      {O::kCurriculumEdit, "closeCurriculum", [](Workplace& w, Path) { closeCurriculum(w, kNoSuch, "why"); }},
+      {O::kCurriculumEdit, "reviseRubric",
+       [](Workplace& w, Path) { (void)reviseRubric(w, kNoSuch, {}, "why"); }},
+      {O::kResultsCompute, "compareWithFrozen",
+       [](Workplace& w, Path) { (void)compareWithFrozen(w, kNoSuch); }},
+  };
+}
+
+std::vector<ServiceCall> reportingCalls() {
+  return {
+      {O::kResultsCompute, "reportableCohorts", [](Workplace& w, Path) { (void)reportableCohorts(w); }},
+      {O::kResultsCompute, "reportableCampaigns", [](Workplace& w, Path) { (void)reportableCampaigns(w); }},
+      {O::kResultsCompute, "ofCohort",
+       [](Workplace& w, Path folder) { (void)TrialDigests(folder).ofCohort(w, kNoSuch); }},
+      {O::kResultsCompute, "reportInputs",
+       [](Workplace& w, Path folder) {
+         TrialDigests digests(folder);
+         (void)reportInputs(w, {.cohortId = kNoSuch}, digests);
+       }},
+      {O::kReportExportCoded, "exportReport, coded",
+       [](Workplace& w, Path folder) { takeOut(w, ReportIdentity::kCoded, folder); }},
+      {O::kReportExportNamed, "exportReport, named",
+       [](Workplace& w, Path folder) { takeOut(w, ReportIdentity::kNamed, folder); }},
+      {O::kReportExportCoded, "exportReport, aggregated",
+       [](Workplace& w, Path folder) { takeOut(w, ReportIdentity::kAggregated, folder); }},
+  };
+}
+
+std::vector<ServiceCall> reviewCalls() {
+  return {
+      {O::kTrialViewAssigned, "loadBlindedRecording",
+       [](Workplace& w, Path) { (void)loadBlindedRecording(w, kNoSuch); }},
+      {O::kMarkSubmit, "reviewQueue", [](Workplace& w, Path) { (void)reviewQueue(w); }},
+      {O::kMarkSubmit, "openSheet", [](Workplace& w, Path) { (void)openSheet(w, kNoSuch); }},
+      {O::kMarkSubmit, "submitSheet", [](Workplace& w, Path) { submitSheet(w, kNoSuch, {}, {}); }},
+      {O::kMarkSubmit, "amendSheet", [](Workplace& w, Path) { amendSheet(w, kNoSuch, {}, "because"); }},
+      {O::kMarkSubmit, "alignmentCases", [](Workplace& w, Path) { (void)alignmentCases(w); }},
+      {O::kEvaluationSubmit, "evaluationForms", [](Workplace& w, Path) { (void)evaluationForms(w); }},
+      {O::kEvaluationSubmit, "submitEvaluation",
+       [](Workplace& w, Path) { submitEvaluation(w, kNoSuch, "X"); }},
+      {O::kMarkSubmit, "keepMark", [](Workplace& w, Path) { keepMark(w, kNoSuch, ""); }},
+      {O::kMarkSubmit, "moveMark", [](Workplace& w, Path) { moveMark(w, kNoSuch, {}, "why"); }},
+      {O::kMarkSubmit, "askForThird", [](Workplace& w, Path) { askForThird(w, kNoSuch, "why"); }},
+      {O::kMarkSubmit, "addCaseRemark", [](Workplace& w, Path) { addCaseRemark(w, kNoSuch, {}); }},
+      {O::kMarkSubmit, "saveSheet", [](Workplace& w, Path) { saveSheet(w, kNoSuch, {}, {}); }},
+      {O::kMarkSubmit, "blindedCase", [](Workplace& w, Path) { (void)blindedCase(w, kNoSuch); }},
+      {O::kMarkSubmit, "caseRemarks", [](Workplace& w, Path) { (void)caseRemarks(w, kNoSuch); }},
+      {O::kMarkSubmit, "sheetVersions", [](Workplace& w, Path) { (void)sheetVersions(w, kNoSuch); }},
+      {O::kMarkSubmit, "viewingRules", [](Workplace& w, Path) { (void)viewingRules(w); }},
+      {O::kMarkSubmit, "ownSeverity", [](Workplace& w, Path) { (void)ownSeverity(w); }},
+      {O::kMarkSubmit, "liveLines", [](Workplace& w, Path) { (void)liveLines(w); }},
+      {O::kMarkSubmit, "warmUp", [](Workplace& w, Path) { (void)warmUp(w); }},
+      {O::kMarkSubmit, "scoreReferenceRun", [](Workplace& w, Path) { scoreReferenceRun(w, 1, 50); }},
+      {O::kTrialViewAssigned, "loadReferenceRun", [](Workplace& w, Path) { (void)loadReferenceRun(w, 1); }},
+      {O::kStudySetup, "addReferenceRuns", [](Workplace& w, Path) { addReferenceRuns(w, {}); }},
+      {O::kEvaluationSubmit, "saveEvaluationScore",
+       [](Workplace& w, Path) { saveEvaluationScore(w, kNoSuch, "X", 0, 50); }},
+  };
+}
+
+std::vector<ServiceCall> trainingCalls() {
+  return {
+      {O::kTrialRecordOwn, "recoverInterrupted", [](Workplace& w, Path) { (void)recoverInterrupted(w); }},
+      {O::kTrialViewOwn, "attemptsOf", [](Workplace& w, Path) { (void)attemptsOf(w, kNoSuch); }},
+      {O::kTrialViewOwn, "attemptOf", [](Workplace& w, Path) { (void)attemptOf(w, kNoSuch); }},
+      {O::kMarkViewOwn, "scoreGap", [](Workplace& w, Path) { (void)scoreGap(w, kNoSuch); }},
+      {O::kTrialViewOwn, "debrief", [](Workplace& w, Path folder) { (void)debrief(w, kNoSuch, folder); }},
+      {O::kTrialViewOwn, "addBookmark", [](Workplace& w, Path) { addBookmark(w, kNoSuch, 1.0, "here"); }},
+      {O::kTrialViewOwn, "nextSteps", [](Workplace& w, Path) { (void)nextSteps(w, kNoSuch); }},
+      {O::kTrialViewOwn, "transcript", [](Workplace& w, Path) { (void)transcript(w, kNoSuch); }},
+      {O::kTrialViewOwn, "trend", [](Workplace& w, Path) { (void)trend(w, kNoSuch, kNoSuch); }},
+      {O::kTrialViewOwn, "ownRemarks", [](Workplace& w, Path) { (void)ownRemarks(w); }},
+      {O::kTrialViewOwn, "unreadRemarks", [](Workplace& w, Path) { (void)unreadRemarks(w); }},
+      {O::kTrialViewOwn, "markRemarkRead", [](Workplace& w, Path) { markRemarkRead(w, kNoSuch); }},
+      {O::kTrialViewOwn, "replyToRemark", [](Workplace& w, Path) { replyToRemark(w, kNoSuch, "yes"); }},
+      {O::kTrialViewOwn, "selfScore", [](Workplace& w, Path) { selfScore(w, kNoSuch, 7.0, {}); }},
+      {O::kTrialViewOwn, "hasOwnConsent", [](Workplace& w, Path) { (void)hasOwnConsent(w, kNoSuch); }},
+      {O::kTrialRecordOwn, "decideOwnConsent",
+       [](Workplace& w, Path) { decideOwnConsent(w, kNoSuch, true, "1"); }},
+      {O::kPractice, "gradesWithMouse", [](Workplace& w, Path) { (void)gradesWithMouse(w); }},
+      {O::kTrialRecordOwn, "RunSession",
+       [](Workplace& w, Path) {
+         const ManualClock clock;
+         const RunSession session(w, {}, clock);
+       }},
+  };
+}
+
+}  // namespace torsio::testing
