@@ -25,7 +25,7 @@ struct FakeHd {
   X(set_real_time) X(log_count) X(log_entry) X(calls) X(off_thread) X(rule_breaks) \
   X(callbacks) X(running) X(errors_pending) X(loads) X(force) X(commanded) \
   X(force_enabled)
-// clang-format on
+    // clang-format on
     FAKEHD_EACH(FAKEHD_RESOLVE)
   }
 
