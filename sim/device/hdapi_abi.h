@@ -142,6 +142,7 @@ inline constexpr ErrorCode kInvalidLicense = 0x0600;
 
 /// Table of function pointers; optional ones may be null.
 struct Api {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a declaration, parentheses would change it
 #define TORSIO_HD_DECLARE(result, name, parameters) result(TORSIO_HD_CALL* name) parameters = nullptr;
   TORSIO_HD_MANDATORY(TORSIO_HD_DECLARE)
   TORSIO_HD_OPTIONAL(TORSIO_HD_DECLARE)
