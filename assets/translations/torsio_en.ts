@@ -57,4 +57,11 @@
         <translation><numerusform>%n sheet asked for</numerusform><numerusform>%n sheets asked for</numerusform></translation>
     </message>
 </context>
+<context>
+    <name>torsio::gui::ShellWindow</name>
+    <message numerus="yes">
+        <source>%n recording(s) of this station could not be stored</source>
+        <translation><numerusform>%n recording of this station could not be stored</numerusform><numerusform>%n recordings of this station could not be stored</numerusform></translation>
+    </message>
+</context>
 </TS>

@@ -1536,6 +1536,14 @@ Seed: %6</source>
 <context>
     <name>torsio::gui::AuditPage</name>
     <message>
+        <source>Show &amp;more</source>
+        <translation>显示更多(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Only the newest entries of this time are shown; this shows twice as many</source>
+        <translation>目前只显示该时间段内最新的条目；点击后显示两倍的条目</translation>
+    </message>
+    <message>
         <source>Audit trail</source>
         <translation>审计记录</translation>
     </message>
@@ -5806,6 +5814,14 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
 </context>
 <context>
     <name>torsio::gui::ShellWindow</name>
+    <message numerus="yes">
+        <source>%n recording(s) of this station could not be stored</source>
+        <translation><numerusform>本工作站有 %n 份记录未能存入数据库</numerusform></translation>
+    </message>
+    <message>
+        <source>The files are kept. Please show this to your administrator</source>
+        <translation>文件已保留，请将此信息告知管理员</translation>
+    </message>
     <message>
         <source>%1. %2</source>
         <translation>%1。%2</translation>

@@ -29,7 +29,7 @@ namespace {
 
 constexpr int kPanelWidth = 316;
 constexpr int kClock_ms = 100;
-constexpr double kCountdown_pt = 34.0;
+constexpr double kCountdown_pt = 30.0;
 constexpr double kNotice_pt = 64.0;
 constexpr std::int64_t kSoon_us = 30'000'000;
 const QVariant kLater = QStringLiteral("later");
@@ -104,7 +104,7 @@ QWidget* RunPage::createPanel() {
   auto* panel = new QWidget;
   scroll->setWidget(panel);
   whole->addWidget(scroll, 1);
-  auto* buttons = new QVBoxLayout;
+  auto* buttons = new QHBoxLayout;
   buttons->setContentsMargins(kSpace + 4, kSpace, kSpace + 4, kSpace + 4);
   buttons->setSpacing(kSpace);
   whole->addLayout(buttons);
@@ -293,8 +293,9 @@ bool RunPage::busy() const {
 
 void RunPage::retranslate() {
   time_->setTitle(tr("Time left"));
-  angle_->setTitle(tr("Angle"));
-  load_->setTitle(tr("Load on the tissue"));
+  // Their gauges say what they show; a title each would not fit a small screen.
+  angle_->setAccessibleName(tr("Angle"));
+  load_->setAccessibleName(tr("Load on the tissue"));
   torque_->setName(tr("Torque"), tr("N m"));
   force_->setName(tr("Force"), tr("N"));
   stop_->setText(tr("&End the run"));

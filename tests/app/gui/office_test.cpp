@@ -21,12 +21,14 @@
 #include <QSettings>
 #include <QTableView>
 #include <QTimer>
+#include <QToolButton>
 #include <gtest/gtest.h>
 
 #include "app/gui/charts/figure_canvas.h"
 #include "app/gui/charts/figure_card.h"
 #include "app/gui/look/data_table.h"
 #include "app/gui/office/allocation_page.h"
+#include "app/gui/office/audit_page.h"
 #include "app/gui/office/campaigns_page.h"
 #include "app/gui/office/care_page.h"
 #include "app/gui/office/cohorts_page.h"
@@ -44,6 +46,7 @@
 #include "app/session/study/curriculum_service.h"
 #include "assessment/report/figure_table.h"
 #include "assessment/study/demonstration_marks.h"
+#include "db/repository/audit_repository.h"
 #include "db/repository/sheet_repository.h"
 #include "sim/base/file_io.h"
 #include "tests/app/session/office_centre.h"
@@ -350,6 +353,31 @@ TEST(CarePage, BacksUpTestsTheBackupAndChecksTheRecord) {
 
   EXPECT_TRUE(page->recordText().text().contains(QStringLiteral("sound")));
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
+}
+
+TEST(AuditPage, ShowsTheNewestThousandAtOnceAndTheOthersOnRequest) {
+  Office office;
+  std::vector<AuditEntry> entries(2'500);
+  for (AuditEntry& entry : entries) {
+    entry.atUtc_us = office.centre.workplace().now_us();
+    entry.action = "long.record";
+  }
+  AuditRepository trail(office.centre.connection());
+  trail.append(entries);
+  const std::int64_t all = trail.length();
+
+  const auto page = office.open<AuditPage>("administrator");
+  page->findChild<QComboBox*>()->setCurrentIndex(3);  // everything
+  const auto& table = *page->findChild<DataTable*>();
+  auto& more = *page->findChild<QToolButton*>(QStringLiteral("more"));
+  EXPECT_EQ(table.visibleRows(), 1'000);
+  EXPECT_FALSE(more.isHidden());
+  more.click();
+  EXPECT_EQ(table.visibleRows(), 2'000);
+  more.click();
+
+  EXPECT_EQ(table.visibleRows(), all);
+  EXPECT_TRUE(more.isHidden());
 }
 
 }  // namespace

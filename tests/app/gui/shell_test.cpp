@@ -14,7 +14,9 @@
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/shell_window.h"
 #include "app/gui/shell/sign_in_panel.h"
+#include "db/repository/station_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/file_io.h"
 
 namespace torsio::gui {
 namespace {
@@ -104,6 +106,7 @@ class Shell : public ::testing::Test {
     setup.groups = bareGroups();
     setup.remember = false;
     setup.clock = &clock_;
+    setup.unstored = folder_.filePath(QStringLiteral("unstored")).toStdString();
     setup.passwordCost = PasswordCost::kTest;
     return setup;
   }
@@ -112,6 +115,7 @@ class Shell : public ::testing::Test {
     window_ = std::make_unique<ShellWindow>(with);
     window_->QWidget::show();
     window_->start();
+    window_->background().wait();  // recordings that wait in files are stored first
   }
 
   /// A centre with an administrator and a trainee who has a start password, nobody signed in.
@@ -387,6 +391,36 @@ TEST_F(Shell, LongWorkShowsItsProgressAndCanBeCancelled) {
 
   EXPECT_FALSE(done);
   EXPECT_FALSE(job->isVisible());
+}
+
+TEST_F(Shell, ARecordingThatCannotBeStoredIsSaidBeforeTheSignInAndToWhoeverSignsIn) {
+  const ShellSetup with = setup();
+  const std::filesystem::path file = with.unstored / "damaged.torsio-trial";
+  std::filesystem::create_directories(with.unstored);
+  writeFileAtomically(file, "not a recording");
+
+  openFoundedCentre(with);
+  EXPECT_TRUE(says(*window_, QStringLiteral("cannot be read and stays where it is")));
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+
+  auto* panel = window_->desk()->findChild<ProblemPanel*>();
+  EXPECT_TRUE(panel->isVisible());
+  EXPECT_TRUE(says(*panel, QStringLiteral("could not be stored")));
+  EXPECT_TRUE(std::filesystem::exists(file));
+}
+
+TEST_F(Shell, AnOpenStationGivesSignsOfLifeUntilItIsClosed) {
+  openFoundedCentre(setup());
+  StationRepository stations(window_->workplace()->connection());
+  ASSERT_TRUE(stations.find("test").has_value());
+  EXPECT_EQ(stations.find("test")->userId, "");
+
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  window_->beat();
+  EXPECT_EQ(stations.find("test")->userId, window_->workplace()->actor().userId);
+  ASSERT_TRUE(window_->close());
+
+  EXPECT_FALSE(stations.find("test").has_value());
 }
 
 TEST_F(Shell, EverythingThatTakesTheKeyboardHasANameForScreenReaders) {

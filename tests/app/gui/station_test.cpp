@@ -11,9 +11,12 @@
 #include <QLineEdit>
 #include <QPixmap>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTimer>
 #include <gtest/gtest.h>
 
+#include "app/gui/look/theme.h"
 #include "app/gui/shell/shell_context.h"
 #include "app/gui/station/debrief_page.h"
 #include "app/gui/station/debrief_plot.h"
@@ -239,6 +242,29 @@ TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsByItself) {
   EXPECT_TRUE(steps.allPhasesDone);
   EXPECT_EQ(attemptsOf(centre.workplace(), centre.person()).size(), 2U);  // the rest cut the recording in two
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
+}
+
+TEST(StationPages, TheRunFitsTheSmallestScreenWithoutScrolling) {
+  TrainingCentre::Setup setup;
+  setup.phases = {{.kind = "virtual", .label = "virtual 40 s", .duration_us = 40 * kSecond_us},
+                  {.kind = "real", .label = "real 40 s", .duration_us = 40 * kSecond_us}};
+  setup.restAllowance_us = 20 * kSecond_us;
+  TrainingCentre centre(setup);
+  Station station(centre);
+  applyTheme(*qApp, theme(ThemeKind::kLight));
+  StationDesk::of(station.shell()).moduleId = centre.module("first");
+  StationDesk::of(station.shell()).readiness = deviceWith(Light::kGreen);
+
+  station.open(QStringLiteral("station.run"));
+  ASSERT_TRUE(soon([&] { return station.run().busy(); }));
+  station.page->resize(1146, 650);  // what the rail and the bars leave of 1366 x 768
+  station.page->show();
+  station.find<QLabel>("cue")->setText(QStringLiteral("Nearly there. Slow down."));
+  QApplication::processEvents();
+
+  EXPECT_EQ(station.page->size(), QSize(1146, 650));
+  EXPECT_TRUE(station.find<QLabel>("cue")->isVisible());
+  EXPECT_EQ(station.page->findChild<QScrollArea*>()->verticalScrollBar()->maximum(), 0);
 }
 
 TEST(StationPages, ARunThatWasCutOffIsShownAsInterrupted) {
