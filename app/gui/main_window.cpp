@@ -92,6 +92,7 @@ void MainWindow::createLayout() {
   left->setSpacing(0);
   view_ = new SceneView(centre);
   pointer_ = new PointerControls(*view_);
+  pointer_->setKeys(PointerKeys::stored());
   replayBar_ = new ReplayBar(centre);
   replayBar_->hide();
   left->addWidget(view_, 1);
@@ -444,6 +445,10 @@ std::vector<std::pair<QString, QString>> MainWindow::pointerKeys() {
       {tr("Move the view"), tr("Middle drag")},
       {tr("Zoom"), tr("Ctrl + wheel, or + and \u2212")},
   };
+}
+
+void MainWindow::chooseKeys() {
+  if (askPointerKeys(this)) pointer_->setKeys(PointerKeys::stored());
 }
 
 void MainWindow::showHelp() {

@@ -82,6 +82,7 @@ class MainWindow : public QMainWindow {
     QAction* markers = nullptr;
     QAction* ghost = nullptr;
     QAction* dark = nullptr;
+    QAction* keys = nullptr;
     QAction* help = nullptr;
     QAction* automatic = nullptr;
     QAction* fast = nullptr;
@@ -109,6 +110,7 @@ class MainWindow : public QMainWindow {
   void choosePicture();
   void chooseReplay();
   void toggleRecording();
+  void chooseKeys();
   void showHelp();
   void showAbout();
   void showScene();

@@ -43,6 +43,7 @@ void MainWindow::nameActions() {
   name(a.shear, tr("Shear stress"), tr("Colour the tissue by its shear stress"));
   name(a.markers, tr("Markers"), tr("Show the marker points of the organ"));
   name(a.ghost, tr("Target pose"), tr("Show the pose to reach as a film over the organ"));
+  name(a.keys, tr("Keys\u2026"), tr("Put the movements of the instrument on other keys"));
   name(a.help, tr("Controls"), tr("How mouse and keys move the instrument"));
   name(a.automatic, tr("Automatic"), tr("As fine as this machine draws smoothly"));
   name(a.fast, tr("Fast"), tr("Fewer effects, more pictures a second"));
@@ -78,6 +79,7 @@ void MainWindow::createActions() {
   a.whole = addKeyed(Qt::CTRL | Qt::Key_0);
   a.lattice = addKeyed(Qt::CTRL | Qt::Key_L);
   a.wireframe = addKeyed(Qt::CTRL | Qt::Key_M);
+  a.keys = addKeyed(QKeySequence());
   a.help = addKeyed(setup_.embedded ? QKeySequence() : QKeySequence(QKeySequence::HelpContents));
   a.shear = addKeyed(Qt::CTRL | Qt::Key_T);
   a.markers = addKeyed(Qt::CTRL | Qt::Key_K);
@@ -99,6 +101,7 @@ void MainWindow::createActions() {
   connect(a.shear, &QAction::toggled, this, [this](bool on) { view_->setShearVisible(on); });
   connect(a.markers, &QAction::toggled, this, [this](bool on) { view_->setMarkersVisible(on); });
   connect(a.ghost, &QAction::toggled, this, &MainWindow::showGhost);
+  connect(a.keys, &QAction::triggered, this, &MainWindow::chooseKeys);
   connect(a.help, &QAction::triggered, this, &MainWindow::showHelp);
 }
 
@@ -159,7 +162,7 @@ void MainWindow::createMenuBar() {
   m.view->addSeparator();
   m.view->addAction(a.full);
   m.help = menuBar()->addMenu(QString());
-  m.help->addActions({a.help, a.about});
+  m.help->addActions({a.help, a.keys, a.about});
 }
 
 void MainWindow::createToolBar() {
@@ -204,6 +207,7 @@ void MainWindow::createToolBar() {
   menu->addMenu(menus_.quality);
   menu->addSeparator();
   menu->addAction(a.help);
+  menu->addAction(a.keys);
   menus_.more->setMenu(menu);
   bar->addWidget(menus_.more);
 }

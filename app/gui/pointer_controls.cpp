@@ -316,6 +316,11 @@ void PointerControls::wheelTurned(const QWheelEvent& event) {
   }
 }
 
+void PointerControls::setKeys(const PointerKeys& keys) {
+  letEverythingGo();
+  keys_ = keys;
+}
+
 bool PointerControls::keyPressed(const QKeyEvent& event) {
   const int key = event.key();
   if ((event.modifiers() & (Qt::AltModifier | Qt::MetaModifier)) != 0) return false;
@@ -328,26 +333,27 @@ bool PointerControls::keyPressed(const QKeyEvent& event) {
     view_.applyCamera();
     return true;
   }
+  const int usual = keys_.usualFor(key);
   if (key == Qt::Key_Plus || key == Qt::Key_Equal || key == Qt::Key_Minus) {
     view_.camera().zoom(key == Qt::Key_Minus ? -1.0 : 1.0);
     view_.applyCamera();
     return true;
   }
-  if (movesWhileHeld(key)) {
-    if (!event.isAutoRepeat()) held_.insert(key);
+  if (movesWhileHeld(usual)) {
+    if (!event.isAutoRepeat()) held_.insert(usual);
     return true;
   }
-  if (event.isAutoRepeat()) return key == Qt::Key_Space || key == Qt::Key_G || key == Qt::Key_B;
-  if (key == Qt::Key_Space) {
+  if (event.isAutoRepeat()) return usual == Qt::Key_Space || usual == Qt::Key_G || usual == Qt::Key_B;
+  if (usual == Qt::Key_Space) {
     setGrip(true);
     return true;
   }
-  if (key == Qt::Key_G) {
+  if (usual == Qt::Key_G) {
     gripKept_ = !gripKept_;
     setGrip(gripKept_);
     return true;
   }
-  if (key == Qt::Key_B) {
+  if (usual == Qt::Key_B) {
     input_.buttons |= kButtonBookmark;
     publish();
     return true;
@@ -357,17 +363,17 @@ bool PointerControls::keyPressed(const QKeyEvent& event) {
 
 bool PointerControls::keyReleased(const QKeyEvent& event) {
   if (event.isAutoRepeat()) return true;
-  const int key = event.key();
-  if (key == Qt::Key_Space) {
+  const int usual = keys_.usualFor(event.key());
+  if (usual == Qt::Key_Space) {
     if (!gripKept_) setGrip(false);
     return true;
   }
-  if (key == Qt::Key_B) {
+  if (usual == Qt::Key_B) {
     input_.buttons &= ~static_cast<std::uint32_t>(kButtonBookmark);
     publish();
     return true;
   }
-  return held_.erase(key) > 0;
+  return held_.erase(usual) > 0;
 }
 
 }  // namespace torsio::gui

@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QPointF>
 
+#include "app/gui/pointer_keys.h"
 #include "sim/base/pose.h"
 #include "sim/device/pointer_device.h"
 
@@ -32,12 +33,15 @@ class SceneView;
 /// | orbit           | right drag                 | Ctrl + arrows         |
 /// | move the view   | middle drag                |                       |
 /// | zoom            | Ctrl + wheel               | + and -               |
+///
+/// These are the usual keys; PointerKeys may put them elsewhere.
 class PointerControls : public QObject {
   Q_OBJECT
 
  public:
   explicit PointerControls(SceneView& view);
 
+  void setKeys(const PointerKeys& keys);
   /// Puts the tip to a point in front of the organ with the jaw open, as seen from the camera.
   void park(const Vec3& tip_m);
   /// What the jaw holds: the unit axis about which a turn twists it, or nothing. Told once a frame.
@@ -76,6 +80,7 @@ class PointerControls : public QObject {
   void publish();
 
   SceneView& view_;
+  PointerKeys keys_;
   PointerInput input_;
   QPointF lastMouse_;
   bool mouseKnown_ = false;

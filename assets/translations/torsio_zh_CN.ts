@@ -267,6 +267,89 @@
     </message>
 </context>
 <context>
+    <name>PointerKeys</name>
+    <message>
+        <source>Move left</source>
+        <translation>向左移动</translation>
+    </message>
+    <message>
+        <source>Move right</source>
+        <translation>向右移动</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>向上移动</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>向下移动</translation>
+    </message>
+    <message>
+        <source>Move deeper</source>
+        <translation>向深处移动</translation>
+    </message>
+    <message>
+        <source>Move nearer</source>
+        <translation>向近处移动</translation>
+    </message>
+    <message>
+        <source>Twist anticlockwise</source>
+        <translation>逆时针扭转</translation>
+    </message>
+    <message>
+        <source>Twist clockwise</source>
+        <translation>顺时针扭转</translation>
+    </message>
+    <message>
+        <source>Tilt left</source>
+        <translation>向左倾斜</translation>
+    </message>
+    <message>
+        <source>Tilt right</source>
+        <translation>向右倾斜</translation>
+    </message>
+    <message>
+        <source>Tilt up</source>
+        <translation>向上倾斜</translation>
+    </message>
+    <message>
+        <source>Tilt down</source>
+        <translation>向下倾斜</translation>
+    </message>
+    <message>
+        <source>Grip while held</source>
+        <translation>按住时夹持</translation>
+    </message>
+    <message>
+        <source>Keep the grip</source>
+        <translation>保持夹持</translation>
+    </message>
+    <message>
+        <source>Set a bookmark</source>
+        <translation>设置书签</translation>
+    </message>
+    <message>
+        <source>Keys of the instrument</source>
+        <translation>器械按键</translation>
+    </message>
+    <message>
+        <source>That key moves something else already.</source>
+        <translation>该按键已用于其他动作。</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Usual keys</source>
+        <translation>默认按键</translation>
+    </message>
+</context>
+<context>
     <name>PracticePage</name>
     <message>
         <source>Free practice</source>
@@ -1023,7 +1106,7 @@
         <translation>未知</translation>
     </message>
     <message>
-        <source>One shuffle of everybody (the paper's case)</source>
+        <source>One shuffle of everybody (the paper&apos;s case)</source>
         <translation>全体一次随机排列（论文的做法）</translation>
     </message>
     <message>
@@ -1375,7 +1458,9 @@ Seed: %6</source>
     </message>
     <message numerus="yes">
         <source>%n trainee(s) allocated</source>
-        <translation><numerusform>已分组 %n 名学员</numerusform></translation>
+        <translation>
+            <numerusform>已分组 %n 名学员</numerusform>
+        </translation>
     </message>
     <message>
         <source>Open the seal</source>
@@ -1645,7 +1730,9 @@ Seed: %6</source>
     </message>
     <message numerus="yes">
         <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
-        <translation><numerusform>⚠ 发现 %n 处问题。查明原因之前请勿据此记录出具报告。</numerusform></translation>
+        <translation>
+            <numerusform>⚠ 发现 %n 处问题。查明原因之前请勿据此记录出具报告。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1695,7 +1782,7 @@ Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
 鼠标：左键夹持，拖动转动，滚轮前后移动。</translation>
     </message>
     <message>
-        <source>An expert's run of the same twist</source>
+        <source>An expert&apos;s run of the same twist</source>
         <translation>专家完成同一扭转的示范</translation>
     </message>
     <message>
@@ -2573,7 +2660,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>%1；%2</translation>
     </message>
     <message>
-        <source>Your marks beside the others'</source>
+        <source>Your marks beside the others&apos;</source>
         <translation>您的评分与他人评分对照</translation>
     </message>
     <message>
@@ -2726,7 +2813,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>草稿日期</translation>
     </message>
     <message>
-        <source>No curriculum yet. Begin with the template of the paper's three arms.</source>
+        <source>No curriculum yet. Begin with the template of the paper&apos;s three arms.</source>
         <translation>尚无课程。可从论文的三组方案模板开始。</translation>
     </message>
 </context>
@@ -2762,7 +2849,9 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message numerus="yes">
         <source>Check: %n to mend</source>
-        <translation><numerusform>检查：%n 处待改</numerusform></translation>
+        <translation>
+            <numerusform>检查：%n 处待改</numerusform>
+        </translation>
     </message>
     <message>
         <source>Exercises</source>
@@ -2905,7 +2994,9 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <name>torsio::gui::DataTable</name>
     <message numerus="yes">
         <source>%n row(s)</source>
-        <translation><numerusform>%n 行</numerusform></translation>
+        <translation>
+            <numerusform>%n 行</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 of %2 rows</source>
@@ -3023,7 +3114,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>本次操作没有完成任何扭转。</translation>
     </message>
     <message>
-        <source>There is no expert's run to compare with.</source>
+        <source>There is no expert&apos;s run to compare with.</source>
         <translation>没有可供比较的专家示范。</translation>
     </message>
 </context>
@@ -3353,7 +3444,9 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <name>torsio::gui::FigureCanvas</name>
     <message numerus="yes">
         <source>%n row(s) more in the table</source>
-        <translation><numerusform>表中还有 %n 行</numerusform></translation>
+        <translation>
+            <numerusform>表中还有 %n 行</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3558,7 +3651,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>PostgreSQL 服务器(&amp;S)</translation>
     </message>
     <message>
-        <source>For several stations. Keep the password in the server account's password file (.pgpass), not in this line.</source>
+        <source>For several stations. Keep the password in the server account&apos;s password file (.pgpass), not in this line.</source>
         <translation>适用于多个工作站。密码请保存在账户的密码文件 (.pgpass) 中，不要写在此行。</translation>
     </message>
     <message>
@@ -3805,7 +3898,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>米</translation>
     </message>
     <message>
-        <source>The file's numbers are</source>
+        <source>The file&apos;s numbers are</source>
         <translation>文件中的数值单位为</translation>
     </message>
     <message>
@@ -3997,7 +4090,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>侧面</translation>
     </message>
     <message>
-        <source>Look from the patient's left side</source>
+        <source>Look from the patient&apos;s left side</source>
         <translation>从患者左侧观察</translation>
     </message>
     <message>
@@ -4143,6 +4236,14 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>Tools</source>
         <translation>工具</translation>
+    </message>
+    <message>
+        <source>Keys…</source>
+        <translation>按键…</translation>
+    </message>
+    <message>
+        <source>Put the movements of the instrument on other keys</source>
+        <translation>将器械动作改到其他按键</translation>
     </message>
 </context>
 <context>
@@ -4383,7 +4484,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>您的待评列表</translation>
     </message>
     <message>
-        <source>Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, and you see nobody's.</source>
+        <source>Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, and you see nobody&apos;s.</source>
         <translation>案例已盲化，并为您单独打乱顺序。在所有人提交之前，没有人能看到您的评分，您也看不到他人的评分。</translation>
     </message>
     <message>
@@ -4618,7 +4719,9 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message numerus="yes">
         <source>%1, %n late</source>
-        <translation><numerusform>%1，延迟 %n 步</numerusform></translation>
+        <translation>
+            <numerusform>%1，延迟 %n 步</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 /s</source>
@@ -4708,7 +4811,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>您的自评与 %1 位医师的平均分。</translation>
     </message>
     <message>
-        <source>Your marks are kept. The physicians' marks appear when they are released.</source>
+        <source>Your marks are kept. The physicians&apos; marks appear when they are released.</source>
         <translation>您的自评已保存。医师评分发布后会显示。</translation>
     </message>
     <message>
@@ -4838,7 +4941,9 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <name>torsio::gui::ReportPreview</name>
     <message numerus="yes">
         <source>%n row(s) more in the report</source>
-        <translation><numerusform>报告中还有 %n 行</numerusform></translation>
+        <translation>
+            <numerusform>报告中还有 %n 行</numerusform>
+        </translation>
     </message>
     <message>
         <source>Demonstration data: nothing in it is a result.</source>
@@ -5645,7 +5750,9 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message numerus="yes">
         <source>%n sheet(s) asked for</source>
-        <translation><numerusform>已发出 %n 份评分表</numerusform></translation>
+        <translation>
+            <numerusform>已发出 %n 份评分表</numerusform>
+        </translation>
     </message>
     <message>
         <source>Scoring</source>
@@ -5691,7 +5798,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>分，与专家组之差：您较宽松。</translation>
     </message>
     <message>
-        <source>95 % interval %1 to %2; cases: %3. Your mean is %4, the others' %5.</source>
+        <source>95 % interval %1 to %2; cases: %3. Your mean is %4, the others&apos; %5.</source>
         <translation>95 % 区间 %1 至 %2；案例数：%3。您的均分 %4，他人 %5。</translation>
     </message>
     <message>
@@ -5731,11 +5838,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>您与专家组</translation>
     </message>
     <message>
-        <source>Your mark (upwards) against the panel's mean</source>
+        <source>Your mark (upwards) against the panel&apos;s mean</source>
         <translation>您的评分（纵轴）与专家组均分</translation>
     </message>
     <message>
-        <source>Your marks and the panel's, case by case</source>
+        <source>Your marks and the panel&apos;s, case by case</source>
         <translation>逐案例的您与专家组评分</translation>
     </message>
     <message>
@@ -5762,7 +5869,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
 <context>
     <name>torsio::gui::SeverityPlot</name>
     <message>
-        <source>Your marks against the panel's</source>
+        <source>Your marks against the panel&apos;s</source>
         <translation>您的评分与专家组对照</translation>
     </message>
     <message>
@@ -5816,7 +5923,9 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <name>torsio::gui::ShellWindow</name>
     <message numerus="yes">
         <source>%n recording(s) of this station could not be stored</source>
-        <translation><numerusform>本工作站有 %n 份记录未能存入数据库</numerusform></translation>
+        <translation>
+            <numerusform>本工作站有 %n 份记录未能存入数据库</numerusform>
+        </translation>
     </message>
     <message>
         <source>The files are kept. Please show this to your administrator</source>
@@ -6550,7 +6659,7 @@ Leave it empty to remove it.</source>
         <translation>待评列表(&amp;Q)</translation>
     </message>
     <message>
-        <source>Score first; then the panel's mark is shown.</source>
+        <source>Score first; then the panel&apos;s mark is shown.</source>
         <translation>请先评分，然后显示专家组的评分。</translation>
     </message>
     <message>

@@ -28,6 +28,7 @@ LiveScene::LiveScene(SceneLoader loader, std::filesystem::path assets, QWidget* 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(view_);
+  pointer_->setKeys(PointerKeys::stored());
   view_->setInstrument(loadInstrument(assets, "grasper"));
   connect(pointer_, &PointerControls::changed, this, [this] { controller_->steer(pointer_->input()); });
   connect(controller_.get(), &SimulationController::sceneChanged, this, [this] {

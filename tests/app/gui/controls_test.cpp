@@ -215,5 +215,48 @@ TEST_F(Controls, TheRightButtonTurnsTheCameraAndLeavesTheTool) {
   EXPECT_EQ(controls_.input().onPlane_m, tip);
 }
 
+TEST_F(Controls, FollowKeysThatWerePutElsewhere) {
+  constexpr std::size_t kGrip = 12;
+  PointerKeys keys;
+  ASSERT_STREQ(PointerKeys::movements()[kGrip].id, "grip");
+  ASSERT_TRUE(keys.assign(kGrip, Qt::Key_J));
+  controls_.setKeys(keys);
+
+  key(QEvent::KeyPress, Qt::Key_Space);
+  const double bySpace = controls_.input().grip;
+  key(QEvent::KeyPress, Qt::Key_J);
+  const double byNewKey = controls_.input().grip;
+  key(QEvent::KeyRelease, Qt::Key_J);
+
+  EXPECT_EQ(bySpace, 0.0);
+  EXPECT_EQ(byNewKey, 1.0);
+  EXPECT_EQ(controls_.input().grip, 0.0);
+}
+
+TEST(PointerKeys, OneKeyMovesOneThing) {
+  PointerKeys keys;
+
+  EXPECT_FALSE(keys.assign(0, Qt::Key_Q));  // twists already
+  EXPECT_TRUE(keys.assign(6, Qt::Key_J));
+  EXPECT_TRUE(keys.assign(0, Qt::Key_Q));  // free now
+
+  EXPECT_EQ(keys.usualFor(Qt::Key_Q), Qt::Key_Left);
+  EXPECT_EQ(keys.usualFor(Qt::Key_J), Qt::Key_Q);
+  EXPECT_EQ(keys.usualFor(Qt::Key_Left), 0);
+  EXPECT_EQ(keys.usualFor(Qt::Key_X), Qt::Key_X);
+}
+
+TEST(PointerKeys, AreKeptForTheNextStart) {
+  PointerKeys keys;
+  ASSERT_TRUE(keys.assign(6, Qt::Key_J));
+
+  keys.store();
+  const PointerKeys again = PointerKeys::stored();
+  PointerKeys().store();
+
+  EXPECT_EQ(again.keyOf(6), Qt::Key_J);
+  EXPECT_EQ(PointerKeys::stored().keyOf(6), Qt::Key_Q);
+}
+
 }  // namespace
 }  // namespace torsio::gui
