@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace torsio {
 
@@ -10,7 +11,7 @@ namespace {
 
 QColor between(const QColor& a, const QColor& b, double at) {
   const auto mix = [at](int from, int to) {
-    return static_cast<int>(static_cast<double>(from) + at * static_cast<double>(to - from) + 0.5);
+    return from + static_cast<int>(std::lround(at * static_cast<double>(to - from)));
   };
   return QColor(mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue()));
 }

@@ -66,11 +66,11 @@ std::vector<std::string> hdapiLibraryNames() {
 
 HdapiLibrary resolveHdapi(const std::function<void*(const char*)>& symbol) {
   HdapiLibrary result;
-#define TORSIO_HD_NEEDED(returns, name, parameters)                                       \
-  result.api.name = reinterpret_cast<returns(TORSIO_HD_CALL*) parameters>(symbol(#name)); \
+#define TORSIO_HD_NEEDED(returns, name, parameters)                             \
+  result.api.name = reinterpret_cast<decltype(result.api.name)>(symbol(#name)); \
   if (result.api.name == nullptr) result.missingSymbols.emplace_back(#name);
-#define TORSIO_HD_WELCOME(returns, name, parameters)                                      \
-  result.api.name = reinterpret_cast<returns(TORSIO_HD_CALL*) parameters>(symbol(#name)); \
+#define TORSIO_HD_WELCOME(returns, name, parameters)                            \
+  result.api.name = reinterpret_cast<decltype(result.api.name)>(symbol(#name)); \
   if (result.api.name == nullptr) result.absentOptionals.emplace_back(#name);
   using namespace hd;
   TORSIO_HD_MANDATORY(TORSIO_HD_NEEDED)

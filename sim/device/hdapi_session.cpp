@@ -104,7 +104,7 @@ void HdapiSession::open(const std::string& deviceName) {
     for (int attempt = 0; attempt < kInitTries; ++attempt) {
       const hd::Handle handle = api_.hdInitDevice(name);
       const HdapiErrors errors = drainHdapiErrors(api_);
-      const bool sound = handle != hd::kInvalidHandle && handle <= kLargestHandle;
+      const bool sound = handle <= kLargestHandle;
       if (sound && errors.worst < HdapiErrorClass::kLicence) {
         handle_ = handle;
         identity_.openedAs = name != nullptr ? name : "default device";

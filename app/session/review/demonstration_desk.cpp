@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "app/session/pipeline.h"
@@ -31,7 +32,7 @@ std::string numbered(const std::string& prefix, int number) {
 /// A label that tells nothing: a number and a letter, no two alike.
 std::string caseLabel(int rater, int number) {
   constexpr std::string_view kLetters = "ACDEFHJKLMNPRTUVWXY";
-  const auto at = static_cast<std::size_t>(rater * 7 + number * 5);
+  const auto at = static_cast<std::size_t>(rater) * 7 + static_cast<std::size_t>(number) * 5;
   return std::to_string(2 + (number * 3 + rater) % 8) + kLetters[at % kLetters.size()];
 }
 
@@ -180,7 +181,7 @@ class DeskMaker {
     for (const StoredRubricRow& row : rubric_.rows) {
       const double chance = 2.4 * random_.uniform() - 1.2;
       const double points = std::clamp(ability + strictness + chance, 1.0, 10.0);
-      const auto steps = static_cast<std::int64_t>(points * 2.0 + 0.5) * 5;
+      const auto steps = static_cast<std::int64_t>(std::lround(points * 2.0)) * 5;
       sheet.rows.push_back({row.code, std::clamp(steps, row.scale.lo, row.scale.hi), ""});
       sum += *sheet.rows.back().score_steps;
     }

@@ -18,7 +18,6 @@ namespace torsio {
 
 namespace {
 
-constexpr const char* kTrainingRecord = "training_record";
 constexpr std::int64_t kTick_us = 1'000;
 
 /// May this run begin at all? Throws with the first thing that is missing.
