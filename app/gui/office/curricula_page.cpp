@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <QComboBox>
 #include <QDialog>
@@ -18,6 +19,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/look/data_table.h"
+#include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/office/curriculum_editor.h"
 #include "app/gui/office/office_parts.h"
@@ -29,7 +31,7 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kListWidth = 330;
+constexpr int kListWidth = 280;
 
 }  // namespace
 
@@ -38,7 +40,10 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
       heading_(new PageHeading(this)),
       add_(new QPushButton(this)),
       table_(new DataTable(QStringLiteral("curricula"), this)),
-      state_(new QLabel(this)),
+      showing_(new QLabel(this)),
+      versions_(new QComboBox(this)),
+      state_(sentence(this)),
+      take_(new QPushButton(this)),
       save_(new QPushButton(this)),
       publish_(new QPushButton(this)),
       begin_(new QPushButton(this)),
@@ -52,16 +57,18 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
   rightColumn->setSpacing(kSpace);
   auto* acts = new QHBoxLayout;
   acts->setSpacing(kSpace);
-  state_->setObjectName(QStringLiteral("cardTitle"));
-  acts->addWidget(state_, 1);
-  for (QPushButton* button : {save_, publish_, begin_, close_}) acts->addWidget(button);
+  showing_->setBuddy(versions_);
+  acts->addWidget(showing_);
+  acts->addWidget(versions_, 1);
+  for (QPushButton* button : {save_, publish_, take_, begin_, close_}) acts->addWidget(button);
   rightColumn->addLayout(acts);
+  rightColumn->addWidget(state_);
   rightColumn->addWidget(editor_, 1);
   auto* splitter = new QSplitter(this);
   splitter->addWidget(table_);
   splitter->addWidget(right);
-  splitter->setStretchFactor(0, 2);
-  splitter->setStretchFactor(1, 3);
+  splitter->setStretchFactor(0, 0);
+  splitter->setStretchFactor(1, 1);
   splitter->setChildrenCollapsible(false);
   splitter->setHandleWidth(2 * kSpace);
   splitter->setStyleSheet(QStringLiteral("QSplitter::handle { background: transparent; }"));
@@ -73,9 +80,11 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
   connect(add_, &QPushButton::clicked, this, &CurriculaPage::askNew);
   connect(save_, &QPushButton::clicked, this, &CurriculaPage::save);
   connect(publish_, &QPushButton::clicked, this, &CurriculaPage::askPublish);
+  connect(take_, &QPushButton::clicked, this, &CurriculaPage::takeAsDraft);
   connect(begin_, &QPushButton::clicked, this, &CurriculaPage::begin);
   connect(close_, &QPushButton::clicked, this, &CurriculaPage::askClose);
   connect(table_, &DataTable::currentChanged, this, &CurriculaPage::showDraft);
+  connect(versions_, &QComboBox::activated, this, &CurriculaPage::showChosenVersion);
   connect(editor_, &CurriculumEditor::edited, this, [this] {
     dirty_ = true;
     showButtons();
@@ -109,9 +118,7 @@ void CurriculaPage::show() {
          {{shown(row.curriculum.name)},
           {newest != nullptr ? tr("%1, %2").arg(newest->number).arg(versionStateName(newest->state))
                              : tr("none yet"),
-           static_cast<qlonglong>(newest != nullptr ? newest->number : 0)},
-          {row.hasDraft ? shownTime(row.draftChangedUtc_us, locale()) : QStringLiteral("\u2013"),
-           static_cast<qlonglong>(row.draftChangedUtc_us)}}});
+           static_cast<qlonglong>(newest != nullptr ? newest->number : 0)}}});
   }
   table_->setRows(std::move(rows));
   showDraft();
@@ -128,35 +135,155 @@ void CurriculaPage::showDraft() {
   const CurriculumRow* row = current();
   editor_->setEnabled(row != nullptr);
   if (row == nullptr) {
-    state_->clear();
+    versions_->clear();
     shownId_.clear();
     showButtons();
     return;
   }
-  if (row->curriculum.id == shownId_ && dirty_) return;
-  attempt(shell(), [&] {
-    draft_ = curriculumDraft(shell().workplace(), row->curriculum.id);
-    shownId_ = row->curriculum.id;
-    dirty_ = false;
-    editor_->setContent(draft_.content);
+  if (row->curriculum.id == shownId_ && dirty_) {
+    fillVersions();
+    showButtons();
+    return;
+  }
+  if (dirty_ && !save()) {
+    table_->select(shown(shownId_));  // what was typed is not lost to a look at another one
+    return;
+  }
+  CurriculumDraft draft;
+  const bool found = attempt(shell(), [&] {
+    if (shell().workplace().may(Operation::kCurriculumEdit))
+      draft = curriculumDraft(shell().workplace(), row->curriculum.id);
+    else if (!row->versions.empty())
+      draft.content = publishedContent(shell().workplace(), row->versions.back().id);
   });
-  editor_->setReadOnly(!shell().workplace().may(Operation::kCurriculumEdit));
+  if (!found) return;
+  const bool sameAsShown = shownId_ == row->curriculum.id && shownVersion() == nullptr &&
+                           curriculumJson(draft.content) == curriculumJson(editor_->content());
+  draft_ = std::move(draft);
+  shownId_ = row->curriculum.id;
+  dirty_ = false;
+  if (sameAsShown) {  // just saved: the place where somebody works stays
+    fillVersions();
+    showButtons();
+    return;
+  }
+  fillVersions();
+  showChosenVersion();
+}
+
+void CurriculaPage::fillVersions() {
+  const CurriculumRow* row = current();
+  const QString before = row != nullptr && !versions_->currentData().toString().isEmpty() &&
+                                 shown(row->curriculum.id) == versions_->property("of").toString()
+                             ? versions_->currentData().toString()
+                             : QString();
+  versions_->clear();
+  if (row == nullptr) return;
+  versions_->setProperty("of", shown(row->curriculum.id));
+  versions_->addItem(tr("Draft"), QString());
+  for (auto version = row->versions.rbegin(); version != row->versions.rend(); ++version)
+    versions_->addItem(tr("Version %1 (%2)").arg(version->number).arg(versionStateName(version->state)),
+                       shown(version->id));
+  versions_->setCurrentIndex(std::max(0, versions_->findData(before)));
+}
+
+void CurriculaPage::showVersion(const std::string& versionId) {
+  versions_->setCurrentIndex(std::max(0, versions_->findData(shown(versionId))));
+  showChosenVersion();
+}
+
+void CurriculaPage::showChosenVersion() {
+  const CurriculumVersionRow* version = shownVersion();
+  if (version != nullptr && dirty_ && !save()) {
+    versions_->setCurrentIndex(0);
+    return;
+  }
+  attempt(shell(), [&] {
+    editor_->setContent(version == nullptr ? draft_.content
+                                           : publishedContent(shell().workplace(), version->id));
+  });
+  editor_->setReadOnly(version != nullptr || !shell().workplace().may(Operation::kCurriculumEdit));
   showButtons();
+}
+
+const CurriculumVersionRow* CurriculaPage::shownVersion() const {
+  const CurriculumRow* row = current();
+  const std::string id = versions_->currentData().toString().toStdString();
+  if (row == nullptr || id.empty()) return nullptr;
+  const auto found = std::find_if(row->versions.begin(), row->versions.end(),
+                                  [&](const CurriculumVersionRow& version) { return version.id == id; });
+  return found == row->versions.end() ? nullptr : &*found;
+}
+
+const CurriculumVersionRow* CurriculaPage::versionAtHand() const {
+  if (const CurriculumVersionRow* version = shownVersion()) return version;
+  const CurriculumRow* row = current();
+  return row == nullptr || row->versions.empty() ? nullptr : &row->versions.back();
 }
 
 void CurriculaPage::showButtons() {
   const CurriculumRow* row = current();
   const bool may = row != nullptr && shell().workplace().may(Operation::kCurriculumEdit);
-  const CurriculumVersionRow* newest =
-      row == nullptr || row->versions.empty() ? nullptr : &row->versions.back();
+  const CurriculumVersionRow* version = versionAtHand();
+  const bool draftShown = shownVersion() == nullptr;
   add_->setEnabled(shell().workplace().may(Operation::kCurriculumEdit));
+  save_->setVisible(draftShown);
+  publish_->setVisible(draftShown);
+  take_->setVisible(!draftShown);
   save_->setEnabled(may && dirty_);
   publish_->setEnabled(may && editor_->problems().empty());
-  begin_->setEnabled(may && newest != nullptr && newest->state == "draft");
-  close_->setEnabled(may && newest != nullptr && newest->state == "running");
-  if (row != nullptr)
-    state_->setText(dirty_ ? tr("%1: changed, not saved").arg(shown(row->curriculum.name))
-                           : shown(row->curriculum.name));
+  take_->setEnabled(may);
+  begin_->setEnabled(may && version != nullptr && version->state == "draft");
+  close_->setEnabled(may && version != nullptr && version->state == "running");
+  sayState();
+}
+
+void CurriculaPage::sayState() {
+  const CurriculumRow* row = current();
+  if (row == nullptr) {
+    state_->clear();
+    return;
+  }
+  const CurriculumVersionRow* version = shownVersion();
+  state_->setText(version == nullptr ? draftWords(*row) : versionWords(*row, *version));
+}
+
+QString CurriculaPage::draftWords(const CurriculumRow& row) const {
+  if (dirty_)
+    return tr("%1: changed, not saved. The draft is also saved when you leave.")
+        .arg(shown(row.curriculum.name));
+  QString next = tr("Everything may be changed; nobody is touched until it is published as version %1.")
+                     .arg(row.versions.size() + 1);
+  if (row.hasDraft) next = tr("Saved %1. %2").arg(shownTime(row.draftChangedUtc_us, locale()), next);
+  if (row.versions.empty()) return next;
+  const CurriculumVersionRow& newest = row.versions.back();
+  return tr("%1 The newest version is %2: %3.")
+      .arg(next)
+      .arg(newest.number)
+      .arg(versionStateName(newest.state));
+}
+
+QString CurriculaPage::versionWords(const CurriculumRow& row, const CurriculumVersionRow& version) const {
+  QStringList followers;
+  for (const std::string& cohort : version.cohorts) followers << shown(cohort);
+  const QString who = followers.isEmpty() ? tr("No cohort follows it.")
+                                          : tr("Followed by: %1.").arg(followers.join(tr(", ")));
+  QString words;
+  if (version.state == "draft")
+    words = tr("Published on %1 and never changes. Begin it, so that cohorts can follow it.");
+  else if (version.state == "running")
+    words =
+        tr("Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the "
+           "draft and publish the next version.");
+  else
+    words =
+        tr("Published on %1, closed: no further cohort can choose it; who follows it goes on. It is kept as "
+           "it was.");
+  words = words.arg(shownTime(version.createdUtc_us, locale()));
+  if (!version.note.empty()) words = tr("%1 Note: %2.").arg(words, shown(version.note));
+  if (version.number < row.versions.back().number)
+    words = tr("%1 Superseded by version %2.").arg(words).arg(row.versions.back().number);
+  return tr("%1 %2").arg(words, who);
 }
 
 bool CurriculaPage::add(const std::string& name, const std::string& templateId) {
@@ -175,12 +302,13 @@ bool CurriculaPage::add(const std::string& name, const std::string& templateId) 
 }
 
 bool CurriculaPage::save() {
-  if (shownId_.empty()) return true;
+  if (shownId_.empty() || shownVersion() != nullptr) return true;
   return attempt(shell(), [&] {
     draft_.content = editor_->content();
     draft_.revision = saveCurriculumDraft(shell().workplace(), shownId_, draft_);
     dirty_ = false;
-    showButtons();
+    read();
+    shell().notify(tr("The draft is saved."));
   });
 }
 
@@ -201,13 +329,34 @@ bool CurriculaPage::publish(const std::string& note) {
 }
 
 bool CurriculaPage::begin() {
-  const CurriculumRow* row = current();
-  if (row == nullptr || row->versions.empty()) return false;
+  const CurriculumVersionRow* version = versionAtHand();
+  if (version == nullptr) return false;
   return attempt(shell(), [&] {
-    const std::string id = row->curriculum.id;
-    runCurriculum(shell().workplace(), row->versions.back().id);
+    const std::string id = shownId_;
+    runCurriculum(shell().workplace(), version->id);
     read();
     table_->select(shown(id));
+    shell().notify(tr("It runs: cohorts can follow it now."));
+  });
+}
+
+bool CurriculaPage::takeAsDraft() {
+  const CurriculumVersionRow* version = shownVersion();
+  if (version == nullptr) return false;
+  const StoredCurriculumVersion content = editor_->content();
+  if (curriculumJson(content) != curriculumJson(draft_.content) &&
+      QMessageBox::question(this, tr("Edit as draft"),
+                            tr("The draft differs from version %1. Put this version in its place? Published "
+                               "versions stay as they are.")
+                                .arg(version->number)) != QMessageBox::Yes)
+    return false;
+  return attempt(shell(), [&] {
+    draft_.content = content;
+    draft_.revision = saveCurriculumDraft(shell().workplace(), shownId_, draft_);
+    dirty_ = false;
+    versions_->setCurrentIndex(0);
+    read();
+    showVersion({});
   });
 }
 
@@ -248,13 +397,13 @@ void CurriculaPage::askPublish() {
 }
 
 void CurriculaPage::askClose() {
-  const CurriculumRow* row = current();
-  if (row == nullptr || row->versions.empty()) return;
+  const CurriculumVersionRow* version = versionAtHand();
+  if (version == nullptr) return;
   const std::optional<std::string> reason = askReason(
       this, tr("Close a version"), tr("No further cohort can begin it; those who follow it go on."));
   if (!reason) return;
   attempt(shell(), [&] {
-    closeCurriculum(shell().workplace(), row->versions.back().id, *reason);
+    closeCurriculum(shell().workplace(), version->id, *reason);
     read();
   });
 }
@@ -263,11 +412,13 @@ void CurriculaPage::retranslate() {
   heading_->setTexts(tr("Curricula"), tr("What the groups go through: exercises, phases, rest and scoring "
                                          "points. Published versions never change."));
   add_->setText(tr("&New curriculum\u2026"));
+  showing_->setText(tr("S&howing"));
+  take_->setText(tr("&Edit as draft"));
   save_->setText(tr("&Save draft"));
   publish_->setText(tr("&Publish\u2026"));
   begin_->setText(tr("&Begin"));
   close_->setText(tr("&Close\u2026"));
-  table_->setColumns({{tr("Name")}, {tr("Newest version")}, {tr("Draft of")}});
+  table_->setColumns({{tr("Name")}, {tr("Newest version")}});
   table_->setEmptyText(tr("No curriculum yet. Begin with the template of the paper's three arms."));
   editor_->retranslate();
   show();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include <QTabWidget>
@@ -10,20 +10,18 @@
 #include "app/session/study/curriculum_content.h"
 
 class QCheckBox;
-class QComboBox;
 class QDoubleSpinBox;
-class QFormLayout;
 class QLabel;
-class QLineEdit;
 class QListWidget;
-class QPushButton;
-class QSpinBox;
-class QTableWidget;
 
 namespace torsio::gui {
 
+class ExerciseEditor;
+class GroupEditor;
+
 /// The parts of a curriculum to fill in: exercises with targets and mastery, groups with phases and rest,
-/// scoring points, and in words what still keeps it from being published.
+/// scoring points, and in words what still keeps it from being published. What is shown and not touched comes
+/// out as it went in.
 class CurriculumEditor : public QTabWidget {
   Q_OBJECT
 
@@ -40,59 +38,24 @@ class CurriculumEditor : public QTabWidget {
   void edited();
 
  private:
-  QWidget* exercisesTab();
-  QWidget* groupsTab();
+  static constexpr std::size_t kPoints = 3;  // pre, mid, post
+
   QWidget* pointsTab();
-  void fillExercises();
-  void showExercise();
-  void takeExercise();
-  void fillGroups();
-  void showGroup();
-  void takeGroup();
   void fillPoints();
-  void takePoints();
-  void addExercise();
-  void removeExercise();
-  void addPhase();
-  void removePhase();
+  void takePoint(std::size_t point);
   void changed();
   void judge();
-  [[nodiscard]] StoredModule* exercise();
-  [[nodiscard]] StoredArm* group();
-  QLabel* label(QFormLayout* form, QWidget* field);
 
   std::filesystem::path assets_;
   StoredCurriculumVersion content_;
   std::vector<CurriculumProblem> problems_;
   bool filling_ = false;
-  std::vector<QLabel*> labels_;  // in the order in which retranslate() names them
 
-  QListWidget* exercises_;
-  QPushButton* addExercise_;
-  QPushButton* removeExercise_;
-  QLineEdit* title_;
-  QComboBox* scene_;
-  QComboBox* pattern_;
-  QComboBox* kind_;
-  QComboBox* mode_;
-  QDoubleSpinBox* target_;
-  QDoubleSpinBox* tolerance_;
-  QDoubleSpinBox* hold_;
-  QSpinBox* attempts_;
-  QComboBox* after_;
-  QComboBox* metric_;
-  QDoubleSpinBox* threshold_;
-  QSpinBox* consecutive_;
-
-  QListWidget* groups_;
-  QLineEdit* groupLabel_;
-  QDoubleSpinBox* rest_;
-  QCheckBox* splittable_;
-  QTableWidget* phases_;
-  QPushButton* addPhase_;
-  QPushButton* removePhase_;
-
-  QTableWidget* points_;
+  ExerciseEditor* exercises_;
+  GroupEditor* groups_;
+  QLabel* pointsText_;
+  std::array<QCheckBox*, kPoints> wanted_{};
+  std::array<QDoubleSpinBox*, kPoints> after_{};
   QListWidget* problemList_;
 };
 

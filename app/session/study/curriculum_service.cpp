@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "db/repository/study_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -77,6 +78,9 @@ void moveTo(Workplace& workplace, const std::string& versionId, const std::strin
 std::vector<CurriculumRow> curricula(Workplace& workplace) {
   workplace.require(Operation::kPersonViewCoded);
   CurriculumRepository repository(workplace.connection());
+  std::map<std::string, std::vector<std::string>> followers;
+  for (const StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts())
+    followers[cohort.curriculumVersionId].push_back(cohort.name);
   std::vector<CurriculumRow> rows;
   for (StoredCurriculum& curriculum : repository.curricula()) {
     CurriculumRow row;
@@ -86,12 +90,22 @@ std::vector<CurriculumRow> curricula(Workplace& workplace) {
     }
     for (const std::string& id : repository.versionIds(curriculum.id)) {
       const StoredCurriculumVersion version = repository.version(id).value();
-      row.versions.push_back({id, version.number, version.note, version.state, version.createdUtc_us});
+      row.versions.push_back(
+          {id, version.number, version.note, version.state, version.createdUtc_us, followers[id]});
     }
     row.curriculum = std::move(curriculum);
     rows.push_back(std::move(row));
   }
   return rows;
+}
+
+StoredCurriculumVersion publishedContent(Workplace& workplace, const std::string& versionId) {
+  workplace.require(Operation::kPersonViewCoded);
+  auto version = CurriculumRepository(workplace.connection()).version(versionId);
+  if (!version) {
+    throw Error(ErrorCode::kBadData, "there is no such version", versionId, "Choose one from the list");
+  }
+  return withCodes(*std::move(version));
 }
 
 std::optional<StoredCurriculumVersion> curriculumVersion(Workplace& workplace, const std::string& versionId) {

@@ -19,6 +19,7 @@ struct CurriculumVersionRow {
   std::string note{};
   std::string state{};  ///< "draft" (published, not begun), "running", "closed"
   std::int64_t createdUtc_us = 0;
+  std::vector<std::string> cohorts{};  ///< names of those that follow it
 };
 
 struct CurriculumRow {
@@ -30,6 +31,9 @@ struct CurriculumRow {
 
 /// All curricula by name. kPersonViewCoded (whoever works in the office).
 [[nodiscard]] std::vector<CurriculumRow> curricula(Workplace& workplace);
+/// A published version with codes in place of ids: as it looks in the editor, and as a start of the next
+/// draft. kPersonViewCoded. Throws Error{kBadData} for an unknown id.
+[[nodiscard]] StoredCurriculumVersion publishedContent(Workplace& workplace, const std::string& versionId);
 /// A published version with all its parts; empty: there is none. kPersonViewCoded or kPractice.
 [[nodiscard]] std::optional<StoredCurriculumVersion> curriculumVersion(Workplace& workplace,
                                                                        const std::string& versionId);

@@ -49,79 +49,17 @@
 #include "db/repository/audit_repository.h"
 #include "db/repository/sheet_repository.h"
 #include "sim/base/file_io.h"
-#include "tests/app/session/office_centre.h"
+#include "tests/app/gui/office_desk.h"
 
 namespace torsio::gui {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::answer;
+using testing::Office;
 using testing::OfficeCentre;
-
-/// A centre with the surroundings of its pages; what a page reports as failed is kept.
-class Office {
- public:
-  Office() : shell_(centre.workplace(), centre.assets(), ThemeKind::kLight) {
-    QSettings().clear();
-    QObject::connect(&shell_, &ShellContext::failed,
-                     [this](const QString& happened, const QString& remedy, const QString& details) {
-                       failures << QStringLiteral("%1 | %2 | %3").arg(happened, remedy, details);
-                       ADD_FAILURE() << failures.last().toStdString();
-                     });
-  }
-
-  OfficeCentre centre;
-  QStringList failures;
-
-  ShellContext& shell() { return shell_; }
-
-  template <typename Made>
-  std::unique_ptr<Made> open(const std::string& role, const QVariant& argument = {}) {
-    centre.as(role);
-    auto page = std::make_unique<Made>(shell_);
-    page->resize(1366, 768);
-    page->enter(argument);
-    shell_.waitForJobs();
-    QApplication::processEvents();
-    return page;
-  }
-
- private:
-  ShellContext shell_;
-};
-
-/// The button with this text, mnemonics and dots apart.
-QPushButton* button(QWidget& in, const QString& text) {
-  for (QPushButton* found : in.findChildren<QPushButton*>()) {
-    QString plain = found->text();
-    if (plain.remove(QLatin1Char('&')).remove(QChar(0x2026)) == text) return found;
-  }
-  return nullptr;
-}
-
-void press(QWidget& in, const QString& text) {
-  QPushButton* found = button(in, text);
-  ASSERT_NE(found, nullptr) << text.toStdString();
-  ASSERT_TRUE(found->isEnabled()) << text.toStdString();
-  found->click();
-}
-
-/// Answers the next modal dialog.
-void answer(const std::function<void(QDialog&)>& fill) {
-  QTimer::singleShot(0, [fill] {
-    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-    ASSERT_NE(dialog, nullptr);
-    fill(*dialog);
-  });
-}
-
-void type(QDialog& dialog, const QString& text) {
-  if (auto* input = qobject_cast<QInputDialog*>(&dialog)) {
-    input->setTextValue(text);
-  } else {
-    dialog.findChild<QLineEdit*>()->setText(text);
-  }
-  dialog.accept();
-}
+using testing::press;
+using testing::type;
 
 /// 30 made-up trainees as a hospital's spreadsheet has them.
 fs::path rosterFile(const fs::path& folder, bool raters) {

@@ -129,6 +129,8 @@ std::vector<ServiceCall> studyCalls() {
       {O::kEvaluationSetup, "addCampaign", [](Workplace& w, Path) { (void)addCampaign(w, {}); }},
       {O::kPersonViewCoded, "cohorts", [](Workplace& w, Path) { (void)cohorts(w); }},
       {O::kPersonViewCoded, "curricula", [](Workplace& w, Path) { (void)curricula(w); }},
+      {O::kPersonViewCoded, "publishedContent",
+       [](Workplace& w, Path) { (void)publishedContent(w, kNoSuch); }},
       {O::kCurriculumEdit, "addCurriculum", [](Workplace& w, Path) { (void)addCurriculum(w, "", ""); }},
       {O::kCurriculumEdit, "publishCurriculum",
        [](Workplace& w, Path) { (void)publishCurriculum(w, kNoSuch, "", {}); }},

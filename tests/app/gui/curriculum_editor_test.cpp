@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The curriculum editor through its real widgets: nothing is lost, everything can be set, published versions
+// stay as they are.
+#include "app/gui/office/curriculum_editor.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QTest>
+
+#include "app/gui/look/data_table.h"
+#include "app/gui/office/curricula_page.h"
+#include "app/session/study/cohort_service.h"
+#include "app/session/study/curriculum_service.h"
+#include "tests/app/gui/office_desk.h"
+
+namespace torsio::gui {
+namespace {
+
+using testing::answer;
+using testing::Office;
+using testing::press;
+using testing::type;
+
+/// Uses every field of the format, with values that no field of the screen shows to the last digit.
+constexpr const char* kEverything = R"({
+  "format": "torsio curriculum 1",
+  "modules": [
+    {"code": "A1", "title": "Pronate", "scene": "arm", "pattern": "pronation", "exercise": "twist to target",
+     "mode": "practice", "target_deg": -61.234567, "tolerance_deg": 4.321987, "hold_s": 1.234567,
+     "max_force_n": 3.333333, "max_torque_nm": 0.1234567, "attempt_limit": 12, "requires": [],
+     "mastery": [
+       {"metric": "force.peak", "comparison": "at_most", "threshold": 2.718281828, "unit": "N", "consecutive": 2},
+       {"metric": "twist.bias", "comparison": "at_least", "threshold": -0.000123, "unit": "rad", "consecutive": 1},
+       {"metric": "twist.on_target", "comparison": "at_least", "threshold": 0.66666667, "unit": "1", "consecutive": 3}]},
+    {"code": "A2", "title": "Hold", "scene": "arm", "pattern": "supination", "exercise": "hold",
+     "mode": "graded", "target_deg": 45, "tolerance_deg": 5, "hold_s": 0, "requires": [], "mastery": []},
+    {"code": "A3", "title": "Follow", "scene": "arm", "pattern": "pronation", "exercise": "follow",
+     "mode": "graded", "target_deg": -30, "tolerance_deg": 5, "hold_s": 2, "requires": ["A1", "A2"],
+     "mastery": [
+       {"metric": "time.total", "comparison": "at_most", "threshold": 90.55555, "unit": "s", "consecutive": 1}]}
+  ],
+  "arms": [
+    {"code": "G1", "label": "Both", "rest_min": 5.125, "rest_splittable": true, "phases": [
+      {"kind": "virtual", "label": "any", "minutes": 12.345678},
+      {"kind": "virtual", "label": "follow", "minutes": 7.5, "module": "A3"},
+      {"kind": "real", "label": "arm", "minutes": 20}]},
+    {"code": "G2", "label": "Real arm only", "rest_min": 0, "rest_splittable": false, "phases": [
+      {"kind": "real", "label": "arm", "minutes": 39.845678}]}
+  ],
+  "scoring_points": [{"code": "pre", "after_min": 0}, {"code": "post", "after_min": 39.845678}]
+})";
+
+std::string addEverything(Office& office) {
+  office.centre.as("administrator");
+  return addCurriculum(office.centre.workplace(), "Everything", "", parseCurriculum(kEverything, "test"));
+}
+
+/// The field that a screen reader calls so.
+template <typename Field>
+Field* named(QWidget& in, const char* name) {
+  for (Field* field : in.findChildren<Field*>())
+    if (field->accessibleName() == QString::fromLatin1(name)) return field;
+  ADD_FAILURE() << "no field " << name;
+  return nullptr;
+}
+
+/// Looks at every row of every list, as somebody does who only wants to know what there is.
+void browse(CurriculaPage& page) {
+  for (const char* name : {"exercises", "groups"}) {
+    auto* list = page.findChild<QListWidget*>(QString::fromLatin1(name));
+    for (int row = 0; row < list->count(); ++row) list->setCurrentRow(row);
+  }
+  for (int tab = 0; tab < page.editor().count(); ++tab) page.editor().setCurrentIndex(tab);
+}
+
+void choose(QComboBox* box, const QString& code) {
+  box->setCurrentIndex(box->findData(code));
+  ASSERT_EQ(box->currentData().toString(), code);
+  Q_EMIT box->activated(box->currentIndex());
+}
+
+template <typename Field>
+Field* cell(QTableWidget* table, int row, int column) {
+  return qobject_cast<Field*>(table->cellWidget(row, column));
+}
+
+TEST(CurriculumEditor, SavesWhatWasNotTouchedExactlyAsItWas) {
+  Office office;
+  const std::string id = addEverything(office);
+  const std::string before = curriculumJson(curriculumDraft(office.centre.workplace(), id).content);
+  auto page = office.open<CurriculaPage>("administrator");
+  EXPECT_TRUE(page->editor().problems().empty());
+
+  browse(*page);
+  page->retranslate();
+  ASSERT_TRUE(page->save());
+
+  const CurriculumDraft after = curriculumDraft(office.centre.workplace(), id);
+  EXPECT_EQ(after.revision, 2);
+  EXPECT_EQ(curriculumJson(after.content), before);
+}
+
+TEST(CurriculumEditor, ChangesOnlyTheFieldThatWasTyped) {
+  Office office;
+  const std::string id = addEverything(office);
+  StoredCurriculumVersion expected = curriculumDraft(office.centre.workplace(), id).content;
+  auto page = office.open<CurriculaPage>("administrator");
+
+  auto* title = named<QLineEdit>(*page, "Title");
+  title->selectAll();
+  QTest::keyClicks(title, QStringLiteral("Pronate gently"));
+  ASSERT_TRUE(page->save());
+
+  expected.modules[0].title = "Pronate gently";
+  EXPECT_EQ(curriculumJson(curriculumDraft(office.centre.workplace(), id).content), curriculumJson(expected));
+}
+
+TEST(CurriculumEditor, PublishedVersionsComeBackThroughTheEditorTheSame) {
+  Office office;
+  const std::string id = addEverything(office);
+  auto page = office.open<CurriculaPage>("administrator");
+  ASSERT_TRUE(page->publish("first"));
+  ASSERT_TRUE(page->begin());
+  const std::string first = curricula(office.centre.workplace()).front().versions.front().id;
+
+  page->showVersion(first);
+  browse(*page);
+  ASSERT_TRUE(page->takeAsDraft());  // nothing is asked: the draft is the same
+  ASSERT_TRUE(page->publish("second"));
+
+  const auto versions = curricula(office.centre.workplace()).front().versions;
+  ASSERT_EQ(versions.size(), 2U);
+  EXPECT_EQ(versions[0].state, "running");  // superseded, not erased
+  EXPECT_EQ(curriculumJson(publishedContent(office.centre.workplace(), versions[0].id)),
+            curriculumJson(publishedContent(office.centre.workplace(), versions[1].id)));
+  EXPECT_EQ(curriculumJson(publishedContent(office.centre.workplace(), versions[0].id)),
+            curriculumJson(parseCurriculum(kEverything, "test")));
+}
+
+TEST(CurriculumEditor, SetsSeveralRulesPrerequisitesAndLimits) {
+  Office office;
+  const std::string id = addEverything(office);
+  auto page = office.open<CurriculaPage>("administrator");
+  page->findChild<QListWidget*>(QStringLiteral("exercises"))->setCurrentRow(1);
+  auto* rules = page->findChild<QTableWidget*>(QStringLiteral("mastery"));
+
+  press(*page, QStringLiteral("Add rule"));
+  press(*page, QStringLiteral("Add rule"));
+  ASSERT_EQ(rules->rowCount(), 2);
+  choose(cell<QComboBox>(rules, 1, 0), QStringLiteral("force.peak"));
+  choose(cell<QComboBox>(rules, 1, 1), QStringLiteral("at_least"));
+  cell<QDoubleSpinBox>(rules, 1, 2)->setValue(1.5);
+  cell<QSpinBox>(rules, 1, 3)->setValue(4);
+  named<QDoubleSpinBox>(*page, "Force up to")->setValue(2.5);
+  named<QDoubleSpinBox>(*page, "Torque up to")->setValue(0.25);
+  named<QSpinBox>(*page, "Attempts")->setValue(9);
+  auto* after = page->findChild<QListWidget*>(QStringLiteral("prerequisites"));
+  ASSERT_EQ(after->count(), 2);  // the other two exercises
+  after->item(0)->setCheckState(Qt::Checked);
+  ASSERT_TRUE(page->save());
+
+  const StoredModule stored = curriculumDraft(office.centre.workplace(), id).content.modules[1];
+  ASSERT_EQ(stored.mastery.size(), 2U);
+  EXPECT_EQ(stored.mastery[1].metric, "force.peak");
+  EXPECT_EQ(stored.mastery[1].comparison, "at_least");
+  EXPECT_EQ(stored.mastery[1].threshold, 1.5);
+  EXPECT_EQ(stored.mastery[1].unit, "N");
+  EXPECT_EQ(stored.mastery[1].consecutive, 4);
+  EXPECT_EQ(stored.maxForce_N, 2.5);
+  EXPECT_EQ(stored.maxTorque_Nm, 0.25);
+  EXPECT_EQ(stored.attemptLimit, 9);
+  EXPECT_EQ(stored.requires_, std::vector<std::string>{"A1"});
+  EXPECT_TRUE(page->editor().problems().empty());
+}
+
+TEST(CurriculumEditor, MovesRenamesAndKeepsReferencesWhole) {
+  Office office;
+  const std::string id = addEverything(office);
+  auto page = office.open<CurriculaPage>("administrator");
+  page->findChild<QListWidget*>(QStringLiteral("exercises"))->setCurrentRow(2);
+
+  QWidget& exercises = *page->editor().widget(0);
+  press(exercises, QStringLiteral("Up"));
+  auto* code = named<QLineEdit>(exercises, "Code");
+  code->setText(QStringLiteral("F1"));
+  Q_EMIT code->editingFinished();
+  code->setText(QStringLiteral("A1"));  // taken: refused, said, nothing changed
+  Q_EMIT code->editingFinished();
+  EXPECT_EQ(code->text(), QStringLiteral("F1"));
+  ASSERT_TRUE(page->save());
+
+  const StoredCurriculumVersion stored = curriculumDraft(office.centre.workplace(), id).content;
+  EXPECT_EQ(stored.modules[1].code, "F1");
+  EXPECT_EQ(stored.modules[2].code, "A2");
+  EXPECT_EQ(stored.arms[0].phases[1].moduleId, "F1");
+  EXPECT_TRUE(page->editor().problems().empty());
+}
+
+TEST(CurriculumEditor, SetsGroupsPhasesRestAndScoringPoints) {
+  Office office;
+  const std::string id = addEverything(office);
+  auto page = office.open<CurriculaPage>("administrator");
+  page->findChild<QListWidget*>(QStringLiteral("groups"))->setCurrentRow(1);
+  auto* phases = page->findChild<QTableWidget*>(QStringLiteral("phases"));
+
+  named<QDoubleSpinBox>(*page, "Rest")->setValue(10.0);
+  press(*page, QStringLiteral("Add phase"));
+  ASSERT_EQ(phases->rowCount(), 2);
+  choose(cell<QComboBox>(phases, 1, 3), QStringLiteral("A2"));
+  cell<QDoubleSpinBox>(phases, 1, 2)->setValue(15.0);
+  press(*page, QStringLiteral("Earlier"));
+  for (QCheckBox* box : page->findChildren<QCheckBox*>())
+    if (box->text() == QStringLiteral("half-way")) box->setChecked(true);
+  ASSERT_TRUE(page->save());
+
+  const StoredCurriculumVersion stored = curriculumDraft(office.centre.workplace(), id).content;
+  EXPECT_EQ(stored.arms[1].restAllowance_us, 600'000'000);
+  ASSERT_EQ(stored.arms[1].phases.size(), 2U);
+  EXPECT_EQ(stored.arms[1].phases[0].moduleId, "A2");
+  EXPECT_EQ(stored.arms[1].phases[0].duration_us, 900'000'000);
+  ASSERT_EQ(stored.scoringPoints.size(), 3U);
+  EXPECT_EQ(stored.scoringPoints[1].code, "mid");
+  EXPECT_EQ(stored.scoringPoints[1].afterExposure_us, 1'200'000'000);  // 20 min, as in the paper
+}
+
+TEST(CurriculaPage, SaysOfEveryStateWhatMayBeChanged) {
+  Office office;
+  office.centre.addTrainees(3);
+  addEverything(office);
+  auto page = office.open<CurriculaPage>("administrator");
+  EXPECT_TRUE(page->state().text().contains(QStringLiteral("version 1")));
+
+  ASSERT_TRUE(page->publish("first"));
+  page->versions().setCurrentIndex(1);
+  Q_EMIT page->versions().activated(1);
+  EXPECT_TRUE(page->state().text().contains(QStringLiteral("Begin it")));
+  EXPECT_FALSE(named<QLineEdit>(*page, "Title")->isEnabled());
+  press(*page, QStringLiteral("Begin"));
+  EXPECT_TRUE(page->state().text().contains(QStringLiteral("running")));
+  EXPECT_TRUE(page->state().text().contains(QStringLiteral("No cohort")));
+  answer([](QDialog& dialog) { type(dialog, QStringLiteral("replaced")); });
+  press(*page, QStringLiteral("Close"));
+
+  EXPECT_TRUE(page->state().text().contains(QStringLiteral("closed")));
+  press(*page, QStringLiteral("Edit as draft"));
+  EXPECT_TRUE(named<QLineEdit>(*page, "Title")->isEnabled());
+  EXPECT_TRUE(page->state().text().contains(QStringLiteral("version 2")));
+}
+
+}  // namespace
+}  // namespace torsio::gui
