@@ -9,6 +9,7 @@
 #include "app/report/pdf_report.h"
 #include "app/session/build_info.h"
 #include "app/session/cohort_inputs.h"
+#include "app/session/demonstration_curriculum.h"
 #include "app/session/demonstration_people.h"
 #include "app/session/pipeline.h"
 #include "app/session/scoring_service.h"
@@ -97,7 +98,10 @@ class Demonstration {
     const Scene example = loadScene(options_.example);
     meter_.show("Enrolling simulated trainees and raters", 0.03);
     study_ = storeDemonstrationPeople(connection_, ids_, options_.seed, options_.simulatedUtc_us);
+    curriculum_ = storeDemonstrationCurriculum(connection_, study_, training, options_.training.assets,
+                                               options_.seed, options_.simulatedUtc_us);
     recordAll(training, example);
+    storeDemonstrationExposures(connection_, study_, curriculum_, options_.seed, options_.simulatedUtc_us);
     meter_.show("Submitting simulated marks", 0.88);
     submitDemonstrationMarks(connection_, study_, ids_, options_.seed, options_.simulatedUtc_us);
     meter_.show("Computing the evaluation", 0.92);
@@ -143,8 +147,15 @@ class Demonstration {
     trial.traineeCode = trainee != nullptr ? trainee->code : "";
     trial.startedUtc_us = options_.simulatedUtc_us;
     trial.demonstration = true;
-    TrialRepository repository(connection_,
-                               {"demonstration", trainee != nullptr ? trainee->enrolmentId : ""});
+    TrialContext context{.station = "demonstration"};
+    if (trainee != nullptr) {
+      const DemonstrationPlace place = demonstrationPlace(curriculum_, trainee->group, trial.phaseLabel);
+      context.enrolmentId = trainee->enrolmentId;
+      context.moduleId = place.moduleId;
+      context.phaseId = place.phaseId;
+      context.attemptMode = "practice";
+    }
+    TrialRepository repository(connection_, context);
     recordScriptedTrial(scene, trial, repository);
 
     const Trial stored = repository.load(trial.trialId);
@@ -172,7 +183,7 @@ class Demonstration {
     inputs.simulated = {
         "The trainees' movements come from a scripted hand with a seed; the simulator, the recorder and "
         "every computation are the real ones.",
-        demonstrationTrainingRule(), demonstrationEvaluationRule()};
+        demonstrationTimeRule(), demonstrationTrainingRule(), demonstrationEvaluationRule()};
     inputs.facts = {{"Organ of the training", training.title + " (" + training.provenance + ")"},
                     {"Second organ", example.title + " (" + example.provenance + ")"},
                     {"Seed", std::to_string(options_.seed)},
@@ -190,6 +201,7 @@ class Demonstration {
   SeededIdSource ids_;
   ProgressMeter meter_;
   DemonstrationStudy study_;
+  StoredCurriculumVersion curriculum_;
   std::vector<TrialDigest> digests_;
   DemonstrationSummary summary_;
 };
