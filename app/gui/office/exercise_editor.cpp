@@ -425,11 +425,12 @@ void ExerciseEditor::move(int by) {
 void ExerciseEditor::addRule() {
   take([](StoredModule& module) {
     StoredMasteryRule rule;
-    for (const auto& [id, name] : masteryMetrics()) {
-      const bool used = std::any_of(module.mastery.begin(), module.mastery.end(),
-                                    [&](const StoredMasteryRule& known) { return known.metric == id; });
+    for (const auto& metric : masteryMetrics()) {
+      const bool used =
+          std::any_of(module.mastery.begin(), module.mastery.end(),
+                      [&](const StoredMasteryRule& known) { return known.metric == metric.first; });
       if (used) continue;
-      rule.metric = id;
+      rule.metric = metric.first;
       break;
     }
     if (rule.metric.empty()) return;  // every metric has its rule
