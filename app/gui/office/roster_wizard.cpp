@@ -2,6 +2,7 @@
 #include "app/gui/office/roster_wizard.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include <QComboBox>
@@ -11,6 +12,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QVBoxLayout>
@@ -26,6 +29,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr std::size_t kSampleRows = 5;
+constexpr int kWhole = 1000;  // of the progress bar
 
 struct RosterTexts {
   Q_DECLARE_TR_FUNCTIONS(RosterTexts)
@@ -103,18 +107,29 @@ RosterWizard::RosterWizard(ShellContext& shell, QWidget* parent) : QWizard(paren
   setMinimumSize(760, 560);
   addPage(new RosterFilePage(import_, this));
   addPage(new RosterColumnsPage(import_, this));
-  addPage(new RosterPreviewPage(import_, shell, this));
+  preview_ = new RosterPreviewPage(import_, shell, this);
+  addPage(preview_);
+  // After the job and whatever followed it.
+  connect(
+      &shell, &ShellContext::jobEnded, this,
+      [this] {
+        if (closing_) QWizard::reject();
+      },
+      Qt::QueuedConnection);
 }
 
 void RosterWizard::accept() {
-  try {
-    import_.outcome = importRoster(shell_.workplace(), *import_.file, import_.kind, import_.columns,
-                                   import_.preview->fingerprint, RosterMode::kCommit);
-    QWizard::accept();
-  } catch (...) {
+  if (preview_->busy() || !preview_->isComplete()) return;
+  preview_->commit([this] { QWizard::accept(); });
+}
+
+void RosterWizard::reject() {
+  if (!preview_->busy()) {
     QWizard::reject();
-    shell_.report(std::current_exception());
+    return;
   }
+  closing_ = true;
+  shell_.cancelJobs();
 }
 
 RosterFilePage::RosterFilePage(RosterImport& import, QWidget* parent)
@@ -260,6 +275,7 @@ RosterPreviewPage::RosterPreviewPage(RosterImport& import, ShellContext& shell, 
       import_(import),
       shell_(shell),
       summary_(new QLabel(this)),
+      progress_(new QProgressBar(this)),
       lines_(new DataTable(QStringLiteral("roster-preview"), this)) {
   setTitle(tr("What would happen"));
   setSubTitle(
@@ -267,29 +283,81 @@ RosterPreviewPage::RosterPreviewPage(RosterImport& import, ShellContext& shell, 
          "choose it again."));
   setFinalPage(true);
   summary_->setWordWrap(true);
+  progress_->setRange(0, kWhole);
+  progress_->setTextVisible(false);
+  progress_->setAccessibleName(tr("How far it has come"));
+  progress_->hide();
   lines_->setColumns({{tr("Line"), true}, {tr("Status")}, {tr("Number")}, {tr("Name")}, {tr("Note")}});
   auto* column = new QVBoxLayout(this);
   column->setSpacing(2 * kSpace);
   column->addWidget(summary_);
+  column->addWidget(progress_);
   column->addWidget(lines_, 1);
+  connect(&shell, &ShellContext::jobMoved, this, [this](const QString& step, double fraction) {
+    if (busy_) showProgress(step, fraction);
+  });
+  connect(&shell, &ShellContext::jobEnded, this, [this] {
+    busy_ = false;
+    progress_->hide();
+    Q_EMIT completeChanged();
+  });
+}
+
+void RosterPreviewPage::begin(const QString& what) {
+  busy_ = true;
+  progress_->setValue(0);
+  progress_->show();
+  summary_->setText(what);
+  Q_EMIT completeChanged();
+}
+
+void RosterPreviewPage::showProgress(const QString& step, double fraction) {
+  progress_->setValue(static_cast<int>(fraction * kWhole));
+  summary_->setText(tr("%1: %2 %").arg(step).arg(static_cast<int>(fraction * 100.0)));
 }
 
 void RosterPreviewPage::initializePage() {
   import_.preview.reset();
   lines_->setRows({});
-  try {
-    import_.preview = previewRoster(shell_.workplace(), *import_.file, import_.kind, import_.columns);
-    if (import_.preview->importable()) {
-      // Proves before the last button that the database would take it.
-      static_cast<void>(importRoster(shell_.workplace(), *import_.file, import_.kind, import_.columns,
-                                     import_.preview->fingerprint, RosterMode::kDryRun));
-    }
-  } catch (const Error& error) {
-    summary_->setText(plainWords(error));
-    import_.preview.reset();
-    Q_EMIT completeChanged();
-    return;
-  }
+  begin(tr("Comparing %n lines with the record\u2026", nullptr, static_cast<int>(import_.file->rows.size())));
+  struct Found {
+    std::optional<RosterPreview> preview;
+    std::optional<Error> problem;
+  };
+  const auto found = std::make_shared<Found>();
+  shell_.run(
+      tr("Looking at the roster"),
+      [found, file = *import_.file, kind = import_.kind, columns = import_.columns](
+          Workplace& workplace, const ProgressCallback& progress) {
+        try {
+          RosterPreview preview = previewRoster(workplace, file, kind, columns, progress);
+          // Proves before the last button that the database would take it.
+          if (preview.importable())
+            static_cast<void>(importRoster(workplace, file, kind, columns, preview.fingerprint,
+                                           RosterMode::kDryRun, progress));
+          found->preview = std::move(preview);
+        } catch (const Error& error) {
+          found->problem = error;
+        }
+      },
+      [page = QPointer<RosterPreviewPage>(this), found] {
+        if (page.isNull()) return;
+        if (found->problem) {
+          page->showProblem(plainWords(*found->problem));
+          return;
+        }
+        page->import_.preview = std::move(found->preview);
+        page->showPreview();
+      });
+}
+
+void RosterPreviewPage::showProblem(const QString& words) {
+  import_.preview.reset();
+  summary_->setText(words);
+  Q_EMIT completeChanged();
+}
+
+void RosterPreviewPage::showPreview() {
   const RosterPreview& preview = *import_.preview;
   summary_->setText(tr("%1 new, %2 with changes, %3 as they are, %4 with errors.")
                         .arg(preview.added)
@@ -305,7 +373,7 @@ void RosterPreviewPage::initializePage() {
     const QString note = RosterTexts::note(row);
     rows.push_back({QString::number(line),
                     {{QString::number(line), line},
-                     {RosterTexts::status(row.status)},
+                     {RosterTexts::status(row.status), static_cast<int>(row.status)},
                      {value(RosterField::kExternalId)},
                      {value(RosterField::kFullName)},
                      {note, {}, note}}});
@@ -314,8 +382,33 @@ void RosterPreviewPage::initializePage() {
   Q_EMIT completeChanged();
 }
 
+void RosterPreviewPage::commit(std::function<void()> done) {
+  begin(tr("Importing\u2026"));
+  const auto outcome = std::make_shared<RosterOutcome>();
+  const auto problem = std::make_shared<std::optional<Error>>();
+  shell_.run(
+      tr("Importing the roster"),
+      [outcome, problem, file = *import_.file, kind = import_.kind, columns = import_.columns,
+       fingerprint = import_.preview->fingerprint](Workplace& workplace, const ProgressCallback& progress) {
+        try {
+          *outcome = importRoster(workplace, file, kind, columns, fingerprint, RosterMode::kCommit, progress);
+        } catch (const Error& error) {
+          *problem = error;
+        }
+      },
+      [page = QPointer<RosterPreviewPage>(this), outcome, problem, done = std::move(done)] {
+        if (page.isNull()) return;
+        if (*problem) {
+          page->showProblem(plainWords(**problem));
+          return;
+        }
+        page->import_.outcome = std::move(*outcome);
+        done();
+      });
+}
+
 bool RosterPreviewPage::isComplete() const {
-  return import_.preview && import_.preview->importable();
+  return !busy_ && import_.preview && import_.preview->importable();
 }
 
 }  // namespace torsio::gui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -12,6 +13,7 @@ class QComboBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
+class QProgressBar;
 class QRadioButton;
 
 namespace torsio::gui {
@@ -28,6 +30,8 @@ struct RosterImport {
   std::optional<RosterOutcome> outcome{};
 };
 
+class RosterPreviewPage;
+
 /// From a file to people, in three steps: the file, which column is what, and what would happen line by line.
 /// Nothing is stored before the last button, and then all or nothing.
 class RosterWizard : public QWizard {
@@ -41,10 +45,14 @@ class RosterWizard : public QWizard {
 
  protected:
   void accept() override;
+  /// While something runs: stops it, and closes when it has stopped. Nothing is stored then.
+  void reject() override;
 
  private:
   ShellContext& shell_;
   RosterImport import_;
+  RosterPreviewPage* preview_;
+  bool closing_ = false;
 };
 
 /// First step: whose roster, and where it is.
@@ -86,7 +94,7 @@ class RosterColumnsPage : public QWizardPage {
   std::map<RosterField, QComboBox*> choices_;
 };
 
-/// Third step: what would happen.
+/// Third step: what would happen. Compares and tries out away from the window's thread.
 class RosterPreviewPage : public QWizardPage {
   Q_OBJECT
 
@@ -94,12 +102,22 @@ class RosterPreviewPage : public QWizardPage {
   RosterPreviewPage(RosterImport& import, ShellContext& shell, QWidget* parent);
   void initializePage() override;
   [[nodiscard]] bool isComplete() const override;
+  /// The import itself; `done` follows when everything is stored.
+  void commit(std::function<void()> done);
+  [[nodiscard]] bool busy() const noexcept { return busy_; }
 
  private:
+  void begin(const QString& what);
+  void showPreview();
+  void showProblem(const QString& words);
+  void showProgress(const QString& step, double fraction);
+
   RosterImport& import_;
   ShellContext& shell_;
   QLabel* summary_;
+  QProgressBar* progress_;
   DataTable* lines_;
+  bool busy_ = false;
 };
 
 }  // namespace torsio::gui

@@ -24,6 +24,31 @@ using Values = std::array<std::string, kRosterFields>;
 
 constexpr std::int64_t kYoungest_years = 14;
 constexpr std::int64_t kOldest_years = 100;
+constexpr std::size_t kLinesBetweenSigns = 200;
+
+/// Says now and then how many of the lines are done.
+class LineCount {
+ public:
+  LineCount(const ProgressCallback& progress, const char* step, std::size_t total, double from, double to)
+      : progress_(progress), step_(step), total_(std::max<std::size_t>(1, total)), from_(from), to_(to) {
+    say();
+  }
+  void next() {
+    if (++done_ % kLinesBetweenSigns == 0) say();
+  }
+
+ private:
+  void say() const {
+    const double share = static_cast<double>(done_) / static_cast<double>(total_);
+    if (progress_) progress_({step_, from_ + (to_ - from_) * share, -1.0});
+  }
+  const ProgressCallback& progress_;
+  const char* step_;
+  std::size_t total_;
+  double from_;
+  double to_;
+  std::size_t done_ = 0;
+};
 
 std::size_t at(RosterField field) {
   return static_cast<std::size_t>(field);
@@ -273,13 +298,15 @@ std::string fingerprintOf(const RosterPreview& preview) {
 }
 
 RosterPreview preview(Workplace& workplace, const RosterFile& file, RosterKind kind,
-                      const RosterColumns& columns) {
+                      const RosterColumns& columns, const ProgressCallback& progress, double share) {
   checkColumns(file, kind, columns);
   const KnownPeople known = readKnown(workplace);
   RosterPreview preview;
   preview.kind = kind;
   std::map<std::string, std::size_t> lineOf;
+  LineCount count(progress, "Comparing with the record", file.rows.size(), 0.0, share);
   for (const CsvRecord& record : file.rows) {
+    count.next();
     RosterRow row;
     row.line = record.line;
     if (record.values.size() != file.header.size()) {
@@ -324,7 +351,7 @@ nlohmann::json addedJson(const StoredPerson& person, const std::string& part) {
 }
 
 /// Adds the new people; ids are random, so giving codes in their order hides the order of the roster.
-std::vector<std::string> addNew(Workplace& workplace, const RosterPreview& preview) {
+std::vector<std::string> addNew(Workplace& workplace, const RosterPreview& preview, LineCount& count) {
   PeopleRepository repository(workplace.connection());
   const std::vector<std::string> used = repository.codes();
   PersonCodes codes({used.begin(), used.end()});
@@ -335,6 +362,7 @@ std::vector<std::string> addNew(Workplace& workplace, const RosterPreview& previ
   const bool trainees = preview.kind == RosterKind::kTrainees;
   std::vector<std::string> newCodes;
   for (const auto& [id, row] : byId) {
+    count.next();
     PersonEntry entry;
     for (const RosterField field : rosterFields(preview.kind)) {
       if (!row->values[at(field)].empty()) setValue(entry, field, row->values[at(field)]);
@@ -358,9 +386,10 @@ std::vector<std::string> addNew(Workplace& workplace, const RosterPreview& previ
   return newCodes;
 }
 
-void applyChanges(Workplace& workplace, const RosterPreview& preview) {
+void applyChanges(Workplace& workplace, const RosterPreview& preview, LineCount& count) {
   for (const RosterRow& row : preview.rows) {
     if (row.status != RosterStatus::kChanges) continue;
+    count.next();
     PersonEntry entry = personEntry(workplace, row.personId);
     for (const RosterChange& change : row.changes) setValue(entry, change.field, change.to);
     if (preview.kind == RosterKind::kTrainees) entry.trainee = true;
@@ -371,16 +400,18 @@ void applyChanges(Workplace& workplace, const RosterPreview& preview) {
 }  // namespace
 
 RosterPreview previewRoster(Workplace& workplace, const RosterFile& file, RosterKind kind,
-                            const RosterColumns& columns) {
+                            const RosterColumns& columns, const ProgressCallback& progress) {
   requireRosterRights(workplace);
-  return preview(workplace, file, kind, columns);
+  return preview(workplace, file, kind, columns, progress, 1.0);
 }
 
 RosterOutcome importRoster(Workplace& workplace, const RosterFile& file, RosterKind kind,
-                           const RosterColumns& columns, const std::string& fingerprint, RosterMode mode) {
+                           const RosterColumns& columns, const std::string& fingerprint, RosterMode mode,
+                           const ProgressCallback& progress) {
+  constexpr double kComparing = 0.2;  // of the whole work
   requireRosterRights(workplace);
   Transaction transaction(workplace.connection());
-  const RosterPreview now = preview(workplace, file, kind, columns);
+  const RosterPreview now = preview(workplace, file, kind, columns, progress, kComparing);
   for (const RosterRow& row : now.rows) {
     if (row.status != RosterStatus::kError) continue;
     throw Error(ErrorCode::kBadData, row.problem, file.name + ", line " + std::to_string(row.line),
@@ -392,8 +423,10 @@ RosterOutcome importRoster(Workplace& workplace, const RosterFile& file, RosterK
   }
   if (kind == RosterKind::kRaters) ensureRaterClasses(workplace);
   RosterOutcome outcome;
-  outcome.newCodes = addNew(workplace, now);
-  applyChanges(workplace, now);
+  LineCount count(progress, mode == RosterMode::kDryRun ? "Trying it out" : "Importing",
+                  now.added + now.changed, kComparing, 1.0);
+  outcome.newCodes = addNew(workplace, now, count);
+  applyChanges(workplace, now, count);
   outcome.added = now.added;
   outcome.changed = now.changed;
   workplace.note({.action = "roster.import",

@@ -11,6 +11,7 @@
 
 #include "app/session/access/workplace.h"
 #include "app/session/csv_table.h"
+#include "app/session/progress.h"
 
 namespace torsio {
 
@@ -100,7 +101,8 @@ struct RosterPreview {
 /// kPersonViewIdentity. Throws Error{kBadParameter} when a required field has no column, or two fields share
 /// one.
 [[nodiscard]] RosterPreview previewRoster(Workplace& workplace, const RosterFile& file, RosterKind kind,
-                                          const RosterColumns& columns);
+                                          const RosterColumns& columns,
+                                          const ProgressCallback& progress = {});
 
 /// What an import did.
 struct RosterOutcome {
@@ -117,8 +119,9 @@ enum class RosterMode {
 /// All lines or none, in one transaction; codes are given in an order that does not follow the roster.
 /// Audited: one entry a person and one for the import, without names. The same operations. Throws
 /// Error{kBadData} when a line cannot be taken, or when the record has changed since the preview with this
-/// fingerprint.
+/// fingerprint. What `progress` throws stops it, and then nothing is stored.
 RosterOutcome importRoster(Workplace& workplace, const RosterFile& file, RosterKind kind,
-                           const RosterColumns& columns, const std::string& fingerprint, RosterMode mode);
+                           const RosterColumns& columns, const std::string& fingerprint, RosterMode mode,
+                           const ProgressCallback& progress = {});
 
 }  // namespace torsio

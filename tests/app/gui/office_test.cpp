@@ -88,6 +88,7 @@ std::size_t importFile(Office& office, const fs::path& file, RosterKind kind) {
   if (kind == RosterKind::kRaters) import.columns[static_cast<std::size_t>(RosterField::kRaterClass)] = 2;
   RosterPreviewPage preview(import, office.shell(), nullptr);
   preview.initializePage();
+  office.shell().waitForJobs();
   EXPECT_TRUE(preview.isComplete());
   return importRoster(office.centre.workplace(), *import.file, kind, import.columns,
                       import.preview->fingerprint, RosterMode::kCommit)
