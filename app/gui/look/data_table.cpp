@@ -16,8 +16,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPainter>
 #include <QSettings>
 #include <QSortFilterProxyModel>
+#include <QStyledItemDelegate>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -63,6 +65,34 @@ class SortedRows final : public QSortFilterProxyModel {
   QCollator collator_;
 };
 
+/// Cells stand as far from their edges as the headers: a number never touches the text beside it.
+class PaddedCells final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QStyleOptionViewItem cell = option;
+    initStyleOption(&cell, index);
+    const QString text = cell.text;
+    cell.text.clear();
+    const QStyle* style = cell.widget != nullptr ? cell.widget->style() : QApplication::style();
+    style->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
+    const bool enabled = cell.state.testFlag(QStyle::State_Enabled);
+    painter->save();
+    painter->setFont(cell.font);
+    painter->setPen(cell.palette.color(
+        enabled ? QPalette::Active : QPalette::Disabled,
+        cell.state.testFlag(QStyle::State_Selected) ? QPalette::HighlightedText : QPalette::Text));
+    const QRect place = cell.rect.adjusted(kSpace, 0, -kSpace, 0);
+    painter->drawText(place, static_cast<int>(cell.displayAlignment | Qt::TextSingleLine),
+                      cell.fontMetrics.elidedText(text, Qt::ElideRight, place.width()));
+    painter->restore();
+  }
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return QStyledItemDelegate::sizeHint(option, index) + QSize(2 * kSpace, 0);
+  }
+};
+
 }  // namespace
 
 class DataTable::Model final : public QAbstractTableModel {
@@ -86,6 +116,8 @@ class DataTable::Model final : public QAbstractTableModel {
     rows_ = std::move(rows);
     endResetModel();
   }
+
+  [[nodiscard]] const std::vector<Column>& columns() const noexcept { return columns_; }
 
   [[nodiscard]] int rowCount(const QModelIndex& parent) const override {
     return parent.isValid() ? 0 : static_cast<int>(rows_.size());
@@ -139,7 +171,9 @@ DataTable::DataTable(const QString& name, QWidget* parent)
       filter_(new QLineEdit(this)),
       count_(new QLabel(this)),
       empty_(new QLabel(view_)),
-      tools_(new QWidget(this)) {
+      tools_(new QWidget(this)),
+      totals_(new QLabel(this)) {
+  view_->setItemDelegate(new PaddedCells(view_));
   proxy_->setSourceModel(model_);
   view_->setModel(proxy_);
   view_->setSortingEnabled(true);
@@ -181,6 +215,9 @@ DataTable::DataTable(const QString& name, QWidget* parent)
   column->setSpacing(kSpace);
   column->addLayout(bar);
   column->addWidget(view_, 1);
+  totals_->setProperty("quiet", true);
+  totals_->hide();
+  column->addWidget(totals_);
   setFocusProxy(view_);
 
   createActions();
@@ -193,8 +230,15 @@ DataTable::DataTable(const QString& name, QWidget* parent)
           [this] { Q_EMIT currentChanged(currentId()); });
   connect(view_, &QTableView::doubleClicked, this,
           [this](const QModelIndex& index) { Q_EMIT activated(idAt(index)); });
-  connect(view_->horizontalHeader(), &QHeaderView::customContextMenuRequested, this,
-          &DataTable::showColumnMenu);
+  QHeaderView* header = view_->horizontalHeader();
+  connect(header, &QHeaderView::customContextMenuRequested, this, &DataTable::showColumnMenu);
+  connect(header, &QHeaderView::sectionMoved, this, [this] { touched_ = true; });
+  connect(header, &QHeaderView::sectionResized, this, [this] {
+    if (QApplication::mouseButtons().testFlag(Qt::LeftButton)) touched_ = true;
+  });
+  connect(header, &QHeaderView::sortIndicatorChanged, this, [this](int sorted) {
+    if (sorted >= 0) touched_ = true;
+  });
   retranslate();
 }
 
@@ -208,6 +252,21 @@ void DataTable::createActions() {
   copyAction_->setShortcutContext(Qt::WidgetShortcut);
   view_->addAction(copyAction_);
   connect(copyAction_, &QAction::triggered, this, &DataTable::copy);
+  sortAction_ = new QAction(this);
+  view_->addAction(sortAction_);
+  connect(sortAction_, &QAction::triggered, this, &DataTable::sortByCurrent);
+  columnsAction_ = new QAction(this);
+  view_->addAction(columnsAction_);
+  connect(columnsAction_, &QAction::triggered, this,
+          [this] { showColumnMenu(view_->horizontalHeader()->rect().bottomLeft()); });
+}
+
+void DataTable::sortByCurrent() {
+  const int column = std::max(0, view_->currentIndex().column());
+  const QHeaderView& header = *view_->horizontalHeader();
+  const bool again =
+      header.sortIndicatorSection() == column && header.sortIndicatorOrder() == Qt::AscendingOrder;
+  view_->sortByColumn(column, again ? Qt::DescendingOrder : Qt::AscendingOrder);
 }
 
 void DataTable::setColumns(const std::vector<Column>& columns) {
@@ -220,9 +279,22 @@ void DataTable::setRows(std::vector<Row> rows) {
   const QString current = currentId();
   const bool first = model_->rowCount({}) == 0;
   model_->setRows(std::move(rows));
-  if (first && !view_->horizontalHeader()->property("remembered").toBool()) view_->resizeColumnsToContents();
+  if (!touched_) fitColumns(first);
   if (!current.isEmpty()) select(current);
   showCount();
+}
+
+/// As wide as what is in them; with new rows they only grow, so that a list that reads itself anew stands
+/// still.
+void DataTable::fitColumns(bool first) {
+  QHeaderView* header = view_->horizontalHeader();
+  std::vector<int> before;
+  for (int column = 0; column < header->count(); ++column) before.push_back(header->sectionSize(column));
+  view_->resizeColumnsToContents();
+  if (first) return;
+  for (int column = 0; column + 1 < header->count(); ++column)
+    header->resizeSection(column,
+                          std::max(before[static_cast<std::size_t>(column)], header->sectionSize(column)));
 }
 
 void DataTable::setColumnHidden(int column, bool hidden) {
@@ -307,8 +379,10 @@ void DataTable::showColumnMenu(const QPoint& at) {
     shown->setCheckable(true);
     shown->setChecked(!header->isSectionHidden(column));
     shown->setEnabled(shown->isChecked() ? header->count() - header->hiddenSectionCount() > 1 : true);
-    connect(shown, &QAction::toggled, header,
-            [header, column](bool on) { header->setSectionHidden(column, !on); });
+    connect(shown, &QAction::toggled, header, [this, header, column](bool on) {
+      header->setSectionHidden(column, !on);
+      touched_ = true;
+    });
   }
   menu.exec(header->mapToGlobal(at));
 }
@@ -318,14 +392,33 @@ void DataTable::showCount() {
   const int seen = proxy_->rowCount();
   count_->setText(seen == all ? tr("%n row(s)", nullptr, all)
                               : tr("%1 of %2 rows").arg(locale().toString(seen), locale().toString(all)));
+  totals_->setText(totals());
+  totals_->setVisible(!totals_->text().isEmpty());
   empty_->setVisible(all == 0 && !empty_->text().isEmpty());
   empty_->setGeometry(view_->viewport()->geometry().adjusted(4 * kSpace, 0, -4 * kSpace, 0));
+}
+
+QString DataTable::totals() const {
+  QStringList parts;
+  if (proxy_->rowCount() == 0) return {};
+  const std::vector<Column>& columns = model_->columns();
+  for (int column = 0; column < static_cast<int>(columns.size()); ++column) {
+    if (!columns[static_cast<std::size_t>(column)].total) continue;
+    double sum = 0.0;
+    for (int row = 0; row < proxy_->rowCount(); ++row)
+      sum += std::max(0.0, proxy_->index(row, column).data(kSortRole).toDouble());
+    parts << tr("%1 %2").arg(columns[static_cast<std::size_t>(column)].title,
+                             locale().toString(sum, 'g', 10));
+  }
+  return parts.isEmpty() ? QString() : tr("Together: %1").arg(parts.join(QStringLiteral(" \u00B7 ")));
 }
 
 void DataTable::retranslate() {
   filter_->setPlaceholderText(tr("Filter\u2026"));
   filter_->setAccessibleName(tr("Filter"));
   copyAction_->setText(tr("Copy with headers"));
+  sortAction_->setText(tr("Sort by this column"));
+  columnsAction_->setText(tr("Columns\u2026"));
   showCount();
 }
 
@@ -350,17 +443,24 @@ bool DataTable::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
+QString DataTable::settingsKey() const {
+  for (const QWidget* around = parentWidget(); around != nullptr; around = around->parentWidget()) {
+    const QString role = around->property("role").toString();
+    if (!role.isEmpty()) return QStringLiteral("tables/%1/%2").arg(role, name_);
+  }
+  return QStringLiteral("tables/%1").arg(name_);
+}
+
 void DataTable::remember() const {
-  if (name_.isEmpty() || model_->columnCount({}) == 0) return;
-  QSettings().setValue(QStringLiteral("tables/") + name_, view_->horizontalHeader()->saveState());
+  if (name_.isEmpty() || !touched_ || model_->columnCount({}) == 0) return;
+  QSettings().setValue(key_, view_->horizontalHeader()->saveState());
 }
 
 void DataTable::restore() {
   if (name_.isEmpty()) return;
-  const QByteArray state = QSettings().value(QStringLiteral("tables/") + name_).toByteArray();
-  if (!state.isEmpty() && view_->horizontalHeader()->restoreState(state)) {
-    view_->horizontalHeader()->setProperty("remembered", true);
-  }
+  key_ = settingsKey();
+  const QByteArray state = QSettings().value(key_).toByteArray();
+  touched_ = !state.isEmpty() && view_->horizontalHeader()->restoreState(state);
 }
 
 }  // namespace torsio::gui

@@ -27,6 +27,7 @@ struct Cell {
 struct Column {
   QString title;
   bool number = false;  ///< right-aligned
+  bool total = false;   ///< its positive sort keys are added up below the list, over the rows that are seen
 };
 
 struct Row {
@@ -35,7 +36,9 @@ struct Row {
 };
 
 /// A list as people expect it: sorts by any column, filters while typing, hides and reorders columns
-/// (remembered under `name`), copies with its headers. Holds 100,000 rows.
+/// (remembered under `name` for each role: the property "role" of the page it stands on), copies with its
+/// headers. Without the mouse: the context menu key sorts by the column one stands in and chooses columns.
+/// Holds 100,000 rows.
 class DataTable : public QWidget {
   Q_OBJECT
 
@@ -63,6 +66,8 @@ class DataTable : public QWidget {
 
   [[nodiscard]] QTableView& view() const noexcept { return *view_; }
   [[nodiscard]] QLineEdit& filter() const noexcept { return *filter_; }
+  /// What is added up, in words; empty: nothing is.
+  [[nodiscard]] QString totals() const;
 
  Q_SIGNALS:
   void currentChanged(const QString& id);
@@ -77,13 +82,17 @@ class DataTable : public QWidget {
   void createActions();
   void copy() const;
   void showColumnMenu(const QPoint& at);
+  void sortByCurrent();
+  void fitColumns(bool first);
   void showCount();
   void retranslate();
+  [[nodiscard]] QString settingsKey() const;
   void remember() const;
   void restore();
   [[nodiscard]] QString idAt(const QModelIndex& proxied) const;
 
   QString name_;
+  QString key_;  // of the settings, once the table has its columns
   Model* model_;
   QSortFilterProxyModel* proxy_;
   QTableView* view_;
@@ -91,8 +100,12 @@ class DataTable : public QWidget {
   QLabel* count_;
   QLabel* empty_;
   QWidget* tools_;
+  QLabel* totals_;
   QAction* copyAction_ = nullptr;
+  QAction* sortAction_ = nullptr;
+  QAction* columnsAction_ = nullptr;
   bool restored_ = false;
+  bool touched_ = false;  // somebody moved, sized, hid or sorted: only that is worth remembering
 };
 
 }  // namespace torsio::gui

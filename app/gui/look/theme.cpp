@@ -132,7 +132,7 @@ QComboBox, QDoubleSpinBox, QSpinBox { background: %surface; color: %text; border
   border-radius: 6px; padding: 4px 8px; min-height: 20px; selection-background-color: %accent;
   selection-color: %onAccent; }
 QComboBox:focus, QDoubleSpinBox:focus, QSpinBox:focus { border: 2px solid %accent; padding: 3px 7px; }
-QComboBox:disabled, QDoubleSpinBox:disabled { color: %border; border-color: %line; }
+QComboBox:disabled, QDoubleSpinBox:disabled, QSpinBox:disabled { color: %border; border-color: %line; }
 QComboBox { combobox-popup: 0; }
 QComboBox::drop-down { border: none; width: 24px; }
 QComboBox::down-arrow { image: url(%chevron); width: 12px; height: 12px; }
@@ -177,7 +177,7 @@ QPushButton { background: %raised; color: %text; border: 1px solid %border; bord
 QPushButton:hover { background: %track; }
 QPushButton:default { background: %accent; color: %onAccent; border-color: %accent; }
 QPushButton:focus { border: 2px solid %accent; padding: 6px 15px; }
-QPushButton:disabled { color: %border; border-color: %line; }
+QPushButton:disabled, QPushButton:default:disabled { background: %raised; color: %border; border-color: %line; }
 QFrame#rail { background: %surface; border: none; border-right: 1px solid %line; }
 QFrame#rail QPushButton { background: transparent; border: 1px solid transparent; border-radius: 6px; color: %text;
   text-align: left; padding: 8px 12px; }

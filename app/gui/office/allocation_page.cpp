@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -16,6 +17,7 @@
 #include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/office/office_parts.h"
+#include "app/gui/office/sealed_cards.h"
 #include "app/gui/office/study_words.h"
 #include "app/gui/office/user_dialogs.h"
 #include "app/gui/shell/shell_context.h"
@@ -57,6 +59,7 @@ AllocationPage::AllocationPage(ShellContext& shell)
       allocate_(new QPushButton(this)),
       reveal_(new QPushButton(this)),
       check_(new QPushButton(this)),
+      cards_(new QPushButton(this)),
       balanceTitle_(new QLabel(this)),
       balance_(new DataTable(QStringLiteral("allocation-balance"), this)),
       recordsTitle_(new QLabel(this)),
@@ -74,7 +77,7 @@ AllocationPage::AllocationPage(ShellContext& shell)
   stateText_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   state_->content()->addWidget(stateText_, 1);
   auto* acts = new QHBoxLayout;
-  for (QPushButton* button : {allocate_, reveal_, check_}) acts->addWidget(button);
+  for (QPushButton* button : {allocate_, cards_, reveal_, check_}) acts->addWidget(button);
   acts->addStretch(1);
   state_->content()->addLayout(acts);
   cards->addWidget(state_, 1);
@@ -99,6 +102,7 @@ AllocationPage::AllocationPage(ShellContext& shell)
   connect(lock_, &QPushButton::clicked, this, &AllocationPage::askLock);
   connect(allocate_, &QPushButton::clicked, this, &AllocationPage::allocateEverybody);
   connect(reveal_, &QPushButton::clicked, this, &AllocationPage::askReveal);
+  connect(cards_, &QPushButton::clicked, this, &AllocationPage::askCards);
   connect(check_, &QPushButton::clicked, this, &AllocationPage::check);
   retranslate();
 }
@@ -176,6 +180,7 @@ void AllocationPage::showFields() {
   allocate_->setEnabled(!designs_.empty() && run);
   reveal_->setEnabled(!designs_.empty() && designs_.back().stored.seed.empty() &&
                       workplace.may(Operation::kAllocationReveal));
+  cards_->setEnabled(!designs_.empty() && designs_.back().records > 0 && run);
   check_->setEnabled(!designs_.empty());
 }
 
@@ -241,6 +246,12 @@ void AllocationPage::showDesign() {
                        {record.overrideReason.empty() ? tr("as drawn") : shown(record.overrideReason)},
                        {shown(record.recordHash.substr(0, 12))}}});
   }
+  if (cohort_->count() == 0)
+    text = tr("There is no cohort yet. Make one under Cohorts and enrol its trainees.");
+  else if (!shell().workplace().may(Operation::kAllocationRun))
+    text = tr("%1\n\nOnly a keeper of the allocation previews, locks and draws. Whoever has the role "
+              "Administrator gives it to somebody under Users.")
+               .arg(text);
   stateText_->setText(text);
   records_->setRows(std::move(rows));
 }
@@ -293,6 +304,20 @@ void AllocationPage::askReveal() {
   if (reason) reveal(*reason);
 }
 
+bool AllocationPage::writeCards(const std::filesystem::path& file) {
+  return attempt(shell(), [&] {
+    writeSealedCards(takeOutCards(shell().workplace(), chosenId(cohort_)),
+                     cohort_->currentText().toStdString(), file);
+    shell().notify(tr("Written: %1").arg(shown(file.string())));
+  });
+}
+
+void AllocationPage::askCards() {
+  const QString file =
+      QFileDialog::getSaveFileName(this, tr("Sealed cards"), QStringLiteral("cards.pdf"), tr("PDF (*.pdf)"));
+  if (!file.isEmpty()) writeCards(std::filesystem::path(file.toStdString()));
+}
+
 void AllocationPage::check() {
   attempt(shell(), [&] {
     const AllocationCheck found = checkAllocation(shell().workplace(), designs_.back().stored.id);
@@ -322,6 +347,8 @@ void AllocationPage::retranslate() {
   lock_->setText(tr("&Lock design\u2026"));
   state_->setTitle(tr("What counts now"));
   allocate_->setText(tr("&Allocate everybody"));
+  cards_->setText(tr("Ca&rds\u2026"));
+  cards_->setToolTip(tr("A page with a label and a card for each envelope, to print"));
   reveal_->setText(tr("&Open the seal\u2026"));
   check_->setText(tr("Chec&k the draw"));
   balance_->setColumns({{tr("Detail")},

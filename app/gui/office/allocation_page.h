@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -37,6 +38,8 @@ class AllocationPage : public Page {
   /// Locks the plan that is set; an earlier design that somebody was allocated by needs a reason.
   bool lock(const std::string& supersedeReason = {});
   bool allocateEverybody();
+  /// The sealed cards as a PDF to print.
+  bool writeCards(const std::filesystem::path& file);
   bool reveal(const std::string& reason = {});
 
   [[nodiscard]] QComboBox& method() const noexcept { return *method_; }
@@ -53,6 +56,7 @@ class AllocationPage : public Page {
   void showFields();
   void askLock();
   void askReveal();
+  void askCards();
   void check();
 
   std::vector<AllocationDesignRow> designs_;
@@ -74,6 +78,7 @@ class AllocationPage : public Page {
   QPushButton* allocate_;
   QPushButton* reveal_;
   QPushButton* check_;
+  QPushButton* cards_;
   QLabel* balanceTitle_;
   DataTable* balance_;
   QLabel* recordsTitle_;

@@ -91,6 +91,15 @@ PeopleDialog::PeopleDialog(const QString& title, const QString& question,
   table_->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
   table_->view().selectAll();
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  QPushButton* take = buttons->button(QDialogButtonBox::Ok);
+  const auto sayHowMany = [this, take] {
+    const auto chosen = static_cast<int>(table_->selectedIds().size());
+    take->setText(tr("Take %n", nullptr, chosen));
+    take->setEnabled(chosen > 0);
+  };
+  connect(table_, &DataTable::currentChanged, this, sayHowMany);
+  sayHowMany();
+  take->setFocus();  // Enter takes everybody; the list is for the exceptions
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* column = new QVBoxLayout(this);

@@ -197,9 +197,9 @@ void CohortsPage::retranslate() {
   table_->setColumns({{tr("Name")},
                       {tr("Curriculum")},
                       {tr("Groups"), true},
-                      {tr("Enrolled"), true},
-                      {tr("In a group"), true},
-                      {tr("Withdrew"), true},
+                      {tr("Enrolled"), true, true},
+                      {tr("In a group"), true, true},
+                      {tr("Withdrew"), true, true},
                       {tr("Kind")},
                       {tr("Since")}});
   table_->setEmptyText(tr("No cohort yet. A cohort is a group of trainees who go through one study."));

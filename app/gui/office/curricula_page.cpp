@@ -51,7 +51,7 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
       editor_(new CurriculumEditor(shell.assets(), this)) {
   add_->setProperty("primary", true);
   heading_->addAction(add_);
-  auto* right = new QWidget(this);
+  auto* right = editing_ = new QWidget(this);
   auto* rightColumn = new QVBoxLayout(right);
   rightColumn->setContentsMargins(0, 0, 0, 0);
   rightColumn->setSpacing(kSpace);
@@ -133,7 +133,7 @@ const CurriculumRow* CurriculaPage::current() const {
 
 void CurriculaPage::showDraft() {
   const CurriculumRow* row = current();
-  editor_->setEnabled(row != nullptr);
+  editing_->setVisible(row != nullptr);
   if (row == nullptr) {
     versions_->clear();
     shownId_.clear();

@@ -78,6 +78,7 @@ class CurriculaPage : public Page {
   QPushButton* publish_;
   QPushButton* begin_;
   QPushButton* close_;
+  QWidget* editing_ = nullptr;
   CurriculumEditor* editor_;
 };
 

@@ -2,6 +2,7 @@
 #include "app/gui/office/office_parts.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDateTime>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -42,6 +43,7 @@ void fillCohorts(QComboBox* chooser, Workplace& workplace) {
   const std::string before = chosenId(chooser);
   const QSignalBlocker quiet(chooser);
   chooser->clear();
+  chooser->setPlaceholderText(QCoreApplication::translate("Office", "no cohort yet"));
   int first = -1;
   for (const CohortRow& row : cohorts(workplace)) {
     chooser->addItem(shown(row.cohort.name), shown(row.cohort.id));

@@ -8,7 +8,7 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QFileDialog>
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -19,6 +19,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/look/data_table.h"
+#include "app/gui/look/form.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/shell/shell_context.h"
 #include "sim/base/error.h"
@@ -103,7 +104,7 @@ RosterWizard::RosterWizard(ShellContext& shell, QWidget* parent) : QWizard(paren
   setWindowTitle(tr("Import a roster"));
   setWizardStyle(QWizard::ModernStyle);
   setOption(QWizard::NoBackButtonOnStartPage);
-  setButtonText(QWizard::FinishButton, tr("Import"));
+  setButtonText(QWizard::FinishButton, tr("&Import"));
   setMinimumSize(760, 560);
   addPage(new RosterFilePage(import_, this));
   addPage(new RosterColumnsPage(import_, this));
@@ -138,6 +139,7 @@ RosterFilePage::RosterFilePage(RosterImport& import, QWidget* parent)
       trainees_(new QRadioButton(tr("&Trainees"), this)),
       raters_(new QRadioButton(tr("&Raters"), this)),
       path_(new QLineEdit(this)),
+      columns_(sentence(this)),
       problem_(new QLabel(this)) {
   setTitle(tr("The file"));
   setSubTitle(
@@ -163,15 +165,35 @@ RosterFilePage::RosterFilePage(RosterImport& import, QWidget* parent)
   column->setSpacing(2 * kSpace);
   column->addLayout(kinds);
   column->addLayout(file);
+  column->addWidget(columns_);
   column->addWidget(blank, 0, Qt::AlignLeft);
   column->addWidget(problem_);
   column->addStretch(1);
+  connect(raters_, &QRadioButton::toggled, this, &RosterFilePage::sayColumns);
   connect(choose, &QPushButton::clicked, this, &RosterFilePage::choose);
   connect(blank, &QPushButton::clicked, this, &RosterFilePage::saveTemplate);
   connect(path_, &QLineEdit::textChanged, this, [this] {
     problem_->clear();
     Q_EMIT completeChanged();
   });
+}
+
+void RosterFilePage::initializePage() {
+  sayColumns();
+  path_->setFocus();
+}
+
+/// Which columns the file may have, so that nobody needs the guide for it.
+void RosterFilePage::sayColumns() {
+  const RosterKind kind = raters_->isChecked() ? RosterKind::kRaters : RosterKind::kTrainees;
+  QStringList needed;
+  QStringList other;
+  for (const RosterField field : rosterFields(kind))
+    (isRequired(field, kind) ? needed : other) << RosterTexts::field(field);
+  columns_->setText(
+      tr("Needed columns: %1. Further columns, as far as you have them: %2. Their order and their "
+         "headings do not matter; the next step asks which is which.")
+          .arg(needed.join(tr(", ")), other.join(tr(", "))));
 }
 
 bool RosterFilePage::isComplete() const {
@@ -210,18 +232,25 @@ void RosterFilePage::saveTemplate() {
 }
 
 RosterColumnsPage::RosterColumnsPage(RosterImport& import, QWidget* parent)
-    : QWizardPage(parent), import_(import), form_(new QFormLayout), sample_(new DataTable(QString(), this)) {
+    : QWizardPage(parent), import_(import), form_(new QGridLayout), sample_(new DataTable(QString(), this)) {
   setTitle(tr("The columns"));
   setSubTitle(
       tr("Which column holds what. Fields with a star are needed; the first lines of the file stand below."));
   auto* column = new QVBoxLayout(this);
   column->setSpacing(2 * kSpace);
+  form_->setHorizontalSpacing(kSpace);
+  form_->setVerticalSpacing(kSpace);
+  for (const int side : {1, 3}) form_->setColumnStretch(side, 1);
+  sample_->filter().hide();
   column->addLayout(form_);
   column->addWidget(sample_, 1);
 }
 
 void RosterColumnsPage::initializePage() {
-  while (form_->rowCount() > 0) form_->removeRow(0);
+  while (QLayoutItem* item = form_->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
   choices_.clear();
   for (const RosterField field : rosterFields(import_.kind)) {
     auto* choice = new QComboBox(this);
@@ -233,7 +262,12 @@ void RosterColumnsPage::initializePage() {
     const auto& suggested = import_.columns[static_cast<std::size_t>(field)];
     choice->setCurrentIndex(suggested ? static_cast<int>(*suggested) + 1 : 0);
     const QString name = RosterTexts::field(field);
-    form_->addRow(isRequired(field, import_.kind) ? tr("%1 *").arg(name) : name, choice);
+    auto* label = new QLabel(isRequired(field, import_.kind) ? tr("%1 *").arg(name) : name, this);
+    label->setBuddy(choice);
+    choice->setAccessibleName(name);
+    const auto place = static_cast<int>(choices_.size());
+    form_->addWidget(label, place / 2, 2 * (place % 2));
+    form_->addWidget(choice, place / 2, 2 * (place % 2) + 1);
     choices_[field] = choice;
     connect(choice, &QComboBox::currentIndexChanged, this, &QWizardPage::completeChanged);
   }

@@ -10,7 +10,7 @@
 #include "app/session/people/roster_import.h"
 
 class QComboBox;
-class QFormLayout;
+class QGridLayout;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
@@ -61,17 +61,20 @@ class RosterFilePage : public QWizardPage {
 
  public:
   RosterFilePage(RosterImport& import, QWidget* parent);
+  void initializePage() override;
   [[nodiscard]] bool isComplete() const override;
   [[nodiscard]] bool validatePage() override;
 
  private:
   void choose();
   void saveTemplate();
+  void sayColumns();
 
   RosterImport& import_;
   QRadioButton* trainees_;
   QRadioButton* raters_;
   QLineEdit* path_;
+  QLabel* columns_;
   QLabel* problem_;
 };
 
@@ -89,7 +92,7 @@ class RosterColumnsPage : public QWizardPage {
   void showSample();
 
   RosterImport& import_;
-  QFormLayout* form_;
+  QGridLayout* form_;
   DataTable* sample_;
   std::map<RosterField, QComboBox*> choices_;
 };

@@ -8,6 +8,7 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 
@@ -104,6 +105,25 @@ std::optional<NewDeviation> askDeviation(QWidget* parent, const QString& trainee
   deviation.kind = kind->currentData().toString().toStdString();
   deviation.description = text->toPlainText().trimmed().toStdString();
   return deviation;
+}
+
+std::optional<Swap> askSwap(QWidget* parent, const QString& trainee,
+                            const std::vector<std::pair<std::string, QString>>& others) {
+  FormDialog dialog(parent, words(QT_TRANSLATE_NOOP("RunDay", "Swap turns")), trainee);
+  auto* other = new QComboBox(&dialog);
+  for (const auto& [id, code] : others) other->addItem(code, QString::fromStdString(id));
+  auto* reason = new QLineEdit(&dialog);
+  reason->setPlaceholderText(words(QT_TRANSLATE_NOOP("RunDay", "Why, without names")));
+  dialog.form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "&With")), other);
+  dialog.form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "&Reason")), reason);
+  auto* note = new QLabel(words(QT_TRANSLATE_NOOP(
+      "RunDay", "Their groups stay as drawn; a deviation is noted for both and appears in the report.")));
+  note->setWordWrap(true);
+  note->setProperty("quiet", true);
+  dialog.form->addRow(note);
+  other->setFocus();
+  if (!dialog.ask(words(QT_TRANSLATE_NOOP("RunDay", "Swap")))) return std::nullopt;
+  return Swap{other->currentData().toString().toStdString(), reason->text().trimmed().toStdString()};
 }
 
 }  // namespace torsio::gui

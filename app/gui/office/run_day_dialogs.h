@@ -21,4 +21,13 @@ namespace torsio::gui {
 /// What did not go by the protocol. The same.
 [[nodiscard]] std::optional<NewDeviation> askDeviation(QWidget* parent, const QString& trainee);
 
+/// Who takes whose turn, and why.
+struct Swap {
+  std::string enrolmentId{};  ///< of the other
+  std::string reason{};
+};
+/// `others`: enrolments and codes to choose from. Empty: given up.
+[[nodiscard]] std::optional<Swap> askSwap(QWidget* parent, const QString& trainee,
+                                          const std::vector<std::pair<std::string, QString>>& others);
+
 }  // namespace torsio::gui

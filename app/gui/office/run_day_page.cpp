@@ -6,16 +6,19 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTimer>
 #include <QVBoxLayout>
 
 #include "app/gui/look/data_table.h"
+#include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/office/office_parts.h"
 #include "app/gui/office/run_day_dialogs.h"
 #include "app/gui/office/study_words.h"
 #include "app/gui/office/user_dialogs.h"
+#include "app/gui/shell/background.h"
 #include "app/gui/shell/shell_context.h"
 #include "app/session/study/cohort_service.h"
 
@@ -24,6 +27,8 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kReadAgain_ms = 10'000;
+constexpr int kStationsHeight = 150;
+constexpr qsizetype kMostAlerts = 3;
 
 }  // namespace
 
@@ -35,7 +40,12 @@ RunDayPage::RunDayPage(ShellContext& shell)
       cohort_(new QComboBox(this)),
       summary_(new QLabel(this)),
       table_(new DataTable(QStringLiteral("run-day"), this)),
+      alerts_(sentence(this, false)),
+      stationsTitle_(new QLabel(this)),
+      stations_(new DataTable(QStringLiteral("run-day-stations"), this)),
+      reader_(new Background(this)),
       time_(listButton(table_)),
+      swap_(listButton(table_)),
       deviation_(listButton(table_)),
       state_(listButton(table_)) {
   auto* choices = new QHBoxLayout;
@@ -47,10 +57,19 @@ RunDayPage::RunDayPage(ShellContext& shell)
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addLayout(choices);
+  setLook(alerts_, "caution", true);
+  alerts_->hide();
+  stationsTitle_->setObjectName(QStringLiteral("cardTitle"));
+  stations_->filter().hide();
+  stations_->setMaximumHeight(kStationsHeight);
+  column->addWidget(alerts_);
   column->addWidget(table_, 1);
+  column->addWidget(stationsTitle_);
+  column->addWidget(stations_);
 
   clock_->setInterval(kReadAgain_ms);
-  connect(clock_, &QTimer::timeout, this, &RunDayPage::read);
+  connect(clock_, &QTimer::timeout, this, &RunDayPage::refresh);
+  connect(swap_, &QPushButton::clicked, this, &RunDayPage::swap);
   connect(cohort_, &QComboBox::currentIndexChanged, this, &RunDayPage::read);
   connect(table_, &DataTable::currentChanged, this, &RunDayPage::showButtons);
   connect(time_, &QPushButton::clicked, this, &RunDayPage::logTime);
@@ -79,6 +98,29 @@ void RunDayPage::read() {
     show();
   });
   if (!good) clock_->stop();  // one message, not one every few seconds
+}
+
+void RunDayPage::refresh() {
+  const std::string cohort = chosenId(cohort_);
+  if (cohort.empty() || reader_->working()) return;
+  reader_->run(
+      [this, key = shell().workplace().key(), cohort]() -> Background::Finish {
+        Workplace own(key);
+        return [this, cohort, board = runDayBoard(own, cohort)] {
+          if (cohort != chosenId(cohort_)) return;  // another one was chosen meanwhile
+          board_ = board;
+          show();
+        };
+      },
+      [this](const std::exception_ptr& problem) {
+        clock_->stop();  // one message, not one every few seconds
+        shell().report(problem);
+      });
+}
+
+void RunDayPage::refreshAndWait() {
+  refresh();
+  reader_->wait();
 }
 
 QString RunDayPage::nowText(const RunDayRow& row) const {
@@ -123,7 +165,90 @@ void RunDayPage::show() {
                                  .arg(board_->rows.size())
                                  .arg(sheets)
                            : QString());
+  table_->setEmptyText(cohort_->count() == 0
+                           ? tr("Nothing to run yet. Go through the pages at the left in their order: Roster "
+                                "(bring people in), "
+                                "Curricula, Cohorts, Allocation, Scoring.")
+                           : tr("Nobody is enrolled in this cohort yet. Enrol trainees under Cohorts."));
+  showAlerts();
+  showStations();
   showButtons();
+}
+
+QString RunDayPage::alertText(const RunDayAlert& alert) const {
+  using Kind = RunDayAlert::Kind;
+  switch (alert.kind) {
+    case Kind::kTrialOpen:
+      return tr("%1 was recording at %2, which does not answer since %3. Go and look.")
+          .arg(shown(alert.subject), shown(alert.station), shownTime(alert.sinceUtc_us, locale()));
+    case Kind::kStationSilent:
+      return tr("%1 does not answer since %2.")
+          .arg(shown(alert.subject), shownTime(alert.sinceUtc_us, locale()));
+    case Kind::kRestTooLong:
+      return tr("%1 has rested longer than allowed.").arg(shown(alert.subject));
+    case Kind::kSheetsMissing:
+      return tr("%1: %n sheet(s) are missing.", nullptr, static_cast<int>(alert.count))
+          .arg(scoringPointName(alert.scoringPoint));
+    case Kind::kNoGroup:
+      return tr("%n trainee(s) have no group yet; draw them under Allocation.", nullptr,
+                static_cast<int>(alert.count));
+  }
+  return {};
+}
+
+void RunDayPage::showAlerts() {
+  QStringList lines;
+  if (board_)
+    for (const RunDayAlert& alert : runDayAlerts(*board_)) lines << alertText(alert);
+  const qsizetype more = lines.size() - kMostAlerts;
+  if (more > 0) {
+    lines.resize(kMostAlerts);
+    lines << tr("and %n more", nullptr, static_cast<int>(more));
+  }
+  alerts_->setText(lines.isEmpty() ? QString()
+                                   : QStringLiteral("\u26A0 ") + lines.join(QStringLiteral("\n\u26A0 ")));
+  alerts_->setVisible(!lines.isEmpty());
+}
+
+void RunDayPage::showStations() {
+  std::vector<Row> rows;
+  if (board_)
+    for (const StationState& station : board_->stations) {
+      const bool silent = board_->asOfUtc_us - station.heartbeatUtc_us > kStationSilence_us;
+      const bool records = !station.trialId.empty() && !station.ended;
+      rows.push_back(
+          {shown(station.station),
+           {{shown(station.station)},
+            {silent    ? tr("! does not answer")
+             : records ? tr("\u25CF records")
+                       : tr("\u25CB free")},
+            {records ? shown(station.traineeCode) : QStringLiteral("\u2013")},
+            {records ? orDash(station.phaseLabel) : QStringLiteral("\u2013")},
+            {records ? shownSpan(board_->asOfUtc_us - station.startedUtc_us) : QStringLiteral("\u2013")},
+            {shownTime(station.heartbeatUtc_us, locale()), static_cast<qlonglong>(station.heartbeatUtc_us)},
+            {orDash(station.softwareVersion)}}});
+    }
+  const bool some = !rows.empty();
+  stations_->setRows(std::move(rows));
+  stations_->setVisible(some);
+  stationsTitle_->setVisible(some);
+}
+
+void RunDayPage::swap() {
+  const RunDayRow* row = current();
+  if (row == nullptr) return;
+  std::vector<std::pair<std::string, QString>> others;
+  for (const RunDayRow& other : board_->rows)
+    if (other.enrolmentId != row->enrolmentId && other.state != "withdrawn")
+      others.emplace_back(other.enrolmentId, shown(other.traineeCode));
+  const std::string id = row->enrolmentId;
+  const std::optional<Swap> wanted = askSwap(this, shown(row->traineeCode), others);
+  if (!wanted) return;
+  attempt(shell(), [&] {
+    swapTurns(shell().workplace(), chosenId(cohort_), id, wanted->enrolmentId, wanted->reason);
+    read();
+    shell().notify(tr("Swapped; both deviations are noted."));
+  });
 }
 
 const RunDayRow* RunDayPage::current() const {
@@ -137,6 +262,7 @@ const RunDayRow* RunDayPage::current() const {
 void RunDayPage::showButtons() {
   const RunDayRow* row = current();
   time_->setEnabled(row != nullptr);
+  swap_->setEnabled(row != nullptr && row->state != "withdrawn" && board_->rows.size() > 1);
   deviation_->setEnabled(board_.has_value());
   state_->setEnabled(row != nullptr);
   state_->setText(row != nullptr && row->state == "withdrawn" ? tr("&Back in\u2026") : tr("&Withdraw\u2026"));
@@ -190,6 +316,15 @@ void RunDayPage::retranslate() {
   heading_->setTexts(tr("Run day"), tr("Who is at what, what is left, and which sheets are still missing."));
   cohortLabel_->setText(tr("&Cohort"));
   time_->setText(tr("&Log time\u2026"));
+  swap_->setText(tr("S&wap turns\u2026"));
+  stationsTitle_->setText(tr("Stations"));
+  stations_->setColumns({{tr("Station")},
+                         {tr("Now")},
+                         {tr("Trainee")},
+                         {tr("Phase")},
+                         {tr("For"), true},
+                         {tr("Last sign of life")},
+                         {tr("Version")}});
   deviation_->setText(tr("&Deviation\u2026"));
   table_->setColumns({{tr("Trainee")},
                       {tr("Group")},
@@ -198,9 +333,8 @@ void RunDayPage::retranslate() {
                       {tr("Rest left"), true},
                       {tr("Station")},
                       {tr("Scoring due")},
-                      {tr("Sheets missing"), true},
-                      {tr("Deviations"), true}});
-  table_->setEmptyText(tr("Nobody is enrolled in this cohort yet. Enrol trainees under Cohorts."));
+                      {tr("Sheets missing"), true, true},
+                      {tr("Deviations"), true, true}});
   show();
 }
 

@@ -13,6 +13,7 @@ class QTimer;
 
 namespace torsio::gui {
 
+class Background;
 class DataTable;
 class PageHeading;
 
@@ -29,10 +30,20 @@ class RunDayPage : public Page {
   void retranslate() override;
 
   [[nodiscard]] DataTable& table() const noexcept { return *table_; }
+  [[nodiscard]] DataTable& stations() const noexcept { return *stations_; }
+  [[nodiscard]] QLabel& alerts() const noexcept { return *alerts_; }
+  /// Reads anew now and waits for it: tests.
+  void refreshAndWait();
 
  private:
   void read();
+  /// The same away from the window's thread: what the clock does.
+  void refresh();
   void show();
+  void showStations();
+  void showAlerts();
+  [[nodiscard]] QString alertText(const RunDayAlert& alert) const;
+  void swap();
   void showButtons();
   void logTime();
   void reportDeviation();
@@ -47,7 +58,12 @@ class RunDayPage : public Page {
   QComboBox* cohort_;
   QLabel* summary_;
   DataTable* table_;
+  QLabel* alerts_;
+  QLabel* stationsTitle_;
+  DataTable* stations_;
+  Background* reader_;
   QPushButton* time_;
+  QPushButton* swap_;
   QPushButton* deviation_;
   QPushButton* state_;
 };

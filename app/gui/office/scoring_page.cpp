@@ -93,7 +93,7 @@ void ScoringPage::read() {
 }
 
 void ScoringPage::show() {
-  std::vector<Column> columns = {{tr("Trainee")}, {tr("Scoring point")}, {tr("Missing"), true}};
+  std::vector<Column> columns = {{tr("Trainee")}, {tr("Scoring point")}, {tr("Missing"), true, true}};
   std::vector<Row> rows;
   std::size_t open = 0;
   std::size_t submitted = 0;

@@ -75,12 +75,13 @@ struct Frame {
     buttons = new QDialogButtonBox(&dialog);
     ok = buttons->addButton(accept, QDialogButtonBox::AcceptRole);
     ok->setDefault(true);
-    buttons->addButton(UserDialogs::tr("Cancel"), QDialogButtonBox::RejectRole);
+    buttons->addButton(UserDialogs::tr("Cancel"), QDialogButtonBox::RejectRole)->setAutoDefault(false);
     QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
   }
   [[nodiscard]] bool run() {
     column->addWidget(buttons);
+    if (first != nullptr) first->setFocus();
     return dialog.exec() == QDialog::Accepted;
   }
 
@@ -88,6 +89,7 @@ struct Frame {
   QVBoxLayout* column;
   QDialogButtonBox* buttons = nullptr;
   QPushButton* ok = nullptr;
+  QWidget* first = nullptr;  ///< where typing begins
 };
 
 QLabel* sentence(QWidget* parent, const QString& text) {
@@ -112,6 +114,7 @@ std::optional<NewUser> askNewUser(QWidget* parent, const std::vector<PersonChoic
   Frame frame(parent, UserDialogs::tr("New user"), UserDialogs::tr("Add user"));
   auto* login = new QLineEdit(&frame.dialog);
   login->setObjectName(QStringLiteral("login"));
+  frame.first = login;
   auto* person = new QComboBox(&frame.dialog);
   person->addItem(UserDialogs::tr("Nobody of the record"), QString());
   for (const PersonChoice& choice : people) {
@@ -156,6 +159,7 @@ std::optional<RolesChange> askRoles(QWidget* parent, const QString& login,
   frame.column->addWidget(boxes);
   auto* reason = new QLineEdit(&frame.dialog);
   reason->setObjectName(QStringLiteral("reason"));
+  frame.first = reason;
   auto* form = new QFormLayout;
   form->addRow(UserDialogs::tr("&Reason"), reason);
   frame.column->addLayout(form);
@@ -184,9 +188,15 @@ void showStartPassword(QWidget* parent, const QString& login, const QString& pas
   shown->setAccessibleName(UserDialogs::tr("Start password"));
   frame.column->addWidget(shown);
   auto* copy = new QPushButton(UserDialogs::tr("&Copy"), &frame.dialog);
-  QObject::connect(copy, &QPushButton::clicked, shown,
-                   [shown] { QApplication::clipboard()->setText(shown->text()); });
+  QObject::connect(copy, &QPushButton::clicked, shown, [shown, copy] {
+    QApplication::clipboard()->setText(shown->text());
+    copy->setText(UserDialogs::tr("Copied"));
+  });
   frame.column->addWidget(copy, 0, Qt::AlignLeft);
+  // Another Enter, typed in haste, must not close what is shown only once.
+  copy->setDefault(true);
+  frame.ok->setAutoDefault(false);
+  frame.first = copy;
   static_cast<void>(frame.run());
 }
 
@@ -195,6 +205,7 @@ std::optional<std::string> askReason(QWidget* parent, const QString& title, cons
   frame.column->addWidget(sentence(&frame.dialog, question));
   auto* reason = new QLineEdit(&frame.dialog);
   reason->setObjectName(QStringLiteral("reason"));
+  frame.first = reason;
   auto* form = new QFormLayout;
   form->addRow(UserDialogs::tr("&Reason"), reason);
   frame.column->addLayout(form);

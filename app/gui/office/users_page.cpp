@@ -6,6 +6,7 @@
 
 #include <QDateTime>
 #include <QLocale>
+#include <QPointer>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -133,13 +134,30 @@ void UsersPage::add() {
   try {
     const std::optional<NewUser> user = askNewUser(this, peopleToChoose(shell().workplace()));
     if (!user) return;
-    const QString id = QString::fromStdString(addUser(shell().workplace(), *user));
-    enter({});
-    table_->select(id);
-    showStartPassword(this, QString::fromStdString(user->login), QString::fromStdString(user->startPassword));
+    const auto id = std::make_shared<std::string>();
+    storeAndShow([user = *user, id](Workplace& workplace) { *id = addUser(workplace, user); },
+                 QString::fromStdString(user->login), user->startPassword, id);
   } catch (...) {
     shell().report(std::current_exception());
   }
+}
+
+void UsersPage::storeAndShow(const std::function<void(Workplace&)>& store, const QString& login,
+                             const std::string& password, const std::shared_ptr<std::string>& id) {
+  // Sealing a password takes a second on purpose: not in the window's thread.
+  const PasswordCost cost = shell().workplace().passwordCost();
+  shell().run(
+      tr("Sealing the start password"),
+      [store, cost](Workplace& workplace, const ProgressCallback&) {
+        workplace.setPasswordCost(cost);
+        store(workplace);
+      },
+      [page = QPointer<UsersPage>(this), login, password, id] {
+        if (page.isNull()) return;
+        page->enter({});
+        page->table_->select(QString::fromStdString(*id));
+        showStartPassword(page, login, QString::fromStdString(password));
+      });
 }
 
 void UsersPage::changeRoles() {
@@ -165,9 +183,10 @@ void UsersPage::newPassword() {
         this, tr("New start password"), tr("The present password of %1 stops working at once.").arg(login));
     if (!reason) return;
     const std::string password = randomStartPassword();
-    resetPassword(shell().workplace(), user->id, password, *reason);
-    enter({});
-    showStartPassword(this, login, QString::fromStdString(password));
+    const auto id = std::make_shared<std::string>(user->id);
+    storeAndShow([id, password, reason = *reason](
+                     Workplace& workplace) { resetPassword(workplace, *id, password, reason); },
+                 login, password, id);
   } catch (...) {
     shell().report(std::current_exception());
   }

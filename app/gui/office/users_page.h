@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "app/gui/shell/page.h"
@@ -30,6 +33,9 @@ class UsersPage : public Page {
   void add();
   void changeRoles();
   void newPassword();
+  /// Stores away from the window's thread, then shows the start password of the user `id`.
+  void storeAndShow(const std::function<void(Workplace&)>& store, const QString& login,
+                    const std::string& password, const std::shared_ptr<std::string>& id);
   void switchActive();
 
   std::vector<StoredUser> users_;

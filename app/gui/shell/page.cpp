@@ -2,8 +2,17 @@
 #include "app/gui/shell/page.h"
 
 #include <QEvent>
+#include <QStringList>
+
+#include "app/gui/shell/shell_context.h"
 
 namespace torsio::gui {
+
+Page::Page(ShellContext& shell, QWidget* parent) : QWidget(parent), shell_(shell) {
+  QStringList roles;
+  for (const std::string& role : shell.workplace().actor().roles) roles << QString::fromStdString(role);
+  setProperty("role", roles.join(QLatin1Char('+')));
+}
 
 void Page::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) retranslate();

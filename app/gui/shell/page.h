@@ -28,7 +28,8 @@ class Page : public QWidget {
   Q_OBJECT
 
  public:
-  explicit Page(ShellContext& shell, QWidget* parent = nullptr) : QWidget(parent), shell_(shell) {}
+  /// Lists on the page keep their columns for each role: the property "role" says whose page it is.
+  explicit Page(ShellContext& shell, QWidget* parent = nullptr);
 
   /// Shown, possibly again: reads anew what it shows. `argument`: what the caller of ShellContext::open gave.
   virtual void enter(const QVariant& argument) { static_cast<void>(argument); }

@@ -474,4 +474,30 @@ AllocationCheck checkAllocation(Workplace& workplace, const std::string& designI
   refuse("there is no such design", designId, "Choose one from the list");
 }
 
+std::vector<SealedCard> takeOutCards(Workplace& workplace, const std::string& cohortId) {
+  workplace.require(Operation::kAllocationRun);
+  Transaction transaction(workplace.connection());
+  StudyRepository study(workplace.connection());
+  const std::vector<StoredAllocationDesign> designs = study.designs(cohortId);
+  std::map<std::string, std::string> codes;
+  for (const StoredEnrolment& enrolment : study.enrolments(cohortId))
+    codes[enrolment.id] = enrolment.traineeCode;
+  std::map<std::string, StoredGroup> groups;
+  for (const StoredGroup& group : study.groups(cohortId)) groups[group.id] = group;
+  std::vector<SealedCard> cards;
+  if (!designs.empty())
+    for (const StoredAllocation& record : study.allocations(designs.back().id))
+      cards.push_back({record.sequence, codes[record.enrolmentId], groups[record.groupId].code,
+                       groups[record.groupId].label});
+  if (cards.empty()) {
+    throw Error(ErrorCode::kBadData, "nobody is allocated yet", cohortId, "Lock a design and allocate first");
+  }
+  workplace.note({.action = "allocation.cards",
+                  .objectKind = "allocation_design",
+                  .objectId = designs.back().id,
+                  .newJson = nlohmann::json{{"cards", cards.size()}}.dump()});
+  transaction.commit();
+  return cards;
+}
+
 }  // namespace torsio

@@ -65,6 +65,17 @@ AllocationDesignRow lockAllocation(Workplace& workplace, const AllocationPlan& p
 /// Oldest first; the last one counts. kAllocationView.
 [[nodiscard]] std::vector<AllocationDesignRow> allocationDesigns(Workplace& workplace,
                                                                  const std::string& cohortId);
+/// What goes into one envelope.
+struct SealedCard {
+  std::int64_t sequence = 0;
+  std::string traineeCode{};
+  std::string groupCode{};
+  std::string groupLabel{};
+};
+/// The cards of the newest design, in the order of the draw, to be printed and put into envelopes. That they
+/// were taken out is audited. kAllocationRun. Throws Error{kBadData} when nobody is allocated yet.
+[[nodiscard]] std::vector<SealedCard> takeOutCards(Workplace& workplace, const std::string& cohortId);
+
 /// Who was put where, in order, overrides too. kAllocationView.
 [[nodiscard]] std::vector<StoredAllocation> allocations(Workplace& workplace, const std::string& designId);
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "app/session/study/cohort_service.h"
 #include "db/repository/sheet_repository.h"
 #include "sim/base/error.h"
 
@@ -34,6 +35,7 @@ void countRest(const StoredArm& arm, std::int64_t duration_us, PhaseProgress& pr
 void fillTraining(RunDayRow& row, const StoredArm& arm, const std::vector<StoredExposure>& exposures,
                   const std::vector<StoredScoringPoint>& points) {
   row.armLabel = arm.label;
+  row.restAllowance_us = arm.restAllowance_us;
   row.progress = phaseProgress(arm, exposures);
   row.done = !arm.phases.empty() && row.progress.phase == arm.phases.size();
   if (!row.done && !arm.phases.empty()) {
@@ -156,6 +158,61 @@ RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId) {
     board.rows.push_back(std::move(row));
   }
   return board;
+}
+
+std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
+  using Kind = RunDayAlert::Kind;
+  std::vector<RunDayAlert> alerts;
+  const auto silent = [&](const StationState& station) {
+    return board.asOfUtc_us - station.heartbeatUtc_us > kStationSilence_us;
+  };
+  for (const StationState& station : board.stations) {
+    if (!silent(station)) continue;
+    const bool records = !station.trialId.empty() && !station.ended;
+    alerts.push_back({.kind = records ? Kind::kTrialOpen : Kind::kStationSilent,
+                      .subject = records ? station.traineeCode : station.station,
+                      .station = station.station,
+                      .sinceUtc_us = station.heartbeatUtc_us});
+  }
+  std::stable_partition(alerts.begin(), alerts.end(),
+                        [](const RunDayAlert& alert) { return alert.kind == Kind::kTrialOpen; });
+  std::size_t withoutGroup = 0;
+  std::map<std::string, std::size_t> sheets;
+  for (const RunDayRow& row : board.rows) {
+    if (row.state == "withdrawn") continue;
+    if (row.groupCode.empty()) ++withoutGroup;
+    if (row.sheetsMissing > 0) sheets[row.scoringPointDue] += row.sheetsMissing;
+    if (!row.done && row.progress.restUsed_us > row.restAllowance_us)
+      alerts.push_back({.kind = Kind::kRestTooLong, .subject = row.traineeCode});
+  }
+  for (const auto& [point, count] : sheets)
+    alerts.push_back({.kind = Kind::kSheetsMissing, .scoringPoint = point, .count = count});
+  if (withoutGroup > 0) alerts.push_back({.kind = Kind::kNoGroup, .count = withoutGroup});
+  return alerts;
+}
+
+void swapTurns(Workplace& workplace, const std::string& cohortId, const std::string& enrolmentId,
+               const std::string& otherEnrolmentId, const std::string& reason) {
+  workplace.require(Operation::kStudySetup);
+  if (enrolmentId == otherEnrolmentId) {
+    throw Error(ErrorCode::kBadData, "nobody swaps with themselves", cohortId, "Choose another trainee");
+  }
+  Transaction transaction(workplace.connection());
+  std::map<std::string, std::string> codes;
+  for (const StoredEnrolment& enrolment : StudyRepository(workplace.connection()).enrolments(cohortId))
+    codes[enrolment.id] = enrolment.traineeCode;
+  for (const std::string& id : {enrolmentId, otherEnrolmentId})
+    if (!codes.contains(id)) {
+      throw Error(ErrorCode::kBadData, "this trainee is not in the cohort", id, "Choose one from the list");
+    }
+  for (const auto& [id, other] :
+       {std::pair(enrolmentId, otherEnrolmentId), std::pair(otherEnrolmentId, enrolmentId)})
+    reportDeviation(workplace, {.cohortId = cohortId,
+                                .enrolmentId = id,
+                                .kind = "swapped",
+                                .description = "turn swapped with " + codes.at(other) +
+                                               (reason.empty() ? "" : ": " + reason)});
+  transaction.commit();
 }
 
 }  // namespace torsio

@@ -39,6 +39,7 @@ struct RunDayRow {
   std::string phaseLabel{};  ///< empty: no curriculum, or all done
   std::string phaseKind{};
   PhaseProgress progress{};
+  std::int64_t restAllowance_us = 0;
   bool done = false;              ///< all phases
   std::string scoringPointDue{};  ///< the newest one that the exposure has reached: "pre", "mid", "post"
   std::size_t sheetsMissing = 0;  ///< of that scoring point
@@ -54,6 +55,32 @@ struct RunDayBoard {
   std::vector<StationState> stations{};  ///< by name; silent for kStationSilence_us: not answering
   std::int64_t asOfUtc_us = 0;
 };
+/// Something that the day's office should look at.
+struct RunDayAlert {
+  enum class Kind {
+    kStationSilent,  ///< no sign of life; `subject` is the station
+    kTrialOpen,      ///< a recording runs on a station that gives no sign of life
+    kRestTooLong,    ///< longer than the curriculum allows
+    kSheetsMissing,  ///< of a scoring point that the exposure has passed
+    kNoGroup,        ///< enrolled, but not allocated
+  };
+  Kind kind = Kind::kStationSilent;
+  std::string subject{};  ///< station or code of the trainee
+  std::string station{};
+  std::string scoringPoint{};
+  std::int64_t sinceUtc_us = 0;
+  std::size_t count = 0;
+};
+/// Most urgent first. What does not concern one person counts once: groups that are not drawn, missing sheets
+/// by scoring point.
+[[nodiscard]] std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board);
+
+/// Two trainees take each other's turn today; their groups stay as they were drawn. A deviation of kind
+/// "swapped" for each, naming the other, both or none. kStudySetup. Throws Error{kBadData} for one and the
+/// same trainee.
+void swapTurns(Workplace& workplace, const std::string& cohortId, const std::string& enrolmentId,
+               const std::string& otherEnrolmentId, const std::string& reason);
+
 /// Everything about today in one look. kStudySetup.
 [[nodiscard]] RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId);
 

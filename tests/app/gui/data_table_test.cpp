@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/look/data_table.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QSettings>
 #include <QTableView>
 #include <QTest>
 #include <gtest/gtest.h>
@@ -79,6 +81,50 @@ TEST(DataTable, OpensTheCurrentRowWithEnter) {
   QTest::keyClick(&shown.table.view(), Qt::Key_Return);
 
   EXPECT_EQ(opened, "c");
+}
+
+TEST(DataTable, AddsUpWhatIsSeen) {
+  DataTable table{QString()};
+  table.setColumns({{"Code"}, {"Mark", true, true}});
+  table.setRows(trainees());
+  EXPECT_EQ(table.totals(), "Together: Mark 27.5");
+
+  table.filter().setText("T-1");
+
+  EXPECT_EQ(table.totals(), "Together: Mark 19");
+}
+
+/// A page of this role with a list, in which somebody moved a column.
+QString firstColumnOf(const QString& role, bool move) {
+  QWidget page;
+  page.setProperty("role", role);
+  DataTable table(QStringLiteral("remembering"), &page);
+  table.setColumns({{"Code"}, {"Mark", true}});
+  table.setRows(trainees());
+  if (move) table.view().horizontalHeader()->moveSection(1, 0);
+  return table.asText().section(QLatin1Char('\t'), 0, 0);
+}
+
+TEST(DataTable, RemembersItsColumnsForEachRole) {
+  QSettings().clear();
+  EXPECT_EQ(firstColumnOf("administrator", true), "Mark");
+
+  EXPECT_EQ(firstColumnOf("administrator", false), "Mark");
+  EXPECT_EQ(firstColumnOf("statistician", false), "Code");
+}
+
+TEST(DataTable, SortsAndChoosesColumnsWithoutTheMouse) {
+  Shown shown;
+  QTableView& view = shown.table.view();
+  view.selectionModel()->setCurrentIndex(view.model()->index(0, 1), QItemSelectionModel::NoUpdate);
+  const QList<QAction*> acts = shown.table.view().actions();
+  ASSERT_EQ(acts.size(), 3);  // copy, sort, columns: what the menu key shows
+
+  acts[1]->trigger();
+  EXPECT_EQ(shown.table.asText(), "Code\tMark\nT-2\t8.5\nT-1\t9.0\nT-10\t10.0\n");
+  acts[1]->trigger();
+
+  EXPECT_EQ(shown.table.asText(), "Code\tMark\nT-10\t10.0\nT-1\t9.0\nT-2\t8.5\n");
 }
 
 }  // namespace

@@ -142,6 +142,8 @@ std::vector<ServiceCall> studyCalls() {
       {O::kStudySetup, "scoringMatrix", [](Workplace& w, Path) { (void)scoringMatrix(w, kNoSuch); }},
       {O::kStudySetup, "reassign", [](Workplace& w, Path) { (void)reassign(w, kNoSuch, kNoSuch, "why"); }},
       {O::kStudySetup, "reportDeviation", [](Workplace& w, Path) { (void)reportDeviation(w, {}); }},
+      {O::kAllocationRun, "takeOutCards", [](Workplace& w, Path) { (void)takeOutCards(w, kNoSuch); }},
+      {O::kStudySetup, "swapTurns", [](Workplace& w, Path) { swapTurns(w, kNoSuch, kNoSuch, "other", ""); }},
       {O::kStudySetup, "runDayBoard", [](Workplace& w, Path) { (void)runDayBoard(w, kNoSuch); }},
       {O::kStudyEnrol, "enrolTrainees", [](Workplace& w, Path) { (void)enrolTrainees(w, kNoSuch, {}); }},
       {O::kStudyEnrol, "setEnrolmentState",

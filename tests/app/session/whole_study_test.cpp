@@ -305,6 +305,70 @@ TEST(RunDayBoard, ShowsWhoRunsAtWhichStation) {
   EXPECT_EQ(codedTrials(study.centre.as("statistician")).size(), 1U);
 }
 
+TEST(RunDayBoard, WarnsOfSilentStationsFirstThenOfWhatIsMissing) {
+  Study study;
+  Workplace& workplace = study.centre.as("administrator");
+  const std::string trialId = workplace.ids().newUuid();
+  TrialHeader header;
+  header.trialId = trialId;
+  header.traineeCode = "T-01";
+  header.startedUtc_us = testing::kOfficeTime_us;
+  TrialRepository(study.centre.connection(), {.station = "room 2", .enrolmentId = study.enrolmentIds[0]})
+      .begin(header);
+  StationRepository stations(study.centre.connection());
+  stations.beat({.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us});
+  stations.beat({.station = "room 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
+
+  RunDayBoard board = runDayBoard(workplace, study.cohortId);
+  board.asOfUtc_us = testing::kOfficeTime_us + kStationSilence_us;
+  EXPECT_EQ(runDayAlerts(board).front().kind, RunDayAlert::Kind::kNoGroup);  // both still answer
+  board.asOfUtc_us += 1;
+  const std::vector<RunDayAlert> alerts = runDayAlerts(board);
+
+  ASSERT_GE(alerts.size(), 3U);
+  EXPECT_EQ(alerts[0].kind, RunDayAlert::Kind::kTrialOpen);
+  EXPECT_EQ(alerts[0].subject, "T-01");
+  EXPECT_EQ(alerts[0].station, "room 2");
+  EXPECT_EQ(alerts[1].kind, RunDayAlert::Kind::kStationSilent);
+  EXPECT_EQ(alerts[1].subject, "room 1");
+  EXPECT_EQ(alerts.back().kind, RunDayAlert::Kind::kNoGroup);
+  EXPECT_EQ(alerts.back().count, board.rows.size());
+}
+
+TEST(RunDayBoard, NotesASwapForBothOrForNobody) {
+  Study study;
+  Workplace& workplace = study.centre.as("administrator");
+  const std::string& first = study.enrolmentIds[0];
+  const std::string& second = study.enrolmentIds[1];
+
+  EXPECT_THROW(swapTurns(workplace, study.cohortId, first, first, "late"), Error);
+  EXPECT_THROW(swapTurns(workplace, study.cohortId, first, "nobody", "late"), Error);
+  EXPECT_TRUE(deviations(workplace, study.cohortId).empty());
+  swapTurns(workplace, study.cohortId, first, second, "on call");
+
+  const std::vector<StoredDeviation> noted = deviations(workplace, study.cohortId);
+  ASSERT_EQ(noted.size(), 2U);
+  for (const StoredDeviation& deviation : noted) {
+    EXPECT_EQ(deviation.kind, "swapped");
+    EXPECT_NE(deviation.description.find("on call"), std::string::npos);
+    EXPECT_EQ(deviation.description.find("T-"), std::string("turn swapped with ").size());
+  }
+  EXPECT_NE(noted[0].enrolmentId, noted[1].enrolmentId);
+}
+
+TEST(Allocation, CardsAreTakenOutWithATrace) {
+  Study study;
+  EXPECT_THROW((void)takeOutCards(study.centre.as("allocator"), study.cohortId), Error);
+  study.allocate();
+
+  const std::vector<SealedCard> cards = takeOutCards(study.centre.as("allocator"), study.cohortId);
+
+  ASSERT_EQ(cards.size(), study.enrolmentIds.size());
+  EXPECT_EQ(cards.front().sequence, 1);
+  EXPECT_FALSE(cards.front().groupLabel.empty());
+  EXPECT_EQ(study.centre.audited("allocation.cards"), 1);
+}
+
 TEST(CohortService, RefusesTimeInAPhaseOfAnotherArmOrKind) {
   Study study;
   study.allocate();

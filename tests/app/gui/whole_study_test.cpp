@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The paper's study as an administrator runs it, from the roster to the exported report, through the real
+// widgets on simulated marks; the numbers that leave the house are those of the command line.
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QMessageBox>
+#include <QRadioButton>
+#include <QTableView>
+#include <nlohmann/json.hpp>
+
+#include "app/gui/charts/figure_canvas.h"
+#include "app/gui/charts/figure_card.h"
+#include "app/gui/look/data_table.h"
+#include "app/gui/office/allocation_page.h"
+#include "app/gui/office/campaigns_page.h"
+#include "app/gui/office/cohorts_page.h"
+#include "app/gui/office/curricula_page.h"
+#include "app/gui/office/curriculum_editor.h"
+#include "app/gui/office/reports_page.h"
+#include "app/gui/office/results_page.h"
+#include "app/gui/office/roster_wizard.h"
+#include "app/gui/office/run_day_page.h"
+#include "app/gui/office/scoring_page.h"
+#include "app/session/csv_table.h"
+#include "app/session/people/people_service.h"
+#include "app/session/reporting/report_export.h"
+#include "app/session/study/campaign_service.h"
+#include "app/session/study/cohort_service.h"
+#include "assessment/study/demonstration_marks.h"
+#include "db/repository/evaluation_repository.h"
+#include "db/repository/sheet_repository.h"
+#include "db/repository/station_repository.h"
+#include "sim/base/file_io.h"
+#include "tests/app/cli/program.h"
+#include "tests/app/gui/office_desk.h"
+
+namespace torsio::gui {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::answer;
+using testing::Office;
+using testing::OfficeCentre;
+using testing::press;
+using testing::type;
+
+constexpr std::uint64_t kMarkSeed = 5;
+constexpr std::size_t kTrainees = 30;    // paper section 6
+constexpr std::size_t kChiefs = 10;      // who score the trainees
+constexpr std::size_t kEvaluators = 40;  // paper 5.3: 20 interns, 10 deputy chiefs, 10 chiefs
+
+std::string internsFile() {
+  std::string text = "Staff number;Full name;Sex;Level\r\n";
+  for (std::size_t i = 1; i <= kTrainees; ++i)
+    text += "I-" + std::to_string(100 + i) + ";Intern " + std::to_string(i) +
+            (i <= 17 ? ";male" : ";female") + (i % 2 == 0 ? ";graduate\r\n" : ";doctoral student\r\n");
+  return text;
+}
+
+std::string ratersFile(const std::string& prefix, const std::vector<std::pair<std::string, int>>& classes) {
+  std::string text = "Staff number;Full name;Class\r\n";
+  int number = 100;
+  for (const auto& [name, count] : classes)
+    for (int i = 0; i < count; ++i) {
+      const std::string id = prefix + std::to_string(++number);
+      text.append(id).append(";Doctor ").append(id).append(";").append(name).append("\r\n");
+    }
+  return text;
+}
+
+/// Next, Next, Import.
+void importRoster(Office& office, const std::string& text, bool raters, std::size_t expected) {
+  office.centre.as("administrator");
+  const fs::path file = office.centre.folder() / "roster.csv";
+  writeFileAtomically(file, text);
+  RosterWizard wizard(office.shell());
+  wizard.restart();
+  wizard.show();
+  wizard.findChild<QLineEdit*>(QStringLiteral("path"))->setText(QString::fromStdString(file.string()));
+  for (QRadioButton* kind : wizard.findChildren<QRadioButton*>())
+    if ((kind->text() == QStringLiteral("&Raters")) == raters) kind->setChecked(true);
+  wizard.button(QWizard::NextButton)->click();
+  wizard.button(QWizard::NextButton)->click();
+  office.shell().waitForJobs();
+  ASSERT_TRUE(wizard.button(QWizard::FinishButton)->isEnabled());
+  wizard.button(QWizard::FinishButton)->click();
+  office.shell().waitForJobs();
+  ASSERT_TRUE(wizard.outcome().has_value());
+  EXPECT_EQ(wizard.outcome()->added, expected);
+}
+
+/// Leaves only these lines of a dialog's list chosen, by the codes in their first column.
+void chooseCodes(QDialog& dialog, const std::vector<std::string>& codes) {
+  QTableView& view = dialog.findChild<DataTable*>()->view();
+  view.clearSelection();
+  QItemSelection chosen;
+  for (int row = 0; row < view.model()->rowCount(); ++row) {
+    const std::string code = view.model()->index(row, 0).data().toString().toStdString();
+    if (std::find(codes.begin(), codes.end(), code) == codes.end()) continue;
+    chosen.select(view.model()->index(row, 0), view.model()->index(row, view.model()->columnCount() - 1));
+  }
+  view.selectionModel()->select(chosen, QItemSelectionModel::Select);
+}
+
+void makeCurriculum(Office& office) {
+  auto page = office.open<CurriculaPage>("administrator");
+  answer([](QDialog& dialog) { type(dialog, QStringLiteral("Twist skills 2026")); });
+  press(*page, QStringLiteral("New curriculum"));
+  EXPECT_TRUE(page->editor().problems().empty());
+  answer([](QDialog& dialog) { type(dialog, QStringLiteral("as in the paper")); });
+  press(*page, QStringLiteral("Publish"));
+  press(*page, QStringLiteral("Begin"));
+}
+
+std::string makeCohort(Office& office) {
+  auto page = office.open<CohortsPage>("administrator");
+  answer([](QDialog& dialog) { type(dialog, QStringLiteral("Interns 2026")); });
+  press(*page, QStringLiteral("New cohort"));
+  answer([](QDialog& dialog) { dialog.accept(); });  // everybody is chosen to begin with
+  press(*page, QStringLiteral("Enrol trainees"));
+  EXPECT_EQ(page->members().visibleRows(), static_cast<int>(kTrainees));
+  return page->cohorts().currentId().toStdString();
+}
+
+void drawGroups(Office& office, const std::string& cohortId) {
+  auto administrator = office.open<AllocationPage>("administrator", QString::fromStdString(cohortId));
+  EXPECT_FALSE(testing::button(*administrator, QStringLiteral("Lock design"))->isEnabled());
+  auto page = office.open<AllocationPage>("allocator", QString::fromStdString(cohortId));
+  auto* method = [&]() -> QComboBox* {
+    for (QComboBox* box : page->findChildren<QComboBox*>())
+      if (box->findData(static_cast<int>(AllocationMethod::kStratifiedBlocks)) >= 0) return box;
+    return nullptr;
+  }();
+  ASSERT_NE(method, nullptr);
+  method->setCurrentIndex(method->findData(static_cast<int>(AllocationMethod::kStratifiedBlocks)));
+  for (QCheckBox* factor : page->findChildren<QCheckBox*>())
+    if (factor->text() == QStringLiteral("sex")) factor->setChecked(true);
+  press(*page, QStringLiteral("Preview balance"));
+  EXPECT_EQ(page->balance().visibleRows(), 2);  // women and men
+  QTimer::singleShot(0, [] {
+    auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_NE(box, nullptr);
+    box->button(QMessageBox::Yes)->click();
+  });
+  press(*page, QStringLiteral("Lock design"));
+  press(*page, QStringLiteral("Allocate everybody"));
+  EXPECT_EQ(page->records().visibleRows(), static_cast<int>(kTrainees));
+  const fs::path cards = office.centre.folder() / "cards.pdf";
+  EXPECT_TRUE(page->writeCards(cards));
+  EXPECT_EQ(readFile(cards).substr(0, 5), "%PDF-");
+  EXPECT_EQ(office.centre.audited("allocation.cards"), 1);
+}
+
+void askTheTen(Office& office, const std::string& cohortId, const std::vector<std::string>& chiefs) {
+  auto page = office.open<ScoringPage>("administrator", QString::fromStdString(cohortId));
+  answer([&](QDialog& dialog) {
+    chooseCodes(dialog, chiefs);
+    dialog.accept();
+  });
+  press(*page, QStringLiteral("Ask raters"));
+  EXPECT_EQ(page->matrix().visibleRows(), 90);  // 30 trainees at three scoring points
+}
+
+void runTheDay(Office& office, const std::string& cohortId) {
+  StationRepository(office.centre.connection())
+      .beat({.station = "room 2", .heartbeatUtc_us = office.centre.workplace().now_us()});
+  auto page = office.open<RunDayPage>("administrator", QString::fromStdString(cohortId));
+  EXPECT_EQ(page->table().visibleRows(), static_cast<int>(kTrainees));
+  EXPECT_EQ(page->stations().visibleRows(), 1);
+  page->table().view().selectRow(0);
+  answer([](QDialog& dialog) { dialog.accept(); });  // 20 minutes on the real arm
+  press(*page, QStringLiteral("Log time"));
+  answer([](QDialog& dialog) {
+    dialog.findChild<QLineEdit*>()->setText(QStringLiteral("on call"));
+    dialog.accept();
+  });
+  press(*page, QStringLiteral("Swap turns"));
+  EXPECT_EQ(deviations(office.centre.workplace(), cohortId).size(), 2U);
+
+  office.centre.passTime_us(60'000'000);
+  page->refreshAndWait();
+
+  EXPECT_TRUE(page->alerts().text().contains(QStringLiteral("room 2 does not answer")))
+      << page->alerts().text().toStdString();
+  EXPECT_TRUE(page->table().totals().contains(QStringLiteral("Deviations 2")));
+  EXPECT_TRUE(page->leave());
+}
+
+std::vector<std::string> raterCodes(OfficeCentre& centre, bool evaluators) {
+  std::vector<std::string> codes;
+  for (const NamedPersonRow& person : namedPeople(centre.as("administrator")))
+    if (person.row.rater && (person.identity.externalId[0] == 'E') == evaluators)
+      codes.push_back(person.row.person.code);
+  return codes;
+}
+
+void makeEvaluation(Office& office, const std::vector<std::string>& evaluators) {
+  auto page = office.open<CampaignsPage>("administrator");
+  answer([&](QDialog& dialog) {
+    chooseCodes(dialog, evaluators);
+    type(dialog, QStringLiteral("Nine indices"));
+  });
+  press(*page, QStringLiteral("New evaluation"));
+  ASSERT_EQ(page->campaigns().visibleRows(), 1);
+}
+
+/// Whoever takes part in the study, as the rule of the simulated marks wants it.
+struct Crowd {
+  DemonstrationPeople people;
+  std::map<std::string, std::string> idOf;    // of a rater's code
+  std::map<std::string, std::string> codeOf;  // of an enrolment
+};
+
+Crowd crowdOf(Office& office, const std::string& cohortId, const std::vector<std::string>& chiefs) {
+  Crowd crowd;
+  crowd.people.groups.resize(3);
+  crowd.people.raters = chiefs;
+  for (const StoredEnrolment& enrolment : enrolments(office.centre.as("allocator"), cohortId)) {
+    crowd.people.groups.at(static_cast<std::size_t>(enrolment.groupCode.back() - '1'))
+        .push_back(enrolment.traineeCode);
+    crowd.codeOf[enrolment.id] = enrolment.traineeCode;
+  }
+  for (const PersonRow& person : torsio::people(office.centre.as("administrator")))
+    if (person.rater) crowd.idOf[person.person.code] = person.person.id;
+  crowd.people.raterClasses.resize(3);
+  const std::vector<std::string> classes{"intern", "deputy_chief", "chief"};
+  for (const CampaignRow::Rater& rater : campaigns(office.centre.workplace()).front().raters)
+    crowd.people
+        .raterClasses[static_cast<std::size_t>(std::find(classes.begin(), classes.end(), rater.classCode) -
+                                               classes.begin())]
+        .push_back(rater.code);
+  return crowd;
+}
+
+/// Every open sheet of the cohort, filled in by the stated rule of the demonstration.
+void submitSheets(Office& office, const std::string& cohortId, const Crowd& crowd) {
+  SheetRepository sheets(office.centre.connection());
+  std::map<std::string, std::string> codeOfRater;
+  for (const auto& [code, id] : crowd.idOf) codeOfRater[id] = code;
+  std::map<std::tuple<std::string, std::string, std::size_t>, std::int64_t> marks;
+  for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, crowd.people, kMarkSeed))
+    marks[{mark.trainee, mark.rater, mark.occasion}] = mark.steps;
+  const std::map<std::string, std::size_t> occasions{{"pre", 0}, {"mid", 1}, {"post", 2}};
+  for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
+    const StoredAssignment& one = status.assignment;
+    Sheet sheet;
+    sheet.overall_steps = marks.at(
+        {crowd.codeOf.at(one.enrolmentId), codeOfRater.at(one.raterId), occasions.at(one.scoringPoint)});
+    const StoredRubricRevision rubric = sheets.revision(one.rubricRevisionId).value();
+    for (const StoredRubricRow& row : rubric.rows) sheet.rows.push_back({row.code, row.scale.lo, ""});
+    sheets.submit(one.id, office.centre.workplace().ids().newUuid(), sheet, "",
+                  office.centre.workplace().now_us());
+  }
+}
+
+/// 40 raters, three models, nine indices.
+void submitEvaluationMarks(Office& office, const Crowd& crowd) {
+  const StoredCampaign campaign = campaigns(office.centre.workplace()).front().campaign;
+  std::vector<std::string> models;
+  for (const StoredModel& model : campaign.models) models.push_back(model.code);
+  std::vector<StoredEvaluationMark> marks;
+  for (const EvaluationRating& rating :
+       demonstrationEvaluationMarks(campaign.instrument, crowd.people, models, kMarkSeed)) {
+    if (!rating.steps) continue;
+    marks.push_back({.id = office.centre.workplace().ids().newUuid(),
+                     .raterId = crowd.idOf.at(rating.rater),
+                     .modelCode = rating.model,
+                     .indexNumber = static_cast<std::int64_t>(rating.index + 1),
+                     .score_steps = *rating.steps,
+                     .submittedUtc_us = office.centre.workplace().now_us()});
+  }
+  EXPECT_EQ(marks.size(), kEvaluators * 3 * 9);
+  EvaluationRepository(office.centre.connection()).submit(campaign.id, marks);
+}
+
+/// The numbers of an exported table.
+class Numbers {
+ public:
+  explicit Numbers(const fs::path& file)
+      : table_(CsvTable::read(
+            file, {"section", "item", "group", "model", "index", "occasion", "statistic", "value"},
+            {"n", "flags"})) {}
+
+  [[nodiscard]] double at(const std::string& section, const std::string& model, const std::string& index,
+                          const std::string& occasion, const std::string& statistic) const {
+    for (std::size_t row = 0; row < table_.rows(); ++row)
+      if (table_.cell(row, "item") == "all" && table_.cell(row, "section") == section &&
+          table_.cell(row, "group").empty() && table_.cell(row, "model") == model &&
+          table_.cell(row, "index") == index && table_.cell(row, "occasion") == occasion &&
+          table_.cell(row, "statistic") == statistic)
+        return table_.number(row, "value");
+    ADD_FAILURE() << section << " " << model << " " << index << " " << occasion << " " << statistic;
+    return 0.0;
+  }
+  /// The marks of the evaluation as `torsio evaluate` reads them.
+  [[nodiscard]] std::string ratings() const {
+    std::string text = "index,rater,class,model,score\n";
+    for (std::size_t row = 0; row < table_.rows(); ++row)
+      if (table_.cell(row, "statistic") == "mark")
+        text += table_.cell(row, "index") + "," + table_.cell(row, "item") + "," + table_.cell(row, "group") +
+                "," + table_.cell(row, "model") + "," + table_.cell(row, "value") + "\n";
+    return text;
+  }
+
+ private:
+  CsvTable table_;
+};
+
+void expectNumbersOfTheCommandLine(const Numbers& report, const Crowd& crowd, const fs::path& folder) {
+  writeFileAtomically(folder / "ratings.csv", report.ratings());
+  const test::ProgramRun evaluated =
+      test::runTorsio("evaluate --ratings " + (folder / "ratings.csv").string() +
+                          " --class-weights intern=0.2,deputy_chief=0.3,chief=0.5",
+                      folder);
+  ASSERT_EQ(evaluated.code, 0) << evaluated.err;
+  const json evaluation = json::parse(evaluated.out);
+  ASSERT_EQ(evaluation["models"].size(), 3U);
+  for (const json& model : evaluation["models"]) {
+    const std::string name = model["model"];
+    EXPECT_EQ(report.at("evaluation", name, "", "", "N_eq27"), model["N"].get<double>());
+    for (const json& index : model["indices"]) {
+      const std::string id = index["index"];
+      EXPECT_EQ(report.at("evaluation", name, id, "", "M"), index["M"].get<double>());
+      EXPECT_EQ(report.at("evaluation", name, id, "", "s2_eq26_divisor_n"), index["s2"].get<double>());
+    }
+  }
+
+  std::map<std::pair<std::string, std::string>, std::int64_t>
+      last;  // by trainee and rater, as the report has it
+  for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, crowd.people, kMarkSeed))
+    if (mark.occasion == 2) last[{mark.trainee, mark.rater}] = mark.steps;
+  std::string marks = "target,rater,score\n";
+  for (const auto& [who, steps] : last)
+    marks += who.first + "," + who.second + "," + std::to_string(steps / 10) + "." +
+             std::to_string(steps % 10) + "\n";
+  writeFileAtomically(folder / "marks.csv", marks);
+  const test::ProgramRun agreed =
+      test::runTorsio("agreement --ratings " + (folder / "marks.csv").string(), folder);
+  ASSERT_EQ(agreed.code, 0) << agreed.err;
+  const json agreement = json::parse(agreed.out);
+  EXPECT_EQ(report.at("agreement", "", "", "after 40 min", "icc_2_1"),
+            agreement["icc"]["ICC(2,1)"]["estimate"].get<double>());
+  EXPECT_EQ(report.at("agreement", "", "", "after 40 min", "icc_2_k"),
+            agreement["icc"]["ICC(2,k)"]["estimate"].get<double>());
+}
+
+TEST(WholeStudy, IsOneStoryFromTheRosterToTheReportWithTheNumbersOfTheCommandLine) {
+  Office office;
+  importRoster(office, internsFile(), false, kTrainees);
+  importRoster(office, ratersFile("C-", {{"chief", 10}}), true, kChiefs);
+  importRoster(office,
+               ratersFile("E-", {{"intern", 20}, {"deputy chief physician", 10}, {"chief physician", 10}}),
+               true, kEvaluators);
+  const std::vector<std::string> chiefs = raterCodes(office.centre, false);
+  makeCurriculum(office);
+  const std::string cohortId = makeCohort(office);
+  drawGroups(office, cohortId);
+  askTheTen(office, cohortId, chiefs);
+  runTheDay(office, cohortId);
+  makeEvaluation(office, raterCodes(office.centre, true));
+  const Crowd crowd = crowdOf(office, cohortId, chiefs);
+  submitSheets(office, cohortId, crowd);
+  submitEvaluationMarks(office, crowd);
+
+  auto results = office.open<ResultsPage>("administrator");
+  results->showItem(QStringLiteral("figure-22"));
+  EXPECT_EQ(results->card().table().visibleRows(), 10);
+  auto reports = office.open<ReportsPage>("administrator");
+  answer([](QDialog& dialog) { type(dialog, QStringLiteral("final")); });
+  press(*reports, QStringLiteral("Freeze"));
+  office.shell().waitForJobs();
+  ASSERT_NE(reports->inputs(), nullptr);
+  ASSERT_TRUE(reports->inputs()->freeze.has_value());
+  EXPECT_TRUE(reports->inputs()->freeze->unchanged);
+  const fs::path pdf = office.centre.folder() / "report.pdf";
+  const fs::path csv = office.centre.folder() / "report.csv";
+  ASSERT_TRUE(reports->exportTo(ReportFormat::kPdf, pdf));
+  ASSERT_TRUE(reports->exportTo(ReportFormat::kCsv, csv));
+
+  EXPECT_EQ(readFile(pdf).substr(0, 5), "%PDF-");
+  expectNumbersOfTheCommandLine(Numbers(csv), crowd, office.centre.folder());
+  EXPECT_EQ(office.centre.audited("report.export_coded"), 2);
+  EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
+}
+
+}  // namespace
+}  // namespace torsio::gui
