@@ -64,6 +64,7 @@ struct Stage {
       window.view().setGhost(TwistState{grasp_m, window.controller().target_rad()});
     }
     window.view().camera().orbit({-request.orbit_deg / OrbitCamera::kDegreesPerPixel, 0.0});
+    window.view().camera().zoom(request.zoom);
     window.view().applyCamera();
     waitUntil([this] { return window.view().framesDrawn() > 0; }, "the first frame");
   }

@@ -109,6 +109,7 @@ ScreenshotRequest pictureOf(const QCommandLineParser& parser, const SceneRequest
   picture.quality = wordOf(parser, QStringLiteral("quality"), {"fast", "fine"}) == QLatin1String("fast")
                         ? RenderQuality::kFast
                         : RenderQuality::kFine;
+  picture.zoom = numberOf(parser, QStringLiteral("zoom"));
   picture.orbit_deg = numberOf(parser, QStringLiteral("orbit"));
   return picture;
 }
@@ -128,6 +129,7 @@ void addOptions(QCommandLineParser& parser) {
   add("size", "Size of the window", "WxH", "1280x800");
   add("quality", "Of the picture: fast or fine", "NAME", "fine");
   add("orbit", "Turn of the camera about the organ, degrees", "DEG", "0");
+  add("zoom", "Nearer by so many notches of the wheel", "NOTCHES", "0");
   add("frame-rate", "Measure frames per second and end", "SECONDS", "");
   add("database", "Database of this run instead of the station's", "FILE|URL", "");
   parser.addOption({QStringLiteral("kiosk"), QStringLiteral("Full screen at a station, nothing else")});

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstring>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include <QByteArray>
@@ -47,24 +50,60 @@ QByteArray liftedPositions(const OrganSurface& surface) {
 }  // namespace
 
 OrganGeometry::OrganGeometry() {
-  setStride(static_cast<int>(sizeof(SurfaceVertex)));
+  setStride(static_cast<int>(sizeof(DrawnVertex)));
   setPrimitiveType(PrimitiveType::Triangles);
-  addAttribute(Attribute::PositionSemantic, 0, Attribute::F32Type);
-  addAttribute(Attribute::NormalSemantic, 3 * sizeof(float), Attribute::F32Type);
-  addAttribute(Attribute::ColorSemantic, 6 * sizeof(float), Attribute::F32Type);
+  addAttribute(Attribute::PositionSemantic, offsetof(DrawnVertex, position), Attribute::F32Type);
+  addAttribute(Attribute::NormalSemantic, offsetof(DrawnVertex, normal), Attribute::F32Type);
+  addAttribute(Attribute::ColorSemantic, offsetof(DrawnVertex, colour), Attribute::F32Type);
+  addAttribute(Attribute::TexCoord0Semantic, offsetof(DrawnVertex, map), Attribute::F32Type);
+  addAttribute(Attribute::TexCoord1Semantic, offsetof(DrawnVertex, along), Attribute::F32Type);
+  addAttribute(Attribute::TangentSemantic, offsetof(DrawnVertex, rest), Attribute::F32Type);
   addAttribute(Attribute::IndexSemantic, 0, Attribute::U32Type);
 }
 
-void OrganGeometry::setSurface(const OrganSurface& surface) {
-  setIndexData(bytesOf(surface.triangles()));
+void OrganGeometry::setSurface(const OrganSurface& surface, const TissueSkin* skin) {
+  if (skin == nullptr) {
+    setIndexData(bytesOf(surface.triangles()));
+    sources_.resize(surface.vertices().size());
+    std::iota(sources_.begin(), sources_.end(), 0U);
+    drawn_.assign(sources_.size(), DrawnVertex{});
+  } else {
+    const SkinCharts& charts = skin->charts;
+    setIndexData(bytesOf(std::span<const TriangleMesh::Triangle>(charts.triangles)));
+    sources_.clear();
+    drawn_.clear();
+    for (const SkinCharts::Corner& corner : charts.corners) {
+      const std::array<float, 3>& rest = skin->rest_mm[corner.vertex];
+      sources_.push_back(corner.vertex);
+      drawn_.push_back({{},
+                        {},
+                        {},
+                        {corner.place[0] / static_cast<float>(charts.width),
+                         corner.place[1] / static_cast<float>(charts.height)},
+                        {skin->arc_mm[corner.vertex], 0.0F},
+                        {rest[0], rest[1], rest[2]}});
+    }
+  }
   updateVertices(surface);
 }
 
 void OrganGeometry::updateVertices(const OrganSurface& surface) {
-  setVertexData(bytesOf(surface.vertices()));
+  const std::span<const SurfaceVertex> vertices = surface.vertices();
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    static_assert(offsetof(DrawnVertex, map) == sizeof(SurfaceVertex), "what moves comes first, in one piece");
+    std::memcpy(&drawn_[i], &vertices[sources_[i]], sizeof(SurfaceVertex));
+  }
+  setVertexData(bytesOf(std::span<const DrawnVertex>(drawn_)));
   const auto [low, high] = boundsOf(surface);
   setBounds(low, high);
   update();
+}
+
+void SkinTexture::setSkin(const TissueSkin& skin) {
+  setSize({skin.charts.width, skin.charts.height});
+  setFormat(RGBA8);
+  setHasTransparency(false);
+  setTextureData(bytesOf(std::span<const std::uint8_t>(skin.rgba)));
 }
 
 WireGeometry::WireGeometry() {

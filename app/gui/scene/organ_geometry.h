@@ -1,11 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include <QQuick3DGeometry>
+#include <QQuick3DTextureData>
 
 #include "app/gui/scene/organ_surface.h"
+#include "app/gui/scene/tissue_skin.h"
 
 namespace torsio::gui {
+
+/// One corner as the graphics card reads it. The first three move with the tissue, the others never change.
+struct DrawnVertex {
+  float position[3];  ///< view frame, mm
+  float normal[3];
+  float colour[4];  ///< linear
+  float map[2];     ///< place on the painted skin, 0..1
+  float along[2];   ///< mm along the organ; the second is not used
+  float rest[3];    ///< place at rest, view frame, mm; travels as the tangent
+};
+static_assert(sizeof(DrawnVertex) == 68, "the layout that OrganGeometry announces");
 
 /// The organ's skin in the scene graph; its vertices are written anew whenever the tissue moves. GUI thread.
 class OrganGeometry : public QQuick3DGeometry {
@@ -13,10 +29,22 @@ class OrganGeometry : public QQuick3DGeometry {
 
  public:
   OrganGeometry();
-  /// Another organ: triangles and vertices.
-  void setSurface(const OrganSurface& surface);
+  /// Another organ: triangles and vertices. Without a skin nothing of it is painted.
+  void setSurface(const OrganSurface& surface, const TissueSkin* skin = nullptr);
   /// The same organ, moved.
   void updateVertices(const OrganSurface& surface);
+
+ private:
+  std::vector<DrawnVertex> drawn_;
+  std::vector<std::uint32_t> sources_;  // vertex of the surface, one a drawn vertex
+};
+
+/// The painted skin as a picture for the graphics card. GUI thread.
+class SkinTexture : public QQuick3DTextureData {
+  Q_OBJECT
+
+ public:
+  void setSkin(const TissueSkin& skin);
 };
 
 /// The organ's edges as thin lines, lifted off the skin so that they do not flicker. GUI thread.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "app/gui/scene/view_frame.h"
 #include "sim/base/contracts.h"
@@ -15,14 +16,9 @@ constexpr float kGamma = 2.2F;
 
 }  // namespace
 
-OrganSurface::OrganSurface(const TriangleMesh& mesh, const TissueLook& look) : triangles_(mesh.triangles) {
+OrganSurface::OrganSurface(const TriangleMesh& mesh) : triangles_(mesh.triangles) {
   vertices_.resize(mesh.vertices_m.size());
-  for (std::size_t i = 0; i < vertices_.size(); ++i) {
-    const std::array<float, 3> tint = mottle(look, mesh.vertices_m[i]);
-    tints_.push_back(tint);
-    std::copy(tint.begin(), tint.end(), vertices_[i].colour);
-    vertices_[i].colour[3] = 1.0F;
-  }
+  for (SurfaceVertex& v : vertices_) std::fill(std::begin(v.colour), std::end(v.colour), 1.0F);
   update(mesh.vertices_m);
 }
 
@@ -31,7 +27,7 @@ void OrganSurface::paint(std::span<const std::array<float, 3>> colours) {
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       // The scene graph reads vertex colours as linear light.
-      vertices_[i].colour[k] = colours.empty() ? tints_[i][k] : std::pow(colours[i][k], kGamma);
+      vertices_[i].colour[k] = colours.empty() ? 1.0F : std::pow(colours[i][k], kGamma);
     }
   }
 }

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "app/gui/scene/tissue_look.h"
 #include "sim/base/vec3.h"
 #include "sim/geometry/triangle_mesh.h"
 
@@ -16,21 +15,21 @@ namespace torsio::gui {
 struct SurfaceVertex {
   float position[3];
   float normal[3];
-  float colour[4];  ///< linear, with the mottling of the tissue
+  float colour[4];  ///< linear; white unless painted
 };
 static_assert(sizeof(SurfaceVertex) == 40, "the layout that OrganGeometry announces");
 
-/// The drawn skin of the organ: takes twisted vertices, makes smooth normals, keeps the tissue's colours.
+/// The drawn shape of the organ: takes twisted vertices, makes smooth normals, can be painted.
 /// Plain value without a scene graph; one thread.
 class OrganSurface {
  public:
   OrganSurface() = default;
-  OrganSurface(const TriangleMesh& mesh, const TissueLook& look);
+  explicit OrganSurface(const TriangleMesh& mesh);
 
   /// Vertices in metres, world frame, one a mesh vertex; normals are recomputed (area-weighted).
   void update(std::span<const Vec3> vertices_m);
 
-  /// Colours of one's own instead of the tissue's, sRGB, one a vertex; empty: the tissue's again.
+  /// Colours of one's own, sRGB, one a vertex; empty: none, which is white.
   void paint(std::span<const std::array<float, 3>> colours);
 
   [[nodiscard]] std::span<const SurfaceVertex> vertices() const noexcept { return vertices_; }
@@ -40,7 +39,6 @@ class OrganSurface {
 
  private:
   std::vector<SurfaceVertex> vertices_;
-  std::vector<std::array<float, 3>> tints_;  // of the tissue
   std::vector<TriangleMesh::Triangle> triangles_;
 };
 

@@ -26,6 +26,7 @@
 static void initSceneResources() {
   Q_INIT_RESOURCE(torsio_scene);
   Q_INIT_RESOURCE(torsio_light);
+  Q_INIT_RESOURCE(torsio_shaders);
 }
 
 namespace torsio::gui {
@@ -39,21 +40,17 @@ constexpr float kMarkerRadius = 0.014F;
 // The arrow of the force, shares of the organ's radius.
 constexpr double kShortestArrow = 0.10;
 constexpr double kLongestArrow = 0.55;
+constexpr float kArrowThickness = 0.011F;
 constexpr double kLongestArrow_N = 3.3;  // what the device can give at most: the arrow is full there
 constexpr double kLeastForce_N = 0.02;   // below the friction of the device nobody feels it
 constexpr double kJawHolding_deg = 3.0;  // each jaw, closed on tissue
 
-void registerSceneTypes() {
-  static const bool kOnce = [] {
-    initSceneResources();
-    qmlRegisterType<OrganGeometry>("Torsio.Scene", 1, 0, "OrganGeometry");
-    qmlRegisterType<WireGeometry>("Torsio.Scene", 1, 0, "WireGeometry");
-    qmlRegisterType<RibbonGeometry>("Torsio.Scene", 1, 0, "RibbonGeometry");
-    qmlRegisterType<MarkerGeometry>("Torsio.Scene", 1, 0, "MarkerGeometry");
-    qmlRegisterType<InstrumentGeometry>("Torsio.Scene", 1, 0, "InstrumentGeometry");
-    return true;
-  }();
-  Q_UNUSED(kOnce)
+/// A little shade, so that the form is seen under the colours of a map; most of what faces the viewer has none.
+float formShade(const float (&normal)[3]) {
+  constexpr float kDeepest = 0.30F;
+  const float facing = 0.20F * normal[0] * -1.0F + 0.45F * normal[1] + 0.87F * normal[2];
+  const float away = std::clamp(0.55F - facing, 0.0F, 1.0F);
+  return 1.0F - kDeepest * away;
 }
 
 bool isSoftware(const QString& renderer) {
@@ -68,7 +65,9 @@ bool isSoftware(const QString& renderer) {
 ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene, const std::string& tissue) {
   ViewScene view;
   view.look = tissueLook(tissue.empty() ? scene->id : tissue);
-  view.surface = OrganSurface(scene->mesh, view.look);
+  view.surface = OrganSurface(scene->mesh);
+  if (SceneView::platformCanRender())
+    view.skin = std::make_shared<const TissueSkin>(paintSkin(*scene, view.look));
   view.lines = latticeLines(*scene);
   view.shear = ShearMap(scene);
   view.deform = [scene](const TwistState& state, std::span<Vec3> out_m) {
@@ -104,6 +103,20 @@ void SceneView::prepareGraphics() {
   QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
 }
 
+void SceneView::registerTypes() {
+  static const bool kOnce = [] {
+    initSceneResources();
+    qmlRegisterType<OrganGeometry>("Torsio.Scene", 1, 0, "OrganGeometry");
+    qmlRegisterType<SkinTexture>("Torsio.Scene", 1, 0, "SkinTexture");
+    qmlRegisterType<WireGeometry>("Torsio.Scene", 1, 0, "WireGeometry");
+    qmlRegisterType<RibbonGeometry>("Torsio.Scene", 1, 0, "RibbonGeometry");
+    qmlRegisterType<MarkerGeometry>("Torsio.Scene", 1, 0, "MarkerGeometry");
+    qmlRegisterType<InstrumentGeometry>("Torsio.Scene", 1, 0, "InstrumentGeometry");
+    return true;
+  }();
+  Q_UNUSED(kOnce)
+}
+
 bool SceneView::platformCanRender() {
   const QString platform = QGuiApplication::platformName();
   return platform != QLatin1String("offscreen") && platform != QLatin1String("minimal") &&
@@ -111,7 +124,7 @@ bool SceneView::platformCanRender() {
 }
 
 void SceneView::createScene() {
-  registerSceneTypes();
+  registerTypes();
   quick_ = new QQuickWidget(this);
   quick_->setResizeMode(QQuickWidget::SizeRootObjectToView);
   quick_->setFocusPolicy(Qt::NoFocus);
@@ -123,6 +136,7 @@ void SceneView::createScene() {
            qPrintable(quick_->errors().isEmpty() ? QString() : quick_->errors().front().toString()));
   }
   organ_ = root_->property("organ").value<OrganGeometry*>();
+  skin_ = root_->property("skin").value<SkinTexture*>();
   wire_ = root_->property("wire").value<WireGeometry*>();
   lattice_ = root_->property("lattice").value<RibbonGeometry*>();
   markers_ = root_->property("markers").value<MarkerGeometry*>();
@@ -173,7 +187,8 @@ void SceneView::setScene(const ViewScene& view) {
   organCentre_ = 0.5F * (low + high);
   organRadius_ = 0.5F * (high - low).length();
   if (root_ != nullptr) {
-    organ_->setSurface(view_.surface);
+    if (view_.skin) skin_->setSkin(*view_.skin);
+    organ_->setSurface(view_.surface, view_.skin.get());
     wire_->setSurface(view_.surface);
     lattice_->setLines(view_.lines.lattice, kLatticeWidth * organRadius_, view_.surface);
     grasp_->setLines(view_.lines.grasp, kGraspWidth * organRadius_, view_.surface);
@@ -184,13 +199,20 @@ void SceneView::setScene(const ViewScene& view) {
   shearShare_.assign(view_.surface.vertices().size(), 0.0F);
   shearColours_.resize(view_.surface.vertices().size());
   dented_ = false;
-  setRootProperty("tissueColour", view_.look.colour);
-  setRootProperty("tissueRoughness", view_.look.roughness);
-  setRootProperty("filmAmount", view_.look.clearcoat);
-  setRootProperty("filmRoughness", view_.look.filmRoughness);
+  showLook(view_.look);
   setShearVisible(shearVisible_);
   setMarkersVisible(markersVisible_);
   frameOrgan();
+}
+
+void SceneView::showLook(const TissueLook& look) {
+  setRootProperty("tissueRoughness", look.roughness);
+  setRootProperty("filmAmount", look.clearcoat);
+  setRootProperty("filmRoughness", look.filmRoughness);
+  setRootProperty("scatter", look.scatter);
+  setRootProperty("foldDepth", look.foldDepth);
+  setRootProperty("poreDepth", look.poreDepth);
+  setRootProperty("relief", QVector3D(look.relief_mm[0], look.relief_mm[1], look.relief_mm[2]));
 }
 
 void SceneView::setTwist(const TwistState& state) {
@@ -218,7 +240,11 @@ void SceneView::showSkin() {
   view_.surface.update(deformed_m_);
   if (shearVisible_ && !view_.shear.empty()) {
     view_.shear.evaluate(*shown_, shearShare_);
-    std::transform(shearShare_.begin(), shearShare_.end(), shearColours_.begin(), shearColour);
+    for (std::size_t i = 0; i < shearColours_.size(); ++i) {
+      shearColours_[i] = shearColour(shearShare_[i]);
+      const float form = formShade(view_.surface.vertices()[i].normal);
+      for (float& channel : shearColours_[i]) channel *= form;
+    }
     view_.surface.paint(shearColours_);
   }
   if (root_ == nullptr) return;
@@ -237,9 +263,8 @@ void SceneView::setForce(const Vec3& at_m, const Vec3& force_N) {
   setRootProperty("forcePosition", toView(at_m));
   setRootProperty("forceRotation", QQuaternion::rotationTo({0.0F, 1.0F, 0.0F}, along));
   const double share = std::min(size_N / kLongestArrow_N, 1.0);
-  const auto length =
-      static_cast<float>(organRadius_ * (kShortestArrow + (kLongestArrow - kShortestArrow) * share));
-  setRootProperty("forceSize", QVector3D(length, length, length));
+  setRootProperty("forceLength", organRadius_ * (kShortestArrow + (kLongestArrow - kShortestArrow) * share));
+  setRootProperty("forceThickness", organRadius_ * kArrowThickness);
 }
 
 void SceneView::setShearVisible(bool visible) {
@@ -249,7 +274,7 @@ void SceneView::setShearVisible(bool visible) {
   placeLegend();
   if (view_.surface.vertices().empty() || !possible) return;
   if (!visible) view_.surface.paint({});
-  setRootProperty("tissueColour", visible ? QColor(Qt::white) : view_.look.colour);
+  setRootProperty("stressVisible", visible);
   if (!shown_.has_value()) shown_ = TwistState{};
   if (visible) {
     view_.deform(*shown_, deformed_m_);

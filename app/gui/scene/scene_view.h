@@ -22,6 +22,7 @@
 #include "app/gui/scene/quality_control.h"
 #include "app/gui/scene/shear_map.h"
 #include "app/gui/scene/tissue_look.h"
+#include "app/gui/scene/tissue_skin.h"
 #include "sim/base/live_types.h"
 #include "sim/base/pose.h"
 #include "sim/tissue/twist_model.h"
@@ -32,6 +33,7 @@ class QQuickWidget;
 namespace torsio::gui {
 
 class OrganGeometry;
+class SkinTexture;
 class StressLegend;
 class WireGeometry;
 struct InstrumentParts;
@@ -40,6 +42,7 @@ struct Theme;
 /// What the view draws for one organ; made once beside the loading.
 struct ViewScene {
   OrganSurface surface;
+  std::shared_ptr<const TissueSkin> skin;  ///< null where no scene can be drawn
   LatticeLines lines;
   TissueLook look;
   ShearMap shear;                   ///< empty: no map can be shown
@@ -72,6 +75,8 @@ class SceneView : public QWidget {
   /// Before the application object exists: OpenGL, shared by all windows. A view that is put into another
   /// window loses its scene graph otherwise.
   static void prepareGraphics();
+  /// Names the scene's own types to QML; the constructor does it where the scene can be drawn.
+  static void registerTypes();
   /// False on platforms that cannot draw the scene.
   [[nodiscard]] static bool platformCanRender();
 
@@ -124,6 +129,7 @@ class SceneView : public QWidget {
   void noteFrame();
   void applyQuality();
   void showSkin();
+  void showLook(const TissueLook& look);
   void placeMarkers();
   void placeLegend();
   void setRootProperty(const char* name, const QVariant& value);
@@ -131,6 +137,7 @@ class SceneView : public QWidget {
   QQuickWidget* quick_ = nullptr;  // null on a platform without OpenGL
   QQuickItem* root_ = nullptr;
   OrganGeometry* organ_ = nullptr;
+  SkinTexture* skin_ = nullptr;
   WireGeometry* wire_ = nullptr;
   RibbonGeometry* lattice_ = nullptr;
   RibbonGeometry* grasp_ = nullptr;

@@ -8,6 +8,7 @@ Rectangle {
     id: root
 
     property alias organ: organGeometry
+    property alias skin: skinData
     property alias ghost: ghostGeometry
     property alias markers: markerGeometry
     property alias wire: wireGeometry
@@ -30,10 +31,14 @@ Rectangle {
 
     property color backdropTop: "#eef2f5"
     property color backdropBottom: "#c9d4dc"
-    property color tissueColour: "#cd7a6e"
     property real tissueRoughness: 0.45
     property real filmAmount: 0.4
     property real filmRoughness: 0.2
+    property real scatter: 1
+    property real foldDepth: 0
+    property real poreDepth: 0
+    property vector3d relief
+    property bool stressVisible: false
     property color wireColour: "#20323c"
     property color latticeColour: "#12303c"
     property color graspColour: "#0f766e"
@@ -41,7 +46,8 @@ Rectangle {
     property bool forceVisible: false
     property vector3d forcePosition
     property quaternion forceRotation
-    property vector3d forceSize       // mm: the length of the arrow, on each axis
+    property real forceLength: 20     // mm
+    property real forceThickness: 1   // mm: of the shaft of the arrow
     property color forceColour: "#9a5b00"
     property bool markersVisible: false
     property color markerColour: "#0b6384"
@@ -65,7 +71,7 @@ Rectangle {
         environment: SceneEnvironment {
             backgroundMode: SceneEnvironment.Transparent
             lightProbe: Texture { source: "qrc:/torsio/scene/studio_light.ktx" }
-            probeExposure: root.fine ? 0.62 : 0.46
+            probeExposure: root.fine ? 0.44 : 0.46
             tonemapMode: SceneEnvironment.TonemapModeLinear
             antialiasingMode: root.fine ? SceneEnvironment.MSAA : SceneEnvironment.NoAA
             antialiasingQuality: SceneEnvironment.High
@@ -82,9 +88,16 @@ Rectangle {
             fieldOfView: root.cameraFieldOfView
             clipNear: root.cameraNear
             clipFar: root.cameraFar
+
+            // The lamp beside the lens goes along: no side of the organ is ever without form.
+            DirectionalLight {
+                eulerRotation: Qt.vector3d(-14, 34, 0)
+                color: "#fbf4ef"
+                brightness: 0.38
+            }
         }
 
-        // Both lights stay where the room has them; the key light stands for the operating lamp.
+        // The operating lamp stays where the room has it.
         DirectionalLight {
             eulerRotation: Qt.vector3d(-52, -26, 0)
             color: "#fff4ea"
@@ -95,24 +108,49 @@ Rectangle {
             shadowBias: 4
             shadowFilter: 6
         }
-        DirectionalLight {
-            eulerRotation: Qt.vector3d(-8, 62, 0)
-            color: "#e4eeff"
-            brightness: 0.22
+        Texture {
+            id: skinTexture
+            textureData: SkinTexture { id: skinData }
+            generateMipmaps: true
+            mipFilter: Texture.Linear
+        }
+
+        // The fast level: the painted skin, and a shine.
+        PrincipledMaterial {
+            id: plainTissue
+            baseColorMap: skinTexture
+            metalness: 0
+            roughness: root.tissueRoughness * (1 - 0.45 * root.filmAmount)
+            specularAmount: 0.35
+        }
+        CustomMaterial {
+            id: livingTissue
+            shadingMode: CustomMaterial.Shaded
+            vertexShader: "qrc:/torsio/shaders/tissue.vert"
+            fragmentShader: "qrc:/torsio/shaders/tissue.frag"
+            property TextureInput skinMap: TextureInput { texture: skinTexture }
+            property real tissueRoughness: root.tissueRoughness
+            property real filmRoughness: root.filmRoughness
+            property real wetness: root.filmAmount
+            property real scatter: root.scatter
+            property real foldDepth: root.foldDepth
+            property real poreDepth: root.poreDepth
+            property real bumpBroad: root.relief.x
+            property real bumpMiddle: root.relief.y
+            property real bumpSmall: root.relief.z
+        }
+        // A map is read by its colours: no light changes them.
+        PrincipledMaterial {
+            id: stressMap
+            lighting: PrincipledMaterial.NoLighting
         }
 
         Model {
+            objectName: "organ"
             geometry: OrganGeometry { id: organGeometry }
             receivesShadows: root.fine
             castsShadows: root.fine
-            materials: PrincipledMaterial {
-                baseColor: root.tissueColour
-                metalness: 0
-                roughness: root.fine ? root.tissueRoughness : root.tissueRoughness * (1 - 0.45 * root.filmAmount)
-                specularAmount: 0.45
-                clearcoatAmount: root.fine ? root.filmAmount : 0
-                clearcoatRoughnessAmount: root.filmRoughness
-            }
+            materials: root.stressVisible ? stressMap : root.fine ? livingTissue : plainTissue
         }
 
         Model {
@@ -163,10 +201,12 @@ Rectangle {
 
         // The force of the tissue on the instrument: a shaft with a head, standing on the contact.
         Node {
+            id: forceArrow
             visible: root.forceVisible
             position: root.forcePosition
             rotation: root.forceRotation
-            scale: root.forceSize
+            readonly property real head: Math.min(0.4 * root.forceLength, 5.5 * root.forceThickness)
+            readonly property real stem: root.forceLength - head
 
             PrincipledMaterial {
                 id: forceMaterial
@@ -176,27 +216,21 @@ Rectangle {
             Model {
                 source: "#Cylinder"     // 100 high, 100 wide
                 castsShadows: false
-                y: 0.36
-                scale.x: 0.0009
-                scale.y: 0.0072
-                scale.z: 0.0009
+                y: 0.5 * forceArrow.stem
+                scale: Qt.vector3d(0.01 * root.forceThickness, 0.01 * forceArrow.stem, 0.01 * root.forceThickness)
                 materials: forceMaterial
             }
             Model {
                 source: "#Cone"         // 100 high, 100 wide, standing on its base
                 castsShadows: false
-                y: 0.7
-                scale.x: 0.0024
-                scale.y: 0.003
-                scale.z: 0.0024
+                y: forceArrow.stem
+                scale: Qt.vector3d(0.03 * root.forceThickness, 0.01 * forceArrow.head, 0.03 * root.forceThickness)
                 materials: forceMaterial
             }
             Model {
                 source: "#Sphere"       // the contact itself
                 castsShadows: false
-                scale.x: 0.0014
-                scale.y: 0.0014
-                scale.z: 0.0014
+                scale: Qt.vector3d(0.018, 0.018, 0.018).times(root.forceThickness)
                 materials: forceMaterial
             }
         }
@@ -219,10 +253,16 @@ Rectangle {
             visible: root.toolVisible
 
             PrincipledMaterial {
-                id: steel
-                baseColor: "#c4c9cf"
+                id: plainSteel
+                baseColor: "#cfd3d8"
                 metalness: 0.95
-                roughness: 0.3
+                roughness: 0.28
+            }
+            CustomMaterial {
+                id: brushedSteel
+                shadingMode: CustomMaterial.Shaded
+                vertexShader: "qrc:/torsio/shaders/steel.vert"
+                fragmentShader: "qrc:/torsio/shaders/steel.frag"
             }
             PrincipledMaterial {
                 id: insulation
@@ -242,7 +282,7 @@ Rectangle {
                 position: root.jawPivot
                 eulerRotation.x: root.jawAngle
                 castsShadows: root.fine
-                materials: steel
+                materials: root.fine ? brushedSteel : plainSteel
             }
             Model {
                 geometry: InstrumentGeometry { id: lowerJawGeometry }
@@ -250,7 +290,7 @@ Rectangle {
                 position: root.jawPivot
                 eulerRotation.x: -root.jawAngle
                 castsShadows: root.fine
-                materials: steel
+                materials: root.fine ? brushedSteel : plainSteel
             }
         }
     }

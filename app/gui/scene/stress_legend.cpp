@@ -63,6 +63,8 @@ void StressLegend::paintEvent(QPaintEvent*) {
   painter.setPen(theme_->text);
   painter.drawText(QRect(kSpace, kSpace - 2, width() - 2 * kSpace, line), Qt::AlignLeft | Qt::AlignVCenter,
                    tr("Shear stress"));
+  // Row by row and not smoothed, which would mix each colour with the ground.
+  painter.setRenderHint(QPainter::Antialiasing, false);
   const QRect bar(kSpace, 2 * kSpace + line, kBarWidth, kBarHeight);
   for (int y = 0; y < bar.height(); ++y) {
     const auto colour = shearColour(1.0F - static_cast<float>(y) / static_cast<float>(bar.height() - 1));

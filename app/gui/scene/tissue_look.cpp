@@ -27,7 +27,9 @@ float mix(float a, float b, float t) {
   return a + (b - a) * t;
 }
 
-float smoothNoise(const Vec3& p) {
+}  // namespace
+
+float tissueNoise(const Vec3& p) {
   const double floorX = std::floor(p.x);
   const double floorY = std::floor(p.y);
   const double floorZ = std::floor(p.z);
@@ -45,13 +47,15 @@ float smoothNoise(const Vec3& p) {
   return mix(plane(z), plane(z + 1), tz);
 }
 
+namespace {
+
 /// Four octaves, about [-1, 1].
 float patchNoise(const Vec3& p) {
   float sum = 0.0F;
   float share = 0.55F;
   double frequency = 1.0;
   for (int octave = 0; octave < 4; ++octave) {
-    sum += share * smoothNoise(p * frequency);
+    sum += share * tissueNoise(p * frequency);
     share *= 0.55F;
     frequency *= 2.17;
   }
@@ -62,27 +66,37 @@ float patchNoise(const Vec3& p) {
 
 TissueLook tissueLook(std::string_view sceneId) {
   if (sceneId.find("arm") != std::string_view::npos) {
-    return {.colour = QColor(222, 172, 146),
+    return {.kind = TissueKind::kSkin,
+            .colour = QColor(214, 168, 146),
             .roughness = 0.52F,
             .clearcoat = 0.06F,
             .filmRoughness = 0.45F,
             .mottling = 0.16F,
-            .patch_m = 0.022};
+            .patch_m = 0.022,
+            .scatter = 0.7F,
+            .poreDepth = 0.05F,
+            .relief_mm = {0.10F, 0.04F, 0.03F}};
   }
   if (sceneId.find("intestine") != std::string_view::npos) {
-    return {.colour = QColor(216, 138, 122),
+    return {.kind = TissueKind::kIntestine,
+            .colour = QColor(208, 136, 124),
             .roughness = 0.44F,
             .clearcoat = 0.42F,
             .filmRoughness = 0.22F,
             .mottling = 0.45F,
-            .patch_m = 0.014};
+            .patch_m = 0.014,
+            .scatter = 1.0F,
+            .foldDepth = 0.16F,
+            .relief_mm = {0.14F, 0.07F, 0.012F}};
   }
-  return {.colour = QColor(211, 128, 117),
+  return {.colour = QColor(203, 130, 120),
           .roughness = 0.46F,
           .clearcoat = 0.38F,
           .filmRoughness = 0.24F,
           .mottling = 0.48F,
-          .patch_m = 0.030};
+          .patch_m = 0.030,
+          .scatter = 1.0F,
+          .relief_mm = {0.22F, 0.08F, 0.012F}};
 }
 
 std::array<float, 3> mottle(const TissueLook& look, const Vec3& rest_m) {

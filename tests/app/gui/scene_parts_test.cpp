@@ -115,7 +115,7 @@ TEST(OrbitCamera, DraggingTheViewMovesWhatIsSeenWithTheMouse) {
 
 TEST(OrganSurface, NormalsOfARoundBarPointAwayFromItsAxis) {
   const Scene bar = barScene();
-  const OrganSurface surface(bar.mesh, tissueLook("arm"));
+  const OrganSurface surface(bar.mesh);
 
   int checked = 0;
   for (std::size_t i = 0; i < bar.mesh.vertices_m.size(); ++i) {
@@ -132,7 +132,7 @@ TEST(OrganSurface, NormalsOfARoundBarPointAwayFromItsAxis) {
 
 TEST(OrganSurface, NormalsFollowTheTwistedVertices) {
   const Scene bar = barScene();
-  OrganSurface surface(bar.mesh, tissueLook("arm"));
+  OrganSurface surface(bar.mesh);
   std::vector<Vec3> turned_m;
   for (const Vec3& p : bar.mesh.vertices_m) turned_m.push_back({p.y, -p.x, p.z});  // a quarter turn
   const SurfaceVertex before = surface.vertices()[100];
@@ -147,7 +147,7 @@ TEST(OrganSurface, NormalsFollowTheTwistedVertices) {
 
 TEST(OrganSurface, AClosedMeshHasThreeEdgesForTwoTriangles) {
   const Scene bar = barScene();
-  const OrganSurface surface(bar.mesh, tissueLook("stomach"));
+  const OrganSurface surface(bar.mesh);
 
   EXPECT_EQ(2 * surface.edges().size(), 3 * surface.triangles().size());
 }

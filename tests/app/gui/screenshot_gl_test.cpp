@@ -16,6 +16,7 @@ constexpr int kPatience_ms = 200'000;  // a busy machine draws slowly
 class Screenshot : public ::testing::Test {
  protected:
   QTemporaryDir folder_;
+  QString said_;  // of the last picture, on standard error
 
   void SetUp() override {
     if (QStandardPaths::findExecutable(QStringLiteral("xvfb-run")).isEmpty())
@@ -36,7 +37,8 @@ class Screenshot : public ::testing::Test {
                               QStringLiteral(TORSIO_PROGRAM), QStringLiteral("--screenshot"), file} +
                       options);
     EXPECT_TRUE(process.waitForFinished(kPatience_ms));
-    EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+    said_ = QString::fromLocal8Bit(process.readAllStandardError());
+    EXPECT_EQ(process.exitCode(), 0) << said_.toStdString();
     return QImage(file);
   }
 
@@ -90,6 +92,52 @@ TEST_F(Screenshot, ShowsALitOrganInTheMiddleAndATwistThatCanBeSeen) {
   EXPECT_GT(tissue(rest, middle), middle.width() * middle.height() / 8);
   EXPECT_LT(tissue(rest, QRect(0, 0, whole.width() / 10, whole.height())), 50);
   EXPECT_GT(different(rest, twisted), whole.width() * whole.height() / 100);
+}
+
+TEST_F(Screenshot, DrawsTissueWithShadersOfItsOwnAtTheFineLevel) {
+  for (const char* organ : {"stomach", "arm", "intestine"}) {
+    const QStringList options{QStringLiteral("--organ"),      QLatin1String(organ),
+                              QStringLiteral("--size"),       QStringLiteral("640x480"),
+                              QStringLiteral("--scene-only"), QStringLiteral("--quality")};
+
+    const QImage fine = shot(QStringLiteral("fine.png"), options + QStringList{QStringLiteral("fine")});
+    const QString complaints = said_;
+    const QImage fast = shot(QStringLiteral("fast.png"), options + QStringList{QStringLiteral("fast")});
+
+    EXPECT_FALSE(complaints.contains(QLatin1String("shader"), Qt::CaseInsensitive))
+        << complaints.toStdString();
+    ASSERT_EQ(fine.size(), fast.size());
+    EXPECT_GT(different(fine, fast), 500) << organ;
+    const QRect middle(fine.width() / 4, fine.height() / 4, fine.width() / 2, fine.height() / 2);
+    EXPECT_GT(tissue(fine, middle), middle.width() * middle.height() / 16) << organ;  // not black, not white
+  }
+}
+
+TEST_F(Screenshot, TheStressMapHasTheColoursOfItsLegendOnEveryLevel) {
+  constexpr int kTolerance = 6;  // of 255: a colour goes to linear light and back
+  for (const char* quality : {"fast", "fine"}) {
+    const QImage rest = shot(QStringLiteral("stress.png"),
+                             {QStringLiteral("--organ"), QStringLiteral("stomach"), QStringLiteral("--shear"),
+                              QStringLiteral("--angle"), QStringLiteral("0"), QStringLiteral("--size"),
+                              QStringLiteral("640x480"), QStringLiteral("--scene-only"),
+                              QStringLiteral("--quality"), QLatin1String(quality)});
+
+    // Without twist there is no stress: the darkest blue of cividis, (0, 0.135, 0.305), where the tissue faces
+    // the viewer, and the same hue, darker, where it turns away.
+    int whole = 0;
+    int organ = 0;
+    for (int y = 0; y < rest.height(); ++y) {
+      for (int x = 0; x < rest.width(); ++x) {
+        const QColor c = rest.pixelColor(x, y);
+        if (c.red() > kTolerance || c.blue() < 40) continue;
+        ++organ;
+        whole += std::abs(c.green() - 34) <= kTolerance && std::abs(c.blue() - 78) <= kTolerance ? 1 : 0;
+        EXPECT_NEAR(c.green(), c.blue() * 34.0 / 78.0, kTolerance);
+      }
+    }
+    EXPECT_GT(organ, rest.width() * rest.height() / 20) << quality;
+    EXPECT_GT(whole, organ / 2) << quality;
+  }
 }
 
 TEST_F(Screenshot, ShowsTheWholeWindowWithItsReadouts) {

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/scene/tissue_skin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <unordered_map>
+#include <utility>
+
+#include "app/gui/scene/vessels.h"
+#include "app/gui/scene/view_frame.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr double kPixel_m = 0.00030;  // a fine vessel is two pixels wide
+constexpr int kMostPixels = 1'600'000;
+constexpr double kCell_m = 0.004;
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr std::uint32_t kNobody = 0xFFFFFFFFU;
+
+using Light = std::array<float, 3>;  // linear red, green, blue
+
+Light linear(const QColor& colour) {
+  const auto one = [](double c) {
+    return static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+  };
+  return {one(colour.redF()), one(colour.greenF()), one(colour.blueF())};
+}
+
+std::uint8_t encoded(float value) {
+  const double c = std::clamp(static_cast<double>(value), 0.0, 1.0);
+  const double s = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(s * 255.0));
+}
+
+/// The power above, looked up: a map has a million pixels.
+const std::array<std::uint8_t, 4096>& encodedTable() {
+  static const std::array<std::uint8_t, 4096> kTable = [] {
+    std::array<std::uint8_t, 4096> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = encoded(static_cast<float>(i) / 4095.0F);
+    return table;
+  }();
+  return kTable;
+}
+
+float ease(float low, float high, float x) {
+  const float t = std::clamp((x - low) / (high - low), 0.0F, 1.0F);
+  return t * t * (3.0F - 2.0F * t);
+}
+
+Light scaled(const Light& a, const Light& factor, float share) {
+  Light sum{};
+  for (std::size_t k = 0; k < 3; ++k) sum[k] = a[k] * (1.0F + (factor[k] - 1.0F) * share);
+  return sum;
+}
+
+Light mixed(const Light& a, const Light& b, float share) {
+  Light sum{};
+  for (std::size_t k = 0; k < 3; ++k) sum[k] = a[k] + (b[k] - a[k]) * share;
+  return sum;
+}
+
+/// How the layers of a tissue are mixed.
+struct Palette {
+  Light vessel;  ///< factor in the middle of a vessel
+  float vesselShare;
+  Light blush;  ///< factor round a vessel
+  float blushShare;
+  Light fat;  ///< colour of the fat along the borders
+  float fatShare;
+  float fibres;
+  float folds;
+  float grain;
+  double softness_m;  ///< how deep the vessels lie
+};
+
+Palette paletteOf(TissueKind kind) {
+  switch (kind) {
+    case TissueKind::kSkin:
+      return {{0.74F, 0.90F, 0.98F}, 0.55F, {0.95F, 0.98F, 1.0F}, 0.5F, {1, 1, 1}, 0.0F, 0.0F, 0.0F, 0.035F,
+              0.0016};
+    case TissueKind::kIntestine:
+      return {{0.60F, 0.20F, 0.22F}, 0.62F, {0.99F, 0.86F, 0.86F}, 0.6F, linear(QColor(236, 200, 140)),
+              0.55F, 0.03F, 0.07F, 0.035F, 0.00022};
+    case TissueKind::kSerosa: break;
+  }
+  return {{0.60F, 0.20F, 0.22F}, 0.62F, {0.99F, 0.86F, 0.86F}, 0.6F, linear(QColor(236, 200, 140)), 0.5F,
+          0.06F, 0.0F, 0.035F, 0.00030};
+}
+
+/// One point of the skin at rest.
+struct SkinPoint {
+  Vec3 rest_m;
+  Light tint{};
+  double arc_m = 0.0;
+  double angle_rad = 0.0;
+  float side = 1.0F;  ///< 0 on the caps, where the ridge angle means nothing
+};
+
+class Painter {
+ public:
+  Painter(const Scene& scene, const TissueLook& look, TissueSkin& skin)
+      : scene_(scene),
+        mesh_(scene.mesh),
+        look_(look),
+        palette_(paletteOf(look.kind)),
+        base_(linear(look.colour)),
+        skin_(skin),
+        vessels_(growVessels(mesh_, scene.lattice(), look)) {
+    for (const Vec3& v : mesh_.vertices_m) tints_.push_back(mottle(look, v));
+    for (std::uint32_t i = 0; i < vessels_.size(); ++i) sort(i);
+  }
+
+  void paint() {
+    assignPixels();
+    skin_.rgba.assign(owners_.size() * 4, 255);
+    // Between the pieces lies the tissue's own colour: what a smaller copy of the map mixes in is not seen.
+    const std::array<std::uint8_t, 3> ground{encoded(base_[0]), encoded(base_[1]), encoded(base_[2])};
+    for (std::size_t i = 0; i < owners_.size(); ++i) std::copy(ground.begin(), ground.end(), &skin_.rgba[4 * i]);
+    std::uint32_t last = kNobody;
+    for (std::size_t i = 0; i < owners_.size(); ++i) {
+      if (owners_[i] == kNobody) continue;
+      if (owners_[i] != last) gather(last = owners_[i]);
+      const auto width = static_cast<std::size_t>(skin_.charts.width);
+      const Light colour = colourAt(pointAt(last, static_cast<float>(i % width) + 0.5F,
+                                            static_cast<float>(i / width) + 0.5F));
+      for (std::size_t k = 0; k < 3; ++k) {
+        const float c = std::clamp(colour[k], 0.0F, 1.0F);
+        skin_.rgba[4 * i + k] = encodedTable()[static_cast<std::size_t>(c * 4095.0F + 0.5F)];
+      }
+    }
+  }
+
+ private:
+  float reach(const VesselPiece& v) const {
+    return 3.0F * v.radius_m + 0.0010F + static_cast<float>(palette_.softness_m);
+  }
+
+  bool farFrom(const VesselPiece& v, const Vec3& place_m, double span_m) const {
+    const Vec3 away = place_m - (v.from_m + v.to_m) * 0.5;
+    const double reach_m = span_m + static_cast<double>(reach(v)) + 0.5 * norm(v.to_m - v.from_m);
+    return dot(away, away) > reach_m * reach_m;
+  }
+
+  static std::uint64_t cell(std::int64_t x, std::int64_t y, std::int64_t z) {
+    constexpr std::int64_t kMiddle = 1 << 20;
+    return (static_cast<std::uint64_t>(x + kMiddle) << 42U) ^ (static_cast<std::uint64_t>(y + kMiddle) << 21U) ^
+           static_cast<std::uint64_t>(z + kMiddle);
+  }
+
+  template <typename Visit>
+  static void cellsOf(const Vec3& low, const Vec3& high, const Visit& visit) {
+    const auto index = [](double v) { return static_cast<std::int64_t>(std::floor(v / kCell_m)); };
+    for (std::int64_t x = index(low.x); x <= index(high.x); ++x)
+      for (std::int64_t y = index(low.y); y <= index(high.y); ++y)
+        for (std::int64_t z = index(low.z); z <= index(high.z); ++z) visit(cell(x, y, z));
+  }
+
+  void sort(std::uint32_t i) {
+    const VesselPiece& v = vessels_[i];
+    const double r = static_cast<double>(reach(v));
+    const Vec3 low{std::min(v.from_m.x, v.to_m.x) - r, std::min(v.from_m.y, v.to_m.y) - r,
+                   std::min(v.from_m.z, v.to_m.z) - r};
+    const Vec3 high{std::max(v.from_m.x, v.to_m.x) + r, std::max(v.from_m.y, v.to_m.y) + r,
+                    std::max(v.from_m.z, v.to_m.z) + r};
+    cellsOf(low, high, [&](std::uint64_t key) { cells_[key].push_back(i); });
+  }
+
+  /// The vessels that a triangle can show.
+  void gather(std::uint32_t t) {
+    near_.clear();
+    const TriangleMesh::Triangle& corner = mesh_.triangles[t];
+    Vec3 low = mesh_.vertices_m[corner[0]];
+    Vec3 high = low;
+    for (const std::uint32_t v : corner) {
+      const Vec3& p = mesh_.vertices_m[v];
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    cellsOf(low, high, [&](std::uint64_t key) {
+      const auto found = cells_.find(key);
+      if (found != cells_.end()) near_.insert(near_.end(), found->second.begin(), found->second.end());
+    });
+    std::sort(near_.begin(), near_.end());
+    near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
+    const Vec3 middle_m = (low + high) * 0.5;
+    const double span_m = 0.5 * norm(high - low);
+    std::erase_if(near_, [&](std::uint32_t i) { return farFrom(vessels_[i], middle_m, span_m); });
+    normal_ = normalized(cross(mesh_.vertices_m[corner[1]] - mesh_.vertices_m[corner[0]],
+                               mesh_.vertices_m[corner[2]] - mesh_.vertices_m[corner[0]]));
+  }
+
+  std::array<float, 3> weights(std::uint32_t t, float x, float y) const {
+    const auto& corner = skin_.charts.triangles[t];
+    const auto& a = skin_.charts.corners[corner[0]].place;
+    const auto& b = skin_.charts.corners[corner[1]].place;
+    const auto& c = skin_.charts.corners[corner[2]].place;
+    const float area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    if (std::abs(area) < 1e-6F) return {1.0F, 0.0F, 0.0F};
+    const float u = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / area;
+    const float v = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
+    return {1.0F - u - v, u, v};
+  }
+
+  /// Which triangle each pixel shows: its own, and round a piece that of the neighbour.
+  void assignPixels() {
+    const int width = skin_.charts.width;
+    const int height = skin_.charts.height;
+    owners_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kNobody);
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) cover(t, width);
+    for (int ring = 0; ring < kChartMargin; ++ring) {
+      std::vector<std::pair<std::size_t, std::uint32_t>> grown;
+      for (int y = 1; y + 1 < height; ++y) {
+        for (int x = 1; x + 1 < width; ++x) {
+          const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                         static_cast<std::size_t>(x);
+          if (owners_[i] != kNobody) continue;
+          const auto w = static_cast<std::size_t>(width);
+          for (const std::size_t other : {i - 1, i + 1, i - w, i + w}) {
+            if (owners_[other] == kNobody) continue;
+            grown.emplace_back(i, owners_[other]);
+            break;
+          }
+        }
+      }
+      for (const auto& [i, owner] : grown) owners_[i] = owner;
+    }
+  }
+
+  void cover(std::uint32_t t, int width) {
+    const auto& corner = skin_.charts.triangles[t];
+    float left = 1e9F, right = -1e9F, top = 1e9F, bottom = -1e9F;
+    for (const std::uint32_t c : corner) {
+      const auto& place = skin_.charts.corners[c].place;
+      left = std::min(left, place[0]), right = std::max(right, place[0]);
+      top = std::min(top, place[1]), bottom = std::max(bottom, place[1]);
+    }
+    constexpr float kSlack = -1e-3F;
+    for (int y = static_cast<int>(top - 0.5F); y <= static_cast<int>(bottom + 0.5F); ++y) {
+      for (int x = static_cast<int>(left - 0.5F); x <= static_cast<int>(right + 0.5F); ++x) {
+        const auto w = weights(t, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+        if (w[0] < kSlack || w[1] < kSlack || w[2] < kSlack) continue;
+        owners_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =
+            t;
+      }
+    }
+  }
+
+  SkinPoint pointAt(std::uint32_t t, float x, float y) const {
+    const auto w = weights(t, x, y);
+    const TriangleMesh::Triangle& corner = mesh_.triangles[t];
+    const auto coordinates = scene_.lattice().vertexCoordinates();
+    const auto parts = scene_.lattice().vertexParts();
+    SkinPoint point;
+    point.side = 0.0F;
+    const double first_rad = coordinates[corner[0]].angle_rad;
+    point.angle_rad = first_rad;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto share = static_cast<double>(w[k]);
+      const LatticeCoordinate& c = coordinates[corner[k]];
+      point.rest_m += mesh_.vertices_m[corner[k]] * share;
+      point.arc_m += share * c.arc_m;
+      point.angle_rad += share * std::remainder(c.angle_rad - first_rad, kTurn);
+      point.side += parts[corner[k]] == LatticePart::kSide ? w[k] : 0.0F;
+      for (std::size_t i = 0; i < 3; ++i) point.tint[i] += w[k] * tints_[corner[k]][i];
+    }
+    // The lattice's coordinates grow vague towards the ends.
+    const double place = point.arc_m / scene_.lattice().length_m();
+    point.side *= ease(0.02F, 0.12F, static_cast<float>(std::min(place, 1.0 - place)));
+    return point;
+  }
+
+  Light colourAt(const SkinPoint& point) const {
+    constexpr double kGrain_m = 0.0011;
+    Light colour{};
+    const float grain = palette_.grain * (tissueNoise(point.rest_m / kGrain_m) +
+                                          0.7F * tissueNoise(point.rest_m / (2.6 * kGrain_m) + Vec3{5, 1, 9}));
+    for (std::size_t k = 0; k < 3; ++k) {
+      // Blood makes the grain: red changes least.
+      colour[k] = base_[k] * point.tint[k] * (1.0F + grain * (k == 0 ? 0.5F : 1.0F));
+    }
+    if (point.side > 0.0F) colour = withFibres(colour, point);
+    return withVessels(colour, point);
+  }
+
+  Light withFibres(Light colour, const SkinPoint& point) const {
+    constexpr double kAlong_m = 0.016;
+    constexpr double kAcross = 46.0;  // fibres round the organ, times two pi
+    const Vec3 stretched{point.arc_m / kAlong_m, kAcross * std::cos(point.angle_rad),
+                         kAcross * std::sin(point.angle_rad)};
+    float change = palette_.fibres * (tissueNoise(stretched) + 0.6F * tissueNoise(stretched * 2.3));
+    if (palette_.folds > 0.0F) {
+      constexpr double kFold_m = 0.0046;
+      const auto bend = static_cast<double>(tissueNoise(point.rest_m / 0.008));
+      change += palette_.folds *
+                static_cast<float>(std::sin(kTurn * (point.arc_m / kFold_m) + 1.6 * bend));
+    }
+    for (std::size_t k = 0; k < 3; ++k) colour[k] *= 1.0F + point.side * change * (k == 0 ? 0.45F : 1.0F);
+    if (palette_.fatShare > 0.0F) {
+      for (const double border : {0.0, std::numbers::pi}) {
+        if (look_.kind == TissueKind::kIntestine && border == 0.0) continue;
+        const double away = std::remainder(point.angle_rad - border, kTurn) / 0.30;
+        const auto close = static_cast<float>(std::exp(-away * away));
+        if (close < 0.02F) continue;
+        const float lobules = ease(-0.25F, 0.85F, tissueNoise(point.rest_m / 0.006) +
+                                                      0.5F * tissueNoise(point.rest_m / 0.0022));
+        colour = mixed(colour, palette_.fat, palette_.fatShare * point.side * close * lobules);
+      }
+    }
+    return colour;
+  }
+
+  Light withVessels(Light colour, const SkinPoint& point) const {
+    float inside = 0.0F;
+    float round = 0.0F;
+    for (const std::uint32_t i : near_) {
+      const VesselPiece& v = vessels_[i];
+      const Vec3 way = v.to_m - v.from_m;
+      const double length2 = dot(way, way);
+      const Vec3 from = point.rest_m - v.from_m;
+      const double share = length2 > 0.0 ? std::clamp(dot(from, way) / length2, 0.0, 1.0) : 0.0;
+      Vec3 off = from - way * share;
+      off -= normal_ * dot(off, normal_);
+      const auto distance = static_cast<float>(norm(off));
+      const float farthest = reach(v);
+      if (distance > farthest) continue;
+      const float soft = 0.45F * v.radius_m + static_cast<float>(palette_.softness_m);
+      inside = std::max(inside, v.strength * (1.0F - ease(v.radius_m - soft, v.radius_m + soft, distance)));
+      round = std::max(round, v.strength * (1.0F - ease(0.0F, farthest, distance)));
+    }
+    colour = scaled(colour, palette_.blush, palette_.blushShare * round);
+    return scaled(colour, palette_.vessel, palette_.vesselShare * inside);
+  }
+
+  const Scene& scene_;
+  const TriangleMesh& mesh_;
+  TissueLook look_;
+  Palette palette_;
+  Light base_;
+  TissueSkin& skin_;
+  std::vector<VesselPiece> vessels_;
+  std::vector<Light> tints_;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
+  std::vector<std::uint32_t> owners_;
+  std::vector<std::uint32_t> near_;
+  Vec3 normal_;
+};
+
+}  // namespace
+
+TissueSkin paintSkin(const Scene& scene, const TissueLook& look) {
+  TissueSkin skin;
+  skin.charts = layFlat(scene.mesh, kPixel_m, kMostPixels);
+  for (std::size_t i = 0; i < scene.mesh.vertices_m.size(); ++i) {
+    const QVector3D p = toView(scene.mesh.vertices_m[i]);
+    skin.rest_mm.push_back({p.x(), p.y(), p.z()});
+    skin.arc_mm.push_back(static_cast<float>(scene.lattice().vertexCoordinates()[i].arc_m * 1000.0));
+  }
+  Painter(scene, look, skin).paint();
+  return skin;
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The place at rest travels with the vertex as its tangent, so that what is drawn from it sticks to the tissue.
+VARYING vec3 rest;   // mm
+VARYING float arc;   // mm along the organ
+
+void MAIN()
+{
+    rest = TANGENT;
+    arc = UV1.x;
+}
