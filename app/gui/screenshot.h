@@ -16,7 +16,7 @@ struct ScreenshotRequest {
   SceneRequest scene;
   std::optional<double> angle_rad;  ///< nothing: the target of the pattern
   QSize size{1280, 800};
-  double zoom = 0.0;  ///< notches of the wheel nearer
+  double zoom = 0.0;       ///< notches of the wheel nearer
   bool sceneOnly = false;  ///< without panels and bars
   bool lattice = false;
   bool wireframe = false;

@@ -90,7 +90,8 @@ void OrganGeometry::setSurface(const OrganSurface& surface, const TissueSkin* sk
 void OrganGeometry::updateVertices(const OrganSurface& surface) {
   const std::span<const SurfaceVertex> vertices = surface.vertices();
   for (std::size_t i = 0; i < drawn_.size(); ++i) {
-    static_assert(offsetof(DrawnVertex, map) == sizeof(SurfaceVertex), "what moves comes first, in one piece");
+    static_assert(offsetof(DrawnVertex, map) == sizeof(SurfaceVertex),
+                  "what moves comes first, in one piece");
     std::memcpy(&drawn_[i], &vertices[sources_[i]], sizeof(SurfaceVertex));
   }
   setVertexData(bytesOf(std::span<const DrawnVertex>(drawn_)));

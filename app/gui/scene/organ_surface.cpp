@@ -12,7 +12,10 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr float kGamma = 2.2F;
+/// The curve of sRGB (IEC 61966-2-1).
+float linear(float encoded) {
+  return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
+}
 
 }  // namespace
 
@@ -27,7 +30,7 @@ void OrganSurface::paint(std::span<const std::array<float, 3>> colours) {
   for (std::size_t i = 0; i < vertices_.size(); ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       // The scene graph reads vertex colours as linear light.
-      vertices_[i].colour[k] = colours.empty() ? 1.0F : std::pow(colours[i][k], kGamma);
+      vertices_[i].colour[k] = colours.empty() ? 1.0F : linear(colours[i][k]);
     }
   }
 }

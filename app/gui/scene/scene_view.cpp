@@ -45,7 +45,8 @@ constexpr double kLongestArrow_N = 3.3;  // what the device can give at most: th
 constexpr double kLeastForce_N = 0.02;   // below the friction of the device nobody feels it
 constexpr double kJawHolding_deg = 3.0;  // each jaw, closed on tissue
 
-/// A little shade, so that the form is seen under the colours of a map; most of what faces the viewer has none.
+/// A little shade, so that the form is seen under the colours of a map; most of what faces the viewer has
+/// none.
 float formShade(const float (&normal)[3]) {
   constexpr float kDeepest = 0.30F;
   const float facing = 0.20F * normal[0] * -1.0F + 0.45F * normal[1] + 0.87F * normal[2];

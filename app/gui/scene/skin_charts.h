@@ -13,8 +13,8 @@ namespace torsio::gui {
 /// others. A vertex on the border of pieces is drawn once for each.
 struct SkinCharts {
   struct Corner {
-    std::uint32_t vertex = 0;           ///< of the mesh
-    std::array<float, 2> place{};       ///< on the map, pixels from its top left corner
+    std::uint32_t vertex = 0;      ///< of the mesh
+    std::array<float, 2> place{};  ///< on the map, pixels from its top left corner
   };
   std::vector<Corner> corners;                    ///< what is drawn; the first are not in the mesh's order
   std::vector<TriangleMesh::Triangle> triangles;  ///< of corners, in the order of the mesh

@@ -24,8 +24,7 @@ SurfaceWalk::SurfaceWalk(const TriangleMesh& mesh)
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const TriangleMesh::Triangle& corner = mesh.triangles[t];
     const Vec3& a = mesh.vertices_m[corner[0]];
-    normals_.push_back(
-        normalized(cross(mesh.vertices_m[corner[1]] - a, mesh.vertices_m[corner[2]] - a)));
+    normals_.push_back(normalized(cross(mesh.vertices_m[corner[1]] - a, mesh.vertices_m[corner[2]] - a)));
     for (std::size_t k = 0; k < 3; ++k) owners[edgeKey(corner[k], corner[(k + 1) % 3])] = t;
   }
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {

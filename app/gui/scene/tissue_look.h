@@ -21,11 +21,11 @@ struct TissueLook {
   float roughness = 0.5F;  ///< of the tissue itself
   float clearcoat = 0.0F;  ///< the film of moisture on it, 0 dry .. 1 wet
   float filmRoughness = 0.2F;
-  float mottling = 0.1F;  ///< how far the colour wanders, 0..1
-  double patch_m = 0.02;  ///< size of the largest patches of colour
-  float scatter = 1.0F;   ///< how far light wanders in it, 0 stone .. 1 blood-filled tissue
-  float foldDepth = 0.0F;              ///< of circular folds: steepest slope
-  float poreDepth = 0.0F;              ///< of pores, mm
+  float mottling = 0.1F;             ///< how far the colour wanders, 0..1
+  double patch_m = 0.02;             ///< size of the largest patches of colour
+  float scatter = 1.0F;              ///< how far light wanders in it, 0 stone .. 1 blood-filled tissue
+  float foldDepth = 0.0F;            ///< of circular folds: steepest slope
+  float poreDepth = 0.0F;            ///< of pores, mm
   std::array<float, 3> relief_mm{};  ///< height of waves of 7.3, 2.6 and 0.85 mm
 };
 

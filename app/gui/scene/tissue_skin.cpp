@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -79,15 +80,40 @@ struct Palette {
 Palette paletteOf(TissueKind kind) {
   switch (kind) {
     case TissueKind::kSkin:
-      return {{0.74F, 0.90F, 0.98F}, 0.55F, {0.95F, 0.98F, 1.0F}, 0.5F, {1, 1, 1}, 0.0F, 0.0F, 0.0F, 0.035F,
+      return {{0.74F, 0.90F, 0.98F},
+              0.55F,
+              {0.95F, 0.98F, 1.0F},
+              0.5F,
+              {1, 1, 1},
+              0.0F,
+              0.0F,
+              0.0F,
+              0.035F,
               0.0016};
     case TissueKind::kIntestine:
-      return {{0.60F, 0.20F, 0.22F}, 0.62F, {0.99F, 0.86F, 0.86F}, 0.6F, linear(QColor(236, 200, 140)),
-              0.55F, 0.03F, 0.07F, 0.035F, 0.00022};
-    case TissueKind::kSerosa: break;
+      return {{0.60F, 0.20F, 0.22F},
+              0.62F,
+              {0.99F, 0.86F, 0.86F},
+              0.6F,
+              linear(QColor(236, 200, 140)),
+              0.55F,
+              0.03F,
+              0.07F,
+              0.035F,
+              0.00022};
+    case TissueKind::kSerosa:
+      break;
   }
-  return {{0.60F, 0.20F, 0.22F}, 0.62F, {0.99F, 0.86F, 0.86F}, 0.6F, linear(QColor(236, 200, 140)), 0.5F,
-          0.06F, 0.0F, 0.035F, 0.00030};
+  return {{0.60F, 0.20F, 0.22F},
+          0.62F,
+          {0.99F, 0.86F, 0.86F},
+          0.6F,
+          linear(QColor(236, 200, 140)),
+          0.5F,
+          0.06F,
+          0.0F,
+          0.035F,
+          0.00030};
 }
 
 /// One point of the skin at rest.
@@ -97,6 +123,17 @@ struct SkinPoint {
   double arc_m = 0.0;
   double angle_rad = 0.0;
   float side = 1.0F;  ///< 0 on the caps, where the ridge angle means nothing
+};
+
+/// A piece of a vessel in the plane of one triangle, metres.
+struct FlatPiece {
+  std::array<float, 2> from{};
+  std::array<float, 2> way{};
+  float perLength2 = 0.0F;
+  float radius = 0.0F;
+  float soft = 0.0F;
+  float reach = 0.0F;
+  float strength = 0.0F;
 };
 
 class Painter {
@@ -110,6 +147,7 @@ class Painter {
         skin_(skin),
         vessels_(growVessels(mesh_, scene.lattice(), look)) {
     for (const Vec3& v : mesh_.vertices_m) tints_.push_back(mottle(look, v));
+    seenBy_.assign(vessels_.size(), kNobody);
     for (std::uint32_t i = 0; i < vessels_.size(); ++i) sort(i);
   }
 
@@ -118,14 +156,15 @@ class Painter {
     skin_.rgba.assign(owners_.size() * 4, 255);
     // Between the pieces lies the tissue's own colour: what a smaller copy of the map mixes in is not seen.
     const std::array<std::uint8_t, 3> ground{encoded(base_[0]), encoded(base_[1]), encoded(base_[2])};
-    for (std::size_t i = 0; i < owners_.size(); ++i) std::copy(ground.begin(), ground.end(), &skin_.rgba[4 * i]);
+    for (std::size_t i = 0; i < owners_.size(); ++i)
+      std::copy(ground.begin(), ground.end(), &skin_.rgba[4 * i]);
+    const std::vector<std::size_t> pixels = byOwner();
     std::uint32_t last = kNobody;
-    for (std::size_t i = 0; i < owners_.size(); ++i) {
-      if (owners_[i] == kNobody) continue;
+    for (const std::size_t i : pixels) {
       if (owners_[i] != last) gather(last = owners_[i]);
       const auto width = static_cast<std::size_t>(skin_.charts.width);
-      const Light colour = colourAt(pointAt(last, static_cast<float>(i % width) + 0.5F,
-                                            static_cast<float>(i / width) + 0.5F));
+      const Light colour =
+          colourAt(pointAt(last, static_cast<float>(i % width) + 0.5F, static_cast<float>(i / width) + 0.5F));
       for (std::size_t k = 0; k < 3; ++k) {
         const float c = std::clamp(colour[k], 0.0F, 1.0F);
         skin_.rgba[4 * i + k] = encodedTable()[static_cast<std::size_t>(c * 4095.0F + 0.5F)];
@@ -144,10 +183,24 @@ class Painter {
     return dot(away, away) > reach_m * reach_m;
   }
 
+  /// The pixels that show something, triangle after triangle.
+  [[nodiscard]] std::vector<std::size_t> byOwner() const {
+    std::vector<std::size_t> begins(mesh_.triangles.size() + 1, 0);
+    for (const std::uint32_t owner : owners_) {
+      if (owner != kNobody) ++begins[owner + 1];
+    }
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    std::vector<std::size_t> pixels(begins.back());
+    for (std::size_t i = 0; i < owners_.size(); ++i) {
+      if (owners_[i] != kNobody) pixels[begins[owners_[i]]++] = i;
+    }
+    return pixels;
+  }
+
   static std::uint64_t cell(std::int64_t x, std::int64_t y, std::int64_t z) {
     constexpr std::int64_t kMiddle = 1 << 20;
-    return (static_cast<std::uint64_t>(x + kMiddle) << 42U) ^ (static_cast<std::uint64_t>(y + kMiddle) << 21U) ^
-           static_cast<std::uint64_t>(z + kMiddle);
+    return (static_cast<std::uint64_t>(x + kMiddle) << 42U) ^
+           (static_cast<std::uint64_t>(y + kMiddle) << 21U) ^ static_cast<std::uint64_t>(z + kMiddle);
   }
 
   template <typename Visit>
@@ -170,7 +223,7 @@ class Painter {
 
   /// The vessels that a triangle can show.
   void gather(std::uint32_t t) {
-    near_.clear();
+    std::vector<std::uint32_t> near;
     const TriangleMesh::Triangle& corner = mesh_.triangles[t];
     Vec3 low = mesh_.vertices_m[corner[0]];
     Vec3 high = low;
@@ -181,15 +234,42 @@ class Painter {
     }
     cellsOf(low, high, [&](std::uint64_t key) {
       const auto found = cells_.find(key);
-      if (found != cells_.end()) near_.insert(near_.end(), found->second.begin(), found->second.end());
+      if (found == cells_.end()) return;
+      for (const std::uint32_t i : found->second) {
+        if (std::exchange(seenBy_[i], t) != t) near.push_back(i);
+      }
     });
-    std::sort(near_.begin(), near_.end());
-    near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
     const Vec3 middle_m = (low + high) * 0.5;
     const double span_m = 0.5 * norm(high - low);
-    std::erase_if(near_, [&](std::uint32_t i) { return farFrom(vessels_[i], middle_m, span_m); });
-    normal_ = normalized(cross(mesh_.vertices_m[corner[1]] - mesh_.vertices_m[corner[0]],
-                               mesh_.vertices_m[corner[2]] - mesh_.vertices_m[corner[0]]));
+    std::erase_if(near, [&](std::uint32_t i) { return farFrom(vessels_[i], middle_m, span_m); });
+    flatten(corner, near);
+  }
+
+  /// The same pieces in the plane of the triangle: a map has a million pixels.
+  void flatten(const TriangleMesh::Triangle& corner, const std::vector<std::uint32_t>& near) {
+    origin_m_ = mesh_.vertices_m[corner[0]];
+    right_ = normalized(mesh_.vertices_m[corner[1]] - origin_m_);
+    const Vec3 normal = normalized(cross(right_, mesh_.vertices_m[corner[2]] - origin_m_));
+    up_ = cross(normal, right_);
+    near_.clear();
+    for (const std::uint32_t i : near) {
+      const VesselPiece& v = vessels_[i];
+      FlatPiece flat;
+      flat.from = flatPlace(v.from_m);
+      const std::array<float, 2> to = flatPlace(v.to_m);
+      flat.way = {to[0] - flat.from[0], to[1] - flat.from[1]};
+      const float length2 = flat.way[0] * flat.way[0] + flat.way[1] * flat.way[1];
+      flat.perLength2 = length2 > 0.0F ? 1.0F / length2 : 0.0F;
+      flat.radius = v.radius_m;
+      flat.soft = 0.45F * v.radius_m + static_cast<float>(palette_.softness_m);
+      flat.reach = reach(v);
+      flat.strength = v.strength;
+      near_.push_back(flat);
+    }
+  }
+
+  [[nodiscard]] std::array<float, 2> flatPlace(const Vec3& p) const {
+    return {static_cast<float>(dot(p - origin_m_, right_)), static_cast<float>(dot(p - origin_m_, up_))};
   }
 
   std::array<float, 3> weights(std::uint32_t t, float x, float y) const {
@@ -214,8 +294,8 @@ class Painter {
       std::vector<std::pair<std::size_t, std::uint32_t>> grown;
       for (int y = 1; y + 1 < height; ++y) {
         for (int x = 1; x + 1 < width; ++x) {
-          const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                         static_cast<std::size_t>(x);
+          const auto i =
+              static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
           if (owners_[i] != kNobody) continue;
           const auto w = static_cast<std::size_t>(width);
           for (const std::size_t other : {i - 1, i + 1, i - w, i + w}) {
@@ -275,8 +355,9 @@ class Painter {
   Light colourAt(const SkinPoint& point) const {
     constexpr double kGrain_m = 0.0011;
     Light colour{};
-    const float grain = palette_.grain * (tissueNoise(point.rest_m / kGrain_m) +
-                                          0.7F * tissueNoise(point.rest_m / (2.6 * kGrain_m) + Vec3{5, 1, 9}));
+    const float grain =
+        palette_.grain * (tissueNoise(point.rest_m / kGrain_m) +
+                          0.7F * tissueNoise(point.rest_m / (2.6 * kGrain_m) + Vec3{5, 1, 9}));
     for (std::size_t k = 0; k < 3; ++k) {
       // Blood makes the grain: red changes least.
       colour[k] = base_[k] * point.tint[k] * (1.0F + grain * (k == 0 ? 0.5F : 1.0F));
@@ -294,8 +375,7 @@ class Painter {
     if (palette_.folds > 0.0F) {
       constexpr double kFold_m = 0.0046;
       const auto bend = static_cast<double>(tissueNoise(point.rest_m / 0.008));
-      change += palette_.folds *
-                static_cast<float>(std::sin(kTurn * (point.arc_m / kFold_m) + 1.6 * bend));
+      change += palette_.folds * static_cast<float>(std::sin(kTurn * (point.arc_m / kFold_m) + 1.6 * bend));
     }
     for (std::size_t k = 0; k < 3; ++k) colour[k] *= 1.0F + point.side * change * (k == 0 ? 0.45F : 1.0F);
     if (palette_.fatShare > 0.0F) {
@@ -304,8 +384,8 @@ class Painter {
         const double away = std::remainder(point.angle_rad - border, kTurn) / 0.30;
         const auto close = static_cast<float>(std::exp(-away * away));
         if (close < 0.02F) continue;
-        const float lobules = ease(-0.25F, 0.85F, tissueNoise(point.rest_m / 0.006) +
-                                                      0.5F * tissueNoise(point.rest_m / 0.0022));
+        const float lobules = ease(
+            -0.25F, 0.85F, tissueNoise(point.rest_m / 0.006) + 0.5F * tissueNoise(point.rest_m / 0.0022));
         colour = mixed(colour, palette_.fat, palette_.fatShare * point.side * close * lobules);
       }
     }
@@ -315,20 +395,18 @@ class Painter {
   Light withVessels(Light colour, const SkinPoint& point) const {
     float inside = 0.0F;
     float round = 0.0F;
-    for (const std::uint32_t i : near_) {
-      const VesselPiece& v = vessels_[i];
-      const Vec3 way = v.to_m - v.from_m;
-      const double length2 = dot(way, way);
-      const Vec3 from = point.rest_m - v.from_m;
-      const double share = length2 > 0.0 ? std::clamp(dot(from, way) / length2, 0.0, 1.0) : 0.0;
-      Vec3 off = from - way * share;
-      off -= normal_ * dot(off, normal_);
-      const auto distance = static_cast<float>(norm(off));
-      const float farthest = reach(v);
-      if (distance > farthest) continue;
-      const float soft = 0.45F * v.radius_m + static_cast<float>(palette_.softness_m);
-      inside = std::max(inside, v.strength * (1.0F - ease(v.radius_m - soft, v.radius_m + soft, distance)));
-      round = std::max(round, v.strength * (1.0F - ease(0.0F, farthest, distance)));
+    const std::array<float, 2> place = flatPlace(point.rest_m);
+    for (const FlatPiece& v : near_) {
+      const float x = place[0] - v.from[0];
+      const float y = place[1] - v.from[1];
+      const float share = std::clamp((x * v.way[0] + y * v.way[1]) * v.perLength2, 0.0F, 1.0F);
+      const float dx = x - v.way[0] * share;
+      const float dy = y - v.way[1] * share;
+      const float distance2 = dx * dx + dy * dy;
+      if (distance2 > v.reach * v.reach) continue;
+      const float distance = std::sqrt(distance2);
+      inside = std::max(inside, v.strength * (1.0F - ease(v.radius - v.soft, v.radius + v.soft, distance)));
+      round = std::max(round, v.strength * (1.0F - ease(0.0F, v.reach, distance)));
     }
     colour = scaled(colour, palette_.blush, palette_.blushShare * round);
     return scaled(colour, palette_.vessel, palette_.vesselShare * inside);
@@ -344,8 +422,12 @@ class Painter {
   std::vector<Light> tints_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
   std::vector<std::uint32_t> owners_;
-  std::vector<std::uint32_t> near_;
-  Vec3 normal_;
+  std::vector<std::uint32_t> seenBy_;  // triangle that a piece was last gathered for
+  // Of the triangle at work: its plane and the pieces near it.
+  Vec3 origin_m_;
+  Vec3 right_;
+  Vec3 up_;
+  std::vector<FlatPiece> near_;
 };
 
 }  // namespace

@@ -227,7 +227,8 @@ TEST(StressLegend, ShowsTheColoursOfTheMapUnmixed) {
   for (int y = 0; y < picture.height(); ++y) {
     const QColor c = picture.pixelColor(kSpace + 5, y);
     dark = dark || (c.red() == 0 && std::abs(c.green() - 34) <= 1 && std::abs(c.blue() - 78) <= 1);
-    yellow = yellow || (std::abs(c.red() - 254) <= 1 && std::abs(c.green() - 232) <= 1 && std::abs(c.blue() - 56) <= 1);
+    yellow = yellow ||
+             (std::abs(c.red() - 254) <= 1 && std::abs(c.green() - 232) <= 1 && std::abs(c.blue() - 56) <= 1);
   }
   EXPECT_TRUE(dark);
   EXPECT_TRUE(yellow);
