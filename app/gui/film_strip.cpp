@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/film_strip.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <QLocale>
 #include <QPainter>
+
+#include "app/gui/scene/scene_view.h"
 
 namespace torsio::gui {
 
@@ -9,6 +16,10 @@ namespace {
 
 constexpr int kGap = 8;
 constexpr int kFrameWidth = 480;
+constexpr std::size_t kFramesInARow = 4;
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+constexpr double kStep_rad = std::numbers::pi / 6.0;
+constexpr double kNear_rad = 0.5 / kDegPerRad;  // a last step of half a degree shows nothing new
 
 }  // namespace
 
@@ -38,6 +49,63 @@ QImage filmStrip(const std::vector<std::vector<StripFrame>>& rows) {
     y += cell.height() + caption + kGap;
   }
   return strip;
+}
+
+QImage filmStrip(const std::vector<StripFrame>& frames) {
+  std::vector<std::vector<StripFrame>> rows;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (i % kFramesInARow == 0) rows.emplace_back();
+    rows.back().push_back(frames[i]);
+  }
+  return filmStrip(rows);
+}
+
+std::vector<double> stripAngles_rad(double last_rad) {
+  std::vector<double> angles;
+  const double size_rad = std::abs(last_rad);
+  for (int step = 0; step * kStep_rad < size_rad - kNear_rad; ++step) {
+    angles.push_back(std::copysign(step * kStep_rad, last_rad));
+  }
+  angles.push_back(last_rad);
+  return angles;
+}
+
+std::vector<StripMoment> stripMoments(const TrialPlayback& playback) {
+  const std::vector<Sample>& samples = playback.samples();
+  const auto farthest =
+      std::max_element(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
+        return std::abs(a.response.angle_rad) < std::abs(b.response.angle_rad);
+      });
+  std::vector<StripMoment> moments;
+  for (const double angle_rad : stripAngles_rad(farthest->response.angle_rad)) {
+    const auto first = std::find_if(samples.begin(), samples.end(), [&](const Sample& sample) {
+      const double along_rad = std::copysign(1.0, farthest->response.angle_rad) * sample.response.angle_rad;
+      return along_rad >= std::abs(angle_rad);
+    });
+    if (first == samples.end()) continue;
+    moments.push_back({angle_rad, first->device.time_us - samples.front().device.time_us});
+  }
+  return moments;
+}
+
+std::vector<StripFrame> captureStrip(SceneView& view, const Scene& scene, double last_rad) {
+  const double grasp_m = std::clamp(scene.pattern.graspArc, 0.0, 1.0) * scene.lattice().length_m();
+  view.setToolVisible(false);
+  view.setForce({}, {});
+  std::vector<StripFrame> frames;
+  for (const double angle_rad : stripAngles_rad(last_rad)) {
+    view.setTwist({grasp_m, angle_rad});
+    frames.push_back({angleCaption(angle_rad), view.picture()});
+  }
+  view.setToolVisible(true);
+  return frames;
+}
+
+QString angleCaption(double angle_rad) {
+  const double degrees = std::round(angle_rad * kDegPerRad * 10.0) / 10.0;
+  const bool whole = degrees == std::round(degrees);
+  const QString size = QLocale().toString(std::abs(degrees), 'f', whole ? 0 : 1) + QChar(0x00B0);
+  return degrees < 0.0 ? QChar(0x2212) + size : size;  // a minus, not a hyphen
 }
 
 }  // namespace torsio::gui

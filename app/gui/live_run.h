@@ -48,6 +48,8 @@ class LiveRun {
   [[nodiscard]] bool command(const ServoCommand& command) noexcept { return commands_.push(command); }
   /// The newest snapshot. GUI thread.
   [[nodiscard]] const LiveState& latest() noexcept { return live_.latest(); }
+  /// How punctual the servo is. Any thread.
+  [[nodiscard]] const ServoThread& thread() const noexcept { return thread_; }
   [[nodiscard]] bool recorded() const noexcept { return recorder_ != nullptr; }
   /// Tests that tick the loop themselves hand on what was recorded so far. Not after start().
   void pump() { recorder_->pump(); }

@@ -21,7 +21,6 @@
 
 #include "app/gui/asset_names.h"
 #include "app/gui/exercise_panel.h"
-#include "app/gui/picture.h"
 #include "app/gui/pointer_controls.h"
 #include "app/gui/readout_panel.h"
 #include "app/gui/replay_bar.h"
@@ -376,19 +375,6 @@ void MainWindow::chooseOrganFile() {
   request.organFile = std::filesystem::path(file.toStdString());
   request.organScale_m = scales_m[units.indexOf(unit)];
   controller_->load(request);
-}
-
-void MainWindow::choosePicture() {
-  const QString file =
-      QFileDialog::getSaveFileName(this, tr("Save picture"), tr("torsio.png"), tr("PNG pictures (*.png)"));
-  if (file.isEmpty()) return;
-  try {
-    writePicture(view_->picture(), file.toStdString());
-    Q_EMIT controller_->noticed(tr("Saved %1").arg(file));
-  } catch (const Error& error) {
-    showProblem(QString::fromStdString(error.happened()), QString::fromStdString(error.remedy()),
-                QString::fromStdString(error.where()));
-  }
 }
 
 void MainWindow::chooseReplay() {

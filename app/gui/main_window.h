@@ -10,6 +10,7 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include "app/gui/film_strip.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/simulation_controller.h"
 
@@ -68,6 +69,7 @@ class MainWindow : public QMainWindow {
   struct Actions {
     QAction* open = nullptr;
     QAction* picture = nullptr;
+    QAction* strip = nullptr;
     QAction* record = nullptr;
     QAction* replay = nullptr;
     QAction* release = nullptr;
@@ -108,6 +110,9 @@ class MainWindow : public QMainWindow {
   void lookWhole();
   void chooseOrganFile();
   void choosePicture();
+  void chooseFilmStrip();
+  [[nodiscard]] std::vector<StripFrame> replayFrames();
+  void savePicture(const QImage& picture, const QString& file);
   void chooseReplay();
   void toggleRecording();
   void chooseKeys();

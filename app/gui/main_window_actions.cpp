@@ -30,6 +30,8 @@ void MainWindow::nameActions() {
   const Actions& a = actions_;
   name(a.open, tr("Open organ\u2026"), tr("Use a mesh of your own instead of a shipped organ"));
   name(a.picture, tr("Picture\u2026"), tr("Save the scene as a PNG picture"));
+  name(a.strip, tr("Film strip\u2026"),
+       tr("Save the twist at 0, 30, 60 \u2026 degrees, or the recording that is replayed, as one picture"));
   name(a.record, tr("Record"), tr("Start the exercise anew and record it"));
   name(a.replay, tr("Replay\u2026"), tr("Look at a recorded trial again"));
   name(a.release, tr("Release"), tr("Let go of the tissue; it returns to rest"));
@@ -69,6 +71,7 @@ void MainWindow::createActions() {
   Actions& a = actions_;
   a.open = addKeyed(QKeySequence::Open);
   a.picture = addKeyed(Qt::CTRL | Qt::SHIFT | Qt::Key_P);
+  a.strip = addKeyed(Qt::CTRL | Qt::SHIFT | Qt::Key_F);
   a.record = addKeyed(Qt::CTRL | Qt::Key_R);
   a.replay = addKeyed(Qt::CTRL | Qt::SHIFT | Qt::Key_R);
   a.release = addKeyed(Qt::Key_Escape);
@@ -88,6 +91,7 @@ void MainWindow::createActions() {
 
   connect(a.open, &QAction::triggered, this, &MainWindow::chooseOrganFile);
   connect(a.picture, &QAction::triggered, this, &MainWindow::choosePicture);
+  connect(a.strip, &QAction::triggered, this, &MainWindow::chooseFilmStrip);
   connect(a.record, &QAction::triggered, this, &MainWindow::toggleRecording);
   connect(a.replay, &QAction::triggered, this, &MainWindow::chooseReplay);
   connect(a.release, &QAction::triggered, controller_.get(), &SimulationController::releaseTissue);
@@ -145,7 +149,7 @@ void MainWindow::createMenuBar() {
   connect(a.about, &QAction::triggered, this, &MainWindow::showAbout);
 
   m.file = menuBar()->addMenu(QString());
-  m.file->addActions({a.open, a.picture});
+  m.file->addActions({a.open, a.picture, a.strip});
   m.file->addSeparator();
   m.file->addAction(a.quit);
   m.exercise = menuBar()->addMenu(QString());
@@ -201,7 +205,7 @@ void MainWindow::createToolBar() {
   menus_.more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   menus_.more->setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(menus_.more);
-  menu->addActions({a.restart, a.open});
+  menu->addActions({a.restart, a.open, a.strip});
   menu->addSeparator();
   menu->addActions({a.wireframe, a.markers});
   menu->addMenu(menus_.quality);
@@ -216,10 +220,10 @@ void MainWindow::applyIcons() {
   const Theme& colours = theme(themeKind_);
   const Actions& a = actions_;
   const std::pair<QAction*, const char*> icons[] = {
-      {a.open, "open"},       {a.picture, "picture"},     {a.replay, "replay"}, {a.release, "release"},
-      {a.front, "front"},     {a.side, "side"},           {a.top, "top"},       {a.whole, "fit"},
-      {a.lattice, "lattice"}, {a.wireframe, "wireframe"}, {a.shear, "stress"},  {a.ghost, "ghost"},
-      {a.markers, "markers"}, {a.dark, "theme"},          {a.help, "help"}};
+      {a.open, "open"},       {a.picture, "picture"}, {a.strip, "filmstrip"},     {a.replay, "replay"},
+      {a.release, "release"}, {a.front, "front"},     {a.side, "side"},           {a.top, "top"},
+      {a.whole, "fit"},       {a.lattice, "lattice"}, {a.wireframe, "wireframe"}, {a.shear, "stress"},
+      {a.ghost, "ghost"},     {a.markers, "markers"}, {a.dark, "theme"},          {a.help, "help"}};
   for (const auto& [action, file] : icons) {
     if (action != nullptr) action->setIcon(icon(QLatin1String(file), colours));
   }

@@ -10,7 +10,9 @@
 #include <QEventLoop>
 #include <QGuiApplication>
 #include <QPixmap>
+#include <QTimer>
 
+#include "app/gui/film_strip.h"
 #include "app/gui/live_run.h"
 #include "app/gui/picture.h"
 #include "app/gui/scripted_twist.h"
@@ -23,6 +25,7 @@ namespace {
 constexpr int kPatience_ms = 120'000;
 constexpr int kSettlingFrames = 3;  // quality and textures are in force after the second
 constexpr double kSwing_rad_per_s = 1.5;
+constexpr int kPulse_ms = 5;
 constexpr double kWarmUp_s = 2.0;
 
 /// Runs the event loop until `done`; throws after too long.
@@ -71,6 +74,16 @@ struct Stage {
   MainWindow window;
 };
 
+void settle(MainWindow& window) {
+  const std::int64_t before = window.view().framesDrawn();
+  waitUntil(
+      [&] {
+        window.view().redraw();
+        return window.view().framesDrawn() >= before + kSettlingFrames;
+      },
+      "the picture");
+}
+
 double angleOf(const ScreenshotRequest& request, MainWindow& window) {
   return request.angle_rad.value_or(window.controller().scene()->pattern.targetAngle_rad);
 }
@@ -81,16 +94,17 @@ void takeScreenshot(const WindowSetup& setup, const ScreenshotRequest& request) 
   requireDisplay();
   Stage stage(setup, request);
   MainWindow& window = stage.window;
+  if (request.strip) {
+    settle(window);
+    writePicture(
+        filmStrip(captureStrip(window.view(), *window.controller().scene(), angleOf(request, window))),
+        request.file);
+    return;
+  }
   LiveState held = scriptedTwist(*window.controller().scene(), angleOf(request, window));
   held.targetAngle_rad = window.controller().target_rad();  // the exercise's, whatever the hand was told
   window.controller().freeze(held);
-  const std::int64_t before = window.view().framesDrawn();
-  waitUntil(
-      [&] {
-        window.view().redraw();
-        return window.view().framesDrawn() >= before + kSettlingFrames;
-      },
-      "the picture");
+  settle(window);
   writePicture(request.sceneOnly ? window.view().picture() : window.grab().toImage(), request.file);
 }
 
@@ -107,6 +121,9 @@ FrameRate measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& re
   LiveRun servo(controller.sharedScene(), start);
   servo.start();
   FrameRate rate;
+  // Ends each wait; with a time limit Qt would spin and take the processor from the renderer.
+  QTimer pulse;
+  pulse.start(kPulse_ms);
   QElapsedTimer clock;
   clock.start();
   std::int64_t firstFrame = 0;
@@ -123,7 +140,7 @@ FrameRate measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& re
     if (begun_s >= 0.0) rate.slowestTick_us = std::max(rate.slowestTick_us, live.tickDuration_us);
     state.response.angle_rad = widest_rad * std::sin(kSwing_rad_per_s * now_s);
     controller.freeze(state);
-    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 20);
+    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
   }
   const double span_s = static_cast<double>(clock.elapsed()) * 1e-3 - begun_s;
   rate.frames_per_s = static_cast<double>(window.view().framesDrawn() - firstFrame) / span_s;

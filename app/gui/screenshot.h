@@ -17,6 +17,7 @@ struct ScreenshotRequest {
   std::optional<double> angle_rad;  ///< nothing: the target of the pattern
   QSize size{1280, 800};
   double zoom = 0.0;       ///< notches of the wheel nearer
+  bool strip = false;      ///< the organ at several angles up to that one, instead of the window
   bool sceneOnly = false;  ///< without panels and bars
   bool lattice = false;
   bool wireframe = false;

@@ -109,6 +109,7 @@ ScreenshotRequest pictureOf(const QCommandLineParser& parser, const SceneRequest
   picture.quality = wordOf(parser, QStringLiteral("quality"), {"fast", "fine"}) == QLatin1String("fast")
                         ? RenderQuality::kFast
                         : RenderQuality::kFine;
+  picture.strip = parser.isSet(QStringLiteral("film-strip"));
   picture.zoom = numberOf(parser, QStringLiteral("zoom"));
   picture.orbit_deg = numberOf(parser, QStringLiteral("orbit"));
   return picture;
@@ -133,6 +134,8 @@ void addOptions(QCommandLineParser& parser) {
   add("frame-rate", "Measure frames per second and end", "SECONDS", "");
   add("database", "Database of this run instead of the station's", "FILE|URL", "");
   parser.addOption({QStringLiteral("kiosk"), QStringLiteral("Full screen at a station, nothing else")});
+  parser.addOption(
+      {QStringLiteral("film-strip"), QStringLiteral("Picture of the organ at 0, 30, 60 ... degrees")});
   parser.addOption({QStringLiteral("scene-only"), QStringLiteral("Picture without panels")});
   parser.addOption({QStringLiteral("lattice"), QStringLiteral("Show ridges and sections")});
   parser.addOption({QStringLiteral("shear"), QStringLiteral("Colour the tissue by shear stress")});

@@ -63,6 +63,10 @@ Light mixed(const Light& a, const Light& b, float share) {
   return sum;
 }
 
+float centre(std::size_t pixel) {
+  return static_cast<float>(pixel) + 0.5F;
+}
+
 /// How the layers of a tissue are mixed.
 struct Palette {
   Light vessel;  ///< factor in the middle of a vessel
@@ -163,11 +167,11 @@ class Painter {
     for (const std::size_t i : pixels) {
       if (owners_[i] != last) gather(last = owners_[i]);
       const auto width = static_cast<std::size_t>(skin_.charts.width);
-      const Light colour =
-          colourAt(pointAt(last, static_cast<float>(i % width) + 0.5F, static_cast<float>(i / width) + 0.5F));
+      const std::size_t row = i / width;
+      const Light colour = colourAt(pointAt(last, centre(i - row * width), centre(row)));
       for (std::size_t k = 0; k < 3; ++k) {
         const float c = std::clamp(colour[k], 0.0F, 1.0F);
-        skin_.rgba[4 * i + k] = encodedTable()[static_cast<std::size_t>(c * 4095.0F + 0.5F)];
+        skin_.rgba[4 * i + k] = encodedTable()[static_cast<std::size_t>(std::lround(c * 4095.0F))];
       }
     }
   }
@@ -318,8 +322,8 @@ class Painter {
       top = std::min(top, place[1]), bottom = std::max(bottom, place[1]);
     }
     constexpr float kSlack = -1e-3F;
-    for (int y = static_cast<int>(top - 0.5F); y <= static_cast<int>(bottom + 0.5F); ++y) {
-      for (int x = static_cast<int>(left - 0.5F); x <= static_cast<int>(right + 0.5F); ++x) {
+    for (int y = static_cast<int>(top) - 1; y <= static_cast<int>(bottom) + 1; ++y) {
+      for (int x = static_cast<int>(left) - 1; x <= static_cast<int>(right) + 1; ++x) {
         const auto w = weights(t, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
         if (w[0] < kSlack || w[1] < kSlack || w[2] < kSlack) continue;
         owners_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =

@@ -141,6 +141,24 @@ TEST_F(Screenshot, TheStressMapHasTheColoursOfItsLegendOnEveryLevel) {
   }
 }
 
+TEST_F(Screenshot, AFilmStripShowsTheOrganMoreAndMoreTwisted) {
+  const QImage strip =
+      shot(QStringLiteral("strip.png"),
+           {QStringLiteral("--organ"), QStringLiteral("stomach"), QStringLiteral("--angle"),
+            QStringLiteral("90"), QStringLiteral("--film-strip"), QStringLiteral("--quality"),
+            QStringLiteral("fast"), QStringLiteral("--size"), QStringLiteral("640x480")});
+
+  // 0, 30, 60 and 90 degrees in one row.
+  ASSERT_FALSE(strip.isNull());
+  const int cell = strip.width() / 4;
+  const QRect first(0, 0, cell, strip.height());
+  EXPECT_GT(tissue(strip, first), 1000);
+  for (int frame = 1; frame < 4; ++frame) {
+    const QImage before = strip.copy(first.translated((frame - 1) * cell, 0));
+    EXPECT_GT(different(before, strip.copy(first.translated(frame * cell, 0))), 500) << frame;
+  }
+}
+
 TEST_F(Screenshot, ShowsTheWholeWindowWithItsReadouts) {
   const QImage window = shot(
       QStringLiteral("window.png"),

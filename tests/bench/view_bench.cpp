@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Frame rate and servo timing, measured together: a scripted hand twists an organ at real time through the
+// same servo, recorder and view as a trainee's run, first without a picture, then at each level of quality.
+//   torsio_bench_view [--seconds S] [--size WxH] [--organ ID] [--triangles N] [--level fast|fine] [--smoke]
+// --smoke fails unless every level drew and the servo ticked; it asserts no timing.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QElapsedTimer>
+#include <QTimer>
+
+#include "app/gui/live_run.h"
+#include "app/gui/look/theme.h"
+#include "app/gui/scene/instrument_geometry.h"
+#include "app/gui/scene/scene_view.h"
+#include "sim/base/error.h"
+#include "sim/device/scripted_hand.h"
+#include "sim/servo/hand_task.h"
+#include "tests/sim/servo/bar_scene.h"
+
+namespace {
+
+using namespace torsio;
+using namespace torsio::gui;
+
+constexpr double kWarmUp_s = 2.0;  // shaders are built during the first frames
+constexpr double kTick_us = 1000.0;
+constexpr int kPulse_ms = 4;
+constexpr double kPatience_s = 120.0;
+
+struct Options {
+  double seconds = 10.0;
+  QSize size{1280, 800};
+  std::string organ = "stomach";
+  int triangles = 0;  // 0: the shipped organ; else a round bar of so many
+  std::vector<RenderQuality> levels{RenderQuality::kFast, RenderQuality::kFine};
+  bool smoke = false;
+};
+
+struct Outcome {
+  std::vector<double> frames_ms;  // sorted
+  double span_s = 0.0;
+  double processor_s = 0.0;  // of all threads
+  std::int64_t ticks = 0;
+  std::int64_t lateTicks = 0;
+  TimingSummary wakeUp;
+  TimingSummary duration;
+  std::vector<std::pair<double, std::int64_t>> delays;  // upper edge in us, count
+};
+
+class NoSink final : public TrialSink {
+ public:
+  void begin(const TrialHeader&) override {}
+  void append(const TrialChunk&) override {}
+  void finish(const TrialSummary&) override {}
+};
+
+std::shared_ptr<const Scene> sceneOf(const Options& options) {
+  if (options.triangles > 0) {
+    const int rows = std::max(8, static_cast<int>(std::sqrt(options.triangles / 2.5)));
+    const int sides = std::max(12, options.triangles / (2 * rows));
+    return std::make_shared<const Scene>(
+        barScene(testing::prism(testing::circleOutline(kBarRadius_m, sides), kBarLength_m, rows)));
+  }
+  SceneRequest request;
+  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  request.id = options.organ;
+  return std::make_shared<const Scene>(loadScene(request));
+}
+
+std::unique_ptr<ScriptedHand> handFor(const Scene& scene, double seconds) {
+  ScriptedHandOptions hand;
+  hand.task = handTask(scene);
+  hand.duration_s = seconds;
+  return std::make_unique<ScriptedHand>(hand);
+}
+
+std::unique_ptr<LiveRun> runOf(const std::shared_ptr<const Scene>& scene, double seconds) {
+  RunSetup setup;
+  setup.drive = TwistDrive::kTangential;
+  setup.targetAngle_rad = scene->pattern.targetAngle_rad;
+  TrialHeader header;
+  header.trialId = "bench";
+  return std::make_unique<LiveRun>(scene, setup, header, std::make_unique<NoSink>(),
+                                   handFor(*scene, seconds));
+}
+
+/// Until something happens; with a time limit Qt would spin and take the processor from the renderer.
+void wait() {
+  QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
+}
+
+double processor_s() {
+  timespec used{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+  return static_cast<double>(used.tv_sec) + static_cast<double>(used.tv_nsec) * 1e-9;
+}
+
+/// `view` null: nothing is drawn.
+Outcome measure(const std::shared_ptr<const Scene>& scene, SceneView* view, double seconds) {
+  Outcome outcome;
+  const std::unique_ptr<LiveRun> run = runOf(scene, seconds + kPatience_s);
+  run->start();
+  QElapsedTimer clock;
+  clock.start();
+  QElapsedTimer sinceFrame;
+  std::int64_t drawn = view != nullptr ? view->framesDrawn() : 0;
+  const double begun_s = processor_s();
+  while (static_cast<double>(clock.elapsed()) * 1e-3 < seconds) {
+    const LiveState state = run->latest();
+    if (view != nullptr) {
+      view->setTissue(state);
+      view->setTool(state.tool, state.grip);
+      view->redraw();
+    }
+    wait();
+    if (view == nullptr || view->framesDrawn() == drawn) continue;
+    drawn = view->framesDrawn();
+    if (sinceFrame.isValid()) {
+      outcome.frames_ms.push_back(static_cast<double>(sinceFrame.nsecsElapsed()) * 1e-6);
+    }
+    sinceFrame.start();
+  }
+  outcome.span_s = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
+  outcome.processor_s = processor_s() - begun_s;
+  const ServoThread& thread = run->thread();
+  outcome.wakeUp = thread.wakeUp();
+  outcome.duration = thread.duration();
+  thread.wakeUpHistogram().forEach(
+      [&](double, double to_us, std::int64_t count) { outcome.delays.emplace_back(to_us, count); });
+  outcome.ticks = run->latest().tick;
+  outcome.lateTicks = run->latest().lateTicks;
+  static_cast<void>(run->finish(TrialOutcome::kCompleted));
+  std::sort(outcome.frames_ms.begin(), outcome.frames_ms.end());
+  return outcome;
+}
+
+double quantile(const std::vector<double>& sorted, double share) {
+  if (sorted.empty()) return 0.0;
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  return sorted[static_cast<std::size_t>(place)];
+}
+
+void print(const char* name, const Outcome& outcome, const Outcome& still) {
+  std::printf("\n%s\n", name);
+  if (!outcome.frames_ms.empty()) {
+    const auto frames = static_cast<double>(outcome.frames_ms.size());
+    std::printf("  %.1f frames/s; frame time p50 %.1f, p95 %.1f, p99 %.1f ms; %.0f ms of processor a frame\n",
+                frames / outcome.span_s, quantile(outcome.frames_ms, 0.5), quantile(outcome.frames_ms, 0.95),
+                quantile(outcome.frames_ms, 0.99), 1000.0 * outcome.processor_s / frames);
+  }
+  std::printf(
+      "  servo: %lld ticks, %lld late (%.3f %%); wake-up delay p50 %.0f, p99 %.0f, p99.9 %.0f, max %.0f us; "
+      "tick p99 %.0f us\n",
+      static_cast<long long>(outcome.ticks), static_cast<long long>(outcome.lateTicks),
+      100.0 * static_cast<double>(outcome.lateTicks) /
+          static_cast<double>(std::max<std::int64_t>(outcome.ticks, 1)),
+      outcome.wakeUp.median_us, outcome.wakeUp.p99_us, outcome.wakeUp.p999_us, outcome.wakeUp.max_us,
+      outcome.duration.p99_us);
+  std::printf("  wake-up delays:");
+  double edge_us = 50.0;
+  std::int64_t sum = 0;
+  for (const auto& [to_us, count] : outcome.delays) {
+    while (to_us > edge_us && edge_us < 2.0 * kTick_us) {
+      std::printf(" <=%.0f us %lld,", edge_us, static_cast<long long>(sum));
+      edge_us *= 2.0, sum = 0;
+    }
+    sum += count;
+  }
+  std::printf(" rest %lld\n", static_cast<long long>(sum));
+  if (&outcome != &still && still.wakeUp.p99_us > 0.0) {
+    std::printf("  against no picture: wake-up p99 x %.2f, late ticks %+lld\n",
+                outcome.wakeUp.p99_us / still.wakeUp.p99_us,
+                static_cast<long long>(outcome.lateTicks - still.lateTicks));
+  }
+}
+
+Options parse(const QStringList& arguments) {
+  QCommandLineParser parser;
+  for (const char* name : {"seconds", "size", "organ", "triangles", "level"}) {
+    parser.addOption(QCommandLineOption(QLatin1String(name), QString(), QLatin1String(name)));
+  }
+  parser.addOption(QCommandLineOption(QStringLiteral("smoke")));
+  parser.process(arguments);
+  Options options;
+  const auto value = [&](const char* name) { return parser.value(QLatin1String(name)); };
+  options.smoke = parser.isSet(QStringLiteral("smoke"));
+  if (options.smoke) options.seconds = 1.0, options.size = {480, 320};
+  if (parser.isSet(QStringLiteral("seconds"))) options.seconds = std::max(0.5, value("seconds").toDouble());
+  const QStringList sides = value("size").split(QLatin1Char('x'));
+  if (sides.size() == 2) options.size = QSize(sides[0].toInt(), sides[1].toInt());
+  if (parser.isSet(QStringLiteral("organ"))) options.organ = value("organ").toStdString();
+  options.triangles = value("triangles").toInt();
+  if (value("level") == QLatin1String("fast")) options.levels = {RenderQuality::kFast};
+  if (value("level") == QLatin1String("fine")) options.levels = {RenderQuality::kFine};
+  return options;
+}
+
+bool drawFor(SceneView& view, double seconds) {
+  QElapsedTimer clock;
+  clock.start();
+  const std::int64_t before = view.framesDrawn();
+  const auto over = [&] {
+    const double now_s = static_cast<double>(clock.elapsed()) * 1e-3;
+    return now_s > kPatience_s || (now_s > seconds && view.framesDrawn() > before + 3);
+  };
+  while (!over()) {
+    view.redraw();
+    wait();
+  }
+  return view.framesDrawn() > before;
+}
+
+int bench(const Options& options) {
+  const std::shared_ptr<const Scene> scene = sceneOf(options);
+  SceneView view;
+  view.resize(options.size);
+  view.setTheme(theme(ThemeKind::kLight));
+  view.setInstrument(loadInstrument(std::filesystem::path(TORSIO_SOURCE_DIR) / "assets", "grasper"));
+  view.setScene(makeViewScene(scene));
+  QTimer pulse;  // ends each wait
+  pulse.start(kPulse_ms);
+  const Outcome still = measure(scene, nullptr, options.seconds);
+  bool sound = still.ticks > 0;
+  std::printf("%s, %zu triangles, %d x %d, %.0f s a level\n", scene->id.c_str(), scene->mesh.triangles.size(),
+              options.size.width(), options.size.height(), options.seconds);
+  print("no picture", still, still);
+  view.show();
+  for (const RenderQuality level : options.levels) {
+    view.setQuality(level);
+    sound = drawFor(view, options.smoke ? 0.0 : kWarmUp_s) && sound;
+    const Outcome outcome = measure(scene, &view, options.seconds);
+    print(level == RenderQuality::kFast ? "fast" : "fine", outcome, still);
+    sound = sound && outcome.ticks > 0 && !outcome.frames_ms.empty();
+  }
+  std::printf("\nrenderer: %s\n", view.renderer().toUtf8().constData());
+  return sound || !options.smoke ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  SceneView::prepareGraphics();
+  const QApplication application(argc, argv);
+  if (!SceneView::platformCanRender()) {
+    std::fputs("this display cannot draw the scene; run it through xvfb-run\n", stderr);
+    return 2;
+  }
+  try {
+    return bench(parse(QApplication::arguments()));
+  } catch (const Error& error) {
+    std::fprintf(stderr, "%s: %s\n", error.where().c_str(), error.what());
+    return 1;
+  }
+}
