@@ -51,13 +51,13 @@ QImage filmStrip(const std::vector<std::vector<StripFrame>>& rows) {
   return strip;
 }
 
-QImage filmStrip(const std::vector<StripFrame>& frames) {
+std::vector<std::vector<StripFrame>> stripRows(const std::vector<StripFrame>& frames) {
   std::vector<std::vector<StripFrame>> rows;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (i % kFramesInARow == 0) rows.emplace_back();
     rows.back().push_back(frames[i]);
   }
-  return filmStrip(rows);
+  return rows;
 }
 
 std::vector<double> stripAngles_rad(double last_rad) {

@@ -24,8 +24,8 @@ struct StripFrame {
 /// row is longer than the first. Null when there are none.
 [[nodiscard]] QImage filmStrip(const std::vector<std::vector<StripFrame>>& rows);
 
-/// The same for frames that follow each other: rows of four.
-[[nodiscard]] QImage filmStrip(const std::vector<StripFrame>& frames);
+/// Frames that follow each other, in rows of four.
+[[nodiscard]] std::vector<std::vector<StripFrame>> stripRows(const std::vector<StripFrame>& frames);
 
 /// The angles of a strip: 0, 30, 60 ... degrees in the direction of `last_rad`, and at the end that angle
 /// itself.

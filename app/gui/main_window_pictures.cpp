@@ -38,10 +38,11 @@ void MainWindow::chooseFilmStrip() {
   const QString file = QFileDialog::getSaveFileName(this, tr("Save film strip"), tr("film-strip.png"),
                                                     tr("PNG pictures (*.png)"));
   if (file.isEmpty()) return;
-  savePicture(filmStrip(controller_->playback() != nullptr
-                            ? replayFrames()
-                            : captureStrip(*view_, *controller_->scene(), controller_->target_rad())),
-              file);
+  const std::vector<StripFrame> frames =
+      controller_->playback() != nullptr
+          ? replayFrames()
+          : captureStrip(*view_, *controller_->scene(), controller_->target_rad());
+  savePicture(filmStrip(stripRows(frames)), file);
 }
 
 std::vector<StripFrame> MainWindow::replayFrames() {

@@ -96,9 +96,9 @@ void takeScreenshot(const WindowSetup& setup, const ScreenshotRequest& request) 
   MainWindow& window = stage.window;
   if (request.strip) {
     settle(window);
-    writePicture(
-        filmStrip(captureStrip(window.view(), *window.controller().scene(), angleOf(request, window))),
-        request.file);
+    writePicture(filmStrip(stripRows(
+                     captureStrip(window.view(), *window.controller().scene(), angleOf(request, window)))),
+                 request.file);
     return;
   }
   LiveState held = scriptedTwist(*window.controller().scene(), angleOf(request, window));

@@ -64,7 +64,7 @@ TEST(FilmStrip, PutsFourInARowAndLeavesTheRestOfTheLastRowWhite) {
   red.fill(Qt::red);
   const std::vector<StripFrame> frames(5, StripFrame{QString(), red});
 
-  const QImage strip = filmStrip(frames);
+  const QImage strip = filmStrip(stripRows(frames));
 
   ASSERT_FALSE(strip.isNull());
   const int cell = strip.width() / 4;
@@ -77,8 +77,8 @@ TEST(FilmStrip, PutsFourInARowAndLeavesTheRestOfTheLastRowWhite) {
 }
 
 TEST(FilmStrip, NoFramesAreNoPicture) {
-  EXPECT_TRUE(filmStrip(std::vector<StripFrame>{}).isNull());
-  EXPECT_TRUE(filmStrip(std::vector<StripFrame>{{QString(), QImage()}}).isNull());
+  EXPECT_TRUE(filmStrip(stripRows({})).isNull());
+  EXPECT_TRUE(filmStrip(stripRows({StripFrame{}})).isNull());
 }
 
 }  // namespace
