@@ -63,8 +63,8 @@ void runList(const DeviceArguments& arguments) {
                      {"name", driver.name},
                      {"needs", driver.needs},
                      {"available", driver.available},
-                     {"finding", driver.finding},
-                     {"remedy", driver.remedy}});
+                     {"finding", driver.finding.str()},
+                     {"remedy", driver.remedy.str()}});
     }
     std::cout << out.dump(2) << '\n';
     return;
@@ -93,8 +93,8 @@ void printCheck(const DeviceCheckResult& result, bool json) {
   for (const DeviceFinding& finding : result.findings) {
     out["findings"].push_back({{"subject", finding.subject},
                                {"grade", gradeWord(finding.grade)},
-                               {"sentence", finding.sentence},
-                               {"remedy", finding.remedy}});
+                               {"sentence", finding.sentence.str()},
+                               {"remedy", finding.remedy.str()}});
   }
   out["model"] = result.capabilities.model;
   out["serial"] = result.identity.serial;
@@ -115,7 +115,7 @@ void runCheck(const DeviceArguments& arguments) {
   request.seconds = arguments.checkSeconds;
   request.calibrationWait_s = arguments.wait_s;
   request.forceTest = arguments.forceTest;
-  request.say = [](const std::string& text) { std::cerr << text << "." << std::endl; };
+  request.say = [](const Text& text) { std::cerr << text << "." << std::endl; };
   request.cancelled = [] { return stopAsked != 0; };
   if (arguments.forceTest) {
     request.say("Warning: the device will push against the hand. Keep face and objects out of its reach");

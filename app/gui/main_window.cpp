@@ -25,6 +25,7 @@
 #include "app/gui/readout_panel.h"
 #include "app/gui/replay_bar.h"
 #include "app/gui/scene/instrument_geometry.h"
+#include "app/gui/shell/spoken.h"
 #include "app/session/build_info.h"
 #include "sim/base/error.h"
 
@@ -397,8 +398,8 @@ void MainWindow::chooseReplay() {
     if (!chosen) return;
     controller_->openReplay(setup_.recording.load(trials[static_cast<std::size_t>(lines.indexOf(line))].id));
   } catch (const Error& error) {
-    showProblem(QString::fromStdString(error.happened()), QString::fromStdString(error.remedy()),
-                QString::fromStdString(error.where()));
+    const SpokenError said = spoken(error);
+    showProblem(said.happened, said.remedy, said.details);
   }
 }
 

@@ -19,7 +19,8 @@ void writePicture(const QImage& picture, const std::filesystem::path& file) {
   buffer.open(QIODevice::WriteOnly);
   if (picture.isNull() || !picture.save(&buffer, "PNG")) {
     throw Error(ErrorCode::kDevice, "this display cannot draw the scene",
-                "platform " + QGuiApplication::platformName().toStdString(), "Use a display with OpenGL");
+                Text("platform %1", QGuiApplication::platformName().toStdString()),
+                "Use a display with OpenGL");
   }
   writeFileAtomically(file, std::string_view(png.constData(), static_cast<std::size_t>(png.size())));
 }

@@ -36,7 +36,7 @@ void waitUntil(const Condition& done, const char* what) {
   while (!done()) {
     QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 50);
     if (waited.elapsed() > kPatience_ms) {
-      throw Error(ErrorCode::kDevice, std::string("gave up waiting for ") + what,
+      throw Error(ErrorCode::kDevice, Text("gave up waiting for %1", what),
                   QGuiApplication::platformName().toStdString(), "Try again on a faster display");
     }
   }
@@ -45,7 +45,7 @@ void waitUntil(const Condition& done, const char* what) {
 void requireDisplay() {
   if (SceneView::platformCanRender()) return;
   throw Error(ErrorCode::kDevice, "this display cannot draw the scene: it has no OpenGL",
-              "platform " + QGuiApplication::platformName().toStdString(),
+              Text("platform %1", QGuiApplication::platformName().toStdString()),
               "Run it on a desktop, or through xvfb-run with QT_QPA_PLATFORM=xcb");
 }
 

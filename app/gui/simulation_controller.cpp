@@ -6,6 +6,7 @@
 
 #include <QUuid>
 
+#include "app/gui/shell/spoken.h"
 #include "app/session/build_info.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
@@ -31,9 +32,9 @@ LoadedScene loadRecorded(const SceneLoader& loader, SceneRequest request, const 
     }
   }
   throw Error(ErrorCode::kVerifyFailed, "the organ or its parameters are not those of the recording",
-              "trial " + header.trialId,
-              "Open the organ file of the recording first, or use the version that recorded it: " +
-                  header.softwareVersion);
+              Text("trial %1", header.trialId),
+              Text("Open the organ file of the recording first, or use the version that recorded it: %1",
+                   header.softwareVersion));
 }
 
 }  // namespace
@@ -63,8 +64,8 @@ void SimulationController::report(const std::exception_ptr& problem) {
   try {
     std::rethrow_exception(problem);
   } catch (const Error& error) {
-    Q_EMIT failed(QString::fromStdString(error.happened()), QString::fromStdString(error.remedy()),
-                  QString::fromStdString(error.where()));
+    const SpokenError said = spoken(error);
+    Q_EMIT failed(said.happened, said.remedy, said.details);
   } catch (const std::exception& error) {
     Q_EMIT failed(tr("Something unexpected went wrong"), tr("Please report this."),
                   QString::fromUtf8(error.what()));

@@ -12,7 +12,7 @@ namespace torsio::gui {
 
 TrialPlayback::TrialPlayback(const Trial& trial) : header_(trial.header), samples_(decodeTrial(trial)) {
   if (samples_.empty()) {
-    throw Error(ErrorCode::kBadData, "the recording is empty", "trial " + header_.trialId,
+    throw Error(ErrorCode::kBadData, "the recording is empty", Text("trial %1", header_.trialId),
                 "Choose another recording");
   }
   double target_rad = header_.targetAngle_rad;

@@ -25,7 +25,7 @@ bool holdsScenes(const fs::path& folder) {
 fs::path assetsFolder() {
   if (const char* chosen = std::getenv("TORSIO_ASSETS"); chosen != nullptr) {
     if (holdsScenes(chosen)) return chosen;
-    throw Error(ErrorCode::kFileMissing, "no folder 'scenes' in it", std::string("TORSIO_ASSETS=") + chosen,
+    throw Error(ErrorCode::kFileMissing, "no folder 'scenes' in it", Text("TORSIO_ASSETS=%1", chosen),
                 "Point TORSIO_ASSETS at the assets folder, or unset it");
   }
   std::array<fs::path, 2> candidates{fs::path(), fs::path(TORSIO_SOURCE_ASSETS)};

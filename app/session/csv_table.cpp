@@ -17,9 +17,8 @@ namespace {
 
 constexpr std::size_t kShown = 60;  // characters of a bad value that a message repeats
 
-[[noreturn]] void refuseAt(const std::string& name, std::size_t line, const std::string& what,
-                           const std::string& remedy) {
-  throw Error(ErrorCode::kBadData, what, name + ", line " + std::to_string(line), remedy);
+[[noreturn]] void refuseAt(const std::string& name, std::size_t line, const Text& what, const Text& remedy) {
+  throw Error(ErrorCode::kBadData, what, Text("%1, line %2", name, line), remedy);
 }
 
 std::string inQuotes(std::string_view value) {
@@ -91,7 +90,8 @@ class Reader {
     const std::size_t end = std::min(text_.find_first_of(valueEnds_, at_), text_.size());
     const std::string_view raw = text_.substr(at_, end - at_);
     if (raw.find('"') != std::string_view::npos)
-      refuseAt(name_, line_, "a quote stands inside the value " + std::string(trimmed(raw).substr(0, kShown)),
+      refuseAt(name_, line_,
+               Text("a quote stands inside the value %1", std::string(trimmed(raw).substr(0, kShown))),
                "Put the whole value in quotes and double each quote in it");
     at_ = end;
     return std::string(trimmed(raw));
@@ -112,7 +112,7 @@ class Reader {
     if (at_ >= text_.size()) refuseAt(name_, begun, "a quote does not close", "Close the quoted value");
     at_ = std::min(text_.find_first_not_of(blanks(), at_ + 1), text_.size());
     if (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n' && text_[at_] != '\r')
-      refuseAt(name_, line_, "text follows the quoted value " + inQuotes(value),
+      refuseAt(name_, line_, Text("text follows the quoted value %1", inQuotes(value)),
                "End the value at the closing quote");
     return value;
   }
@@ -191,7 +191,8 @@ CsvTable CsvTable::parse(std::string_view text, const std::string& name,
   Reader reader(checkedText(text, name), table.name_, ',');
   Row row;
   if (!reader.next(row.values, row.line))
-    throw Error(ErrorCode::kBadData, "the table is empty", name, "Begin with the header " + listed(required));
+    throw Error(ErrorCode::kBadData, "the table is empty", name,
+                Text("Begin with the header %1", listed(required)));
   table.takeHeader(row.values, row.line, required, optional);
   while (reader.next(row.values, row.line)) table.takeRow(row);
   if (table.rows_.empty())
@@ -204,14 +205,14 @@ void CsvTable::takeHeader(std::vector<std::string> header, std::size_t line,
                           std::initializer_list<std::string_view> optional) {
   const std::string remedy = "Begin with the header " + listed(required) + ", in any order";
   if (header.size() == 1 && required.size() > 1 && header[0].find_first_of(";\t") != std::string::npos)
-    refuseAt(name_, line, "the columns are not separated by commas: " + inQuotes(header[0]),
+    refuseAt(name_, line, Text("the columns are not separated by commas: %1", inQuotes(header[0])),
              "Save the table with commas and decimal points");
   for (auto name = header.begin(); name != header.end(); ++name)
     if (std::find(header.begin(), name, *name) != name)
-      refuseAt(name_, line, "the header names the column " + inQuotes(*name) + " twice", remedy);
+      refuseAt(name_, line, Text("the header names the column %1 twice", inQuotes(*name)), remedy);
   for (const std::string_view name : required)
     if (std::find(header.begin(), header.end(), name) == header.end())
-      refuseAt(name_, line, "the header has no column " + inQuotes(name), remedy);
+      refuseAt(name_, line, Text("the header has no column %1", inQuotes(name)), remedy);
   for (const std::string& name : header) {
     const bool known = std::find(required.begin(), required.end(), name) != required.end() ||
                        std::find(optional.begin(), optional.end(), name) != optional.end();
@@ -255,23 +256,23 @@ const std::string& CsvTable::cell(std::size_t row, std::string_view column) cons
 const std::string& CsvTable::text(std::size_t row, std::string_view column) const {
   const std::string& value = cell(row, column);
   if (value.empty())
-    refuse(row, "the column \"" + std::string(column) + "\" is empty", "Fill it in or remove the line");
+    refuse(row, Text("the column \"%1\" is empty", std::string(column)), "Fill it in or remove the line");
   return value;
 }
 
 double CsvTable::number(std::size_t row, std::string_view column) const {
   const std::string& shown = text(row, column);
-  const std::string rule = "Write a decimal number with a point, such as 7.5";
+  const Text rule("Write a decimal number with a point, such as 7.5");
   const std::string named = std::string(column) + " " + inQuotes(shown);
   std::string_view digits = shown;
   if (digits.front() == '+') digits.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error == std::errc::result_out_of_range) refuse(row, named + " is too large or too small", rule);
-  if (hasDecimalComma(shown)) refuse(row, named + " has a decimal comma", rule);
+  if (error == std::errc::result_out_of_range) refuse(row, Text("%1 is too large or too small", named), rule);
+  if (hasDecimalComma(shown)) refuse(row, Text("%1 has a decimal comma", named), rule);
   if (error != std::errc() || end != digits.data() + digits.size() || digits.front() == '+')
-    refuse(row, named + " is not a number", rule);
-  if (!std::isfinite(value)) refuse(row, named + " is not a finite number", rule);
+    refuse(row, Text("%1 is not a number", named), rule);
+  if (!std::isfinite(value)) refuse(row, Text("%1 is not a finite number", named), rule);
   return value;
 }
 
@@ -285,14 +286,14 @@ std::int64_t CsvTable::whole(std::size_t row, std::string_view column, std::int6
   const double value = number(row, column);
   if (value != std::floor(value) || value < static_cast<double>(low) || value > static_cast<double>(high))
     refuse(row,
-           std::string(column) + " " + inQuotes(cell(row, column)) + " is not a whole number from " +
-               std::to_string(low) + " to " + std::to_string(high),
+           Text("%1 %2 is not a whole number from %3 to %4", std::string(column), inQuotes(cell(row, column)),
+                low, high),
            "Correct the value");
   return static_cast<std::int64_t>(value);
 }
 
-void CsvTable::refuse(std::size_t row, const std::string& what, const std::string& remedy) const {
-  throw Error(ErrorCode::kBadData, what, where(row), remedy);
+void CsvTable::refuse(std::size_t row, const Text& what, const Text& remedy) const {
+  refuseAt(name_, rows_.at(row).line, what, remedy);
 }
 
 }  // namespace torsio

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/text.h"
+
 namespace torsio {
 
 /// One record of a delimited text as it stands.
@@ -65,7 +67,7 @@ class CsvTable {
   [[nodiscard]] std::int64_t whole(std::size_t row, std::string_view column, std::int64_t low,
                                    std::int64_t high) const;
 
-  [[noreturn]] void refuse(std::size_t row, const std::string& what, const std::string& remedy) const;
+  [[noreturn]] void refuse(std::size_t row, const Text& what, const Text& remedy) const;
 
  private:
   struct Row {

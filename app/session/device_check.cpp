@@ -34,8 +34,8 @@ void pause_s(double seconds) {
 void requireTime(double seconds, double longest, const char* what) {
   if (seconds > 0.0 && seconds <= longest) return;
   throw Error(ErrorCode::kBadParameter,
-              std::string(what) + " must lie above 0 s and not above " + formatFixed(longest, 0) +
-                  " s, got " + formatFixed(seconds, 2),
+              Text("%1 must lie above 0 s and not above %2 s, got %3", std::string(what),
+                   formatFixed(longest, 0), formatFixed(seconds, 2)),
               "device", "Give another number of seconds");
 }
 
@@ -43,6 +43,10 @@ std::string joined(const std::vector<std::string>& parts) {
   std::string text;
   for (const std::string& part : parts) text.append(text.empty() ? "" : ", ").append(part);
   return text;
+}
+
+Text orNotReported(const std::string& value) {
+  return value.empty() ? Text("not reported") : Text(value);
 }
 
 /// One check, step by step; every step returns false when the next ones make no sense.
@@ -63,12 +67,11 @@ class Check {
   }
 
  private:
-  void add(FindingGrade grade, const char* subject, const std::string& sentence,
-           const std::string& remedy = "") {
+  void add(FindingGrade grade, const char* subject, const Text& sentence, const Text& remedy = "") {
     result_.findings.push_back({subject, grade, sentence, remedy});
   }
-  void say(const std::string& text) const {
-    if (request_.say) request_.say(text);
+  void say(const Text& sentence) const {
+    if (request_.say) request_.say(sentence);
   }
   [[nodiscard]] bool cancelled() const { return request_.cancelled && request_.cancelled(); }
   [[nodiscard]] double elapsed_s(std::int64_t from_us) const {
@@ -84,14 +87,14 @@ class Check {
     add(FindingGrade::kGood, "Library", library.sentence);
     if (!library.absentOptionals.empty()) {
       add(FindingGrade::kNote, "Library",
-          "it lacks " + joined(library.absentOptionals) + ", which Torsio can do without");
+          Text("it lacks %1, which Torsio can do without", joined(library.absentOptionals)));
     }
     HdapiOptions options;
     options.deviceName = request_.choice.name;
     try {
       device_ = std::make_unique<HdapiDevice>(library.api, options);
     } catch (const Error& error) {
-      add(FindingGrade::kBad, "Device", error.happened(), error.remedy());
+      add(FindingGrade::kBad, "Device", error.happenedText(), error.remedyText());
       return false;
     }
     describeDevice();
@@ -103,26 +106,27 @@ class Check {
     result_.identity = device_->identity();
     const HdapiIdentity& id = result_.identity;
     add(FindingGrade::kGood, "Device",
-        result_.capabilities.model + ", serial number " + (id.serial.empty() ? "not reported" : id.serial) +
-            ", driver " + (id.driverVersion.empty() ? "not reported" : id.driverVersion) + ", library " +
-            (id.libraryVersion.empty() ? "not reported" : id.libraryVersion) + ", opened as " + id.openedAs);
+        Text("%1, serial number %2, driver %3, library %4, opened as %5", result_.capabilities.model,
+             orNotReported(id.serial), orNotReported(id.driverVersion), orNotReported(id.libraryVersion),
+             id.openedAs));
     add(FindingGrade::kGood, "Licence", "the library works on this computer");
-    for (const std::string& note : id.notes) add(FindingGrade::kNote, "Device", note);
+    for (const Text& note : id.notes) add(FindingGrade::kNote, "Device", note);
     if (!id.assumed.empty()) {
       add(FindingGrade::kNote, "Device",
-          "not reported in a form that makes sense, so a cautious value is assumed: " + joined(id.assumed));
+          Text("not reported in a form that makes sense, so a cautious value is assumed: %1",
+               joined(id.assumed)));
     }
     add(FindingGrade::kGood, "Limits",
-        "force up to " + formatFixed(result_.capabilities.maxForce_N, 2) + " N, sustained " +
-            formatFixed(result_.capabilities.continuousForce_N, 2) +
-            " N, three axes, no torque about the stylus");
+        Text("force up to %1 N, sustained %2 N, three axes, no torque about the stylus",
+             formatFixed(result_.capabilities.maxForce_N, 2),
+             formatFixed(result_.capabilities.continuousForce_N, 2)));
   }
 
   bool startServo() {
     try {
       device_->start();
     } catch (const Error& error) {
-      add(FindingGrade::kBad, "Servo", error.happened(), error.remedy());
+      add(FindingGrade::kBad, "Servo", error.happenedText(), error.remedyText());
       device_.reset();
       return false;
     }
@@ -134,7 +138,7 @@ class Check {
   bool stillThere(const HdapiSnapshot& now) {
     if (now.state == HdapiState::kLost) {
       add(FindingGrade::kBad, "Connection",
-          hdapiErrorText(now.lostBecause) + " after " + formatFixed(elapsed_s(begun_us_), 1) + " s",
+          Text("%1 after %2 s", hdapiErrorText(now.lostBecause), formatFixed(elapsed_s(begun_us_), 1)),
           "Check cable and power, then plug the device in again and repeat the check");
       return false;
     }
@@ -168,7 +172,8 @@ class Check {
       pause_s(kPollEvery_s);
     }
     result_.calibrated = true;
-    add(FindingGrade::kGood, "Calibration", asked ? "done in the inkwell" : "the device is calibrated");
+    add(FindingGrade::kGood, "Calibration",
+        asked ? Text("done in the inkwell") : Text("the device is calibrated"));
     return true;
   }
 
@@ -184,7 +189,7 @@ class Check {
   }
 
   bool measure() {
-    say("Measuring the servo for " + formatFixed(request_.seconds, 1) + " s");
+    say(Text("Measuring the servo for %1 s", formatFixed(request_.seconds, 1)));
     const HdapiSnapshot first = device_->snapshot();
     const std::int64_t from_us = clock_.now_us();
     bool docked = true;
@@ -218,22 +223,23 @@ class Check {
 
   void judgeServo() {
     const std::string rate = formatFixed(result_.rate_Hz, 0) + " Hz";
-    const char* const slowRemedy =
-        "Close other programs; on Linux allow real-time scheduling for this user (docs/devices.md)";
+    const Text slowRemedy(
+        "Close other programs; on Linux allow real-time scheduling for this user (docs/devices.md)");
     if (result_.rate_Hz < kLowestRate_Hz) {
       add(FindingGrade::kBad, "Rate",
-          rate + "; below " + formatFixed(kLowestRate_Hz, 0) + " Hz no force is rendered", slowRemedy);
+          Text("%1; below %2 Hz no force is rendered", rate, formatFixed(kLowestRate_Hz, 0)), slowRemedy);
     } else if (result_.rate_Hz < kGoodRate_Hz) {
-      add(FindingGrade::kNote, "Rate", rate + "; 1000 Hz are wanted", slowRemedy);
+      add(FindingGrade::kNote, "Rate", Text("%1; 1000 Hz are wanted", rate), slowRemedy);
     } else {
       add(FindingGrade::kGood, "Rate", rate);
     }
-    const std::string jitter = formatFixed(100.0 * result_.regularShare, 1) +
-                               " % of the ticks came within 0.1 ms of their time, " +
-                               std::to_string(lateTicks_) + " late, " + std::to_string(gaps_) +
-                               " after a pause of more than 5 ms (the force is cut then)";
+    const Text jitter(
+        "%1 % of the ticks came within 0.1 ms of their time, %2 late, %3 after a pause of more than 5 ms "
+        "(the "
+        "force is cut then)",
+        formatFixed(100.0 * result_.regularShare, 1), lateTicks_, gaps_);
     const bool calm = result_.regularShare >= kGoodRegularShare && gaps_ == 0;
-    add(calm ? FindingGrade::kGood : FindingGrade::kNote, "Jitter", jitter, calm ? "" : slowRemedy);
+    add(calm ? FindingGrade::kGood : FindingGrade::kNote, "Jitter", jitter, calm ? Text() : slowRemedy);
   }
 
   void judgeStylus() {
@@ -243,17 +249,17 @@ class Check {
           "Rest the stylus in the inkwell for a moment before training");
     } else if (rollNoise_deg_ && *rollNoise_deg_ > kRollNoise_deg) {
       add(FindingGrade::kNote, "Roll",
-          "the turn of the resting stylus wanders by " + formatFixed(*rollNoise_deg_, 1) + " degrees",
+          Text("the turn of the resting stylus wanders by %1 degrees", formatFixed(*rollNoise_deg_, 1)),
           "Angles are not known better than that on this device; have it serviced");
     } else {
       add(FindingGrade::kGood, "Roll",
-          rollNoise_deg_ ? "the resting stylus wanders by " + formatFixed(*rollNoise_deg_, 2) + " degrees"
-                         : "the docked reference is taken");
+          rollNoise_deg_ ? Text("the resting stylus wanders by %1 degrees", formatFixed(*rollNoise_deg_, 2))
+                         : Text("the docked reference is taken"));
     }
     if (last_.geometryError_m > kGeometryTolerance_m) {
       add(FindingGrade::kNote, "Geometry",
-          "position and joint angles differ by " + formatFixed(1e3 * last_.geometryError_m, 1) +
-              " mm from what is published for a Touch",
+          Text("position and joint angles differ by %1 mm from what is published for a Touch",
+               formatFixed(1e3 * last_.geometryError_m, 1)),
           "Calibrate again in the inkwell; on another model this is to be expected");
     }
     if (last_.warmest > kWarmAbove) {
@@ -263,8 +269,8 @@ class Check {
 
   void testForce() {
     if (!waitUntilUndocked()) return;
-    say("Hold the stylus: it will push upwards with " + formatFixed(kSelfTestForce_N, 1) + " N for " +
-        formatFixed(kSelfTestTime_s, 0) + " s");
+    say(Text("Hold the stylus: it will push upwards with %1 N for %2 s", formatFixed(kSelfTestForce_N, 1),
+             formatFixed(kSelfTestTime_s, 0)));
     device_->enableForce(true);
     const HdapiSnapshot before = device_->snapshot();
     const std::int64_t from_us = clock_.now_us();
@@ -289,9 +295,8 @@ class Check {
           "Let the device rest, calibrate it again and repeat the check");
     } else {
       add(FindingGrade::kGood, "Force",
-          formatFixed(kSelfTestForce_N, 1) +
-              " N upwards were sent without complaint; only the hand can tell "
-              "whether they were felt");
+          Text("%1 N upwards were sent without complaint; only the hand can tell whether they were felt",
+               formatFixed(kSelfTestForce_N, 1)));
     }
   }
 

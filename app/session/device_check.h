@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/text.h"
 #include "sim/device/device_driver.h"
 
 namespace torsio {
@@ -26,17 +27,17 @@ enum class FindingGrade {
 struct DeviceFinding {
   std::string subject;  ///< "Library", "Device", "Calibration" ...
   FindingGrade grade = FindingGrade::kGood;
-  std::string sentence;  ///< what was found; no full stop
-  std::string remedy;    ///< what to do; "" when nothing
+  Text sentence;  ///< what was found; no full stop
+  Text remedy;    ///< what to do; "" when nothing
 };
 
 struct DeviceCheckRequest {
   DeviceChoice choice;
-  double seconds = 2.0;                         ///< for which the servo is measured
-  double calibrationWait_s = 30.0;              ///< for which the user may take the stylus to the inkwell
-  bool forceTest = false;                       ///< the user holds the stylus and agrees to feel a force
-  std::function<void(const std::string&)> say;  ///< what the user should do now; may be empty
-  std::function<bool()> cancelled;              ///< may be empty
+  double seconds = 2.0;                  ///< for which the servo is measured
+  double calibrationWait_s = 30.0;       ///< for which the user may take the stylus to the inkwell
+  bool forceTest = false;                ///< the user holds the stylus and agrees to feel a force
+  std::function<void(const Text&)> say;  ///< what the user should do now; may be empty
+  std::function<bool()> cancelled;       ///< may be empty
 };
 
 /// Force of the self-test: below the sustained force of an Omni, clearly felt.

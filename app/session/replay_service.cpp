@@ -22,8 +22,10 @@ std::string fullTrialId(TrialRepository& trials, const std::string& text) {
     if (listing.trialId.rfind(text, 0) == 0) found.push_back(listing.trialId);
   }
   if (found.size() == 1) return found.front();
-  throw Error(ErrorCode::kBadData, found.empty() ? "no trial has this id" : "several trials begin like this",
-              "trial " + text, found.empty() ? "Check the id and the database" : "Give more of the id");
+  throw Error(ErrorCode::kBadData,
+              found.empty() ? Text("no trial has this id") : Text("several trials begin like this"),
+              Text("trial %1", text),
+              found.empty() ? Text("Check the id and the database") : Text("Give more of the id"));
 }
 
 }  // namespace

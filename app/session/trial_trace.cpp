@@ -139,7 +139,7 @@ TrialTrace trialTrace(const TrialHeader& header, std::span<const Sample> samples
 MeasuredTrial measureRecordedTrial(const TrialHeader& header, std::span<const Sample> samples,
                                    const TrialMeasurement& options, const Scene* scene) {
   if (samples.size() < 2)
-    throw Error(ErrorCode::kBadData, "the trial has fewer than two samples", "trial " + header.trialId,
+    throw Error(ErrorCode::kBadData, "the trial has fewer than two samples", Text("trial %1", header.trialId),
                 "Choose another trial");
   MeasuredTrial out;
   out.deviceClock = stampsRise(samples);

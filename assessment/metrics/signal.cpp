@@ -122,7 +122,7 @@ UniformSignal resampleUniform(std::span<const std::int64_t> times_us,
   if (times_us.empty()) return out;
   for (std::size_t i = 0; i + 1 < times_us.size(); ++i)
     if (times_us[i + 1] <= times_us[i])
-      throw Error(ErrorCode::kBadData, "time stamps do not rise", "sample " + std::to_string(i + 1),
+      throw Error(ErrorCode::kBadData, "time stamps do not rise", Text("sample %1", i + 1),
                   "Record the trial again.");
   if (!longGaps(times_us).empty())
     throw Error(ErrorCode::kBadData, "samples are missing for more than 20 ms", "trial",

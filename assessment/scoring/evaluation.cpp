@@ -252,10 +252,10 @@ class ModelSolver {
         if (sheet.steps[j]) continue;
         ++holes;
         if (policy_.missing == MissingPolicy::kRefuse)
-          throw Error(
-              ErrorCode::kBadData,
-              "rater " + sheet.rater + " gave no score for index \"" + instrument_.indices[j].id + "\"",
-              "model " + ratings_.model, "Complete the ratings or choose another policy for missing ones.");
+          throw Error(ErrorCode::kBadData,
+                      Text("rater %1 gave no score for index \"%2\"", sheet.rater, instrument_.indices[j].id),
+                      Text("model %1", ratings_.model),
+                      "Complete the ratings or choose another policy for missing ones.");
       }
       out_.missing += holes;
       if (holes > 0 && policy_.missing == MissingPolicy::kListWise) {
@@ -287,15 +287,15 @@ class ModelSolver {
       any = any || in.weights[c] > 0;
     }
     if (!any)
-      throw Error(ErrorCode::kBadData, "nobody rated " + of, "model " + ratings_.model,
+      throw Error(ErrorCode::kBadData, Text("nobody rated %1", of), Text("model %1", ratings_.model),
                   "Collect ratings first.");
     in.weights = reduced(in.weights);
     return in;
   }
 
   [[noreturn]] void refuseEmptyClass(std::size_t c, const std::string& of) const {
-    throw Error(ErrorCode::kBadData, "class " + instrument_.classes[c].id + " has no ratings for " + of,
-                "model " + ratings_.model,
+    throw Error(ErrorCode::kBadData, Text("class %1 has no ratings for %2", instrument_.classes[c].id, of),
+                Text("model %1", ratings_.model),
                 "Collect the ratings, or choose the policy that renormalises the class weights.");
   }
 
@@ -387,7 +387,7 @@ std::vector<ModelRatings> groupRatings(const EvaluationInstrument& instrument,
   for (const EvaluationRating& rating : ratings) {
     if (rating.raterClass >= instrument.classes.size() || rating.index >= instrument.indices.size())
       throw Error(ErrorCode::kBadData, "a rating names a class or an index that the instrument does not have",
-                  "rater " + rating.rater + ", model " + rating.model,
+                  Text("rater %1, model %2", rating.rater, rating.model),
                   "Use the classes and indices of the instrument.");
     const std::string where = "rater " + rating.rater + ", index " + instrument.indices[rating.index].id +
                               ", model " + rating.model;
@@ -396,8 +396,8 @@ std::vector<ModelRatings> groupRatings(const EvaluationInstrument& instrument,
                   "Keep one; a correction supersedes the earlier mark.");
     if (rating.steps && (*rating.steps < instrument.scale.lo || *rating.steps > instrument.scale.hi))
       throw Error(ErrorCode::kBadData,
-                  "score " + std::to_string(pointsFromSteps(*rating.steps, instrument.scale)) +
-                      " lies outside the scale",
+                  Text("score %1 lies outside the scale",
+                       std::to_string(pointsFromSteps(*rating.steps, instrument.scale))),
                   where, "Correct the mark; marks are never clamped.");
     const auto [knownClass, isNew] = classOf.emplace(rating.rater, rating.raterClass);
     if (!isNew && knownClass->second != rating.raterClass)

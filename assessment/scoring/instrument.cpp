@@ -29,10 +29,10 @@ std::string rangeText(const ScoreScale& scale) {
          std::to_string(scale.stepsPerPoint);
 }
 
-[[noreturn]] void refuseScore(const std::string& value, const std::string& why, const ScoreScale& scale,
+[[noreturn]] void refuseScore(const std::string& value, const Text& why, const ScoreScale& scale,
                               const std::string& where) {
-  throw Error(ErrorCode::kBadData, "score \"" + value + "\" " + why, where,
-              "Give a score from " + rangeText(scale) + ".");
+  throw Error(ErrorCode::kBadData, Text("score \"%1\" %2", value, why), where,
+              Text("Give a score from %1.", rangeText(scale)));
 }
 
 std::int64_t checkedSteps(std::int64_t steps, const std::string& text, const ScoreScale& scale,
@@ -78,14 +78,13 @@ void checkWeights(const std::vector<std::int64_t>& weights, const std::string& o
   std::int64_t sum = 0;
   for (const std::int64_t weight : weights) {
     if (weight < 0)
-      throw Error(ErrorCode::kBadParameter, "a weight of the " + of + " is negative", of,
+      throw Error(ErrorCode::kBadParameter, Text("a weight of the %1 is negative", of), of,
                   "Give weights of 0 or more.");
     sum += weight;
   }
   if (sum != kWeightSum_milli)
-    throw Error(ErrorCode::kBadParameter,
-                "the weights of the " + of + " sum to " + std::to_string(sum) + "/1000 instead of 1", of,
-                "Correct the weights; they are never rescaled silently.");
+    throw Error(ErrorCode::kBadParameter, Text("the weights of the %1 sum to %2/1000 instead of 1", of, sum),
+                of, "Correct the weights; they are never rescaled silently.");
 }
 
 }  // namespace
@@ -137,7 +136,7 @@ void validateInstrument(const EvaluationInstrument& instrument) {
   std::vector<std::int64_t> classWeights;
   for (const RaterClass& raterClass : instrument.classes) {
     if (!names.insert(raterClass.id).second)
-      throw Error(ErrorCode::kBadParameter, "two rater classes are called \"" + raterClass.id + "\"",
+      throw Error(ErrorCode::kBadParameter, Text("two rater classes are called \"%1\"", raterClass.id),
                   "classes", "Give each class its own identifier.");
     classWeights.push_back(raterClass.weight_milli);
   }
@@ -145,7 +144,7 @@ void validateInstrument(const EvaluationInstrument& instrument) {
   std::vector<std::int64_t> indexWeights;
   for (const EvaluationIndex& index : instrument.indices) {
     if (!names.insert(index.id).second)
-      throw Error(ErrorCode::kBadParameter, "two indices are called \"" + index.id + "\"", "indices",
+      throw Error(ErrorCode::kBadParameter, Text("two indices are called \"%1\"", index.id), "indices",
                   "Give each index its own identifier.");
     indexWeights.push_back(index.weight_milli);
   }
@@ -158,17 +157,17 @@ std::vector<std::int64_t> weightsInMilli(const std::vector<double>& weights) {
   double sum = 0.0;
   for (const double weight : weights) {
     if (!std::isfinite(weight) || weight < 0.0 || weight > 1.0)
-      throw Error(ErrorCode::kBadParameter, "weight " + std::to_string(weight) + " is not between 0 and 1",
+      throw Error(ErrorCode::kBadParameter, Text("weight %1 is not between 0 and 1", std::to_string(weight)),
                   "weights", "Give weights from 0 to 1 that sum to 1.");
     sum += weight;
     const std::int64_t rounded = static_cast<std::int64_t>(std::llround(weight * 1000.0));
     if (std::abs(weight - static_cast<double>(rounded) / 1000.0) > kWeightTolerance)
-      throw Error(ErrorCode::kBadParameter, "weight " + std::to_string(weight) + " is no multiple of 0.001",
+      throw Error(ErrorCode::kBadParameter, Text("weight %1 is no multiple of 0.001", std::to_string(weight)),
                   "weights", "Round the weights to thousandths so that they sum to 1.");
     milli.push_back(rounded);
   }
   if (std::abs(sum - 1.0) > kWeightTolerance)
-    throw Error(ErrorCode::kBadParameter, "the weights sum to " + std::to_string(sum) + " instead of 1",
+    throw Error(ErrorCode::kBadParameter, Text("the weights sum to %1 instead of 1", std::to_string(sum)),
                 "weights", "Correct the weights; they are never rescaled silently.");
   return milli;
 }

@@ -26,7 +26,7 @@ using Cells = std::map<Cell, std::vector<std::int64_t>>;
 void checkMark(const ScoreScale& scale, const TrainingMark& mark, const std::string& where) {
   if (mark.steps < scale.lo || mark.steps > scale.hi)
     throw Error(ErrorCode::kBadData,
-                "score " + std::to_string(pointsFromSteps(mark.steps, scale)) + " lies outside the scale",
+                Text("score %1 lies outside the scale", std::to_string(pointsFromSteps(mark.steps, scale))),
                 where, "Correct the mark; marks are never clamped.");
 }
 

@@ -220,7 +220,7 @@ Outcome<FleissResult> fleissKappa(const NumberTable& counts) {
     }
     if (sum != m)
       throw Error(ErrorCode::kBadData, "the subjects were not all rated by the same number of raters",
-                  "row " + std::to_string(i + 1), "Use Krippendorff's alpha for incomplete ratings.");
+                  Text("row %1", i + 1), "Use Krippendorff's alpha for incomplete ratings.");
     out.observed += (squares - m) / (m * (m - 1.0)) / n;
   }
   double pq = 0.0;

@@ -294,9 +294,8 @@ Outcome<RaschResult> manyFacetRasch(const Ratings& ratings, int highest) {
     TORSIO_EXPECTS(ratings[n].size() == ratings.front().size());
     for (const std::optional<int>& mark : ratings[n])
       if (mark && (*mark < 0 || *mark > highest))
-        throw Error(ErrorCode::kBadData, "a rating lies outside the categories",
-                    "person " + std::to_string(n + 1),
-                    "Give categories from 0 to " + std::to_string(highest) + ".");
+        throw Error(ErrorCode::kBadData, "a rating lies outside the categories", Text("person %1", n + 1),
+                    Text("Give categories from 0 to %1.", highest));
   }
   const Plan plan(ratings, highest);
   for (std::size_t n = 0; n < plan.persons.size(); ++n)

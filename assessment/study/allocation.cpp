@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kOneList = "all";          // the block list when there are no strata
 constexpr const char* kLeftovers = "leftovers";  // the list that fills the incomplete blocks of all strata
 
-[[noreturn]] void refuseDesign(const std::string& what, const std::string& remedy) {
+[[noreturn]] void refuseDesign(const Text& what, const Text& remedy) {
   throw Error(ErrorCode::kBadParameter, what, "allocation design", remedy);
 }
 
@@ -70,7 +70,7 @@ void validateDesign(const AllocationDesign& design) {
   if (arms < 2) refuseDesign("there are fewer than two arms", "Name at least two arms.");
   for (const AllocationFactor& factor : design.factors)
     if (factor.levels.empty())
-      refuseDesign("factor \"" + factor.name + "\" has no levels", "List its levels.");
+      refuseDesign(Text("factor \"%1\" has no levels", factor.name), "List its levels.");
   switch (design.method) {
     case AllocationMethod::kCompletePermutation:
       if (design.participants == 0 || design.participants % arms != 0)
@@ -85,7 +85,7 @@ void validateDesign(const AllocationDesign& design) {
       if (design.blockSizes.empty()) refuseDesign("no block size is given", "Give one or more block sizes.");
       for (const std::size_t size : design.blockSizes)
         if (size == 0 || size % arms != 0)
-          refuseDesign("block size " + std::to_string(size) + " is no multiple of the number of arms",
+          refuseDesign(Text("block size %1 is no multiple of the number of arms", size),
                        "Give multiples of the number of arms.");
       break;
     case AllocationMethod::kMinimisation:
@@ -241,13 +241,13 @@ std::string Allocator::stratumOf(const AllocationPerson& person) const {
 AllocationRecord Allocator::assign(const AllocationPerson& person, const AllocationStamp& stamp) {
   for (const AllocationRecord& record : records_)
     if (record.person == person.code)
-      throw Error(ErrorCode::kBadData, "person " + person.code + " is already allocated", "allocation",
+      throw Error(ErrorCode::kBadData, Text("person %1 is already allocated", person.code), "allocation",
                   "Enrol each person once; analyse as allocated.");
   bool levelsKnown = person.levels.size() == design_.factors.size();
   for (std::size_t f = 0; levelsKnown && f < person.levels.size(); ++f)
     levelsKnown = person.levels[f] < design_.factors[f].levels.size();
   if (!levelsKnown)
-    throw Error(ErrorCode::kBadData, "a factor of person " + person.code + " has no valid level",
+    throw Error(ErrorCode::kBadData, Text("a factor of person %1 has no valid level", person.code),
                 "allocation", "Record every factor before allocation.");
   AllocationRecord record;
   record.position = records_.size();

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void readOnlyFile(const std::string& what, const fs::path& path) {
+[[noreturn]] void readOnlyFile(const Text& what, const fs::path& path) {
   throw Error(ErrorCode::kFileUnwritable, what, path.string(),
               "Choose a folder in which you may write, or open the database for reading only");
 }
@@ -68,9 +68,9 @@ ConnectionState::ConnectionState(const Locator& locator, OpenMode mode, int busy
   TORSIO_EXPECTS(QCoreApplication::instance() != nullptr);
   const QString driver = engine == Engine::kSqlite ? QStringLiteral("QSQLITE") : QStringLiteral("QPSQL");
   if (!QSqlDatabase::isDriverAvailable(driver)) {
-    throw DbError(DbFault::kOther, "", "Qt has no driver " + driver.toStdString(), location,
-                  engine == Engine::kSqlite ? "Install the package libqt6sql6-sqlite"
-                                            : "Install the package libqt6sql6-psql");
+    throw DbError(
+        DbFault::kOther, "", Text("Qt has no driver %1", driver.toStdString()), location,
+        Text("Install the package %1", engine == Engine::kSqlite ? "libqt6sql6-sqlite" : "libqt6sql6-psql"));
   }
   database_ =
       std::make_unique<QSqlDatabase>(QSqlDatabase::addDatabase(driver, QString::fromStdString(name_)));
@@ -147,7 +147,7 @@ void ConnectionState::openPostgresql(const Locator& locator, OpenMode mode, int 
   if (!database_->open()) {
     const std::string detail =
         database_->lastError().databaseText().section(QLatin1Char('\n'), 0, 0).trimmed().toStdString();
-    throw DbError(DbFault::kUnreachable, "", "database server cannot be reached: " + detail, location,
+    throw DbError(DbFault::kUnreachable, "", Text("database server cannot be reached: %1", detail), location,
                   "Check that it runs, and that address, user and password are right");
   }
   run("SET lock_timeout = " + std::to_string(busyTimeout_ms));

@@ -3,9 +3,9 @@
 
 namespace torsio {
 
-DbError::DbError(DbFault fault, const std::string& operation, const std::string& what,
-                 const std::string& where, const std::string& remedy)
-    : Error(ErrorCode::kDatabase, operation.empty() ? what : what + " (" + operation + ")", where, remedy),
+DbError::DbError(DbFault fault, const std::string& operation, const Text& what, const Text& where,
+                 const Text& remedy)
+    : Error(ErrorCode::kDatabase, operation.empty() ? what : Text("%1 (%2)", what, operation), where, remedy),
       fault_(fault),
       operation_(operation) {}
 

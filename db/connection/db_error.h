@@ -28,8 +28,8 @@ enum class DbFault {
 /// that no name or mark reaches a log.
 class DbError : public Error {
  public:
-  DbError(DbFault fault, const std::string& operation, const std::string& what, const std::string& where,
-          const std::string& remedy);
+  DbError(DbFault fault, const std::string& operation, const Text& what, const Text& where,
+          const Text& remedy);
 
   [[nodiscard]] DbFault fault() const noexcept { return fault_; }
   [[nodiscard]] const std::string& operation() const noexcept { return operation_; }

@@ -72,40 +72,44 @@ DbFault postgresqlFault(const QString& state) {
 }
 
 struct Wording {
-  const char* what;
-  const char* remedy;
+  Text what;
+  Text remedy;
 };
 
 Wording wordingOf(DbFault fault) {
   switch (fault) {
     case DbFault::kBusy:
-      return {"database is busy: another program is writing to it", "Try again in a moment"};
+      return {Text("database is busy: another program is writing to it"), Text("Try again in a moment")};
     case DbFault::kUnique:
-      return {"this record exists already", "Give it another code, or change the existing one"};
+      return {Text("this record exists already"), Text("Give it another code, or change the existing one")};
     case DbFault::kForeignKey:
-      return {"refers to a record that does not exist, or is still in use", "Check what it refers to"};
+      return {Text("refers to a record that does not exist, or is still in use"),
+              Text("Check what it refers to")};
     case DbFault::kCheck:
-      return {"a value breaks the rule of its column", "Correct the value"};
+      return {Text("a value breaks the rule of its column"), Text("Correct the value")};
     case DbFault::kNotNull:
-      return {"a required value is missing", "Fill it in"};
+      return {Text("a required value is missing"), Text("Fill it in")};
     case DbFault::kAppendOnly:
-      return {"this record is sealed and cannot be changed", "Add a new version instead"};
+      return {Text("this record is sealed and cannot be changed"), Text("Add a new version instead")};
     case DbFault::kReadOnly:
-      return {"database is open for reading only", "Open it for writing, or copy it to a writable folder"};
+      return {Text("database is open for reading only"),
+              Text("Open it for writing, or copy it to a writable folder")};
     case DbFault::kFull:
-      return {"no space left", "Free some space on the disk"};
+      return {Text("no space left"), Text("Free some space on the disk")};
     case DbFault::kCorrupt:
-      return {"database is damaged", "Restore the latest backup"};
+      return {Text("database is damaged"), Text("Restore the latest backup")};
     case DbFault::kUnreachable:
-      return {"database server does not answer", "Check that it runs and that the address is right"};
+      return {Text("database server does not answer"),
+              Text("Check that it runs and that the address is right")};
     case DbFault::kConflict:
-      return {"another station changed the same records at the same time", "Try again"};
+      return {Text("another station changed the same records at the same time"), Text("Try again")};
     case DbFault::kBrokenBefore:
-      return {"an earlier step of this change failed: nothing was kept", "Repeat the whole change"};
+      return {Text("an earlier step of this change failed: nothing was kept"),
+              Text("Repeat the whole change")};
     case DbFault::kOther:
       break;
   }
-  return {"database refused the operation", ""};
+  return {Text("database refused the operation"), Text()};
 }
 
 }  // namespace
@@ -134,12 +138,12 @@ void ConnectionState::fail(std::string_view sql, const QSqlError& error) {
   const DbFault fault = faultOf(engine, error);
   if (depth > 0) abandon();
   const Wording wording = wordingOf(fault);
-  std::string what = wording.what;
+  Text what = wording.what;
   // The driver's first line names constraint or syntax; further lines of PostgreSQL repeat values.
   const std::string detail = error.databaseText().section(QLatin1Char('\n'), 0, 0).trimmed().toStdString();
   if (fault == DbFault::kOther || fault == DbFault::kCheck || fault == DbFault::kNotNull ||
       fault == DbFault::kUnique || fault == DbFault::kUnreachable) {
-    if (!detail.empty()) what += ": " + detail;
+    if (!detail.empty()) what = Text("%1: %2", wording.what, detail);
   }
   throw DbError(fault, operationOf(sql), what, location, wording.remedy);
 }

@@ -12,8 +12,6 @@ namespace torsio {
 
 namespace {
 
-constexpr const char* kForm = "Write it as postgresql://user:password@host:port/database";
-
 bool plainName(const std::string& name) {
   return std::all_of(name.begin(), name.end(),
                      [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
@@ -45,7 +43,8 @@ Locator parseLocator(const std::string& text) {
   locator.database = url.path(QUrl::FullyDecoded).mid(1).toStdString();
   locator.schema = QUrlQuery(url).queryItemValue(QStringLiteral("schema")).toStdString();
   if (!url.isValid() || locator.host.empty() || locator.database.empty()) {
-    throw Error(ErrorCode::kBadParameter, "not a PostgreSQL address", "database", kForm);
+    throw Error(ErrorCode::kBadParameter, "not a PostgreSQL address", "database",
+                "Write it as postgresql://user:password@host:port/database");
   }
   if (!plainName(locator.schema)) {
     throw Error(ErrorCode::kBadParameter, "schema name is not allowed", locator.shown(),

@@ -28,7 +28,7 @@ void checkAndFlush(const fs::path& copy) {
   Connection connection = openDatabase(copy.string(), OpenMode::kReadWrite);
   const std::vector<std::string> findings = integrityFindings(connection);
   if (!findings.empty()) {
-    throw Error(ErrorCode::kVerifyFailed, "backup does not pass its check: " + findings.front(),
+    throw Error(ErrorCode::kVerifyFailed, Text("backup does not pass its check: %1", findings.front()),
                 copy.string(), "Check the disk, and the database itself");
   }
   connection.executeVerbatim("PRAGMA journal_mode = DELETE");
@@ -120,7 +120,7 @@ BackupContent checkBackup(const fs::path& backup) {
   }
   const std::vector<std::string> findings = integrityFindings(connection);
   if (!findings.empty()) {
-    throw Error(ErrorCode::kVerifyFailed, "backup is damaged: " + findings.front(), backup.string(),
+    throw Error(ErrorCode::kVerifyFailed, Text("backup is damaged: %1", findings.front()), backup.string(),
                 "Use an older backup");
   }
   content.trials = countOf(connection, "trial");
@@ -142,7 +142,7 @@ void restoreSqlite(const fs::path& backup, const fs::path& target) {
     fs::rename(temporary, target);
   } catch (const fs::filesystem_error& error) {
     removeWithLogs(temporary);
-    throw Error(ErrorCode::kFileUnwritable, "backup cannot be restored: " + error.code().message(),
+    throw Error(ErrorCode::kFileUnwritable, Text("backup cannot be restored: %1", error.code().message()),
                 target.string(), "Check the folder and the free space");
   } catch (...) {
     removeWithLogs(temporary);

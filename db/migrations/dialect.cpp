@@ -18,7 +18,7 @@ std::vector<std::string> wordsOf(const std::string& text) {
   return words;
 }
 
-[[noreturn]] void bad(const std::string& what, const std::string& where) {
+[[noreturn]] void bad(const Text& what, const std::string& where) {
   throw Error(ErrorCode::kBadData, what, where, "Correct the migration file");
 }
 
@@ -85,7 +85,7 @@ Statements macro(Engine engine, const std::string& token, const std::string& whe
   if (words.size() == 2 && words[0] == "immutable") return appendOnly(engine, words[1], false);
   if (words.size() == 2 && words[0] == "thaw") return thawed(engine, words[1]);
   if (words.size() == 3 && words[0] == "frozen") return frozen(engine, words[1], words[2]);
-  bad("unknown token {{" + token + "}}", where);
+  bad(Text("unknown token {{%1}}", token), where);
 }
 
 std::string withTypes(Engine engine, std::string sql, const std::string& where) {

@@ -76,7 +76,7 @@ std::string headValue(const std::string& text, const std::string& key, const std
   for (std::string line; std::getline(in, line);) {
     if (line.starts_with(start)) return line.substr(start.size());
   }
-  throw Error(ErrorCode::kBadData, "the line \"" + start + "...\" is missing", name, "Add it");
+  throw Error(ErrorCode::kBadData, Text("the line \"%1...\" is missing", start), name, "Add it");
 }
 
 void applyStep(Connection& connection, const Migration& step, const MigrationOptions& options) {
@@ -98,8 +98,8 @@ void applyStep(Connection& connection, const Migration& step, const MigrationOpt
 
 [[noreturn]] void newerSchema(const SchemaState& state, const std::string& where) {
   throw Error(ErrorCode::kNewerSchema,
-              "was written by a newer version of Torsio (schema " + std::to_string(state.version) +
-                  ", this program knows " + std::to_string(state.known) + ")",
+              Text("was written by a newer version of Torsio (schema %1, this program knows %2)",
+                   state.version, state.known),
               where, "Update Torsio on this machine");
 }
 
@@ -156,7 +156,8 @@ SchemaState checkSchema(Connection& connection, const std::vector<Migration>& mi
     if (step.version > state.known) continue;
     const Migration& known = migrations[static_cast<std::size_t>(step.version - 1)];
     if (known.checksum != step.checksum) {
-      throw Error(ErrorCode::kBadData, "schema step " + known.name + " differs from the one that was applied",
+      throw Error(ErrorCode::kBadData,
+                  Text("schema step %1 differs from the one that was applied", known.name),
                   connection.location(), "Use the program that made this database, or restore a backup");
     }
   }

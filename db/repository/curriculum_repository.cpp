@@ -268,7 +268,8 @@ void CurriculumRepository::moveTo(const std::string& versionId, const std::strin
   const auto next = kNext.find(now);
   if (next == kNext.end() || next->second.first != state) {
     throw Error(ErrorCode::kBadData,
-                "a curriculum that is " + (now.empty() ? "missing" : now) + " cannot become " + state,
+                now.empty() ? Text("there is no such curriculum")
+                            : Text("a curriculum that is %1 cannot become %2", now, state),
                 versionId, "Draft becomes running, running becomes closed");
   }
   connection_.execute(

@@ -103,8 +103,8 @@ void refuseUses(Connection& connection, const std::vector<DemonstrationUse>& use
   if (uses.empty()) return;
   const DemonstrationUse& use = uses.front();
   throw Error(ErrorCode::kBadData,
-              "real data use the demonstration: " + std::to_string(use.rows) + " rows of " + use.table +
-                  " refer to simulated rows of " + use.used,
+              Text("real data use the demonstration: %1 rows of %2 refer to simulated rows of %3", use.rows,
+                   use.table, use.used),
               connection.location(), "Finish or move what uses them first; nothing was removed");
 }
 

@@ -186,10 +186,8 @@ void EvaluationRepository::submit(const std::string& campaignId,
   for (const StoredEvaluationMark& mark : marks) {
     if (mark.score_steps < scale.lo || mark.score_steps > scale.hi) {
       throw Error(ErrorCode::kBadData,
-                  "score of " + std::to_string(mark.score_steps) + " steps lies outside " +
-                      std::to_string(scale.lo) + " .. " + std::to_string(scale.hi),
-                  "rater " + mark.raterId + ", model " + mark.modelCode + ", index " +
-                      std::to_string(mark.indexNumber),
+                  Text("score of %1 steps lies outside %2 .. %3", mark.score_steps, scale.lo, scale.hi),
+                  Text("rater %1, model %2, index %3", mark.raterId, mark.modelCode, mark.indexNumber),
                   "Correct the score");
     }
     if (isStored(connection_, campaignId, mark)) continue;

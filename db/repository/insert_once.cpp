@@ -43,14 +43,14 @@ bool sameStored(const Value& given, const Value& read) {
   return given.storage() == read.storage();
 }
 
-void refuseOtherContent(Connection& connection, std::string_view table, const std::string& what) {
+void refuseOtherContent(Connection& connection, std::string_view table, const Text& what) {
   throw DbError(DbFault::kUnique, "INSERT INTO " + std::string(table),
-                what + " is stored already with other content; what is stored stays", connection.location(),
-                "Keep what you have here and compare the two");
+                Text("%1 is stored already with other content; what is stored stays", what),
+                connection.location(), "Keep what you have here and compare the two");
 }
 
 Inserted insertOnce(Connection& connection, std::string_view table, std::span<const OnceColumn> columns,
-                    const std::string& what) {
+                    const Text& what) {
   std::string names;
   std::string marks;
   std::string key;

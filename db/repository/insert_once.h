@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "db/connection/connection.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 
@@ -29,10 +30,10 @@ enum class Inserted { kNew, kThereAlready };
 /// given: whoever gives it again must neither double it nor be refused. `what` names the row in the message
 /// ("this second of the trial"). Throws DbError (kUnique) when a row of that key is there with other content.
 Inserted insertOnce(Connection& connection, std::string_view table, std::span<const OnceColumn> columns,
-                    const std::string& what);
+                    const Text& what);
 
 /// The DbError (kUnique) for a row that is stored already with other content.
-[[noreturn]] void refuseOtherContent(Connection& connection, std::string_view table, const std::string& what);
+[[noreturn]] void refuseOtherContent(Connection& connection, std::string_view table, const Text& what);
 
 /// Whether a value that was read is the one that was given: SQLite gives booleans back as integers.
 [[nodiscard]] bool sameStored(const Value& given, const Value& read);

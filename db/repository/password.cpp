@@ -63,7 +63,7 @@ bool isRun(const std::string& text) {
                      [&](const char* run) { return std::string(run).find(text) != std::string::npos; });
 }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& remedy) {
+[[noreturn]] void refuse(const Text& what, const Text& remedy) {
   throw Error(ErrorCode::kBadParameter, what, "password", remedy);
 }
 
@@ -71,7 +71,7 @@ bool isRun(const std::string& text) {
 
 void checkPassword(const std::string& password, const std::string& login) {
   if (charactersOf(password) < kShortestPassword) {
-    refuse("is shorter than " + std::to_string(kShortestPassword) + " characters",
+    refuse(Text("is shorter than %1 characters", kShortestPassword),
            "Take a sentence: spaces and any letters are welcome");
   }
   if (password.size() > static_cast<std::size_t>(kLongestPassword)) refuse("is too long", "Shorten it");

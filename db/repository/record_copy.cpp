@@ -40,7 +40,7 @@ void requireFit(Connection& from, Connection& to, const std::vector<SchemaTable>
   }
   for (const SchemaTable& table : tables) {
     if (isSeeded(table.name) || countOf(to, table.name) == 0) continue;
-    throw Error(ErrorCode::kBadData, "the target is not empty: it has rows in the table " + table.name,
+    throw Error(ErrorCode::kBadData, Text("the target is not empty: it has rows in the table %1", table.name),
                 to.location(), "Name a new file, or an empty database");
   }
 }
@@ -72,8 +72,8 @@ void copyTable(Connection& from, Connection& to, const SchemaTable& table,
 void requireSame(Connection& to, const TableDigest& original, const TableDigest& copy) {
   if (original == copy) return;
   throw Error(ErrorCode::kVerifyFailed,
-              "the table " + original.table + " differs after copying (" + std::to_string(original.rows) +
-                  " rows before, " + std::to_string(copy.rows) + " after); nothing was kept",
+              Text("the table %1 differs after copying (%2 rows before, %3 after); nothing was kept",
+                   original.table, original.rows, copy.rows),
               to.location(), "Check both machines, then copy again");
 }
 
@@ -88,8 +88,7 @@ CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& prog
   }
   const std::vector<AuditFinding> findings = AuditRepository(from).verify();
   if (!findings.empty()) {
-    throw Error(ErrorCode::kBadData,
-                "its audit trail does not verify (" + std::to_string(findings.size()) + " findings)",
+    throw Error(ErrorCode::kBadData, Text("its audit trail does not verify (%1 findings)", findings.size()),
                 from.location(), "Run torsio audit verify on it and restore a backup");
   }
   std::int64_t all = 0;

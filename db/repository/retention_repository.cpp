@@ -78,7 +78,7 @@ void RetentionRepository::setRule(const RetentionRule& rule) {
   }
   if (rule.keep_days < 1 || rule.keep_days > kLongest_days) {
     throw Error(ErrorCode::kBadParameter, "records are kept for one day at least and a hundred years at most",
-                rule.category + ": " + std::to_string(rule.keep_days) + " days", "Enter 1 to 36500");
+                Text("%1: %2 days", rule.category, rule.keep_days), "Enter 1 to 36500");
   }
   connection_.execute(
       "INSERT INTO retention_rule (category, keep_days, basis, changed_utc_us) VALUES (?, ?, ?, ?)"

@@ -87,8 +87,7 @@ void checkAnswer(const std::optional<std::int64_t>& score_steps, const std::stri
                 "Fill it in");
   }
   if (score_steps && (*score_steps < scale.lo || *score_steps > scale.hi)) {
-    throw Error(ErrorCode::kBadData,
-                "score of " + std::to_string(*score_steps) + " steps lies outside its scale", where,
+    throw Error(ErrorCode::kBadData, Text("score of %1 steps lies outside its scale", *score_steps), where,
                 "Correct the score");
   }
 }
@@ -101,14 +100,15 @@ void checkComplete(const Sheet& sheet, const StoredRubricRevision& rubric, const
     const auto known = std::count_if(rubric.rows.begin(), rubric.rows.end(),
                                      [&](const StoredRubricRow& line) { return line.code == row.code; });
     if (known == 0) {
-      throw Error(ErrorCode::kBadData, "the rubric has no row " + row.code, where, "Use the assigned rubric");
+      throw Error(ErrorCode::kBadData, Text("the rubric has no row %1", row.code), where,
+                  "Use the assigned rubric");
     }
   }
   for (const StoredRubricRow& line : rubric.rows) {
     const auto answer = std::find_if(sheet.rows.begin(), sheet.rows.end(),
                                      [&](const SheetRow& row) { return row.code == line.code; });
     if (answer == sheet.rows.end()) {
-      throw Error(ErrorCode::kBadData, "row " + line.code + " is not answered", where, "Fill it in");
+      throw Error(ErrorCode::kBadData, Text("row %1 is not answered", line.code), where, "Fill it in");
     }
     checkAnswer(answer->score_steps, answer->notAssessableReason, line.scale, where + ", row " + line.code);
   }

@@ -213,9 +213,8 @@ std::vector<StoredAllocation> StudyRepository::allocate(std::span<const StoredAl
     }
     if (record.sequence != sequence + 1) {
       throw Error(ErrorCode::kBadData,
-                  "allocation number " + std::to_string(record.sequence) + " does not follow " +
-                      std::to_string(sequence),
-                  "allocation", "Read the list again and repeat");
+                  Text("allocation number %1 does not follow %2", record.sequence, sequence), "allocation",
+                  "Read the list again and repeat");
     }
     record.recordHash = allocationHash(record);
     insertAllocation(insert, record);

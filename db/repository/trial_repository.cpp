@@ -158,7 +158,8 @@ Value traineeId(Connection& connection, const std::string& code) {
       "SELECT t.person_id FROM trainee t JOIN person p ON p.id = t.person_id WHERE p.code = ?");
   row.execute({code});
   if (row.step()) return row.text(0);
-  throw Error(ErrorCode::kBadData, "no trainee has the code " + code, "trial", "Enter the trainee first");
+  throw Error(ErrorCode::kBadData, Text("no trainee has the code %1", code), "trial",
+              "Enter the trainee first");
 }
 
 }  // namespace

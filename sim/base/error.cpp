@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/base/error.h"
 
+#include <utility>
+
 #include "sim/base/contracts.h"
 
 namespace torsio {
@@ -15,12 +17,15 @@ std::string sentence(const std::string& what, const std::string& where, const st
 
 }  // namespace
 
-Error::Error(ErrorCode code, const std::string& what, const std::string& where, const std::string& remedy)
-    : std::runtime_error(sentence(what, where, remedy)),
+Error::Error(ErrorCode code, Text what, Text where, Text remedy)
+    : std::runtime_error(sentence(what.str(), where.str(), remedy.str())),
       code_(code),
-      happened_(what),
-      where_(where),
-      remedy_(remedy) {}
+      happenedText_(std::move(what)),
+      whereText_(std::move(where)),
+      remedyText_(std::move(remedy)),
+      happened_(happenedText_.str()),
+      where_(whereText_.str()),
+      remedy_(remedyText_.str()) {}
 
 void contractBroken(const char* condition, const char* file, int line) {
   throw ContractError(std::string("broken contract: ") + condition + " (" + file + ":" +

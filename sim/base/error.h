@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/base/text.h"
+
 namespace torsio {
 
 /// Why something was refused. The value is the exit code of the command line (docs/cli.md).
@@ -27,16 +29,26 @@ enum class ErrorCode : int {
 class Error : public std::runtime_error {
  public:
   /// `what`: one sentence without a full stop. `where`: file, line, vertex, column or "".
-  /// `remedy`: one imperative sentence or "".
-  Error(ErrorCode code, const std::string& what, const std::string& where, const std::string& remedy);
+  /// `remedy`: one imperative sentence or "". What varies is an argument: `Text("no trial has the id %1",
+  /// id)`.
+  Error(ErrorCode code, Text what, Text where, Text remedy);
 
   [[nodiscard]] ErrorCode code() const noexcept { return code_; }
+  /// The three in English, as in what().
   [[nodiscard]] const std::string& happened() const noexcept { return happened_; }
   [[nodiscard]] const std::string& where() const noexcept { return where_; }
   [[nodiscard]] const std::string& remedy() const noexcept { return remedy_; }
 
+  /// The three as texts, for another language.
+  [[nodiscard]] const Text& happenedText() const noexcept { return happenedText_; }
+  [[nodiscard]] const Text& whereText() const noexcept { return whereText_; }
+  [[nodiscard]] const Text& remedyText() const noexcept { return remedyText_; }
+
  private:
   ErrorCode code_;
+  Text happenedText_;
+  Text whereText_;
+  Text remedyText_;
   std::string happened_;
   std::string where_;
   std::string remedy_;

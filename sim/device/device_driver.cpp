@@ -28,16 +28,17 @@ std::vector<DeviceDriver> deviceDrivers(const std::string& library) {
       {"hdapi", "PHANTOM Omni or Touch", "the vendor's driver and OpenHaptics",
        vendor.status == HdapiLoadStatus::kLoaded, vendor.sentence, vendor.remedy,
        [vendor](const DeviceRequest& request) { return openHdapi(vendor, request); }},
-      {"pointer", "Mouse and keyboard", "", true, "always there; shows forces, does not render them", "",
-       [](const DeviceRequest& request) -> Device { return std::make_unique<PointerDevice>(request.start); }},
-      {"scripted", "Scripted hand", "", true, "always there; a simulated hand with a seed", "",
-       [](const DeviceRequest& request) -> Device { return std::make_unique<ScriptedHand>(request.hand); }},
-      {"replay", "Recorded trial", "a recorded trial", true, "always there; repeats a recording tick by tick",
+      {"pointer", "Mouse and keyboard", "", true, Text("always there; shows forces, does not render them"),
        "",
+       [](const DeviceRequest& request) -> Device { return std::make_unique<PointerDevice>(request.start); }},
+      {"scripted", "Scripted hand", "", true, Text("always there; a simulated hand with a seed"), "",
+       [](const DeviceRequest& request) -> Device { return std::make_unique<ScriptedHand>(request.hand); }},
+      {"replay", "Recorded trial", "a recorded trial", true,
+       Text("always there; repeats a recording tick by tick"), "",
        [](const DeviceRequest& request) -> Device {
          return std::make_unique<ReplayDevice>(request.recorded, request.recordedWith);
        }},
-      {"idle", "Nobody's hand", "", true, "always there; the instrument stays where it was put", "",
+      {"idle", "Nobody's hand", "", true, Text("always there; the instrument stays where it was put"), "",
        [](const DeviceRequest& request) -> Device { return std::make_unique<IdleDevice>(request.start); }},
   };
 }

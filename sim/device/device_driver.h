@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/text.h"
 #include "sim/device/haptic_device.h"
 #include "sim/device/hdapi_device.h"
 #include "sim/device/scripted_hand.h"
@@ -27,8 +28,8 @@ struct DeviceDriver {
   std::string name;   ///< "PHANTOM Omni or Touch"
   std::string needs;  ///< what must be there, in plain words; "" for nothing
   bool available = false;
-  std::string finding;  ///< why, or why not; a sentence without a full stop
-  std::string remedy;   ///< what to do; "" when available
+  Text finding;  ///< why, or why not; a sentence without a full stop
+  Text remedy;   ///< what to do; "" when available
   /// Throws Error{kDevice} or Error{kBadParameter}. An hdapi device still has to be started
   /// (HdapiDevice::start).
   std::function<std::unique_ptr<HapticDevice>(const DeviceRequest&)> open;

@@ -15,7 +15,7 @@ constexpr std::uint32_t kNotReady = kDeviceUncalibrated | kDeviceLost | kDeviceE
 
 void require(bool good, const char* what, double value) {
   if (good) return;
-  throw Error(ErrorCode::kBadParameter, std::string(what) + ", got " + std::to_string(value),
+  throw Error(ErrorCode::kBadParameter, Text("%1, got %2", std::string(what), std::to_string(value)),
               "force governor", "Check the limits that the device reports");
 }
 

@@ -34,39 +34,39 @@ HdapiErrorClass hdapiErrorClass(hd::ErrorCode code) noexcept {
   }
 }
 
-std::string hdapiErrorText(hd::ErrorCode code) {
+Text hdapiErrorText(hd::ErrorCode code) {
   switch (code) {
     case hd::kWarmMotors:
-      return "the motors are warm";
+      return Text("the motors are warm");
     case hd::kExceededMaxForce:
-      return "the device's force limit was exceeded";
+      return Text("the device's force limit was exceeded");
     case hd::kExceededMaxForceImpulse:
-      return "the force changed faster than the device allows";
+      return Text("the force changed faster than the device allows");
     case hd::kExceededMaxVelocity:
-      return "the stylus moved faster than the device allows";
+      return Text("the stylus moved faster than the device allows");
     case hd::kForceError:
-      return "the library refused a force";
+      return Text("the library refused a force");
     case hd::kDeviceFault:
-      return "the device does not answer";
+      return Text("the device does not answer");
     case hd::kDeviceAlreadyInitiated:
-      return "the device is in use already";
+      return Text("the device is in use already");
     case hd::kCommError:
-      return "the connection to the device broke off";
+      return Text("the connection to the device broke off");
     case hd::kCommConfigError:
-      return "the connection to the device is set up wrongly";
+      return Text("the connection to the device is set up wrongly");
     case hd::kTimerError:
-      return "the library's servo timer does not work";
+      return Text("the library's servo timer does not work");
     case hd::kInvalidPriority:
     case hd::kSchedulerFull:
-      return "the library's servo loop accepts no further task";
+      return Text("the library's servo loop accepts no further task");
     case hd::kIllegalBegin:
     case hd::kIllegalEnd:
     case hd::kFrameError:
-      return "a servo frame could not be opened or closed";
+      return Text("a servo frame could not be opened or closed");
     case hd::kInvalidLicense:
-      return "the library has no valid licence";
+      return Text("the library has no valid licence");
     default:
-      return "the library refused a call";
+      return Text("the library refused a call");
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "sim/base/text.h"
 #include "sim/device/hdapi_abi.h"
 
 namespace torsio {
@@ -24,7 +25,7 @@ enum class HdapiErrorClass : std::uint8_t {
 [[nodiscard]] HdapiErrorClass hdapiErrorClass(hd::ErrorCode code) noexcept;
 
 /// Plain words for a code: "the connection to the device broke off".
-[[nodiscard]] std::string hdapiErrorText(hd::ErrorCode code);
+[[nodiscard]] Text hdapiErrorText(hd::ErrorCode code);
 
 /// More errors than this are never taken in one tick, so that a tick cannot be held up by the library.
 inline constexpr std::size_t kMostErrorsAtOnce = 16;

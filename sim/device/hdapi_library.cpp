@@ -15,28 +15,24 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-constexpr const char* kInstall =
-    "Install the device's driver and the OpenHaptics run time (docs/devices.md), or name the library with "
-    "--library";
-
 /// The loader's refusal in plain words. Old driver packages want ncurses 5, which Debian 12 still has.
 void describeRefusal(const LoadedLibrary& loaded, HdapiLibrary& result) {
   result.status = HdapiLoadStatus::kDependencyMissing;
   if (loaded.missingDependency.empty()) {
-    result.sentence = "the vendor's library " + result.path +
-                      " is there, but the system refused to load it: " + loaded.systemText;
-    result.remedy = "Install the driver package that belongs to it, for this kind of processor";
+    result.sentence = Text("the vendor's library %1 is there, but the system refused to load it: %2",
+                           result.path, loaded.systemText);
+    result.remedy = Text("Install the driver package that belongs to it, for this kind of processor");
     return;
   }
-  result.sentence = "the vendor's library " + result.path + " is there, but it needs " +
-                    loaded.missingDependency + ", which is missing";
+  result.sentence = Text("the vendor's library %1 is there, but it needs %2, which is missing", result.path,
+                         loaded.missingDependency);
   const bool terminal = loaded.missingDependency.rfind("libncurses.so.5", 0) == 0 ||
                         loaded.missingDependency.rfind("libtinfo.so.5", 0) == 0;
   const bool driver = loaded.missingDependency.rfind("libPhantomIOLib", 0) == 0 ||
                       loaded.missingDependency.rfind("libPHANToMIO", 0) == 0;
-  result.remedy = terminal ? "Install the packages libncurses5 and libtinfo5"
-                  : driver ? "Install the device's driver package; OpenHaptics alone is not enough"
-                           : "Install the package that contains " + loaded.missingDependency;
+  result.remedy = terminal ? Text("Install the packages libncurses5 and libtinfo5")
+                  : driver ? Text("Install the device's driver package; OpenHaptics alone is not enough")
+                           : Text("Install the package that contains %1", loaded.missingDependency);
 }
 
 HdapiLibrary resolveLoaded(const LoadedLibrary& loaded, const std::string& name,
@@ -46,10 +42,10 @@ HdapiLibrary resolveLoaded(const LoadedLibrary& loaded, const std::string& name,
   result.path = name;
   result.searched = searched;
   if (result.status == HdapiLoadStatus::kSymbolMissing) {
-    result.sentence = name + " lacks " + joined(result.missingSymbols);
-    result.remedy = "Install OpenHaptics 3.0 to 3.5; this file is another library or an incomplete one";
+    result.sentence = Text("%1 lacks %2", name, joined(result.missingSymbols));
+    result.remedy = Text("Install OpenHaptics 3.0 to 3.5; this file is another library or an incomplete one");
   } else {
-    result.sentence = "the vendor's library " + name + " is loaded";
+    result.sentence = Text("the vendor's library %1 is loaded", name);
   }
   return result;
 }
@@ -101,8 +97,11 @@ HdapiLibrary loadHdapi(const std::string& explicitName) {
     }
   }
   if (result.status == HdapiLoadStatus::kNotFound) {
-    result.sentence = "the vendor's library is not installed; looked for " + joined(result.searched);
-    result.remedy = kInstall;
+    result.sentence = Text("the vendor's library is not installed; looked for %1", joined(result.searched));
+    result.remedy = Text(
+        "Install the device's driver and the OpenHaptics run time (docs/devices.md), or name the library "
+        "with "
+        "--library");
   }
   return result;
 }

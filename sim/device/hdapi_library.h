@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/text.h"
 #include "sim/device/hdapi_abi.h"
 
 namespace torsio {
@@ -24,8 +25,8 @@ struct HdapiLibrary {
   std::vector<std::string> searched;         ///< every name tried, in order
   std::vector<std::string> missingSymbols;   ///< of those that the driver needs
   std::vector<std::string> absentOptionals;  ///< of those that it can do without
-  std::string sentence;                      ///< what happened; no full stop
-  std::string remedy;                        ///< what to do; "" when loaded
+  Text sentence;                             ///< what happened; no full stop
+  Text remedy;                               ///< what to do; "" when loaded
 };
 
 /// Names of the vendor's library on this system, most current first.

@@ -37,27 +37,29 @@ std::string hex(hd::ErrorCode code) {
   return text;
 }
 
-std::string described(const hd::Api& api, hd::ErrorCode code) {
+Text described(const hd::Api& api, hd::ErrorCode code) {
   const char* const vendor = api.hdGetErrorString(code);
-  return hdapiErrorText(code) + " (" + hex(code) + (vendor != nullptr ? std::string(", ") + vendor : "") +
-         ")";
+  if (vendor == nullptr) return Text("%1 (%2)", hdapiErrorText(code), hex(code));
+  return Text("%1 (%2, %3)", hdapiErrorText(code), hex(code), vendor);
 }
 
-std::string remedyFor(hd::ErrorCode code) {
+Text remedyFor(hd::ErrorCode code) {
   switch (code) {
     case hd::kInvalidLicense:
-      return "Install the licence of OpenHaptics for this computer, or set OH_SDK_LICENSE_PATH to its folder";
+      return Text(
+          "Install the licence of OpenHaptics for this computer, or set OH_SDK_LICENSE_PATH to its folder");
     case hd::kDeviceAlreadyInitiated:
-      return "Close every other program that uses the device, then try again";
+      return Text("Close every other program that uses the device, then try again");
     case hd::kCommConfigError:
-      return "Unplug the device, wait ten seconds, plug it in again and run the vendor's set-up tool";
+      return Text("Unplug the device, wait ten seconds, plug it in again and run the vendor's set-up tool");
     case hd::kTimerError:
     case hd::kSchedulerFull:
     case hd::kInvalidPriority:
-      return "Close every other program that uses the device; restart Torsio";
+      return Text("Close every other program that uses the device; restart Torsio");
     default:
-      return "Check power and cable, run the vendor's set-up tool once as this user, and check the rights on "
-             "the device file (docs/devices.md)";
+      return Text(
+          "Check power and cable, run the vendor's set-up tool once as this user, and check the rights on "
+          "the device file (docs/devices.md)");
   }
 }
 
@@ -118,8 +120,9 @@ void HdapiSession::open(const std::string& deviceName) {
     }
     if (firstError == hd::kInvalidLicense) break;
   }
-  throw Error(ErrorCode::kDevice, "no haptic device could be opened: " + described(api_, firstError),
-              deviceName.empty() ? "default device" : "device \"" + deviceName + "\"", remedyFor(firstError));
+  throw Error(ErrorCode::kDevice, Text("no haptic device could be opened: %1", described(api_, firstError)),
+              deviceName.empty() ? Text("default device") : Text("device \"%1\"", deviceName),
+              remedyFor(firstError));
 }
 
 std::string HdapiSession::text(hd::Enum name) {
@@ -143,15 +146,16 @@ void HdapiSession::readIdentity() {
   (void)drainHdapiErrors(api_);
   if (identity_.outputDof != 3) {
     identity_.assumed.emplace_back("three force axes");
-    identity_.notes.push_back("The device says that it renders " + std::to_string(identity_.outputDof) +
-                              " axes; an Omni or Touch renders 3. Forces are rendered along three axes, "
-                              "with cautious limits");
+    identity_.notes.push_back(
+        Text("The device says that it renders %1 axes; an Omni or Touch renders 3. Forces are rendered along "
+             "three axes, with cautious limits",
+             identity_.outputDof));
   }
   const bool known =
       identity_.model.find("Omni") != std::string::npos || identity_.model.find("Touch") != std::string::npos;
   if (!known) {
-    identity_.notes.push_back("Model \"" + identity_.model +
-                              "\" is not an Omni or Touch; it is treated like a Touch");
+    identity_.notes.push_back(
+        Text("Model \"%1\" is not an Omni or Touch; it is treated like a Touch", identity_.model));
   }
 }
 
@@ -220,7 +224,7 @@ HdapiSetup HdapiSession::setup() {
   hd::Boolean inkwell = 0;
   api_.hdGetBooleanv(hd::kCurrentInkwellSwitch, &inkwell);
   setup.hasInkwellSwitch = drainHdapiErrors(api_).count == 0;
-  if (!setup.hasTemperature) identity_.notes.emplace_back("The device does not report motor temperatures");
+  if (!setup.hasTemperature) identity_.notes.push_back(Text("The device does not report motor temperatures"));
   return setup;
 }
 
@@ -232,7 +236,7 @@ void HdapiSession::calibrateBeforeStart() {
   if (static_cast<hd::Enum>(styles) != hd::kCalibrationEncoderReset) return;
   if (api_.hdCheckCalibration() != hd::kCalibrationOk) api_.hdUpdateCalibration(hd::kCalibrationEncoderReset);
   if (drainHdapiErrors(api_).count > 0) {
-    identity_.notes.emplace_back("The device refused to take its present position as the reference");
+    identity_.notes.push_back(Text("The device refused to take its present position as the reference"));
   }
 }
 
@@ -240,7 +244,7 @@ void HdapiSession::start(const HdapiTick& tick) {
   servo_->setTick(tick);
   const auto refuse = [this](const char* what, const HdapiErrors& errors) {
     const hd::ErrorCode code = errors.worstCode();
-    const std::string sentence = std::string(what) + ": " + described(api_, code);
+    const Text sentence("%1: %2", what, described(api_, code));
     tearDown();
     throw Error(ErrorCode::kDevice, sentence, identity_.openedAs, remedyFor(code));
   };
@@ -252,7 +256,7 @@ void HdapiSession::start(const HdapiTick& tick) {
     api_.hdSetSchedulerRate(kWantedRate_Hz);
     // Refused in different ways by different versions, always meaning "rate unchanged".
     if (drainHdapiErrors(api_).count > 0) {
-      identity_.notes.emplace_back("The library keeps its own servo rate");
+      identity_.notes.push_back(Text("The library keeps its own servo rate"));
     }
   }
   api_.hdStartScheduler();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/base/clock.h"
+#include "sim/base/text.h"
 #include "sim/device/haptic_device.h"
 #include "sim/device/hdapi_abi.h"
 #include "sim/device/hdapi_servo.h"
@@ -35,7 +36,7 @@ struct HdapiIdentity {
   int inputDof = 0;
   int outputDof = 0;
   std::vector<std::string> assumed;  ///< "maximum force", "usable workspace" ...
-  std::vector<std::string> notes;    ///< sentences for the user
+  std::vector<Text> notes;           ///< sentences for the user
 };
 
 /// One connection to one device, from hdInitDevice to hdDisableDevice, and the order of everything between:

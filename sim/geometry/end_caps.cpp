@@ -181,7 +181,7 @@ class CapFinder {
     }
     if (largest.vertices.empty()) {
       throw Error(ErrorCode::kBadParameter,
-                  "nothing of the organ lies beyond the cut at its " + name + " end", name + " end",
+                  Text("nothing of the organ lies beyond the cut at its %1 end", name), Text("%1 end", name),
                   "Move the end point into the organ or turn the direction of the cut.");
     }
     return largest;
@@ -236,8 +236,8 @@ void checkCapRequest(const CapRequest& request) {
   }
   if (!std::isfinite(request.capRadius_m) || request.capRadius_m < 0.0) {
     throw Error(ErrorCode::kBadParameter,
-                "the cap radius " + std::to_string(request.capRadius_m) + " m is negative or not finite", "",
-                "Give 0 for the default or a positive length.");
+                Text("the cap radius %1 m is negative or not finite", std::to_string(request.capRadius_m)),
+                "", "Give 0 for the default or a positive length.");
   }
   if (request.automatic() && (request.fixedCut != Vec3{} || request.freeCut != Vec3{})) {
     throw Error(ErrorCode::kBadParameter, "a cut needs both end points", "", "Give the two end points.");

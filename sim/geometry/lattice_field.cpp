@@ -338,9 +338,10 @@ class FieldBuilder {
 
   [[noreturn]] static void refuseKink(const Turn& turn) {
     throw Error(ErrorCode::kBadMesh,
-                "the centreline has a kink: it turns by " + degrees(turn.angle_rad) + " within one radius (" +
-                    millimetres(turn.radius_m) + ") of the organ, " + millimetres(turn.arc_m) +
-                    " from the fixed end; at most " + degrees(kSharpestTurn_rad) + " are allowed",
+                Text("the centreline has a kink: it turns by %1 within one radius (%2) of the organ, %3 from "
+                     "the fixed end; at most %4 are allowed",
+                     degrees(turn.angle_rad), millimetres(turn.radius_m), millimetres(turn.arc_m),
+                     degrees(kSharpestTurn_rad)),
                 "", "Move the end points so that the axis follows the organ, or cut the organ at the kink.");
   }
 
@@ -392,7 +393,7 @@ LevelLoop theOneLoop(std::vector<LevelLoop> loops, LatticeMode mode, const std::
   });
   if (real != 1) {
     throw Error(ErrorCode::kBadMesh,
-                "the section cuts the organ in " + std::to_string(real) + " loops, exactly one is needed",
+                Text("the section cuts the organ in %1 loops, exactly one is needed", std::to_string(real)),
                 name, remedy);
   }
   return std::move(loops.front());

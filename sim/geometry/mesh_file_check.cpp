@@ -53,7 +53,7 @@ void checkText(std::string_view head, std::string_view format, std::string_view 
   if (head.find('\0') != std::string_view::npos) refuseFormat(where, format, "it is not UTF-8 text");
   if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
   if (!firstWord(head).starts_with(mark)) {
-    refuseFormat(where, format, "it does not begin with " + std::string(mark));
+    refuseFormat(where, format, Text("it does not begin with %1", std::string(mark)));
   }
 }
 
@@ -68,26 +68,27 @@ void checkObj(std::string_view head, const std::string& where) {
 
 }  // namespace
 
-void refuseFormat(const std::string& where, std::string_view format, const std::string& why) {
-  throw Error(ErrorCode::kFileUnreadable, "M02 not a file of the format " + std::string(format) + ": " + why,
-              where, "Give the file the extension of its format, or export it again");
+void refuseFormat(const std::string& where, std::string_view format, const Text& why) {
+  throw Error(ErrorCode::kFileUnreadable,
+              Text("M02 not a file of the format %1: %2", std::string(format), why), where,
+              "Give the file the extension of its format, or export it again");
 }
 
 void refuseShort(const std::string& where, const std::string& promised, std::uint64_t size) {
   throw Error(ErrorCode::kFileUnreadable,
-              "M04 the header promises " + promised + ", but the file has " + std::to_string(size) + " bytes",
+              Text("M04 the header promises %1, but the file has %2 bytes", promised, std::to_string(size)),
               where, "The file is damaged or cut off: export it again");
 }
 
-void refuseRow(const std::string& where, const std::string& row, const std::string& why) {
-  throw Error(ErrorCode::kFileUnreadable, "M05 " + row + " is broken: " + why, where,
+void refuseRow(const std::string& where, const std::string& row, const Text& why) {
+  throw Error(ErrorCode::kFileUnreadable, Text("M05 %1 is broken: %2", row, why), where,
               "Export the mesh again");
 }
 
 void refuseIndex(const std::string& where, const std::string& row, std::int64_t index,
                  std::uint64_t vertices) {
   throw Error(ErrorCode::kBadMesh,
-              "M08 " + row + " uses vertex " + std::to_string(index) + " of " + std::to_string(vertices),
+              Text("M08 %1 uses vertex %2 of %3", row, std::to_string(index), std::to_string(vertices)),
               where, "Export the mesh again");
 }
 

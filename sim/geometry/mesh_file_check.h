@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "sim/base/text.h"
+
 namespace torsio {
 
 /// Looks at a mesh file before a library sees it. The content must match `extension` (lower case, without
@@ -24,9 +26,9 @@ void requirePlausibleHead(std::string_view head, std::uint64_t size, std::string
 
 /// How the checks refuse: the content is not of the format; the file is shorter than its header promises; a
 /// line or row is broken; a face uses a vertex that is not there.
-[[noreturn]] void refuseFormat(const std::string& where, std::string_view format, const std::string& why);
+[[noreturn]] void refuseFormat(const std::string& where, std::string_view format, const Text& why);
 [[noreturn]] void refuseShort(const std::string& where, const std::string& promised, std::uint64_t size);
-[[noreturn]] void refuseRow(const std::string& where, const std::string& row, const std::string& why);
+[[noreturn]] void refuseRow(const std::string& where, const std::string& row, const Text& why);
 [[noreturn]] void refuseIndex(const std::string& where, const std::string& row, std::int64_t index,
                               std::uint64_t vertices);
 

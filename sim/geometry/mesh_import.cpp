@@ -96,7 +96,7 @@ void append(TriangleMesh& mesh, const aiMesh& part, const aiMatrix4x4& toWorld, 
             const std::string& where) {
   if (!part.HasPositions() || mesh.triangles.size() + part.mNumFaces > 2 * kMostTriangles) {
     if (part.HasPositions()) {
-      throw Error(ErrorCode::kBadMesh, "M03 more than " + std::to_string(kMostTriangles) + " triangles",
+      throw Error(ErrorCode::kBadMesh, Text("M03 more than %1 triangles", std::to_string(kMostTriangles)),
                   where, "Decimate the surface");
     }
     return;
@@ -113,8 +113,8 @@ void append(TriangleMesh& mesh, const aiMesh& part, const aiMatrix4x4& toWorld, 
     for (std::size_t k = 0; k < 3; ++k) {
       if (face.mIndices[k] >= part.mNumVertices) {
         throw Error(ErrorCode::kBadMesh,
-                    "M08 face " + std::to_string(f) + " uses vertex " + std::to_string(face.mIndices[k]) +
-                        " of " + std::to_string(part.mNumVertices),
+                    Text("M08 face %1 uses vertex %2 of %3", std::to_string(f),
+                         std::to_string(face.mIndices[k]), std::to_string(part.mNumVertices)),
                     where, "Export the mesh again");
       }
       t[k] = first + face.mIndices[k];
@@ -158,8 +158,8 @@ TriangleMesh readWithAssimp(const fs::path& file, const std::string& extension, 
     const std::string reason = oneLine(importer.GetErrorString());
     // assimp's words after points and lines were dropped
     if (reason == "No meshes remaining") requireSound({}, file.string());
-    throw Error(ErrorCode::kFileUnreadable, "M05 the importer failed on this file: " + reason, file.string(),
-                "Export the mesh again");
+    throw Error(ErrorCode::kFileUnreadable, Text("M05 the importer failed on this file: %1", reason),
+                file.string(), "Export the mesh again");
   }
   return flatten(*scene, scale_m, file.string());
 }
@@ -180,8 +180,8 @@ void requireReadable(const fs::path& file) {
   }
   if (failed || size > kMostBytes) {
     throw Error(ErrorCode::kFileUnreadable,
-                "M03 the file has more than " + std::to_string(kMostBytes / 1'000'000) + " MB", file.string(),
-                "Decimate the surface");
+                Text("M03 the file has more than %1 MB", std::to_string(kMostBytes / 1'000'000)),
+                file.string(), "Decimate the surface");
   }
 }
 
@@ -203,7 +203,7 @@ double lengthUnit_m(std::string_view name) {
   for (const auto& [known, metres] : kUnits) {
     if (name == known) return metres;
   }
-  throw Error(ErrorCode::kBadParameter, "unknown unit \"" + oneLine(std::string(name)) + "\"", "",
+  throw Error(ErrorCode::kBadParameter, Text("unknown unit \"%1\"", oneLine(std::string(name))), "",
               "Use m, cm, mm or um");
 }
 
@@ -216,7 +216,7 @@ TriangleMesh importMesh(const fs::path& file, const MeshImportOptions& options, 
   const std::string extension = lowerExtension(file);
   if (std::find(kFormats.begin(), kFormats.end(), extension) == kFormats.end()) {
     throw Error(ErrorCode::kFileUnreadable,
-                "M02 files with the extension \"" + oneLine(extension) + "\" are not read", file.string(),
+                Text("M02 files with the extension \"%1\" are not read", oneLine(extension)), file.string(),
                 "Use obj, stl, ply, off, glb, gltf or dae");
   }
   requirePlausibleFile(file, extension);

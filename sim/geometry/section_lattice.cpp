@@ -14,12 +14,13 @@ namespace torsio {
 
 namespace {
 
-void checkCount(int value, int least, int most, const std::string& what, const std::string& why) {
+void checkCount(int value, int least, int most, const Text& what, const Text& why) {
   if (value >= least && value <= most) return;
   throw Error(ErrorCode::kBadParameter,
-              std::to_string(value) + " " + what + " asked for; the lattice takes " + std::to_string(least) +
-                  " to " + std::to_string(most) + (why.empty() ? "" : " (" + why + ")"),
-              what, "Give a number between " + std::to_string(least) + " and " + std::to_string(most) + ".");
+              why.empty()
+                  ? Text("%1 %2 asked for; the lattice takes %3 to %4", value, what, least, most)
+                  : Text("%1 %2 asked for; the lattice takes %3 to %4 (%5)", value, what, least, most, why),
+              what, Text("Give a number between %1 and %2.", least, most));
 }
 
 void check(const LatticeOptions& options) {
@@ -31,8 +32,8 @@ void check(const LatticeOptions& options) {
   }
   if (!(options.ridgeZeroFraction >= 0.0 && options.ridgeZeroFraction <= 1.0)) {
     throw Error(ErrorCode::kBadParameter,
-                "the place of the direction of ridge 0 is " + std::to_string(options.ridgeZeroFraction) +
-                    " of the length, it must lie in 0..1",
+                Text("the place of the direction of ridge 0 is %1 of the length, it must lie in 0..1",
+                     std::to_string(options.ridgeZeroFraction)),
                 "", "Give a fraction between 0 and 1.");
   }
 }

@@ -55,8 +55,9 @@ Vec3 principalAxis(const TriangleMesh& mesh) {
   if (!(spread[2] > kSlenderness * kSlenderness * spread[1])) {
     const double ratio = spread[1] > 0.0 ? std::sqrt(spread[2] / spread[1]) : 0.0;
     throw Error(ErrorCode::kBadMesh,
-                "the organ has no longest direction: its two largest extents are as " +
-                    std::to_string(ratio) + " to 1, at least 1.2 is needed",
+                Text("the organ has no longest direction: its two largest extents are as %1 to 1, at least "
+                     "1.2 is needed",
+                     std::to_string(ratio)),
                 "", kGiveEnds);
   }
   const Eigen::Vector3d axis = solver.eigenvectors().col(2);

@@ -213,8 +213,8 @@ void SurfacePatches::fill(const TriangleMesh& mesh, const std::vector<std::vecto
       facets_.push_back(facet);
       if (local.size() > kMostVertices) {
         throw Error(ErrorCode::kBadMesh,
-                    "the surface has " + std::to_string(triangles_.size()) +
-                        " triangles, more than a tick can look at",
+                    Text("the surface has %1 triangles, more than a tick can look at",
+                         std::to_string(triangles_.size())),
                     "collision mesh", "Reduce the surface to half a million triangles or fewer");
       }
     }

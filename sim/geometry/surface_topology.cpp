@@ -28,7 +28,7 @@ void requireUsable(const TriangleMesh& mesh) {
   }
   for (std::size_t v = 0; v < mesh.vertices_m.size(); ++v) {
     if (!isFinite(mesh.vertices_m[v])) {
-      throw Error(ErrorCode::kBadMesh, "a vertex is not a finite point", "vertex " + std::to_string(v),
+      throw Error(ErrorCode::kBadMesh, "a vertex is not a finite point", Text("vertex %1", std::to_string(v)),
                   "Export the mesh again.");
     }
   }
@@ -36,7 +36,7 @@ void requireUsable(const TriangleMesh& mesh) {
     for (const std::uint32_t corner : mesh.triangles[t]) {
       if (corner >= mesh.vertices_m.size()) {
         throw Error(ErrorCode::kBadMesh, "a triangle refers to a vertex that does not exist",
-                    "triangle " + std::to_string(t), "Export the mesh again.");
+                    Text("triangle %1", std::to_string(t)), "Export the mesh again.");
       }
     }
   }

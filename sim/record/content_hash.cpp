@@ -12,8 +12,8 @@ namespace torsio {
 
 namespace {
 
-[[noreturn]] void unfit(const std::string& what, const Trial& trial) {
-  throw Error(ErrorCode::kVerifyFailed, what, "trial " + trial.header.trialId,
+[[noreturn]] void unfit(const Text& what, const Trial& trial) {
+  throw Error(ErrorCode::kVerifyFailed, what, Text("trial %1", trial.header.trialId),
               "Do not use this trial for scoring: it is not what was recorded");
 }
 
@@ -43,7 +43,7 @@ void verifyContent(const Trial& trial) {
   std::int64_t samples = 0;
   for (const TrialChunk& chunk : trial.chunks) {
     if (chunkDigest(chunk) != chunk.digest) {
-      unfit("chunk " + std::to_string(chunk.index) + " does not match its digest", trial);
+      unfit(Text("chunk %1 does not match its digest", std::to_string(chunk.index)), trial);
     }
     samples += chunk.samples;
   }

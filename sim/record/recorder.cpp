@@ -169,7 +169,8 @@ void Recorder::finishSink() {
     }
     if (attempt < options_.attempts) continue;
     if (spillSink_) {
-      throw Error(ErrorCode::kFileUnwritable, "the recorded trial could not be kept: " + result_.problem,
+      throw Error(ErrorCode::kFileUnwritable,
+                  Text("the recorded trial could not be kept: %1", result_.problem),
                   result_.spillFile->string(), "Free some disk space and record the trial again");
     }
     spill();

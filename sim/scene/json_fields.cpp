@@ -26,9 +26,8 @@ JsonFields::JsonFields(const nlohmann::json& json, std::string where)
   }
 }
 
-void JsonFields::refuse(const std::string& name, const std::string& problem,
-                        const std::string& remedy) const {
-  throw Error(ErrorCode::kBadData, "field '" + name + "' " + problem, where_, remedy);
+void JsonFields::refuse(const std::string& name, const Text& problem, const Text& remedy) const {
+  throw Error(ErrorCode::kBadData, Text("field '%1' %2", name, problem), where_, remedy);
 }
 
 bool JsonFields::has(const std::string& name) const {
@@ -97,7 +96,7 @@ std::size_t JsonFields::choice(const std::string& name, const std::vector<std::s
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (names[i] == given) return i;
   }
-  refuse(name, "is '" + given + "'", "Choose one of " + joined(names) + ".");
+  refuse(name, Text("is '%1'", given), Text("Choose one of %1.", joined(names)));
 }
 
 void JsonFields::finish() const {

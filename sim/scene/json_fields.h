@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim/base/text.h"
 #include "sim/base/vec3.h"
 
 namespace torsio {
@@ -39,8 +40,7 @@ class JsonFields {
   [[nodiscard]] const std::string& where() const noexcept { return where_; }
 
   void finish() const;
-  [[noreturn]] void refuse(const std::string& name, const std::string& problem,
-                           const std::string& remedy) const;
+  [[noreturn]] void refuse(const std::string& name, const Text& problem, const Text& remedy) const;
 
  private:
   const nlohmann::json& find(const std::string& name);

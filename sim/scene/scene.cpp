@@ -45,9 +45,9 @@ SceneDescription describe(const SceneRequest& request) {
     }
   }
   throw Error(ErrorCode::kBadParameter,
-              (request.organFile ? "no scene" : "scene '" + scene.id + "'") + " has " +
-                  (request.organFile ? "a" : "no") + " pattern '" + request.pattern + "'",
-              "", "Choose one of " + listed(known) + ".");
+              request.organFile ? Text("no scene has a pattern '%1'", request.pattern)
+                                : Text("scene '%1' has no pattern '%2'", scene.id, request.pattern),
+              "", Text("Choose one of %1.", listed(known)));
 }
 
 /// A mesh of the user's: its ends are found unless they are given.

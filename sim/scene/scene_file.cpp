@@ -22,7 +22,7 @@ nlohmann::json readJson(const fs::path& file) {
   try {
     return nlohmann::json::parse(readFile(file));
   } catch (const nlohmann::json::exception& error) {
-    throw Error(ErrorCode::kBadData, std::string("is not valid JSON (") + error.what() + ")", file.string(),
+    throw Error(ErrorCode::kBadData, Text("is not valid JSON (%1)", error.what()), file.string(),
                 "Correct the file.");
   }
 }
@@ -119,7 +119,7 @@ std::vector<PatternDescription> readPatterns(JsonFields& scene) {
     PatternDescription next = readPattern(entry, where);
     for (const PatternDescription& other : patterns) {
       if (other.pattern.id == next.pattern.id) {
-        throw Error(ErrorCode::kBadData, "the id '" + next.pattern.id + "' is used twice", where,
+        throw Error(ErrorCode::kBadData, Text("the id '%1' is used twice", next.pattern.id), where,
                     "Rename one.");
       }
     }
@@ -156,7 +156,7 @@ Material findMaterial(const fs::path& assets, const std::string& id, ErrorCode c
     if (material.id == id) return material;
     known.push_back(material.id);
   }
-  throw Error(code, "no material is called '" + id + "'", where, "Choose one of " + listed(known) + ".");
+  throw Error(code, Text("no material is called '%1'", id), where, Text("Choose one of %1.", listed(known)));
 }
 
 std::vector<Material> readMaterials(const fs::path& assets) {
@@ -183,8 +183,8 @@ std::vector<Material> readMaterials(const fs::path& assets) {
 SceneDescription readSceneFile(const fs::path& assets, const std::string& id) {
   const std::vector<std::string> known = sceneIds(assets);
   if (std::find(known.begin(), known.end(), id) == known.end()) {
-    throw Error(ErrorCode::kFileMissing, "no scene is called '" + id + "'", (assets / "scenes").string(),
-                "Choose one of " + listed(known) + ".");
+    throw Error(ErrorCode::kFileMissing, Text("no scene is called '%1'", id), (assets / "scenes").string(),
+                Text("Choose one of %1.", listed(known)));
   }
   const fs::path file = assets / "scenes" / (id + ".json");
   const nlohmann::json json = readJson(file);

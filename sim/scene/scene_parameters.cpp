@@ -76,7 +76,7 @@ Vec3 vectorOf(const nlohmann::json& json) {
 
 LatticeMode modeOf(const std::string& name) {
   const auto found = std::find(kModes.begin(), kModes.end(), name);
-  if (found == kModes.end()) throw Error(ErrorCode::kBadData, "lattice mode '" + name + "'", "", "");
+  if (found == kModes.end()) throw Error(ErrorCode::kBadData, Text("lattice mode '%1'", name), "", "");
   return static_cast<LatticeMode>(found - kModes.begin());
 }
 

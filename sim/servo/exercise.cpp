@@ -46,15 +46,14 @@ void check(const ExerciseOptions& options) {
   if (!(options.maxStiffness_N_per_m > 0.0) || !std::isfinite(options.maxStiffness_N_per_m) ||
       options.tickPeriod_us <= 0) {
     throw Error(ErrorCode::kBadParameter,
-                "stiffness and tick period must be above zero, got " +
-                    std::to_string(options.maxStiffness_N_per_m) + " N/m and " +
-                    std::to_string(options.tickPeriod_us) + " us",
+                Text("stiffness and tick period must be above zero, got %1 N/m and %2 us",
+                     std::to_string(options.maxStiffness_N_per_m), std::to_string(options.tickPeriod_us)),
                 "exercise", "Check what the device reports");
   }
   if (options.rules < 1 || options.rules > kServoRules) {
     throw Error(ErrorCode::kBadParameter,
-                "rules " + std::to_string(options.rules) + " of the tick are not known, only 1 to " +
-                    std::to_string(kServoRules),
+                Text("rules %1 of the tick are not known, only 1 to %2", std::to_string(options.rules),
+                     std::to_string(kServoRules)),
                 "exercise", "Use the version that recorded the trial, or a newer one");
   }
 }

@@ -55,7 +55,7 @@ HandTask handTask(const Scene& scene) {
   }
   if (!(best.facing > 0.0)) {
     throw Error(ErrorCode::kBadParameter, "no point of the grasped section can be reached from outside",
-                "scene " + scene.id + ", pattern " + scene.pattern.id, "Choose another grasp section");
+                Text("scene %1, pattern %2", scene.id, scene.pattern.id), "Choose another grasp section");
   }
   HandTask task;
   task.start_m = best.point_m + best.outwards * kStartWay_m;

@@ -22,14 +22,15 @@ void requireSameScene(const Scene& scene, const TrialHeader& header) {
   throw Error(ErrorCode::kVerifyFailed,
               sameOrgan ? "the trial was recorded with other parameters of the model"
                         : "the trial was recorded with another organ",
-              "trial " + header.trialId, "Replay it with the scene and the version that recorded it");
+              Text("trial %1", header.trialId), "Replay it with the scene and the version that recorded it");
 }
 
 void requireKnownRules(const std::vector<Sample>& recorded, const TrialHeader& header) {
   const auto known = [](const Sample& sample) { return sample.rules >= 1 && sample.rules <= kServoRules; };
   if (std::all_of(recorded.begin(), recorded.end(), known)) return;
   throw Error(ErrorCode::kVerifyFailed, "the trial was recorded by rules that this version does not know",
-              "trial " + header.trialId, "Replay it with the version that recorded it, or a newer one");
+              Text("trial %1", header.trialId),
+              "Replay it with the version that recorded it, or a newer one");
 }
 
 DeviceCapabilities capabilitiesOf(const TrialHeader& header) {

@@ -278,7 +278,7 @@ class NewtonSolve {
   int iterations_ = 0;
 };
 
-[[noreturn]] void refuse(const std::string& what, const std::string& where, const std::string& remedy) {
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadParameter, what, where, remedy);
 }
 
@@ -376,8 +376,8 @@ BarTwist FiniteElementBar::neoHookeanTorque(double angle_rad, int steps) const {
     turnOn(angle_rad / steps, place);
     holdUpperEnd(angle_rad * step / steps, mesh_, place);
     if (!newton.solve(place)) {
-      refuse("Newton's method does not converge for a twist of " + std::to_string(angle_rad) + " rad",
-             "sub-step " + std::to_string(step) + " of " + std::to_string(steps),
+      refuse(Text("Newton's method does not converge for a twist of %1 rad", std::to_string(angle_rad)),
+             Text("sub-step %1 of %2", std::to_string(step), std::to_string(steps)),
              "Give more sub-steps or more layers");
     }
   }

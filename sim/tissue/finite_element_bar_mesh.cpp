@@ -14,16 +14,17 @@ namespace {
 /// Above this a factorisation takes minutes and gigabytes: a slip of the pen, not a wish.
 constexpr double kMostPoints = 100'000.0;
 
-[[noreturn]] void refuse(const std::string& what, const std::string& where, const std::string& remedy) {
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadParameter, what, where, remedy);
 }
 
 void checkDivision(std::size_t outlinePoints, const BarDivision& division) {
   if (division.rings < 1) {
-    refuse("A bar needs at least 1 ring, not " + std::to_string(division.rings), "rings", "Give 1 or more");
+    refuse(Text("A bar needs at least 1 ring, not %1", std::to_string(division.rings)), "rings",
+           "Give 1 or more");
   }
   if (division.layers < 2) {
-    refuse("A bar needs at least 2 layers, not " + std::to_string(division.layers), "layers",
+    refuse(Text("A bar needs at least 2 layers, not %1", std::to_string(division.layers)), "layers",
            "Give 2 or more");
   }
   const double perLayer = 1.0 + static_cast<double>(outlinePoints) * division.rings;
@@ -37,8 +38,8 @@ void checkOutline(std::span<const Point2> outline, double length_m) {
     refuse("The length of a bar must be positive and finite", "length", "Give the length in metres");
   }
   if (outline.size() < 3) {
-    refuse("An outline needs at least 3 points, this one has " + std::to_string(outline.size()), "outline",
-           "Give at least 3 points");
+    refuse(Text("An outline needs at least 3 points, this one has %1", std::to_string(outline.size())),
+           "outline", "Give at least 3 points");
   }
   const auto where = [](std::size_t i) { return "outline, point " + std::to_string(i + 1); };
   for (std::size_t i = 0; i < outline.size(); ++i) {

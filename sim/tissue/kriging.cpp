@@ -30,36 +30,37 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& where, const std::string& remedy) {
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadParameter, what, where, remedy);
 }
 
 void checkOptions(const KrigingOptions& options) {
   const auto text = [](double value) { return std::to_string(value); };
   if (!(options.rangeInSpacings > 0.0) || !(options.rangeInSpacings <= 1e6))
-    refuse("kriging range is " + text(options.rangeInSpacings) + " spacings, outside 0 to 1e6",
+    refuse(Text("kriging range is %1 spacings, outside 0 to 1e6", text(options.rangeInSpacings)),
            "kriging options", "Choose a range above 0, usually 20");
   if (!(options.nugget >= 0.0) || !(options.nugget <= 1.0))
-    refuse("kriging nugget is " + text(options.nugget) + ", outside 0 to 1", "kriging options",
+    refuse(Text("kriging nugget is %1, outside 0 to 1", text(options.nugget)), "kriging options",
            "Choose 0 unless the samples carry noise");
   if (options.window < 0 || options.window == 1)
-    refuse(
-        "kriging window is " + std::to_string(options.window) + " samples, it must be 0 (all) or at least 2",
-        "kriging options", "Choose 8");
+    refuse(Text("kriging window is %1 samples, it must be 0 (all) or at least 2",
+                std::to_string(options.window)),
+           "kriging options", "Choose 8");
 }
 
 void checkSamples(std::span<const double> samples) {
   if (samples.size() < 2)
-    refuse("kriging needs at least 2 samples, there are " + std::to_string(samples.size()), "kriging samples",
-           "Give more sections");
+    refuse(Text("kriging needs at least 2 samples, there are %1", std::to_string(samples.size())),
+           "kriging samples", "Give more sections");
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!std::isfinite(samples[i]))
-      refuse("an abscissa is not a finite number", "kriging sample " + std::to_string(i + 1),
+      refuse("an abscissa is not a finite number", Text("kriging sample %1", std::to_string(i + 1)),
              "Correct the sample");
     if (i > 0 && !(samples[i] > samples[i - 1]))
-      refuse("abscissae must increase: " + std::to_string(samples[i]) + " follows " +
-                 std::to_string(samples[i - 1]),
-             "kriging sample " + std::to_string(i + 1), "Sort the samples and leave out repeated ones");
+      refuse(Text("abscissae must increase: %1 follows %2", std::to_string(samples[i]),
+                  std::to_string(samples[i - 1])),
+             Text("kriging sample %1", std::to_string(i + 1)),
+             "Sort the samples and leave out repeated ones");
   }
 }
 

@@ -39,12 +39,12 @@ bool parse(std::string_view field, double& value) {
 
 Point2 pointOf(const std::vector<std::string_view>& fields, const std::string& where) {
   if (fields.size() != 2)
-    throw Error(ErrorCode::kBadData, "expected 2 values, found " + std::to_string(fields.size()), where,
-                kRemedy);
+    throw Error(ErrorCode::kBadData, Text("expected 2 values, found %1", std::to_string(fields.size())),
+                where, kRemedy);
   Point2 point{};
   for (std::size_t k = 0; k < 2; ++k) {
     if (!parse(fields[k], point[k]))
-      throw Error(ErrorCode::kBadData, "'" + std::string(fields[k].substr(0, 40)) + "' is not a number",
+      throw Error(ErrorCode::kBadData, Text("'%1' is not a number", std::string(fields[k].substr(0, 40))),
                   where, kRemedy);
     if (!std::isfinite(point[k]))
       throw Error(ErrorCode::kBadData, "a coordinate is not a finite number", where, kRemedy);
@@ -83,7 +83,7 @@ std::vector<Point2> readOutline(const std::filesystem::path& file) {
   if (points.size() > 1 && points.front() == points.back()) points.pop_back();
   if (points.size() < 3)
     throw Error(ErrorCode::kBadData,
-                "a section needs at least 3 points, this file has " + std::to_string(points.size()),
+                Text("a section needs at least 3 points, this file has %1", std::to_string(points.size())),
                 file.string(), kRemedy);
   return points;
 }

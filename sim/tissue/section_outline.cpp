@@ -17,7 +17,7 @@ constexpr double kSamePoint = 1e-9;
 /// Area below this part of the squared perimeter: no torsion problem left that numbers could solve.
 constexpr double kLeastArea = 1e-7;
 
-[[noreturn]] void refuse(const std::string& what, const std::string& where, const std::string& remedy) {
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadParameter, what, where, remedy);
 }
 
@@ -55,11 +55,11 @@ double extent(std::span<const Point2> points) {
 
 void checkNumbers(std::span<const Point2> points, const std::string& name) {
   if (points.size() < 3)
-    refuse("a section needs at least 3 points, this one has " + std::to_string(points.size()), name,
+    refuse(Text("a section needs at least 3 points, this one has %1", std::to_string(points.size())), name,
            "Give the outline as a polygon");
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!std::isfinite(points[i][0]) || !std::isfinite(points[i][1]))
-      refuse("a coordinate is not a finite number", name + ", point " + std::to_string(i + 1),
+      refuse("a coordinate is not a finite number", Text("%1, point %2", name, std::to_string(i + 1)),
              "Remove or correct the point");
 }
 
@@ -106,8 +106,8 @@ CheckedLoop checkLoop(std::span<const Point2> points, const std::string& name) {
   if (loop.points.size() < 3 || onOneLine(loop.points))
     refuse("the polygon has no area", name, "Give points that go round an area");
   if (const auto edges = firstSelfCrossing(loop.points))
-    refuse("the outline crosses or touches itself: " + edgeName(loop, edges->first, points.size()) + " and " +
-               edgeName(loop, edges->second, points.size()),
+    refuse(Text("the outline crosses or touches itself: %1 and %2",
+                edgeName(loop, edges->first, points.size()), edgeName(loop, edges->second, points.size())),
            name, "List the points in order round the section");
   loop.moments = polygonMoments(loop.points);
   const double length = perimeter(loop.points);
@@ -128,15 +128,16 @@ void checkHoles(const CheckedLoop& outline, const std::vector<CheckedLoop>& hole
   for (std::size_t k = 0; k < holes.size(); ++k) {
     const CheckedLoop& hole = holes[k];
     if (const auto edges = firstCrossing(hole.points, outline.points))
-      refuse("a hole crosses or touches the outline: its " + edgeName(hole, edges->first, hole.ownOf.size()) +
-                 " and " + edgeName(outline, edges->second, outline.ownOf.size()) + " of the outline",
+      refuse(Text("a hole crosses or touches the outline: its %1 and %2 of the outline",
+                  edgeName(hole, edges->first, hole.ownOf.size()),
+                  edgeName(outline, edges->second, outline.ownOf.size())),
              hole.name, "Keep holes inside the outline");
     if (!contains(outline.points, hole.points.front()))
       refuse("a hole lies outside the outline", hole.name, "Keep holes inside the outline");
     for (std::size_t j = 0; j < k; ++j)
       if (firstCrossing(hole.points, holes[j].points) || contains(holes[j].points, hole.points.front()) ||
           contains(hole.points, holes[j].points.front()))
-        refuse("two holes overlap: " + holes[j].name + " and " + hole.name, hole.name,
+        refuse(Text("two holes overlap: %1 and %2", holes[j].name, hole.name), hole.name,
                "Give the holes as one polygon");
   }
 }

@@ -36,8 +36,8 @@ std::size_t at(int i) {
 void requireRange(double value, double low, double high, const char* name) {
   if (value >= low && value <= high) return;  // false for NaN
   throw Error(ErrorCode::kBadParameter,
-              std::string(name) + " is " + std::to_string(value) + ", outside " + std::to_string(low) +
-                  " to " + std::to_string(high),
+              Text("%1 is %2, outside %3 to %4", std::string(name), std::to_string(value),
+                   std::to_string(low), std::to_string(high)),
               "section solver options", "Choose a value inside the range");
 }
 

@@ -23,21 +23,22 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& where, const std::string& remedy) {
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadParameter, what, where, remedy);
 }
 
 void checkNumber(double value, double low, double high, const char* name) {
   if (value >= low && value <= high) return;  // false for NaN
-  refuse(std::string(name) + " is " + std::to_string(value) + ", but must lie in " + std::to_string(low) +
-             ".." + std::to_string(high),
+  refuse(Text("%1 is %2, but must lie in %3..%4", std::string(name), std::to_string(value),
+              std::to_string(low), std::to_string(high)),
          "twist model options", "Choose a value inside the range.");
 }
 
 void checkOptions(const TwistModelOptions& o, const Material& material) {
   if (!(material.shearModulus_Pa > 0.0) || !std::isfinite(material.shearModulus_Pa)) {
-    refuse("the shear modulus is " + std::to_string(material.shearModulus_Pa) + " Pa, but must be above 0",
-           "material " + material.id, "Give G in pascal; for nearly incompressible tissue it is E / 3.");
+    refuse(Text("the shear modulus is %1 Pa, but must be above 0", std::to_string(material.shearModulus_Pa)),
+           Text("material %1", material.id),
+           "Give G in pascal; for nearly incompressible tissue it is E / 3.");
   }
   checkOperations(o.operations);
   checkNumber(o.foundationLengths, 0.0, 1e6, "foundationLengths");

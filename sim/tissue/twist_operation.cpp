@@ -20,8 +20,8 @@ bool isSmooth(TwistProfile profile) {
   return profile == TwistProfile::kSmoothRamp || profile == TwistProfile::kSmoothTent;
 }
 
-[[noreturn]] void refuse(std::size_t index, const std::string& what, const std::string& remedy) {
-  throw Error(ErrorCode::kBadParameter, what, "twist operation " + std::to_string(index + 1), remedy);
+[[noreturn]] void refuse(std::size_t index, const Text& what, const Text& remedy) {
+  throw Error(ErrorCode::kBadParameter, what, Text("twist operation %1", std::to_string(index + 1)), remedy);
 }
 
 void checkStraightAxis(std::size_t index, const TwistOperation& op) {
@@ -36,8 +36,8 @@ void checkStraightAxis(std::size_t index, const TwistOperation& op) {
 void checkRange(std::size_t index, const TwistOperation& op) {
   if (!std::isfinite(op.from) || !std::isfinite(op.to) || !(op.to > op.from)) {
     refuse(index,
-           "the twisted part runs from " + std::to_string(op.from) + " to " + std::to_string(op.to) +
-               ", but its end must lie beyond its start",
+           Text("the twisted part runs from %1 to %2, but its end must lie beyond its start",
+                std::to_string(op.from), std::to_string(op.to)),
            "Give from < to.");
   }
   const bool alongAxis = op.axis == TwistAxis::kStraight && op.coordinate == TwistCoordinate::kAlongAxis;
@@ -45,7 +45,7 @@ void checkRange(std::size_t index, const TwistOperation& op) {
     refuse(index, "a fraction of the organ's length lies outside 0..1", "Give 0 <= from < to <= 1.");
   }
   if (op.peak && !(*op.peak > op.from && *op.peak <= op.to)) {
-    refuse(index, "the peak at " + std::to_string(*op.peak) + " lies outside the twisted part",
+    refuse(index, Text("the peak at %1 lies outside the twisted part", std::to_string(*op.peak)),
            "Give from < peak <= to.");
   }
 }
@@ -79,15 +79,15 @@ double profileSlope(const TwistOperation& operation, double x, double peak) noex
 void checkOperations(std::span<const TwistOperation> operations) {
   if (operations.size() > static_cast<std::size_t>(kMostOperations)) {
     throw Error(ErrorCode::kBadParameter,
-                std::to_string(operations.size()) + " twist operations in one pattern", "twist pattern",
-                "Give at most " + std::to_string(kMostOperations) + ".");
+                Text("%1 twist operations in one pattern", std::to_string(operations.size())),
+                "twist pattern", Text("Give at most %1.", std::to_string(kMostOperations)));
   }
   for (std::size_t i = 0; i < operations.size(); ++i) {
     const TwistOperation& op = operations[i];
     if (op.axis == TwistAxis::kStraight) checkStraightAxis(i, op);
     checkRange(i, op);
     if (!std::isfinite(op.ratio) || op.ratio == 0.0) {
-      refuse(i, "the ratio " + std::to_string(op.ratio) + " turns nothing",
+      refuse(i, Text("the ratio %1 turns nothing", std::to_string(op.ratio)),
              "Give a finite ratio other than 0.");
     }
   }

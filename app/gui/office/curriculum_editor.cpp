@@ -19,6 +19,7 @@
 #include "app/gui/office/group_editor.h"
 #include "app/gui/office/office_parts.h"
 #include "app/gui/office/study_words.h"
+#include "app/gui/shell/spoken.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -141,7 +142,7 @@ void CurriculumEditor::judge() {
   problemList_->clear();
   for (const CurriculumProblem& problem : problems_)
     problemList_->addItem(
-        tr("%1 %2. %3.").arg(shown(problem.where), shown(problem.what), shown(problem.remedy)));
+        tr("%1 %2. %3.").arg(spoken(problem.where), spoken(problem.what), spoken(problem.remedy)));
   if (problems_.empty()) problemList_->addItem(tr("\u2713 Nothing is missing: this can be published."));
   setTabText(3, problems_.empty() ? tr("Check: complete")
                                   : tr("Check: %n to mend", nullptr, static_cast<int>(problems_.size())));

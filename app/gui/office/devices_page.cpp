@@ -13,6 +13,7 @@
 #include "app/gui/look/page_heading.h"
 #include "app/gui/office/office_parts.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 
 namespace torsio::gui {
 
@@ -78,8 +79,8 @@ void DevicesPage::show() {
       rows.push_back({shown(finding.subject),
                       {{grade, static_cast<int>(finding.grade)},
                        {shown(finding.subject)},
-                       {shown(finding.sentence)},
-                       {orDash(finding.remedy)}}});
+                       {spoken(finding.sentence)},
+                       {finding.remedy.empty() ? orDash({}) : spoken(finding.remedy)}}});
     }
   table_->setRows(std::move(rows));
   if (!result_) {

@@ -22,6 +22,7 @@
 #include "app/gui/look/form.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 
@@ -78,7 +79,7 @@ struct RosterTexts {
   static QString note(const RosterRow& row) {
     QStringList parts;
     if (!row.problem.empty()) {
-      parts << tr("%1. %2.").arg(QString::fromStdString(row.problem), QString::fromStdString(row.remedy));
+      parts << tr("%1. %2.").arg(spoken(row.problem), spoken(row.remedy));
     }
     for (const RosterChange& change : row.changes) {
       parts << tr("%1: %2 \u2192 %3")
@@ -86,16 +87,17 @@ struct RosterTexts {
                         change.from.empty() ? QStringLiteral("\u2013") : QString::fromStdString(change.from),
                         QString::fromStdString(change.to));
     }
-    if (!row.hint.empty()) parts << QString::fromStdString(row.hint);
+    if (!row.hint.empty()) parts << spoken(row.hint);
     return parts.join(QStringLiteral("; "));
   }
 };
 
 QString plainWords(const Error& error) {
-  QString words = QString::fromStdString(error.happened());
-  if (!error.where().empty()) words += QStringLiteral(" (%1)").arg(QString::fromStdString(error.where()));
-  if (!error.remedy().empty()) words += QStringLiteral(". ") + QString::fromStdString(error.remedy());
-  return words + QLatin1Char('.');
+  const SpokenError said = spoken(error);
+  const QString what =
+      said.details.isEmpty() ? said.happened : RosterWizard::tr("%1 (%2)").arg(said.happened, said.details);
+  return (said.remedy.isEmpty() ? RosterWizard::tr("%1.").arg(what)
+                                : RosterWizard::tr("%1. %2.").arg(what, said.remedy));
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "app/gui/look/theme.h"
 #include "app/gui/shell/background.h"
 #include "app/gui/shell/job_panel.h"
+#include "app/gui/shell/spoken.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -47,11 +48,7 @@ QString said(const std::exception_ptr& problem) {
   try {
     std::rethrow_exception(problem);
   } catch (const Error& error) {
-    QString text = QString::fromStdString(error.happened());
-    if (!text.isEmpty()) text[0] = text[0].toUpper();
-    return error.remedy().empty()
-               ? text
-               : FirstRunPanel::tr("%1. %2").arg(text, QString::fromStdString(error.remedy()));
+    return spokenLine(error);
   } catch (const std::exception& error) {
     return QString::fromUtf8(error.what());
   }

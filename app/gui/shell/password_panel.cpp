@@ -10,6 +10,7 @@
 
 #include "app/gui/look/form.h"
 #include "app/gui/look/theme.h"
+#include "app/gui/shell/spoken.h"
 #include "app/session/access/access_service.h"
 #include "sim/base/error.h"
 
@@ -86,9 +87,7 @@ void PasswordPanel::check() {
       sound = again_->text() == password;
       if (!again_->text().isEmpty() && !sound) problem = tr("The two are not the same yet");
     } catch (const Error& error) {
-      problem =
-          tr("%1. %2").arg(QString::fromStdString(error.happened()), QString::fromStdString(error.remedy()));
-      problem[0] = problem[0].toUpper();
+      problem = spokenLine(error);
     }
   }
   say(problem);

@@ -236,7 +236,7 @@ int takeAllScreenshots(const ScreenshotsRequest& request) {
 namespace {
 
 [[noreturn]] void refuse(const QString& value, const char* option, const char* remedy) {
-  throw Error(ErrorCode::kUsage, "'" + value.toStdString() + "' is not known", option, remedy);
+  throw Error(ErrorCode::kUsage, Text("'%1' is not known", value.toStdString()), option, remedy);
 }
 
 std::vector<QSize> sizesOf(const QString& text) {

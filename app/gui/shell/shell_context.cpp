@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include "app/gui/shell/spoken.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -29,8 +30,8 @@ void ShellContext::report(const std::exception_ptr& problem) {
   try {
     std::rethrow_exception(problem);
   } catch (const Error& error) {
-    Q_EMIT failed(QString::fromStdString(error.happened()), QString::fromStdString(error.remedy()),
-                  QString::fromStdString(error.where()));
+    const SpokenError said = spoken(error);
+    Q_EMIT failed(said.happened, said.remedy, said.details);
   } catch (const std::exception& error) {
     Q_EMIT failed(tr("Something unexpected happened"), tr("Nothing was lost; please try again"),
                   QString::fromLocal8Bit(error.what()));

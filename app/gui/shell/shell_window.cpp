@@ -23,6 +23,7 @@
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
+#include "app/gui/shell/spoken.h"
 #include "app/gui/shell/trouble_panel.h"
 #include "app/session/access/first_run.h"
 #include "app/session/care/demonstration_removal.h"
@@ -38,11 +39,7 @@ QString said(const std::exception_ptr& problem) {
   try {
     std::rethrow_exception(problem);
   } catch (const Error& error) {
-    QString text = QString::fromStdString(error.happened());
-    if (!text.isEmpty()) text[0] = text[0].toUpper();
-    return error.remedy().empty()
-               ? text
-               : ShellWindow::tr("%1. %2").arg(text, QString::fromStdString(error.remedy()));
+    return spokenLine(error);
   } catch (const std::exception& error) {
     return QString::fromUtf8(error.what());
   }
@@ -257,9 +254,8 @@ void ShellWindow::settle() {
         Workplace own(key);
         const StationStart start = settleStation(own, folder);
         return [this, kept = start.kept] {
-          kept_.clear();
-          for (const std::string& sentence : kept) kept_ << QString::fromStdString(sentence);
-          if (!kept_.isEmpty()) signIn_->say(kept_.join(QLatin1Char('\n')), true);
+          kept_ = kept;
+          if (!kept_.empty()) signIn_->say(spokenLines(kept_), true);
           pulse_.emplace(*workplace_);
           beat();
         };
@@ -275,10 +271,10 @@ void ShellWindow::beat() {
 }
 
 void ShellWindow::tellKept() {
-  if (kept_.isEmpty() || workplace_->actor().practiceOnly) return;
+  if (kept_.empty() || workplace_->actor().practiceOnly) return;
   Q_EMIT desk_->context().failed(
       tr("%n recording(s) of this station could not be stored", nullptr, static_cast<int>(kept_.size())),
-      tr("The files are kept. Please show this to your administrator"), kept_.join(QLatin1Char('\n')));
+      tr("The files are kept. Please show this to your administrator"), spokenLines(kept_));
   kept_.clear();
 }
 

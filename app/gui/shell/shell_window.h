@@ -118,7 +118,7 @@ class ShellWindow : public QWidget {
   QTimer second_;
   std::unique_ptr<Workplace> workplace_;
   std::optional<StationPulse> pulse_;  // of workplace_
-  QStringList kept_;                   // recordings that could not be stored; told until somebody signs in
+  std::vector<Text> kept_;             // recordings that could not be stored; told until somebody signs in
   bool mayClose_ = true;
   ThemeKind theme_ = ThemeKind::kLight;
   QString centre_;

@@ -9,6 +9,7 @@
 #include "app/gui/look/form.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/shell/problem_panel.h"
+#include "app/gui/shell/spoken.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -40,8 +41,8 @@ void TroublePanel::tell(const std::exception_ptr& problem) {
   try {
     std::rethrow_exception(problem);
   } catch (const Error& error) {
-    problem_->tell(QString::fromStdString(error.happened()), QString::fromStdString(error.remedy()),
-                   QString::fromStdString(error.where()));
+    const SpokenError said = spoken(error);
+    problem_->tell(said.happened, said.remedy, said.details);
   } catch (const std::exception& error) {
     problem_->tell(tr("The database cannot be used"), tr("Try again; if it stays so, ask your administrator"),
                    QString::fromUtf8(error.what()));

@@ -12,6 +12,7 @@
 #include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "app/gui/station/station_desk.h"
 #include "app/gui/station/station_parts.h"
 #include "app/gui/station/station_words.h"
@@ -154,13 +155,13 @@ void DeviceCheckPage::fill() {
     auto* texts = new QVBoxLayout;
     texts->setSpacing(2);
     auto* what = plainLabel(card_);
-    what->setText(finding.detail.empty() ? StationWords::readiness(finding)
-                                         : tr("%1: %2").arg(StationWords::readiness(finding),
-                                                            QString::fromStdString(finding.detail)));
+    what->setText(finding.detail.empty()
+                      ? StationWords::readiness(finding)
+                      : tr("%1: %2").arg(StationWords::readiness(finding), spoken(finding.detail)));
     texts->addWidget(what);
     if (!finding.remedy.empty()) {
       auto* remedy = plainLabel(card_, "quiet");
-      remedy->setText(QString::fromStdString(finding.remedy));
+      remedy->setText(spoken(finding.remedy));
       texts->addWidget(remedy);
     }
     row->addLayout(texts, 1);

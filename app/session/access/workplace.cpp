@@ -57,7 +57,7 @@ void Workplace::require(Operation operation) const {
   if (key_.actor.userId.empty()) {
     throw Error(ErrorCode::kPermission, "nobody is signed in", code, "Sign in first");
   }
-  throw Error(ErrorCode::kPermission, "you are signed in as " + key_.actor.login + ", who may not do this",
+  throw Error(ErrorCode::kPermission, Text("you are signed in as %1, who may not do this", key_.actor.login),
               code, "Ask an administrator, or sign in as somebody who may");
 }
 

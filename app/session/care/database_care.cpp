@@ -40,8 +40,9 @@ class ScratchFile {
     std::error_code failed;
     fs::copy_file(original, path_, fs::copy_options::overwrite_existing, failed);
     if (failed) {
-      throw Error(ErrorCode::kFileUnwritable, "backup cannot be copied for the test: " + failed.message(),
-                  path_.string(), "Free some space in the temporary folder");
+      throw Error(ErrorCode::kFileUnwritable,
+                  Text("backup cannot be copied for the test: %1", failed.message()), path_.string(),
+                  "Free some space in the temporary folder");
     }
   }
   ScratchFile(const ScratchFile&) = delete;

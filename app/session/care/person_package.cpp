@@ -159,8 +159,9 @@ PersonPackage exportPersonPackage(Workplace& workplace, const std::string& perso
   std::error_code failed;
   fs::rename(making.path(), folder, failed);
   if (failed) {
-    throw Error(ErrorCode::kFileUnwritable, "the package cannot be given its name: " + failed.message(),
-                folder.string(), "Choose a folder in which you may write");
+    throw Error(ErrorCode::kFileUnwritable,
+                Text("the package cannot be given its name: %1", failed.message()), folder.string(),
+                "Choose a folder in which you may write");
   }
   return package;
 }

@@ -102,8 +102,8 @@ void importFiles(Workplace& workplace, const std::filesystem::path& folder, Stat
     } catch (const Error& refusal) {
       const auto* database = dynamic_cast<const DbError*>(&refusal);
       if (database != nullptr && database->retryable()) throw;
-      start.kept.push_back("A saved recording was not stored, because " + refusal.happened() +
-                           ". Its file is kept: " + waiting.file.string());
+      start.kept.push_back(Text("A saved recording was not stored, because %1. Its file is kept: %2",
+                                refusal.happenedText(), waiting.file.string()));
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "app/session/access/workplace.h"
 #include "app/session/care/unstored_trials.h"
 #include "db/repository/trial_repository.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 
@@ -25,7 +26,7 @@ struct SettledTrial {
 struct StationStart {
   std::vector<SettledTrial> trials{};
   /// Recordings that wait in a file and could not be stored: one plain sentence each. Their files are kept.
-  std::vector<std::string> kept{};
+  std::vector<Text> kept{};
 };
 
 /// What a station owes the record when it starts: first the recordings that went to files are stored with all

@@ -112,8 +112,8 @@ UnstoredTrials unstoredTrials(const std::string& locator, const fs::path& folder
       std::optional<UnstoredTrial> trial = readFor(database, entry.path());
       if (trial) found.trials.push_back(std::move(*trial));
     } catch (const std::exception& problem) {
-      found.unreadable.push_back("A saved recording cannot be read and stays where it is: " +
-                                 std::string(problem.what()));
+      found.unreadable.push_back(
+          Text("A saved recording cannot be read and stays where it is: %1", problem.what()));
     }
   }
   std::sort(found.trials.begin(), found.trials.end(), [](const UnstoredTrial& a, const UnstoredTrial& b) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "db/repository/trial_repository.h"
+#include "sim/base/text.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
@@ -32,7 +33,7 @@ struct UnstoredTrial {
 /// What waits for a database.
 struct UnstoredTrials {
   std::vector<UnstoredTrial> trials{};
-  std::vector<std::string> unreadable{};  ///< one sentence a file
+  std::vector<Text> unreadable{};  ///< one sentence a file
 };
 
 /// A file without its end that has grown since then belongs to a recorder at work.

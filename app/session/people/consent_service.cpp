@@ -37,7 +37,7 @@ std::vector<ConsentText> consentTexts(const std::filesystem::path& assets, const
           {purpose, version, part.at("title").get<std::string>(), part.at("text").get<std::string>()});
     }
   } catch (const nlohmann::json::exception& problem) {
-    throw Error(ErrorCode::kBadData, std::string("the consent texts cannot be read: ") + problem.what(),
+    throw Error(ErrorCode::kBadData, Text("the consent texts cannot be read: %1", problem.what()),
                 file.string(), "Restore the file from the installation");
   }
   return texts;

@@ -21,7 +21,7 @@ constexpr std::array<const char*, 2> kStates{"active", "left"};
 constexpr std::int64_t kYoungest_years = 14;
 constexpr std::int64_t kOldest_years = 100;
 
-[[noreturn]] void refuse(const std::string& what, const std::string& where, const std::string& remedy) {
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadData, what, where, remedy);
 }
 
@@ -79,7 +79,7 @@ void checkEntry(PeopleRepository& repository, const PersonEntry& entry, const st
     refuse("neither a trainee nor a rater", "role", "Choose at least one of the two");
   }
   if (entry.age_years && (*entry.age_years < kYoungest_years || *entry.age_years > kOldest_years)) {
-    refuse("an age of " + std::to_string(*entry.age_years) + " years is not likely", "age",
+    refuse(Text("an age of %1 years is not likely", *entry.age_years), "age",
            "Enter the age in years, or leave it empty");
   }
   const auto oneOf = [](const std::string& value, std::initializer_list<const char*> allowed) {

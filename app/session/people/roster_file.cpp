@@ -114,8 +114,8 @@ RosterFile parseRoster(std::string_view text, const std::string& name) {
   roster.rows.erase(roster.rows.begin());
   for (auto column = roster.header.begin(); column != roster.header.end(); ++column) {
     if (column->empty() || std::find(roster.header.begin(), column, *column) == column) continue;
-    throw Error(ErrorCode::kBadData, "two columns are called \"" + *column + "\"",
-                name + ", line " + std::to_string(headerLine), "Give each column a name of its own");
+    throw Error(ErrorCode::kBadData, Text("two columns are called \"%1\"", *column),
+                Text("%1, line %2", name, headerLine), "Give each column a name of its own");
   }
   if (roster.rows.empty()) {
     throw Error(ErrorCode::kBadData, "the roster has a header but nobody in it", name,

@@ -144,7 +144,7 @@ void setValue(PersonEntry& entry, RosterField field, const std::string& value) {
 }
 
 /// Says why a row cannot be taken; the first reason counts.
-void fail(RosterRow& row, const std::string& problem, const std::string& remedy) {
+void fail(RosterRow& row, const Text& problem, const Text& remedy) {
   if (!row.problem.empty()) return;
   row.status = RosterStatus::kError;
   row.problem = problem;
@@ -152,7 +152,7 @@ void fail(RosterRow& row, const std::string& problem, const std::string& remedy)
 }
 
 void understandChoice(RosterRow& row, RosterField field, const std::map<std::string, std::string>& meanings,
-                      const std::string& choices) {
+                      const Text& choices) {
   std::string& value = row.values[at(field)];
   if (value.empty()) return;
   const auto meaning = meanings.find(lower(value));
@@ -160,8 +160,8 @@ void understandChoice(RosterRow& row, RosterField field, const std::map<std::str
     value = meaning->second;
     return;
   }
-  fail(row, "\"" + value + "\" is not understood as " + std::string(rosterFieldCode(field)),
-       "Write " + choices + ", or leave the cell empty");
+  fail(row, Text("\"%1\" is not understood as %2", value, std::string(rosterFieldCode(field))),
+       Text("Write %1, or leave the cell empty", choices));
 }
 
 void understandAge(RosterRow& row) {
@@ -174,9 +174,8 @@ void understandAge(RosterRow& row) {
     row.values[at(RosterField::kAge)] = std::to_string(years);
     return;
   }
-  fail(row, "\"" + value + "\" is no likely age in years",
-       "Write a whole number from " + std::to_string(kYoungest_years) + " to " +
-           std::to_string(kOldest_years) + ", or leave the cell empty");
+  fail(row, Text("\"%1\" is no likely age in years", value),
+       Text("Write a whole number from %1 to %2, or leave the cell empty", kYoungest_years, kOldest_years));
 }
 
 void understandClass(RosterRow& row, const std::vector<StoredRaterClass>& classes) {
@@ -197,7 +196,7 @@ void understandClass(RosterRow& row, const std::vector<StoredRaterClass>& classe
 void understand(RosterRow& row, RosterKind kind, const KnownPeople& known) {
   for (const RosterField field : rosterFields(kind)) {
     if (!isRequired(field, kind) || !row.values[at(field)].empty()) continue;
-    fail(row, "the " + std::string(rosterFieldCode(field)) + " is missing", "Fill in the cell");
+    fail(row, Text("the %1 is missing", std::string(rosterFieldCode(field))), "Fill in the cell");
   }
   understandChoice(row, RosterField::kSex,
                    {{"female", "female"},
@@ -234,8 +233,8 @@ void compareWithKnown(RosterRow& row, RosterKind kind, const KnownPeople& known)
   const std::string& number = row.values[at(RosterField::kExternalId)];
   if (const auto other = known.numberByEmail.find(lower(email));
       !email.empty() && other != known.numberByEmail.end() && other->second != number) {
-    row.hint = "the e-mail address belongs to " + known.codeByEmail.at(lower(email)) +
-               " already, under another number";
+    row.hint = Text("the e-mail address belongs to %1 already, under another number",
+                    known.codeByEmail.at(lower(email)));
   }
   const auto found = known.byNumber.find(number);
   if (found == known.byNumber.end()) {
@@ -244,16 +243,16 @@ void compareWithKnown(RosterRow& row, RosterKind kind, const KnownPeople& known)
   }
   row.personId = found->second.id;
   row.code = found->second.code;
-  if (found->second.left) row.hint = "this person has left; the import does not bring them back";
+  if (found->second.left) row.hint = Text("this person has left; the import does not bring them back");
   for (const RosterField field : rosterFields(kind)) {
     const std::string& value = row.values[at(field)];
     const std::string present = shownValue(found->second.entry, field);
     if (!value.empty() && value != present) row.changes.push_back({field, present, value});
   }
   const bool addsTrainee = kind == RosterKind::kTrainees && !found->second.entry.trainee;
-  if (addsTrainee) row.hint = "known as a rater; becomes a trainee too";
+  if (addsTrainee) row.hint = Text("known as a rater; becomes a trainee too");
   if (kind == RosterKind::kRaters && found->second.entry.raterClass.empty()) {
-    row.hint = "known as a trainee; becomes a rater too";
+    row.hint = Text("known as a trainee; becomes a rater too");
   }
   row.status = row.changes.empty() && !addsTrainee ? RosterStatus::kSame : RosterStatus::kChanges;
 }
@@ -264,15 +263,16 @@ void checkColumns(const RosterFile& file, RosterKind kind, const RosterColumns& 
     const std::optional<std::size_t> column = columns[at(field)];
     const std::string code(rosterFieldCode(field));
     if (!column && isRequired(field, kind)) {
-      throw Error(ErrorCode::kBadParameter, "no column is chosen for " + code, file.name, "Choose one");
+      throw Error(ErrorCode::kBadParameter, Text("no column is chosen for %1", code), file.name,
+                  "Choose one");
     }
     if (!column) continue;
     if (*column >= file.header.size()) {
-      throw Error(ErrorCode::kBadParameter, "the column for " + code + " does not exist", file.name,
+      throw Error(ErrorCode::kBadParameter, Text("the column for %1 does not exist", code), file.name,
                   "Choose one of the file");
     }
     if (!used.emplace(*column, field).second) {
-      throw Error(ErrorCode::kBadParameter, "\"" + file.header[*column] + "\" is chosen for two fields",
+      throw Error(ErrorCode::kBadParameter, Text("\"%1\" is chosen for two fields", file.header[*column]),
                   file.name, "Choose one column a field");
     }
   }
@@ -310,9 +310,7 @@ RosterPreview preview(Workplace& workplace, const RosterFile& file, RosterKind k
     RosterRow row;
     row.line = record.line;
     if (record.values.size() != file.header.size()) {
-      fail(row,
-           "the line has " + std::to_string(record.values.size()) + " values, the header " +
-               std::to_string(file.header.size()),
+      fail(row, Text("the line has %1 values, the header %2", record.values.size(), file.header.size()),
            "Give one value a column; put a value that holds the separator in quotes");
     } else {
       for (const RosterField field : rosterFields(kind)) {
@@ -322,7 +320,7 @@ RosterPreview preview(Workplace& workplace, const RosterFile& file, RosterKind k
       const std::string& number = row.values[at(RosterField::kExternalId)];
       const auto [first, fresh] = lineOf.emplace(number, row.line);
       if (!number.empty() && !fresh) {
-        fail(row, "the number " + number + " stands on line " + std::to_string(first->second) + " already",
+        fail(row, Text("the number %1 stands on line %2 already", number, first->second),
              "Remove one of the two lines, or correct the number");
       }
       if (row.problem.empty()) compareWithKnown(row, kind, known);
@@ -414,8 +412,7 @@ RosterOutcome importRoster(Workplace& workplace, const RosterFile& file, RosterK
   const RosterPreview now = preview(workplace, file, kind, columns, progress, kComparing);
   for (const RosterRow& row : now.rows) {
     if (row.status != RosterStatus::kError) continue;
-    throw Error(ErrorCode::kBadData, row.problem, file.name + ", line " + std::to_string(row.line),
-                row.remedy);
+    throw Error(ErrorCode::kBadData, row.problem, Text("%1, line %2", file.name, row.line), row.remedy);
   }
   if (now.fingerprint != fingerprint) {
     throw Error(ErrorCode::kBadData, "the record has changed since the preview", file.name,

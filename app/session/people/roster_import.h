@@ -12,6 +12,7 @@
 #include "app/session/access/workplace.h"
 #include "app/session/csv_table.h"
 #include "app/session/progress.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 
@@ -79,9 +80,9 @@ struct RosterRow {
   std::string personId{};                           ///< of a known person
   std::string code{};                               ///< of a known person
   std::vector<RosterChange> changes{};
-  std::string problem{};
-  std::string remedy{};
-  std::string hint{};  ///< something to look at that does not stop the import
+  Text problem{};
+  Text remedy{};
+  Text hint{};  ///< something to look at that does not stop the import
 };
 
 struct RosterPreview {

@@ -66,8 +66,8 @@ std::optional<RowComparison> compare(const std::vector<CaseMark>& marks, const s
 StoredAssignment committedCase(Workplace& workplace, const std::string& assignmentId) {
   StoredAssignment found = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
   if (!SheetRepository(workplace.connection()).allSubmitted(found.enrolmentId, found.scoringPoint)) {
-    throw Error(ErrorCode::kBadData, "not everybody has submitted this case yet", "case " + found.caseLabel,
-                "Wait until all have committed");
+    throw Error(ErrorCode::kBadData, "not everybody has submitted this case yet",
+                Text("case %1", found.caseLabel), "Wait until all have committed");
   }
   return found;
 }
@@ -84,7 +84,8 @@ void decide(Workplace& workplace, const std::string& assignmentId, const char* d
 
 void requireReason(const std::string& reason, const std::string& label) {
   if (!reason.empty()) return;
-  throw Error(ErrorCode::kBadParameter, "a reason is needed", "case " + label, "Write it in a few words");
+  throw Error(ErrorCode::kBadParameter, "a reason is needed", Text("case %1", label),
+              "Write it in a few words");
 }
 
 }  // namespace

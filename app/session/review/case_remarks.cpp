@@ -23,8 +23,8 @@ std::vector<CaseRemark> caseRemarks(Workplace& workplace, const std::string& ass
 void addCaseRemark(Workplace& workplace, const std::string& assignmentId, const CaseRemark& remark) {
   const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
   if (assignment.trialId.empty() || remark.time_us < 0) {
-    throw Error(ErrorCode::kBadData, "this case has no recording to mark", "case " + assignment.caseLabel,
-                "Write it into the comment of the sheet");
+    throw Error(ErrorCode::kBadData, "this case has no recording to mark",
+                Text("case %1", assignment.caseLabel), "Write it into the comment of the sheet");
   }
   const auto header = TrialRepository(workplace.connection()).find(assignment.trialId);
   StoredRemark stored;

@@ -142,11 +142,10 @@ void submitSheet(Workplace& workplace, const std::string& assignmentId, const Sh
   const OpenedSheet opened = openSheet(workplace, assignmentId);
   const SheetCheck check =
       checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(workplace));
-  const std::string where = "case " + opened.shown.label;
+  const Text where("case %1", opened.shown.label);
   if (check.watchedTooLittle) {
     throw Error(ErrorCode::kBadData,
-                "only " + std::to_string(std::lround(check.watchedShare * 100.0)) +
-                    " % of the recording has been played",
+                Text("only %1 % of the recording has been played", std::lround(check.watchedShare * 100.0)),
                 where, "Play the rest before you submit");
   }
   if (check.speedNotAllowed) {

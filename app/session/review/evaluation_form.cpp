@@ -86,10 +86,11 @@ std::size_t openModel(const OpenForm& open, const std::string& hiddenLabel) {
   for (std::size_t i = 0; i < open.form.models.size(); ++i) {
     if (open.form.models[i].hiddenLabel != hiddenLabel) continue;
     if (!open.form.models[i].submitted) return i;
-    throw Error(ErrorCode::kBadData, "these marks were submitted already", "model " + hiddenLabel,
+    throw Error(ErrorCode::kBadData, "these marks were submitted already", Text("model %1", hiddenLabel),
                 "Go on with the next model");
   }
-  throw Error(ErrorCode::kBadData, "there is no such model", "model " + hiddenLabel, "Open the form again");
+  throw Error(ErrorCode::kBadData, "there is no such model", Text("model %1", hiddenLabel),
+              "Open the form again");
 }
 
 }  // namespace
@@ -120,7 +121,7 @@ void saveEvaluationScore(Workplace& workplace, const std::string& campaignId, co
   const ScoreScale& scale = open.form.scale;
   const bool outside = score_steps && (*score_steps < scale.lo || *score_steps > scale.hi);
   if (outside || index >= open.form.indices.size()) {
-    throw Error(ErrorCode::kBadData, "the score lies outside the scale", "model " + hiddenLabel,
+    throw Error(ErrorCode::kBadData, "the score lies outside the scale", Text("model %1", hiddenLabel),
                 "Correct the score");
   }
   DeskRepository(workplace.connection())
@@ -135,8 +136,8 @@ void submitEvaluation(Workplace& workplace, const std::string& campaignId, const
   std::vector<StoredEvaluationMark> marks;
   for (std::size_t i = 0; i < scores.size(); ++i) {
     if (!scores[i]) {
-      throw Error(ErrorCode::kBadData, open.form.indices[i] + " has no mark yet", "model " + hiddenLabel,
-                  "Fill it in");
+      throw Error(ErrorCode::kBadData, Text("%1 has no mark yet", open.form.indices[i]),
+                  Text("model %1", hiddenLabel), "Fill it in");
     }
     StoredEvaluationMark mark;
     mark.id = workplace.ids().newUuid();

@@ -20,7 +20,7 @@ std::string labelOf(std::size_t number) {
 StoredReferenceRun runNumber(Connection& connection, std::size_t number) {
   const std::vector<StoredReferenceRun> runs = DeskRepository(connection).referenceRuns();
   if (number < 1 || number > runs.size()) {
-    throw Error(ErrorCode::kBadData, "there is no such reference run", "reference " + std::to_string(number),
+    throw Error(ErrorCode::kBadData, "there is no such reference run", Text("reference %1", number),
                 "Open the warm-up again");
   }
   return runs[number - 1];
@@ -82,8 +82,8 @@ void scoreReferenceRun(Workplace& workplace, std::size_t number, std::int64_t sc
   const StoredRubricRevision rubric =
       SheetRepository(workplace.connection()).revision(run.rubricRevisionId).value();
   if (score_steps < rubric.overall.lo || score_steps > rubric.overall.hi) {
-    throw Error(ErrorCode::kBadData, "the score lies outside the scale",
-                "reference " + std::to_string(number), "Correct the score");
+    throw Error(ErrorCode::kBadData, "the score lies outside the scale", Text("reference %1", number),
+                "Correct the score");
   }
   StoredWarmup warmup;
   warmup.id = workplace.ids().newUuid();

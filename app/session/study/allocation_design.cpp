@@ -21,16 +21,15 @@ constexpr std::array<std::pair<AllocationMethod, const char*>, 4> kMethods{
      {AllocationMethod::kStratifiedBlocks, "stratified blocks"},
      {AllocationMethod::kMinimisation, "minimisation"}}};
 
-[[noreturn]] void refuse(const std::string& what, const std::string& where, const std::string& remedy) {
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadData, what, where, remedy);
 }
 
 std::size_t levelOf(const AllocationFactor& factor, const std::string& level, const std::string& code) {
   const auto found = std::find(factor.levels.begin(), factor.levels.end(), level);
   if (found == factor.levels.end()) {
-    refuse(level.empty()
-               ? "the " + factor.name + " is not recorded"
-               : "the " + factor.name + " \"" + level + "\" was not known when the design was locked",
+    refuse(level.empty() ? Text("the %1 is not recorded", Text(factor.name))
+                         : Text("the %1 \"%2\" was not known when the design was locked", factor.name, level),
            code, "Correct the person's record, or lock a new design with a reason");
   }
   return static_cast<std::size_t>(found - factor.levels.begin());
@@ -43,7 +42,7 @@ std::string factorValue(const StoredTrainee& trainee, const std::string& factor)
   if (factor == "level") return trainee.person.level;
   if (factor == "experience") return trainee.person.experience;
   if (factor == "handedness") return trainee.handedness;
-  throw Error(ErrorCode::kBadParameter, "people cannot be balanced by \"" + factor + "\"", "allocation",
+  throw Error(ErrorCode::kBadParameter, Text("people cannot be balanced by \"%1\"", factor), "allocation",
               "Choose sex, level, experience or handedness");
 }
 
@@ -86,7 +85,7 @@ AllocationDesign designFromStored(const StoredAllocationDesign& stored,
     const std::string method = source.at("method").get<std::string>();
     const auto known = std::find_if(kMethods.begin(), kMethods.end(),
                                     [&](const auto& entry) { return method == entry.second; });
-    if (known == kMethods.end()) refuse("the method \"" + method + "\" is not known", stored.id, "");
+    if (known == kMethods.end()) refuse(Text("the method \"%1\" is not known", method), stored.id, "");
     design.method = known->first;
     design.studyId = source.at("study").get<std::string>();
     design.arms = source.at("arms").get<std::vector<std::string>>();
@@ -100,8 +99,7 @@ AllocationDesign designFromStored(const StoredAllocationDesign& stored,
     design.imbalance = source.at("imbalance") == "variance" ? Imbalance::kVariance : Imbalance::kRange;
     design.stratumTotals = source.at("stratum_totals").get<std::map<std::string, std::size_t>>();
   } catch (const json::exception& problem) {
-    refuse(std::string("the stored design cannot be read: ") + problem.what(), stored.id,
-           "Verify the database");
+    refuse(Text("the stored design cannot be read: %1", problem.what()), stored.id, "Verify the database");
   }
   return design;
 }
@@ -123,7 +121,7 @@ AllocationPerson personFromRecord(const AllocationDesign& design, const std::str
       person.levels.push_back(levelOf(factor, levels.at(factor.name).get<std::string>(), code));
     }
   } catch (const json::exception& problem) {
-    refuse(std::string("the recorded strata cannot be read: ") + problem.what(), code, "Verify the database");
+    refuse(Text("the recorded strata cannot be read: %1", problem.what()), code, "Verify the database");
   }
   return person;
 }

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kTries = 200;
 
-[[noreturn]] void refuse(const std::string& what, const std::string& where, const std::string& remedy) {
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadData, what, where, remedy);
 }
 
@@ -406,8 +406,8 @@ std::string revealSeed(Workplace& workplace, const std::string& designId, const 
     const std::vector<StoredAllocationDesign> designs = study.designs(cohort.id);
     if (designs.empty() || designs.back().id != designId || !reason.empty()) continue;
     if (const std::size_t waiting = readField(workplace, cohort.id).waiting().size(); waiting > 0) {
-      refuse(std::to_string(waiting) + " people still wait for a group: the seed would tell them theirs",
-             cohort.name, "Allocate them first, or give a reason");
+      refuse(Text("%1 people still wait for a group: the seed would tell them theirs", waiting), cohort.name,
+             "Allocate them first, or give a reason");
     }
   }
   study.revealSeed(designId, workplace.now_us());

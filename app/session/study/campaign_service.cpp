@@ -23,7 +23,7 @@ constexpr std::size_t kAllOrdersUpTo = 4;  // 24 orders; five models would alrea
 constexpr std::uint64_t kLabelStream = 1;
 constexpr std::uint64_t kOrderStream = 2;
 
-[[noreturn]] void refuse(const std::string& what, const std::string& where, const std::string& remedy) {
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadParameter, what, where, remedy);
 }
 
@@ -31,8 +31,7 @@ constexpr std::uint64_t kOrderStream = 2;
 std::vector<std::string> hiddenLabels(std::size_t count, Random& random) {
   constexpr std::string_view kLabels = "XYZWVUTSRQPN";
   if (count > kLabels.size()) {
-    refuse("more than " + std::to_string(kLabels.size()) + " models cannot be compared", "models",
-           "Split the evaluation");
+    refuse(Text("more than %1 models cannot be compared", kLabels.size()), "models", "Split the evaluation");
   }
   std::vector<std::string> labels;
   for (const char letter : kLabels.substr(0, count)) labels.emplace_back(1, letter);
@@ -87,7 +86,7 @@ std::map<std::string, std::vector<StoredRater>> ratersByClass(Workplace& workpla
     ++found;
     const auto known = weight_milli.find(rater.classCode);
     if (known == weight_milli.end() || known->second == 0) {
-      refuse("the class " + rater.classCode + " has no weight in this evaluation", rater.person.code,
+      refuse(Text("the class %1 has no weight in this evaluation", rater.classCode), rater.person.code,
              "Give the class a weight, or leave the rater out");
     }
     byClass[rater.classCode].push_back(std::move(rater));
@@ -96,7 +95,7 @@ std::map<std::string, std::vector<StoredRater>> ratersByClass(Workplace& workpla
     refuse("somebody of the list is no active rater", "raters", "Choose from the list");
   for (const auto& [code, weight] : weight_milli) {
     if (weight > 0 && byClass[code].empty()) {
-      refuse("nobody scores in the class " + code + ", which has a weight", "raters",
+      refuse(Text("nobody scores in the class %1, which has a weight", code), "raters",
              "Choose raters of this class, or take its weight away");
     }
   }

@@ -14,7 +14,7 @@ namespace torsio {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& what, const std::string& where, const std::string& remedy) {
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadData, what, where, remedy);
 }
 
@@ -34,7 +34,7 @@ StoredEnrolment enrolmentOf(StudyRepository& study, const std::string& cohortId,
 }
 
 void checkNewCohort(const NewCohort& cohort) {
-  const auto bad = [](const std::string& what, const std::string& remedy) {
+  const auto bad = [](const Text& what, const Text& remedy) {
     throw Error(ErrorCode::kBadParameter, what, "cohort", remedy);
   };
   if (cohort.name.empty()) bad("the cohort has no name", "Enter one");
@@ -70,7 +70,7 @@ void checkPhase(Workplace& workplace, const StoredCohort& cohort, const StoredEn
     const StoredPhase* phase = phaseOf(arm, exposure.phaseId);
     if (phase == nullptr) break;
     if (exposure.kind == "rest" || phase->kind == exposure.kind) return;
-    refuse("the phase is " + phase->kind + ", the time is " + exposure.kind, enrolment.traineeCode,
+    refuse(Text("the phase is %1, the time is %2", phase->kind, exposure.kind), enrolment.traineeCode,
            "Record it for the phase that it was spent in");
   }
   refuse("this phase belongs to another arm", enrolment.traineeCode,

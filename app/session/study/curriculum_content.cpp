@@ -193,7 +193,7 @@ json parsed(const std::string& text, const std::string& name) {
   try {
     return json::parse(text);
   } catch (const json::exception& problem) {
-    throw Error(ErrorCode::kBadData, std::string("is no JSON: ") + problem.what(), name, "Correct the text");
+    throw Error(ErrorCode::kBadData, Text("is no JSON: %1", problem.what()), name, "Correct the text");
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "db/repository/curriculum_repository.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 
@@ -17,9 +18,9 @@ namespace torsio {
 
 /// Something that keeps a draft from being published.
 struct CurriculumProblem {
-  std::string where{};  ///< "module V2", "arm G1, phase 2", "scoring point mid"
-  std::string what{};
-  std::string remedy{};
+  Text where{};  ///< "module V2", "arm G1, phase 2", "scoring point mid"
+  Text what{};
+  Text remedy{};
 };
 
 /// Everything that is wrong, in reading order; empty: can be published. Scenes and patterns are looked up in

@@ -46,7 +46,7 @@ class Examination {
   }
 
  private:
-  void add(const std::string& where, const std::string& what, const std::string& remedy) {
+  void add(const Text& where, const Text& what, const Text& remedy) {
     problems_.push_back({where, what, remedy});
   }
 
@@ -56,7 +56,7 @@ class Examination {
       try {
         patterns_[scene] = patternIds(assets_, scene);
       } catch (const Error& problem) {
-        add("scene " + scene, problem.happened(), problem.remedy());
+        add(Text("scene %1", scene), problem.happenedText(), problem.remedyText());
       }
     }
   }
@@ -65,29 +65,29 @@ class Examination {
     std::set<std::string> seen;
     for (const StoredModule& module : content_.modules) {
       if (module.code.empty()) {
-        add("module \"" + module.title + "\"", "has no code", "Give it a short one, such as M1");
+        add(Text("module \"%1\"", module.title), "has no code", "Give it a short one, such as M1");
       } else if (!seen.insert(module.code).second) {
-        add("module " + module.code, "has the code of another module", "Rename one of them");
+        add(Text("module %1", module.code), "has the code of another module", "Rename one of them");
       }
     }
     modules_ = seen;
     seen.clear();
     for (const StoredArm& arm : content_.arms) {
       if (arm.code.empty()) {
-        add("arm \"" + arm.label + "\"", "has no code", "Give it a short one, such as G1");
+        add(Text("arm \"%1\"", arm.label), "has no code", "Give it a short one, such as G1");
       } else if (!seen.insert(arm.code).second) {
-        add("arm " + arm.code, "has the code of another arm", "Rename one of them");
+        add(Text("arm %1", arm.code), "has the code of another arm", "Rename one of them");
       }
     }
   }
 
   void checkModule(const StoredModule& module) {
-    const std::string where = "module " + module.code;
+    const Text where("module %1", module.code);
     if (module.title.empty()) add(where, "has no title", "Say in a few words what is practised");
     checkScene(module, where);
     const std::vector<std::string>& kinds = exerciseKinds();
     if (std::find(kinds.begin(), kinds.end(), module.exerciseKind) == kinds.end()) {
-      add(where, "has an unknown exercise \"" + module.exerciseKind + "\"", "Choose one from the list");
+      add(where, Text("has an unknown exercise \"%1\"", module.exerciseKind), "Choose one from the list");
     }
     if (module.mode != "practice" && module.mode != "graded") {
       add(where, "is neither practice nor graded", "Choose one of the two");
@@ -104,44 +104,44 @@ class Examination {
       if (required == module.code) {
         add(where, "requires itself", "Remove it from its own prerequisites");
       } else if (!modules_.contains(required)) {
-        add(where, "requires \"" + required + "\", which is no module of this curriculum",
+        add(where, Text("requires \"%1\", which is no module of this curriculum", required),
             "Choose prerequisites from the list");
       }
     }
     checkMastery(module, where);
   }
 
-  void checkScene(const StoredModule& module, const std::string& where) {
+  void checkScene(const StoredModule& module, const Text& where) {
     if (assets_.empty()) return;
     const auto scene = patterns_.find(module.sceneId);
     if (scene == patterns_.end()) {
-      add(where, "has an unknown scene \"" + module.sceneId + "\"", "Choose one from the list");
+      add(where, Text("has an unknown scene \"%1\"", module.sceneId), "Choose one from the list");
       return;
     }
     if (std::find(scene->second.begin(), scene->second.end(), module.patternId) == scene->second.end()) {
-      add(where, "has a pattern \"" + module.patternId + "\" that the scene " + module.sceneId + " lacks",
+      add(where, Text("has a pattern \"%1\" that the scene %2 lacks", module.patternId, module.sceneId),
           "Choose one from the list");
     }
   }
 
-  void checkMastery(const StoredModule& module, const std::string& where) {
+  void checkMastery(const StoredModule& module, const Text& where) {
     std::set<std::string> seen;
     for (const StoredMasteryRule& rule : module.mastery) {
-      const std::string place = where + ", mastery " + rule.metric;
+      const Text place("%1, mastery %2", where, rule.metric);
       const std::optional<std::string_view> unit = unitOf(rule.metric);
       if (!unit) {
         add(place, "is measured by nothing", "Choose a metric from the list");
       } else if (rule.unit != *unit) {
-        add(place, "is given in \"" + rule.unit + "\"", "Give it in " + std::string(*unit));
+        add(place, Text("is given in \"%1\"", rule.unit), Text("Give it in %1", std::string(*unit)));
       }
       if (!seen.insert(rule.metric).second) add(place, "stands twice", "Keep one of the two rules");
       if (rule.comparison != "at_least" && rule.comparison != "at_most") {
-        add(place, "compares by \"" + rule.comparison + "\"", "Choose at least or at most");
+        add(place, Text("compares by \"%1\"", rule.comparison), "Choose at least or at most");
       }
       if (module.attemptLimit && rule.consecutive > *module.attemptLimit) {
         add(place,
-            "asks for " + std::to_string(rule.consecutive) + " in a row, but only " +
-                std::to_string(*module.attemptLimit) + " attempts are allowed",
+            Text("asks for %1 in a row, but only %2 attempts are allowed", rule.consecutive,
+                 *module.attemptLimit),
             "Allow more attempts, or ask for fewer");
       }
     }
@@ -162,23 +162,24 @@ class Examination {
     if (open.empty()) return;
     std::string names;
     for (const auto& [code, required] : open) names += (names.empty() ? "" : ", ") + code;
-    add("modules " + names, "wait for each other: nobody could ever begin them", "Remove one prerequisite");
+    add(Text("modules %1", names), "wait for each other: nobody could ever begin them",
+        "Remove one prerequisite");
   }
 
   void checkArm(const StoredArm& arm) {
-    const std::string where = "arm " + arm.code;
+    const Text where("arm %1", arm.code);
     if (arm.label.empty()) add(where, "has no name", "Say in a few words what it goes through");
     if (arm.phases.empty()) add(where, "has no phases", "Add at least one");
     for (std::size_t i = 0; i < arm.phases.size(); ++i) {
       const StoredPhase& phase = arm.phases[i];
-      const std::string place = where + ", phase " + std::to_string(i + 1);
+      const Text place("%1, phase %2", where, i + 1);
       if (phase.kind != "virtual" && phase.kind != "real") {
         add(place, "is neither on the virtual nor on the real arm", "Choose one of the two");
       }
       if (phase.label.empty()) add(place, "has no name", "Give it one, such as \"virtual 0-20 min\"");
       if (phase.duration_us <= 0) add(place, "takes no time", "Enter its minutes");
       if (!phase.moduleId.empty() && !modules_.contains(phase.moduleId)) {
-        add(place, "practises \"" + phase.moduleId + "\", which is no module of this curriculum",
+        add(place, Text("practises \"%1\", which is no module of this curriculum", phase.moduleId),
             "Choose one from the list, or none for any module");
       }
       if (!phase.moduleId.empty() && phase.kind == "real") {
@@ -199,7 +200,7 @@ class Examination {
     for (const char* code : {"pre", "mid", "post"}) {
       for (const StoredScoringPoint& point : content_.scoringPoints) {
         if (point.code != code) continue;
-        const std::string where = std::string("scoring point ") + code;
+        const Text where("scoring point %1", code);
         if (!seen.insert(code).second) add(where, "stands twice", "Keep one of the two");
         if (point.afterExposure_us <= before_us) {
           add(where, "does not come after the one before", "Give each a later time than the last");
@@ -212,7 +213,7 @@ class Examination {
     }
     for (const StoredScoringPoint& point : content_.scoringPoints) {
       if (!seen.contains(point.code)) {
-        add("scoring point \"" + point.code + "\"", "is not known", "Choose pre, mid or post");
+        add(Text("scoring point \"%1\"", point.code), "is not known", "Choose pre, mid or post");
       }
     }
   }

@@ -28,7 +28,7 @@ using Manifest = std::map<std::string, Hashes>;     ///< table -> rows
 constexpr const char* kFormat = "torsio frozen data 1";
 constexpr std::size_t kShownDifferences = 20;
 
-[[noreturn]] void refuse(const std::string& what, const std::string& where, const std::string& remedy) {
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadParameter, what, where, remedy);
 }
 
@@ -130,8 +130,8 @@ Manifest manifestFrom(const StoredFreeze& stored) {
   try {
     return json::parse(stored.manifestJson).at("rows").get<Manifest>();
   } catch (const json::exception& problem) {
-    throw Error(ErrorCode::kBadData, std::string("the manifest cannot be read: ") + problem.what(),
-                stored.name, "Verify the database");
+    throw Error(ErrorCode::kBadData, Text("the manifest cannot be read: %1", problem.what()), stored.name,
+                "Verify the database");
   }
 }
 

@@ -21,7 +21,7 @@ constexpr const char* kFormat = "torsio rubric 1";
 constexpr double kMostPoints = 1000.0;
 constexpr int kMostSteps = 1000;
 
-[[noreturn]] void refuse(const std::string& what, const std::string& where, const std::string& remedy) {
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadParameter, what, where, remedy);
 }
 
@@ -99,11 +99,11 @@ RubricTemplate parseRubric(const std::string& text, const std::string& id) {
   try {
     source = json::parse(text);
   } catch (const json::exception& problem) {
-    throw Error(ErrorCode::kBadData, std::string("is no JSON: ") + problem.what(), id, "Correct the text");
+    throw Error(ErrorCode::kBadData, Text("is no JSON: %1", problem.what()), id, "Correct the text");
   }
   JsonFields fields(source, id);
   if (const std::string format = fields.text("format"); format != kFormat) {
-    fields.refuse("format", "is '" + format + "'", std::string("This program reads ") + kFormat + ".");
+    fields.refuse("format", Text("is '%1'", format), Text("This program reads %1.", kFormat));
   }
   RubricTemplate rubric;
   rubric.id = id;

@@ -22,12 +22,11 @@ namespace {
 constexpr std::uint64_t kCommonLabels = 1;  // streams of the seed
 constexpr std::uint64_t kLabelsOfRater = 100'000;
 
-[[noreturn]] void refuseParameter(const std::string& what, const std::string& where,
-                                  const std::string& remedy) {
+[[noreturn]] void refuseParameter(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadParameter, what, where, remedy);
 }
 
-[[noreturn]] void refuse(const std::string& what, const std::string& where, const std::string& remedy) {
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadData, what, where, remedy);
 }
 
@@ -329,9 +328,8 @@ void releaseMarks(Workplace& workplace, const std::string& cohortId, const std::
     if (state.scoringPoint != scoringPoint) continue;
     if (state.released) refuse("these marks are released already", scoringPoint, "Nothing is to be done");
     if (state.missing > 0 && reason.empty()) {
-      refuse(
-          std::to_string(state.missing) + " of " + std::to_string(state.sheets) + " sheets are not submitted",
-          scoringPoint, "Wait for them, or give a reason");
+      refuse(Text("%1 of %2 sheets are not submitted", state.missing, state.sheets), scoringPoint,
+             "Wait for them, or give a reason");
     }
     setReleased(workplace, cohortId, scoringPoint, true, reason);
     transaction.commit();

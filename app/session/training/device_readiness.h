@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/text.h"
+
 namespace torsio {
 
 enum class Light {
@@ -17,8 +19,8 @@ enum class Light {
 struct ReadinessFinding {
   std::string code{};  ///< "connected", "docked", "calibrated", "force", "rate", "seat"; the window has words
   Light light = Light::kGreen;
-  std::string detail{};  ///< what was measured, for people who know the device: "0.8 mm", "driver 2023.1"
-  std::string remedy{};  ///< what to do; empty when nothing
+  Text detail{};  ///< what was measured, for people who know the device: "0.8 mm", "driver 2023.1"
+  Text remedy{};  ///< what to do; empty when nothing
 };
 
 /// What is known of the device at this station.

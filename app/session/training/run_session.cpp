@@ -53,8 +53,9 @@ ModuleStep chosenStep(const NextSteps& steps, const RunRequest& request) {
   if (request.moduleId.empty() && !hasVirtualTime(steps.plan)) return {};
   const ModuleStep& step = stepOf(steps, request.moduleId);
   if (step.state == StepState::kLocked) {
-    throw Error(ErrorCode::kBadParameter, "this module is locked: first master " + step.missing.front(),
-                step.module.title, "Choose an open module");
+    throw Error(ErrorCode::kBadParameter,
+                Text("this module is locked: first master %1", step.missing.front()), step.module.title,
+                "Choose an open module");
   }
   if (step.state == StepState::kUsedUp && request.graded) {
     throw Error(ErrorCode::kBadParameter, "no attempt is left for this module", step.module.title,

@@ -27,8 +27,8 @@ StoredCurriculumVersion shipped(const OfficeCentre& centre, const std::string& i
 bool mentions(const std::vector<CurriculumProblem>& problems, const std::string& where,
               const std::string& what) {
   return std::any_of(problems.begin(), problems.end(), [&](const CurriculumProblem& problem) {
-    return problem.where.find(where) != std::string::npos && problem.what.find(what) != std::string::npos &&
-           !problem.remedy.empty();
+    return problem.where.str().find(where) != std::string::npos &&
+           problem.what.str().find(what) != std::string::npos && !problem.remedy.empty();
   });
 }
 

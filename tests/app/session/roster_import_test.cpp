@@ -97,7 +97,7 @@ TEST(RosterImport, GivesEveryLineItsStatusAndSaysWhatToMend) {
   EXPECT_EQ(preview.rows[1].changes[0].from, "graduate");
   EXPECT_EQ(preview.rows[1].changes[0].to, "doctoral student");
   EXPECT_EQ(preview.rows[2].status, RosterStatus::kNew);
-  EXPECT_NE(preview.rows[2].hint.find("the e-mail address belongs to"), std::string::npos);
+  EXPECT_NE(preview.rows[2].hint.str().find("the e-mail address belongs to"), std::string::npos);
   EXPECT_EQ(preview.rows[3].problem, "\"purple\" is not understood as sex");
   EXPECT_EQ(preview.rows[4].problem, "the external_id is missing");
   EXPECT_EQ(preview.rows[5].problem, "the number S-3 stands on line 4 already");

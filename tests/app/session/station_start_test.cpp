@@ -196,8 +196,10 @@ TEST_F(StationStartTest, AFileThatDiffersFromTheRecordIsKeptAndSaidPlainly) {
 
   EXPECT_TRUE(start.trials.empty());
   ASSERT_EQ(start.kept.size(), 1U);
-  EXPECT_NE(start.kept[0].find("stored already with other content"), std::string::npos) << start.kept[0];
-  EXPECT_NE(start.kept[0].find("Its file is kept: " + file.string()), std::string::npos) << start.kept[0];
+  EXPECT_NE(start.kept[0].str().find("stored already with other content"), std::string::npos)
+      << start.kept[0];
+  EXPECT_NE(start.kept[0].str().find("Its file is kept: " + file.string()), std::string::npos)
+      << start.kept[0];
   EXPECT_TRUE(fs::exists(file));
   EXPECT_EQ(trials.load(order.header.trialId).summary.samples, 0);
   EXPECT_FALSE(note("trial.import").has_value());
@@ -215,7 +217,7 @@ TEST_F(StationStartTest, ADamagedFileIsKeptAndTheOthersComeIn) {
 
   EXPECT_EQ(start.trials.size(), 1U);
   ASSERT_EQ(start.kept.size(), 1U);
-  EXPECT_NE(start.kept[0].find("stays where it is"), std::string::npos) << start.kept[0];
+  EXPECT_NE(start.kept[0].str().find("stays where it is"), std::string::npos) << start.kept[0];
   EXPECT_TRUE(fs::exists(file));
 }
 

@@ -37,7 +37,7 @@ TEST(HdapiLibrary, L1_SaysWhichNamesWereSearchedWhenNoneIsInstalled) {
 
   EXPECT_EQ(library.status, HdapiLoadStatus::kNotFound);
   EXPECT_EQ(library.searched, std::vector<std::string>{"/nowhere/libHD.so"});
-  EXPECT_NE(library.sentence.find("/nowhere/libHD.so"), std::string::npos) << library.sentence;
+  EXPECT_NE(library.sentence.str().find("/nowhere/libHD.so"), std::string::npos) << library.sentence;
   EXPECT_NE(library.remedy.find("Install"), std::string::npos);
 }
 
@@ -64,7 +64,8 @@ TEST(HdapiLibrary, L2_NamesTheDependencyThatIsMissing) {
   const HdapiLibrary library = loadHdapi(TORSIO_FAKEHD_DEPENDENCY);
 
   EXPECT_EQ(library.status, HdapiLoadStatus::kDependencyMissing);
-  EXPECT_NE(library.sentence.find("libncurses_of_another_year.so.5"), std::string::npos) << library.sentence;
+  EXPECT_NE(library.sentence.str().find("libncurses_of_another_year.so.5"), std::string::npos)
+      << library.sentence;
   EXPECT_NE(library.remedy.find("libncurses_of_another_year.so.5"), std::string::npos) << library.remedy;
 }
 
@@ -72,7 +73,7 @@ TEST(HdapiLibrary, L2_PassesOnWhatTheLoaderSaysOfAFileThatIsNoLibrary) {
   const HdapiLibrary library = loadHdapi(TORSIO_SOURCE_DIR "/README.md");
 
   EXPECT_EQ(library.status, HdapiLoadStatus::kDependencyMissing);
-  EXPECT_NE(library.sentence.find("README.md"), std::string::npos) << library.sentence;
+  EXPECT_NE(library.sentence.str().find("README.md"), std::string::npos) << library.sentence;
 }
 
 TEST(HdapiLibrary, L3_RefusesALibraryWithoutAMandatoryFunctionAndNamesIt) {
@@ -80,7 +81,7 @@ TEST(HdapiLibrary, L3_RefusesALibraryWithoutAMandatoryFunctionAndNamesIt) {
 
   EXPECT_EQ(library.status, HdapiLoadStatus::kSymbolMissing);
   EXPECT_EQ(library.missingSymbols, std::vector<std::string>{"hdUnschedule"});
-  EXPECT_NE(library.sentence.find("hdUnschedule"), std::string::npos) << library.sentence;
+  EXPECT_NE(library.sentence.str().find("hdUnschedule"), std::string::npos) << library.sentence;
 }
 
 class HdapiLibraryBench : public HdapiBench {};

@@ -144,7 +144,7 @@ TEST_F(HdapiOpen, A7_AssumesCautiousLimitsForADeviceThatClaimsSixForceAxes) {
   EXPECT_TRUE(assumed("maximum force"));
   EXPECT_TRUE(assumed("three force axes"));
   ASSERT_FALSE(device->identity().notes.empty());
-  EXPECT_TRUE(mentions(device->identity().notes[0], "6 axes"));
+  EXPECT_TRUE(mentions(device->identity().notes[0].str(), "6 axes"));
 }
 
 TEST_F(HdapiOpen, A7_AssumesWhatIsReportedAsZeroOrNotANumber) {

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/shell/spoken.h"
+
+#include <algorithm>
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr const char* kContext = "Services";
+
+QString translated(const std::string& pattern) {
+  return QCoreApplication::translate(kContext, pattern.c_str());
+}
+
+bool speaksEnglish() {
+  return QLocale().language() == QLocale::English;
+}
+
+/// Whether the language of the window has the sentence. Pure values (a path, a code) need no words.
+bool known(const Text& text) {
+  const QString own = QString::fromStdString(text.pattern());
+  if (own.isEmpty() || speaksEnglish()) return true;
+  return translated(text.pattern()) != own;
+}
+
+QString meaningOf(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::kUsage:
+      return QCoreApplication::translate(kContext, "This cannot be done like this");
+    case ErrorCode::kFileMissing:
+      return QCoreApplication::translate(kContext, "A file or folder is missing");
+    case ErrorCode::kFileUnreadable:
+      return QCoreApplication::translate(kContext, "A file cannot be read");
+    case ErrorCode::kFileUnwritable:
+      return QCoreApplication::translate(kContext, "A file cannot be written");
+    case ErrorCode::kBadMesh:
+      return QCoreApplication::translate(kContext, "The shape of the organ cannot be used");
+    case ErrorCode::kBadParameter:
+      return QCoreApplication::translate(kContext, "A value is not allowed here");
+    case ErrorCode::kBadData:
+      return QCoreApplication::translate(kContext, "The data do not fit together");
+    case ErrorCode::kDatabase:
+      return QCoreApplication::translate(kContext, "The database refused the operation");
+    case ErrorCode::kNewerSchema:
+      return QCoreApplication::translate(kContext, "The database was written by a newer version");
+    case ErrorCode::kPermission:
+      return QCoreApplication::translate(kContext, "Your role may not do this");
+    case ErrorCode::kDevice:
+      return QCoreApplication::translate(kContext, "The haptic device has a problem");
+    case ErrorCode::kVerifyFailed:
+      return QCoreApplication::translate(kContext, "A check found a difference");
+    case ErrorCode::kInternal:
+      break;
+  }
+  return QCoreApplication::translate(kContext, "Something unexpected happened");
+}
+
+/// Errors begin in lower case: they also stand within lines of the command line.
+QString capitalised(QString sentence) {
+  if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
+  return sentence;
+}
+
+}  // namespace
+
+QString spoken(const Text& text) {
+  if (text.empty()) return {};
+  if (text.arguments().empty()) return translated(text.pattern());
+  std::vector<std::string> words;
+  words.reserve(text.arguments().size());
+  for (const Text& argument : text.arguments()) words.push_back(spoken(argument).toStdString());
+  return QString::fromStdString(filledIn(translated(text.pattern()).toStdString(), words));
+}
+
+QString spokenLines(const std::vector<Text>& texts) {
+  QStringList lines;
+  for (const Text& text : texts) lines << spoken(text);
+  return lines.join(QLatin1Char('\n'));
+}
+
+SpokenError spoken(const Error& error) {
+  if (known(error.happenedText()) && known(error.remedyText())) {
+    return {capitalised(spoken(error.happenedText())), spoken(error.remedyText()), spoken(error.whereText())};
+  }
+  QStringList original;
+  for (const std::string& part : {error.where(), error.happened(), error.remedy()}) {
+    if (!part.empty()) original << QString::fromStdString(part);
+  }
+  return {meaningOf(error.code()), {}, original.join(QLatin1Char('\n'))};
+}
+
+QString spokenLine(const Error& error) {
+  const SpokenError said = spoken(error);
+  if (said.remedy.isEmpty()) return said.happened;
+  return QCoreApplication::translate(kContext, "%1. %2").arg(said.happened, said.remedy);
+}
+
+}  // namespace torsio::gui
