@@ -2,13 +2,14 @@
 #pragma once
 
 #include <functional>
-#include <string>
+
+#include "sim/base/text.h"
 
 namespace torsio {
 
 /// How far a long piece of work has come.
 struct Progress {
-  std::string step;           ///< "Recording G1-03"
+  Text step;                  ///< "Recording G1-03"
   double fraction = 0.0;      ///< of the whole work, 0..1
   double remaining_s = -1.0;  ///< estimate; negative while unknown
 };

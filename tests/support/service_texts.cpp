@@ -117,6 +117,7 @@ bool is(const Token& token, std::string_view text) {
 /// Whether somebody would read it: two letters in a row beside the places.
 bool hasWords(const std::string& text) {
   const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  if (text.rfind("--", 0) == 0) return false;  // an option of the command line
   return std::adjacent_find(text.begin(), text.end(),
                             [&](char a, char b) { return letter(a) && letter(b); }) != text.end();
 }
@@ -215,10 +216,21 @@ class Reader {
   const std::vector<Token>& tokens_;
   std::string file_;
   ServiceTexts& texts_;
-  std::set<std::string> speakers_{"Error", "DbError", "Text"};
+  std::set<std::string> speakers_{"Error", "DbError", "Text", "progress"};
 };
 
 }  // namespace
+
+void readAssetTexts(const std::string& json, ServiceTexts& texts) {
+  static constexpr std::array<std::string_view, 4> kFields{"title", "label", "meaning", "description"};
+  const std::vector<Token> tokens = Lexer(json).run();
+  for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
+    const bool named = tokens[i].kind == Kind::kLiteral && is(tokens[i + 1], ":") &&
+                       tokens[i + 2].kind == Kind::kLiteral &&
+                       std::find(kFields.begin(), kFields.end(), tokens[i].text) != kFields.end();
+    if (named && hasWords(tokens[i + 2].text)) texts.patterns.insert(tokens[i + 2].text);
+  }
+}
 
 void readServiceTexts(const std::string& source, const std::string& file, ServiceTexts& texts) {
   const std::vector<Token> tokens = Lexer(source).run();
@@ -226,14 +238,17 @@ void readServiceTexts(const std::string& source, const std::string& file, Servic
 }
 
 ServiceTexts readServiceTexts(const fs::path& root) {
+  static constexpr std::array<const char*, 10> kFolders{
+      "sim/base",    "sim/device", "sim/geometry", "sim/scene",        "db",
+      "app/session", "app/report", "app/gui",      "assets/curricula", "assets/rubrics"};
   ServiceTexts texts;
-  for (const char* folder : {"sim/base", "sim/device", "sim/geometry", "sim/scene", "sim/servo", "db",
-                             "app/session", "app/report", "app/gui"}) {
+  for (const char* folder : kFolders) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const std::string extension = entry.path().extension().string();
-      if (extension != ".h" && extension != ".cpp") continue;
       std::ifstream in(entry.path());
       const std::string source{std::istreambuf_iterator<char>(in), {}};
+      if (extension == ".json") readAssetTexts(source, texts);
+      if (extension != ".h" && extension != ".cpp") continue;
       readServiceTexts(source, fs::relative(entry.path(), root).generic_string(), texts);
     }
   }

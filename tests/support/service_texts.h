@@ -22,11 +22,13 @@ struct ServiceTexts {
 };
 
 /// Reads the literals that stand in calls of Error, DbError and Text, and of functions of the same file that
-/// take a parameter called what, why, remedy, problem or sentence. Folders: sim, db, assessment, app/session,
-/// app/report and app/gui.
+/// take a parameter called what, why, remedy, problem or sentence; and the titles, labels, meanings and
+/// descriptions of the curricula and rubrics that are shipped. Numerical parts of the simulator and the
+/// statistics are left out: their refusals are told by their ErrorCode, the sentence is in the details.
 [[nodiscard]] ServiceTexts readServiceTexts(const std::filesystem::path& root);
 
-/// The same for one source.
+/// The same for one source, and for one file of assets.
 void readServiceTexts(const std::string& source, const std::string& file, ServiceTexts& texts);
+void readAssetTexts(const std::string& json, ServiceTexts& texts);
 
 }  // namespace torsio

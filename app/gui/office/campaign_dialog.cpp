@@ -17,6 +17,8 @@
 #include "app/gui/look/data_table.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/office/office_parts.h"
+#include "app/gui/office/study_words.h"
+#include "app/gui/shell/spoken.h"
 
 namespace torsio::gui {
 
@@ -66,7 +68,8 @@ CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters, QWidget* pa
   raters_->setEmptyText(tr("No raters yet: import them under Roster."));
   std::vector<Row> rows;
   for (const PersonRow& rater : raters)
-    rows.push_back({shown(rater.person.id), {{shown(rater.person.code)}, {orDash(rater.raterClass)}}});
+    rows.push_back(
+        {shown(rater.person.id), {{shown(rater.person.code)}, {raterClassName(rater.raterClass)}}});
   raters_->setRows(std::move(rows));
   raters_->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
   raters_->view().selectAll();
@@ -96,7 +99,7 @@ QWidget* CampaignDialog::weightFields() {
   form->setSpacing(kSpace / 2);
   const auto add = [&](const std::string& name, std::int64_t weight, std::vector<QDoubleSpinBox*>& fields) {
     fields.push_back(weightField(weight, box));
-    form->addRow(shown(name), fields.back());
+    form->addRow(spoken(name), fields.back());
     connect(fields.back(), &QDoubleSpinBox::valueChanged, this, &CampaignDialog::check);
   };
   auto* indices = new QLabel(tr("Weights of the indices"), box);

@@ -15,6 +15,7 @@
 #include "app/gui/look/theme.h"
 #include "app/gui/office/office_parts.h"
 #include "app/gui/office/study_words.h"
+#include "app/gui/shell/spoken.h"
 
 namespace torsio::gui {
 
@@ -86,7 +87,7 @@ PeopleDialog::PeopleDialog(const QString& title, const QString& question,
                      {levelName(row.person.sex)},
                      {orDash(row.person.level)},
                      {orDash(row.person.experience)},
-                     {orDash(row.raterClass)}}});
+                     {raterClassName(row.raterClass)}}});
   table_->setRows(std::move(rows));
   table_->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
   table_->view().selectAll();

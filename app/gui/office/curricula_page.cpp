@@ -26,6 +26,7 @@
 #include "app/gui/office/study_words.h"
 #include "app/gui/office/user_dialogs.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 
 namespace torsio::gui {
 
@@ -367,7 +368,7 @@ void CurriculaPage::askNew() {
     auto* name = new QLineEdit(&dialog);
     auto* from = new QComboBox(&dialog);
     for (const CurriculumTemplate& known : curriculumTemplates(shell().assets()))
-      from->addItem(shown(known.title), shown(known.id));
+      from->addItem(spoken(known.title), shown(known.id));
     from->addItem(tr("nothing in it yet"), QString());
     chooseId(from, "paper-three-arms");
     auto* form = new QFormLayout(&dialog);

@@ -57,7 +57,7 @@ void DevicesPage::check() {
   shell().run(
       tr("Checking the device"),
       [request, result](Workplace&, const ProgressCallback& progress) mutable {
-        request.say = [&progress](const std::string& words) { progress({words, 0.5, -1.0}); };
+        request.say = [&progress](const Text& sentence) { progress({sentence, 0.5, -1.0}); };
         progress({"Looking for the device", 0.1, -1.0});
         *result = checkDevice(request);
       },
@@ -78,7 +78,7 @@ void DevicesPage::show() {
                                                                    : tr("\u2717 not usable");
       rows.push_back({shown(finding.subject),
                       {{grade, static_cast<int>(finding.grade)},
-                       {shown(finding.subject)},
+                       {spoken(finding.subject)},
                        {spoken(finding.sentence)},
                        {finding.remedy.empty() ? orDash({}) : spoken(finding.remedy)}}});
     }
@@ -92,7 +92,7 @@ void DevicesPage::show() {
                           .arg(locale().toString(result_->rate_Hz, 'f', 0)));
   } else {
     verdict_->setText(tr("No scored run with the device now: %1. Practice with the mouse works meanwhile.")
-                          .arg(shown(result_->worst()->sentence)));
+                          .arg(spoken(result_->worst()->sentence)));
   }
   setLook(verdict_, "caution", result_ && !result_->usable());
   setLook(verdict_, "good", result_ && result_->usable());

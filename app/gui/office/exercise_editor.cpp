@@ -24,6 +24,7 @@
 #include "app/gui/look/theme.h"
 #include "app/gui/office/office_parts.h"
 #include "app/gui/office/study_words.h"
+#include "app/gui/shell/spoken.h"
 #include "sim/base/error.h"
 #include "sim/scene/scene.h"
 
@@ -46,7 +47,7 @@ std::vector<std::string> codesOf(const StoredCurriculumVersion& content) {
 }
 
 QString lineOf(const StoredModule& module) {
-  return QStringLiteral("%1  %2").arg(shown(module.code), shown(module.title));
+  return QStringLiteral("%1  %2").arg(shown(module.code), spoken(module.title));
 }
 
 }  // namespace

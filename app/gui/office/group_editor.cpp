@@ -23,6 +23,7 @@
 #include "app/gui/look/theme.h"
 #include "app/gui/office/office_parts.h"
 #include "app/gui/office/study_words.h"
+#include "app/gui/shell/spoken.h"
 
 namespace torsio::gui {
 
@@ -200,7 +201,7 @@ void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
   auto* module = new QComboBox;
   module->addItem(tr("any exercise"), QString());
   for (const StoredModule& known : content_.modules)
-    module->addItem(QStringLiteral("%1  %2").arg(shown(known.code), shown(known.title)), shown(known.code));
+    module->addItem(QStringLiteral("%1  %2").arg(shown(known.code), spoken(known.title)), shown(known.code));
   chooseOrAdd(module, phase.moduleId);
   module->setEnabled(phase.kind != "real" || !phase.moduleId.empty());
   phases_->setCellWidget(row, kWhere, where);

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/look/theme.h"
+#include "app/gui/shell/spoken.h"
 
 namespace torsio::gui {
 
@@ -66,7 +67,7 @@ class PersonDialog : public QDialog {
     }
     raterClass_->addItem(tr("does not score"), QString());
     for (const StoredRaterClass& raterClass : classes) {
-      raterClass_->addItem(QString::fromStdString(raterClass.label), QString::fromStdString(raterClass.code));
+      raterClass_->addItem(spoken(raterClass.label), QString::fromStdString(raterClass.code));
     }
     age_->setRange(0, kOldestAge);
     age_->setSpecialValueText(tr("not known"));

@@ -15,8 +15,10 @@
 #include "app/gui/look/page_heading.h"
 #include "app/gui/office/person_dialog.h"
 #include "app/gui/office/roster_wizard.h"
+#include "app/gui/office/study_words.h"
 #include "app/gui/office/user_dialogs.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 
 namespace torsio::gui {
 
@@ -127,8 +129,8 @@ void RosterPage::show() {
                      {orDash(named.identity.fullName)},
                      {orDash(named.identity.externalId)},
                      {row.trainee ? tr("yes") : QStringLiteral("\u2013")},
-                     {orDash(row.raterClass)},
-                     {orDash(row.person.sex)},
+                     {raterClassName(row.raterClass)},
+                     {row.person.sex.empty() ? orDash({}) : levelName(row.person.sex)},
                      {orDash(row.person.level)},
                      {orDash(row.person.experience)},
                      {consents ? tr("given") : tr("not given")},

@@ -17,6 +17,7 @@
 #include "app/gui/look/theme.h"
 #include "app/gui/office/office_parts.h"
 #include "app/gui/office/study_words.h"
+#include "app/gui/shell/spoken.h"
 
 namespace torsio::gui {
 
@@ -64,7 +65,8 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
       {{words(QT_TRANSLATE_NOOP("Scoring", "Rater"))}, {words(QT_TRANSLATE_NOOP("Scoring", "Class"))}});
   std::vector<Row> rows;
   for (const PersonRow& rater : raters)
-    rows.push_back({shown(rater.person.id), {{shown(rater.person.code)}, {orDash(rater.raterClass)}}});
+    rows.push_back(
+        {shown(rater.person.id), {{shown(rater.person.code)}, {raterClassName(rater.raterClass)}}});
   table->setRows(std::move(rows));
   table->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
   table->view().selectAll();

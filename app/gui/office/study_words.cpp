@@ -63,6 +63,14 @@ QString levelName(const std::string& code) {
   return code.empty() ? words(QT_TRANSLATE_NOOP("Study", "not known")) : named(kNames, code);
 }
 
+QString raterClassName(const std::string& code) {
+  static const std::pair<const char*, const char*> kNames[] = {
+      {"intern", QT_TRANSLATE_NOOP("Study", "intern")},
+      {"deputy_chief", QT_TRANSLATE_NOOP("Study", "deputy chief physician")},
+      {"chief", QT_TRANSLATE_NOOP("Study", "chief physician")}};
+  return named(kNames, code);
+}
+
 QString methodName(AllocationMethod method) {
   switch (method) {
     case AllocationMethod::kCompletePermutation:

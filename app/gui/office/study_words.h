@@ -17,6 +17,7 @@ namespace torsio::gui {
 [[nodiscard]] QString scoringPointName(const std::string& code);
 [[nodiscard]] QString enrolmentStateName(const std::string& code);
 [[nodiscard]] QString factorName(const std::string& code);
+[[nodiscard]] QString raterClassName(const std::string& code);
 [[nodiscard]] QString levelName(const std::string& code);
 [[nodiscard]] QString methodName(AllocationMethod method);
 [[nodiscard]] QString sheetStateName(SheetState state);

@@ -15,6 +15,7 @@
 #include "app/gui/look/form.h"
 #include "app/gui/review/review_words.h"
 #include "app/gui/review/sheet_panel.h"
+#include "app/gui/shell/spoken.h"
 
 namespace torsio::gui {
 
@@ -157,7 +158,7 @@ void ScoreRow::showAnchor() {
   }
   QStringList all;
   for (const StoredAnchor& anchor : anchors_) {
-    all << tr("%1: %2").arg(scoreText(anchor.score_steps, scale_), words(anchor.meaning));
+    all << tr("%1: %2").arg(scoreText(anchor.score_steps, scale_), spoken(anchor.meaning));
   }
   // Where the rater is, every anchor; elsewhere the one that was met.
   anchor_->setText(current_ || !answer_.score_steps ? all.join(QStringLiteral("   \u00b7   "))

@@ -10,6 +10,7 @@
 
 #include "app/gui/look/form.h"
 #include "app/gui/review/review_words.h"
+#include "app/gui/shell/spoken.h"
 
 namespace torsio::gui {
 
@@ -108,7 +109,7 @@ void SheetPanel::build() {
     });
   };
   for (const StoredRubricRow& row : editor_->rubric().rows)
-    add(row.code, words(row.label), row.scale, row.anchors);
+    add(row.code, spoken(row.label), row.scale, row.anchors);
   if (editor_->order().back() == kOverallRow) add(kOverallRow, tr("Overall"), editor_->rubric().overall, {});
   rowsLayout_->addStretch(1);
   QWidget* before = nullptr;

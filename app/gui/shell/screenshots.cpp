@@ -300,7 +300,7 @@ int runScreenshots(int argc, char** argv) {
   QApplication application(argc, argv);
   ScreenshotsRequest request = parse(QApplication::arguments());
   request.progress = [](const Progress& progress) {
-    std::fprintf(stderr, "torsio: %s\n", progress.step.c_str());
+    std::fprintf(stderr, "torsio: %s\n", progress.step.str().c_str());
   };
   const int written = takeAllScreenshots(request);
   std::printf("%d pictures in %s\n", written, request.out.string().c_str());

@@ -64,7 +64,7 @@ void ShellContext::run(const QString& title, Work work, std::function<void()> do
       work(own, [this](const Progress& progress) {
         if (cancelled_.load()) throw Cancelled{};
         QMetaObject::invokeMethod(this, [this, progress] {
-          Q_EMIT jobMoved(QString::fromStdString(progress.step), progress.fraction, progress.remaining_s);
+          Q_EMIT jobMoved(spoken(progress.step), progress.fraction, progress.remaining_s);
         });
       });
     } catch (...) {

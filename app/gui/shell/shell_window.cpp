@@ -307,8 +307,7 @@ void ShellWindow::setUp(const FirstRunChoice& choice) {
         const auto accounts =
             performFirstRun(own, choice.first, setup_.assets, [this](const Progress& progress) {
               QMetaObject::invokeMethod(this, [this, progress] {
-                firstRun_->job().move(QString::fromStdString(progress.step), progress.fraction,
-                                      progress.remaining_s);
+                firstRun_->job().move(spoken(progress.step), progress.fraction, progress.remaining_s);
               });
             });
         return [this, actor = own.actor(), choice, accounts] {

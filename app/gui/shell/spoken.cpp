@@ -13,6 +13,25 @@ namespace {
 
 constexpr const char* kContext = "Services";
 
+/// Names that come out of the paper's instrument as plain words.
+[[maybe_unused]] const char* const kInstrumentWords[] = {
+    QT_TRANSLATE_NOOP("Services", "Effectiveness"),
+    QT_TRANSLATE_NOOP("Services", "Force feedback"),
+    QT_TRANSLATE_NOOP("Services", "Real-time performance"),
+    QT_TRANSLATE_NOOP("Services", "System stability"),
+    QT_TRANSLATE_NOOP("Services", "Deformation efficiency"),
+    QT_TRANSLATE_NOOP("Services", "Fidelity"),
+    QT_TRANSLATE_NOOP("Services", "Image fluency"),
+    QT_TRANSLATE_NOOP("Services", "Telepresence"),
+    QT_TRANSLATE_NOOP("Services", "Texture"),
+    QT_TRANSLATE_NOOP("Services", "interns"),
+    QT_TRANSLATE_NOOP("Services", "deputy chief physicians"),
+    QT_TRANSLATE_NOOP("Services", "chief physicians"),
+    QT_TRANSLATE_NOOP("Services", "deputy chief physician"),
+    QT_TRANSLATE_NOOP("Services", "chief physician"),
+    QT_TRANSLATE_NOOP("Services", "intern"),
+};
+
 QString translated(const std::string& pattern) {
   return QCoreApplication::translate(kContext, pattern.c_str());
 }

@@ -13,6 +13,7 @@
 #include "app/gui/look/card.h"
 #include "app/gui/look/form.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "app/gui/station/live_scene.h"
 #include "app/gui/station/station_desk.h"
 #include "app/gui/station/station_parts.h"
@@ -126,7 +127,7 @@ void BriefingPage::applyTheme(const Theme& theme) {
 
 void BriefingPage::fill() {
   const bool graded = StationDesk::of(shell()).graded;
-  title_->setText(QString::fromStdString(step_.module.title));
+  title_->setText(spoken(step_.module.title));
   mode_->setText(graded ? tr("Graded run: it counts as an attempt.") : tr("Practice: nothing is graded."));
   what_->setTitle(tr("What is asked for"));
   how_->setTitle(tr("How to do it"));

@@ -13,6 +13,7 @@
 #include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "app/gui/station/debrief_plot.h"
 #include "app/gui/station/station_desk.h"
 #include "app/gui/station/station_parts.h"
@@ -177,12 +178,11 @@ void DebriefPage::fill() {
   again_->setEnabled(any && !debrief_.moduleId.empty());
   trend_->setEnabled(any && !debrief_.moduleId.empty());
   const QString mode = debrief_.mode == "graded" ? tr("Graded run") : tr("Practice");
-  heading_->setTexts(
-      any && !debrief_.moduleTitle.empty() ? QString::fromStdString(debrief_.moduleTitle) : tr("Your run"),
-      any ? tr("%1  \u00b7  %2  \u00b7  %3 s")
-                .arg(mode, StationWords::when(debrief_.startedUtc_us))
-                .arg(debrief_.duration_s, 0, 'f', 0)
-          : tr("After your first run you see here what was good and what to work on."));
+  heading_->setTexts(any && !debrief_.moduleTitle.empty() ? spoken(debrief_.moduleTitle) : tr("Your run"),
+                     any ? tr("%1  \u00b7  %2  \u00b7  %3 s")
+                               .arg(mode, StationWords::when(debrief_.startedUtc_us))
+                               .arg(debrief_.duration_s, 0, 'f', 0)
+                         : tr("After your first run you see here what was good and what to work on."));
   for (QWidget* widget : std::initializer_list<QWidget*>{targets_, good_, better_, trace_, verdict_})
     widget->setVisible(any);
   emptyLayout(checks_);

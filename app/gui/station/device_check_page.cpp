@@ -133,7 +133,7 @@ void DeviceCheckPage::fill() {
   emptyLayout(findings_);
   const bool known = desk.readiness.has_value();
   const Light light = known ? desk.readiness->light() : Light::kRed;
-  card_->setTitle(known ? QString::fromStdString(desk.readiness->device) : tr("Device"));
+  card_->setTitle(known ? spoken(desk.readiness->device) : tr("Device"));
   verdict_->setText(checking_ ? tr("Checking\u2026") : StationWords::light(light));
   meaning_->setText(
       checking_                ? tr("This takes a few seconds.")

@@ -13,6 +13,7 @@
 #include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "app/gui/station/station_desk.h"
 #include "app/gui/station/station_parts.h"
 #include "app/gui/station/station_words.h"
@@ -168,7 +169,7 @@ void NextStepPage::fillNext() {
     texts->addWidget(quiet);
   } else {
     const ModuleStep& step = steps_.modules[*steps_.next];
-    title->setText(QString::fromStdString(step.module.title));
+    title->setText(spoken(step.module.title));
     QStringList facts;
     if (phase != nullptr) facts << QString::fromStdString(phase->label);
     facts << tr("takes at most %1").arg(StationWords::minutes(step.needed_us))
@@ -208,7 +209,7 @@ void NextStepPage::fillNext() {
 void NextStepPage::addModule(const ModuleStep& step) {
   auto* frame = new QFrame(this);
   frame->setObjectName(QStringLiteral("card"));
-  frame->setAccessibleName(QString::fromStdString(step.module.title));
+  frame->setAccessibleName(spoken(step.module.title));
   auto* row = new QHBoxLayout(frame);
   row->setContentsMargins(2 * kSpace, kSpace + 2, 2 * kSpace, kSpace + 2);
   row->setSpacing(2 * kSpace);
@@ -223,8 +224,7 @@ void NextStepPage::addModule(const ModuleStep& step) {
   auto* texts = new QVBoxLayout;
   texts->setSpacing(2);
   auto* title = plainLabel(frame, locked ? "quiet" : nullptr);
-  title->setText(
-      tr("%1  \u00b7  %2").arg(QString::fromStdString(step.module.title), StationWords::state(step.state)));
+  title->setText(tr("%1  \u00b7  %2").arg(spoken(step.module.title), StationWords::state(step.state)));
   texts->addWidget(title);
   auto* why = plainLabel(frame, "quiet");
   why->setObjectName(QStringLiteral("why"));
@@ -245,7 +245,7 @@ void NextStepPage::addModule(const ModuleStep& step) {
     row->addWidget(trend, 0, Qt::AlignTop);
   }
   auto* start = new QPushButton(tr("Begin"), frame);
-  start->setAccessibleName(tr("Begin %1").arg(QString::fromStdString(step.module.title)));
+  start->setAccessibleName(tr("Begin %1").arg(spoken(step.module.title)));
   start->setEnabled(!locked && !steps_.allPhasesDone);
   if (locked) start->setToolTip(why->text());
   const bool graded = step.module.mode == "graded" && step.state != StepState::kUsedUp;

@@ -18,6 +18,7 @@
 #include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "app/gui/station/station_parts.h"
 #include "app/gui/station/station_words.h"
 
@@ -104,8 +105,8 @@ void RemarksPage::fillList() {
   const int before = std::max(0, list_->currentRow());
   list_->clear();
   for (const TrialRemarks& trial : all_) {
-    const QString title = trial.moduleTitle.empty() ? QString::fromStdString(trial.phaseLabel)
-                                                    : QString::fromStdString(trial.moduleTitle);
+    const QString title =
+        trial.moduleTitle.empty() ? QString::fromStdString(trial.phaseLabel) : spoken(trial.moduleTitle);
     const QString head = title.isEmpty() ? tr("Run") : title;
     const QString line =
         trial.unread > 0
@@ -228,7 +229,7 @@ void RemarksPage::fillMarks() {
     ++line;
   }
   for (const ScoreGapRow& row : rows) {
-    auto* name = new QLabel(row.code.empty() ? tr("Overall") : QString::fromStdString(row.label), marks_);
+    auto* name = new QLabel(row.code.empty() ? tr("Overall") : spoken(row.label), marks_);
     grid->addWidget(name, line, 0);
     if (!gap.selfScored) {
       auto* field = new QDoubleSpinBox(marks_);

@@ -18,6 +18,7 @@
 #include "app/gui/look/form.h"
 #include "app/gui/look/level_bar.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "app/gui/station/live_scene.h"
 #include "app/gui/station/station_desk.h"
 #include "app/gui/station/station_parts.h"
@@ -301,7 +302,7 @@ void RunPage::retranslate() {
   stop_->setText(tr("&End the run"));
   dial_->retranslate();
   if (session_) {
-    title_->setText(QString::fromStdString(session_->step().module.title));
+    title_->setText(spoken(session_->step().module.title));
     mode_->setText(session_->graded() ? tr("Graded run") : tr("Practice"));
   }
   showState();

@@ -16,6 +16,7 @@
 #include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "app/gui/station/station_parts.h"
 #include "app/gui/station/station_words.h"
 #include "sim/base/error.h"
@@ -85,7 +86,7 @@ QString TranscriptPage::html(bool paper) const {
            .arg(t.real_min, 0, 'f', 1)
            .arg(t.rest_min, 0, 'f', 1));
   for (const TranscriptModule& module : t.modules) {
-    const QString title = QString::fromStdString(module.step.module.title);
+    const QString title = spoken(module.step.module.title);
     page += QStringLiteral("<h3>%1</h3>").arg(title.toHtmlEscaped());
     line(tr("%1. Level: %2.")
              .arg(StationWords::state(module.step.state),

@@ -14,6 +14,7 @@
 #include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "app/gui/station/station_parts.h"
 #include "app/gui/station/station_words.h"
 #include "app/gui/station/trend_plot.h"
@@ -127,7 +128,7 @@ void TrendPage::fillChoices() {
   filling_ = true;
   modules_->clear();
   for (const ModuleStep& step : steps_.modules) {
-    modules_->addItem(QString::fromStdString(step.module.title), QString::fromStdString(step.module.id));
+    modules_->addItem(spoken(step.module.title), QString::fromStdString(step.module.id));
   }
   modules_->setCurrentIndex(modules_->findData(QString::fromStdString(module_)));
   std::vector<std::string> metrics(std::begin(kUsualMetrics), std::end(kUsualMetrics));
@@ -157,7 +158,7 @@ void TrendPage::applyTheme(const Theme& theme) {
 }
 
 void TrendPage::fill() {
-  heading_->setTexts(trend_.moduleTitle.empty() ? tr("Your way") : QString::fromStdString(trend_.moduleTitle),
+  heading_->setTexts(trend_.moduleTitle.empty() ? tr("Your way") : spoken(trend_.moduleTitle),
                      tr("Every attempt is kept and shown."));
   moduleLabel_->setText(tr("&Module"));
   metricLabel_->setText(tr("&Quantity"));

@@ -53,7 +53,7 @@ CopyReport copyDatabase(const std::string& from, const std::string& to, const Pr
   CopyReport report =
       copyRecord(reading, writing, [&](const std::string& table, std::int64_t done, std::int64_t all) {
         if (!progress) return;
-        progress({.step = table.empty() ? "Comparing" : "Copying " + table,
+        progress({.step = table.empty() ? Text("Comparing") : Text("Copying %1", table),
                   .fraction = all == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(all)});
       });
   newFile.keep();

@@ -83,7 +83,7 @@ std::vector<TrialDigest> TrialDigests::ofCohort(Workplace& workplace, const std:
   std::vector<TrialDigest> out;
   for (std::size_t i = 0; i < listed.size(); ++i) {
     if (progress && i % kProgressEvery == 0)
-      progress({"Reading recording " + std::to_string(i + 1) + " of " + std::to_string(listed.size()),
+      progress({Text("Reading recording %1 of %2", i + 1, listed.size()),
                 static_cast<double>(i) / static_cast<double>(listed.size()), -1.0});
     const TrialListing& listing = listed[i];
     auto known = known_.find(listing.summary->contentHash);

@@ -15,12 +15,12 @@ Light DeviceReadiness::light() const noexcept {
 
 DeviceReadiness pointerReadiness(bool gradedWithMouse) {
   DeviceReadiness readiness;
-  readiness.device = "Mouse and keyboard";
+  readiness.device = Text("Mouse and keyboard");
   readiness.findings.push_back({"connected", Light::kGreen, readiness.device, ""});
   readiness.findings.push_back(gradedWithMouse
-                                   ? ReadinessFinding{"force", Light::kGreen, "shown, not felt", ""}
-                                   : ReadinessFinding{"force", Light::kAmber, "shown, not felt",
-                                                      "Connect the haptic device for a graded run"});
+                                   ? ReadinessFinding{"force", Light::kGreen, Text("shown, not felt"), ""}
+                                   : ReadinessFinding{"force", Light::kAmber, Text("shown, not felt"),
+                                                      Text("Connect the haptic device for a graded run")});
   return readiness;
 }
 

@@ -25,8 +25,8 @@ struct ReadinessFinding {
 
 /// What is known of the device at this station.
 struct DeviceReadiness {
-  std::string device{};  ///< "Mouse and keyboard", "Touch", "Scripted hand"
-  bool haptic = false;   ///< renders force
+  Text device{};        ///< "Mouse and keyboard", "Touch", "Scripted hand"
+  bool haptic = false;  ///< renders force
   std::vector<ReadinessFinding> findings{};
 
   /// The worst light; red without any finding: a device that was not checked is not ready.

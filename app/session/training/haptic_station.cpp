@@ -51,7 +51,8 @@ bool hapticLibraryInstalled(const DeviceChoice& choice) {
 
 DeviceReadiness hapticReadiness(const DeviceCheckResult& check) {
   DeviceReadiness readiness;
-  readiness.device = check.capabilities.model.empty() ? "Haptic device" : check.capabilities.model;
+  readiness.device =
+      check.capabilities.model.empty() ? Text("Haptic device") : Text(check.capabilities.model);
   readiness.haptic = true;
   for (const DeviceFinding& finding : check.findings) {
     const char* line = lineOf(finding.subject);
