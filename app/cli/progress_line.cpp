@@ -43,10 +43,10 @@ void ProgressLine::show(const Progress& progress) {
     const std::size_t blanks = lastLength_ > line.size() ? lastLength_ - line.size() : 0;
     std::cerr << '\r' << line << std::string(blanks, ' ') << std::flush;
     lastLength_ = line.size();
-  } else if (progress.step != lastStep_) {
+  } else if (progress.step.str() != lastStep_) {
     std::cerr << line << '\n';
   }
-  lastStep_ = progress.step;
+  lastStep_ = progress.step.str();
 }
 
 }  // namespace torsio::cli

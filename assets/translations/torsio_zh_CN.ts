@@ -668,6 +668,4053 @@
     </message>
 </context>
 <context>
+    <name>Services</name>
+    <message>
+        <source>Effectiveness</source>
+        <translation>有效性</translation>
+    </message>
+    <message>
+        <source>Force feedback</source>
+        <translation>力反馈</translation>
+    </message>
+    <message>
+        <source>Real-time performance</source>
+        <translation>实时性</translation>
+    </message>
+    <message>
+        <source>System stability</source>
+        <translation>系统稳定性</translation>
+    </message>
+    <message>
+        <source>Deformation efficiency</source>
+        <translation>变形效率</translation>
+    </message>
+    <message>
+        <source>Fidelity</source>
+        <translation>逼真度</translation>
+    </message>
+    <message>
+        <source>Image fluency</source>
+        <translation>画面流畅度</translation>
+    </message>
+    <message>
+        <source>Telepresence</source>
+        <translation>临场感</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>纹理质感</translation>
+    </message>
+    <message>
+        <source>interns</source>
+        <translation>实习医师</translation>
+    </message>
+    <message>
+        <source>deputy chief physicians</source>
+        <translation>副主任医师</translation>
+    </message>
+    <message>
+        <source>chief physicians</source>
+        <translation>主任医师</translation>
+    </message>
+    <message>
+        <source>deputy chief physician</source>
+        <translation>副主任医师</translation>
+    </message>
+    <message>
+        <source>chief physician</source>
+        <translation>主任医师</translation>
+    </message>
+    <message>
+        <source>intern</source>
+        <translation>实习医师</translation>
+    </message>
+    <message>
+        <source>"%1" is chosen for two fields</source>
+        <translation>“%1”被选给了两个字段</translation>
+    </message>
+    <message>
+        <source>"%1" is no likely age in years</source>
+        <translation>“%1”不像是年龄（岁）</translation>
+    </message>
+    <message>
+        <source>"%1" is not understood as %2</source>
+        <translation>“%1”无法识别为%2</translation>
+    </message>
+    <message>
+        <source>"other" needs a description</source>
+        <translation>选择“其他”时需要说明</translation>
+    </message>
+    <message>
+        <source>%1 % of the ticks came within 0.1 ms of their time, %2 late, %3 after a pause of more than 5 ms (the force is cut then)</source>
+        <translation>%1 % 的周期与预定时间相差不到 0.1 ms，迟到 %2 个，停顿超过 5 ms 后到达 %3 个（此时切断力输出）</translation>
+    </message>
+    <message>
+        <source>%1 %2 asked for; the lattice takes %3 to %4</source>
+        <translation>要求的%2为 %1；网格可用 %3 至 %4</translation>
+    </message>
+    <message>
+        <source>%1 %2 asked for; the lattice takes %3 to %4 (%5)</source>
+        <translation>要求的%2为 %1；网格可用 %3 至 %4（%5）</translation>
+    </message>
+    <message>
+        <source>%1 %2 is not a whole number from %3 to %4</source>
+        <translation>%1 %2 不是 %3 至 %4 之间的整数</translation>
+    </message>
+    <message>
+        <source>%1 N upwards were sent without complaint; only the hand can tell whether they were felt</source>
+        <translation>已向上输出 %1 N，设备无异常报告；是否有感觉只有手能判断</translation>
+    </message>
+    <message>
+        <source>%1 after %2 s</source>
+        <translation>%2 秒后：%1</translation>
+    </message>
+    <message>
+        <source>%1 end</source>
+        <translation>%1端</translation>
+    </message>
+    <message>
+        <source>%1 has a decimal comma</source>
+        <translation>%1 使用了逗号作小数点</translation>
+    </message>
+    <message>
+        <source>%1 has no mark yet</source>
+        <translation>“%1”尚未评分</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number</source>
+        <translation>%1 不是有限的数</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 不是数字</translation>
+    </message>
+    <message>
+        <source>%1 is stored already with other content; what is stored stays</source>
+        <translation>%1 已以不同内容存储；已存储的内容保持不变</translation>
+    </message>
+    <message>
+        <source>%1 is too large or too small</source>
+        <translation>%1 过大或过小</translation>
+    </message>
+    <message>
+        <source>%1 lacks %2</source>
+        <translation>%1 缺少 %2</translation>
+    </message>
+    <message>
+        <source>%1 must lie above 0 s and not above %2 s, got %3</source>
+        <translation>%1必须大于 0 秒且不超过 %2 秒，实际为 %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sheets are not submitted</source>
+        <translation>%2 份评分表中有 %1 份尚未提交</translation>
+    </message>
+    <message>
+        <source>%1 people still wait for a group: the seed would tell them theirs</source>
+        <translation>还有 %1 人等待分组：公布种子会泄露其组别</translation>
+    </message>
+    <message>
+        <source>%1, got %2</source>
+        <translation>%1，实际为 %2</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1，第 %2 行</translation>
+    </message>
+    <message>
+        <source>%1, mastery %2</source>
+        <translation>%1，掌握标准 %2</translation>
+    </message>
+    <message>
+        <source>%1, phase %2</source>
+        <translation>%1，第 %2 阶段</translation>
+    </message>
+    <message>
+        <source>%1, serial number %2, driver %3, library %4, opened as %5</source>
+        <translation>%1，序列号 %2，驱动 %3，程序库 %4，打开方式 %5</translation>
+    </message>
+    <message>
+        <source>%1: %2 days</source>
+        <translation>%1：%2 天</translation>
+    </message>
+    <message>
+        <source>%1; 1000 Hz are wanted</source>
+        <translation>%1；应为 1000 Hz</translation>
+    </message>
+    <message>
+        <source>%1; below %2 Hz no force is rendered</source>
+        <translation>%1；低于 %2 Hz 时不输出力</translation>
+    </message>
+    <message>
+        <source>'%1' is not known</source>
+        <translation>“%1”无法识别</translation>
+    </message>
+    <message>
+        <source>20 min virtual, 20 min real arm</source>
+        <translation>虚拟 20 分钟，实物臂 20 分钟</translation>
+    </message>
+    <message>
+        <source>40 min real arm</source>
+        <translation>实物臂 40 分钟</translation>
+    </message>
+    <message>
+        <source>40 min virtual</source>
+        <translation>虚拟 40 分钟</translation>
+    </message>
+    <message>
+        <source>A saved recording cannot be read and stays where it is: %1</source>
+        <translation>一份已保存的录制无法读取，文件保留原处：%1</translation>
+    </message>
+    <message>
+        <source>A saved recording was not stored, because %1. Its file is kept: %2</source>
+        <translation>一份已保存的录制未能入库，原因：%1。文件已保留：%2</translation>
+    </message>
+    <message>
+        <source>Add --organ-unit %1</source>
+        <translation>请加上 --organ-unit %1</translation>
+    </message>
+    <message>
+        <source>Add a module, or begin with a template</source>
+        <translation>请添加模块，或从模板开始</translation>
+    </message>
+    <message>
+        <source>Add a new version instead</source>
+        <translation>请改为添加新版本</translation>
+    </message>
+    <message>
+        <source>Add a rubric first</source>
+        <translation>请先添加评分标准</translation>
+    </message>
+    <message>
+        <source>Add at least one</source>
+        <translation>请至少添加一个</translation>
+    </message>
+    <message>
+        <source>Add at least one criterion</source>
+        <translation>请至少添加一条评分项</translation>
+    </message>
+    <message>
+        <source>Add it</source>
+        <translation>请添加</translation>
+    </message>
+    <message>
+        <source>Add it.</source>
+        <translation>请添加</translation>
+    </message>
+    <message>
+        <source>Add one line a person</source>
+        <translation>请每人填写一行</translation>
+    </message>
+    <message>
+        <source>Add one row a value</source>
+        <translation>请每个数值填写一行</translation>
+    </message>
+    <message>
+        <source>Allocate them first, or give a reason</source>
+        <translation>请先为其分组，或说明理由</translation>
+    </message>
+    <message>
+        <source>Allow more attempts, or ask for fewer</source>
+        <translation>请增加允许次数，或降低要求</translation>
+    </message>
+    <message>
+        <source>Angles are not known better than that on this device; have it serviced</source>
+        <translation>该设备的角度精度仅能如此；请送修</translation>
+    </message>
+    <message>
+        <source>Ask an administrator to add you to the roster</source>
+        <translation>请联系管理员将您加入名册</translation>
+    </message>
+    <message>
+        <source>Ask an administrator, or sign in as somebody who may</source>
+        <translation>请联系管理员，或使用有权限的账号登录</translation>
+    </message>
+    <message>
+        <source>Ask the office</source>
+        <translation>请联系办公室</translation>
+    </message>
+    <message>
+        <source>Ask your training office for another attempt</source>
+        <translation>请向培训办公室申请再次尝试</translation>
+    </message>
+    <message>
+        <source>Ask your training office what comes next</source>
+        <translation>请向培训办公室询问后续安排</translation>
+    </message>
+    <message>
+        <source>Begin with a line that names the columns</source>
+        <translation>请在首行写明各列名称</translation>
+    </message>
+    <message>
+        <source>Begin with the header %1</source>
+        <translation>请以标题行 %1 开头</translation>
+    </message>
+    <message>
+        <source>Brisk, no idle moment</source>
+        <translation>利落，没有空闲</translation>
+    </message>
+    <message>
+        <source>Calibrate again in the inkwell; on another model this is to be expected</source>
+        <translation>请在笔座中重新校准；其他型号出现此差异属正常</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>校准</translation>
+    </message>
+    <message>
+        <source>Care for the tissue</source>
+        <translation>组织保护</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
+    <message>
+        <source>Check both machines, then copy again</source>
+        <translation>请检查两台计算机，然后重新复制</translation>
+    </message>
+    <message>
+        <source>Check cable and power, plug the device in again and start anew</source>
+        <translation>请检查电缆和电源，重新插拔设备后再开始</translation>
+    </message>
+    <message>
+        <source>Check cable and power, then plug the device in again and repeat the check</source>
+        <translation>请检查电缆和电源，重新插拔设备后再次检查</translation>
+    </message>
+    <message>
+        <source>Check power and cable, run the vendor's set-up tool once as this user, and check the rights on the device file (docs/devices.md)</source>
+        <translation>请检查电源和电缆，以当前用户运行一次厂商的设置工具，并检查设备文件的权限（docs/devices.md）</translation>
+    </message>
+    <message>
+        <source>Check that it is a file you may read</source>
+        <translation>请确认它是您有权读取的文件</translation>
+    </message>
+    <message>
+        <source>Check that it runs and that the address is right</source>
+        <translation>请确认服务器正在运行且地址正确</translation>
+    </message>
+    <message>
+        <source>Check that it runs, and that address, user and password are right</source>
+        <translation>请确认服务器正在运行，且地址、用户名和密码正确</translation>
+    </message>
+    <message>
+        <source>Check that the folder exists, is not read-only, and that the disk is not full</source>
+        <translation>请确认文件夹存在、可写入且磁盘未满</translation>
+    </message>
+    <message>
+        <source>Check that the mesh is one closed surface without handles.</source>
+        <translation>请确认网格是一个无环柄的封闭曲面</translation>
+    </message>
+    <message>
+        <source>Check that the mesh is one connected surface and that its ends do not touch.</source>
+        <translation>请确认网格是一个连通曲面且两端不相接</translation>
+    </message>
+    <message>
+        <source>Check that you may read and write in its folder</source>
+        <translation>请确认您可以读写其所在文件夹</translation>
+    </message>
+    <message>
+        <source>Check the assets folder.</source>
+        <translation>请检查资源文件夹</translation>
+    </message>
+    <message>
+        <source>Check the code</source>
+        <translation>请检查代码</translation>
+    </message>
+    <message>
+        <source>Check the database.</source>
+        <translation>请检查数据库</translation>
+    </message>
+    <message>
+        <source>Check the device's power supply and repeat the check</source>
+        <translation>请检查设备电源后再次检查</translation>
+    </message>
+    <message>
+        <source>Check the disk, and the database itself</source>
+        <translation>请检查磁盘及数据库本身</translation>
+    </message>
+    <message>
+        <source>Check the folder and the free space</source>
+        <translation>请检查文件夹和剩余空间</translation>
+    </message>
+    <message>
+        <source>Check the id and the database</source>
+        <translation>请检查编号和数据库</translation>
+    </message>
+    <message>
+        <source>Check the limits that the device reports</source>
+        <translation>请检查设备报告的限值</translation>
+    </message>
+    <message>
+        <source>Check the path</source>
+        <translation>请检查路径</translation>
+    </message>
+    <message>
+        <source>Check the task and the profile</source>
+        <translation>请检查任务和参数</translation>
+    </message>
+    <message>
+        <source>Check the unit, or move the mesh near the origin</source>
+        <translation>请检查单位，或将网格移到原点附近</translation>
+    </message>
+    <message>
+        <source>Check what it refers to</source>
+        <translation>请检查其引用的内容</translation>
+    </message>
+    <message>
+        <source>Choose a folder in which you may write</source>
+        <translation>请选择您可以写入的文件夹</translation>
+    </message>
+    <message>
+        <source>Choose a folder in which you may write, or open the database for reading only</source>
+        <translation>请选择您可以写入的文件夹，或以只读方式打开数据库</translation>
+    </message>
+    <message>
+        <source>Choose a later day</source>
+        <translation>请选择更晚的日期</translation>
+    </message>
+    <message>
+        <source>Choose a mark between the ends of the scale</source>
+        <translation>请在量表两端之间选择分数</translation>
+    </message>
+    <message>
+        <source>Choose a metric from the list</source>
+        <translation>请从列表中选择指标</translation>
+    </message>
+    <message>
+        <source>Choose a phase of the trainee's own arm</source>
+        <translation>请选择该学员所在组别的阶段</translation>
+    </message>
+    <message>
+        <source>Choose a stored rubric</source>
+        <translation>请选择已存储的评分标准</translation>
+    </message>
+    <message>
+        <source>Choose a time within it</source>
+        <translation>请选择其范围内的时刻</translation>
+    </message>
+    <message>
+        <source>Choose active or left</source>
+        <translation>请选择“在册”或“已离开”</translation>
+    </message>
+    <message>
+        <source>Choose an existing one</source>
+        <translation>请选择已有的一项</translation>
+    </message>
+    <message>
+        <source>Choose an open module</source>
+        <translation>请选择可进行的模块</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>请选择其他文件</translation>
+    </message>
+    <message>
+        <source>Choose another file, or restore the latest backup</source>
+        <translation>请选择其他文件，或恢复最近的备份</translation>
+    </message>
+    <message>
+        <source>Choose another folder</source>
+        <translation>请选择其他文件夹</translation>
+    </message>
+    <message>
+        <source>Choose another group</source>
+        <translation>请选择其他组别</translation>
+    </message>
+    <message>
+        <source>Choose another name; frozen data stay as they are</source>
+        <translation>请换一个名称；已冻结的数据保持不变</translation>
+    </message>
+    <message>
+        <source>Choose another one</source>
+        <translation>请选择另一个</translation>
+    </message>
+    <message>
+        <source>Choose another recording</source>
+        <translation>请选择其他录制</translation>
+    </message>
+    <message>
+        <source>Choose another trial</source>
+        <translation>请选择其他操作记录</translation>
+    </message>
+    <message>
+        <source>Choose at least one</source>
+        <translation>请至少选择一项</translation>
+    </message>
+    <message>
+        <source>Choose at least one of the two</source>
+        <translation>请至少选择其中一项</translation>
+    </message>
+    <message>
+        <source>Choose at least one trainee</source>
+        <translation>请至少选择一名学员</translation>
+    </message>
+    <message>
+        <source>Choose at least or at most</source>
+        <translation>请选择“不低于”或“不超过”</translation>
+    </message>
+    <message>
+        <source>Choose enrolled, completed or withdrawn</source>
+        <translation>请选择在组、已完成或已退出</translation>
+    </message>
+    <message>
+        <source>Choose female, male, other or nothing</source>
+        <translation>请选择女、男、其他或留空</translation>
+    </message>
+    <message>
+        <source>Choose from the list</source>
+        <translation>请从列表中选择</translation>
+    </message>
+    <message>
+        <source>Choose left, right or nothing</source>
+        <translation>请选择左、右或留空</translation>
+    </message>
+    <message>
+        <source>Choose one</source>
+        <translation>请选择一项</translation>
+    </message>
+    <message>
+        <source>Choose one column a field</source>
+        <translation>请为每个字段选择一列</translation>
+    </message>
+    <message>
+        <source>Choose one from the list</source>
+        <translation>请从列表中选择一项</translation>
+    </message>
+    <message>
+        <source>Choose one from the list, or none for any module</source>
+        <translation>请从列表中选择一项；留空表示任意模块</translation>
+    </message>
+    <message>
+        <source>Choose one of %1.</source>
+        <translation>请选择其中之一：%1</translation>
+    </message>
+    <message>
+        <source>Choose one of the cohort</source>
+        <translation>请选择该批次中的一位</translation>
+    </message>
+    <message>
+        <source>Choose one of the file</source>
+        <translation>请选择文件中的一项</translation>
+    </message>
+    <message>
+        <source>Choose one of the list</source>
+        <translation>请从列表中选择一项</translation>
+    </message>
+    <message>
+        <source>Choose one of the two</source>
+        <translation>请选择其中之一</translation>
+    </message>
+    <message>
+        <source>Choose pre, mid or post</source>
+        <translation>请选择训练前、训练中或训练后</translation>
+    </message>
+    <message>
+        <source>Choose prerequisites from the list</source>
+        <translation>请从列表中选择先修模块</translation>
+    </message>
+    <message>
+        <source>Choose prerequisites from the same version</source>
+        <translation>请从同一版本中选择先修模块</translation>
+    </message>
+    <message>
+        <source>Choose raters of this class, or take its weight away</source>
+        <translation>请选择该类评分者，或取消其权重</translation>
+    </message>
+    <message>
+        <source>Choose sex, level, experience or handedness</source>
+        <translation>请选择性别、学历、经验或惯用手</translation>
+    </message>
+    <message>
+        <source>Choose somebody else</source>
+        <translation>请选择其他人</translation>
+    </message>
+    <message>
+        <source>Choose somebody who waits; a change of group is an override with a reason</source>
+        <translation>请选择等待分组者；更改组别属于人工调整，须说明理由</translation>
+    </message>
+    <message>
+        <source>Choose virtual, real or rest</source>
+        <translation>请选择虚拟、实物或休息</translation>
+    </message>
+    <message>
+        <source>Close Torsio at every station and try again</source>
+        <translation>请关闭所有工作站上的 Torsio 后重试</translation>
+    </message>
+    <message>
+        <source>Close and repair the mesh.</source>
+        <translation>请封闭并修复网格</translation>
+    </message>
+    <message>
+        <source>Close every other program that uses the device, then try again</source>
+        <translation>请关闭所有使用该设备的其他程序后重试</translation>
+    </message>
+    <message>
+        <source>Close every other program that uses the device; restart Torsio</source>
+        <translation>请关闭所有使用该设备的其他程序，并重新启动 Torsio</translation>
+    </message>
+    <message>
+        <source>Close every other program that uses the device; restart the computer</source>
+        <translation>请关闭所有使用该设备的其他程序，并重新启动计算机</translation>
+    </message>
+    <message>
+        <source>Close other programs and try again</source>
+        <translation>请关闭其他程序后重试</translation>
+    </message>
+    <message>
+        <source>Close other programs that use it</source>
+        <translation>请关闭使用它的其他程序</translation>
+    </message>
+    <message>
+        <source>Close other programs; on Linux allow real-time scheduling for this user (docs/devices.md)</source>
+        <translation>请关闭其他程序；在 Linux 上请为该用户启用实时调度（docs/devices.md）</translation>
+    </message>
+    <message>
+        <source>Close the holes in a mesh editor</source>
+        <translation>请在网格编辑器中封闭孔洞</translation>
+    </message>
+    <message>
+        <source>Close the quoted value</source>
+        <translation>请补上右引号</translation>
+    </message>
+    <message>
+        <source>Close the tunnels: an organ's outer surface has none</source>
+        <translation>请封闭贯通孔：器官外表面没有贯通孔</translation>
+    </message>
+    <message>
+        <source>Come back when they are</source>
+        <translation>请待其提交后再来</translation>
+    </message>
+    <message>
+        <source>Comparing</source>
+        <translation>正在比较</translation>
+    </message>
+    <message>
+        <source>Comparing with the record</source>
+        <translation>正在与记录比较</translation>
+    </message>
+    <message>
+        <source>Connect the haptic device for a graded run</source>
+        <translation>计分操作请连接力反馈设备</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Copying %1</source>
+        <translation>正在复制 %1</translation>
+    </message>
+    <message>
+        <source>Copying the database while others work</source>
+        <translation>正在复制数据库（不影响他人工作）</translation>
+    </message>
+    <message>
+        <source>Correct the curriculum</source>
+        <translation>请修正课程</translation>
+    </message>
+    <message>
+        <source>Correct the file, or remove it</source>
+        <translation>请修正或移除该文件</translation>
+    </message>
+    <message>
+        <source>Correct the file.</source>
+        <translation>请修正文件</translation>
+    </message>
+    <message>
+        <source>Correct the migration file</source>
+        <translation>请修正迁移文件</translation>
+    </message>
+    <message>
+        <source>Correct the person's record, or lock a new design with a reason</source>
+        <translation>请更正此人的记录，或说明理由后锁定新方案</translation>
+    </message>
+    <message>
+        <source>Correct the score</source>
+        <translation>请更正分数</translation>
+    </message>
+    <message>
+        <source>Correct the text</source>
+        <translation>请更正文本</translation>
+    </message>
+    <message>
+        <source>Correct the value</source>
+        <translation>请更正数值</translation>
+    </message>
+    <message>
+        <source>Correct the value.</source>
+        <translation>请更正数值</translation>
+    </message>
+    <message>
+        <source>Create it, or choose another</source>
+        <translation>请创建，或选择其他位置</translation>
+    </message>
+    <message>
+        <source>DISPLAY and WAYLAND_DISPLAY are not set</source>
+        <translation>未设置 DISPLAY 和 WAYLAND_DISPLAY</translation>
+    </message>
+    <message>
+        <source>Decimate the surface</source>
+        <translation>请简化曲面</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Do not score it; tell the office</source>
+        <translation>请勿评分，并告知办公室</translation>
+    </message>
+    <message>
+        <source>Does not finish; long stops</source>
+        <translation>未完成；停顿长</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Draft becomes running, running becomes closed</source>
+        <translation>草稿之后为进行中，进行中之后为已关闭</translation>
+    </message>
+    <message>
+        <source>Draw the group first</source>
+        <translation>请先抽取组别</translation>
+    </message>
+    <message>
+        <source>End the value at the closing quote</source>
+        <translation>请在右引号处结束该值</translation>
+    </message>
+    <message>
+        <source>Enrol trainees first</source>
+        <translation>请先登记学员</translation>
+    </message>
+    <message>
+        <source>Enter 1 to 36500</source>
+        <translation>请输入 1 至 36500</translation>
+    </message>
+    <message>
+        <source>Enter a limit above 0 N m, or none</source>
+        <translation>请输入大于 0 N m 的限值，或不设限</translation>
+    </message>
+    <message>
+        <source>Enter a limit above 0 N, or none</source>
+        <translation>请输入大于 0 N 的限值，或不设限</translation>
+    </message>
+    <message>
+        <source>Enter at least one degree</source>
+        <translation>请输入至少 1 度</translation>
+    </message>
+    <message>
+        <source>Enter how far to twist</source>
+        <translation>请输入扭转角度</translation>
+    </message>
+    <message>
+        <source>Enter its minutes</source>
+        <translation>请输入分钟数</translation>
+    </message>
+    <message>
+        <source>Enter one</source>
+        <translation>请输入一个</translation>
+    </message>
+    <message>
+        <source>Enter the age in years, or leave it empty</source>
+        <translation>请输入年龄（岁），或留空</translation>
+    </message>
+    <message>
+        <source>Enter the full name</source>
+        <translation>请输入全名</translation>
+    </message>
+    <message>
+        <source>Enter the minutes</source>
+        <translation>请输入分钟数</translation>
+    </message>
+    <message>
+        <source>Enter the name of your centre</source>
+        <translation>请输入中心名称</translation>
+    </message>
+    <message>
+        <source>Enter the trainee first</source>
+        <translation>请先录入该学员</translation>
+    </message>
+    <message>
+        <source>Export the mesh again</source>
+        <translation>请重新导出网格</translation>
+    </message>
+    <message>
+        <source>Export the mesh again.</source>
+        <translation>请重新导出网格</translation>
+    </message>
+    <message>
+        <source>Far from the angle, slips</source>
+        <translation>离目标角度远，打滑</translation>
+    </message>
+    <message>
+        <source>Fill both in</source>
+        <translation>请填写这两项</translation>
+    </message>
+    <message>
+        <source>Fill in the cell</source>
+        <translation>请填写该单元格</translation>
+    </message>
+    <message>
+        <source>Fill it in</source>
+        <translation>请填写</translation>
+    </message>
+    <message>
+        <source>Fill it in and submit it</source>
+        <translation>请填写并提交</translation>
+    </message>
+    <message>
+        <source>Fill it in or remove the line</source>
+        <translation>请填写，或删除该行</translation>
+    </message>
+    <message>
+        <source>Finish or move what uses them first; nothing was removed</source>
+        <translation>请先结束或移走正在使用它的内容；未删除任何内容</translation>
+    </message>
+    <message>
+        <source>Finishes with some waiting</source>
+        <translation>完成，有些等待</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>入门</translation>
+    </message>
+    <message>
+        <source>Fluent, one movement</source>
+        <translation>流畅，一气呵成</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Forearm: graded, with little force</source>
+        <translation>前臂：计分，轻柔用力</translation>
+    </message>
+    <message>
+        <source>Forearm: pronate to 60 degrees</source>
+        <translation>前臂：旋前 60 度</translation>
+    </message>
+    <message>
+        <source>Forearm: supinate to 60 degrees, nearer</source>
+        <translation>前臂：旋后 60 度（更精确）</translation>
+    </message>
+    <message>
+        <source>Free some space in the temporary folder</source>
+        <translation>请清理临时文件夹的空间</translation>
+    </message>
+    <message>
+        <source>Free some space on the disk</source>
+        <translation>请清理磁盘空间</translation>
+    </message>
+    <message>
+        <source>GLB</source>
+        <translation>GLB</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>几何</translation>
+    </message>
+    <message>
+        <source>Give 0 for the default or a positive length.</source>
+        <translation>请填 0 使用默认值，或填正的长度</translation>
+    </message>
+    <message>
+        <source>Give 60 for twenty seconds a phase</source>
+        <translation>填 60 时每个阶段为二十秒</translation>
+    </message>
+    <message>
+        <source>Give a closed surface that encloses the organ</source>
+        <translation>请提供包围器官的封闭曲面</translation>
+    </message>
+    <message>
+        <source>Give a closed triangle surface.</source>
+        <translation>请提供封闭的三角形曲面</translation>
+    </message>
+    <message>
+        <source>Give a file with a surface, not points or lines</source>
+        <translation>请提供含曲面的文件，而非仅含点或线</translation>
+    </message>
+    <message>
+        <source>Give a fraction between 0 and 1.</source>
+        <translation>请填写 0 与 1 之间的小数</translation>
+    </message>
+    <message>
+        <source>Give a number between %1 and %2.</source>
+        <translation>请填写 %1 与 %2 之间的数</translation>
+    </message>
+    <message>
+        <source>Give a reason; whoever has a group keeps it</source>
+        <translation>请说明理由；已分组者保持原组</translation>
+    </message>
+    <message>
+        <source>Give a warning time above 0 and below the lock time</source>
+        <translation>请填写大于 0 且小于锁定时间的提醒时间</translation>
+    </message>
+    <message>
+        <source>Give an earlier time, or longer phases</source>
+        <translation>请填写更早的时间，或延长阶段</translation>
+    </message>
+    <message>
+        <source>Give another number of seconds</source>
+        <translation>请填写其他秒数</translation>
+    </message>
+    <message>
+        <source>Give both ends.</source>
+        <translation>请同时给出两端</translation>
+    </message>
+    <message>
+        <source>Give each a later time than the last</source>
+        <translation>请使每个时间都晚于前一个</translation>
+    </message>
+    <message>
+        <source>Give each column a name of its own</source>
+        <translation>请为每列使用不同的名称</translation>
+    </message>
+    <message>
+        <source>Give each group a short code, such as G1</source>
+        <translation>请为每组填写简短代码，例如 G1</translation>
+    </message>
+    <message>
+        <source>Give end points inside the organ.</source>
+        <translation>请给出器官内部的端点</translation>
+    </message>
+    <message>
+        <source>Give finite numbers.</source>
+        <translation>请给出有限的数</translation>
+    </message>
+    <message>
+        <source>Give it a short one, such as G1</source>
+        <translation>请填写简短代码，例如 G1</translation>
+    </message>
+    <message>
+        <source>Give it a short one, such as M1</source>
+        <translation>请填写简短代码，例如 M1</translation>
+    </message>
+    <message>
+        <source>Give it another code, or change the existing one</source>
+        <translation>请换一个代码，或修改已有的记录</translation>
+    </message>
+    <message>
+        <source>Give it in %1</source>
+        <translation>请以 %1 为单位</translation>
+    </message>
+    <message>
+        <source>Give it one, such as "virtual 0-20 min"</source>
+        <translation>请填写名称，例如“虚拟 0–20 分钟”</translation>
+    </message>
+    <message>
+        <source>Give more of the id</source>
+        <translation>请输入更完整的编号</translation>
+    </message>
+    <message>
+        <source>Give one value a column and write decimals with a point</source>
+        <translation>请每列填写一个值，小数使用点号</translation>
+    </message>
+    <message>
+        <source>Give one value a column; put a value that holds the separator in quotes</source>
+        <translation>请每列填写一个值；含分隔符的值请加引号</translation>
+    </message>
+    <message>
+        <source>Give one, like --out pictures</source>
+        <translation>请指定一个，例如 --out pictures</translation>
+    </message>
+    <message>
+        <source>Give other end points, or check the mesh for handles.</source>
+        <translation>请给出其他端点，或检查网格是否有环柄</translation>
+    </message>
+    <message>
+        <source>Give the class a weight, or leave the rater out</source>
+        <translation>请为该类设置权重，或不邀请该评分者</translation>
+    </message>
+    <message>
+        <source>Give the curriculum as many arms as the cohort has groups</source>
+        <translation>课程的组别数应与批次的组数相同</translation>
+    </message>
+    <message>
+        <source>Give the file the extension of its format, or export it again</source>
+        <translation>请使用与格式相符的扩展名，或重新导出</translation>
+    </message>
+    <message>
+        <source>Give the path of a database file</source>
+        <translation>请给出数据库文件的路径</translation>
+    </message>
+    <message>
+        <source>Give the two end points.</source>
+        <translation>请给出两个端点</translation>
+    </message>
+    <message>
+        <source>Give the version of the consent text</source>
+        <translation>请给出同意书的版本</translation>
+    </message>
+    <message>
+        <source>Give three finite numbers.</source>
+        <translation>请给出三个有限的数</translation>
+    </message>
+    <message>
+        <source>Give two end points further apart.</source>
+        <translation>请给出相距更远的两个端点</translation>
+    </message>
+    <message>
+        <source>Go on with the next case of the queue</source>
+        <translation>请继续待评列表中的下一个案例</translation>
+    </message>
+    <message>
+        <source>Go on with the next model</source>
+        <translation>请继续下一个模型</translation>
+    </message>
+    <message>
+        <source>Haptic device</source>
+        <translation>力反馈设备</translation>
+    </message>
+    <message>
+        <source>Hold the stylus: it will push upwards with %1 N for %2 s</source>
+        <translation>请握住手写笔：将以 %1 N 向上推 %2 秒</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>正在导入</translation>
+    </message>
+    <message>
+        <source>Install OpenHaptics 3.0 to 3.5; this file is another library or an incomplete one</source>
+        <translation>请安装 OpenHaptics 3.0 至 3.5；该文件属于其他程序库或不完整</translation>
+    </message>
+    <message>
+        <source>Install the device's driver and the OpenHaptics run time (docs/devices.md), or name the library with --library</source>
+        <translation>请安装设备驱动和 OpenHaptics 运行库（docs/devices.md），或用 --library 指定程序库</translation>
+    </message>
+    <message>
+        <source>Install the device's driver package; OpenHaptics alone is not enough</source>
+        <translation>请安装设备驱动包；仅有 OpenHaptics 不够</translation>
+    </message>
+    <message>
+        <source>Install the driver package that belongs to it, for this kind of processor</source>
+        <translation>请安装与之配套、适用于本机处理器的驱动包</translation>
+    </message>
+    <message>
+        <source>Install the licence of OpenHaptics for this computer, or set OH_SDK_LICENSE_PATH to its folder</source>
+        <translation>请安装本机的 OpenHaptics 许可证，或将 OH_SDK_LICENSE_PATH 设为其所在文件夹</translation>
+    </message>
+    <message>
+        <source>Install the package %1</source>
+        <translation>请安装软件包 %1</translation>
+    </message>
+    <message>
+        <source>Install the package that contains %1</source>
+        <translation>请安装包含 %1 的软件包</translation>
+    </message>
+    <message>
+        <source>Install the packages libncurses5 and libtinfo5</source>
+        <translation>请安装软件包 libncurses5 和 libtinfo5</translation>
+    </message>
+    <message>
+        <source>Intestine: hold the turn</source>
+        <translation>肠：保持扭转</translation>
+    </message>
+    <message>
+        <source>Intestine: turn a held loop by 180 degrees</source>
+        <translation>肠：将夹持的肠袢扭转 180 度</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>抖动</translation>
+    </message>
+    <message>
+        <source>Join them</source>
+        <translation>请将其合并</translation>
+    </message>
+    <message>
+        <source>Keep one of the two</source>
+        <translation>请保留其中之一</translation>
+    </message>
+    <message>
+        <source>Keep one of the two rules</source>
+        <translation>请保留两条标准中的一条</translation>
+    </message>
+    <message>
+        <source>Keep one organ only</source>
+        <translation>请只保留一个器官</translation>
+    </message>
+    <message>
+        <source>Keep what you have here and compare the two</source>
+        <translation>请保留现有内容，并比较两者</translation>
+    </message>
+    <message>
+        <source>Knows the steps, corrects often</source>
+        <translation>知道步骤，经常修正</translation>
+    </message>
+    <message>
+        <source>Laying out the desks</source>
+        <translation>正在布置工作台</translation>
+    </message>
+    <message>
+        <source>Leave them out</source>
+        <translation>请将其去掉</translation>
+    </message>
+    <message>
+        <source>Let the device rest for a while</source>
+        <translation>请让设备休息片刻</translation>
+    </message>
+    <message>
+        <source>Let the device rest, calibrate it again and repeat the check</source>
+        <translation>请让设备休息并重新校准，然后再次检查</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>程序库</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>许可证</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>限值</translation>
+    </message>
+    <message>
+        <source>List the campaigns first</source>
+        <translation>请先列出模型评价</translation>
+    </message>
+    <message>
+        <source>List the trials to find its id</source>
+        <translation>请列出操作记录以查找编号</translation>
+    </message>
+    <message>
+        <source>Lock one first</source>
+        <translation>请先锁定一个方案</translation>
+    </message>
+    <message>
+        <source>Look at the preview again</source>
+        <translation>请重新查看预览</translation>
+    </message>
+    <message>
+        <source>Looking for the device</source>
+        <translation>正在查找设备</translation>
+    </message>
+    <message>
+        <source>M01 cannot be read</source>
+        <translation>M01 无法读取</translation>
+    </message>
+    <message>
+        <source>M01 no such file</source>
+        <translation>M01 没有该文件</translation>
+    </message>
+    <message>
+        <source>M01 not a file</source>
+        <translation>M01 不是文件</translation>
+    </message>
+    <message>
+        <source>M01 the file is empty</source>
+        <translation>M01 文件为空</translation>
+    </message>
+    <message>
+        <source>M02 files with the extension "%1" are not read</source>
+        <translation>M02 不支持扩展名为“%1”的文件</translation>
+    </message>
+    <message>
+        <source>M02 not a file of the format %1: %2</source>
+        <translation>M02 不是 %1 格式的文件：%2</translation>
+    </message>
+    <message>
+        <source>M03 %1 triangles, at most %2 are accepted</source>
+        <translation>M03 有 %1 个三角形，最多接受 %2 个</translation>
+    </message>
+    <message>
+        <source>M03 more than %1 triangles</source>
+        <translation>M03 三角形超过 %1 个</translation>
+    </message>
+    <message>
+        <source>M03 the file has more than %1 MB</source>
+        <translation>M03 文件超过 %1 MB</translation>
+    </message>
+    <message>
+        <source>M04 the header promises %1, but the file has %2 bytes</source>
+        <translation>M04 文件头声明 %1，但文件只有 %2 字节</translation>
+    </message>
+    <message>
+        <source>M05 %1 is broken: %2</source>
+        <translation>M05 %1 已损坏：%2</translation>
+    </message>
+    <message>
+        <source>M05 the importer failed on this file: %1</source>
+        <translation>M05 导入该文件失败：%1</translation>
+    </message>
+    <message>
+        <source>M06 no triangles</source>
+        <translation>M06 没有三角形</translation>
+    </message>
+    <message>
+        <source>M06 the file declares no vertices with x, y, z or no faces</source>
+        <translation>M06 文件未声明含 x、y、z 的顶点或没有面</translation>
+    </message>
+    <message>
+        <source>M07 vertex %1 is not a finite number</source>
+        <translation>M07 顶点 %1 不是有限的数</translation>
+    </message>
+    <message>
+        <source>M07 vertex %1 lies at %2, further than %3 from the origin</source>
+        <translation>M07 顶点 %1 位于 %2，距原点超过 %3</translation>
+    </message>
+    <message>
+        <source>M08 %1 uses vertex %2 of %3</source>
+        <translation>M08 %1 使用了顶点 %2，共有 %3 个</translation>
+    </message>
+    <message>
+        <source>M08 face %1 uses vertex %2 of %3</source>
+        <translation>M08 面 %1 使用了顶点 %2，共有 %3 个</translation>
+    </message>
+    <message>
+        <source>M09 largest side %1 is no organ (%2 to %3)</source>
+        <translation>M09 最大边长 %1 不符合器官尺寸（%2 至 %3）</translation>
+    </message>
+    <message>
+        <source>M09 largest side %1: the file seems to be in %2</source>
+        <translation>M09 最大边长 %1：文件单位似乎为 %2</translation>
+    </message>
+    <message>
+        <source>M10 %1 face(s) without area could not be repaired</source>
+        <translation>M10 有 %1 个零面积的面无法修复</translation>
+    </message>
+    <message>
+        <source>M11 the surface is open: %1 boundary edge(s) in %2 hole(s), first at %3</source>
+        <translation>M11 曲面未封闭：%2 个孔洞中有 %1 条边界边，首个位于 %3</translation>
+    </message>
+    <message>
+        <source>M12 %1 edge(s) shared by more than two faces, first at %2</source>
+        <translation>M12 有 %1 条边由两个以上的面共用，首个位于 %2</translation>
+    </message>
+    <message>
+        <source>M12 %1 vertex(es) where two parts only touch, first at %2</source>
+        <translation>M12 有 %1 个顶点处两部分仅点接触，首个位于 %2</translation>
+    </message>
+    <message>
+        <source>M13 the surface is one-sided (like a Moebius strip)</source>
+        <translation>M13 曲面为单侧曲面（如莫比乌斯带）</translation>
+    </message>
+    <message>
+        <source>M14 separate pieces hold %1 % of the surface</source>
+        <translation>M14 分离的部分占曲面的 %1 %</translation>
+    </message>
+    <message>
+        <source>M16 the surface has %1 handle(s), like a ring</source>
+        <translation>M16 曲面有 %1 个环柄，形如圆环</translation>
+    </message>
+    <message>
+        <source>M18 the surface is flat: mean thickness %1, volume %2 ml</source>
+        <translation>M18 曲面过扁：平均厚度 %1，体积 %2 ml</translation>
+    </message>
+    <message>
+        <source>M19 too coarse: %1 triangles, at least %2 are needed</source>
+        <translation>M19 过于粗糙：%1 个三角形，至少需要 %2 个</translation>
+    </message>
+    <message>
+        <source>Make another cohort for the other curriculum</source>
+        <translation>请为另一课程新建批次</translation>
+    </message>
+    <message>
+        <source>Make somebody else an administrator first</source>
+        <translation>请先将其他人设为管理员</translation>
+    </message>
+    <message>
+        <source>Make the demonstration people first</source>
+        <translation>请先创建演示人员</translation>
+    </message>
+    <message>
+        <source>Measuring the servo for %1 s</source>
+        <translation>正在测量伺服，共 %1 秒</translation>
+    </message>
+    <message>
+        <source>Model "%1" is not an Omni or Touch; it is treated like a Touch</source>
+        <translation>型号“%1”不是 Omni 或 Touch；按 Touch 处理</translation>
+    </message>
+    <message>
+        <source>Motors</source>
+        <translation>电机</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>鼠标和键盘</translation>
+    </message>
+    <message>
+        <source>Move it, or widen the scale</source>
+        <translation>请移动它，或扩大量表范围</translation>
+    </message>
+    <message>
+        <source>Move the end point into the organ or turn the direction of the cut.</source>
+        <translation>请将端点移入器官内，或改变切割方向</translation>
+    </message>
+    <message>
+        <source>Move the end points inwards, or give the end points of the axis.</source>
+        <translation>请将端点向内移，或给出轴线的端点</translation>
+    </message>
+    <message>
+        <source>Move the end points so that the axis follows the organ, or cut the organ at the kink.</source>
+        <translation>请移动端点使轴线沿器官走行，或在弯折处切断器官</translation>
+    </message>
+    <message>
+        <source>Move the end points so that the axis follows the organ, or smooth the mesh.</source>
+        <translation>请移动端点使轴线沿器官走行，或平滑网格</translation>
+    </message>
+    <message>
+        <source>Name a file in that folder</source>
+        <translation>请指定该文件夹中的文件</translation>
+    </message>
+    <message>
+        <source>Name a mesh file, not a folder</source>
+        <translation>请指定网格文件，而不是文件夹</translation>
+    </message>
+    <message>
+        <source>Name a new file, or an empty database</source>
+        <translation>请指定新文件或空数据库</translation>
+    </message>
+    <message>
+        <source>Name a new folder</source>
+        <translation>请指定新文件夹</translation>
+    </message>
+    <message>
+        <source>Name another target</source>
+        <translation>请指定其他目标</translation>
+    </message>
+    <message>
+        <source>Name at least two models</source>
+        <translation>请至少列出两个模型</translation>
+    </message>
+    <message>
+        <source>Name each once</source>
+        <translation>每项只列一次</translation>
+    </message>
+    <message>
+        <source>Name it NNNN_what.sql and write -- compatible_from: N</source>
+        <translation>请命名为 NNNN_what.sql，并写明 -- compatible_from: N</translation>
+    </message>
+    <message>
+        <source>Name its groups, or choose a curriculum whose arms they follow</source>
+        <translation>请列出其组别，或选择与组别相符的课程</translation>
+    </message>
+    <message>
+        <source>Near the angle, wavers</source>
+        <translation>接近目标角度，有摆动</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded any more</source>
+        <translation>不再录制任何内容</translation>
+    </message>
+    <message>
+        <source>Nothing is to be done</source>
+        <translation>无需处理</translation>
+    </message>
+    <message>
+        <source>OBJ</source>
+        <translation>OBJ</translation>
+    </message>
+    <message>
+        <source>Open a case of your own queue</source>
+        <translation>请打开您自己待评列表中的案例</translation>
+    </message>
+    <message>
+        <source>Open both with this version of Torsio first</source>
+        <translation>请先用此版本的 Torsio 打开两者</translation>
+    </message>
+    <message>
+        <source>Open it for writing, or copy it to a writable folder</source>
+        <translation>请以可写方式打开，或复制到可写的文件夹</translation>
+    </message>
+    <message>
+        <source>Open it once for writing, so that it can be brought up to date</source>
+        <translation>请先以可写方式打开一次，以便更新</translation>
+    </message>
+    <message>
+        <source>Open that person, or correct the number</source>
+        <translation>请打开该人员，或更正编号</translation>
+    </message>
+    <message>
+        <source>Open the consent again</source>
+        <translation>请重新打开同意书</translation>
+    </message>
+    <message>
+        <source>Open the form again</source>
+        <translation>请重新打开评价表</translation>
+    </message>
+    <message>
+        <source>Open the list again</source>
+        <translation>请重新打开列表</translation>
+    </message>
+    <message>
+        <source>Open the organ file of the recording first, or use the version that recorded it: %1</source>
+        <translation>请先打开该录制的器官文件，或使用录制时的版本：%1</translation>
+    </message>
+    <message>
+        <source>Open the sheet again</source>
+        <translation>请重新打开评分表</translation>
+    </message>
+    <message>
+        <source>Open the warm-up again</source>
+        <translation>请重新打开热身</translation>
+    </message>
+    <message>
+        <source>Open your own record</source>
+        <translation>请打开您自己的记录</translation>
+    </message>
+    <message>
+        <source>Operational accuracy</source>
+        <translation>操作准确性</translation>
+    </message>
+    <message>
+        <source>PIN</source>
+        <translation>PIN 码</translation>
+    </message>
+    <message>
+        <source>Paper protocol: three arms</source>
+        <translation>论文方案：三组</translation>
+    </message>
+    <message>
+        <source>Period and damping lie above zero, the latency in 0..16 ticks</source>
+        <translation>周期和阻尼须大于零，延迟为 0 至 16 个周期</translation>
+    </message>
+    <message>
+        <source>Play it again at an allowed speed</source>
+        <translation>请以允许的速度重新播放</translation>
+    </message>
+    <message>
+        <source>Play the rest before you submit</source>
+        <translation>请看完其余部分再提交</translation>
+    </message>
+    <message>
+        <source>Point TORSIO_ASSETS at the assets folder, or unset it</source>
+        <translation>请将 TORSIO_ASSETS 指向资源文件夹，或取消设置</translation>
+    </message>
+    <message>
+        <source>Practice on forearm, intestine and stomach, from an easy pronation to the combined gastric twist. Each step opens when the one before is mastered: enough twists let go on the target, several times in a row.</source>
+        <translation>在前臂、肠和胃上练习，从简单的旋前到胃的复合扭转。掌握前一步后才开放下一步：连续多次在目标处松开足够数量的扭转。</translation>
+    </message>
+    <message>
+        <source>Practise, or put right what the device check shows</source>
+        <translation>请先练习，或处理设备检查中列出的问题</translation>
+    </message>
+    <message>
+        <source>Proficiency</source>
+        <translation>熟练程度</translation>
+    </message>
+    <message>
+        <source>Put it in brackets.</source>
+        <translation>请加上方括号</translation>
+    </message>
+    <message>
+        <source>Put it in quotes.</source>
+        <translation>请加上引号</translation>
+    </message>
+    <message>
+        <source>Put the stylus firmly into the inkwell and repeat the check</source>
+        <translation>请将手写笔牢固插入笔座，然后再次检查</translation>
+    </message>
+    <message>
+        <source>Put the stylus into the inkwell and leave it there</source>
+        <translation>请将手写笔插入笔座并保持不动</translation>
+    </message>
+    <message>
+        <source>Put the stylus into the inkwell and repeat the check</source>
+        <translation>请将手写笔插入笔座，然后再次检查</translation>
+    </message>
+    <message>
+        <source>Put the whole value in quotes and double each quote in it</source>
+        <translation>请将整个值加引号，并将其中的引号写两遍</translation>
+    </message>
+    <message>
+        <source>Qt has no driver %1</source>
+        <translation>Qt 没有 %1 驱动</translation>
+    </message>
+    <message>
+        <source>Quit Torsio, plug the device in again and start anew</source>
+        <translation>请退出 Torsio，重新插拔设备后再开始</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>频率</translation>
+    </message>
+    <message>
+        <source>Reaches and holds the angle</source>
+        <translation>达到并保持角度</translation>
+    </message>
+    <message>
+        <source>Read and confirm the consent first, or use free practice, which is not recorded</source>
+        <translation>请先阅读并确认同意书，或使用不录制的自由练习</translation>
+    </message>
+    <message>
+        <source>Read the draft again and merge your changes</source>
+        <translation>请重新读取草稿并合并您的更改</translation>
+    </message>
+    <message>
+        <source>Read the list again and repeat</source>
+        <translation>请重新读取列表后再试</translation>
+    </message>
+    <message>
+        <source>Read the matrix again</source>
+        <translation>请重新读取评分矩阵</translation>
+    </message>
+    <message>
+        <source>Read the queue again</source>
+        <translation>请重新读取待评列表</translation>
+    </message>
+    <message>
+        <source>Reading all tables and the audit trail</source>
+        <translation>正在读取所有数据表和审计记录</translation>
+    </message>
+    <message>
+        <source>Reading marks</source>
+        <translation>正在读取评分</translation>
+    </message>
+    <message>
+        <source>Reading recording %1 of %2</source>
+        <translation>正在读取第 %1 条录制，共 %2 条</translation>
+    </message>
+    <message>
+        <source>Reading the backup from end to end</source>
+        <translation>正在完整读取备份</translation>
+    </message>
+    <message>
+        <source>Record it for the phase that it was spent in</source>
+        <translation>请记入实际所用的阶段</translation>
+    </message>
+    <message>
+        <source>Record the time without a phase</source>
+        <translation>请不指定阶段来登记时间</translation>
+    </message>
+    <message>
+        <source>Reduce the surface to half a million triangles or fewer</source>
+        <translation>请将曲面减少到五十万个三角形以内</translation>
+    </message>
+    <message>
+        <source>Remesh the surface</source>
+        <translation>请重新划分曲面网格</translation>
+    </message>
+    <message>
+        <source>Remove inner or doubled faces in a mesh editor</source>
+        <translation>请在网格编辑器中删除内部或重叠的面</translation>
+    </message>
+    <message>
+        <source>Remove it from its own prerequisites</source>
+        <translation>请将其从自身的先修模块中移除</translation>
+    </message>
+    <message>
+        <source>Remove it, or check its spelling.</source>
+        <translation>请将其删除，或检查拼写</translation>
+    </message>
+    <message>
+        <source>Remove one of the two lines, or correct the number</source>
+        <translation>请删除两行中的一行，或更正编号</translation>
+    </message>
+    <message>
+        <source>Remove one of them</source>
+        <translation>请删除其中之一</translation>
+    </message>
+    <message>
+        <source>Remove one prerequisite</source>
+        <translation>请移除一个先修模块</translation>
+    </message>
+    <message>
+        <source>Remove the module</source>
+        <translation>请移除该模块</translation>
+    </message>
+    <message>
+        <source>Remove the vertex or export the mesh again</source>
+        <translation>请删除该顶点，或重新导出网格</translation>
+    </message>
+    <message>
+        <source>Rename one</source>
+        <translation>请将其中之一改名</translation>
+    </message>
+    <message>
+        <source>Rename one of them</source>
+        <translation>请将其中之一改名</translation>
+    </message>
+    <message>
+        <source>Rename one.</source>
+        <translation>请将其中之一改名</translation>
+    </message>
+    <message>
+        <source>Repair the faces in a mesh editor</source>
+        <translation>请在网格编辑器中修复面</translation>
+    </message>
+    <message>
+        <source>Repair the installation</source>
+        <translation>请修复安装</translation>
+    </message>
+    <message>
+        <source>Repeat the check</source>
+        <translation>请再次检查</translation>
+    </message>
+    <message>
+        <source>Repeat the check and hold the stylus</source>
+        <translation>请握住手写笔，再次检查</translation>
+    </message>
+    <message>
+        <source>Repeat the device check, or practise with mouse and keyboard</source>
+        <translation>请再次检查设备，或用鼠标和键盘练习</translation>
+    </message>
+    <message>
+        <source>Repeat the whole change</source>
+        <translation>请重做整个更改</translation>
+    </message>
+    <message>
+        <source>Rest the stylus in the inkwell for a moment before training</source>
+        <translation>训练前请将手写笔在笔座中放置片刻</translation>
+    </message>
+    <message>
+        <source>Restore it from the installation</source>
+        <translation>请从安装文件恢复</translation>
+    </message>
+    <message>
+        <source>Restore the file from the installation</source>
+        <translation>请从安装文件恢复该文件</translation>
+    </message>
+    <message>
+        <source>Restore the latest backup</source>
+        <translation>请恢复最近的备份</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Run it on a desktop, or through xvfb-run with QT_QPA_PLATFORM=xcb</source>
+        <translation>请在桌面环境中运行，或通过 xvfb-run 并设置 QT_QPA_PLATFORM=xcb</translation>
+    </message>
+    <message>
+        <source>Run the check of the allocation before anybody else is allocated</source>
+        <translation>请先核对分组，再为其他人分组</translation>
+    </message>
+    <message>
+        <source>Run torsio audit verify on it and restore a backup</source>
+        <translation>请对其运行 torsio audit verify 并恢复备份</translation>
+    </message>
+    <message>
+        <source>Run torsio db verify on it, and use an older backup</source>
+        <translation>请对其运行 torsio db verify，并使用更早的备份</translation>
+    </message>
+    <message>
+        <source>STL</source>
+        <translation>STL</translation>
+    </message>
+    <message>
+        <source>Save the table as UTF-8 CSV</source>
+        <translation>请将表格保存为 UTF-8 编码的 CSV</translation>
+    </message>
+    <message>
+        <source>Save the table with commas and decimal points</source>
+        <translation>请使用逗号分隔、点号小数保存表格</translation>
+    </message>
+    <message>
+        <source>Say in a few words what happened</source>
+        <translation>请简要说明发生了什么</translation>
+    </message>
+    <message>
+        <source>Say in a few words what is practised</source>
+        <translation>请简要说明练习内容</translation>
+    </message>
+    <message>
+        <source>Say in a few words what it goes through</source>
+        <translation>请简要说明该组的经历</translation>
+    </message>
+    <message>
+        <source>Say in a few words why</source>
+        <translation>请简要说明理由</translation>
+    </message>
+    <message>
+        <source>Say what the score means</source>
+        <translation>请说明该分数的含义</translation>
+    </message>
+    <message>
+        <source>Say why</source>
+        <translation>请说明理由</translation>
+    </message>
+    <message>
+        <source>Say why, for the audit trail</source>
+        <translation>请说明理由，以便记入审计记录</translation>
+    </message>
+    <message>
+        <source>Scale the mesh to life size</source>
+        <translation>请将网格缩放到真实大小</translation>
+    </message>
+    <message>
+        <source>Score from the traces, or ask the office for the organ file</source>
+        <translation>请依据曲线评分，或向办公室索取器官文件</translation>
+    </message>
+    <message>
+        <source>Searches for the grip</source>
+        <translation>寻找夹持位置</translation>
+    </message>
+    <message>
+        <source>Separate or join the parts in a mesh editor</source>
+        <translation>请在网格编辑器中分离或合并各部分</translation>
+    </message>
+    <message>
+        <source>Servo</source>
+        <translation>伺服</translation>
+    </message>
+    <message>
+        <source>Set TORSIO_ASSETS to the assets folder</source>
+        <translation>请将 TORSIO_ASSETS 设为资源文件夹</translation>
+    </message>
+    <message>
+        <source>Set the person to "left" instead</source>
+        <translation>请改为将此人设为“已离开”</translation>
+    </message>
+    <message>
+        <source>Shorten it</source>
+        <translation>请缩短</translation>
+    </message>
+    <message>
+        <source>Shutdown</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Sign in first</source>
+        <translation>请先登录</translation>
+    </message>
+    <message>
+        <source>Sign in with your password to change it</source>
+        <translation>请用密码登录后再更改</translation>
+    </message>
+    <message>
+        <source>Sign in, or choose another database</source>
+        <translation>请登录，或选择其他数据库</translation>
+    </message>
+    <message>
+        <source>Soft build-up, soft release</source>
+        <translation>轻柔加力，轻柔松开</translation>
+    </message>
+    <message>
+        <source>Some force peaks</source>
+        <translation>有些力的峰值</translation>
+    </message>
+    <message>
+        <source>Split the evaluation</source>
+        <translation>请拆分该评价</translation>
+    </message>
+    <message>
+        <source>Start it first, or choose another version</source>
+        <translation>请先启用，或选择其他版本</translation>
+    </message>
+    <message>
+        <source>Start it on a desktop, or through xvfb-run; commands such as 'torsio demo' need no display</source>
+        <translation>请在桌面环境中启动，或通过 xvfb-run；“torsio demo”等命令无需显示器</translation>
+    </message>
+    <message>
+        <source>Stomach: antrum only, 90 degrees</source>
+        <translation>胃：仅胃窦，90 度</translation>
+    </message>
+    <message>
+        <source>Stomach: combined twist, graded</source>
+        <translation>胃：复合扭转，计分</translation>
+    </message>
+    <message>
+        <source>Stomach: mesentero-axial, 120 degrees</source>
+        <translation>胃：系膜轴型，120 度</translation>
+    </message>
+    <message>
+        <source>Stomach: organo-axial, 180 degrees</source>
+        <translation>胃：器官轴型，180 度</translation>
+    </message>
+    <message>
+        <source>Subdivide the surface</source>
+        <translation>请细分曲面</translation>
+    </message>
+    <message>
+        <source>Submitted marks stay; amend the mark instead</source>
+        <translation>已提交的评分保持不变；请改用修订</translation>
+    </message>
+    <message>
+        <source>TORSIO_ASSETS=%1</source>
+        <translation>TORSIO_ASSETS=%1</translation>
+    </message>
+    <message>
+        <source>Take a longer one</source>
+        <translation>请使用更长的密码</translation>
+    </message>
+    <message>
+        <source>Take a sentence of your own</source>
+        <translation>请使用您自己的句子</translation>
+    </message>
+    <message>
+        <source>Take a sentence: spaces and any letters are welcome</source>
+        <translation>请使用一个句子：空格和任何文字均可</translation>
+    </message>
+    <message>
+        <source>Take the instrument that was installed with the program</source>
+        <translation>请使用随程序安装的器械</translation>
+    </message>
+    <message>
+        <source>Take the stylus out of the inkwell and hold it in the middle of the workspace</source>
+        <translation>请将手写笔从笔座取出，握在工作空间中央</translation>
+    </message>
+    <message>
+        <source>Tears and jerks</source>
+        <translation>牵拉、猛拽</translation>
+    </message>
+    <message>
+        <source>The device does not report motor temperatures</source>
+        <translation>设备不报告电机温度</translation>
+    </message>
+    <message>
+        <source>The device refused to take its present position as the reference</source>
+        <translation>设备拒绝以当前位置为参考</translation>
+    </message>
+    <message>
+        <source>The device says that it renders %1 axes; an Omni or Touch renders 3. Forces are rendered along three axes, with cautious limits</source>
+        <translation>设备声称可输出 %1 个轴；Omni 或 Touch 为 3 个轴。将以保守限值沿三个轴输出力</translation>
+    </message>
+    <message>
+        <source>The file is damaged or cut off: export it again</source>
+        <translation>文件已损坏或不完整：请重新导出</translation>
+    </message>
+    <message>
+        <source>The library keeps its own servo rate</source>
+        <translation>程序库保持自身的伺服频率</translation>
+    </message>
+    <message>
+        <source>This program reads %1.</source>
+        <translation>此程序读取 %1</translation>
+    </message>
+    <message>
+        <source>Three groups train for 40 minutes: all virtual, half virtual and half on the real arm, all real. Marks before, after 20 and after 40 minutes, always on the real arm. Each trainee may rest once for 5 minutes.</source>
+        <translation>三组各训练 40 分钟：全部虚拟；一半虚拟、一半实物臂；全部实物臂。训练前、20 分钟后和 40 分钟后均在实物臂上评分。每位学员可休息一次，5 分钟。</translation>
+    </message>
+    <message>
+        <source>Training time</source>
+        <translation>训练时间</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>重试</translation>
+    </message>
+    <message>
+        <source>Try again in a moment</source>
+        <translation>请稍后重试</translation>
+    </message>
+    <message>
+        <source>Try again on a faster display</source>
+        <translation>请在更快的显示设备上重试</translation>
+    </message>
+    <message>
+        <source>Try again, or tell the office</source>
+        <translation>请重试，或告知办公室</translation>
+    </message>
+    <message>
+        <source>Trying it out</source>
+        <translation>正在试运行</translation>
+    </message>
+    <message>
+        <source>Twist the forearm to 60 degrees, pronation</source>
+        <translation>将前臂旋前 60 度</translation>
+    </message>
+    <message>
+        <source>Twist training</source>
+        <translation>扭转训练</translation>
+    </message>
+    <message>
+        <source>Unplug the device, plug it in again and run the vendor's set-up tool</source>
+        <translation>请拔下设备，重新插上，再运行厂商的设置工具</translation>
+    </message>
+    <message>
+        <source>Unplug the device, wait ten seconds, plug it in again and run the vendor's set-up tool</source>
+        <translation>请拔下设备，等待十秒，重新插上，再运行厂商的设置工具</translation>
+    </message>
+    <message>
+        <source>Update Torsio on this machine</source>
+        <translation>请更新本机的 Torsio</translation>
+    </message>
+    <message>
+        <source>Use a display with OpenGL</source>
+        <translation>请使用支持 OpenGL 的显示设备</translation>
+    </message>
+    <message>
+        <source>Use an older backup</source>
+        <translation>请使用更早的备份</translation>
+    </message>
+    <message>
+        <source>Use en or zh_CN</source>
+        <translation>请使用 en 或 zh_CN</translation>
+    </message>
+    <message>
+        <source>Use letters and digits</source>
+        <translation>请使用字母和数字</translation>
+    </message>
+    <message>
+        <source>Use light or dark</source>
+        <translation>请使用 light 或 dark</translation>
+    </message>
+    <message>
+        <source>Use lower-case letters, digits and underscores only</source>
+        <translation>只能使用小写字母、数字和下划线</translation>
+    </message>
+    <message>
+        <source>Use m, cm, mm or um</source>
+        <translation>请使用 m、cm、mm 或 um</translation>
+    </message>
+    <message>
+        <source>Use mouse and keyboard</source>
+        <translation>请使用鼠标和键盘</translation>
+    </message>
+    <message>
+        <source>Use obj, stl, ply, off, glb, gltf or dae</source>
+        <translation>请使用 obj、stl、ply、off、glb、gltf 或 dae</translation>
+    </message>
+    <message>
+        <source>Use pg_dump --format=custom --file=FILE on the server</source>
+        <translation>请在服务器上使用 pg_dump --format=custom --file=FILE</translation>
+    </message>
+    <message>
+        <source>Use pg_restore on the server</source>
+        <translation>请在服务器上使用 pg_restore</translation>
+    </message>
+    <message>
+        <source>Use the assigned rubric</source>
+        <translation>请使用指定的评分标准</translation>
+    </message>
+    <message>
+        <source>Use the live sheet</source>
+        <translation>请使用现场评分表</translation>
+    </message>
+    <message>
+        <source>Use the program that made this database, or restore a backup</source>
+        <translation>请使用创建该数据库的程序，或恢复备份</translation>
+    </message>
+    <message>
+        <source>Use trainee, rater or administrator</source>
+        <translation>请使用 trainee、rater 或 administrator</translation>
+    </message>
+    <message>
+        <source>Use trainee, rater, left or consent_withdrawn</source>
+        <translation>请使用 trainee、rater、left 或 consent_withdrawn</translation>
+    </message>
+    <message>
+        <source>Verify the database</source>
+        <translation>请校验数据库</translation>
+    </message>
+    <message>
+        <source>Wait for them, or give a reason</source>
+        <translation>请等待他们，或说明理由</translation>
+    </message>
+    <message>
+        <source>Wait until all have committed</source>
+        <translation>请等待所有人提交</translation>
+    </message>
+    <message>
+        <source>Write %1, or leave the cell empty</source>
+        <translation>请填写%1，或将单元格留空</translation>
+    </message>
+    <message>
+        <source>Write [ ... ].</source>
+        <translation>请写成 [ ... ]</translation>
+    </message>
+    <message>
+        <source>Write [x, y, z].</source>
+        <translation>请写成 [x, y, z]</translation>
+    </message>
+    <message>
+        <source>Write a decimal number with a point, such as 7.5</source>
+        <translation>请填写以点号作小数点的数，例如 7.5</translation>
+    </message>
+    <message>
+        <source>Write a whole number from %1 to %2, or leave the cell empty</source>
+        <translation>请填写 %1 至 %2 的整数，或将单元格留空</translation>
+    </message>
+    <message>
+        <source>Write it as postgresql://user:password@host:port/database</source>
+        <translation>请写成 postgresql://用户:密码@主机:端口/数据库</translation>
+    </message>
+    <message>
+        <source>Write it in a few words</source>
+        <translation>请简要填写</translation>
+    </message>
+    <message>
+        <source>Write it into the comment of the sheet</source>
+        <translation>请写入评分表的评论</translation>
+    </message>
+    <message>
+        <source>Write sizes like 1366x768,1920x1080</source>
+        <translation>请写成 1366x768,1920x1080 的形式</translation>
+    </message>
+    <message>
+        <source>Write what you want to say</source>
+        <translation>请写下您想说的话</translation>
+    </message>
+    <message>
+        <source>Write why you change it</source>
+        <translation>请写明更改的理由</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>正在生成报告</translation>
+    </message>
+    <message>
+        <source>Your own marks stay as they are</source>
+        <translation>您自己的评分保持不变</translation>
+    </message>
+    <message>
+        <source>a PostgreSQL database is backed up and restored by its own tools</source>
+        <translation>PostgreSQL 数据库须用其自带工具备份和恢复</translation>
+    </message>
+    <message>
+        <source>a cap of the organ is no disc</source>
+        <translation>器官的一个端盖不是圆盘</translation>
+    </message>
+    <message>
+        <source>a curriculum that is %1 cannot become %2</source>
+        <translation>状态为“%1”的课程不能变为“%2”</translation>
+    </message>
+    <message>
+        <source>a cut needs both end points</source>
+        <translation>切割需要两个端点</translation>
+    </message>
+    <message>
+        <source>a group has no code</source>
+        <translation>有一组没有代码</translation>
+    </message>
+    <message>
+        <source>a marker has no position of three numbers</source>
+        <translation>有一个标记缺少由三个数表示的位置</translation>
+    </message>
+    <message>
+        <source>a model has no code or no name</source>
+        <translation>有一个模型缺少代码或名称</translation>
+    </message>
+    <message>
+        <source>a part of a person cannot be taken away: records hang on it</source>
+        <translation>人员的这部分信息不能移除：有记录依赖于它</translation>
+    </message>
+    <message>
+        <source>a phase or a rest has no sensible length</source>
+        <translation>某个阶段或休息的时长不合理</translation>
+    </message>
+    <message>
+        <source>a quote does not close</source>
+        <translation>引号未闭合</translation>
+    </message>
+    <message>
+        <source>a quote stands inside the value %1</source>
+        <translation>值 %1 中含有引号</translation>
+    </message>
+    <message>
+        <source>a rater is named twice</source>
+        <translation>有一位评分者被列出两次</translation>
+    </message>
+    <message>
+        <source>a reason is needed</source>
+        <translation>需要说明理由</translation>
+    </message>
+    <message>
+        <source>a required value is missing</source>
+        <translation>缺少必填的值</translation>
+    </message>
+    <message>
+        <source>a row has no code or no label</source>
+        <translation>有一行缺少代码或名称</translation>
+    </message>
+    <message>
+        <source>a servo frame could not be opened or closed</source>
+        <translation>无法打开或关闭伺服帧</translation>
+    </message>
+    <message>
+        <source>a statement lacks its ;</source>
+        <translation>语句缺少 ;</translation>
+    </message>
+    <message>
+        <source>a submitted mark is changed with a reason only</source>
+        <translation>已提交的评分只能附理由更改</translation>
+    </message>
+    <message>
+        <source>a triangle refers to a vertex that does not exist</source>
+        <translation>有三角形引用了不存在的顶点</translation>
+    </message>
+    <message>
+        <source>a value breaks the rule of its column</source>
+        <translation>有值违反了该列的规则</translation>
+    </message>
+    <message>
+        <source>a vertex is not a finite point</source>
+        <translation>有一个顶点不是有限的点</translation>
+    </message>
+    <message>
+        <source>a withdrawal needs a reason</source>
+        <translation>退出须说明理由</translation>
+    </message>
+    <message>
+        <source>age</source>
+        <translation>年龄</translation>
+    </message>
+    <message>
+        <source>all phases of your training are over</source>
+        <translation>您的训练阶段已全部结束</translation>
+    </message>
+    <message>
+        <source>allocation</source>
+        <translation>随机分组</translation>
+    </message>
+    <message>
+        <source>allocation has begun with another design</source>
+        <translation>已按另一方案开始分组</translation>
+    </message>
+    <message>
+        <source>allocation number %1 does not follow %2</source>
+        <translation>分组序号 %1 与 %2 不衔接</translation>
+    </message>
+    <message>
+        <source>allows no force</source>
+        <translation>不允许任何力</translation>
+    </message>
+    <message>
+        <source>allows no torque</source>
+        <translation>不允许任何扭矩</translation>
+    </message>
+    <message>
+        <source>always there; a simulated hand with a seed</source>
+        <translation>始终可用；带种子的模拟手</translation>
+    </message>
+    <message>
+        <source>always there; repeats a recording tick by tick</source>
+        <translation>始终可用；逐周期重放录制</translation>
+    </message>
+    <message>
+        <source>always there; shows forces, does not render them</source>
+        <translation>始终可用；显示力，但不输出力</translation>
+    </message>
+    <message>
+        <source>always there; the instrument stays where it was put</source>
+        <translation>始终可用；器械停在所放之处</translation>
+    </message>
+    <message>
+        <source>an age of %1 years is not likely</source>
+        <translation>年龄 %1 岁不大可能</translation>
+    </message>
+    <message>
+        <source>an anchor has no words</source>
+        <translation>有一个锚点没有文字</translation>
+    </message>
+    <message>
+        <source>an anchor lies outside the scale</source>
+        <translation>有一个锚点超出量表范围</translation>
+    </message>
+    <message>
+        <source>an earlier step of this change failed: nothing was kept</source>
+        <translation>此更改的前一步失败：未保留任何内容</translation>
+    </message>
+    <message>
+        <source>an edge of the surface is open, used more than twice or runs the same way in both triangles</source>
+        <translation>曲面有一条边未封闭、被使用两次以上，或在两个三角形中方向相同</translation>
+    </message>
+    <message>
+        <source>an end point or cut direction of the organ is not finite</source>
+        <translation>器官的端点或切割方向不是有限的数</translation>
+    </message>
+    <message>
+        <source>an override needs a reason</source>
+        <translation>人工调整须说明理由</translation>
+    </message>
+    <message>
+        <source>another data set has this name</source>
+        <translation>已有同名数据集</translation>
+    </message>
+    <message>
+        <source>another station changed the same records at the same time</source>
+        <translation>另一工作站同时更改了相同记录</translation>
+    </message>
+    <message>
+        <source>arm "%1"</source>
+        <translation>组别“%1”</translation>
+    </message>
+    <message>
+        <source>arm %1</source>
+        <translation>组别 %1</translation>
+    </message>
+    <message>
+        <source>asks for %1 in a row, but only %2 attempts are allowed</source>
+        <translation>要求连续 %1 次，但只允许 %2 次</translation>
+    </message>
+    <message>
+        <source>assets/rubrics</source>
+        <translation>assets/rubrics</translation>
+    </message>
+    <message>
+        <source>backup cannot be copied for the test: %1</source>
+        <translation>无法复制备份用于测试：%1</translation>
+    </message>
+    <message>
+        <source>backup cannot be restored: %1</source>
+        <translation>无法恢复备份：%1</translation>
+    </message>
+    <message>
+        <source>backup cannot be written</source>
+        <translation>无法写入备份</translation>
+    </message>
+    <message>
+        <source>backup does not pass its check: %1</source>
+        <translation>备份未通过检查：%1</translation>
+    </message>
+    <message>
+        <source>backup is damaged: %1</source>
+        <translation>备份已损坏：%1</translation>
+    </message>
+    <message>
+        <source>calm, even and economical from first to last, adapts at once</source>
+        <translation>自始至终沉稳、均匀、简练，能立即调整</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>无法写入</translation>
+    </message>
+    <message>
+        <source>case %1</source>
+        <translation>案例 %1</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>中心</translation>
+    </message>
+    <message>
+        <source>cohort</source>
+        <translation>批次</translation>
+    </message>
+    <message>
+        <source>collision mesh</source>
+        <translation>碰撞网格</translation>
+    </message>
+    <message>
+        <source>comes later than any arm trains</source>
+        <translation>晚于任何组别的训练时间</translation>
+    </message>
+    <message>
+        <source>compares by "%1"</source>
+        <translation>比较方式为“%1”</translation>
+    </message>
+    <message>
+        <source>consent</source>
+        <translation>同意书</translation>
+    </message>
+    <message>
+        <source>continuous force</source>
+        <translation>持续力</translation>
+    </message>
+    <message>
+        <source>curriculum</source>
+        <translation>课程</translation>
+    </message>
+    <message>
+        <source>database</source>
+        <translation>数据库</translation>
+    </message>
+    <message>
+        <source>database cannot be opened</source>
+        <translation>无法打开数据库</translation>
+    </message>
+    <message>
+        <source>database file is read-only</source>
+        <translation>数据库文件为只读</translation>
+    </message>
+    <message>
+        <source>database is busy: another program is writing to it</source>
+        <translation>数据库正忙：另一程序正在写入</translation>
+    </message>
+    <message>
+        <source>database is damaged</source>
+        <translation>数据库已损坏</translation>
+    </message>
+    <message>
+        <source>database is open for reading only</source>
+        <translation>数据库以只读方式打开</translation>
+    </message>
+    <message>
+        <source>database refused the operation</source>
+        <translation>数据库拒绝了该操作</translation>
+    </message>
+    <message>
+        <source>database server cannot be reached: %1</source>
+        <translation>无法连接数据库服务器：%1</translation>
+    </message>
+    <message>
+        <source>database server does not answer</source>
+        <translation>数据库服务器无响应</translation>
+    </message>
+    <message>
+        <source>default device</source>
+        <translation>默认设备</translation>
+    </message>
+    <message>
+        <source>demonstration</source>
+        <translation>演示</translation>
+    </message>
+    <message>
+        <source>desk</source>
+        <translation>工作台</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>偏离</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>device "%1"</source>
+        <translation>设备“%1”</translation>
+    </message>
+    <message>
+        <source>does not come after the one before</source>
+        <translation>不晚于前一个</translation>
+    </message>
+    <message>
+        <source>does not finish, or needs far more time than is given</source>
+        <translation>未完成，或远超规定时间</translation>
+    </message>
+    <message>
+        <source>does not follow the entry before it</source>
+        <translation>与前一条目不衔接</translation>
+    </message>
+    <message>
+        <source>done in the inkwell</source>
+        <translation>已在笔座中完成</translation>
+    </message>
+    <message>
+        <source>enrolment</source>
+        <translation>登记</translation>
+    </message>
+    <message>
+        <source>entries before this one are missing</source>
+        <translation>缺少此条目之前的条目</translation>
+    </message>
+    <message>
+        <source>erase</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>erasing needs a reason</source>
+        <translation>删除须说明理由</translation>
+    </message>
+    <message>
+        <source>exposure</source>
+        <translation>训练时间</translation>
+    </message>
+    <message>
+        <source>field '%1' %2</source>
+        <translation>字段“%1”%2</translation>
+    </message>
+    <message>
+        <source>finishes in the time that is given, with few pauses</source>
+        <translation>在规定时间内完成，停顿少</translation>
+    </message>
+    <message>
+        <source>finishes quickly and steadily, no step too many</source>
+        <translation>完成迅速而稳定，没有多余步骤</translation>
+    </message>
+    <message>
+        <source>finishes slowly, with long pauses and repetitions</source>
+        <translation>完成缓慢，停顿长，多次重复</translation>
+    </message>
+    <message>
+        <source>first run</source>
+        <translation>首次运行</translation>
+    </message>
+    <message>
+        <source>folder cannot be created</source>
+        <translation>无法创建文件夹</translation>
+    </message>
+    <message>
+        <source>folder is read-only</source>
+        <translation>文件夹为只读</translation>
+    </message>
+    <message>
+        <source>force governor</source>
+        <translation>力调节器</translation>
+    </message>
+    <message>
+        <source>force up to %1 N, sustained %2 N, three axes, no torque about the stylus</source>
+        <translation>力最大 %1 N，持续 %2 N，三个轴，无绕笔杆的扭矩</translation>
+    </message>
+    <message>
+        <source>format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>gave up waiting for %1</source>
+        <translation>等待超时：%1</translation>
+    </message>
+    <message>
+        <source>handedness</source>
+        <translation>惯用手</translation>
+    </message>
+    <message>
+        <source>haptic device</source>
+        <translation>力反馈设备</translation>
+    </message>
+    <message>
+        <source>has a group already, has withdrawn or is not enrolled here</source>
+        <translation>已分组、已退出或未在此登记</translation>
+    </message>
+    <message>
+        <source>has a pattern "%1" that the scene %2 lacks</source>
+        <translation>的扭转类型“%1”在场景 %2 中不存在</translation>
+    </message>
+    <message>
+        <source>has a target of 0 degrees</source>
+        <translation>的目标为 0 度</translation>
+    </message>
+    <message>
+        <source>has an older schema than this program</source>
+        <translation>的结构版本比此程序旧</translation>
+    </message>
+    <message>
+        <source>has an unknown exercise "%1"</source>
+        <translation>的任务“%1”无法识别</translation>
+    </message>
+    <message>
+        <source>has an unknown scene "%1"</source>
+        <translation>的场景“%1”无法识别</translation>
+    </message>
+    <message>
+        <source>has changed</source>
+        <translation>已更改</translation>
+    </message>
+    <message>
+        <source>has neither modules nor arms</source>
+        <translation>既无模块也无组别</translation>
+    </message>
+    <message>
+        <source>has no code</source>
+        <translation>没有代码</translation>
+    </message>
+    <message>
+        <source>has no name</source>
+        <translation>没有名称</translation>
+    </message>
+    <message>
+        <source>has no phases</source>
+        <translation>没有阶段</translation>
+    </message>
+    <message>
+        <source>has no title</source>
+        <translation>没有标题</translation>
+    </message>
+    <message>
+        <source>has no tolerance</source>
+        <translation>没有容差</translation>
+    </message>
+    <message>
+        <source>has the code of another arm</source>
+        <translation>与另一组别的代码相同</translation>
+    </message>
+    <message>
+        <source>has the code of another module</source>
+        <translation>与另一模块的代码相同</translation>
+    </message>
+    <message>
+        <source>has withdrawn from the study</source>
+        <translation>已退出研究</translation>
+    </message>
+    <message>
+        <source>holds no Torsio record</source>
+        <translation>不含 Torsio 记录</translation>
+    </message>
+    <message>
+        <source>idle lock</source>
+        <translation>空闲锁定</translation>
+    </message>
+    <message>
+        <source>is '%1'</source>
+        <translation>为“%1”</translation>
+    </message>
+    <message>
+        <source>is a database of another program</source>
+        <translation>是其他程序的数据库</translation>
+    </message>
+    <message>
+        <source>is a folder, not a database</source>
+        <translation>是文件夹，不是数据库</translation>
+    </message>
+    <message>
+        <source>is a simple pattern</source>
+        <translation>过于简单</translation>
+    </message>
+    <message>
+        <source>is enrolled in this cohort already</source>
+        <translation>已在该批次中登记</translation>
+    </message>
+    <message>
+        <source>is given in "%1"</source>
+        <translation>以“%1”为单位</translation>
+    </message>
+    <message>
+        <source>is in this group already</source>
+        <translation>已在该组</translation>
+    </message>
+    <message>
+        <source>is little more than the login name</source>
+        <translation>与登录名过于相近</translation>
+    </message>
+    <message>
+        <source>is measured by nothing</source>
+        <translation>没有对应的测量</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>is neither on the virtual nor on the real arm</source>
+        <translation>既非虚拟也非实物</translation>
+    </message>
+    <message>
+        <source>is neither practice nor graded</source>
+        <translation>既非练习也非计分</translation>
+    </message>
+    <message>
+        <source>is no JSON: %1</source>
+        <translation>不是 JSON：%1</translation>
+    </message>
+    <message>
+        <source>is no longer there</source>
+        <translation>已不存在</translation>
+    </message>
+    <message>
+        <source>is not a database, or is damaged</source>
+        <translation>不是数据库，或已损坏</translation>
+    </message>
+    <message>
+        <source>is not known</source>
+        <translation>无法识别</translation>
+    </message>
+    <message>
+        <source>is not known here</source>
+        <translation>此处无法识别</translation>
+    </message>
+    <message>
+        <source>is not valid JSON (%1)</source>
+        <translation>不是有效的 JSON（%1）</translation>
+    </message>
+    <message>
+        <source>is open in another program</source>
+        <translation>已在其他程序中打开</translation>
+    </message>
+    <message>
+        <source>is shorter than %1 characters</source>
+        <translation>短于 %1 个字符</translation>
+    </message>
+    <message>
+        <source>is shorter than %1 digits</source>
+        <translation>短于 %1 位数字</translation>
+    </message>
+    <message>
+        <source>is too long</source>
+        <translation>过长</translation>
+    </message>
+    <message>
+        <source>it does not begin with %1</source>
+        <translation>开头不是 %1</translation>
+    </message>
+    <message>
+        <source>it is not UTF-8 text</source>
+        <translation>不是 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>it is not known which text was shown</source>
+        <translation>不清楚显示了哪份文本</translation>
+    </message>
+    <message>
+        <source>it is not said which text was shown</source>
+        <translation>未说明显示了哪份文本</translation>
+    </message>
+    <message>
+        <source>it lacks %1, which Torsio can do without</source>
+        <translation>缺少 %1，但 Torsio 可不使用</translation>
+    </message>
+    <message>
+        <source>its audit trail does not verify (%1 findings)</source>
+        <translation>其审计记录未通过校验（%1 处）</translation>
+    </message>
+    <message>
+        <source>keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>known as a rater; becomes a trainee too</source>
+        <translation>已知为评分者；将同时成为学员</translation>
+    </message>
+    <message>
+        <source>known as a trainee; becomes a rater too</source>
+        <translation>已知为学员；将同时成为评分者</translation>
+    </message>
+    <message>
+        <source>knows the steps, hesitates, corrects the grasp several times</source>
+        <translation>知道步骤，但犹豫，多次调整夹持</translation>
+    </message>
+    <message>
+        <source>lattice mode '%1'</source>
+        <translation>网格模式“%1”</translation>
+    </message>
+    <message>
+        <source>lock</source>
+        <translation>锁定</translation>
+    </message>
+    <message>
+        <source>login</source>
+        <translation>登录</translation>
+    </message>
+    <message>
+        <source>maximum force</source>
+        <translation>最大力</translation>
+    </message>
+    <message>
+        <source>misses the target angle widely, or strains the tissue</source>
+        <translation>远离目标角度，或使组织过度受力</translation>
+    </message>
+    <message>
+        <source>model %1</source>
+        <translation>模型 %1</translation>
+    </message>
+    <message>
+        <source>models</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>module "%1"</source>
+        <translation>模块“%1”</translation>
+    </message>
+    <message>
+        <source>module %1</source>
+        <translation>模块 %1</translation>
+    </message>
+    <message>
+        <source>modules %1</source>
+        <translation>模块 %1</translation>
+    </message>
+    <message>
+        <source>more than %1 models cannot be compared</source>
+        <translation>最多只能比较 %1 个模型</translation>
+    </message>
+    <message>
+        <source>mostly on target, little overshoot, force within limits</source>
+        <translation>大多达到目标，超调小，力在限值内</translation>
+    </message>
+    <message>
+        <source>move</source>
+        <translation>修改</translation>
+    </message>
+    <message>
+        <source>must be a list</source>
+        <translation>必须为列表</translation>
+    </message>
+    <message>
+        <source>must be a list in brackets</source>
+        <translation>必须为方括号内的列表</translation>
+    </message>
+    <message>
+        <source>must be a text</source>
+        <translation>必须为文本</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>必须为整数</translation>
+    </message>
+    <message>
+        <source>must be an object in braces</source>
+        <translation>必须为花括号内的对象</translation>
+    </message>
+    <message>
+        <source>must be three numbers in brackets</source>
+        <translation>必须为方括号内的三个数</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>names a module of the simulator, but happens on the real arm</source>
+        <translation>指定了模拟器模块，但在实物臂上进行</translation>
+    </message>
+    <message>
+        <source>needs either a score or a reason why there is none</source>
+        <translation>需要填写分数，或说明无法评分的理由</translation>
+    </message>
+    <message>
+        <source>neither a trainee nor a rater</source>
+        <translation>既非学员也非评分者</translation>
+    </message>
+    <message>
+        <source>neither text nor long enough to be binary</source>
+        <translation>既不是文本，作为二进制又过短</translation>
+    </message>
+    <message>
+        <source>no allocation design is locked</source>
+        <translation>没有已锁定的分组方案</translation>
+    </message>
+    <message>
+        <source>no attempt is left for this module</source>
+        <translation>该模块的尝试次数已用完</translation>
+    </message>
+    <message>
+        <source>no column is chosen for %1</source>
+        <translation>未为 %1 选择列</translation>
+    </message>
+    <message>
+        <source>no database was named</source>
+        <translation>未指定数据库</translation>
+    </message>
+    <message>
+        <source>no evaluation campaign has this id</source>
+        <translation>没有此编号的模型评价</translation>
+    </message>
+    <message>
+        <source>no folder 'scenes' in it</source>
+        <translation>其中没有文件夹“scenes”</translation>
+    </message>
+    <message>
+        <source>no haptic device could be opened: %1</source>
+        <translation>无法打开力反馈设备：%1</translation>
+    </message>
+    <message>
+        <source>no line of its first 64 kB begins with "v"</source>
+        <translation>前 64 kB 内没有以“v”开头的行</translation>
+    </message>
+    <message>
+        <source>no material is called '%1'</source>
+        <translation>没有名为“%1”的材料</translation>
+    </message>
+    <message>
+        <source>no scene has a pattern '%1'</source>
+        <translation>没有场景含有扭转类型“%1”</translation>
+    </message>
+    <message>
+        <source>no scene is called '%1'</source>
+        <translation>没有名为“%1”的场景</translation>
+    </message>
+    <message>
+        <source>no scenes here</source>
+        <translation>此处没有场景</translation>
+    </message>
+    <message>
+        <source>no scoring point is chosen</source>
+        <translation>未选择评分点</translation>
+    </message>
+    <message>
+        <source>no space left</source>
+        <translation>没有剩余空间</translation>
+    </message>
+    <message>
+        <source>no such assignment</source>
+        <translation>没有该评分任务</translation>
+    </message>
+    <message>
+        <source>no such database</source>
+        <translation>没有该数据库</translation>
+    </message>
+    <message>
+        <source>no such evaluation campaign</source>
+        <translation>没有该模型评价</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>没有该文件</translation>
+    </message>
+    <message>
+        <source>no such folder</source>
+        <translation>没有该文件夹</translation>
+    </message>
+    <message>
+        <source>no such rubric</source>
+        <translation>没有该评分标准</translation>
+    </message>
+    <message>
+        <source>no such trial</source>
+        <translation>没有该操作记录</translation>
+    </message>
+    <message>
+        <source>no time was spent</source>
+        <translation>没有花费时间</translation>
+    </message>
+    <message>
+        <source>no trainee has the code %1</source>
+        <translation>没有代码为 %1 的学员</translation>
+    </message>
+    <message>
+        <source>no training time is left</source>
+        <translation>没有剩余训练时间</translation>
+    </message>
+    <message>
+        <source>no trial has this id</source>
+        <translation>没有此编号的操作记录</translation>
+    </message>
+    <message>
+        <source>no way leads over the surface from the fixed to the free end</source>
+        <translation>从固定端到自由端的曲面不连通</translation>
+    </message>
+    <message>
+        <source>nobody is asked to score</source>
+        <translation>没有邀请任何人评分</translation>
+    </message>
+    <message>
+        <source>nobody is enrolled here under this number</source>
+        <translation>此编号未在此登记</translation>
+    </message>
+    <message>
+        <source>nobody is signed in</source>
+        <translation>尚未登录</translation>
+    </message>
+    <message>
+        <source>nobody of the demonstration has this role</source>
+        <translation>演示中没有人担任此角色</translation>
+    </message>
+    <message>
+        <source>nobody scores in the class %1, which has a weight</source>
+        <translation>类别 %1 有权重，但没有人评分</translation>
+    </message>
+    <message>
+        <source>nobody waits for a group</source>
+        <translation>没有人等待分组</translation>
+    </message>
+    <message>
+        <source>nobody was chosen</source>
+        <translation>未选择任何人</translation>
+    </message>
+    <message>
+        <source>not a PostgreSQL address</source>
+        <translation>不是 PostgreSQL 地址</translation>
+    </message>
+    <message>
+        <source>not enough memory to protect the password</source>
+        <translation>内存不足，无法保护密码</translation>
+    </message>
+    <message>
+        <source>not everybody has submitted this case yet</source>
+        <translation>该案例尚未全部提交</translation>
+    </message>
+    <message>
+        <source>not reported</source>
+        <translation>未报告</translation>
+    </message>
+    <message>
+        <source>not reported in a form that makes sense, so a cautious value is assumed: %1</source>
+        <translation>未以合理形式报告，因此采用保守值：%1</translation>
+    </message>
+    <message>
+        <source>not tested: the stylus stayed in the inkwell</source>
+        <translation>未测试：手写笔一直在笔座中</translation>
+    </message>
+    <message>
+        <source>nothing of the organ lies beyond the cut at its %1 end</source>
+        <translation>在%1端切割面之外没有器官部分</translation>
+    </message>
+    <message>
+        <source>number of the step or of compatible_from cannot be read</source>
+        <translation>无法读取步骤编号或 compatible_from</translation>
+    </message>
+    <message>
+        <source>on target every time, held steadily, gentle throughout</source>
+        <translation>每次都达到目标，保持稳定，始终轻柔</translation>
+    </message>
+    <message>
+        <source>one end of the organ is given without the other</source>
+        <translation>只给出了器官的一端</translation>
+    </message>
+    <message>
+        <source>only %1 % of the recording has been played</source>
+        <translation>仅播放了录像的 %1 %</translation>
+    </message>
+    <message>
+        <source>organs and scenes are not installed</source>
+        <translation>未安装器官和场景</translation>
+    </message>
+    <message>
+        <source>passivity controller</source>
+        <translation>无源性控制器</translation>
+    </message>
+    <message>
+        <source>password</source>
+        <translation>密码</translation>
+    </message>
+    <message>
+        <source>people cannot be balanced by "%1"</source>
+        <translation>无法按“%1”均衡人员</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>platform %1</source>
+        <translation>平台 %1</translation>
+    </message>
+    <message>
+        <source>position and joint angles differ by %1 mm from what is published for a Touch</source>
+        <translation>位置与关节角相差 %1 mm（与 Touch 公布值相比）</translation>
+    </message>
+    <message>
+        <source>practice must be finite and not negative</source>
+        <translation>练习量必须为有限的非负数</translation>
+    </message>
+    <message>
+        <source>practises "%1", which is no module of this curriculum</source>
+        <translation>练习“%1”，但该课程没有此模块</translation>
+    </message>
+    <message>
+        <source>prerequisites run in a circle</source>
+        <translation>先修关系形成循环</translation>
+    </message>
+    <message>
+        <source>rater %1, model %2, index %3</source>
+        <translation>评分者 %1，模型 %2，指标 %3</translation>
+    </message>
+    <message>
+        <source>raters</source>
+        <translation>评分者</translation>
+    </message>
+    <message>
+        <source>reaches the target now and then, overshoots, uses too much force</source>
+        <translation>偶尔达到目标，有超调，用力过大</translation>
+    </message>
+    <message>
+        <source>real arm 0-20 min</source>
+        <translation>实物臂 0–20 分钟</translation>
+    </message>
+    <message>
+        <source>real arm 20-40 min</source>
+        <translation>实物臂 20–40 分钟</translation>
+    </message>
+    <message>
+        <source>real data use the demonstration: %1 rows of %2 refer to simulated rows of %3</source>
+        <translation>真实数据使用了演示数据：%2 的 %1 行引用了 %3 的模拟行</translation>
+    </message>
+    <message>
+        <source>records are kept for one day at least and a hundred years at most</source>
+        <translation>记录保存期最短一天，最长一百年</translation>
+    </message>
+    <message>
+        <source>reference %1</source>
+        <translation>参考 %1</translation>
+    </message>
+    <message>
+        <source>refers to a record that does not exist, or is still in use</source>
+        <translation>引用了不存在的记录，或仍在使用</translation>
+    </message>
+    <message>
+        <source>requires "%1", which is no module of this curriculum</source>
+        <translation>要求先修“%1”，但该课程没有此模块</translation>
+    </message>
+    <message>
+        <source>requires a module that is not in this version</source>
+        <translation>要求的先修模块不在此版本中</translation>
+    </message>
+    <message>
+        <source>requires itself</source>
+        <translation>要求先修自身</translation>
+    </message>
+    <message>
+        <source>ridges</source>
+        <translation>脊线</translation>
+    </message>
+    <message>
+        <source>role</source>
+        <translation>角色</translation>
+    </message>
+    <message>
+        <source>row %1 is not answered</source>
+        <translation>第 %1 项未作答</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>评分项</translation>
+    </message>
+    <message>
+        <source>rubric</source>
+        <translation>评分标准</translation>
+    </message>
+    <message>
+        <source>scene %1</source>
+        <translation>场景 %1</translation>
+    </message>
+    <message>
+        <source>scene '%1' has no pattern '%2'</source>
+        <translation>场景“%1”没有扭转类型“%2”</translation>
+    </message>
+    <message>
+        <source>scenes</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>schema name is not allowed</source>
+        <translation>不允许的模式名</translation>
+    </message>
+    <message>
+        <source>schema step %1 differs from the one that was applied</source>
+        <translation>结构步骤 %1 与已应用的不同</translation>
+    </message>
+    <message>
+        <source>score of %1 steps lies outside %2 .. %3</source>
+        <translation>分数 %1 级超出 %2 .. %3</translation>
+    </message>
+    <message>
+        <source>score of %1 steps lies outside its scale</source>
+        <translation>分数 %1 级超出其量表范围</translation>
+    </message>
+    <message>
+        <source>scoring point "%1"</source>
+        <translation>评分点“%1”</translation>
+    </message>
+    <message>
+        <source>scoring point %1</source>
+        <translation>评分点 %1</translation>
+    </message>
+    <message>
+        <source>scoring points</source>
+        <translation>评分点</translation>
+    </message>
+    <message>
+        <source>scripted hand</source>
+        <translation>模拟手</translation>
+    </message>
+    <message>
+        <source>sections</source>
+        <translation>截面</translation>
+    </message>
+    <message>
+        <source>several trials begin like this</source>
+        <translation>有多条操作记录以此开头</translation>
+    </message>
+    <message>
+        <source>sex</source>
+        <translation>性别</translation>
+    </message>
+    <message>
+        <source>shown, not felt</source>
+        <translation>仅显示，无触感</translation>
+    </message>
+    <message>
+        <source>sign-in</source>
+        <translation>登录</translation>
+    </message>
+    <message>
+        <source>skill must grow from 0 or more to 1 or less</source>
+        <translation>技能须从 0 或以上增长到 1 或以下</translation>
+    </message>
+    <message>
+        <source>somebody else has this staff or student number</source>
+        <translation>已有其他人使用此工号或学号</translation>
+    </message>
+    <message>
+        <source>somebody else saved this draft meanwhile</source>
+        <translation>其他人刚刚保存了此草稿</translation>
+    </message>
+    <message>
+        <source>somebody of the list is no active rater</source>
+        <translation>列表中有人不是在册评分者</translation>
+    </message>
+    <message>
+        <source>somebody of the list is not enrolled here</source>
+        <translation>列表中有人未在此登记</translation>
+    </message>
+    <message>
+        <source>source and target are the same database</source>
+        <translation>源与目标是同一数据库</translation>
+    </message>
+    <message>
+        <source>stands twice</source>
+        <translation>出现两次</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>刚度</translation>
+    </message>
+    <message>
+        <source>stopped before its end</source>
+        <translation>未完成即停止</translation>
+    </message>
+    <message>
+        <source>sure grasp, mostly even turns, works without help</source>
+        <translation>夹持稳当，扭转大多均匀，无需帮助</translation>
+    </message>
+    <message>
+        <source>takes no time</source>
+        <translation>不占用时间</translation>
+    </message>
+    <message>
+        <source>taking a sheet from its rater needs a reason</source>
+        <translation>收回评分表须说明理由</translation>
+    </message>
+    <message>
+        <source>taking marks back needs a reason</source>
+        <translation>撤回评分须说明理由</translation>
+    </message>
+    <message>
+        <source>text follows the quoted value %1</source>
+        <translation>引号值 %1 之后还有文字</translation>
+    </message>
+    <message>
+        <source>the %1 "%2" was not known when the design was locked</source>
+        <translation>锁定方案时没有%1“%2”</translation>
+    </message>
+    <message>
+        <source>the %1 is missing</source>
+        <translation>缺少%1</translation>
+    </message>
+    <message>
+        <source>the %1 is not recorded</source>
+        <translation>未记录%1</translation>
+    </message>
+    <message>
+        <source>the administrator has no sign-in name</source>
+        <translation>管理员没有登录名</translation>
+    </message>
+    <message>
+        <source>the audit trail does not verify after copying; nothing was kept</source>
+        <translation>复制后审计记录未通过校验；未保留任何内容</translation>
+    </message>
+    <message>
+        <source>the axis direction must be a unit vector</source>
+        <translation>轴线方向必须为单位向量</translation>
+    </message>
+    <message>
+        <source>the axis of the organ has no length</source>
+        <translation>器官轴线没有长度</translation>
+    </message>
+    <message>
+        <source>the backup is not sound, so nothing was restored</source>
+        <translation>备份不完好，因此未恢复任何内容</translation>
+    </message>
+    <message>
+        <source>the bookmark lies outside the recording</source>
+        <translation>书签超出录像范围</translation>
+    </message>
+    <message>
+        <source>the cap radius %1 m is negative or not finite</source>
+        <translation>端盖半径 %1 m 为负或不是有限的数</translation>
+    </message>
+    <message>
+        <source>the centre has no name</source>
+        <translation>中心没有名称</translation>
+    </message>
+    <message>
+        <source>the centreline has a kink: it turns by %1 within one radius (%2) of the organ, %3 from the fixed end; at most %4 are allowed</source>
+        <translation>中心线有弯折：在距固定端 %3 处，一个器官半径（%2）内转过 %1；最多允许 %4</translation>
+    </message>
+    <message>
+        <source>the class %1 has no weight in this evaluation</source>
+        <translation>类别 %1 在此评价中没有权重</translation>
+    </message>
+    <message>
+        <source>the code of a model holds a comma</source>
+        <translation>模型代码含有逗号</translation>
+    </message>
+    <message>
+        <source>the cohort follows no curriculum</source>
+        <translation>该批次没有采用课程</translation>
+    </message>
+    <message>
+        <source>the cohort has no groups</source>
+        <translation>该批次没有组别</translation>
+    </message>
+    <message>
+        <source>the cohort has no name</source>
+        <translation>该批次没有名称</translation>
+    </message>
+    <message>
+        <source>the column "%1" is empty</source>
+        <translation>列“%1”为空</translation>
+    </message>
+    <message>
+        <source>the column for %1 does not exist</source>
+        <translation>为 %1 选择的列不存在</translation>
+    </message>
+    <message>
+        <source>the columns are not separated by commas: %1</source>
+        <translation>各列未以逗号分隔：%1</translation>
+    </message>
+    <message>
+        <source>the connection to the device broke off</source>
+        <translation>与设备的连接已中断</translation>
+    </message>
+    <message>
+        <source>the connection to the device is set up wrongly</source>
+        <translation>与设备的连接设置有误</translation>
+    </message>
+    <message>
+        <source>the consent texts cannot be read: %1</source>
+        <translation>无法读取同意书文本：%1</translation>
+    </message>
+    <message>
+        <source>the continuous force must lie above 0 N and not above the maximum</source>
+        <translation>持续力须大于 0 N 且不超过最大力</translation>
+    </message>
+    <message>
+        <source>the curriculum has no arm for this group</source>
+        <translation>课程中没有该组别</translation>
+    </message>
+    <message>
+        <source>the curriculum has no name</source>
+        <translation>课程没有名称</translation>
+    </message>
+    <message>
+        <source>the data set has no name</source>
+        <translation>数据集没有名称</translation>
+    </message>
+    <message>
+        <source>the device does not answer</source>
+        <translation>设备无响应</translation>
+    </message>
+    <message>
+        <source>the device is calibrated</source>
+        <translation>设备已校准</translation>
+    </message>
+    <message>
+        <source>the device is good enough for practice only</source>
+        <translation>设备仅适合练习</translation>
+    </message>
+    <message>
+        <source>the device is in use already</source>
+        <translation>设备已被占用</translation>
+    </message>
+    <message>
+        <source>the device is not calibrated; its position would be wrong and its force stays off</source>
+        <translation>设备未校准；位置会有误差，力输出保持关闭</translation>
+    </message>
+    <message>
+        <source>the device is not ready</source>
+        <translation>设备未就绪</translation>
+    </message>
+    <message>
+        <source>the device refused to be calibrated several times</source>
+        <translation>设备多次拒绝校准</translation>
+    </message>
+    <message>
+        <source>the device's force cannot be switched off</source>
+        <translation>无法关闭设备的力输出</translation>
+    </message>
+    <message>
+        <source>the device's force limit was exceeded</source>
+        <translation>超过了设备的力限值</translation>
+    </message>
+    <message>
+        <source>the device's own protection switched the force off</source>
+        <translation>设备自身的保护切断了力</translation>
+    </message>
+    <message>
+        <source>the direction of ridge 0 is not finite</source>
+        <translation>0 号脊线的方向不是有限的数</translation>
+    </message>
+    <message>
+        <source>the docked reference is taken</source>
+        <translation>已取得笔座参考</translation>
+    </message>
+    <message>
+        <source>the duration must lie above 0 s and not above a day</source>
+        <translation>时长须大于 0 秒且不超过一天</translation>
+    </message>
+    <message>
+        <source>the e-mail address belongs to %1 already, under another number</source>
+        <translation>该电子邮件已属于编号不同的 %1</translation>
+    </message>
+    <message>
+        <source>the end caps of the organ touch</source>
+        <translation>器官的端盖相接触</translation>
+    </message>
+    <message>
+        <source>the end planes of the axis lie outside the organ or coincide</source>
+        <translation>轴线端面在器官之外或重合</translation>
+    </message>
+    <message>
+        <source>the entry itself was changed</source>
+        <translation>该条目本身被更改</translation>
+    </message>
+    <message>
+        <source>the evaluation</source>
+        <translation>评价</translation>
+    </message>
+    <message>
+        <source>the evaluation has no name</source>
+        <translation>该评价没有名称</translation>
+    </message>
+    <message>
+        <source>the file unit must lie between 1e-9 and 1000 m</source>
+        <translation>文件单位须在 1e-9 与 1000 m 之间</translation>
+    </message>
+    <message>
+        <source>the first frame</source>
+        <translation>第一帧</translation>
+    </message>
+    <message>
+        <source>the force changed faster than the device allows</source>
+        <translation>力的变化快于设备允许</translation>
+    </message>
+    <message>
+        <source>the force output did not switch on</source>
+        <translation>力输出未能开启</translation>
+    </message>
+    <message>
+        <source>the grasp point must not lie on the axis</source>
+        <translation>夹持点不得位于轴线上</translation>
+    </message>
+    <message>
+        <source>the handedness is not known to the record</source>
+        <translation>惯用手无法识别</translation>
+    </message>
+    <message>
+        <source>the harmonic field of the organ has no solution</source>
+        <translation>器官的调和场无解</translation>
+    </message>
+    <message>
+        <source>the header has no column %1</source>
+        <translation>标题行没有列 %1</translation>
+    </message>
+    <message>
+        <source>the header names the column %1 twice</source>
+        <translation>标题行中列 %1 出现两次</translation>
+    </message>
+    <message>
+        <source>the id '%1' is used twice</source>
+        <translation>编号“%1”被使用两次</translation>
+    </message>
+    <message>
+        <source>the instrument names no mesh '%1'</source>
+        <translation>器械没有名为“%1”的网格</translation>
+    </message>
+    <message>
+        <source>the interval</source>
+        <translation>区间</translation>
+    </message>
+    <message>
+        <source>the library did not take the servo's task</source>
+        <translation>程序库未接受伺服任务</translation>
+    </message>
+    <message>
+        <source>the library has no valid licence</source>
+        <translation>程序库没有有效许可证</translation>
+    </message>
+    <message>
+        <source>the library refused a call</source>
+        <translation>程序库拒绝了一次调用</translation>
+    </message>
+    <message>
+        <source>the library refused a force</source>
+        <translation>程序库拒绝了一次力输出</translation>
+    </message>
+    <message>
+        <source>the library works on this computer</source>
+        <translation>程序库可在本机运行</translation>
+    </message>
+    <message>
+        <source>the library's servo loop accepts no further task</source>
+        <translation>程序库的伺服循环不再接受任务</translation>
+    </message>
+    <message>
+        <source>the library's servo loop never called</source>
+        <translation>程序库的伺服循环从未调用</translation>
+    </message>
+    <message>
+        <source>the library's servo timer does not work</source>
+        <translation>程序库的伺服定时器不工作</translation>
+    </message>
+    <message>
+        <source>the line "%1..." is missing</source>
+        <translation>缺少以“%1...”开头的行</translation>
+    </message>
+    <message>
+        <source>the line has %1 values, the header %2</source>
+        <translation>该行有 %1 个值，标题行有 %2 个</translation>
+    </message>
+    <message>
+        <source>the magic is missing</source>
+        <translation>缺少文件标识</translation>
+    </message>
+    <message>
+        <source>the manifest cannot be read: %1</source>
+        <translation>无法读取清单：%1</translation>
+    </message>
+    <message>
+        <source>the marks of this recording are not released yet</source>
+        <translation>此录像的评分尚未公布</translation>
+    </message>
+    <message>
+        <source>the maximum force must be above 0 N</source>
+        <translation>最大力必须大于 0 N</translation>
+    </message>
+    <message>
+        <source>the mesh has no triangles</source>
+        <translation>网格没有三角形</translation>
+    </message>
+    <message>
+        <source>the method "%1" is not known</source>
+        <translation>方法“%1”无法识别</translation>
+    </message>
+    <message>
+        <source>the motors are warm</source>
+        <translation>电机过热</translation>
+    </message>
+    <message>
+        <source>the name is missing</source>
+        <translation>缺少姓名</translation>
+    </message>
+    <message>
+        <source>the new password is the old one</source>
+        <translation>新密码与旧密码相同</translation>
+    </message>
+    <message>
+        <source>the number %1 stands on line %2 already</source>
+        <translation>编号 %1 已在第 %2 行出现</translation>
+    </message>
+    <message>
+        <source>the organ has no longest direction: its two largest extents are as %1 to 1, at least 1.2 is needed</source>
+        <translation>器官没有最长方向：两个最大尺寸之比为 %1 比 1，至少需要 1.2</translation>
+    </message>
+    <message>
+        <source>the organ here is not the one of the recording</source>
+        <translation>此处的器官与录像中的不同</translation>
+    </message>
+    <message>
+        <source>the organ or its parameters are not those of the recording</source>
+        <translation>器官或其参数与录像中的不同</translation>
+    </message>
+    <message>
+        <source>the other rater was asked about this case before</source>
+        <translation>已就此案例邀请过另一位评分者</translation>
+    </message>
+    <message>
+        <source>the outline of the section crosses itself</source>
+        <translation>截面轮廓自相交</translation>
+    </message>
+    <message>
+        <source>the package cannot be given its name: %1</source>
+        <translation>无法为文件包命名：%1</translation>
+    </message>
+    <message>
+        <source>the phase is %1, the time is %2</source>
+        <translation>阶段为 %1，时间为 %2</translation>
+    </message>
+    <message>
+        <source>the physicians' marks were shown already</source>
+        <translation>已显示过医师的评分</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>the place of the direction of ridge 0 is %1 of the length, it must lie in 0..1</source>
+        <translation>0 号脊线方向的位置为长度的 %1，须在 0..1 之间</translation>
+    </message>
+    <message>
+        <source>the present password is not right</source>
+        <translation>当前密码不正确</translation>
+    </message>
+    <message>
+        <source>the queue</source>
+        <translation>待评列表</translation>
+    </message>
+    <message>
+        <source>the record</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>the record has changed since the preview</source>
+        <translation>预览之后记录已有变化</translation>
+    </message>
+    <message>
+        <source>the recorded strata cannot be read: %1</source>
+        <translation>无法读取记录的分层：%1</translation>
+    </message>
+    <message>
+        <source>the recording cannot be opened</source>
+        <translation>无法打开录像</translation>
+    </message>
+    <message>
+        <source>the recording is empty</source>
+        <translation>录像为空</translation>
+    </message>
+    <message>
+        <source>the recording is not what was recorded</source>
+        <translation>录像与当时录制的不一致</translation>
+    </message>
+    <message>
+        <source>the recording was played at a speed that is not allowed</source>
+        <translation>录像以不允许的速度播放</translation>
+    </message>
+    <message>
+        <source>the records do not follow from the sealed seed</source>
+        <translation>记录与封存的种子不符</translation>
+    </message>
+    <message>
+        <source>the reply is empty</source>
+        <translation>回复为空</translation>
+    </message>
+    <message>
+        <source>the report cannot be written</source>
+        <translation>无法写入报告</translation>
+    </message>
+    <message>
+        <source>the resting stylus wanders by %1 degrees</source>
+        <translation>静置的手写笔漂移 %1 度</translation>
+    </message>
+    <message>
+        <source>the roster has a header but nobody in it</source>
+        <translation>名册只有标题行，没有人员</translation>
+    </message>
+    <message>
+        <source>the roster is empty</source>
+        <translation>名册为空</translation>
+    </message>
+    <message>
+        <source>the rubric has no name</source>
+        <translation>评分标准没有名称</translation>
+    </message>
+    <message>
+        <source>the rubric has no row %1</source>
+        <translation>评分标准没有 %1 项</translation>
+    </message>
+    <message>
+        <source>the rubric has no rows</source>
+        <translation>评分标准没有评分项</translation>
+    </message>
+    <message>
+        <source>the score lies outside the scale</source>
+        <translation>分数超出量表范围</translation>
+    </message>
+    <message>
+        <source>the sealed seed cannot be read</source>
+        <translation>无法读取封存的种子</translation>
+    </message>
+    <message>
+        <source>the section cuts the organ in %1 loops, exactly one is needed</source>
+        <translation>截面将器官切出 %1 个环，应恰好为一个</translation>
+    </message>
+    <message>
+        <source>the section does not meet the organ</source>
+        <translation>截面与器官不相交</translation>
+    </message>
+    <message>
+        <source>the section encloses no area</source>
+        <translation>截面没有围成面积</translation>
+    </message>
+    <message>
+        <source>the servo loop did not start</source>
+        <translation>伺服循环未启动</translation>
+    </message>
+    <message>
+        <source>the sex is not known to the record</source>
+        <translation>性别无法识别</translation>
+    </message>
+    <message>
+        <source>the sheet has no such row</source>
+        <translation>评分表没有该行</translation>
+    </message>
+    <message>
+        <source>the sheet was submitted already</source>
+        <translation>评分表已提交</translation>
+    </message>
+    <message>
+        <source>the sheet was withdrawn</source>
+        <translation>评分表已撤回</translation>
+    </message>
+    <message>
+        <source>the sheet was withdrawn already</source>
+        <translation>评分表已被撤回</translation>
+    </message>
+    <message>
+        <source>the shortening must lie between 1 and 600</source>
+        <translation>缩短倍数须在 1 与 600 之间</translation>
+    </message>
+    <message>
+        <source>the stored design cannot be read: %1</source>
+        <translation>无法读取存储的方案：%1</translation>
+    </message>
+    <message>
+        <source>the stored model parameters cannot be read</source>
+        <translation>无法读取存储的模型参数</translation>
+    </message>
+    <message>
+        <source>the stylus moved faster than the device allows</source>
+        <translation>手写笔移动快于设备允许</translation>
+    </message>
+    <message>
+        <source>the surface has %1 triangles, more than a tick can look at</source>
+        <translation>曲面有 %1 个三角形，超出单个周期的处理能力</translation>
+    </message>
+    <message>
+        <source>the table %1 differs after copying (%2 rows before, %3 after); nothing was kept</source>
+        <translation>表 %1 复制后不一致（之前 %2 行，之后 %3 行）；未保留任何内容</translation>
+    </message>
+    <message>
+        <source>the table has a header but no rows</source>
+        <translation>表格只有标题行，没有数据</translation>
+    </message>
+    <message>
+        <source>the table is empty</source>
+        <translation>表格为空</translation>
+    </message>
+    <message>
+        <source>the target is not empty: it has rows in the table %1</source>
+        <translation>目标不为空：表 %1 中有数据</translation>
+    </message>
+    <message>
+        <source>the task must be finite</source>
+        <translation>任务必须为有限的数</translation>
+    </message>
+    <message>
+        <source>the text is not UTF-8</source>
+        <translation>文本不是 UTF-8 编码</translation>
+    </message>
+    <message>
+        <source>the tick period must be above 0 us</source>
+        <translation>周期必须大于 0 us</translation>
+    </message>
+    <message>
+        <source>the time of the measurement</source>
+        <translation>测量时间</translation>
+    </message>
+    <message>
+        <source>the time to watch</source>
+        <translation>观察时间</translation>
+    </message>
+    <message>
+        <source>the tremor must lie between 8 and 12 Hz</source>
+        <translation>震颤须在 8 与 12 Hz 之间</translation>
+    </message>
+    <message>
+        <source>the trial has fewer than two samples</source>
+        <translation>操作记录的样本少于两个</translation>
+    </message>
+    <message>
+        <source>the turn of the resting stylus wanders by %1 degrees</source>
+        <translation>静置手写笔的转角漂移 %1 度</translation>
+    </message>
+    <message>
+        <source>the turn of the stylus has no reference yet</source>
+        <translation>手写笔的转角尚无参考</translation>
+    </message>
+    <message>
+        <source>the two databases have different schemas</source>
+        <translation>两个数据库的结构不同</translation>
+    </message>
+    <message>
+        <source>the two ends of the organ are not connected or coincide</source>
+        <translation>器官两端不连通或重合</translation>
+    </message>
+    <message>
+        <source>the value is too long</source>
+        <translation>该值过长</translation>
+    </message>
+    <message>
+        <source>the vendor's library %1 is loaded</source>
+        <translation>厂商程序库 %1 已加载</translation>
+    </message>
+    <message>
+        <source>the vendor's library %1 is there, but it needs %2, which is missing</source>
+        <translation>厂商程序库 %1 存在，但缺少所需的 %2</translation>
+    </message>
+    <message>
+        <source>the vendor's library %1 is there, but the system refused to load it: %2</source>
+        <translation>厂商程序库 %1 存在，但系统拒绝加载：%2</translation>
+    </message>
+    <message>
+        <source>the vendor's library does not let go of the device</source>
+        <translation>厂商程序库未释放设备</translation>
+    </message>
+    <message>
+        <source>the vendor's library is not installed; looked for %1</source>
+        <translation>未安装厂商程序库；已查找 %1</translation>
+    </message>
+    <message>
+        <source>the wait for the calibration</source>
+        <translation>等待校准的时间</translation>
+    </message>
+    <message>
+        <source>the warning must come before the lock</source>
+        <translation>提醒必须早于锁定</translation>
+    </message>
+    <message>
+        <source>the workspace box must have an inside</source>
+        <translation>工作空间必须有内部</translation>
+    </message>
+    <message>
+        <source>there are no demonstration physicians</source>
+        <translation>没有演示医师</translation>
+    </message>
+    <message>
+        <source>there are no simulated trainees</source>
+        <translation>没有模拟学员</translation>
+    </message>
+    <message>
+        <source>there is no display</source>
+        <translation>没有显示器</translation>
+    </message>
+    <message>
+        <source>there is no folder for the pictures</source>
+        <translation>没有存放图片的文件夹</translation>
+    </message>
+    <message>
+        <source>there is no rubric</source>
+        <translation>没有评分标准</translation>
+    </message>
+    <message>
+        <source>there is no such category of records</source>
+        <translation>没有该类记录</translation>
+    </message>
+    <message>
+        <source>there is no such class of raters</source>
+        <translation>没有该评分者类别</translation>
+    </message>
+    <message>
+        <source>there is no such cohort</source>
+        <translation>没有该批次</translation>
+    </message>
+    <message>
+        <source>there is no such curriculum</source>
+        <translation>没有该课程</translation>
+    </message>
+    <message>
+        <source>there is no such data set</source>
+        <translation>没有该数据集</translation>
+    </message>
+    <message>
+        <source>there is no such design</source>
+        <translation>没有该方案</translation>
+    </message>
+    <message>
+        <source>there is no such evaluation</source>
+        <translation>没有该模型评价</translation>
+    </message>
+    <message>
+        <source>there is no such frozen data set</source>
+        <translation>没有该冻结数据集</translation>
+    </message>
+    <message>
+        <source>there is no such group</source>
+        <translation>没有该组别</translation>
+    </message>
+    <message>
+        <source>there is no such model</source>
+        <translation>没有该模型</translation>
+    </message>
+    <message>
+        <source>there is no such person</source>
+        <translation>没有该人员</translation>
+    </message>
+    <message>
+        <source>there is no such person, or they were erased already</source>
+        <translation>没有该人员，或已被删除</translation>
+    </message>
+    <message>
+        <source>there is no such purpose</source>
+        <translation>没有该用途</translation>
+    </message>
+    <message>
+        <source>there is no such recording</source>
+        <translation>没有该录像</translation>
+    </message>
+    <message>
+        <source>there is no such reference run</source>
+        <translation>没有该参考操作</translation>
+    </message>
+    <message>
+        <source>there is no such remark</source>
+        <translation>没有该评语</translation>
+    </message>
+    <message>
+        <source>there is no such rubric</source>
+        <translation>没有该评分标准</translation>
+    </message>
+    <message>
+        <source>there is no such scoring point</source>
+        <translation>没有该评分点</translation>
+    </message>
+    <message>
+        <source>there is no such sheet</source>
+        <translation>没有该评分表</translation>
+    </message>
+    <message>
+        <source>there is no such user</source>
+        <translation>没有该用户</translation>
+    </message>
+    <message>
+        <source>there is no such version</source>
+        <translation>没有该版本</translation>
+    </message>
+    <message>
+        <source>there is nobody to score</source>
+        <translation>没有可评分的对象</translation>
+    </message>
+    <message>
+        <source>there is nothing to compare</source>
+        <translation>没有可比较的内容</translation>
+    </message>
+    <message>
+        <source>these marks are not released</source>
+        <translation>这些评分未公布</translation>
+    </message>
+    <message>
+        <source>these marks are released already</source>
+        <translation>这些评分已公布</translation>
+    </message>
+    <message>
+        <source>these marks were submitted already</source>
+        <translation>这些评分已提交</translation>
+    </message>
+    <message>
+        <source>third</source>
+        <translation>第三位</translation>
+    </message>
+    <message>
+        <source>this belongs to somebody else</source>
+        <translation>这属于其他人</translation>
+    </message>
+    <message>
+        <source>this build has no driver for haptic devices</source>
+        <translation>此版本没有力反馈设备驱动</translation>
+    </message>
+    <message>
+        <source>this case has no recording to mark</source>
+        <translation>该案例没有可标记的录像</translation>
+    </message>
+    <message>
+        <source>this case is not yours</source>
+        <translation>该案例不属于您</translation>
+    </message>
+    <message>
+        <source>this case is scored live and has no recording</source>
+        <translation>该案例为现场评分，没有录像</translation>
+    </message>
+    <message>
+        <source>this case was taken back</source>
+        <translation>该案例已被收回</translation>
+    </message>
+    <message>
+        <source>this database belongs to a centre already</source>
+        <translation>该数据库已属于一个中心</translation>
+    </message>
+    <message>
+        <source>this day has passed</source>
+        <translation>该日期已过</translation>
+    </message>
+    <message>
+        <source>this display cannot draw the scene</source>
+        <translation>此显示设备无法绘制场景</translation>
+    </message>
+    <message>
+        <source>this display cannot draw the scene: it has no OpenGL</source>
+        <translation>此显示设备无法绘制场景：没有 OpenGL</translation>
+    </message>
+    <message>
+        <source>this folder exists already</source>
+        <translation>该文件夹已存在</translation>
+    </message>
+    <message>
+        <source>this is no active rater</source>
+        <translation>不是在册评分者</translation>
+    </message>
+    <message>
+        <source>this is no active trainee</source>
+        <translation>不是在册学员</translation>
+    </message>
+    <message>
+        <source>this is no kind of training time</source>
+        <translation>没有这种训练时间</translation>
+    </message>
+    <message>
+        <source>this is no name of a setting</source>
+        <translation>没有该设置名称</translation>
+    </message>
+    <message>
+        <source>this is no state of a person</source>
+        <translation>没有该人员状态</translation>
+    </message>
+    <message>
+        <source>this is no state of an enrolment</source>
+        <translation>没有该登记状态</translation>
+    </message>
+    <message>
+        <source>this is the last administrator who can sign in</source>
+        <translation>这是最后一位可登录的管理员</translation>
+    </message>
+    <message>
+        <source>this kind of deviation is not known</source>
+        <translation>无法识别该类偏离</translation>
+    </message>
+    <message>
+        <source>this module is locked: first master %1</source>
+        <translation>该模块未解锁：请先掌握“%1”</translation>
+    </message>
+    <message>
+        <source>this needs a reason</source>
+        <translation>须说明理由</translation>
+    </message>
+    <message>
+        <source>this person has left; the import does not bring them back</source>
+        <translation>此人已离开；导入不会将其恢复</translation>
+    </message>
+    <message>
+        <source>this phase belongs to another arm</source>
+        <translation>该阶段属于另一组别</translation>
+    </message>
+    <message>
+        <source>this record exists already</source>
+        <translation>该记录已存在</translation>
+    </message>
+    <message>
+        <source>this record is not due; nothing was erased</source>
+        <translation>该记录未到期；未删除任何内容</translation>
+    </message>
+    <message>
+        <source>this record is sealed and cannot be changed</source>
+        <translation>该记录已封存，不能更改</translation>
+    </message>
+    <message>
+        <source>this recording belongs to somebody else</source>
+        <translation>该录像属于其他人</translation>
+    </message>
+    <message>
+        <source>this scale has no such mark</source>
+        <translation>量表没有该分数</translation>
+    </message>
+    <message>
+        <source>this sheet is not submitted yet</source>
+        <translation>该评分表尚未提交</translation>
+    </message>
+    <message>
+        <source>this sheet was changed at another station meanwhile</source>
+        <translation>该评分表刚刚在另一工作站被更改</translation>
+    </message>
+    <message>
+        <source>this version of the curriculum is not running</source>
+        <translation>该课程版本未在进行中</translation>
+    </message>
+    <message>
+        <source>tick period %1 us, latency %2 ticks, damping %3 N s/m</source>
+        <translation>周期 %1 us，延迟 %2 个周期，阻尼 %3 N s/m</translation>
+    </message>
+    <message>
+        <source>trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>training has begun: the curriculum of this cohort stays</source>
+        <translation>训练已开始：该批次的课程不再更换</translation>
+    </message>
+    <message>
+        <source>training run</source>
+        <translation>训练操作</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>操作记录</translation>
+    </message>
+    <message>
+        <source>trial %1</source>
+        <translation>操作记录 %1</translation>
+    </message>
+    <message>
+        <source>triangle %1</source>
+        <translation>三角形 %1</translation>
+    </message>
+    <message>
+        <source>trouble</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>two anchors stand at the same score</source>
+        <translation>同一分数有两个锚点</translation>
+    </message>
+    <message>
+        <source>two columns are called "%1"</source>
+        <translation>有两列都名为“%1”</translation>
+    </message>
+    <message>
+        <source>two models have the same code</source>
+        <translation>有两个模型代码相同</translation>
+    </message>
+    <message>
+        <source>two ridges cannot bound an area</source>
+        <translation>两条脊线无法围成面积</translation>
+    </message>
+    <message>
+        <source>two rows have the same code</source>
+        <translation>有两行代码相同</translation>
+    </message>
+    <message>
+        <source>uncertain grasp, jerky turns, needs help at every step</source>
+        <translation>夹持不稳，扭转生硬，每一步都需帮助</translation>
+    </message>
+    <message>
+        <source>unknown token in a statement</source>
+        <translation>语句中有未知的标记</translation>
+    </message>
+    <message>
+        <source>unknown token {{%1}}</source>
+        <translation>未知的标记 {{%1}}</translation>
+    </message>
+    <message>
+        <source>unknown unit "%1"</source>
+        <translation>未知的单位“%1”</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>顶点 %1</translation>
+    </message>
+    <message>
+        <source>virtual 0-20 min</source>
+        <translation>虚拟 0–20 分钟</translation>
+    </message>
+    <message>
+        <source>virtual 20-40 min</source>
+        <translation>虚拟 20–40 分钟</translation>
+    </message>
+    <message>
+        <source>wait for each other: nobody could ever begin them</source>
+        <translation>互相等待：任何人都无法开始</translation>
+    </message>
+    <message>
+        <source>warm; the force is folded back</source>
+        <translation>过热；力已降低</translation>
+    </message>
+    <message>
+        <source>was added</source>
+        <translation>被添加</translation>
+    </message>
+    <message>
+        <source>was not allocated by this design</source>
+        <translation>不是由此方案分组</translation>
+    </message>
+    <message>
+        <source>was written by a newer version of Torsio (schema %1, this program knows %2)</source>
+        <translation>由更新版本的 Torsio 写入（结构 %1，此程序支持 %2）</translation>
+    </message>
+    <message>
+        <source>you are not asked in this evaluation</source>
+        <translation>您未受邀参加此评价</translation>
+    </message>
+    <message>
+        <source>you are not enrolled as a trainee</source>
+        <translation>您未登记为学员</translation>
+    </message>
+    <message>
+        <source>you are signed in as %1, who may not do this</source>
+        <translation>您以 %1 登录，没有此权限</translation>
+    </message>
+    <message>
+        <source>you came in with the PIN</source>
+        <translation>您是用 PIN 码进入的</translation>
+    </message>
+    <message>
+        <source>you have not agreed to be recorded</source>
+        <translation>您尚未同意被记录</translation>
+    </message>
+    <message>
+        <source>your curriculum has no such module</source>
+        <translation>您的课程没有该模块</translation>
+    </message>
+</context>
+<context>
     <name>StationPages</name>
     <message>
         <source>My next step</source>
@@ -1106,7 +5153,19 @@
         <translation>未知</translation>
     </message>
     <message>
-        <source>One shuffle of everybody (the paper&apos;s case)</source>
+        <source>intern</source>
+        <translation>实习医师</translation>
+    </message>
+    <message>
+        <source>deputy chief physician</source>
+        <translation>副主任医师</translation>
+    </message>
+    <message>
+        <source>chief physician</source>
+        <translation>主任医师</translation>
+    </message>
+    <message>
+        <source>One shuffle of everybody (the paper's case)</source>
         <translation>全体一次随机排列（论文的做法）</translation>
     </message>
     <message>
@@ -1458,9 +5517,7 @@ Seed: %6</source>
     </message>
     <message numerus="yes">
         <source>%n trainee(s) allocated</source>
-        <translation>
-            <numerusform>已分组 %n 名学员</numerusform>
-        </translation>
+        <translation><numerusform>已分组 %n 名学员</numerusform></translation>
     </message>
     <message>
         <source>Open the seal</source>
@@ -1621,14 +5678,6 @@ Seed: %6</source>
 <context>
     <name>torsio::gui::AuditPage</name>
     <message>
-        <source>Show &amp;more</source>
-        <translation>显示更多(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Only the newest entries of this time are shown; this shows twice as many</source>
-        <translation>目前只显示该时间段内最新的条目；点击后显示两倍的条目</translation>
-    </message>
-    <message>
         <source>Audit trail</source>
         <translation>审计记录</translation>
     </message>
@@ -1659,6 +5708,14 @@ Seed: %6</source>
     <message>
         <source>Everything</source>
         <translation>全部</translation>
+    </message>
+    <message>
+        <source>Show &amp;more</source>
+        <translation>显示更多(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Only the newest entries of this time are shown; this shows twice as many</source>
+        <translation>目前只显示该时间段内最新的条目；点击后显示两倍的条目</translation>
     </message>
     <message>
         <source>Time span</source>
@@ -1730,9 +5787,7 @@ Seed: %6</source>
     </message>
     <message numerus="yes">
         <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
-        <translation>
-            <numerusform>⚠ 发现 %n 处问题。查明原因之前请勿据此记录出具报告。</numerusform>
-        </translation>
+        <translation><numerusform>⚠ 发现 %n 处问题。查明原因之前请勿据此记录出具报告。</numerusform></translation>
     </message>
 </context>
 <context>
@@ -1782,7 +5837,7 @@ Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
 鼠标：左键夹持，拖动转动，滚轮前后移动。</translation>
     </message>
     <message>
-        <source>An expert&apos;s run of the same twist</source>
+        <source>An expert's run of the same twist</source>
         <translation>专家完成同一扭转的示范</translation>
     </message>
     <message>
@@ -2660,7 +6715,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>%1；%2</translation>
     </message>
     <message>
-        <source>Your marks beside the others&apos;</source>
+        <source>Your marks beside the others'</source>
         <translation>您的评分与他人评分对照</translation>
     </message>
     <message>
@@ -2733,12 +6788,84 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>暂无</translation>
     </message>
     <message>
-        <source>%1: changed, not saved</source>
-        <translation>%1：已更改，未保存</translation>
+        <source>Draft</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Version %1 (%2)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1: changed, not saved. The draft is also saved when you leave.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Everything may be changed; nobody is touched until it is published as version %1.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Saved %1. %2</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 The newest version is %2: %3.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>No cohort follows it.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Followed by: %1.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Published on %1 and never changes. Begin it, so that cohorts can follow it.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the draft and publish the next version.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Published on %1, closed: no further cohort can choose it; who follows it goes on. It is kept as it was.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 Note: %2.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 Superseded by version %2.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>The draft is saved.</source>
+        <translation type="unfinished" />
     </message>
     <message>
         <source>Published. Begin it, so that cohorts can follow it.</source>
         <translation>已发布。启用后批次才能采用。</translation>
+    </message>
+    <message>
+        <source>It runs: cohorts can follow it now.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Edit as draft</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>The draft differs from version %1. Put this version in its place? Published versions stay as they are.</source>
+        <translation type="unfinished" />
     </message>
     <message>
         <source>New curriculum</source>
@@ -2785,6 +6912,14 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>新建课程(&amp;N)…</translation>
     </message>
     <message>
+        <source>S&amp;howing</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Edit as draft</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
         <source>&amp;Save draft</source>
         <translation>保存草稿(&amp;S)</translation>
     </message>
@@ -2809,32 +6944,12 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>最新版本</translation>
     </message>
     <message>
-        <source>Draft of</source>
-        <translation>草稿日期</translation>
-    </message>
-    <message>
-        <source>No curriculum yet. Begin with the template of the paper&apos;s three arms.</source>
+        <source>No curriculum yet. Begin with the template of the paper's three arms.</source>
         <translation>尚无课程。可从论文的三组方案模板开始。</translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::CurriculumEditor</name>
-    <message>
-        <source>nothing</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>New exercise</source>
-        <translation>新练习</translation>
-    </message>
-    <message>
-        <source>any exercise</source>
-        <translation>任意练习</translation>
-    </message>
-    <message>
-        <source>New phase</source>
-        <translation>新阶段</translation>
-    </message>
     <message>
         <source>%1 %2. %3.</source>
         <translation>%1：%2。%3。</translation>
@@ -2849,9 +6964,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message numerus="yes">
         <source>Check: %n to mend</source>
-        <translation>
-            <numerusform>检查：%n 处待改</numerusform>
-        </translation>
+        <translation><numerusform>检查：%n 处待改</numerusform></translation>
     </message>
     <message>
         <source>Exercises</source>
@@ -2866,137 +6979,31 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>评分点</translation>
     </message>
     <message>
-        <source>Title</source>
-        <translation>标题</translation>
+        <source>When the raters score everybody, counted in minutes of training (rest does not count). The paper scores before, after 20 and after 40 minutes.</source>
+        <translation type="unfinished" />
     </message>
     <message>
-        <source>Organ</source>
-        <translation>器官</translation>
+        <source>after </source>
+        <translation type="unfinished" />
     </message>
     <message>
-        <source>Twist</source>
-        <translation>扭转</translation>
+        <source> min</source>
+        <translation> 分钟</translation>
     </message>
     <message>
-        <source>Task</source>
-        <translation>任务</translation>
+        <source>Minutes of training before: %1</source>
+        <translation type="unfinished" />
     </message>
     <message>
-        <source>Counts as</source>
-        <translation>性质</translation>
-    </message>
-    <message>
-        <source>Target angle</source>
-        <translation>目标角度</translation>
-    </message>
-    <message>
-        <source>Tolerance</source>
-        <translation>容差</translation>
-    </message>
-    <message>
-        <source>Hold for</source>
-        <translation>保持时间</translation>
-    </message>
-    <message>
-        <source>Attempts at most</source>
-        <translation>最多次数</translation>
-    </message>
-    <message>
-        <source>Only after</source>
-        <translation>须先完成</translation>
-    </message>
-    <message>
-        <source>Mastered when</source>
-        <translation>掌握标准</translation>
-    </message>
-    <message>
-        <source>reaches</source>
-        <translation>达到</translation>
-    </message>
-    <message>
-        <source>times in a row</source>
-        <translation>连续次数</translation>
-    </message>
-    <message>
-        <source>Name of the group</source>
-        <translation>组名</translation>
-    </message>
-    <message>
-        <source>Rest, minutes</source>
-        <translation>休息（分钟）</translation>
-    </message>
-    <message>
-        <source>Phases</source>
-        <translation>阶段</translation>
-    </message>
-    <message>
-        <source>no limit</source>
-        <translation>不限</translation>
-    </message>
-    <message>
-        <source>The rest may be taken in parts</source>
-        <translation>休息可分次使用</translation>
-    </message>
-    <message>
-        <source>practice</source>
-        <translation>练习</translation>
-    </message>
-    <message>
-        <source>graded</source>
-        <translation>计分</translation>
-    </message>
-    <message>
-        <source>not judged</source>
-        <translation>不评判</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>添加</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>Add phase</source>
-        <translation>添加阶段</translation>
-    </message>
-    <message>
-        <source>Remove phase</source>
-        <translation>删除阶段</translation>
-    </message>
-    <message>
-        <source>Where</source>
-        <translation>地点</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>Minutes</source>
-        <translation>分钟</translation>
-    </message>
-    <message>
-        <source>Exercise</source>
-        <translation>练习</translation>
-    </message>
-    <message>
-        <source>Scoring point</source>
-        <translation>评分点</translation>
-    </message>
-    <message>
-        <source>After minutes of training</source>
-        <translation>训练多少分钟后</translation>
+        <source>What is still to mend</source>
+        <translation type="unfinished" />
     </message>
 </context>
 <context>
     <name>torsio::gui::DataTable</name>
     <message numerus="yes">
         <source>%n row(s)</source>
-        <translation>
-            <numerusform>%n 行</numerusform>
-        </translation>
+        <translation><numerusform>%n 行</numerusform></translation>
     </message>
     <message>
         <source>%1 of %2 rows</source>
@@ -3114,7 +7121,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>本次操作没有完成任何扭转。</translation>
     </message>
     <message>
-        <source>There is no expert&apos;s run to compare with.</source>
+        <source>There is no expert's run to compare with.</source>
         <translation>没有可供比较的专家示范。</translation>
     </message>
 </context>
@@ -3406,6 +7413,173 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
 </context>
 <context>
+    <name>torsio::gui::ExerciseEditor</name>
+    <message>
+        <source>Title</source>
+        <translation>标题</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>代码</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>器官</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>扭转</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Counts as</source>
+        <translation>性质</translation>
+    </message>
+    <message>
+        <source>Target angle</source>
+        <translation>目标角度</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>容差</translation>
+    </message>
+    <message>
+        <source>Hold for</source>
+        <translation>保持时间</translation>
+    </message>
+    <message>
+        <source>Force up to</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Torque up to</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>尝试次数</translation>
+    </message>
+    <message>
+        <source>Opens only after these are mastered</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Mastered when all of these are reached</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1  (no such exercise any more)</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>at least</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>at most</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>What rule %1 is about</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Direction of rule %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Threshold of rule %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Attempts in a row of rule %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>An exercise needs a code; it keeps %1.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Another exercise has this code; this one keeps %1.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>New exercise</source>
+        <translation>新练习</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>不限</translation>
+    </message>
+    <message>
+        <source>practice</source>
+        <translation>练习</translation>
+    </message>
+    <message>
+        <source>graded</source>
+        <translation>计分</translation>
+    </message>
+    <message>
+        <source>Exercises, in their order</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Rules of mastery</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Moves the exercise before the one above it.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Down</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Moves the exercise behind the one below it.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Add rule</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Remove rule</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>is</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>In a row</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
     <name>torsio::gui::ExercisePanel</name>
     <message>
         <source>Exercise</source>
@@ -3444,9 +7618,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <name>torsio::gui::FigureCanvas</name>
     <message numerus="yes">
         <source>%n row(s) more in the table</source>
-        <translation>
-            <numerusform>表中还有 %n 行</numerusform>
-        </translation>
+        <translation><numerusform>表中还有 %n 行</numerusform></translation>
     </message>
 </context>
 <context>
@@ -3474,10 +7646,6 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
 </context>
 <context>
     <name>torsio::gui::FirstRunPanel</name>
-    <message>
-        <source>%1. %2</source>
-        <translation>%1。%2</translation>
-    </message>
     <message>
         <source>Database file</source>
         <translation>数据库文件</translation>
@@ -3651,7 +7819,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>PostgreSQL 服务器(&amp;S)</translation>
     </message>
     <message>
-        <source>For several stations. Keep the password in the server account&apos;s password file (.pgpass), not in this line.</source>
+        <source>For several stations. Keep the password in the server account's password file (.pgpass), not in this line.</source>
         <translation>适用于多个工作站。密码请保存在账户的密码文件 (.pgpass) 中，不要写在此行。</translation>
     </message>
     <message>
@@ -3661,6 +7829,129 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>&amp;Test the database</source>
         <translation>测试数据库(&amp;T)</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::GroupEditor</name>
+    <message>
+        <source>Name of the group</source>
+        <translation>组名</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>代码</translation>
+    </message>
+    <message>
+        <source>Rest</source>
+        <translation>休息</translation>
+    </message>
+    <message>
+        <source>Phases, one after the other</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>any exercise</source>
+        <translation>任意练习</translation>
+    </message>
+    <message>
+        <source>Where phase %1 happens</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Name of phase %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Minutes of phase %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Exercise of phase %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>In all %1 minutes of training: %2 on the simulator, %3 on the real arm. Rest does not count.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>A group needs a code; it keeps %1.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Another group has this code; this one keeps %1.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>New group</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>New phase</source>
+        <translation>新阶段</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分钟</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>may be taken in parts</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Groups, in their order</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Down</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Add phase</source>
+        <translation>添加阶段</translation>
+    </message>
+    <message>
+        <source>Remove phase</source>
+        <translation>删除阶段</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Later</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>地点</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>分钟</translation>
+    </message>
+    <message>
+        <source>Exercise</source>
+        <translation>练习</translation>
     </message>
 </context>
 <context>
@@ -3898,7 +8189,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>米</translation>
     </message>
     <message>
-        <source>The file&apos;s numbers are</source>
+        <source>The file's numbers are</source>
         <translation>文件中的数值单位为</translation>
     </message>
     <message>
@@ -4090,7 +8381,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>侧面</translation>
     </message>
     <message>
-        <source>Look from the patient&apos;s left side</source>
+        <source>Look from the patient's left side</source>
         <translation>从患者左侧观察</translation>
     </message>
     <message>
@@ -4148,6 +8439,14 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>Show the pose to reach as a film over the organ</source>
         <translation>以半透明形式显示需要达到的姿态</translation>
+    </message>
+    <message>
+        <source>Keys…</source>
+        <translation>按键…</translation>
+    </message>
+    <message>
+        <source>Put the movements of the instrument on other keys</source>
+        <translation>将器械动作改到其他按键</translation>
     </message>
     <message>
         <source>How mouse and keys move the instrument</source>
@@ -4236,14 +8535,6 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>Tools</source>
         <translation>工具</translation>
-    </message>
-    <message>
-        <source>Keys…</source>
-        <translation>按键…</translation>
-    </message>
-    <message>
-        <source>Put the movements of the instrument on other keys</source>
-        <translation>将器械动作改到其他按键</translation>
     </message>
 </context>
 <context>
@@ -4380,10 +8671,6 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>两次输入尚不一致</translation>
     </message>
     <message>
-        <source>%1. %2</source>
-        <translation>%1。%2</translation>
-    </message>
-    <message>
         <source>Choose a new password</source>
         <translation>设置新密码</translation>
     </message>
@@ -4484,7 +8771,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>您的待评列表</translation>
     </message>
     <message>
-        <source>Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, and you see nobody&apos;s.</source>
+        <source>Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, and you see nobody's.</source>
         <translation>案例已盲化，并为您单独打乱顺序。在所有人提交之前，没有人能看到您的评分，您也看不到他人的评分。</translation>
     </message>
     <message>
@@ -4719,9 +9006,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message numerus="yes">
         <source>%1, %n late</source>
-        <translation>
-            <numerusform>%1，延迟 %n 步</numerusform>
-        </translation>
+        <translation><numerusform>%1，延迟 %n 步</numerusform></translation>
     </message>
     <message>
         <source>%1 /s</source>
@@ -4811,7 +9096,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>您的自评与 %1 位医师的平均分。</translation>
     </message>
     <message>
-        <source>Your marks are kept. The physicians&apos; marks appear when they are released.</source>
+        <source>Your marks are kept. The physicians' marks appear when they are released.</source>
         <translation>您的自评已保存。医师评分发布后会显示。</translation>
     </message>
     <message>
@@ -4941,9 +9226,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <name>torsio::gui::ReportPreview</name>
     <message numerus="yes">
         <source>%n row(s) more in the report</source>
-        <translation>
-            <numerusform>报告中还有 %n 行</numerusform>
-        </translation>
+        <translation><numerusform>报告中还有 %n 行</numerusform></translation>
     </message>
     <message>
         <source>Demonstration data: nothing in it is a result.</source>
@@ -5359,6 +9642,10 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>尚未保存任何内容。只要有一行出错就不会导入，请修正文件后重新选择。</translation>
     </message>
     <message>
+        <source>How far it has come</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
         <source>Line</source>
         <translation>行</translation>
     </message>
@@ -5379,12 +9666,46 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>备注</translation>
     </message>
     <message>
+        <source>%1: %2 %</source>
+        <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+        <source>Comparing %n lines with the record…</source>
+        <translation type="unfinished">
+            <numerusform />
+        </translation>
+    </message>
+    <message>
+        <source>Looking at the roster</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
         <source>%1 new, %2 with changes, %3 as they are, %4 with errors.</source>
         <translation>新增 %1，更改 %2，不变 %3，错误 %4。</translation>
+    </message>
+    <message>
+        <source>Importing…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Importing the roster</source>
+        <translation type="unfinished" />
     </message>
 </context>
 <context>
     <name>torsio::gui::RosterWizard</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
+    </message>
+    <message>
+        <source>%1. %2.</source>
+        <translation>%1。%2。</translation>
+    </message>
     <message>
         <source>Import a roster</source>
         <translation>导入名单</translation>
@@ -5750,9 +10071,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message numerus="yes">
         <source>%n sheet(s) asked for</source>
-        <translation>
-            <numerusform>已发出 %n 份评分表</numerusform>
-        </translation>
+        <translation><numerusform>已发出 %n 份评分表</numerusform></translation>
     </message>
     <message>
         <source>Scoring</source>
@@ -5798,7 +10117,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>分，与专家组之差：您较宽松。</translation>
     </message>
     <message>
-        <source>95 % interval %1 to %2; cases: %3. Your mean is %4, the others&apos; %5.</source>
+        <source>95 % interval %1 to %2; cases: %3. Your mean is %4, the others' %5.</source>
         <translation>95 % 区间 %1 至 %2；案例数：%3。您的均分 %4，他人 %5。</translation>
     </message>
     <message>
@@ -5838,11 +10157,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>您与专家组</translation>
     </message>
     <message>
-        <source>Your mark (upwards) against the panel&apos;s mean</source>
+        <source>Your mark (upwards) against the panel's mean</source>
         <translation>您的评分（纵轴）与专家组均分</translation>
     </message>
     <message>
-        <source>Your marks and the panel&apos;s, case by case</source>
+        <source>Your marks and the panel's, case by case</source>
         <translation>逐案例的您与专家组评分</translation>
     </message>
     <message>
@@ -5869,7 +10188,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
 <context>
     <name>torsio::gui::SeverityPlot</name>
     <message>
-        <source>Your marks against the panel&apos;s</source>
+        <source>Your marks against the panel's</source>
         <translation>您的评分与专家组对照</translation>
     </message>
     <message>
@@ -5921,20 +10240,6 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
 </context>
 <context>
     <name>torsio::gui::ShellWindow</name>
-    <message numerus="yes">
-        <source>%n recording(s) of this station could not be stored</source>
-        <translation>
-            <numerusform>本工作站有 %n 份记录未能存入数据库</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The files are kept. Please show this to your administrator</source>
-        <translation>文件已保留，请将此信息告知管理员</translation>
-    </message>
-    <message>
-        <source>%1. %2</source>
-        <translation>%1。%2</translation>
-    </message>
     <message>
         <source>Something is unfinished here. Only its owner can sign out</source>
         <translation>此处有未完成的内容，只有本人可以退出登录</translation>
@@ -5962,6 +10267,14 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>You were signed out because nobody was here</source>
         <translation>由于长时间无人操作，已退出登录</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) of this station could not be stored</source>
+        <translation><numerusform>本工作站有 %n 份记录未能存入数据库</numerusform></translation>
+    </message>
+    <message>
+        <source>The files are kept. Please show this to your administrator</source>
+        <translation>文件已保留，请将此信息告知管理员</translation>
     </message>
     <message>
         <source>Leave the password out of the address; it would stand in a settings file. Put it into .pgpass</source>
@@ -6659,7 +10972,7 @@ Leave it empty to remove it.</source>
         <translation>待评列表(&amp;Q)</translation>
     </message>
     <message>
-        <source>Score first; then the panel&apos;s mark is shown.</source>
+        <source>Score first; then the panel's mark is shown.</source>
         <translation>请先评分，然后显示专家组的评分。</translation>
     </message>
     <message>

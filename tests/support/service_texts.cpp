@@ -244,6 +244,7 @@ ServiceTexts readServiceTexts(const fs::path& root) {
   ServiceTexts texts;
   for (const char* folder : kFolders) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (!entry.is_regular_file()) continue;
       const std::string extension = entry.path().extension().string();
       std::ifstream in(entry.path());
       const std::string source{std::istreambuf_iterator<char>(in), {}};

@@ -87,6 +87,10 @@ class Photographer {
     window.resize(size);
     window.show();
     settle(window);
+    if (request_.look) {
+      request_.look(name, window);
+      return;
+    }
     const QString file = QStringLiteral("%1-%2-%3-%4x%5.png")
                              .arg(name, languageCode(language),
                                   kind == ThemeKind::kDark ? QStringLiteral("dark") : QStringLiteral("light"))
@@ -216,7 +220,7 @@ void writeIndex(const std::filesystem::path& folder, const std::vector<Shot>& sh
 }  // namespace
 
 int takeAllScreenshots(const ScreenshotsRequest& request) {
-  ensureFolder(request.out);
+  if (!request.look) ensureFolder(request.out);
   Photographer photographer(request);
   takePanels(photographer);
   std::vector<ScreenEntry> pages;
@@ -229,7 +233,7 @@ int takeAllScreenshots(const ScreenshotsRequest& request) {
                     request.progress);
     for (const ScreenEntry& screen : pages) takePage(photographer, cast, request.assets, screen);
   }
-  writeIndex(request.out, photographer.shots());
+  if (!request.look) writeIndex(request.out, photographer.shots());
   return static_cast<int>(photographer.shots().size());
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@
 #include "app/gui/look/theme.h"
 #include "app/gui/shell/language.h"
 #include "app/session/progress.h"
+
+class QWidget;
 
 namespace torsio::gui {
 
@@ -22,6 +25,8 @@ struct ScreenshotsRequest {
   std::vector<ThemeKind> themes;
   QString only;  ///< a part of the name; empty: all
   ProgressCallback progress;
+  /// Called with each screen as it stands instead of writing a picture; empty: pictures are written.
+  std::function<void(const QString& name, QWidget& window)> look;
 };
 
 /// Pictures of every screen of the program on the demonstration cohort, and an index.html that shows them.

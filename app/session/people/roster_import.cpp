@@ -29,8 +29,12 @@ constexpr std::size_t kLinesBetweenSigns = 200;
 /// Says now and then how many of the lines are done.
 class LineCount {
  public:
-  LineCount(const ProgressCallback& progress, const char* step, std::size_t total, double from, double to)
-      : progress_(progress), step_(step), total_(std::max<std::size_t>(1, total)), from_(from), to_(to) {
+  LineCount(const ProgressCallback& progress, Text step, std::size_t total, double from, double to)
+      : progress_(progress),
+        step_(std::move(step)),
+        total_(std::max<std::size_t>(1, total)),
+        from_(from),
+        to_(to) {
     say();
   }
   void next() {
@@ -43,7 +47,7 @@ class LineCount {
     if (progress_) progress_({step_, from_ + (to_ - from_) * share, -1.0});
   }
   const ProgressCallback& progress_;
-  const char* step_;
+  Text step_;
   std::size_t total_;
   double from_;
   double to_;
@@ -304,7 +308,7 @@ RosterPreview preview(Workplace& workplace, const RosterFile& file, RosterKind k
   RosterPreview preview;
   preview.kind = kind;
   std::map<std::string, std::size_t> lineOf;
-  LineCount count(progress, "Comparing with the record", file.rows.size(), 0.0, share);
+  LineCount count(progress, Text("Comparing with the record"), file.rows.size(), 0.0, share);
   for (const CsvRecord& record : file.rows) {
     count.next();
     RosterRow row;
@@ -420,7 +424,7 @@ RosterOutcome importRoster(Workplace& workplace, const RosterFile& file, RosterK
   }
   if (kind == RosterKind::kRaters) ensureRaterClasses(workplace);
   RosterOutcome outcome;
-  LineCount count(progress, mode == RosterMode::kDryRun ? "Trying it out" : "Importing",
+  LineCount count(progress, mode == RosterMode::kDryRun ? Text("Trying it out") : Text("Importing"),
                   now.added + now.changed, kComparing, 1.0);
   outcome.newCodes = addNew(workplace, now, count);
   applyChanges(workplace, now, count);

@@ -258,28 +258,32 @@ StoredRubricRevision demonstrationRubric() {
   rubric.number = 1;
   rubric.note = "demonstration";
   rubric.overall = scale;
+  // Read out of the source by their parameter's name, so that the window has them in its language.
+  const auto words = [](const char* sentence) { return std::string(sentence); };
   rubric.rows = {{"time",
-                  "Training time",
+                  words("Training time"),
                   scale,
-                  {{10, "Does not finish; long stops"},
-                   {50, "Finishes with some waiting"},
-                   {100, "Brisk, no idle moment"}}},
+                  {{10, words("Does not finish; long stops")},
+                   {50, words("Finishes with some waiting")},
+                   {100, words("Brisk, no idle moment")}}},
                  {"proficiency",
-                  "Proficiency",
+                  words("Proficiency"),
                   scale,
-                  {{10, "Searches for the grip"},
-                   {50, "Knows the steps, corrects often"},
-                   {100, "Fluent, one movement"}}},
+                  {{10, words("Searches for the grip")},
+                   {50, words("Knows the steps, corrects often")},
+                   {100, words("Fluent, one movement")}}},
                  {"accuracy",
-                  "Operational accuracy",
+                  words("Operational accuracy"),
                   scale,
-                  {{10, "Far from the angle, slips"},
-                   {50, "Near the angle, wavers"},
-                   {100, "Reaches and holds the angle"}}},
+                  {{10, words("Far from the angle, slips")},
+                   {50, words("Near the angle, wavers")},
+                   {100, words("Reaches and holds the angle")}}},
                  {"tissue",
-                  "Care for the tissue",
+                  words("Care for the tissue"),
                   scale,
-                  {{10, "Tears and jerks"}, {50, "Some force peaks"}, {100, "Soft build-up, soft release"}}}};
+                  {{10, words("Tears and jerks")},
+                   {50, words("Some force peaks")},
+                   {100, words("Soft build-up, soft release")}}}};
   return rubric;
 }
 

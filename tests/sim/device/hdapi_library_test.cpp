@@ -38,7 +38,7 @@ TEST(HdapiLibrary, L1_SaysWhichNamesWereSearchedWhenNoneIsInstalled) {
   EXPECT_EQ(library.status, HdapiLoadStatus::kNotFound);
   EXPECT_EQ(library.searched, std::vector<std::string>{"/nowhere/libHD.so"});
   EXPECT_NE(library.sentence.str().find("/nowhere/libHD.so"), std::string::npos) << library.sentence;
-  EXPECT_NE(library.remedy.find("Install"), std::string::npos);
+  EXPECT_NE(library.remedy.str().find("Install"), std::string::npos);
 }
 
 TEST(HdapiLibrary, L1_TriesTheUsualNamesMostCurrentFirst) {
@@ -66,7 +66,7 @@ TEST(HdapiLibrary, L2_NamesTheDependencyThatIsMissing) {
   EXPECT_EQ(library.status, HdapiLoadStatus::kDependencyMissing);
   EXPECT_NE(library.sentence.str().find("libncurses_of_another_year.so.5"), std::string::npos)
       << library.sentence;
-  EXPECT_NE(library.remedy.find("libncurses_of_another_year.so.5"), std::string::npos) << library.remedy;
+  EXPECT_NE(library.remedy.str().find("libncurses_of_another_year.so.5"), std::string::npos) << library.remedy;
 }
 
 TEST(HdapiLibrary, L2_PassesOnWhatTheLoaderSaysOfAFileThatIsNoLibrary) {

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every screen on the demonstration record: in Chinese from the start, switched while it is open, and in a
+// pseudo language whose words are 40 % longer, at the smallest size that is supported.
+#include <map>
+#include <set>
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QGroupBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QRegularExpression>
+#include <QTabBar>
+#include <QTableView>
+#include <QTextDocumentFragment>
+#include <QTranslator>
+#include <gtest/gtest.h>
+
+#include "app/gui/shell/language.h"
+#include "app/gui/shell/screenshots.h"
+#include "app/gui/shell/spoken.h"
+#include "tests/support/service_texts.h"
+
+namespace torsio::gui {
+namespace {
+
+constexpr QSize kSmallest(1366, 768);  // issue: "1366x768 to 4K"
+
+/// What stays as it is in every language: names of the demonstration, codes, units, names of programs.
+bool staysAsItIs(const QString& text) {
+  static const QRegularExpression kKept(QStringLiteral(
+      "^("
+      "Torsio|English|Skills laboratory|administrator|demo\\.\\w+|"  // names
+      "Station 1|.*\\(demonstration\\).*|"                           // names in the demonstration record
+      "[A-Z]{1,2}-?[0-9]{1,3}\\b.*|[0-9]+[A-Z]|"                     // codes: T-01, G1, M1 ..., 7F
+      "[\\W\\d_]*([kmµ]?(Pa|N|Nm|N m|m|s|Hz|B|MiB|GiB)|CSV|PDF|PIN|ms|µs|X|Y|Z|F1)?[\\W\\d_]*|"  // units
+      "/.*|[0-9a-f]{8,}.*|\\d.*UTC"  // paths, hashes, times
+      ")$"));
+  return kKept.match(text.trimmed()).hasMatch();
+}
+
+QString plain(const QString& text) {
+  return Qt::mightBeRichText(text) ? QTextDocumentFragment::fromHtml(text).toPlainText() : text;
+}
+
+void add(QStringList& texts, const QString& text) {
+  for (const QString& line : plain(text).split(QLatin1Char('\n'))) {
+    if (!line.trimmed().isEmpty()) texts << line.trimmed();
+  }
+}
+
+/// Texts of what is seen: labels, buttons, tabs, headers, boxes, hints in fields.
+QStringList seenTexts(QWidget& window) {
+  QStringList texts;
+  for (QWidget* widget : window.findChildren<QWidget*>()) {
+    if (!widget->isVisibleTo(&window)) continue;
+    if (const auto* label = qobject_cast<QLabel*>(widget)) add(texts, label->text());
+    if (const auto* button = qobject_cast<QAbstractButton*>(widget)) add(texts, button->text());
+    if (const auto* box = qobject_cast<QGroupBox*>(widget)) add(texts, box->title());
+    if (const auto* combo = qobject_cast<QComboBox*>(widget)) add(texts, combo->currentText());
+    if (const auto* field = qobject_cast<QLineEdit*>(widget)) add(texts, field->placeholderText());
+    if (const auto* tabs = qobject_cast<QTabBar*>(widget)) {
+      for (int i = 0; i < tabs->count(); ++i) add(texts, tabs->tabText(i));
+    }
+    if (const auto* table = qobject_cast<QTableView*>(widget)) {
+      for (int i = 0; i < table->model()->columnCount(); ++i) {
+        if (!table->isColumnHidden(i)) add(texts, table->model()->headerData(i, Qt::Horizontal).toString());
+      }
+    }
+  }
+  return texts;
+}
+
+/// Whether somebody who reads Chinese meets a text without a Chinese character.
+bool leftInEnglish(const QString& text) {
+  static const QRegularExpression kChinese(QStringLiteral("\\p{Han}"));
+  static const QRegularExpression kWord(QStringLiteral("[A-Za-z]{2,}"));
+  return kWord.match(text).hasMatch() && !kChinese.match(text).hasMatch() && !staysAsItIs(text);
+}
+
+/// Accents on the letters, 40 % more of them, and brackets that show where a text is cut.
+class PseudoTranslator : public QTranslator {
+ public:
+  [[nodiscard]] bool isEmpty() const override { return false; }
+  QString translate(const char* context, const char* source, const char*, int) const override {
+    // Formats of Qt itself ("%1 (%2)" of dialogs) stay usable.
+    if (QByteArray(context).startsWith("Q") && QByteArray(context) != "QPlatformTheme") return {};
+    static const QHash<QChar, QChar> kAccents{{u'a', u'\u00e4'}, {u'e', u'\u00e9'}, {u'i', u'\u00ef'},
+                                              {u'o', u'\u00f6'}, {u'u', u'\u00fc'}, {u'A', u'\u00c4'},
+                                              {u'E', u'\u00c9'}, {u'O', u'\u00d6'}, {u'n', u'\u00f1'}};
+    QString text = QString::fromUtf8(source);
+    const auto longer = static_cast<qsizetype>(0.4 * static_cast<double>(text.size()));
+    for (qsizetype i = 0; i < text.size(); ++i) {
+      const bool place = i > 0 && (text[i - 1] == u'%' || text[i - 1] == u'&');
+      if (!place) text[i] = kAccents.value(text[i], text[i]);
+    }
+    return QStringLiteral("[") + text + QString(longer, QLatin1Char('~')) + QStringLiteral("]");
+  }
+};
+
+/// Labels and buttons that show less than they say.
+QStringList cutTexts(QWidget& window) {
+  QStringList cut;
+  const auto report = [&](const QWidget& widget, const QString& text, int wanted, int given) {
+    cut << QStringLiteral("%1 \"%2\": %3 wanted, %4 given")
+               .arg(QLatin1String(widget.metaObject()->className()), text)
+               .arg(wanted)
+               .arg(given);
+  };
+  for (QWidget* widget : window.findChildren<QWidget*>()) {
+    if (!widget->isVisibleTo(&window)) continue;
+    const auto* label = qobject_cast<QLabel*>(widget);
+    const auto* button = qobject_cast<QAbstractButton*>(widget);
+    if (label != nullptr && !label->text().isEmpty()) {
+      const int wide = label->wordWrap() ? 0 : label->minimumSizeHint().width();
+      if (wide > label->width() + 1) report(*label, label->text(), wide, label->width());
+      const int high =
+          label->wordWrap() ? label->heightForWidth(label->width()) : label->minimumSizeHint().height();
+      if (high > label->height() + 1) report(*label, label->text(), high, label->height());
+    }
+    if (button != nullptr && !button->text().isEmpty()) {
+      const int wide = button->minimumSizeHint().width();
+      if (wide > button->width() + 1) report(*button, button->text(), wide, button->width());
+    }
+  }
+  return cut;
+}
+
+void retranslated() {
+  QCoreApplication::sendPostedEvents();
+  QCoreApplication::processEvents();
+}
+
+using Findings = std::map<QString, std::set<QString>>;
+
+/// One walk over all screens: each opened in English, then switched to Chinese and to the pseudo language.
+class Walk {
+ public:
+  static const Walk& once() {
+    static const Walk kWalk;
+    return kWalk;
+  }
+  Findings english;   // texts that a Chinese reader meets, opened in Chinese
+  Findings switched;  // the same after a live switch
+  Findings stuck;     // texts that do not come back in English
+  Findings cut;       // pseudo language
+  int screens = 0;
+
+ private:
+  Walk() {
+    ScreenshotsRequest request;
+    request.assets = TORSIO_SOURCE_DIR "/assets";
+    request.sizes = {kSmallest};
+    request.themes = {ThemeKind::kLight};
+    request.languages = {Language::kEnglish, Language::kSimplifiedChinese};
+    request.look = [this](const QString& name, QWidget& window) { look(name, window); };
+    takeAllScreenshots(request);
+  }
+
+  void look(const QString& name, QWidget& window) {
+    ++screens;
+    if (QLocale().language() == QLocale::Chinese) {
+      for (const QString& text : seenTexts(window)) {
+        if (leftInEnglish(text)) english[name].insert(text);
+      }
+      return;
+    }
+    const QStringList before = seenTexts(window);
+    {
+      LanguageSwitch chinese;
+      chinese.choose(Language::kSimplifiedChinese);
+      retranslated();
+      for (const QString& text : seenTexts(window)) {
+        if (leftInEnglish(text)) switched[name].insert(text);
+      }
+      chinese.choose(Language::kEnglish);
+      retranslated();
+    }
+    const QStringList after = seenTexts(window);
+    for (const QString& text : after) {
+      if (!before.contains(text)) stuck[name].insert(text);
+    }
+    PseudoTranslator pseudo;
+    QCoreApplication::installTranslator(&pseudo);
+    retranslated();
+    retranslated();
+    for (const QString& text : cutTexts(window)) cut[name].insert(text);
+    QCoreApplication::removeTranslator(&pseudo);
+    retranslated();
+  }
+};
+
+std::string told(const Findings& findings) {
+  QString all;
+  for (const auto& [screen, texts] : findings) {
+    for (const QString& text : texts) all += QStringLiteral("%1: %2\n").arg(screen, text);
+  }
+  return all.toStdString();
+}
+
+TEST(EveryScreen, IsChineseForAChineseReader) {
+  EXPECT_GT(Walk::once().screens, 60);  // two languages, more than thirty screens
+  EXPECT_TRUE(Walk::once().english.empty()) << told(Walk::once().english);
+}
+
+TEST(EveryScreen, FollowsALiveSwitchOfTheLanguage) {
+  EXPECT_TRUE(Walk::once().switched.empty()) << told(Walk::once().switched);
+  EXPECT_TRUE(Walk::once().stuck.empty()) << told(Walk::once().stuck);
+}
+
+TEST(EveryScreen, HasRoomForALongerLanguage) {
+  EXPECT_TRUE(Walk::once().cut.empty()) << told(Walk::once().cut);
+}
+
+TEST(ServiceTexts, AllHaveAChineseSentence) {
+  const ServiceTexts texts = readServiceTexts(std::filesystem::path(TORSIO_SOURCE_DIR));
+  EXPECT_GT(texts.patterns.size(), 800U);
+
+  LanguageSwitch language;
+  language.choose(Language::kSimplifiedChinese);
+  for (const std::string& pattern : texts.patterns) {
+    // A word that is the same in both languages ("STL") comes back as it is, with another object.
+    QTranslator chinese;
+    ASSERT_TRUE(chinese.load(QStringLiteral(":/torsio/translations/torsio_zh_CN.qm")));
+    EXPECT_FALSE(chinese.translate("Services", pattern.c_str()).isEmpty()) << pattern;
+  }
+}
+
+TEST(ServiceTexts, AreNeverGluedTogether) {
+  for (const GluedText& text : readServiceTexts(std::filesystem::path(TORSIO_SOURCE_DIR)).glued) {
+    ADD_FAILURE() << text.file << ":" << text.line << ": \"" << text.literal
+                  << "\" needs Text(\"... %1\", x)";
+  }
+}
+
+TEST(ServiceTexts, AreReadFromCallsThatSpeak) {
+  ServiceTexts texts;
+  readServiceTexts(R"cpp(
+                     // "not this" throw Error(code, "nor this");
+                     [[noreturn]] void refuse(const Text& what, const Text& where) {
+                       throw Error(code, what, where, "Do \"so\"");
+                     }
+                     void f() {
+                       refuse(Text("row %1", 7),
+                              "a"
+                              "b c");
+                       g("quiet");
+                       throw Error(code, "glued " + name, "", "");
+                     }
+                   )cpp",
+                   "f.cpp", texts);
+
+  EXPECT_EQ(texts.patterns, (std::set<std::string>{"Do \"so\"", "row %1", "ab c"}));
+  ASSERT_EQ(texts.glued.size(), 1U);
+  EXPECT_EQ(texts.glued.front().literal, "glued ");
+}
+
+TEST(Spoken, PutsArgumentsIntoTheChineseSentence) {
+  LanguageSwitch language;
+  language.choose(Language::kSimplifiedChinese);
+
+  const Error error(ErrorCode::kBadData, Text("row %1 is not answered", "C2"), Text("case %1", "7F"),
+                    "Fill it in");
+  const SpokenError said = spoken(error);
+
+  EXPECT_EQ(said.happened.toStdString(), "\u7b2c C2 \u9879\u672a\u4f5c\u7b54");
+  EXPECT_TRUE(said.details.endsWith(QStringLiteral("7F")));
+  EXPECT_NE(said.remedy, QStringLiteral("Fill it in"));
+}
+
+TEST(Spoken, TellsTheKindOfTroubleWhereTheLanguageLacksTheSentence) {
+  LanguageSwitch language;
+  language.choose(Language::kSimplifiedChinese);
+
+  const SpokenError said = spoken(Error(ErrorCode::kDatabase, "zxqv 17", "", "Try again"));
+
+  EXPECT_FALSE(leftInEnglish(said.happened));
+  EXPECT_TRUE(said.details.contains(QStringLiteral("zxqv 17")));
+  language.choose(Language::kEnglish);
+  EXPECT_EQ(spoken(Error(ErrorCode::kDatabase, "zxqv 17", "", "Try again")).happened,
+            QStringLiteral("Zxqv 17"));
+}
+
+}  // namespace
+}  // namespace torsio::gui
