@@ -207,6 +207,7 @@ void MainWindow::retranslate() {
   source_->setAccessibleName(tr("Source of the organ"));
   if (controller_->scene() != nullptr) showTitle();
   noticeLeft_s_ = 0.0;
+  hint_->clear();  // the next frame says it again
   showMode();
 }
 

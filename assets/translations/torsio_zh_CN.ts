@@ -43,6 +43,34 @@
         <translation>右前臂</translation>
     </message>
     <message>
+        <source>Pronation</source>
+        <translation>旋前</translation>
+    </message>
+    <message>
+        <source>Supination</source>
+        <translation>旋后</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>肠袢</translation>
+    </message>
+    <message>
+        <source>Organo-axial</source>
+        <translation>器官轴型</translation>
+    </message>
+    <message>
+        <source>Mesentero-axial</source>
+        <translation>系膜轴型</translation>
+    </message>
+    <message>
+        <source>Combined</source>
+        <translation>复合型</translation>
+    </message>
+    <message>
+        <source>Partial</source>
+        <translation>部分型</translation>
+    </message>
+    <message>
         <source>Small intestine, loop</source>
         <translation>小肠袢</translation>
     </message>
@@ -728,6 +756,62 @@
     <message>
         <source>intern</source>
         <translation>实习医师</translation>
+    </message>
+    <message>
+        <source>This cannot be done like this</source>
+        <translation>无法这样操作</translation>
+    </message>
+    <message>
+        <source>A file or folder is missing</source>
+        <translation>缺少文件或文件夹</translation>
+    </message>
+    <message>
+        <source>A file cannot be read</source>
+        <translation>文件无法读取</translation>
+    </message>
+    <message>
+        <source>A file cannot be written</source>
+        <translation>文件无法写入</translation>
+    </message>
+    <message>
+        <source>The shape of the organ cannot be used</source>
+        <translation>器官的形状无法使用</translation>
+    </message>
+    <message>
+        <source>A value is not allowed here</source>
+        <translation>此处不允许该数值</translation>
+    </message>
+    <message>
+        <source>The data do not fit together</source>
+        <translation>数据不一致</translation>
+    </message>
+    <message>
+        <source>The database refused the operation</source>
+        <translation>数据库拒绝了该操作</translation>
+    </message>
+    <message>
+        <source>The database was written by a newer version</source>
+        <translation>数据库由更新的版本写入</translation>
+    </message>
+    <message>
+        <source>Your role may not do this</source>
+        <translation>您的角色没有此权限</translation>
+    </message>
+    <message>
+        <source>The haptic device has a problem</source>
+        <translation>力反馈设备出现问题</translation>
+    </message>
+    <message>
+        <source>A check found a difference</source>
+        <translation>校验发现差异</translation>
+    </message>
+    <message>
+        <source>Something unexpected happened</source>
+        <translation>发生意外情况</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
     </message>
     <message>
         <source>"%1" is chosen for two fields</source>
@@ -4630,6 +4714,10 @@
         <translation>有两列都名为“%1”</translation>
     </message>
     <message>
+        <source>two groups are called %1</source>
+        <translation>有两组都名为 %1</translation>
+    </message>
+    <message>
         <source>two models have the same code</source>
         <translation>有两个模型代码相同</translation>
     </message>
@@ -6789,35 +6877,35 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Draft</source>
-        <translation type="unfinished" />
+        <translation>草稿</translation>
     </message>
     <message>
         <source>Version %1 (%2)</source>
-        <translation type="unfinished" />
+        <translation>第 %1 版（%2）</translation>
     </message>
     <message>
         <source>%1: changed, not saved. The draft is also saved when you leave.</source>
-        <translation type="unfinished" />
+        <translation>%1：已更改，未保存。离开时草稿也会保存。</translation>
     </message>
     <message>
         <source>Everything may be changed; nobody is touched until it is published as version %1.</source>
-        <translation type="unfinished" />
+        <translation>一切均可更改；在发布为第 %1 版之前不影响任何人。</translation>
     </message>
     <message>
         <source>Saved %1. %2</source>
-        <translation type="unfinished" />
+        <translation>已于 %1 保存。%2</translation>
     </message>
     <message>
         <source>%1 The newest version is %2: %3.</source>
-        <translation type="unfinished" />
+        <translation>%1 最新版本为第 %2 版：%3。</translation>
     </message>
     <message>
         <source>No cohort follows it.</source>
-        <translation type="unfinished" />
+        <translation>没有批次采用。</translation>
     </message>
     <message>
         <source>Followed by: %1.</source>
-        <translation type="unfinished" />
+        <translation>采用的批次：%1。</translation>
     </message>
     <message>
         <source>, </source>
@@ -6825,23 +6913,23 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Published on %1 and never changes. Begin it, so that cohorts can follow it.</source>
-        <translation type="unfinished" />
+        <translation>已于 %1 发布，不再改变。启用后批次才能采用。</translation>
     </message>
     <message>
         <source>Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the draft and publish the next version.</source>
-        <translation type="unfinished" />
+        <translation>已于 %1 发布，进行中：批次可以选用。它不再改变；如需更改，请编辑草稿并发布下一版。</translation>
     </message>
     <message>
         <source>Published on %1, closed: no further cohort can choose it; who follows it goes on. It is kept as it was.</source>
-        <translation type="unfinished" />
+        <translation>已于 %1 发布，已关闭：不再有新批次可选用；已采用的继续进行。内容保持原样。</translation>
     </message>
     <message>
         <source>%1 Note: %2.</source>
-        <translation type="unfinished" />
+        <translation>%1 说明：%2。</translation>
     </message>
     <message>
         <source>%1 Superseded by version %2.</source>
-        <translation type="unfinished" />
+        <translation>%1 已被第 %2 版取代。</translation>
     </message>
     <message>
         <source>%1 %2</source>
@@ -6849,7 +6937,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>The draft is saved.</source>
-        <translation type="unfinished" />
+        <translation>草稿已保存。</translation>
     </message>
     <message>
         <source>Published. Begin it, so that cohorts can follow it.</source>
@@ -6857,15 +6945,15 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>It runs: cohorts can follow it now.</source>
-        <translation type="unfinished" />
+        <translation>已启用：批次现在可以采用。</translation>
     </message>
     <message>
         <source>Edit as draft</source>
-        <translation type="unfinished" />
+        <translation>作为草稿编辑</translation>
     </message>
     <message>
         <source>The draft differs from version %1. Put this version in its place? Published versions stay as they are.</source>
-        <translation type="unfinished" />
+        <translation>草稿与第 %1 版不同。是否用此版本替换草稿？已发布的版本保持不变。</translation>
     </message>
     <message>
         <source>New curriculum</source>
@@ -6913,11 +7001,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>S&amp;howing</source>
-        <translation type="unfinished" />
+        <translation>显示(&amp;H)</translation>
     </message>
     <message>
         <source>&amp;Edit as draft</source>
-        <translation type="unfinished" />
+        <translation>作为草稿编辑(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Save draft</source>
@@ -6980,11 +7068,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>When the raters score everybody, counted in minutes of training (rest does not count). The paper scores before, after 20 and after 40 minutes.</source>
-        <translation type="unfinished" />
+        <translation>评分者何时为所有人评分，以训练分钟数计（休息不计）。论文在训练前、20 分钟后和 40 分钟后评分。</translation>
     </message>
     <message>
         <source>after </source>
-        <translation type="unfinished" />
+        <translation>训练 </translation>
     </message>
     <message>
         <source> min</source>
@@ -6992,11 +7080,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Minutes of training before: %1</source>
-        <translation type="unfinished" />
+        <translation>评分前的训练分钟数：%1</translation>
     </message>
     <message>
         <source>What is still to mend</source>
-        <translation type="unfinished" />
+        <translation>尚待修正</translation>
     </message>
 </context>
 <context>
@@ -7452,11 +7540,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Force up to</source>
-        <translation type="unfinished" />
+        <translation>力上限</translation>
     </message>
     <message>
         <source>Torque up to</source>
-        <translation type="unfinished" />
+        <translation>扭矩上限</translation>
     </message>
     <message>
         <source>Attempts</source>
@@ -7464,47 +7552,47 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Opens only after these are mastered</source>
-        <translation type="unfinished" />
+        <translation>掌握以下练习后才开放</translation>
     </message>
     <message>
         <source>Mastered when all of these are reached</source>
-        <translation type="unfinished" />
+        <translation>全部达到以下标准即为掌握</translation>
     </message>
     <message>
         <source>%1  (no such exercise any more)</source>
-        <translation type="unfinished" />
+        <translation>%1（该练习已不存在）</translation>
     </message>
     <message>
         <source>at least</source>
-        <translation type="unfinished" />
+        <translation>不低于</translation>
     </message>
     <message>
         <source>at most</source>
-        <translation type="unfinished" />
+        <translation>不超过</translation>
     </message>
     <message>
         <source>What rule %1 is about</source>
-        <translation type="unfinished" />
+        <translation>标准 %1 的指标</translation>
     </message>
     <message>
         <source>Direction of rule %1</source>
-        <translation type="unfinished" />
+        <translation>标准 %1 的方向</translation>
     </message>
     <message>
         <source>Threshold of rule %1</source>
-        <translation type="unfinished" />
+        <translation>标准 %1 的阈值</translation>
     </message>
     <message>
         <source>Attempts in a row of rule %1</source>
-        <translation type="unfinished" />
+        <translation>标准 %1 的连续次数</translation>
     </message>
     <message>
         <source>An exercise needs a code; it keeps %1.</source>
-        <translation type="unfinished" />
+        <translation>练习需要代码；保留 %1。</translation>
     </message>
     <message>
         <source>Another exercise has this code; this one keeps %1.</source>
-        <translation type="unfinished" />
+        <translation>另一练习已使用此代码；本练习保留 %1。</translation>
     </message>
     <message>
         <source>New exercise</source>
@@ -7524,11 +7612,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Exercises, in their order</source>
-        <translation type="unfinished" />
+        <translation>练习（按顺序）</translation>
     </message>
     <message>
         <source>Rules of mastery</source>
-        <translation type="unfinished" />
+        <translation>掌握标准</translation>
     </message>
     <message>
         <source>Add</source>
@@ -7540,43 +7628,43 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Up</source>
-        <translation type="unfinished" />
+        <translation>上移</translation>
     </message>
     <message>
         <source>Moves the exercise before the one above it.</source>
-        <translation type="unfinished" />
+        <translation>将该练习移到上一个之前。</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation type="unfinished" />
+        <translation>下移</translation>
     </message>
     <message>
         <source>Moves the exercise behind the one below it.</source>
-        <translation type="unfinished" />
+        <translation>将该练习移到下一个之后。</translation>
     </message>
     <message>
         <source>Add rule</source>
-        <translation type="unfinished" />
+        <translation>添加标准</translation>
     </message>
     <message>
         <source>Remove rule</source>
-        <translation type="unfinished" />
+        <translation>删除标准</translation>
     </message>
     <message>
         <source>Metric</source>
-        <translation type="unfinished" />
+        <translation>指标</translation>
     </message>
     <message>
         <source>is</source>
-        <translation type="unfinished" />
+        <translation>关系</translation>
     </message>
     <message>
         <source>Threshold</source>
-        <translation type="unfinished" />
+        <translation>阈值</translation>
     </message>
     <message>
         <source>In a row</source>
-        <translation type="unfinished" />
+        <translation>连续次数</translation>
     </message>
 </context>
 <context>
@@ -7847,7 +7935,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Phases, one after the other</source>
-        <translation type="unfinished" />
+        <translation>阶段（依次进行）</translation>
     </message>
     <message>
         <source>any exercise</source>
@@ -7855,35 +7943,35 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Where phase %1 happens</source>
-        <translation type="unfinished" />
+        <translation>第 %1 阶段的地点</translation>
     </message>
     <message>
         <source>Name of phase %1</source>
-        <translation type="unfinished" />
+        <translation>第 %1 阶段的名称</translation>
     </message>
     <message>
         <source>Minutes of phase %1</source>
-        <translation type="unfinished" />
+        <translation>第 %1 阶段的分钟数</translation>
     </message>
     <message>
         <source>Exercise of phase %1</source>
-        <translation type="unfinished" />
+        <translation>第 %1 阶段的练习</translation>
     </message>
     <message>
         <source>In all %1 minutes of training: %2 on the simulator, %3 on the real arm. Rest does not count.</source>
-        <translation type="unfinished" />
+        <translation>训练共 %1 分钟：模拟器 %2 分钟，实物臂 %3 分钟。休息不计。</translation>
     </message>
     <message>
         <source>A group needs a code; it keeps %1.</source>
-        <translation type="unfinished" />
+        <translation>组别需要代码；保留 %1。</translation>
     </message>
     <message>
         <source>Another group has this code; this one keeps %1.</source>
-        <translation type="unfinished" />
+        <translation>另一组已使用此代码；本组保留 %1。</translation>
     </message>
     <message>
         <source>New group</source>
-        <translation type="unfinished" />
+        <translation>新组别</translation>
     </message>
     <message>
         <source>New phase</source>
@@ -7899,11 +7987,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>may be taken in parts</source>
-        <translation type="unfinished" />
+        <translation>可分次进行</translation>
     </message>
     <message>
         <source>Groups, in their order</source>
-        <translation type="unfinished" />
+        <translation>组别（按顺序）</translation>
     </message>
     <message>
         <source>Add</source>
@@ -7915,11 +8003,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Up</source>
-        <translation type="unfinished" />
+        <translation>上移</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation type="unfinished" />
+        <translation>下移</translation>
     </message>
     <message>
         <source>Add phase</source>
@@ -7931,11 +8019,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Earlier</source>
-        <translation type="unfinished" />
+        <translation>提前</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished" />
+        <translation>推后</translation>
     </message>
     <message>
         <source>Where</source>
@@ -9643,7 +9731,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>How far it has come</source>
-        <translation type="unfinished" />
+        <translation>进度</translation>
     </message>
     <message>
         <source>Line</source>
@@ -9667,17 +9755,15 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>%1: %2 %</source>
-        <translation type="unfinished" />
+        <translation>%1：%2 %</translation>
     </message>
     <message numerus="yes">
         <source>Comparing %n lines with the record…</source>
-        <translation type="unfinished">
-            <numerusform />
-        </translation>
+        <translation><numerusform>正在将 %n 行与记录比较…</numerusform></translation>
     </message>
     <message>
         <source>Looking at the roster</source>
-        <translation type="unfinished" />
+        <translation>正在查看名单</translation>
     </message>
     <message>
         <source>%1 new, %2 with changes, %3 as they are, %4 with errors.</source>
@@ -9685,11 +9771,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Importing…</source>
-        <translation type="unfinished" />
+        <translation>正在导入…</translation>
     </message>
     <message>
         <source>Importing the roster</source>
-        <translation type="unfinished" />
+        <translation>正在导入名单</translation>
     </message>
 </context>
 <context>
@@ -10000,16 +10086,16 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
 <context>
     <name>torsio::gui::SceneView</name>
     <message>
+        <source>This display cannot show the organ: it has no OpenGL.</source>
+        <translation>此显示环境没有 OpenGL，无法显示器官。</translation>
+    </message>
+    <message>
         <source>Organ and instrument</source>
         <translation>器官与器械</translation>
     </message>
     <message>
         <source>Three-dimensional view; the numbers beside it say the same in text.</source>
         <translation>三维视图；旁边的数字以文字给出相同内容。</translation>
-    </message>
-    <message>
-        <source>This display cannot show the organ: it has no OpenGL.</source>
-        <translation>此显示环境没有 OpenGL，无法显示器官。</translation>
     </message>
     <message>
         <source>unknown</source>

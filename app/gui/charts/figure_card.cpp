@@ -172,6 +172,7 @@ void FigureCard::retranslate() {
   values_->setText(tr("&Values"));
   copy_->setText(tr("&Copy"));
   copy_->setToolTip(tr("Copies the picture and its table (Ctrl+C)"));
+  if (figure_) showNotes(figure_->notes, figure_->provenance);
 }
 
 }  // namespace torsio::gui

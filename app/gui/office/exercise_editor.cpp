@@ -20,6 +20,8 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "app/gui/asset_names.h"
+#include "app/gui/exercise_panel.h"
 #include "app/gui/look/form.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/office/office_parts.h"
@@ -48,6 +50,11 @@ std::vector<std::string> codesOf(const StoredCurriculumVersion& content) {
 
 QString lineOf(const StoredModule& module) {
   return QStringLiteral("%1  %2").arg(shown(module.code), spoken(module.title));
+}
+
+/// A scene or a pattern as people call it: "arm" is the forearm in every language.
+QString placeName(const std::string& id) {
+  return assetName(ExercisePanel::readable(id));
 }
 
 }  // namespace
@@ -85,7 +92,6 @@ ExerciseEditor::ExerciseEditor(std::filesystem::path assets, StoredCurriculumVer
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(listBeside(list_, {add_, remove_, up_, down_}, form()));
-  for (const std::string& id : sceneIds(assets_)) scene_->addItem(shown(id), shown(id));
   connectFields();
   connectLists();
 }
@@ -233,10 +239,13 @@ void ExerciseEditor::show() {
 }
 
 void ExerciseEditor::showPlaces(const StoredModule& module) {
+  scene_->clear();
+  for (const std::string& id : sceneIds(assets_)) scene_->addItem(placeName(id), shown(id));
   chooseOrAdd(scene_, module.sceneId);
   pattern_->clear();
   try {
-    for (const std::string& id : patternIds(assets_, module.sceneId)) pattern_->addItem(shown(id), shown(id));
+    for (const std::string& id : patternIds(assets_, module.sceneId))
+      pattern_->addItem(placeName(id), shown(id));
   } catch (const Error&) {
     // The scene belongs to another installation: its own pattern is offered alone, the check says the rest.
   }

@@ -14,6 +14,7 @@
 #include "app/gui/review/replay_panel.h"
 #include "app/gui/review/review_words.h"
 #include "app/gui/review/sheet_panel.h"
+#include "app/gui/shell/spoken.h"
 
 namespace torsio::gui {
 
@@ -52,7 +53,7 @@ void CasePage::applyTheme(const Theme& theme) {
 
 QString CasePage::rowName(const std::string& row) const {
   for (const StoredRubricRow& line : opened_.rubric.rows) {
-    if (line.code == row) return words(line.label);
+    if (line.code == row) return spoken(line.label);
   }
   return tr("Overall");
 }

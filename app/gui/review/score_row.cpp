@@ -147,7 +147,7 @@ QString ScoreRow::nearestAnchor(std::int64_t steps) const {
       });
   return nearest == anchors_.end()
              ? QString()
-             : tr("%1: %2").arg(scoreText(nearest->score_steps, scale_), words(nearest->meaning));
+             : tr("%1: %2").arg(scoreText(nearest->score_steps, scale_), spoken(nearest->meaning));
 }
 
 void ScoreRow::showAnchor() {

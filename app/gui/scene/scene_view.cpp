@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QEvent>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QOpenGLContext>
@@ -61,6 +62,25 @@ bool isSoftware(const QString& renderer) {
   return false;
 }
 
+/// Stands where the organ would be on a display without OpenGL.
+class NoSceneSentence : public QLabel {
+ public:
+  explicit NoSceneSentence(QWidget* parent) : QLabel(parent) {
+    setAlignment(Qt::AlignCenter);
+    setWordWrap(true);
+    retranslate();
+  }
+
+ protected:
+  void changeEvent(QEvent* event) override {
+    if (event->type() == QEvent::LanguageChange) retranslate();
+    QLabel::changeEvent(event);
+  }
+
+ private:
+  void retranslate() { setText(SceneView::tr("This display cannot show the organ: it has no OpenGL.")); }
+};
+
 }  // namespace
 
 ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene, const std::string& tissue) {
@@ -89,10 +109,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent) {
     createScene();
     layout->addWidget(quick_);
   } else {
-    auto* sentence = new QLabel(tr("This display cannot show the organ: it has no OpenGL."), this);
-    sentence->setAlignment(Qt::AlignCenter);
-    sentence->setWordWrap(true);
-    layout->addWidget(sentence);
+    layout->addWidget(new NoSceneSentence(this));
   }
   legend_->raise();
 }

@@ -51,10 +51,10 @@ SignInPanel::SignInPanel(QWidget* parent) : QWidget(parent) {
   guestNote_->setProperty("small", true);
   tool_ = sentence(this);
   tool_->setProperty("small", true);
-  auto* ways = new QHBoxLayout;
-  ways->addWidget(mode_);
-  ways->addStretch(1);
-  ways->addWidget(guest_);
+  auto* ways = new QVBoxLayout;
+  ways->setSpacing(0);
+  ways->addWidget(mode_, 0, Qt::AlignLeft);
+  ways->addWidget(guest_, 0, Qt::AlignLeft);
   column->addLayout(ways);
   column->addWidget(guestNote_);
   column->addSpacing(2 * kSpace);

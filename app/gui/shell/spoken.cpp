@@ -11,8 +11,6 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr const char* kContext = "Services";
-
 /// Names that come out of the paper's instrument as plain words.
 [[maybe_unused]] const char* const kInstrumentWords[] = {
     QT_TRANSLATE_NOOP("Services", "Effectiveness"),
@@ -33,7 +31,7 @@ constexpr const char* kContext = "Services";
 };
 
 QString translated(const std::string& pattern) {
-  return QCoreApplication::translate(kContext, pattern.c_str());
+  return QCoreApplication::translate("Services", pattern.c_str());
 }
 
 bool speaksEnglish() {
@@ -50,33 +48,33 @@ bool known(const Text& text) {
 QString meaningOf(ErrorCode code) {
   switch (code) {
     case ErrorCode::kUsage:
-      return QCoreApplication::translate(kContext, "This cannot be done like this");
+      return QCoreApplication::translate("Services", "This cannot be done like this");
     case ErrorCode::kFileMissing:
-      return QCoreApplication::translate(kContext, "A file or folder is missing");
+      return QCoreApplication::translate("Services", "A file or folder is missing");
     case ErrorCode::kFileUnreadable:
-      return QCoreApplication::translate(kContext, "A file cannot be read");
+      return QCoreApplication::translate("Services", "A file cannot be read");
     case ErrorCode::kFileUnwritable:
-      return QCoreApplication::translate(kContext, "A file cannot be written");
+      return QCoreApplication::translate("Services", "A file cannot be written");
     case ErrorCode::kBadMesh:
-      return QCoreApplication::translate(kContext, "The shape of the organ cannot be used");
+      return QCoreApplication::translate("Services", "The shape of the organ cannot be used");
     case ErrorCode::kBadParameter:
-      return QCoreApplication::translate(kContext, "A value is not allowed here");
+      return QCoreApplication::translate("Services", "A value is not allowed here");
     case ErrorCode::kBadData:
-      return QCoreApplication::translate(kContext, "The data do not fit together");
+      return QCoreApplication::translate("Services", "The data do not fit together");
     case ErrorCode::kDatabase:
-      return QCoreApplication::translate(kContext, "The database refused the operation");
+      return QCoreApplication::translate("Services", "The database refused the operation");
     case ErrorCode::kNewerSchema:
-      return QCoreApplication::translate(kContext, "The database was written by a newer version");
+      return QCoreApplication::translate("Services", "The database was written by a newer version");
     case ErrorCode::kPermission:
-      return QCoreApplication::translate(kContext, "Your role may not do this");
+      return QCoreApplication::translate("Services", "Your role may not do this");
     case ErrorCode::kDevice:
-      return QCoreApplication::translate(kContext, "The haptic device has a problem");
+      return QCoreApplication::translate("Services", "The haptic device has a problem");
     case ErrorCode::kVerifyFailed:
-      return QCoreApplication::translate(kContext, "A check found a difference");
+      return QCoreApplication::translate("Services", "A check found a difference");
     case ErrorCode::kInternal:
       break;
   }
-  return QCoreApplication::translate(kContext, "Something unexpected happened");
+  return QCoreApplication::translate("Services", "Something unexpected happened");
 }
 
 /// Errors begin in lower case: they also stand within lines of the command line.
@@ -116,7 +114,7 @@ SpokenError spoken(const Error& error) {
 QString spokenLine(const Error& error) {
   const SpokenError said = spoken(error);
   if (said.remedy.isEmpty()) return said.happened;
-  return QCoreApplication::translate(kContext, "%1. %2").arg(said.happened, said.remedy);
+  return QCoreApplication::translate("Services", "%1. %2").arg(said.happened, said.remedy);
 }
 
 }  // namespace torsio::gui

@@ -64,11 +64,20 @@ BriefingPage::BriefingPage(ShellContext& context, QWidget* parent)
   start_ = primaryButton(panel);
   start_->setObjectName(QStringLiteral("start"));
   back_ = new QPushButton(panel);
-  column->addWidget(title_);
-  column->addWidget(mode_);
-  column->addWidget(what_);
-  column->addWidget(how_);
-  column->addStretch(1);
+  // What must always be in reach stands below; what is taller than a small screen scrolls.
+  auto* words = new QWidget(panel);
+  auto* reading = new QVBoxLayout(words);
+  reading->setContentsMargins(0, 0, 0, 0);
+  reading->setSpacing(kSpace + 4);
+  for (QWidget* part : std::initializer_list<QWidget*>{title_, mode_, what_, how_}) reading->addWidget(part);
+  reading->addStretch(1);
+  auto* scroll = new QScrollArea(panel);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(words);
+  column->addWidget(scroll, 1);
   column->addWidget(start_);
   column->addWidget(back_);
   row->addWidget(panel);

@@ -44,7 +44,8 @@ void checkNewCohort(const NewCohort& cohort) {
   std::set<std::string> codes;
   for (const NewGroup& group : cohort.groups) {
     if (group.code.empty()) bad("a group has no code", "Give each group a short code, such as G1");
-    if (!codes.insert(group.code).second) bad("two groups are called " + group.code, "Rename one of them");
+    if (!codes.insert(group.code).second)
+      bad(Text("two groups are called %1", group.code), "Rename one of them");
   }
 }
 
