@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every screen on the demonstration record: in Chinese from the start, switched while it is open, and in a
-// pseudo language whose words are 40 % longer, at the smallest size that is supported.
+// Every screen on the demonstration record: switched to Chinese while it is open, and in a pseudo language
+// whose words are 40 % longer, at the smallest size that is supported.
 #include <map>
 #include <set>
 
@@ -61,6 +61,14 @@ void add(QStringList& texts, const QString& text) {
   }
 }
 
+/// The report and its figures are written in English (assets/translations/README.md).
+bool ofTheReport(const QWidget* widget) {
+  for (; widget != nullptr; widget = widget->parentWidget()) {
+    if (qobject_cast<const FigureCard*>(widget) != nullptr) return true;
+  }
+  return false;
+}
+
 /// Texts of what is seen: labels, buttons, tabs, headers, boxes, hints in fields.
 QStringList seenTexts(QWidget& window) {
   QStringList texts;
@@ -81,14 +89,6 @@ QStringList seenTexts(QWidget& window) {
     }
   }
   return texts;
-}
-
-/// The report and its figures are written in English (assets/translations/README.md).
-bool ofTheReport(const QWidget* widget) {
-  for (; widget != nullptr; widget = widget->parentWidget()) {
-    if (qobject_cast<const FigureCard*>(widget) != nullptr) return true;
-  }
-  return false;
 }
 
 /// Whether somebody who reads Chinese meets a text without a Chinese character.
@@ -146,6 +146,12 @@ QStringList cutTexts(QWidget& window) {
   return cut;
 }
 
+/// Times and sizes go on while a screen stands.
+QStringList withoutNumbers(QStringList texts) {
+  static const QRegularExpression kNumber(QStringLiteral("[0-9]+"));
+  return texts.replaceInStrings(kNumber, QString());
+}
+
 void retranslated() {
   QCoreApplication::sendPostedEvents();
   QCoreApplication::processEvents();
@@ -160,8 +166,7 @@ class Walk {
     static const Walk kWalk;
     return kWalk;
   }
-  Findings english;   // texts that a Chinese reader meets, opened in Chinese
-  Findings switched;  // the same after a live switch
+  Findings switched;  // texts that a Chinese reader meets
   Findings stuck;     // texts that do not come back in English
   Findings cut;       // pseudo language
   int screens = 0;
@@ -172,20 +177,14 @@ class Walk {
     request.assets = TORSIO_SOURCE_DIR "/assets";
     request.sizes = {kSmallest};
     request.themes = {ThemeKind::kLight};
-    request.languages = {Language::kEnglish, Language::kSimplifiedChinese};
+    request.languages = {Language::kEnglish};
     request.look = [this](const QString& name, QWidget& window) { look(name, window); };
     takeAllScreenshots(request);
   }
 
   void look(const QString& name, QWidget& window) {
     ++screens;
-    if (QLocale().language() == QLocale::Chinese) {
-      for (const QString& text : seenTexts(window)) {
-        if (leftInEnglish(text)) english[name].insert(text);
-      }
-      return;
-    }
-    const QStringList before = seenTexts(window);
+    const QStringList before = withoutNumbers(seenTexts(window));
     {
       LanguageSwitch chinese;
       chinese.choose(Language::kSimplifiedChinese);
@@ -197,7 +196,7 @@ class Walk {
       retranslated();
     }
     const QStringList after = seenTexts(window);
-    for (const QString& text : after) {
+    for (const QString& text : withoutNumbers(after)) {
       if (!before.contains(text) && !passes(text)) stuck[name].insert(text);
     }
     PseudoTranslator pseudo;
@@ -218,12 +217,8 @@ std::string told(const Findings& findings) {
   return all.toStdString();
 }
 
-TEST(EveryScreen, IsChineseForAChineseReader) {
-  EXPECT_GT(Walk::once().screens, 60);  // two languages, more than thirty screens
-  EXPECT_TRUE(Walk::once().english.empty()) << told(Walk::once().english);
-}
-
-TEST(EveryScreen, FollowsALiveSwitchOfTheLanguage) {
+TEST(EveryScreen, IsChineseAfterALiveSwitchAndEnglishAgain) {
+  EXPECT_GT(Walk::once().screens, 30);
   EXPECT_TRUE(Walk::once().switched.empty()) << told(Walk::once().switched);
   EXPECT_TRUE(Walk::once().stuck.empty()) << told(Walk::once().stuck);
 }

@@ -29,7 +29,7 @@ TEST(DeviceDrivers, L1_OffersEveryDriverButTheHapticOneWithoutTheVendorsLibrary)
     const auto device = driver.open(anyRequest());
     EXPECT_EQ(device->read(0).status & ~static_cast<std::uint32_t>(kDeviceEnded), 0U) << driver.id;
   }
-  EXPECT_NE(drivers[0].finding.find("/nowhere/libHD.so"), std::string::npos);
+  EXPECT_NE(drivers[0].finding.str().find("/nowhere/libHD.so"), std::string::npos);
   try {
     (void)drivers[0].open(anyRequest());
     FAIL() << "opened";

@@ -66,7 +66,8 @@ TEST(HdapiLibrary, L2_NamesTheDependencyThatIsMissing) {
   EXPECT_EQ(library.status, HdapiLoadStatus::kDependencyMissing);
   EXPECT_NE(library.sentence.str().find("libncurses_of_another_year.so.5"), std::string::npos)
       << library.sentence;
-  EXPECT_NE(library.remedy.str().find("libncurses_of_another_year.so.5"), std::string::npos) << library.remedy;
+  EXPECT_NE(library.remedy.str().find("libncurses_of_another_year.so.5"), std::string::npos)
+      << library.remedy;
 }
 
 TEST(HdapiLibrary, L2_PassesOnWhatTheLoaderSaysOfAFileThatIsNoLibrary) {
