@@ -15,6 +15,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/about_box.h"
 #include "app/gui/shell/credentials_dialog.h"
 #include "app/gui/shell/job_panel.h"
@@ -69,6 +70,7 @@ ShellWindow::ShellWindow(const ShellSetup& setup)
   idleWarning_->hide();
   column->addWidget(idleWarning_);
   column->addWidget(stack_);
+  SceneView::prepareWindow(*this);
   applyChoices({}, true);
   createPanels();
   createKeys();
