@@ -224,13 +224,19 @@ void AlignmentPage::retranslate() {
   showCase();
 }
 
+std::vector<std::pair<QString, QString>> AlignmentPage::keys() const {
+  return sheetKeys();
+}
+
 void AlignmentPage::applyTheme(const Theme& theme) {
   bars_->setTheme(theme);
   sheet_->setTheme(theme);
 }
 
 void AlignmentPage::keyPressEvent(QKeyEvent* event) {
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (editor_ != nullptr) {
+    if (enter && (event->modifiers() & Qt::ControlModifier) != 0) return startMoving();  // seals
     const bool undone = event->matches(QKeySequence::Undo) && editor_->undo();
     const bool redone = event->matches(QKeySequence::Redo) && editor_->redo();
     if (undone || redone) return sheet_->refresh();

@@ -336,7 +336,9 @@ bool CasePage::eventFilter(QObject* watched, QEvent* event) {
     const bool ours = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) ||
                       (enter && (key->modifiers() & Qt::ControlModifier) != 0);
     if (ours) keyPressEvent(key);
-    return ours;
+    const bool back = key->key() == Qt::Key_Escape;
+    if (back) sheet_->takeFocus();
+    return ours || back;
   }
   if (watched == remarkField_ && (enter || key->key() == Qt::Key_Escape)) {
     const QString text = remarkField_->text().trimmed();

@@ -45,6 +45,15 @@ void CasePage::retranslate() {
   showAll();
 }
 
+std::vector<std::pair<QString, QString>> CasePage::keys() const {
+  std::vector<std::pair<QString, QString>> all = replayKeys();
+  all.emplace_back(tr("Bookmark this moment, for yourself"), QStringLiteral("B"));
+  all.emplace_back(tr("Remark at this moment, for the trainee"), QStringLiteral("R"));
+  for (auto& one : sheetKeys()) all.push_back(std::move(one));
+  all.emplace_back(tr("Not assessable: type why, Enter"), QStringLiteral("N"));
+  return all;
+}
+
 void CasePage::applyTheme(const Theme& theme) {
   replay_->setTheme(theme);
   sheet_->setTheme(theme);
@@ -88,6 +97,7 @@ QString CasePage::checkText(const SheetCheck& check) const {
   }
   if (check.speedNotAllowed) parts << tr("It was played at a speed that is not allowed.");
   if (check.allTheSame) parts << tr("All rows have the same score. Is that meant?");
+  if (check.farApart) parts << tr("The rows lie far apart. Is that meant?");
   if (check.overallOutside) parts << tr("The overall mark lies outside the rows. Is that meant?");
   if (check.mayBeSubmitted()) parts << tr("Submitting seals the sheet.");
   return parts.join(QLatin1Char(' '));

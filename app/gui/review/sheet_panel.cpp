@@ -130,6 +130,7 @@ void SheetPanel::refresh() {
   if (comment_->toPlainText() == comment) return;
   filling_ = true;
   comment_->setPlainText(comment);
+  comment_->moveCursor(QTextCursor::End);  // who comes here goes on writing
   filling_ = false;
 }
 
