@@ -32,7 +32,8 @@ TrialPlayback::TrialPlayback(Trial trial, const Reader& reader)
   std::int64_t end_us = 0;
   places_.reserve(chunks_.size());
   for (std::size_t i = 0; i < chunks_.size(); ++i) {
-    if (chunks_[i].index != static_cast<std::int64_t>(i)) refuse("a part of the recording is missing", header_);
+    if (chunks_[i].index != static_cast<std::int64_t>(i))
+      refuse("a part of the recording is missing", header_);
     const std::vector<Sample> samples = decodeChunk(chunks_[i]);
     if (samples.front().tick <= lastTick) refuse("the parts of the recording are out of order", header_);
     lastTick = samples.back().tick;

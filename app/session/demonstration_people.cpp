@@ -191,8 +191,8 @@ std::vector<std::string> liveLabels(std::size_t count, std::uint64_t seed) {
   return caseLabels(count, taken, seed, 0);
 }
 
-/// Each physician was asked for every mark that they gave, live on the real arm; the marks answer the requests.
-/// Ids of their own, so that everything else keeps the ids that its seed gives it.
+/// Each physician was asked for every mark that they gave, live on the real arm; the marks answer the
+/// requests. Ids of their own, so that everything else keeps the ids that its seed gives it.
 void assignMarks(Connection& connection, std::vector<StoredTrainingMark>& marks, std::uint64_t seed,
                  std::int64_t utc_us) {
   constexpr std::uint64_t kOwnStream = 0x61'7373'6967'6eULL;

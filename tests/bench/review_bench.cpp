@@ -3,8 +3,8 @@
 // takes to answer when somebody scrubs: the moment decoded, the organ and the instrument in their pose, the
 // traces with their cursor. A scripted hand twists the arm; the first argument is the number of minutes.
 // With a display (xvfb-run) the picture is drawn too and timed apart. Fails when a scrub takes more work than
-// what a hand feels, or the memory is more than a small machine has to spare. Judged by processor time, so that
-// a machine that is busy with something else does not decide; the time on the wall is told beside it.
+// what a hand feels, or the memory is more than a small machine has to spare. Judged by processor time, so
+// that a machine that is busy with something else does not decide; the time on the wall is told beside it.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -87,9 +87,10 @@ void WarmUpDialog::createForm() {
   form->addRow(tr("&Mark of the panel, points"), mark_);
   form->addRow(tr("&Physicians on the panel"), panel_);
   column->addLayout(form);
-  auto* note = new QLabel(tr("The panel marks the run together before it is used. A run that was added stays, "
-                             "so that every physician warms up on the same ones."),
-                          this);
+  auto* note =
+      new QLabel(tr("The panel marks the run together before it is used. A run that was added stays, "
+                    "so that every physician warms up on the same ones."),
+                 this);
   note->setWordWrap(true);
   note->setProperty("quiet", true);
   column->addWidget(note);
@@ -115,22 +116,23 @@ void WarmUpDialog::showScale() {
 void WarmUpDialog::read() {
   const QLocale locale = this->locale();
   const std::vector<ReferenceRow> runs = referenceRows(shell_.workplace());
-  state_->setText(
-      runs.size() < kUsual
-          ? tr("Every physician scores these runs before the first real case and sees how far the own mark is "
-               "from the panel's. Two are usual: one weak, one good.")
-          : tr("Every physician scores these runs before the first real case and sees how far the own mark is "
-               "from the panel's."));
+  state_->setText(runs.size() < kUsual ? tr("Every physician scores these runs before the first real case "
+                                            "and sees how far the own mark is "
+                                            "from the panel's. Two are usual: one weak, one good.")
+                                       : tr("Every physician scores these runs before the first real case "
+                                            "and sees how far the own mark is "
+                                            "from the panel's."));
   std::vector<Row> present;
   for (const ReferenceRow& run : runs)
-    present.push_back({shown(run.trialId),
-                       {{tr("Reference %1").arg(run.number), static_cast<int>(run.number)},
-                        {orDash(run.traineeCode)},
-                        {shown(run.sceneId)},
-                        {shownSpan(run.length_us.value_or(0)), static_cast<qlonglong>(run.length_us.value_or(0))},
-                        {locale.toString(run.panel_points, 'f', 1), run.panel_points},
-                        {locale.toString(static_cast<qlonglong>(run.panelRaters))},
-                        {shownTime(run.setUtc_us, locale), static_cast<qlonglong>(run.setUtc_us)}}});
+    present.push_back(
+        {shown(run.trialId),
+         {{tr("Reference %1").arg(run.number), static_cast<int>(run.number)},
+          {orDash(run.traineeCode)},
+          {shown(run.sceneId)},
+          {shownSpan(run.length_us.value_or(0)), static_cast<qlonglong>(run.length_us.value_or(0))},
+          {locale.toString(run.panel_points, 'f', 1), run.panel_points},
+          {locale.toString(static_cast<qlonglong>(run.panelRaters))},
+          {shownTime(run.setUtc_us, locale), static_cast<qlonglong>(run.setUtc_us)}}});
   present_->setRows(std::move(present));
   std::vector<Row> rows;
   for (const ReferenceCandidate& one : referenceCandidates(shell_.workplace()))
@@ -150,8 +152,8 @@ void WarmUpDialog::check() {
 
 void WarmUpDialog::add() {
   attempt(shell_, [this] {
-    addReferenceRuns(shell_.workplace(), {{candidates_->currentId().toStdString(), revision().id, mark_->value(),
-                                           panel_->value(), false}});
+    addReferenceRuns(shell_.workplace(), {{candidates_->currentId().toStdString(), revision().id,
+                                           mark_->value(), panel_->value(), false}});
     read();
     shell_.notify(tr("The reference run is added to the warm-up"));
   });

@@ -19,8 +19,8 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// The reference runs of the physicians' warm-up: which there are, and one more with the mark that a panel gave
-/// it. Each addition is stored at once.
+/// The reference runs of the physicians' warm-up: which there are, and one more with the mark that a panel
+/// gave it. Each addition is stored at once.
 class WarmUpDialog : public QDialog {
   Q_OBJECT
 

@@ -260,7 +260,8 @@ void ReplayPanel::showState() {
   }
   traces_->setPosition_us(position_us());
   const QString text =
-      tr("%1 of %2").arg(clockTime(position_us()), clockTime(recording_->playback.duration_us() + kHalfSecond_us));
+      tr("%1 of %2")
+          .arg(clockTime(position_us()), clockTime(recording_->playback.duration_us() + kHalfSecond_us));
   if (time_->text() != text) time_->setText(text);
 }
 

@@ -26,18 +26,18 @@ struct ThirdRequest {
   std::size_t marks = 0;
   std::vector<std::string> askedBy{};  ///< codes
   std::vector<std::string> reasons{};
-  std::int64_t askedUtc_us = 0;        ///< the first time
-  std::vector<ThirdRater> free{};      ///< not asked about this case before; of the same class and the least
-                                       ///< loaded first
+  std::int64_t askedUtc_us = 0;    ///< the first time
+  std::vector<ThirdRater> free{};  ///< not asked about this case before; of the same class and the least
+                                   ///< loaded first
 };
 
-/// What waits in a cohort, oldest first: cases on which a physician's newest decision is "third" and nobody has
-/// been asked since. kStudySetup.
+/// What waits in a cohort, oldest first: cases on which a physician's newest decision is "third" and nobody
+/// has been asked since. kStudySetup.
 [[nodiscard]] std::vector<ThirdRequest> thirdRequests(Workplace& workplace, const std::string& cohortId);
 
-/// Asks `raterId` about the case of a request, under a label of their own and with the same rubric. Returns the
-/// new assignment. kStudySetup; audited. Throws Error{kBadData}: no request, or the rater was asked about this
-/// case before or is none.
+/// Asks `raterId` about the case of a request, under a label of their own and with the same rubric. Returns
+/// the new assignment. kStudySetup; audited. Throws Error{kBadData}: no request, or the rater was asked about
+/// this case before or is none.
 std::string assignThird(Workplace& workplace, const std::string& cohortId, const std::string& assignmentId,
                         const std::string& raterId);
 

@@ -162,10 +162,9 @@ std::vector<ReferenceRow> referenceRows(Workplace& workplace) {
   for (const StoredReferenceRun& run : desk.referenceRuns()) {
     const TrialHeader header = trials.find(run.trialId).value();
     const ScoreScale scale = sheets.revision(run.rubricRevisionId).value().overall;
-    rows.push_back({rows.size() + 1, run.trialId, header.traineeCode, header.sceneId,
-                    desk.trialLength_us(run.trialId), scale,
-                    run.panel_steps / static_cast<double>(scale.stepsPerPoint), run.panelRaters,
-                    run.setUtc_us});
+    rows.push_back(
+        {rows.size() + 1, run.trialId, header.traineeCode, header.sceneId, desk.trialLength_us(run.trialId),
+         scale, run.panel_steps / static_cast<double>(scale.stepsPerPoint), run.panelRaters, run.setUtc_us});
   }
   return rows;
 }
@@ -186,8 +185,8 @@ void addReferenceRuns(Workplace& workplace, const std::vector<ReferenceChoice>& 
     run.setBy = workplace.actor().userId;
     run.setUtc_us = workplace.now_us();
     // A simulated recording must go when the demonstration goes.
-    run.demonstration = choice.demonstration ||
-                        TrialRepository(workplace.connection()).find(choice.trialId)->demonstration;
+    run.demonstration =
+        choice.demonstration || TrialRepository(workplace.connection()).find(choice.trialId)->demonstration;
     desk.addReferenceRuns(std::span(&run, 1));
     workplace.note({.action = "reference_run.add", .objectKind = "reference_run", .objectId = run.trialId});
   }

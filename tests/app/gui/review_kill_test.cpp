@@ -63,8 +63,7 @@ TEST(KilledCasePage, LosesAtMostOneKeystroke) {
   const std::string comment = page.editor()->sheet().comment;
   EXPECT_GE(comment.size(), pressed - 2);
   EXPECT_LE(comment.size(), pressed - 1);
-  for (std::size_t i = 0; i < comment.size(); ++i)
-    ASSERT_EQ(comment[i], static_cast<char>('a' + i % 26));
+  for (std::size_t i = 0; i < comment.size(); ++i) ASSERT_EQ(comment[i], static_cast<char>('a' + i % 26));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The office's part of scoring through its real widgets: a third rater in two clicks, the runs of the warm-up.
+// The office's part of scoring through its real widgets: a third rater in two clicks, the runs of the
+// warm-up.
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
@@ -45,9 +46,8 @@ class ScoringOffice : public ::testing::Test {
   std::unique_ptr<ScoringPage> page_;
 
   void SetUp() override {
-    QObject::connect(&shell_, &ShellContext::failed, [](const QString& happened) {
-      ADD_FAILURE() << happened.toStdString();
-    });
+    QObject::connect(&shell_, &ShellContext::failed,
+                     [](const QString& happened) { ADD_FAILURE() << happened.toStdString(); });
   }
   void open() {
     page_ = std::make_unique<ScoringPage>(shell_);
@@ -105,8 +105,7 @@ TEST_F(ScoringOffice, FindsAThirdRaterInTwoClicks) {
 TEST_F(ScoringOffice, ChoosesTheRunsOfTheWarmUpWithThePanelsMark) {
   Trial copy = TrialRepository(centre_.connection()).load(centre_.trialIds()[0]);
   TrialRepository repository(centre_.connection(), {.station = "station-7"});
-  for (const char* id :
-       {"11111111-2222-4333-8444-555555555555", "22222222-2222-4333-8444-555555555555"}) {
+  for (const char* id : {"11111111-2222-4333-8444-555555555555", "22222222-2222-4333-8444-555555555555"}) {
     copy.header.trialId = id;
     repository.begin(copy.header);
     for (const TrialChunk& chunk : copy.chunks) repository.append(chunk);

@@ -73,8 +73,9 @@ class TextPaper : public QPaintDevice {
 void addCells(const QAbstractItemView& view, QStringList& found) {
   const QAbstractItemModel* model = view.model();
   if (model == nullptr) return;
-  const int roles[] = {Qt::DisplayRole, Qt::ToolTipRole, Qt::StatusTipRole, Qt::WhatsThisRole,
-                       Qt::AccessibleTextRole, Qt::AccessibleDescriptionRole, Qt::EditRole};
+  const int roles[] = {Qt::DisplayRole,   Qt::ToolTipRole,        Qt::StatusTipRole,
+                       Qt::WhatsThisRole, Qt::AccessibleTextRole, Qt::AccessibleDescriptionRole,
+                       Qt::EditRole};
   for (const int role : roles) {
     for (int column = 0; column < model->columnCount(); ++column) {
       found << model->headerData(column, Qt::Horizontal, role).toString();

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the office does when physicians cannot agree, and before they begin: a third rater, and the reference
 // runs of the warm-up.
+#include "app/session/review/third_rater.h"
+
 #include <gtest/gtest.h>
 
 #include "app/session/review/alignment.h"
 #include "app/session/review/case_sheet.h"
 #include "app/session/review/review_queue.h"
-#include "app/session/review/third_rater.h"
 #include "app/session/review/warm_up.h"
 #include "app/session/study/scoring_plan.h"
 #include "db/repository/desk_repository.h"
@@ -58,7 +59,8 @@ class Disagreement : public ::testing::Test {
 
   std::string addRater(const std::string& code, const std::string& classCode) {
     PeopleRepository people(centre_.connection());
-    if (classCode != "chief") people.addRaterClasses(std::vector<StoredRaterClass>{{classCode, classCode, 2}});
+    if (classCode != "chief")
+      people.addRaterClasses(std::vector<StoredRaterClass>{{classCode, classCode, 2}});
     StoredRater rater;
     rater.person.id = "rater-" + code;
     rater.person.code = code;
@@ -94,7 +96,8 @@ TEST_F(Disagreement, IsTakenToAThirdRaterUnderAnotherLabelAndIsThenDone) {
   askForThird(*centre_.physician(0), asked, "I cannot explain the distance");
   centre_.passTime_us(kLater_us);
   const auto office = centre_.administrator();
-  EXPECT_EQ(refusal([&] { assignThird(*office, cohortId_, asked, centre_.raterId(1)); }), ErrorCode::kBadData);
+  EXPECT_EQ(refusal([&] { assignThird(*office, cohortId_, asked, centre_.raterId(1)); }),
+            ErrorCode::kBadData);
 
   std::string made;
   testing::expectAudited(centre_.connection(), office->actor().userId, "assignment.third",
