@@ -157,6 +157,9 @@ void AlignmentPage::showCase() {
   bars_->setVisible(!moving);
   legend_->setVisible(!moving);
   sheet_->setVisible(moving);
+  // The bars stand at the top; a sheet takes all the room there is.
+  auto* column = static_cast<QVBoxLayout*>(right_->layout());
+  column->setStretch(column->count() - 1, moving ? 0 : 1);
   replay_->setVisible(!one->shown.live);
   keep_->setText(moving ? tr("Leave it unchanged") : tr("&Keep my mark"));
   move_->setText(moving ? tr("Seal the moved mark") : tr("&Move it \u2026"));

@@ -20,6 +20,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr std::size_t kListedRemarks = 6;
+constexpr double kRounding = 0.1;  // percent: the last tick of a recording has no length
 
 }  // namespace
 
@@ -90,7 +91,7 @@ QString CasePage::checkText(const SheetCheck& check) const {
     parts << tr("Still open: %1.").arg(rows.join(tr(", ")));
   }
   if (!opened_.shown.live) {
-    const QString share = tr("%1 %").arg(std::floor(check.watchedShare * 100.0));
+    const QString share = tr("%1 %").arg(std::floor(check.watchedShare * 100.0 + kRounding));
     const QString least = tr("%1 %").arg(std::round(rules_.minimumWatched * 100.0));
     parts << (check.watchedTooLittle ? tr("Watched %1 so far; at least %2 is asked.").arg(share, least)
                                      : tr("Watched %1.").arg(share));

@@ -259,9 +259,10 @@ void ReplayPanel::showState() {
     view_->setTool(state.tool, state.grip);
   }
   traces_->setPosition_us(position_us());
+  const std::int64_t end_us = recording_->playback.duration_us();
+  const std::int64_t whole_us = end_us + kHalfSecond_us;
   const QString text =
-      tr("%1 of %2")
-          .arg(clockTime(position_us()), clockTime(recording_->playback.duration_us() + kHalfSecond_us));
+      tr("%1 of %2").arg(clockTime(position_us() < end_us ? position_us() : whole_us), clockTime(whole_us));
   if (time_->text() != text) time_->setText(text);
 }
 

@@ -231,7 +231,7 @@ QString WarmUpPage::anchorWords() const {
     if (!points.isEmpty())
       lines << tr("%1. %2").arg(words(row.label), points.join(QStringLiteral("  \u00b7  ")));
   }
-  return lines.join(QLatin1Char('\n'));
+  return lines.join(QStringLiteral("\n\n"));
 }
 
 void WarmUpPage::retranslate() {

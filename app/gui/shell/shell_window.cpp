@@ -6,12 +6,14 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QInputDialog>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QShortcut>
 #include <QStackedWidget>
+#include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -47,6 +49,20 @@ QString said(const std::exception_ptr& problem) {
   } catch (const std::exception& error) {
     return QString::fromUtf8(error.what());
   }
+}
+
+/// Enter presses the button that has the keyboard, as it does in dialogs. True: it was one.
+bool pressedByEnter(const QWidget& window, QObject* watched, const QEvent& event) {
+  if (event.type() != QEvent::KeyPress) return false;
+  const auto& key = static_cast<const QKeyEvent&>(event);
+  const bool enter = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+  const bool plain = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+  auto* button = qobject_cast<QAbstractButton*>(watched);
+  const bool pressable =
+      qobject_cast<QPushButton*>(watched) != nullptr || qobject_cast<QToolButton*>(watched) != nullptr;
+  if (!enter || !plain || key.isAutoRepeat() || !pressable || button->window() != &window) return false;
+  button->click();
+  return true;
 }
 
 }  // namespace
@@ -174,6 +190,7 @@ void ShellWindow::leaveKiosk() {
 }
 
 bool ShellWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (pressedByEnter(*this, watched, *event)) return true;
   switch (event->type()) {
     case QEvent::KeyPress:
     case QEvent::MouseMove:

@@ -181,11 +181,6 @@ void SignInPanel::retranslate() {
 }
 
 void SignInPanel::changeEvent(QEvent* event) {
-  // A window that becomes active has forgotten what was chosen while it was not yet, or while the fields were
-  // shut: nobody should have to reach for the mouse to sign in.
-  if (event->type() == QEvent::ActivationChange && isActiveWindow() && isVisible() &&
-      window()->focusWidget() == nullptr)
-    chooseField();
   if (event->type() == QEvent::LanguageChange) {
     say({}, false);
     retranslate();

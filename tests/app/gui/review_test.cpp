@@ -295,6 +295,30 @@ TEST(ReviewPages, EverythingThatTakesTheKeyboardHasANameAndFitsASmallScreen) {
   }
 }
 
+TEST(CasePage, FitsASmallScreenInEveryState) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  applyTheme(*qApp, theme(ThemeKind::kLight));
+  auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
+  const auto height = [&page] {
+    QApplication::processEvents();
+    return page.minimumSizeHint().height();
+  };
+  // What 768 lines leave below the frame of the window, the header and a bar of the desktop.
+  constexpr int kLeft_px = 640;
+  EXPECT_LE(height(), kLeft_px);
+  desk.press(Qt::Key_N);
+  desk.type(QStringLiteral("hand in the way"));
+  desk.press(Qt::Key_Return);
+  desk.press(Qt::Key_R);
+  EXPECT_LE(height(), kLeft_px) << "while a remark is written";
+  desk.type(QStringLiteral("second grip slips"));
+  desk.press(Qt::Key_Return);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_LE(height(), kLeft_px) << "while it asks whether to submit";
+  EXPECT_LE(page.minimumSizeHint().width(), 1146);
+}
+
 TEST(LivePage, ScoresInRunningOrderWithTargetsForFingers) {
   ReviewCentre::Setup setup;
   setup.trainees = 10;
