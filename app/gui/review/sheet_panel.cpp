@@ -85,6 +85,7 @@ void SheetPanel::setReadOnly(bool readOnly) {
 
 void SheetPanel::build() {
   for (ScoreRow* row : rows_) {
+    row->disconnect(this);  // the keyboard wanders on when a row goes; that is nobody's choice
     row->hide();
     row->deleteLater();
   }
