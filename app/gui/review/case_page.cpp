@@ -69,6 +69,9 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
   halves_->setChildrenCollapsible(false);
   column->addWidget(halves_, 1);
   column->addWidget(createStrip());
+  // A sentence that wraps asks for the height of its narrowest shape; on a small screen the window would
+  // grow.
+  for (QLabel* text : {remarks_, stripText_}) text->setMinimumHeight(fontMetrics().height());
   sheet_->commentField()->installEventFilter(this);
   remarkField_->installEventFilter(this);
   connect(sheet_, &SheetPanel::edited, this, &CasePage::edited);

@@ -69,6 +69,7 @@ TEST(KilledCasePage, LosesAtMostOneKeystroke) {
 }  // namespace
 
 int run(int argc, char** argv) {
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   const QApplication application(argc, argv);
   if (argc == 3 && std::strcmp(argv[1], kScore) == 0) pressForever(argv[2]);
   ::testing::InitGoogleTest(&argc, argv);
