@@ -256,17 +256,19 @@ std::vector<QueueEntry> SheetRepository::queue(const std::string& raterId) {
   std::vector<QueueEntry> entries;
   Statement row = connection_.prepare(
       "SELECT a.id, a.case_label, a.trial_id, a.rubric_revision_id, a.due_utc_us,"
-      " (SELECT count(*) FROM training_mark m WHERE m.assignment_id = a.id),"
+      " (SELECT MAX(m.submitted_utc_us) FROM training_mark m WHERE m.assignment_id = a.id),"
       " (SELECT count(*) FROM mark_draft d WHERE d.assignment_id = a.id) FROM assignment a"
       " WHERE a.rater_id = ? AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = "
       "a.id)"
       " ORDER BY a.position, a.case_label");
   row.execute({raterId});
   while (row.step()) {
-    const SheetState state = row.int64(5) > 0   ? SheetState::kSubmitted
+    const std::optional<std::int64_t> submitted = row.maybeInt64(5);
+    const SheetState state = submitted          ? SheetState::kSubmitted
                              : row.int64(6) > 0 ? SheetState::kDraft
                                                 : SheetState::kOpen;
-    entries.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.maybeInt64(4), state});
+    entries.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.maybeInt64(4), state,
+                       submitted.value_or(0)});
   }
   return entries;
 }

@@ -64,6 +64,7 @@ struct QueueEntry {
   std::string rubricRevisionId{};
   std::optional<std::int64_t> dueUtc_us{};
   SheetState state = SheetState::kOpen;
+  std::int64_t submittedUtc_us = 0;  ///< of the newest version; 0: not submitted
 };
 
 /// One row of a sheet: a score, or why there is none. Both empty: not answered yet (drafts only).

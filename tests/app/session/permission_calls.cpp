@@ -23,6 +23,7 @@
 #include "app/session/review/evaluation_form.h"
 #include "app/session/review/own_severity.h"
 #include "app/session/review/review_queue.h"
+#include "app/session/review/third_rater.h"
 #include "app/session/review/warm_up.h"
 #include "app/session/study/allocation_service.h"
 #include "app/session/study/campaign_service.h"
@@ -215,6 +216,7 @@ std::vector<ServiceCall> reviewCalls() {
       {O::kMarkSubmit, "blindedCase", [](Workplace& w, Path) { (void)blindedCase(w, kNoSuch); }},
       {O::kMarkSubmit, "caseRemarks", [](Workplace& w, Path) { (void)caseRemarks(w, kNoSuch); }},
       {O::kMarkSubmit, "sheetVersions", [](Workplace& w, Path) { (void)sheetVersions(w, kNoSuch); }},
+      {O::kMarkSubmit, "keptAt", [](Workplace& w, Path) { (void)keptAt(w); }},
       {O::kMarkSubmit, "viewingRules", [](Workplace& w, Path) { (void)viewingRules(w); }},
       {O::kMarkSubmit, "ownSeverity", [](Workplace& w, Path) { (void)ownSeverity(w); }},
       {O::kMarkSubmit, "liveLines", [](Workplace& w, Path) { (void)liveLines(w); }},
@@ -222,6 +224,11 @@ std::vector<ServiceCall> reviewCalls() {
       {O::kMarkSubmit, "scoreReferenceRun", [](Workplace& w, Path) { scoreReferenceRun(w, 1, 50); }},
       {O::kTrialViewAssigned, "loadReferenceRun", [](Workplace& w, Path) { (void)loadReferenceRun(w, 1); }},
       {O::kStudySetup, "addReferenceRuns", [](Workplace& w, Path) { addReferenceRuns(w, {}); }},
+      {O::kStudySetup, "referenceCandidates", [](Workplace& w, Path) { (void)referenceCandidates(w); }},
+      {O::kStudySetup, "referenceRows", [](Workplace& w, Path) { (void)referenceRows(w); }},
+      {O::kStudySetup, "thirdRequests", [](Workplace& w, Path) { (void)thirdRequests(w, kNoSuch); }},
+      {O::kStudySetup, "assignThird",
+       [](Workplace& w, Path) { (void)assignThird(w, kNoSuch, kNoSuch, kNoSuch); }},
       {O::kEvaluationSubmit, "saveEvaluationScore",
        [](Workplace& w, Path) { saveEvaluationScore(w, kNoSuch, "X", 0, 50); }},
   };
