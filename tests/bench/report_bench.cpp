@@ -126,20 +126,22 @@ std::string fill(testing::OfficeCentre& centre) {
 }
 
 bool measureReport(testing::OfficeCentre& centre, const std::string& cohortId) {
-  TrialDigests digests(centre.assets());
   ReportRequest request;
   request.cohortId = cohortId;
   Workplace& workplace = centre.as("statistician");
-  CohortInputs inputs;
-  const double first = milliseconds([&] { inputs = reportInputs(workplace, request, digests); });
-  std::printf("%-52s %9.1f ms   (once for each recording)\n", "first look: 10,000 recordings are measured",
-              first);
-  ReportModel model;
-  const double again = milliseconds([&] {
-    inputs = reportInputs(workplace, request, digests);
-    model = cohortReport(inputs);
-  });
-  return report("the report is built", again, kReportTarget_ms);
+  const auto build = [&] {
+    TrialDigests digests(centre.assets());  // as in a program that has just been started
+    const ReportModel model = cohortReport(reportInputs(workplace, request, digests));
+    if (model.sections.empty()) std::abort();
+    return digests.measured();
+  };
+  std::size_t measured = 0;
+  const double old = milliseconds([&] { measured = build(); });
+  std::printf("%-52s %9.1f ms   (%zu recordings measured, once)\n",
+              "the report of a record of an older version", old, measured);
+  const double first = milliseconds([&] { measured = build(); });
+  if (measured != 0) return false;  // everything is kept beside the recordings by now
+  return report("the report, the first time in a program", first, kReportTarget_ms);
 }
 
 bool measureLists(testing::OfficeCentre& centre) {

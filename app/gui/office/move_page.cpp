@@ -186,12 +186,12 @@ void MovePage::copyRecord() {
 }
 
 void MovePage::switchStation() {
-  if (!copied_ || shell().working()) return;
+  if (!ready() || shell().working()) return;
   auto locator = std::make_shared<std::string>();
   shell().run(
       tr("Turning this station to the server"),
-      [typed = address(), report = *copied_, locator](Workplace& workplace, const ProgressCallback&) {
-        *locator = switchToServer(workplace, typed, report);
+      [typed = address(), report = copied_, locator](Workplace& workplace, const ProgressCallback&) {
+        *locator = report ? switchToServer(workplace, typed, *report) : joinServer(workplace, typed);
       },
       [this, locator, where = shown(check_->location)] {
         RecordChange change;
@@ -201,6 +201,10 @@ void MovePage::switchStation() {
                               .arg(where);
         shell().changeRecord(change);
       });
+}
+
+bool MovePage::ready() const {
+  return copied_ || (check_ && check_->holdsRecord);
 }
 
 void MovePage::showCheck() {
@@ -216,10 +220,14 @@ void MovePage::showCheck() {
                       .arg(shown(check_->server), shown(check_->location))
                 : tr("\u2717 %1 answers at %2, but the record cannot go there: %3.")
                       .arg(shown(check_->server), shown(check_->location), shown(check_->hindrance));
+    if (check_->holdsRecord)
+      words =
+          tr("\u2713 %1 answers at %2. There is a record in this database already: this station can join it.")
+              .arg(shown(check_->server), shown(check_->location));
     if (copied_) words = tr("\u2713 %1 at %2").arg(shown(check_->server), shown(check_->location));
   }
   serverText_->setText(words);
-  setLook(serverText_, "caution", check_ && !check_->hindrance.empty());
+  setLook(serverText_, "caution", check_ && !check_->hindrance.empty() && !check_->holdsRecord);
   showCopy();
   showButtons();
 }
@@ -236,17 +244,23 @@ void MovePage::showCopy() {
           : tr("Everything is copied and both sides are compared, row by row. Your record stays as it is. "
                "Nobody may be at work meanwhile: close Torsio at all other stations."));
   copy_->setVisible(!copied_);
-  switchCard_->setVisible(copied_.has_value());
-  if (!copied_) return;
+  switchCard_->setVisible(ready());
+  if (!ready()) return;
   const bool open = check_->opensWithoutPassword;
-  switchText_->setText(
-      open ? tr("From then on this station works with the server. At every other station choose \u201CUse "
-                "another database\u201D, or start Torsio once with this address.")
-           : tr("Torsio stores no password. For this station put the line below, with the real password in "
+  QString words =
+      copied_ ? tr("From then on this station works with the server. At every other station open this "
+                   "page, give the same address, and join the record.")
+              : tr("From then on this station works with that record, and everybody signs in with "
+                   "the names and passwords of that record. The record here stays as it is and is "
+                   "not used any more.");
+  if (!open)
+    words += QLatin1Char('\n') +
+             tr("Torsio stores no password. For this station put the line below, with the real password in "
                 "place of the last word, into the password file of this computer's account: .pgpass in the "
                 "home "
                 "folder, readable by the account only (on Windows %APPDATA%\\postgresql\\pgpass.conf). Then "
-                "switch."));
+                "switch.");
+  switchText_->setText(words);
   line_->setVisible(!open);
   copyLine_->setVisible(!open);
   line_->setText(shown(passwordFileLine(address())));
@@ -259,7 +273,7 @@ void MovePage::showButtons() {
   const ServerAddress typed = address();
   test_->setEnabled(free && !typed.host.empty() && !typed.database.empty() && !typed.user.empty());
   copy_->setEnabled(free && check_ && check_->hindrance.empty());
-  switch_->setEnabled(free && copied_.has_value());
+  switch_->setEnabled(free && ready());
 }
 
 void MovePage::retranslate() {

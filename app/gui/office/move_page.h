@@ -43,6 +43,7 @@ class MovePage : public Page {
   void testServer();
   void copyRecord();
   void switchStation();
+  [[nodiscard]] bool ready() const;
   void showCheck();
   void showCopy();
   void showButtons();

@@ -53,19 +53,34 @@ bool opens(const std::string& locator) {
   }
 }
 
-std::string hindranceOf(Connection& connection, std::int64_t& schemaVersion) {
+/// Fills in what the database holds and why the record cannot go there.
+void lookInto(Connection& connection, ServerCheck& check) {
   try {
-    schemaVersion = checkSchema(connection, embeddedMigrations()).version;
+    check.schemaVersion = checkSchema(connection, embeddedMigrations()).version;
   } catch (const Error& error) {
-    return error.happened();
+    check.hindrance = error.happened();
+    return;
   }
-  if (schemaVersion > 0 && !isEmptyRecord(connection)) return "there is a record in this database already";
+  check.holdsRecord = check.schemaVersion > 0 && !isEmptyRecord(connection);
+  if (check.holdsRecord) {
+    check.hindrance = "there is a record in this database already";
+    return;
+  }
   Statement row =
       connection.prepare("SELECT coalesce(has_schema_privilege(current_schema(), 'CREATE'), FALSE)");
   row.execute();
   bool may = false;
   while (row.step()) may = row.boolean(0);
-  return may ? "" : "this account may not make tables there";
+  if (!may) check.hindrance = "this account may not make tables there";
+}
+
+/// The locator to keep. Throws when it does not open.
+std::string openLasting(const ServerAddress& address) {
+  std::string locator = lastingLocator(address);
+  if (opens(locator)) return locator;
+  throw Error(ErrorCode::kDatabase, "the server does not let this station in without the typed password",
+              parseLocator(locator).shown(),
+              "Put the line shown here into the password file of this computer's account");
 }
 
 void requireNothingWaits(const std::string& locator, const std::filesystem::path& folder) {
@@ -100,7 +115,7 @@ ServerCheck checkServer(Workplace& workplace, const ServerAddress& address) {
   Connection connection = openDatabase(typedLocator(address), OpenMode::kReadOnly);
   check.location = connection.location();
   check.server = "PostgreSQL " + oneText(connection, "SELECT current_setting('server_version')");
-  check.hindrance = hindranceOf(connection, check.schemaVersion);
+  lookInto(connection, check);
   check.opensWithoutPassword = address.password.empty() || opens(lastingLocator(address));
   return check;
 }
@@ -134,12 +149,7 @@ std::string switchToServer(Workplace& workplace, const ServerAddress& address, c
     throw Error(ErrorCode::kBadData, "something was written to this record after it was copied",
                 workplace.connection().location(), "Make an empty database on the server and copy again");
   }
-  std::string locator = lastingLocator(address);
-  if (!opens(locator)) {
-    throw Error(ErrorCode::kDatabase, "the server does not let this station in without the typed password",
-                parseLocator(locator).shown(),
-                "Put the line shown here into the password file of this computer's account");
-  }
+  std::string locator = openLasting(address);
   Connection there = openDatabase(locator, OpenMode::kReadWrite);
   const Workplace server(there, workplace.ids(), workplace.key(),
                          [&workplace] { return workplace.now_us(); });
@@ -148,6 +158,25 @@ std::string switchToServer(Workplace& workplace, const ServerAddress& address, c
                .objectId = parseLocator(locator).shown(),
                .newJson = R"({"tables":)" + std::to_string(copied.tables.size()) + R"(,"rows":)" +
                           std::to_string(copied.rows) + "}"});
+  return locator;
+}
+
+std::string joinServer(Workplace& workplace, const ServerAddress& address,
+                       const std::filesystem::path& unstored) {
+  workplace.require(Operation::kDatabaseRestore);
+  requireNothingWaits(workplace.key().locator, unstored);
+  const ServerCheck check = checkServer(workplace, address);
+  if (!check.holdsRecord) {
+    throw Error(ErrorCode::kBadData, "there is no record in this database", check.location,
+                "Copy the record of this station there");
+  }
+  std::string locator = openLasting(address);
+  const AuditNote note{.action = "database.join", .objectKind = "database", .objectId = check.location};
+  Connection there = openUpToDate(locator);
+  const Workplace server(there, workplace.ids(), workplace.key(),
+                         [&workplace] { return workplace.now_us(); });
+  server.note(note);
+  workplace.note(note);
   return locator;
 }
 

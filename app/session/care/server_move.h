@@ -37,6 +37,7 @@ struct ServerCheck {
   std::int64_t schemaVersion = 0;  ///< 0: Torsio's tables are not there yet
   /// Why the record cannot go there, one plain sentence; empty: it can.
   std::string hindrance{};
+  bool holdsRecord = false;  ///< somebody's record of a version that we know: this station could join it
   bool opensWithoutPassword = false;  ///< the password file or the server lets this account in
 };
 
@@ -60,5 +61,12 @@ struct ServerCheck {
 /// password would be needed.
 [[nodiscard]] std::string switchToServer(Workplace& workplace, const ServerAddress& address,
                                          const CopyReport& copied);
+
+/// Another station turns to a record that lies on the server already; the record here stays as it is and is
+/// not used any more. Told in both audit trails. Returns the locator to keep. kDatabaseRestore. Throws Error
+/// (kBadData) while recordings of this station wait in files of `unstored` or when no record is there,
+/// (kDatabase) when the password would be needed.
+[[nodiscard]] std::string joinServer(Workplace& workplace, const ServerAddress& address,
+                                     const std::filesystem::path& unstored = unstoredFolder());
 
 }  // namespace torsio

@@ -77,19 +77,26 @@ TEST_F(ServerMove, TheRecordIsCopiedComparedAndTheStationTurnsToTheServer) {
   EXPECT_TRUE(contains(trail(typedLocator(address_)), "database.move"));
 }
 
-TEST_F(ServerMove, AUsedDatabaseIsNoTarget) {
+TEST_F(ServerMove, AUsedDatabaseIsNoTargetButAStationMayJoinIt) {
   {
     Connection used = openRecord(typedLocator(address_), OpenMode::kCreate, {.softwareVersion = "test"});
     used.execute("INSERT INTO setting (name, value, changed_utc_us) VALUES ('a', 'b', 1)");
   }
+  writePasswordFile();
   auto& page = openBy<MovePage>("Move to PostgreSQL");
 
   page.setAddress(address_);
   click(page.testButton());
-
   EXPECT_TRUE(
-      page.serverText().text().contains(QStringLiteral("there is a record in this database already")));
+      page.serverText().text().contains(QStringLiteral("There is a record in this database already")));
   EXPECT_FALSE(page.copyButton().isVisible());
+  click(page.switchButton());
+  QTRY_COMPARE_WITH_TIMEOUT(window_->workplace()->key().locator, lastingLocator(address_), 5'000);
+  window_->background().wait();
+
+  EXPECT_TRUE(contains(trail(typedLocator(address_)), "database.join"));
+  EXPECT_TRUE(contains(trail(record()), "database.join"));
+  EXPECT_EQ(people(typedLocator(address_)), 0);  // nothing was copied
 }
 
 TEST_F(ServerMove, WhatIsWrittenAfterTheCopyForbidsTheSwitch) {

@@ -99,6 +99,7 @@ std::vector<ServiceCall> officeCalls() {
       {O::kDatabaseRestore, "checkServer", [](Workplace& w, Path) { (void)checkServer(w, {}); }},
       {O::kDatabaseRestore, "moveToServer",
        [](Workplace& w, Path folder) { (void)moveToServer(w, {}, {}, folder); }},
+      {O::kDatabaseRestore, "joinServer", [](Workplace& w, Path folder) { (void)joinServer(w, {}, folder); }},
       {O::kDatabaseRestore, "switchToServer", [](Workplace& w, Path) { (void)switchToServer(w, {}, {}); }},
       {O::kRetentionManage, "retentionQueue", [](Workplace& w, Path) { (void)retentionQueue(w); }},
       {O::kRetentionManage, "lockRecord", [](Workplace& w, Path) { lockRecord(w, kNoSuch, ""); }},
