@@ -252,7 +252,7 @@ class Builder {
   void bars() {
     auto* axis = styled(new QBarCategoryAxis, figure_.xLabel);
     for (const std::string& category : figure_.categories) axis->append(label(category));
-    if (crowded()) axis->setLabelsFont(font(smallLabel()));
+    if (crowded()) axis->setLabelsFont(font(smallLabel() - 1));  // this kind of axis leaves less room
     axis->setGridLineVisible(false);
     chart_->addAxis(axis, Qt::AlignBottom);
     auto* all = new QBarSeries;

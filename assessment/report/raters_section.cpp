@@ -80,7 +80,7 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
                                              "Bland and Altman, each rater against the mean of the others");
   figure.kind = FigureKind::kScatter;
   figure.xLabel = "mean of own mark and the others' mean (points)";
-  figure.yLabel = "own minus others' mean (points)";
+  figure.yLabel = "own minus others' mean";
   FigureSeries series;
   series.name = "one mark";
   std::vector<double> own;
