@@ -403,6 +403,15 @@ bool SheetRepository::allSubmitted(const std::string& enrolmentId, const std::st
   return row.step() && row.int64(0) == 0;
 }
 
+std::int64_t SheetRepository::openAssignments(const std::string& cohortId) {
+  Statement row = connection_.prepare(
+      "SELECT count(*) FROM enrolment e JOIN assignment a ON a.enrolment_id = e.id WHERE e.cohort_id = ?"
+      " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
+      " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id)");
+  row.execute({cohortId});
+  return row.step() ? row.int64(0) : 0;
+}
+
 void SheetRepository::setReleased(const std::string& cohortId, const std::string& scoringPoint, bool released,
                                   const std::string& reason, const std::string& decidedBy,
                                   std::int64_t utc_us) {

@@ -143,6 +143,9 @@ class SheetRepository {
   /// sheet.
   [[nodiscard]] bool allSubmitted(const std::string& enrolmentId, const std::string& scoringPoint);
 
+  /// Sheets of a cohort that somebody is asked for and has not submitted.
+  [[nodiscard]] std::int64_t openAssignments(const std::string& cohortId);
+
   void setReleased(const std::string& cohortId, const std::string& scoringPoint, bool released,
                    const std::string& reason, const std::string& decidedBy, std::int64_t utc_us);
   [[nodiscard]] bool isReleased(const std::string& cohortId, const std::string& scoringPoint);

@@ -474,6 +474,10 @@ void ShellWindow::openDesk() {
   connect(desk_, &Desk::shortcutsWanted, this, [this] { ShortcutSheet(desk_, this).exec(); });
   connect(desk_, &Desk::aboutWanted, this, [this] { showAboutBox(this); });
   connect(desk_, &Desk::demonstrationRemovalWanted, this, &ShellWindow::removeDemonstration);
+  // Later, since the page that asks for it dies with the desk.
+  connect(&desk_->context(), &ShellContext::recordChangeWanted, this, [this](const RecordChange& change) {
+    QTimer::singleShot(0, this, [this, change] { changeRecord(change); });
+  });
   connect(desk_, &Desk::passwordChangeWanted, this, [this] {
     password_->begin(QString::fromStdString(workplace_->actor().login), {}, false);
     show(password_);
@@ -556,6 +560,32 @@ void ShellWindow::removeDemonstration() {
   } catch (...) {
     desk_->context().report(std::current_exception());
   }
+}
+
+void ShellWindow::changeRecord(const RecordChange& change) {
+  leaveDesk();
+  try {
+    torsio::signOut(*workplace_);
+  } catch (...) {
+    workplace_->setActor({});  // as in signOut
+  }
+  if (pulse_) pulse_->leave();
+  pulse_.reset();
+  workplace_.reset();  // nobody has the record open now
+  QString sentence = change.sentence;
+  bool failed = false;
+  try {
+    if (change.swap) change.swap();
+    if (!change.locator.isEmpty()) {
+      setup_.locator = change.locator;
+      preferences_.setDatabase(change.locator);
+    }
+  } catch (...) {
+    sentence = said(std::current_exception());
+    failed = true;
+  }
+  openDatabase();
+  signIn_->say(sentence, failed);
 }
 
 void ShellWindow::retranslate() {

@@ -8,8 +8,11 @@
 #include "app/session/access/settings_service.h"
 #include "app/session/care/database_care.h"
 #include "app/session/care/demonstration_removal.h"
+#include "app/session/care/others_at_work.h"
 #include "app/session/care/person_package.h"
+#include "app/session/care/record_restore.h"
 #include "app/session/care/retention.h"
+#include "app/session/care/server_move.h"
 #include "app/session/people/consent_service.h"
 #include "app/session/people/people_service.h"
 #include "app/session/people/roster_import.h"
@@ -88,8 +91,17 @@ std::vector<ServiceCall> officeCalls() {
       {O::kAuditView, "auditEntries", [](Workplace& w, Path) { (void)auditEntries(w); }},
       {O::kAuditView, "verifyAudit", [](Workplace& w, Path) { (void)verifyAudit(w); }},
       {O::kDatabaseBackup, "checkDatabase", [](Workplace& w, Path) { (void)checkDatabase(w); }},
-      // Restoring has no service yet that works for a signed-in user: the gate itself is asked.
-      {O::kDatabaseRestore, "require", [](Workplace& w, Path) { w.require(O::kDatabaseRestore); }},
+      {O::kDatabaseRestore, "othersAtWork", [](Workplace& w, Path) { (void)othersAtWork(w); }},
+      {O::kDatabaseRestore, "requireNobodyAtWork", [](Workplace& w, Path) { requireNobodyAtWork(w); }},
+      {O::kDatabaseRestore, "planRestore",
+       [](Workplace& w, Path folder) { (void)planRestore(w, folder / kNoSuch); }},
+      {O::kDatabaseRestore, "prepareRestore",
+       [](Workplace& w, Path folder) { (void)prepareRestore(w, {.backup = folder / kNoSuch}); }},
+      {O::kDatabaseRestore, "checkServer", [](Workplace& w, Path) { (void)checkServer(w, {}); }},
+      {O::kDatabaseRestore, "moveToServer",
+       [](Workplace& w, Path folder) { (void)moveToServer(w, {}, {}, folder); }},
+      {O::kDatabaseRestore, "joinServer", [](Workplace& w, Path folder) { (void)joinServer(w, {}, folder); }},
+      {O::kDatabaseRestore, "switchToServer", [](Workplace& w, Path) { (void)switchToServer(w, {}, {}); }},
       {O::kRetentionManage, "retentionQueue", [](Workplace& w, Path) { (void)retentionQueue(w); }},
       {O::kRetentionManage, "lockRecord", [](Workplace& w, Path) { lockRecord(w, kNoSuch, ""); }},
       {O::kSettingsEdit, "centreSettings", [](Workplace& w, Path) { (void)centreSettings(w); }},
