@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "sim/base/live_types.h"
@@ -11,13 +13,22 @@ namespace torsio::gui {
 
 /// A recorded trial to be looked at: any instant, any speed. It shows the answers as they were recorded;
 /// that the same device samples give them again bit for bit is replayTrial's business (sim/servo).
+///
+/// The chunks stay as they were recorded; only those round the playhead lie decoded, so that forty minutes
+/// take tens of megabytes and not hundreds. One thread.
 class TrialPlayback {
  public:
-  /// Throws Error{kBadData} for a trial that cannot be decoded or holds no sample.
-  explicit TrialPlayback(const Trial& trial);
+  /// The samples of one chunk after the other.
+  using Reader = std::function<void(std::span<const Sample>)>;
+
+  /// Decodes every chunk once, so that nothing can fail while it plays, and shows its samples to `reader`
+  /// (may be empty). Throws Error{kBadData} for a trial that cannot be decoded or holds no sample.
+  explicit TrialPlayback(Trial trial, const Reader& reader = {});
 
   [[nodiscard]] const TrialHeader& header() const noexcept { return header_; }
-  [[nodiscard]] std::int64_t duration_us() const noexcept;
+  /// What is played, bit for bit as it was recorded.
+  [[nodiscard]] const std::vector<TrialChunk>& chunks() const noexcept { return chunks_; }
+  [[nodiscard]] std::int64_t duration_us() const noexcept { return duration_us_; }
   [[nodiscard]] std::int64_t position_us() const noexcept { return position_us_; }
   void seek_us(std::int64_t position_us) noexcept;
 
@@ -30,22 +41,30 @@ class TrialPlayback {
   /// Moves on when playing; stops at the end.
   void advance(double elapsed_s) noexcept;
 
-  /// All of it, in order, as it was recorded: for traces.
-  [[nodiscard]] const std::vector<Sample>& samples() const noexcept { return samples_; }
-
-  /// What was shown at this instant. Found by halving: a recording of hours answers as fast as one of
-  /// seconds.
-  [[nodiscard]] LiveState state() const noexcept;
+  /// What was shown at this instant. The chunk is found by halving and decoded unless it is at hand: a
+  /// recording of hours answers as fast as one of seconds (about a millisecond).
+  [[nodiscard]] LiveState state() const;
 
  private:
-  [[nodiscard]] const Sample& sample() const noexcept;
+  /// Where a chunk lies in time, and the target in force before its first sample.
+  struct Place {
+    std::int64_t begin_us = 0;
+    double target_rad = 0.0;
+  };
+  struct Decoded {
+    std::size_t chunk = 0;
+    std::vector<Sample> samples;
+  };
+  [[nodiscard]] const Decoded& decoded(std::size_t chunk) const;
 
   TrialHeader header_;
-  std::vector<Sample> samples_;
-  std::vector<double> targets_rad_;  // in force at each sample
+  std::vector<TrialChunk> chunks_;
+  std::vector<Place> places_;  // one a chunk
+  std::int64_t duration_us_ = 0;
   std::int64_t position_us_ = 0;
   double speed_ = 1.0;
   bool playing_ = false;
+  mutable std::vector<Decoded> near_;  // newest last
 };
 
 }  // namespace torsio::gui

@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QPalette>
+#include <QScreen>
 #include <QStandardPaths>
 
 #include "app/gui/main_window.h"
@@ -233,6 +234,10 @@ int runShell(const WindowOptions& options) {
   if (setup.kiosk) {
     window.showFullScreen();
   } else {
+    // A window as large as the screen would lie under its own frame and the desktop's bars.
+    const QSize room = window.QWidget::screen()->availableSize();
+    if (window.width() >= room.width() || window.height() >= room.height())
+      window.setWindowState(window.windowState() | Qt::WindowMaximized);
     window.QWidget::show();
   }
   window.start();

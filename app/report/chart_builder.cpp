@@ -29,7 +29,7 @@ namespace torsio {
 
 namespace {
 
-constexpr qsizetype kLongTitle = 22;
+constexpr qsizetype kLongTitle = 24;
 constexpr std::size_t kFewPoints = 14;  // lines with no more points carry markers
 
 QString text(const std::string& utf8) {
@@ -132,13 +132,11 @@ class Builder {
     return crowded() ? QString(plain).replace(' ', QStringLiteral("<br>")) : plain;
   }
 
-  /// A long title on two lines: Qt cuts what does not fit along an upright axis.
-  [[nodiscard]] static QString wrapped(const std::string& title) {
-    QString out = text(title).toHtmlEscaped();
-    if (out.size() <= kLongTitle) return out;
-    const qsizetype half = out.indexOf(QLatin1Char(' '), out.size() / 2);
-    if (half > 0) out.replace(half, 1, QStringLiteral("<br>"));
-    return out;
+  /// Qt cuts a title that does not fit along an upright axis: a long one is set smaller.
+  [[nodiscard]] int uprightTitle(const std::string& title) const {
+    const auto length = static_cast<qsizetype>(title.size());
+    if (length <= kLongTitle) return look_.label_px;
+    return std::max(8, static_cast<int>(look_.label_px * kLongTitle / length));
   }
 
   template <typename Axis>
@@ -176,7 +174,7 @@ class Builder {
     if (!figure_.yMin || !figure_.yMax) axis->applyNiceNumbers();
     const double span = axis->max() - axis->min();
     axis->setLabelFormat(span >= 8.0 ? "%.0f" : span >= 0.8 ? "%.1f" : "%.2f");
-    if (side == Qt::AlignLeft) axis->setTitleText(wrapped(figure_.yLabel));
+    if (side == Qt::AlignLeft) axis->setTitleFont(font(uprightTitle(figure_.yLabel)));
     chart_->addAxis(axis, side);
     values_ = axis;
   }
@@ -211,7 +209,17 @@ class Builder {
     return axis;
   }
 
-  [[nodiscard]] int smallLabel() const { return std::max(9, look_.label_px - 4); }
+  /// Smaller where a word would not fit under its category.
+  [[nodiscard]] int smallLabel() const {
+    constexpr std::ptrdiff_t kLongWord = 10;
+    const bool longWord =
+        std::any_of(figure_.categories.begin(), figure_.categories.end(), [](const std::string& category) {
+          std::ptrdiff_t run = 0;
+          return std::any_of(category.begin(), category.end(),
+                             [&run](char c) { return (run = c == ' ' ? 0 : run + 1) > kLongWord; });
+        });
+    return longWord ? std::max(8, look_.label_px - 6) : std::max(9, look_.label_px - 4);
+  }
 
   /// Where series `s` stands within its category.
   [[nodiscard]] double slot(std::size_t category, std::size_t s) const {
@@ -244,7 +252,7 @@ class Builder {
   void bars() {
     auto* axis = styled(new QBarCategoryAxis, figure_.xLabel);
     for (const std::string& category : figure_.categories) axis->append(label(category));
-    if (crowded()) axis->setLabelsFont(font(smallLabel()));
+    if (crowded()) axis->setLabelsFont(font(smallLabel() - 1));  // this kind of axis leaves less room
     axis->setGridLineVisible(false);
     chart_->addAxis(axis, Qt::AlignBottom);
     auto* all = new QBarSeries;

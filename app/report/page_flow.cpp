@@ -34,8 +34,8 @@ double widestWord(const QString& content, const QFontMetricsF& metrics) {
   return widest;
 }
 
-/// Every column gets its longest word; what is left goes to columns in proportion to what they still lack.
-/// Headers may wrap, so only their words count.
+/// Every column gets its longest word; what is left goes first to those that lack little, so that short cells
+/// ("Group 1") stay on one line and long sentences wrap. Headers may wrap, so only their words count.
 std::vector<double> columnWidths(const std::vector<std::string>& columns,
                                  const std::vector<std::vector<std::string>>& rows,
                                  const QFontMetricsF& regular, const QFontMetricsF& bold, double unit,
@@ -57,15 +57,25 @@ std::vector<double> columnWidths(const std::vector<std::string>& columns,
   }
   const double leastSum = std::accumulate(least.begin(), least.end(), 0.0);
   const double lacking = std::accumulate(natural.begin(), natural.end(), 0.0) - leastSum;
-  const double room = available_mm - leastSum;
   std::vector<double> widths = least;
-  for (std::size_t c = 0; c < widths.size(); ++c) {
-    if (room < 0.0) {
-      widths[c] *= available_mm / leastSum;
-    } else if (lacking > room) {
-      widths[c] += (natural[c] - least[c]) * room / lacking;
-    } else {
+  if (leastSum > available_mm) {
+    for (double& width : widths) width *= available_mm / leastSum;
+  } else if (leastSum + lacking <= available_mm) {
+    for (std::size_t c = 0; c < widths.size(); ++c)
       widths[c] = natural[c] * std::min(1.35, available_mm / (leastSum + lacking));
+  } else {
+    std::vector<std::size_t> order(widths.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return natural[a] - least[a] < natural[b] - least[b];
+    });
+    double room = available_mm - leastSum;
+    for (std::size_t place = 0; place < order.size(); ++place) {
+      const std::size_t c = order[place];
+      const double share = room / static_cast<double>(order.size() - place);
+      const double given = std::min(natural[c] - least[c], share);
+      widths[c] += given;
+      room -= given;
     }
   }
   return widths;

@@ -12,6 +12,7 @@
 #include "app/session/demonstration_curriculum.h"
 #include "app/session/demonstration_people.h"
 #include "app/session/pipeline.h"
+#include "app/session/reporting/kept_digests.h"
 #include "app/session/scoring_service.h"
 #include "app/session/trial_summary.h"
 #include "assessment/report/cohort_csv.h"
@@ -168,6 +169,8 @@ class Demonstration {
     digest.group = trainee->group;
     digest.model = scene.model.options().formulation == Formulation::kPaper ? "paper" : "Saint-Venant";
     summary_.twists += digest.twists;
+    const StoredTrialDigest kept = keptDigest(digest, scene.pattern.tolerance_rad, options_.simulatedUtc_us);
+    DigestRepository(connection_).add({&kept, 1});
     digests_.push_back(std::move(digest));
   }
 

@@ -4,14 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "app/session/build_info.h"
 #include "app/session/scoring_service.h"
+#include "app/session/study/case_order.h"
 #include "assessment/study/allocation.h"
 #include "db/repository/evaluation_repository.h"
 #include "db/repository/people_repository.h"
 #include "db/repository/rating_repository.h"
+#include "db/repository/sheet_repository.h"
 #include "db/repository/study_repository.h"
 
 namespace torsio {
@@ -163,6 +166,64 @@ StoredCampaign makeCampaign(IdSource& ids, const std::vector<std::vector<StoredR
   return campaign;
 }
 
+/// An overall mark and nothing else: that is what the paper's physicians gave on the real arm.
+std::string addOverallRubric(Connection& connection, IdSource& ids, const ScoreScale& scale,
+                             std::int64_t utc_us) {
+  SheetRepository sheets(connection);
+  StoredRubricRevision rubric;
+  rubric.id = ids.newUuid();
+  rubric.rubricId = ids.newUuid();
+  rubric.note = "demonstration";
+  rubric.overall = scale;
+  rubric.createdBy = "demonstration";
+  rubric.createdUtc_us = utc_us;
+  sheets.addRubric(rubric.rubricId, "Overall mark on the real arm (demonstration)", utc_us, true);
+  sheets.addRevision(rubric);
+  return rubric.id;
+}
+
+/// The labels of live cases: those with one figure stay free for cases that are scored from recordings.
+std::vector<std::string> liveLabels(std::size_t count, std::uint64_t seed) {
+  std::set<std::string> taken;
+  for (char figure = '1'; figure <= '9'; ++figure) {
+    for (char letter = 'A'; letter <= 'Z'; ++letter) taken.insert(std::string{figure, letter});
+  }
+  return caseLabels(count, taken, seed, 0);
+}
+
+/// Each physician was asked for every mark that they gave, live on the real arm; the marks answer the
+/// requests. Ids of their own, so that everything else keeps the ids that its seed gives it.
+void assignMarks(Connection& connection, std::vector<StoredTrainingMark>& marks, std::uint64_t seed,
+                 std::int64_t utc_us) {
+  constexpr std::uint64_t kOwnStream = 0x61'7373'6967'6eULL;
+  if (marks.empty()) return;
+  SeededIdSource ids(seed ^ kOwnStream);
+  const std::string rubric = addOverallRubric(connection, ids, marks.front().scale, utc_us);
+  std::map<std::pair<std::string, std::string>, std::string> labels;  // one for all raters: it is called out
+  for (const StoredTrainingMark& mark : marks) labels[{mark.enrolmentId, mark.scoringPoint}];
+  const std::vector<std::string> drawn = liveLabels(labels.size(), seed);
+  std::size_t next = 0;
+  for (auto& [live, label] : labels) label = drawn.at(next++);
+  std::vector<StoredAssignment> assignments;
+  std::map<std::string, std::int64_t> positions;
+  for (StoredTrainingMark& mark : marks) {
+    StoredAssignment one;
+    one.id = ids.newUuid();
+    one.raterId = mark.raterId;
+    one.enrolmentId = mark.enrolmentId;
+    one.scoringPoint = mark.scoringPoint;
+    one.rubricRevisionId = rubric;
+    one.caseLabel = labels.at({mark.enrolmentId, mark.scoringPoint});
+    one.position = ++positions[mark.raterId];
+    one.assignedBy = "demonstration";
+    one.assignedUtc_us = utc_us;
+    one.demonstration = true;
+    mark.assignmentId = one.id;
+    assignments.push_back(std::move(one));
+  }
+  SheetRepository(connection).assign(assignments);
+}
+
 }  // namespace
 
 DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& ids, std::uint64_t seed,
@@ -234,6 +295,7 @@ void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& 
     stored.demonstration = true;
     training.push_back(std::move(stored));
   }
+  assignMarks(connection, training, seed, utc_us);
   RatingRepository(connection).submit(training);
 
   EvaluationRepository evaluations(connection);

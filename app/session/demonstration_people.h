@@ -35,7 +35,8 @@ struct DemonstrationStudy {
 [[nodiscard]] DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& ids,
                                                           std::uint64_t seed, std::int64_t utc_us);
 
-/// Simulates all marks by the stated rules and submits them: 900 training marks, 1,080 evaluation marks.
+/// Simulates all marks by the stated rules and submits them: 900 training marks, each on the request that it
+/// answers (live, on the real arm), and 1,080 evaluation marks.
 void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& study, IdSource& ids,
                               std::uint64_t seed, std::int64_t utc_us);
 

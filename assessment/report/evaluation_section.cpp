@@ -83,7 +83,7 @@ ReportFigure barsFigure(const CohortInputs& in, bool variance) {
     out.series.push_back(series);
   }
   if (variance) {
-    out.yLabel = "variance about the weighted mean, divisor n (points squared)";
+    out.yLabel = "variance (points squared)";
     out.yMin = 0.0;
     out.yMax = std::nullopt;
     out.notes = {

@@ -80,7 +80,7 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
                                              "Bland and Altman, each rater against the mean of the others");
   figure.kind = FigureKind::kScatter;
   figure.xLabel = "mean of own mark and the others' mean (points)";
-  figure.yLabel = "own mark minus the others' mean (points)";
+  figure.yLabel = "own minus others' mean";
   FigureSeries series;
   series.name = "one mark";
   std::vector<double> own;
@@ -152,7 +152,9 @@ ReportSection ratersSection(const CohortInputs& in, const StudyAnalysis& study) 
   if (in.singleMarks) {
     section.figures.push_back(heatMap(in, study));
   } else {
-    section.paragraphs.push_back("Single marks are not shown to the role that made this report.");
+    section.paragraphs.push_back(
+        "Single marks are not shown. The role that made this report sees them, under codes, once every rater "
+        "has submitted and the data set is frozen.");
   }
   if (!study.severity.empty()) section.figures.push_back(severityFigure(in, study));
   if (in.singleMarks)

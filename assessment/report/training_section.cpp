@@ -68,7 +68,7 @@ ReportFigure varianceFigure(const CohortInputs& in) {
   out.id = "figure-23";
   out.title = "Variance of the trainee scores, divisor n";
   out.kind = FigureKind::kGroupedBars;
-  out.yLabel = "variance of trainee scores, divisor n (points squared)";
+  out.yLabel = "variance (points squared)";
   out.yMin = 0.0;
   out.categories = in.occasions;
   for (std::size_t g = 0; g < in.groups.size(); ++g) {

@@ -22,20 +22,6 @@ fs::path withSuffix(fs::path file, const char* suffix) {
   return file;
 }
 
-/// Opens the copy, reads all of it, and writes one page in rollback mode: the commit makes the system flush
-/// the whole file to the disk, which VACUUM INTO leaves open.
-void checkAndFlush(const fs::path& copy) {
-  Connection connection = openDatabase(copy.string(), OpenMode::kReadWrite);
-  const std::vector<std::string> findings = integrityFindings(connection);
-  if (!findings.empty()) {
-    throw Error(ErrorCode::kVerifyFailed, Text("backup does not pass its check: %1", findings.front()),
-                copy.string(), "Check the disk, and the database itself");
-  }
-  connection.executeVerbatim("PRAGMA journal_mode = DELETE");
-  connection.executeVerbatim("PRAGMA synchronous = FULL");
-  connection.executeVerbatim("PRAGMA user_version = 1");
-}
-
 void removeWithLogs(const fs::path& file) noexcept {
   std::error_code ignored;
   for (const char* suffix : kParts) fs::remove(withSuffix(file, suffix), ignored);
@@ -72,6 +58,17 @@ void moveAside(const fs::path& target) {
   }
 }
 
+/// After moveAside, when nothing could take the place.
+void putBack(const fs::path& target) noexcept {
+  std::error_code ignored;
+  const fs::path aside = withSuffix(target, ".before-restore");
+  if (fs::exists(target, ignored)) return;
+  for (const char* suffix : kParts) {
+    if (fs::exists(withSuffix(aside, suffix), ignored))
+      fs::rename(withSuffix(aside, suffix), withSuffix(target, suffix), ignored);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> integrityFindings(Connection& connection) {
@@ -91,13 +88,41 @@ std::vector<std::string> integrityFindings(Connection& connection) {
   return findings;
 }
 
+/// Writes one page in rollback mode: the commit makes the system flush the whole file to the disk, which
+/// VACUUM INTO and copying leave open.
+void settleSqlite(const fs::path& copy) {
+  Connection connection = openDatabase(copy.string(), OpenMode::kReadWrite);
+  const std::vector<std::string> findings = integrityFindings(connection);
+  if (!findings.empty()) {
+    throw Error(ErrorCode::kVerifyFailed, Text("backup does not pass its check: %1", findings.front()),
+                copy.string(), "Check the disk, and the database itself");
+  }
+  connection.executeVerbatim("PRAGMA journal_mode = DELETE");
+  connection.executeVerbatim("PRAGMA synchronous = FULL");
+  connection.executeVerbatim("PRAGMA user_version = 1");
+}
+
+void replaceSqlite(const fs::path& ready, const fs::path& target) {
+  try {
+    if (fs::exists(target)) {
+      takeOver(target);
+      moveAside(target);
+    }
+    fs::rename(ready, target);
+  } catch (const fs::filesystem_error& error) {
+    putBack(target);
+    throw Error(ErrorCode::kFileUnwritable, Text("backup cannot be restored: %1", error.code().message()),
+                target.string(), "Check the folder and the free space");
+  }
+}
+
 void backupSqlite(Connection& connection, const fs::path& target) {
   TORSIO_EXPECTS(connection.engine() == Engine::kSqlite && !connection.inTransaction());
   const fs::path temporary = temporaryBeside(target);
   removeWithLogs(temporary);
   try {
     connection.execute("VACUUM INTO ?", {temporary.string()});
-    checkAndFlush(temporary);
+    settleSqlite(temporary);
   } catch (...) {
     removeWithLogs(temporary);
     throw;
@@ -134,12 +159,8 @@ void restoreSqlite(const fs::path& backup, const fs::path& target) {
   removeWithLogs(temporary);
   try {
     fs::copy_file(backup, temporary);
-    checkAndFlush(temporary);
-    if (fs::exists(target)) {
-      takeOver(target);
-      moveAside(target);
-    }
-    fs::rename(temporary, target);
+    settleSqlite(temporary);
+    replaceSqlite(temporary, target);
   } catch (const fs::filesystem_error& error) {
     removeWithLogs(temporary);
     throw Error(ErrorCode::kFileUnwritable, Text("backup cannot be restored: %1", error.code().message()),

@@ -31,6 +31,15 @@ struct BackupContent {
 /// changed then, nor when the backup does not pass its check.
 void restoreSqlite(const std::filesystem::path& backup, const std::filesystem::path& target);
 
+/// Reads all of a database file that is to take a record's place, and makes sure that it lies on the disk
+/// whole. Throws Error (kVerifyFailed) when it is not sound.
+void settleSqlite(const std::filesystem::path& copy);
+
+/// Puts `ready`, a settled file in the same folder, in place of `target`, as restoreSqlite does. Throws Error
+/// (kDatabase) when another program or another connection has `target` open, (kFileUnwritable); then `target`
+/// and `ready` are as before.
+void replaceSqlite(const std::filesystem::path& ready, const std::filesystem::path& target);
+
 /// What the engine finds wrong with the file or its references; empty: nothing.
 [[nodiscard]] std::vector<std::string> integrityFindings(Connection& connection);
 

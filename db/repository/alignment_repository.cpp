@@ -65,4 +65,15 @@ std::vector<AlignmentDecision> AlignmentRepository::ofCase(const std::string& en
   return decisionsOf(row);
 }
 
+std::vector<AlignmentDecision> AlignmentRepository::ofCohort(const std::string& cohortId) {
+  Statement row = connection_.prepare(
+      kDecisions +
+      " JOIN assignment a ON a.id = d.assignment_id JOIN enrolment e ON e.id = a.enrolment_id"
+      " WHERE e.cohort_id = ?"
+      " AND NOT EXISTS (SELECT 1 FROM alignment_decision n WHERE n.assignment_id = d.assignment_id"
+      " AND n.sequence > d.sequence) ORDER BY d.decided_utc_us, d.assignment_id");
+  row.execute({cohortId});
+  return decisionsOf(row);
+}
+
 }  // namespace torsio

@@ -38,6 +38,8 @@ class AlignmentRepository {
   /// The newest of every assignment about one trainee at one scoring point.
   [[nodiscard]] std::vector<AlignmentDecision> ofCase(const std::string& enrolmentId,
                                                       const std::string& scoringPoint);
+  /// The newest of every assignment of a cohort, oldest first.
+  [[nodiscard]] std::vector<AlignmentDecision> ofCohort(const std::string& cohortId);
 
  private:
   Connection& connection_;

@@ -14,6 +14,7 @@ namespace torsio {
 
 namespace {
 
+constexpr std::int64_t kProgressEvery = 16;  // recordings
 constexpr const char* kColumns =
     "sequence, at_utc_us, actor, station, action, object_kind, object_id, old_json, new_json, reason,"
     " object_hash, previous_hash, entry_hash";
@@ -83,10 +84,14 @@ void compare(const std::string& kind, const Hashes& sealed, const Hashes& now,
   }
 }
 
-void checkTrials(Connection& connection, const Hashes& trials, std::vector<AuditFinding>& findings) {
+void checkTrials(Connection& connection, const Hashes& trials, std::vector<AuditFinding>& findings,
+                 const VerifyProgress& progress) {
   const std::set<std::string> erased = erasedTrials(connection);
   TrialRepository repository(connection);
+  std::int64_t done = 0;
   for (const auto& [id, hash] : trials) {
+    if (progress && done % kProgressEvery == 0) progress(done, static_cast<std::int64_t>(trials.size()));
+    ++done;
     if (erased.contains(id)) continue;
     try {
       verifyContent(repository.load(id));
@@ -173,7 +178,7 @@ std::int64_t AuditRepository::length() {
   return row.step() ? row.int64(0) : 0;
 }
 
-std::vector<AuditFinding> AuditRepository::verify() {
+std::vector<AuditFinding> AuditRepository::verify(const VerifyProgress& progress) {
   std::vector<AuditFinding> findings;
   std::map<std::string, Hashes> sealed;
   checkChain(connection_, sealed, findings);
@@ -181,7 +186,7 @@ std::vector<AuditFinding> AuditRepository::verify() {
   compare(kSealedMark, sealed[kSealedMark], markHashes(connection_), findings);
   compare(kSealedEvaluationMark, sealed[kSealedEvaluationMark], evaluationMarkHashes(connection_), findings);
   compare(kSealedTrial, sealed[kSealedTrial], trials, findings);
-  checkTrials(connection_, trials, findings);
+  checkTrials(connection_, trials, findings, progress);
   checkComments(connection_, findings);
   return findings;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -48,6 +49,9 @@ struct AuditFinding {
   std::string what{};
 };
 
+/// Hears how far verify() is: recordings read, of all. May throw to give up.
+using VerifyProgress = std::function<void(std::int64_t done, std::int64_t all)>;
+
 /// The hash-chained trail. append() belongs into the transaction of the change that it tells of.
 class AuditRepository {
  public:
@@ -60,7 +64,7 @@ class AuditRepository {
 
   /// Walks the whole chain, then compares every sealed mark and trial with its row, and looks for rows that
   /// no entry tells of. Trials are decoded down to their chunk digests. Empty: nothing was tampered with.
-  [[nodiscard]] std::vector<AuditFinding> verify();
+  [[nodiscard]] std::vector<AuditFinding> verify(const VerifyProgress& progress = {});
   /// Entries in the chain.
   [[nodiscard]] std::int64_t length();
 

@@ -157,6 +157,14 @@ std::vector<std::int64_t> DeskRepository::workingTimes_us(const std::string& rat
   return times_us;
 }
 
+std::vector<std::string> DeskRepository::assignedTrials() {
+  Statement row = connection_.prepare("SELECT DISTINCT trial_id FROM assignment WHERE trial_id IS NOT NULL");
+  std::vector<std::string> ids;
+  row.execute();
+  while (row.step()) ids.push_back(row.text(0));
+  return ids;
+}
+
 void DeskRepository::addReferenceRuns(std::span<const StoredReferenceRun> runs) {
   Transaction transaction(connection_);
   Statement insert = connection_.prepare(

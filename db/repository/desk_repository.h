@@ -77,6 +77,9 @@ class DeskRepository {
   /// Working times of a rater's first versions, newest first, at most `limit`.
   [[nodiscard]] std::vector<std::int64_t> workingTimes_us(const std::string& raterId, std::int64_t limit);
 
+  /// Recordings that somebody is or was asked to score, each once.
+  [[nodiscard]] std::vector<std::string> assignedTrials();
+
   void addReferenceRuns(std::span<const StoredReferenceRun> runs);
   /// By position.
   [[nodiscard]] std::vector<StoredReferenceRun> referenceRuns();

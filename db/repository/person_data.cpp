@@ -51,6 +51,7 @@ constexpr std::array kRules{
                "trial_id, chunk_index, first_tick, sample_count, digest, output_digest, stored_utc_us"},
     PersonRule{"trial_event", kOwnTrials, OnErase::kDelete},
     PersonRule{"trial_end", kOwnTrials},
+    PersonRule{"trial_digest", kOwnTrials},
     PersonRule{"draft_viewing", kDrafts, OnErase::kDelete},
     PersonRule{"mark_draft_row", kDrafts, OnErase::kDelete},
     PersonRule{"mark_draft", kDrafts, OnErase::kDelete},

@@ -33,16 +33,21 @@ std::vector<std::string> schemaSteps(Connection& connection) {
   return steps;
 }
 
+/// A table with rows of a used record; empty: none.
+std::string usedTable(Connection& connection, const std::vector<SchemaTable>& tables) {
+  for (const SchemaTable& table : tables)
+    if (!isSeeded(table.name) && countOf(connection, table.name) > 0) return table.name;
+  return {};
+}
+
 void requireFit(Connection& from, Connection& to, const std::vector<SchemaTable>& tables) {
   if (schemaSteps(from) != schemaSteps(to)) {
     throw Error(ErrorCode::kBadData, "the two databases have different schemas", to.location(),
                 "Open both with this version of Torsio first");
   }
-  for (const SchemaTable& table : tables) {
-    if (isSeeded(table.name) || countOf(to, table.name) == 0) continue;
-    throw Error(ErrorCode::kBadData, Text("the target is not empty: it has rows in the table %1", table.name),
+  if (const std::string used = usedTable(to, tables); !used.empty())
+    throw Error(ErrorCode::kBadData, Text("the target is not empty: it has rows in the table %1", used),
                 to.location(), "Name a new file, or an empty database");
-  }
 }
 
 void clearSeeds(Connection& to, const std::vector<SchemaTable>& tables) {
@@ -77,7 +82,30 @@ void requireSame(Connection& to, const TableDigest& original, const TableDigest&
               to.location(), "Check both machines, then copy again");
 }
 
+VerifyProgress verifyProgress(const CopyProgress& progress, CopyPhase phase) {
+  if (!progress) return {};
+  return [&progress, phase](std::int64_t done, std::int64_t all) { progress({phase, {}, done, all}); };
+}
+
+/// `rows`: of all tables; both sides are read.
+void compareTables(Connection& from, Connection& to, const std::vector<SchemaTable>& tables,
+                   std::int64_t rows, CopyReport& report, const CopyProgress& progress) {
+  std::int64_t done = 0;
+  for (const SchemaTable& table : tables) {
+    const auto step = [&] {
+      if (++done % kProgressEvery == 0 && progress)
+        progress({CopyPhase::kComparing, table.name, done, 2 * rows});
+    };
+    report.tables.push_back(digestOf(from, table, {}, step));
+    requireSame(to, report.tables.back(), digestOf(to, table, {}, step));
+  }
+}
+
 }  // namespace
+
+bool isEmptyRecord(Connection& connection) {
+  return usedTable(connection, tablesInReferenceOrder(connection)).empty();
+}
 
 CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& progress) {
   const std::vector<SchemaTable> tables = tablesInReferenceOrder(from);
@@ -86,7 +114,8 @@ CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& prog
   if (from.engine() == Engine::kPostgresql) {
     from.executeVerbatim("SET TRANSACTION ISOLATION LEVEL REPEATABLE READ");  // one moment for all tables
   }
-  const std::vector<AuditFinding> findings = AuditRepository(from).verify();
+  const std::vector<AuditFinding> findings =
+      AuditRepository(from).verify(verifyProgress(progress, CopyPhase::kVerifying));
   if (!findings.empty()) {
     throw Error(ErrorCode::kBadData, Text("its audit trail does not verify (%1 findings)", findings.size()),
                 from.location(), "Run torsio audit verify on it and restore a backup");
@@ -100,22 +129,19 @@ CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& prog
   CopyReport report;
   for (const SchemaTable& table : tables) {
     copyTable(from, to, table, [&] {
-      if (++report.rows % kProgressEvery == 0 && progress) progress(table.name, report.rows, all);
+      if (++report.rows % kProgressEvery == 0 && progress)
+        progress({CopyPhase::kCopying, table.name, report.rows, all});
     });
   }
-  for (const SchemaTable& table : tables) {
-    report.tables.push_back(digestOf(from, table));
-    requireSame(to, report.tables.back(), digestOf(to, table));
-  }
+  compareTables(from, to, tables, all, report, progress);
   AuditRepository audit(to);
-  if (!audit.verify().empty()) {
+  if (!audit.verify(verifyProgress(progress, CopyPhase::kVerifyingCopy)).empty()) {
     throw Error(ErrorCode::kVerifyFailed, "the audit trail does not verify after copying; nothing was kept",
                 to.location(), "Check both machines, then copy again");
   }
   report.auditEntries = audit.length();
   writing.commit();
   reading.commit();
-  if (progress) progress("", all, all);
   return report;
 }
 

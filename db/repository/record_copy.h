@@ -11,8 +11,21 @@
 
 namespace torsio {
 
-/// Hears how far a copy is: the table, rows done, rows of all tables.
-using CopyProgress = std::function<void(const std::string& table, std::int64_t done, std::int64_t all)>;
+/// What a copy does, in its order.
+enum class CopyPhase { kVerifying, kCopying, kComparing, kVerifyingCopy };
+
+/// How far a copy is.
+struct CopyStep {
+  CopyPhase phase = CopyPhase::kVerifying;
+  std::string table{};    ///< while copying and comparing
+  std::int64_t done = 0;  ///< of this phase: recordings while verifying, else rows
+  std::int64_t all = 0;
+};
+/// Hears how far a copy is; may throw to give up, then nothing is kept.
+using CopyProgress = std::function<void(const CopyStep& step)>;
+
+/// Whether nothing was ever stored there but what the migrations brought. The schema must be there.
+[[nodiscard]] bool isEmptyRecord(Connection& connection);
 
 /// What a copy has moved and compared.
 struct CopyReport {

@@ -175,7 +175,8 @@ void forEachRow(Connection& connection, const SchemaTable& table, const std::str
   connection.executeVerbatim("CLOSE torsio_rows");
 }
 
-TableDigest digestOf(Connection& connection, const SchemaTable& table, const std::string& where) {
+TableDigest digestOf(Connection& connection, const SchemaTable& table, const std::string& where,
+                     const std::function<void()>& step) {
   TableDigest result{table.name, 0, {}};
   Digest::Value sum{};
   forEachRow(connection, table, where, [&](const Statement& row) {
@@ -185,6 +186,7 @@ TableDigest digestOf(Connection& connection, const SchemaTable& table, const std
     }
     addTo(sum, digest.value());
     ++result.rows;
+    if (step) step();
   });
   result.hash = toHex(sum);
   return result;

@@ -52,8 +52,8 @@ struct TableDigest {
   friend bool operator==(const TableDigest&, const TableDigest&) = default;
 };
 
-/// Inside a transaction only.
+/// Inside a transaction only. `step` is called after every row.
 [[nodiscard]] TableDigest digestOf(Connection& connection, const SchemaTable& table,
-                                   const std::string& where = {});
+                                   const std::string& where = {}, const std::function<void()>& step = {});
 
 }  // namespace torsio

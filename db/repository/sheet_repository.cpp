@@ -256,17 +256,19 @@ std::vector<QueueEntry> SheetRepository::queue(const std::string& raterId) {
   std::vector<QueueEntry> entries;
   Statement row = connection_.prepare(
       "SELECT a.id, a.case_label, a.trial_id, a.rubric_revision_id, a.due_utc_us,"
-      " (SELECT count(*) FROM training_mark m WHERE m.assignment_id = a.id),"
+      " (SELECT MAX(m.submitted_utc_us) FROM training_mark m WHERE m.assignment_id = a.id),"
       " (SELECT count(*) FROM mark_draft d WHERE d.assignment_id = a.id) FROM assignment a"
       " WHERE a.rater_id = ? AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = "
       "a.id)"
       " ORDER BY a.position, a.case_label");
   row.execute({raterId});
   while (row.step()) {
-    const SheetState state = row.int64(5) > 0   ? SheetState::kSubmitted
+    const std::optional<std::int64_t> submitted = row.maybeInt64(5);
+    const SheetState state = submitted          ? SheetState::kSubmitted
                              : row.int64(6) > 0 ? SheetState::kDraft
                                                 : SheetState::kOpen;
-    entries.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.maybeInt64(4), state});
+    entries.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.maybeInt64(4), state,
+                       submitted.value_or(0)});
   }
   return entries;
 }
@@ -399,6 +401,15 @@ bool SheetRepository::allSubmitted(const std::string& enrolmentId, const std::st
       " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id)");
   row.execute({enrolmentId, scoringPoint});
   return row.step() && row.int64(0) == 0;
+}
+
+std::int64_t SheetRepository::openAssignments(const std::string& cohortId) {
+  Statement row = connection_.prepare(
+      "SELECT count(*) FROM enrolment e JOIN assignment a ON a.enrolment_id = e.id WHERE e.cohort_id = ?"
+      " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
+      " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id)");
+  row.execute({cohortId});
+  return row.step() ? row.int64(0) : 0;
 }
 
 void SheetRepository::setReleased(const std::string& cohortId, const std::string& scoringPoint, bool released,

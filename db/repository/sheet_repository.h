@@ -64,6 +64,7 @@ struct QueueEntry {
   std::string rubricRevisionId{};
   std::optional<std::int64_t> dueUtc_us{};
   SheetState state = SheetState::kOpen;
+  std::int64_t submittedUtc_us = 0;  ///< of the newest version; 0: not submitted
 };
 
 /// One row of a sheet: a score, or why there is none. Both empty: not answered yet (drafts only).
@@ -141,6 +142,9 @@ class SheetRepository {
   /// Whether every rater who is asked about this case has submitted: until then each sees only their own
   /// sheet.
   [[nodiscard]] bool allSubmitted(const std::string& enrolmentId, const std::string& scoringPoint);
+
+  /// Sheets of a cohort that somebody is asked for and has not submitted.
+  [[nodiscard]] std::int64_t openAssignments(const std::string& cohortId);
 
   void setReleased(const std::string& cohortId, const std::string& scoringPoint, bool released,
                    const std::string& reason, const std::string& decidedBy, std::int64_t utc_us);

@@ -100,7 +100,7 @@ TEST(CohortReport, HoldsEveryFigureOfThePaperWithSeriesThatFitItsCategories) {
       }
     }
   }
-  EXPECT_THAT(find(report, "figure-17")->yLabel, ::testing::HasSubstr("about the weighted mean, divisor n"));
+  EXPECT_THAT(find(report, "figure-17")->title, ::testing::HasSubstr("about the weighted mean, divisor n"));
   EXPECT_THAT(find(report, "figure-23")->title, ::testing::HasSubstr("divisor n"));
   EXPECT_EQ(find(report, "figure-18")->categories.size(), 10U);
 }

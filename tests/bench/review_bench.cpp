@@ -1,101 +1,125 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scrubbing through a recording of 40 minutes: how long the window takes to answer. Prints one line a step
-// and fails when a scrub takes longer than what a hand feels.
+// Reviewing a recording of 40 minutes: how much memory it takes while it is open, and how long the window
+// takes to answer when somebody scrubs: the moment decoded, the organ and the instrument in their pose, the
+// traces with their cursor. A scripted hand twists the arm; the first argument is the number of minutes.
+// With a display (xvfb-run) the picture is drawn too and timed apart. Fails when a scrub takes more work than
+// what a hand feels, or the memory is more than a small machine has to spare. Judged by processor time, so
+// that a machine that is busy with something else does not decide; the time on the wall is told beside it.
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
 #include <memory>
 #include <vector>
 
 #include <QApplication>
-#include <QPixmap>
 
-#include "app/gui/review/trace_view.h"
-#include "app/gui/trial_playback.h"
+#include "app/gui/review/replay_panel.h"
+#include "app/session/pipeline.h"
 #include "sim/base/random.h"
-#include "sim/record/sample_codec.h"
+#include "sim/record/memory_trial_sink.h"
 
 namespace {
 
 using namespace torsio;
 using SteadyClock = std::chrono::steady_clock;
 
-constexpr std::int64_t kMinutes = 40;
-constexpr std::int64_t kTick_us = 1000;
+constexpr int kMinutes = 40;
 constexpr double kAnswer_ms = 50.0;
+constexpr double kOpen_MB = 150.0;
+constexpr double kPatience_ms = 2000.0;
 constexpr int kScrubs = 400;
-
-Sample sampleAt(std::int64_t tick) {
-  const double time_s = static_cast<double>(tick) * 1e-3;
-  Sample sample;
-  sample.tick = tick;
-  sample.device.time_us = tick * kTick_us;
-  sample.response.angle_rad = 0.8 * std::sin(0.7 * time_s) * std::sin(0.7 * time_s);
-  sample.response.torque_Nm = 0.3 * sample.response.angle_rad;
-  sample.response.graspArc_m = 0.2;
-  sample.force_N = {0.0, 0.0, 1.0 + 0.4 * std::sin(31.0 * time_s)};
-  return sample;
-}
-
-Trial longTrial() {
-  Trial trial;
-  trial.header.trialId = "bench";
-  std::vector<Sample> second(static_cast<std::size_t>(kSamplesPerChunk));
-  for (std::int64_t index = 0; index < kMinutes * 60; ++index) {
-    for (std::int64_t i = 0; i < kSamplesPerChunk; ++i)
-      second[static_cast<std::size_t>(i)] = sampleAt(index * kSamplesPerChunk + i);
-    trial.chunks.push_back(encodeChunk(index, second));
-  }
-  trial.summary.samples = kMinutes * 60 * kSamplesPerChunk;
-  return trial;
-}
 
 double since_ms(SteadyClock::time_point start) {
   return std::chrono::duration<double, std::milli>(SteadyClock::now() - start).count();
 }
 
+double worked_ms(std::clock_t since) {
+  return 1e3 * static_cast<double>(std::clock() - since) / CLOCKS_PER_SEC;
+}
+
+/// What the program holds in memory; 0 where the system does not tell.
+double resident_MB() {
+  constexpr double kPage_MB = 4096.0 / 1e6;
+  std::ifstream file("/proc/self/statm");
+  double whole = 0.0;
+  double resident = 0.0;
+  file >> whole >> resident;
+  return resident * kPage_MB;
+}
+
+Trial recorded(const std::filesystem::path& assets, int minutes) {
+  SceneRequest request;
+  request.assets = assets;
+  request.id = "arm";
+  ScriptedTrial script;
+  script.trialId = "bench";
+  script.phaseLabel = "bench";
+  script.duration_s = 60.0 * minutes;
+  MemoryTrialSink sink;
+  recordScriptedTrial(loadScene(request), script, sink);
+  return sink.trial();
+}
+
+void tell(const char* what, std::vector<double> times_ms) {
+  std::sort(times_ms.begin(), times_ms.end());
+  const std::size_t last = times_ms.size() - 1;
+  std::printf("%-28s median %.2f ms, 99 %% %.2f ms, worst %.2f ms\n", what, times_ms[last / 2],
+              times_ms[last * 99 / 100], times_ms[last]);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (qEnvironmentVariableIsEmpty("DISPLAY")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  const int minutes = argc > 1 ? std::max(1, std::atoi(argv[1])) : kMinutes;
+  gui::SceneView::prepareGraphics();
   const QApplication application(argc, argv);
+  const std::filesystem::path assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
   auto start = SteadyClock::now();
-  const Trial trial = longTrial();
-  std::printf("encode %lld min: %.0f ms\n", static_cast<long long>(kMinutes), since_ms(start));
+  BlindedRecording recording{"7F", recorded(assets, minutes), "00000000"};
+  double packed_MB = 0.0;
+  for (const TrialChunk& chunk : recording.trial.chunks)
+    packed_MB += static_cast<double>(chunk.bytes.size()) / 1e6;
+  std::printf("recorded %d min in %.1f s, packed %.1f MB\n", minutes, since_ms(start) * 1e-3, packed_MB);
 
+  const double before_MB = resident_MB() - packed_MB;
   start = SteadyClock::now();
-  gui::TrialPlayback playback(trial);
-  std::printf("decode (worker thread): %.0f ms\n", since_ms(start));
-  start = SteadyClock::now();
-  const gui::TraceData traces = gui::traceData(playback);
-  std::printf("traces (worker thread): %.0f ms\n", since_ms(start));
-
-  gui::TraceView view;
-  view.resize(1100, 240);
-  view.setData(&traces);
-  QPixmap target(view.size());
-  start = SteadyClock::now();
-  view.render(&target);
-  const double first_ms = since_ms(start);
-  std::printf("first drawing of the traces: %.2f ms\n", first_ms);
+  const auto loaded = gui::loadForShowing(std::move(recording), assets);
+  std::printf("opened in a worker thread in %.0f ms\n", since_ms(start));
+  gui::ReplayPanel panel(assets);
+  panel.retranslate();
+  panel.resize(680, 600);
+  panel.setVisible(true);
+  panel.show(loaded);
+  QApplication::processEvents();
+  auto* view = panel.findChild<gui::SceneView*>();
 
   Random random(1);
-  std::vector<double> scrubs_ms;
+  std::vector<double> work_ms;
+  std::vector<double> answers_ms;
+  std::vector<double> pictures_ms;
   for (int i = 0; i < kScrubs; ++i) {
     const auto to_us =
-        static_cast<std::int64_t>(random.uniform() * static_cast<double>(playback.duration_us()));
+        static_cast<std::int64_t>(random.uniform() * static_cast<double>(loaded->playback.duration_us()));
+    const std::int64_t frames = view->framesDrawn();
+    const std::clock_t begun = std::clock();
     start = SteadyClock::now();
-    playback.seek_us(to_us);
-    const LiveState state = playback.state();
-    view.setPosition_us(state.time_us);
-    view.render(&target);
-    scrubs_ms.push_back(since_ms(start));
+    panel.seek_us(to_us);
+    panel.findChild<gui::TraceView*>()->repaint();
+    answers_ms.push_back(since_ms(start));
+    work_ms.push_back(worked_ms(begun));
+    if (!gui::SceneView::platformCanRender()) continue;
+    while (view->framesDrawn() == frames && since_ms(start) < kPatience_ms) QApplication::processEvents();
+    pictures_ms.push_back(since_ms(start));
   }
-  std::sort(scrubs_ms.begin(), scrubs_ms.end());
-  const double median_ms = scrubs_ms[scrubs_ms.size() / 2];
-  const double worst_ms = scrubs_ms.back();
-  std::printf("scrub of %d random places: median %.2f ms, worst %.2f ms (limit %.0f ms)\n", kScrubs,
-              median_ms, worst_ms, kAnswer_ms);
-  return std::max(first_ms, worst_ms) <= kAnswer_ms ? 0 : 1;
+  const double open_MB = resident_MB() - before_MB;
+  std::printf("memory while it is open: %.0f MB (limit %.0f MB)\n", open_MB, kOpen_MB);
+  tell("pose and traces, work", work_ms);
+  tell("pose and traces, wall", answers_ms);
+  if (!pictures_ms.empty()) tell("picture drawn as well, wall", pictures_ms);
+  const double worst_ms = *std::max_element(work_ms.begin(), work_ms.end());
+  return worst_ms <= kAnswer_ms && open_MB <= kOpen_MB ? 0 : 1;
 }

@@ -12,6 +12,7 @@
 #include "db/repository/audit_repository.h"
 #include "db/repository/curriculum_repository.h"
 #include "db/repository/desk_repository.h"
+#include "db/repository/digest_repository.h"
 #include "db/repository/evaluation_repository.h"
 #include "db/repository/freeze_repository.h"
 #include "db/repository/people_repository.h"
@@ -91,6 +92,9 @@ TEST_F(QueryPlanTest, MarksOfACohortAreFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)StudyRepository(connection).exposures("c"); }));
   expectNoWalk(plansOf(connection, [&] { (void)StudyRepository(connection).deviations("c"); }));
   expectNoWalk(plansOf(connection, [&] { (void)RatingRepository(connection).marks("c"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)SheetRepository(connection).openAssignments("c"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)DigestRepository(connection).ofCohort("c", "1"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)DigestRepository(connection).cohortOf("e"); }));
   expectNoWalk(plansOf(connection, [&] { (void)RatingRepository(connection).history("e", "r", "pre"); }));
   expectNoWalk(plansOf(connection, [&] { (void)RatingRepository(connection).latestRun("c"); }));
   expectNoWalk(plansOf(connection, [&] { (void)EvaluationRepository(connection).marks("c"); }));

@@ -113,8 +113,8 @@ TEST_F(RecordCopyTest, LeavesNothingWhenItIsStoppedHalfWay) {
   }
   Connection target = openWithSchema();
   const std::vector<TableDigest> before = digests(target);
-  const auto stop = [](const std::string&, std::int64_t, std::int64_t) {
-    throw Error(ErrorCode::kUsage, "stopped", "", "");
+  const auto stop = [](const CopyStep& step) {
+    if (step.phase == CopyPhase::kCopying) throw Error(ErrorCode::kUsage, "stopped", "", "");
   };
 
   EXPECT_EQ(refusalFrom([&] { (void)copyRecord(original, target, stop); }).code, ErrorCode::kUsage);

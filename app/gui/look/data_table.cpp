@@ -291,10 +291,12 @@ void DataTable::fitColumns(bool first) {
   std::vector<int> before;
   for (int column = 0; column < header->count(); ++column) before.push_back(header->sectionSize(column));
   view_->resizeColumnsToContents();
-  if (first) return;
-  for (int column = 0; column + 1 < header->count(); ++column)
+  for (int column = 0; !first && column + 1 < header->count(); ++column)
     header->resizeSection(column,
                           std::max(before[static_cast<std::size_t>(column)], header->sectionSize(column)));
+  // Sizing to contents shrinks the last column too: it takes the rest again.
+  header->setStretchLastSection(false);
+  header->setStretchLastSection(true);
 }
 
 void DataTable::setColumnHidden(int column, bool hidden) {

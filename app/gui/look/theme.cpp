@@ -148,6 +148,15 @@ QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QDateEdit:focus, QDateTi
 QLineEdit:disabled, QPlainTextEdit:disabled { color: %border; border-color: %line; }
 QLineEdit[readOnly="true"], QPlainTextEdit[readOnly="true"] { background: %window; }
 QCheckBox, QRadioButton { spacing: 8px; }
+QCheckBox::indicator, QListView::indicator, QTreeView::indicator, QRadioButton::indicator { width: 14px; height: 14px;
+  background: %surface; border: 1px solid %border; border-radius: 4px; }
+QRadioButton::indicator { border-radius: 8px; }
+QCheckBox::indicator:checked, QListView::indicator:checked, QTreeView::indicator:checked { background: %accent;
+  border-color: %accent; image: url(%tick); }
+QRadioButton::indicator:checked { background: %onAccent; border: 5px solid %accent; width: 6px; height: 6px; }
+QCheckBox::indicator:disabled, QRadioButton::indicator:disabled, QListView::indicator:disabled { background: %raised;
+  border-color: %line; }
+QCheckBox:focus, QRadioButton:focus { color: %accent; }
 QProgressBar { background: %track; color: %text; border: none; border-radius: 4px; max-height: 8px; min-height: 8px; }
 QProgressBar::chunk { background: %accent; border-radius: 4px; }
 QTabWidget::pane { border: none; border-top: 1px solid %line; }
@@ -210,6 +219,8 @@ QToolTip { background: %surface; color: %text; border: 1px solid %border; paddin
   const bool dark = t.kind == ThemeKind::kDark;
   sheet.replace(QLatin1String("%chevron"), dark ? QLatin1String(":/torsio/icons/chevron-dark.svg")
                                                 : QLatin1String(":/torsio/icons/chevron-light.svg"));
+  sheet.replace(QLatin1String("%tick"), dark ? QLatin1String(":/torsio/icons/tick-dark.svg")
+                                             : QLatin1String(":/torsio/icons/tick-light.svg"));
   const std::pair<const char*, QColor> colours[] = {
       {"%window", t.window},       {"%surface", t.surface}, {"%raised", t.raised},
       {"%line", t.line},           {"%border", t.border},   {"%text", t.text},

@@ -61,6 +61,8 @@ CarePage::CarePage(ShellContext& shell)
       removeButton_(new QPushButton(this)),
       move_(new Card(QString(), this)),
       moveText_(sentence(this, false)),
+      restoreButton_(new QPushButton(this)),
+      moveButton_(new QPushButton(this)),
       queueTitle_(new QLabel(this)),
       queue_(new DataTable(QStringLiteral("retention"), this)),
       keep_(listButton(queue_)),
@@ -76,6 +78,10 @@ CarePage::CarePage(ShellContext& shell)
   connect(backupButton_, &QPushButton::clicked, this, &CarePage::askBackUp);
   connect(testButton_, &QPushButton::clicked, this, &CarePage::askTest);
   connect(removeButton_, &QPushButton::clicked, this, &CarePage::askRemoveDemonstration);
+  connect(restoreButton_, &QPushButton::clicked, this,
+          [this] { this->shell().open(QStringLiteral("office.restore")); });
+  connect(moveButton_, &QPushButton::clicked, this,
+          [this] { this->shell().open(QStringLiteral("office.move")); });
   connect(keep_, &QPushButton::clicked, this, &CarePage::keepLonger);
   connect(lock_, &QPushButton::clicked, this, &CarePage::lock);
   connect(erase_, &QPushButton::clicked, this, &CarePage::erase);
@@ -101,11 +107,10 @@ QWidget* CarePage::cards() {
     row->addStretch(1);
     card->content()->addLayout(row);
   };
-  moveText_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   fill(backup_, {backupText_}, {backupButton_, testButton_});
   fill(record_, {recordText_, disk_}, {checkButton_});
   fill(simulated_, {simulatedText_}, {removeButton_});
-  fill(move_, {moveText_}, {});
+  fill(move_, {moveText_}, {restoreButton_, moveButton_});
   int place = 0;
   for (Card* card : {backup_, record_, simulated_, move_}) {
     grid->addWidget(card, 0, place);
@@ -186,6 +191,15 @@ void CarePage::showButtons() {
   testButton_->setEnabled(workplace.may(Operation::kDatabaseBackup));
   checkButton_->setEnabled(workplace.may(Operation::kDatabaseBackup));
   removeButton_->setEnabled(demonstration_.people > 0 && workplace.may(Operation::kPersonErase));
+  restoreButton_->setEnabled(file && workplace.may(Operation::kDatabaseRestore));
+  moveButton_->setEnabled(file && workplace.may(Operation::kDatabaseRestore));
+  moveText_->setText(
+      file
+          ? tr("A backup takes the place of this record, or the record goes to a database server for several "
+               "stations. Both ask first and show what they will do.")
+          : tr("This record lies on a database server. Its administrator backs it up and restores it with "
+               "the "
+               "server's own tools."));
   const RetentionItem* item = current();
   for (QPushButton* button : {keep_, lock_}) button->setEnabled(item != nullptr);
   lock_->setText(item != nullptr && item->held ? tr("&Release\u2026") : tr("&Lock\u2026"));
@@ -204,8 +218,7 @@ void CarePage::backUp(const std::filesystem::path& file) {
   shell().run(
       tr("Backing up"),
       [file, content](Workplace& workplace, const ProgressCallback& progress) {
-        progress({"Copying the database while others work", 0.2, -1.0});
-        *content = backUpDatabase(workplace, file);
+        *content = backUpDatabase(workplace, file, progress);
       },
       [this, file, content] {
         backupText_->setText(tr("\u2713 Written and read back: %1 recordings, %2 marks.\n%3")
@@ -219,10 +232,7 @@ void CarePage::testBackup(const std::filesystem::path& file) {
   auto found = std::make_shared<BackupCheck>();
   shell().run(
       tr("Testing a backup"),
-      [file, found](Workplace&, const ProgressCallback& progress) {
-        progress({"Reading the backup from end to end", 0.2, -1.0});
-        *found = verifyBackup(file);
-      },
+      [file, found](Workplace&, const ProgressCallback& progress) { *found = verifyBackup(file, progress); },
       [this, file, found] {
         backupText_->setText(found->database.sound()
                                  ? tr("\u2713 This backup can be restored: %1 recordings, %2 marks.\n%3")
@@ -239,8 +249,7 @@ void CarePage::checkRecord() {
   shell().run(
       tr("Checking the database"),
       [found](Workplace& workplace, const ProgressCallback& progress) {
-        progress({"Reading all tables and the audit trail", 0.2, -1.0});
-        *found = checkDatabase(workplace);
+        *found = checkDatabase(workplace, progress);
       },
       [this, found] {
         check_ = *found;
@@ -337,9 +346,8 @@ void CarePage::retranslate() {
   simulated_->setTitle(tr("Demonstration"));
   removeButton_->setText(tr("Re&move\u2026"));
   move_->setTitle(tr("Restore or move"));
-  moveText_->setText(
-      tr("Nobody may work meanwhile, so this is done with all windows closed:\ntorsio db restore "
-         "BACKUP\ntorsio db copy FROM TO moves a centre to a PostgreSQL server or back, and compares both."));
+  restoreButton_->setText(tr("Re&store\u2026"));
+  moveButton_->setText(tr("Mo&ve to PostgreSQL\u2026"));
   queueTitle_->setText(tr("Records due for review"));
   keep_->setText(tr("&Keep longer\u2026"));
   erase_->setText(tr("&Erase\u2026"));

@@ -72,6 +72,8 @@ class CarePage : public Page {
   QPushButton* removeButton_;
   Card* move_;
   QLabel* moveText_;
+  QPushButton* restoreButton_;
+  QPushButton* moveButton_;
   QLabel* queueTitle_;
   DataTable* queue_;
   QPushButton* keep_;

@@ -12,12 +12,15 @@
 #include "app/gui/office/curricula_page.h"
 #include "app/gui/office/curriculum_editor.h"
 #include "app/gui/office/devices_page.h"
+#include "app/gui/office/move_page.h"
 #include "app/gui/office/reports_page.h"
+#include "app/gui/office/restore_page.h"
 #include "app/gui/office/results_page.h"
 #include "app/gui/office/roster_page.h"
 #include "app/gui/office/run_day_page.h"
 #include "app/gui/office/scoring_page.h"
 #include "app/gui/office/users_page.h"
+#include "app/session/care/database_care.h"
 
 namespace torsio::gui {
 
@@ -36,6 +39,13 @@ ScreenEntry screen(const char* name, const char* page, std::function<void(Page&)
           QString::fromLatin1(page),
           {},
           std::move(prepare)};
+}
+
+/// A backup to show the restore with.
+QVariant someBackup(Workplace& workplace) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "torsio-backup.sqlite";
+  backUpDatabase(workplace, file);
+  return QString::fromStdString(file.string());
 }
 
 }  // namespace
@@ -64,6 +74,9 @@ std::vector<PageEntry> officePages() {
       entry<AuditPage>("office.audit", "audit", QT_TRANSLATE_NOOP("OfficePages", "Audit trail"),
                        {kAuditView}),
       entry<CarePage>("office.care", "care", QT_TRANSLATE_NOOP("OfficePages", "Care"), {kDatabaseBackup}),
+      entry<RestorePage>("office.restore", "", QT_TRANSLATE_NOOP("OfficePages", "Restore"),
+                         {kDatabaseRestore}),
+      entry<MovePage>("office.move", "", QT_TRANSLATE_NOOP("OfficePages", "Move"), {kDatabaseRestore}),
       entry<DevicesPage>("office.devices", "device", QT_TRANSLATE_NOOP("OfficePages", "Devices"),
                          {kSettingsEdit}),
   };
@@ -99,6 +112,13 @@ std::vector<ScreenEntry> officeScreens() {
       screen("office-users", "office.users"),
       screen("office-audit", "office.audit"),
       screen("office-care", "office.care"),
+      {QStringLiteral("office-restore"), QStringLiteral("administrator"), QStringLiteral("office.restore"),
+       someBackup, [](Page& page) { dynamic_cast<RestorePage&>(page).settle(); }},
+      screen("office-move", "office.move",
+             [](Page& page) {
+               dynamic_cast<MovePage&>(page).setAddress(
+                   {.host = "server.hospital.example", .database = "torsio", .user = "torsio"});
+             }),
       screen("office-devices", "office.devices"),
   };
 }

@@ -28,6 +28,8 @@ class ShellContext;
 
 /// The column in which the parts of an office page stand, with the margins all of them share.
 QVBoxLayout* pageColumn(QWidget* page);
+/// The same for pages whose content may be taller than the window.
+QVBoxLayout* scrolledColumn(QWidget* page);
 /// A button among the tools of a list.
 QPushButton* listButton(DataTable* table);
 /// A row "label, field" above a list; the label is the field's buddy. Texts are set by the page.

@@ -9,6 +9,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -150,6 +151,72 @@ std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<Relea
   if (dialog.exec() != QDialog::Accepted) return std::nullopt;
   const ReleaseState& chosen = states[static_cast<std::size_t>(point->currentIndex())];
   return ReleaseChange{chosen.scoringPoint, !chosen.released, reason->text().trimmed().toStdString()};
+}
+
+namespace {
+
+Row rowOf(const ThirdRequest& request, const QLocale& locale) {
+  QStringList by;
+  QStringList reasons;
+  for (const std::string& code : request.askedBy) by << shown(code);
+  for (const std::string& reason : request.reasons) reasons << shown(reason);
+  const QString point = scoringPointName(request.scoringPoint);
+  return {shown(request.assignmentId),
+          {{shown(request.traineeCode)},
+           {request.live ? words(QT_TRANSLATE_NOOP("Scoring", "%1, live")).arg(point) : point,
+            shown(request.scoringPoint)},
+           {by.join(QStringLiteral(", "))},
+           {reasons.join(QStringLiteral(" \u00B7 ")), {}, reasons.join(QLatin1Char('\n'))},
+           {shownTime(request.askedUtc_us, locale), static_cast<qlonglong>(request.askedUtc_us)}}};
+}
+
+void fillThirds(QComboBox* box, const ThirdRequest& request) {
+  box->clear();
+  for (const ThirdRater& rater : request.free)
+    box->addItem(words(QT_TRANSLATE_NOOP("Scoring", "%1, %2: %3 sheets wait"))
+                     .arg(shown(rater.code), orDash(rater.classCode))
+                     .arg(rater.open),
+                 shown(rater.id));
+}
+
+}  // namespace
+
+std::optional<ThirdChosen> askThirdRater(QWidget* parent, const std::vector<ThirdRequest>& requests) {
+  Question dialog(
+      parent, words(QT_TRANSLATE_NOOP("Scoring", "Assign a third rater")),
+      words(QT_TRANSLATE_NOOP("Scoring",
+                              "Physicians could not agree about these cases and ask for one more. The freest "
+                              "one of the same class is suggested; nobody learns who asked.")));
+  dialog.resize(860, 460);
+  auto* table = new DataTable(QString(), &dialog);
+  table->setColumns({{words(QT_TRANSLATE_NOOP("Scoring", "Trainee"))},
+                     {words(QT_TRANSLATE_NOOP("Scoring", "Scoring point"))},
+                     {words(QT_TRANSLATE_NOOP("Scoring", "Asked by"))},
+                     {words(QT_TRANSLATE_NOOP("Scoring", "Why"))},
+                     {words(QT_TRANSLATE_NOOP("Scoring", "Since"))}});
+  table->view().setAccessibleName(words(QT_TRANSLATE_NOOP("Scoring", "Cases that need a third rater")));
+  std::vector<Row> rows;
+  for (const ThirdRequest& request : requests) rows.push_back(rowOf(request, dialog.locale()));
+  table->setRows(std::move(rows));
+  dialog.column->addWidget(table, 1);
+  auto* to = new QComboBox(&dialog);
+  auto* form = new QFormLayout;
+  form->addRow(words(QT_TRANSLATE_NOOP("Scoring", "&Rater")), to);
+  dialog.column->addLayout(form);
+  QPushButton* ok = dialog.finish(words(QT_TRANSLATE_NOOP("Scoring", "Assign")));
+  const auto choose = [&](const QString& id) {
+    to->clear();
+    for (const ThirdRequest& request : requests) {
+      if (shown(request.assignmentId) == id) fillThirds(to, request);
+    }
+    ok->setEnabled(to->count() > 0);
+  };
+  QObject::connect(table, &DataTable::currentChanged, &dialog, choose);
+  table->select(shown(requests.front().assignmentId));
+  choose(table->currentId());
+  ok->setFocus(Qt::OtherFocusReason);
+  if (dialog.exec() != QDialog::Accepted || to->count() == 0) return std::nullopt;
+  return ThirdChosen{table->currentId().toStdString(), chosenId(to)};
 }
 
 }  // namespace torsio::gui

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/session/people/people_service.h"
+#include "app/session/review/third_rater.h"
 #include "app/session/study/scoring_plan.h"
 
 class QWidget;
@@ -35,5 +36,14 @@ struct ReleaseChange {
 };
 [[nodiscard]] std::optional<ReleaseChange> askRelease(QWidget* parent,
                                                       const std::vector<ReleaseState>& states);
+
+struct ThirdChosen {
+  std::string assignmentId{};
+  std::string raterId{};
+};
+/// Which of the cases goes to whom; the oldest request and the freest rater are chosen already. Empty: given
+/// up.
+[[nodiscard]] std::optional<ThirdChosen> askThirdRater(QWidget* parent,
+                                                       const std::vector<ThirdRequest>& requests);
 
 }  // namespace torsio::gui

@@ -12,6 +12,7 @@
 #include "app/gui/office/office_parts.h"
 #include "app/gui/office/scoring_dialogs.h"
 #include "app/gui/office/study_words.h"
+#include "app/gui/office/warm_up_dialog.h"
 #include "app/gui/shell/shell_context.h"
 #include "app/session/people/people_service.h"
 #include "app/session/study/rubric_service.h"
@@ -42,14 +43,17 @@ QString stateSign(const ScoringCell& cell) {
 ScoringPage::ScoringPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
+      warmUp_(new QPushButton(this)),
       ask_(new QPushButton(this)),
       cohortLabel_(nullptr),
       cohort_(new QComboBox(this)),
       summary_(new QLabel(this)),
       table_(new DataTable(QStringLiteral("scoring-matrix"), this)),
       reassign_(listButton(table_)),
-      release_(listButton(table_)) {
+      release_(listButton(table_)),
+      third_(listButton(table_)) {
   ask_->setProperty("primary", true);
+  heading_->addAction(warmUp_);
   heading_->addAction(ask_);
   auto* choices = new QHBoxLayout;
   choices->setSpacing(kSpace);
@@ -66,6 +70,8 @@ ScoringPage::ScoringPage(ShellContext& shell)
   connect(ask_, &QPushButton::clicked, this, &ScoringPage::askRaters);
   connect(reassign_, &QPushButton::clicked, this, &ScoringPage::reassignSheet);
   connect(release_, &QPushButton::clicked, this, &ScoringPage::release);
+  connect(third_, &QPushButton::clicked, this, &ScoringPage::assignThirdRater);
+  connect(warmUp_, &QPushButton::clicked, this, &ScoringPage::showWarmUp);
   connect(table_, &DataTable::currentChanged, this, &ScoringPage::showButtons);
   retranslate();
 }
@@ -83,8 +89,10 @@ void ScoringPage::read() {
     const std::string cohort = chosenId(cohort_);
     matrix_.reset();
     releases_.clear();
+    thirds_.clear();
     if (!cohort.empty()) {
       matrix_ = scoringMatrix(shell().workplace(), cohort);
+      thirds_ = thirdRequests(shell().workplace(), cohort);
       if (shell().workplace().may(Operation::kMarkRelease))
         releases_ = releaseStates(shell().workplace(), cohort);
     }
@@ -132,6 +140,10 @@ void ScoringPage::showButtons() {
   const std::size_t at = table_->currentId().isEmpty() ? SIZE_MAX : table_->currentId().toULongLong();
   reassign_->setEnabled(matrix_ && at < matrix_->lines.size() && matrix_->lines[at].missing > 0);
   release_->setEnabled(!releases_.empty());
+  warmUp_->setEnabled(workplace.may(Operation::kStudySetup));
+  // A number that is not 0 calls; without requests there is nothing to press.
+  third_->setVisible(!thirds_.empty());
+  third_->setText(tr("&Third rater (%1)\u2026").arg(thirds_.size()));
 }
 
 std::string ScoringPage::rubricRevision() {
@@ -193,10 +205,32 @@ void ScoringPage::release() {
   });
 }
 
+void ScoringPage::assignThirdRater() {
+  if (thirds_.empty()) return;
+  const std::optional<ThirdChosen> chosen = askThirdRater(this, thirds_);
+  if (!chosen) return;
+  attempt(shell(), [&] {
+    assignThird(shell().workplace(), chosenId(cohort_), chosen->assignmentId, chosen->raterId);
+    read();
+    shell().notify(tr("The third rater finds the case in their queue"));
+  });
+}
+
+void ScoringPage::showWarmUp() {
+  attempt(shell(), [&] {
+    static_cast<void>(rubricRevision());  // the first one comes from the shipped files
+    WarmUpDialog dialog(shell(), rubrics(shell().workplace()), this);
+    dialog.exec();
+  });
+}
+
 void ScoringPage::retranslate() {
   heading_->setTexts(tr("Scoring"),
                      tr("Who scores whom, and how far it has come. Marks are not shown here."));
+  warmUp_->setText(tr("&Warm-up\u2026"));
+  warmUp_->setToolTip(tr("The reference runs that every physician scores first"));
   ask_->setText(tr("&Ask raters\u2026"));
+  third_->setToolTip(tr("Physicians could not agree and ask for one more"));
   cohortLabel_->setText(tr("&Cohort"));
   reassign_->setText(tr("&Reassign\u2026"));
   release_->setText(tr("Re&lease marks\u2026"));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/gui/shell/page.h"
+#include "app/session/review/third_rater.h"
 #include "app/session/study/scoring_plan.h"
 
 class QComboBox;
@@ -38,11 +39,15 @@ class ScoringPage : public Page {
   void askRaters();
   void reassignSheet();
   void release();
+  void assignThirdRater();
+  void showWarmUp();
   [[nodiscard]] std::string rubricRevision();
 
   std::optional<ScoringMatrix> matrix_;
   std::vector<ReleaseState> releases_;
+  std::vector<ThirdRequest> thirds_;
   PageHeading* heading_;
+  QPushButton* warmUp_;
   QPushButton* ask_;
   QLabel* cohortLabel_;
   QComboBox* cohort_;
@@ -50,6 +55,7 @@ class ScoringPage : public Page {
   DataTable* table_;
   QPushButton* reassign_;
   QPushButton* release_;
+  QPushButton* third_;
 };
 
 }  // namespace torsio::gui

@@ -157,6 +157,9 @@ void AlignmentPage::showCase() {
   bars_->setVisible(!moving);
   legend_->setVisible(!moving);
   sheet_->setVisible(moving);
+  // The bars stand at the top; a sheet takes all the room there is.
+  auto* column = static_cast<QVBoxLayout*>(right_->layout());
+  column->setStretch(column->count() - 1, moving ? 0 : 1);
   replay_->setVisible(!one->shown.live);
   keep_->setText(moving ? tr("Leave it unchanged") : tr("&Keep my mark"));
   move_->setText(moving ? tr("Seal the moved mark") : tr("&Move it \u2026"));
@@ -224,13 +227,19 @@ void AlignmentPage::retranslate() {
   showCase();
 }
 
+std::vector<std::pair<QString, QString>> AlignmentPage::keys() const {
+  return sheetKeys();
+}
+
 void AlignmentPage::applyTheme(const Theme& theme) {
   bars_->setTheme(theme);
   sheet_->setTheme(theme);
 }
 
 void AlignmentPage::keyPressEvent(QKeyEvent* event) {
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (editor_ != nullptr) {
+    if (enter && (event->modifiers() & Qt::ControlModifier) != 0) return startMoving();  // seals
     const bool undone = event->matches(QKeySequence::Undo) && editor_->undo();
     const bool redone = event->matches(QKeySequence::Redo) && editor_->redo();
     if (undone || redone) return sheet_->refresh();

@@ -30,6 +30,7 @@ class AlignmentPage : public Page {
   ~AlignmentPage() override;
 
   void enter(const QVariant& argument) override;
+  [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
 

@@ -69,6 +69,9 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
   halves_->setChildrenCollapsible(false);
   column->addWidget(halves_, 1);
   column->addWidget(createStrip());
+  // A sentence that wraps asks for the height of its narrowest shape; on a small screen the window would
+  // grow.
+  for (QLabel* text : {remarks_, stripText_}) text->setMinimumHeight(fontMetrics().height());
   sheet_->commentField()->installEventFilter(this);
   remarkField_->installEventFilter(this);
   connect(sheet_, &SheetPanel::edited, this, &CasePage::edited);
@@ -336,7 +339,9 @@ bool CasePage::eventFilter(QObject* watched, QEvent* event) {
     const bool ours = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) ||
                       (enter && (key->modifiers() & Qt::ControlModifier) != 0);
     if (ours) keyPressEvent(key);
-    return ours;
+    const bool back = key->key() == Qt::Key_Escape;
+    if (back) sheet_->takeFocus();
+    return ours || back;
   }
   if (watched == remarkField_ && (enter || key->key() == Qt::Key_Escape)) {
     const QString text = remarkField_->text().trimmed();

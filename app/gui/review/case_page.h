@@ -37,6 +37,7 @@ class CasePage : public Page {
 
   void enter(const QVariant& argument) override;
   [[nodiscard]] bool leave() override;
+  [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
 

@@ -21,6 +21,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr std::size_t kListedRemarks = 6;
+constexpr double kRounding = 0.1;  // percent: the last tick of a recording has no length
 
 }  // namespace
 
@@ -44,6 +45,15 @@ void CasePage::retranslate() {
   stripReason_->setAccessibleName(tr("Why is the mark changed?"));
   stripBack_->setText(tr("Back to the sheet"));
   showAll();
+}
+
+std::vector<std::pair<QString, QString>> CasePage::keys() const {
+  std::vector<std::pair<QString, QString>> all = replayKeys();
+  all.emplace_back(tr("Bookmark this moment, for yourself"), QStringLiteral("B"));
+  all.emplace_back(tr("Remark at this moment, for the trainee"), QStringLiteral("R"));
+  for (auto& one : sheetKeys()) all.push_back(std::move(one));
+  all.emplace_back(tr("Not assessable: type why, Enter"), QStringLiteral("N"));
+  return all;
 }
 
 void CasePage::applyTheme(const Theme& theme) {
@@ -82,13 +92,14 @@ QString CasePage::checkText(const SheetCheck& check) const {
     parts << tr("Still open: %1.").arg(rows.join(tr(", ")));
   }
   if (!opened_.shown.live) {
-    const QString share = tr("%1 %").arg(std::floor(check.watchedShare * 100.0));
+    const QString share = tr("%1 %").arg(std::floor(check.watchedShare * 100.0 + kRounding));
     const QString least = tr("%1 %").arg(std::round(rules_.minimumWatched * 100.0));
     parts << (check.watchedTooLittle ? tr("Watched %1 so far; at least %2 is asked.").arg(share, least)
                                      : tr("Watched %1.").arg(share));
   }
   if (check.speedNotAllowed) parts << tr("It was played at a speed that is not allowed.");
   if (check.allTheSame) parts << tr("All rows have the same score. Is that meant?");
+  if (check.farApart) parts << tr("The rows lie far apart. Is that meant?");
   if (check.overallOutside) parts << tr("The overall mark lies outside the rows. Is that meant?");
   if (check.mayBeSubmitted()) parts << tr("Submitting seals the sheet.");
   return parts.join(QLatin1Char(' '));

@@ -243,6 +243,10 @@ void EvaluationPage::retranslate() {
   showAll();
 }
 
+std::vector<std::pair<QString, QString>> EvaluationPage::keys() const {
+  return sheetKeys();
+}
+
 void EvaluationPage::applyTheme(const Theme& theme) {
   sheet_->setTheme(theme);
 }

@@ -28,6 +28,7 @@ class EvaluationPage : public Page {
   ~EvaluationPage() override;
 
   void enter(const QVariant& argument) override;
+  [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
 

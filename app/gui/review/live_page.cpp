@@ -24,6 +24,7 @@ namespace {
 
 constexpr int kTouch_px = 44;
 constexpr int kTick_ms = 100;
+constexpr std::int64_t kSitting_us = 12 * 3'600'000'000LL;  // sealed before that: another day's work
 
 }  // namespace
 
@@ -36,6 +37,8 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
       start_(primaryButton(this)),
       write_(new QPushButton(this)),
       submit_(primaryButton(this)),
+      amend_(new QPushButton(this)),
+      older_(new QPushButton(this)),
       said_(sentence(this)),
       sheet_(new SheetPanel(true, this)) {
   auto* column = new QVBoxLayout(this);
@@ -51,23 +54,32 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
   order_ = new QVBoxLayout(ground);
   order_->setContentsMargins(0, 0, kSpace, 0);
   scroll->setWidget(ground);
-  row->addWidget(scroll, 1);
+  auto* left = new QVBoxLayout;
+  left->addWidget(scroll, 1);
+  left->addWidget(older_);
+  row->addLayout(left, 1);
   auto* right = new QVBoxLayout;
   createClock(right);
   right->addWidget(sheet_, 1);
   auto* foot = new QHBoxLayout;
   foot->addWidget(said_, 1);
+  foot->addWidget(amend_);
   foot->addWidget(submit_);
   right->addLayout(foot);
   row->addLayout(right, 3);
   column->addLayout(row, 1);
   // The style sheet of the application decides the height of push buttons; a finger needs more.
   const QString tall = QStringLiteral("QPushButton { min-height: %1px; }").arg(kTouch_px - 2 * kSpace + 2);
-  for (QPushButton* button : {start_, write_, submit_}) button->setStyleSheet(tall);
+  for (QPushButton* button : {start_, write_, submit_, amend_, older_}) button->setStyleSheet(tall);
   group_->setExclusive(true);
   sheet_->commentField()->installEventFilter(this);
   connect(sheet_, &SheetPanel::edited, this, &LivePage::edited);
   connect(submit_, &QPushButton::clicked, this, &LivePage::submit);
+  connect(amend_, &QPushButton::clicked, this, &LivePage::amend);
+  connect(older_, &QPushButton::clicked, this, [this] {
+    withOlder_ = !withOlder_;
+    showLines();
+  });
   connect(&tick_, &QTimer::timeout, this, &LivePage::showClock);
 }
 
@@ -88,6 +100,9 @@ void LivePage::createClock(QVBoxLayout* column) {
 }
 
 void LivePage::enter(const QVariant&) {
+  keptAt_ = keptAt(shell().workplace());
+  withOlder_ = false;
+  retranslate();  // the heading says where things are kept
   readLines();
   for (const QueueLine& line : lines_) {
     if (line.state == SheetState::kSubmitted) continue;
@@ -99,7 +114,7 @@ void LivePage::enter(const QVariant&) {
     sheet_->setEditor(nullptr);
     showAll();
   } else {
-    openLine(lines_.front().shown.assignmentId);
+    openLine(lines_.back().shown.assignmentId);
   }
 }
 
@@ -122,7 +137,12 @@ void LivePage::showLines() {
   }
   while (QLayoutItem* item = order_->takeAt(0)) delete item;
   int number = 0;
+  int hidden = 0;
   for (const QueueLine& line : lines_) {
+    if (isOlder(line)) {
+      ++hidden;
+      if (!withOlder_) continue;
+    }
     auto* button = new QToolButton(this);
     button->setCheckable(true);
     button->setMinimumHeight(kTouch_px);
@@ -146,6 +166,21 @@ void LivePage::showLines() {
     });
   }
   order_->addStretch(1);
+  older_->setVisible(hidden > 0);
+  older_->setText(withOlder_ ? tr("Hide earlier ones") : tr("Show earlier ones (%1)").arg(hidden));
+}
+
+bool LivePage::isOlder(const QueueLine& line) const {
+  return line.state == SheetState::kSubmitted &&
+         line.submittedUtc_us < shell().workplace().now_us() - kSitting_us;
+}
+
+QString LivePage::savedWords() const {
+  return keptAt_ == KeptAt::kThisMachine ? tr("Saved on this machine") : tr("Saved on the centre's server");
+}
+
+void LivePage::amend() {
+  if (editor_ != nullptr) shell().open(QStringLiteral("review.case"), words(opened_.shown.assignmentId));
 }
 
 void LivePage::openLine(const std::string& assignmentId) {
@@ -170,8 +205,10 @@ void LivePage::edited() {
       readLines();
     }
     setLook(said_, "caution", false);
-    said_->setText(tr("Saved on this machine"));
+    said_->setText(savedWords());
   } catch (...) {
+    setLook(said_, "caution", true);
+    said_->setText(tr("Not saved"));
     shell().report(std::current_exception());
   }
   showAll();
@@ -231,6 +268,7 @@ void LivePage::submit() {
     asking_ = true;
     setLook(said_, "caution", false);
     said_->setText(check.allTheSame ? tr("All rows have the same score. Press again to seal the sheet.")
+                   : check.farApart ? tr("The rows lie far apart. Press again to seal the sheet.")
                                     : tr("Everything is scored. Press again to seal the sheet."));
     return;
   }
@@ -249,7 +287,8 @@ void LivePage::showAll() {
   start_->setText(tick_.isActive() ? tr("Stop the timer") : tr("Start the timer"));
   start_->setEnabled(open);
   write_->setEnabled(open && !tick_.isActive() && clocked_us_ > 0);
-  submit_->setEnabled(open);
+  submit_->setVisible(open);
+  amend_->setVisible(!open && editor_ != nullptr);
   sheet_->setReadOnly(!open);
   if (!open && editor_ != nullptr) said_->setText(tr("Submitted and sealed"));
   showClock();
@@ -257,13 +296,25 @@ void LivePage::showAll() {
 
 void LivePage::retranslate() {
   heading_->setTexts(tr("Live sheet"),
-                     tr("Real arm, in running order. Works without a network; every tap is saved."));
+                     keptAt_ == KeptAt::kThisMachine
+                         ? tr("Real arm, in running order. Works without a network; every tap is saved.")
+                         : tr("Real arm, in running order. Every tap is saved on the centre's server; if it "
+                              "cannot be reached, it is said at once."));
+  amend_->setText(tr("&Amend \u2026"));
+  amend_->setToolTip(tr("Makes a new version with a reason; the submitted one is kept"));
   write_->setText(tr("Note the time"));
   submit_->setText(tr("Submit"));
   clock_->setAccessibleName(tr("Timer"));
   sheet_->retranslate();
   showLines();
   showAll();
+}
+
+std::vector<std::pair<QString, QString>> LivePage::keys() const {
+  std::vector<std::pair<QString, QString>> all = sheetKeys();
+  all.emplace_back(tr("Start or stop the timer"), QStringLiteral("Space"));
+  all.emplace_back(tr("Not assessable: type why, Enter"), QStringLiteral("N"));
+  return all;
 }
 
 void LivePage::applyTheme(const Theme& theme) {
@@ -292,7 +343,9 @@ bool LivePage::eventFilter(QObject* watched, QEvent* event) {
   const bool ours = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) ||
                     (enter && (key->modifiers() & Qt::ControlModifier) != 0);
   if (ours) keyPressEvent(key);
-  return ours;
+  const bool back = key->key() == Qt::Key_Escape;
+  if (back) sheet_->takeFocus();
+  return ours || back;
 }
 
 }  // namespace torsio::gui

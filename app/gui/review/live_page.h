@@ -35,6 +35,7 @@ class LivePage : public Page {
 
   void enter(const QVariant& argument) override;
   [[nodiscard]] bool leave() override;
+  [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
 
@@ -54,7 +55,10 @@ class LivePage : public Page {
   void showClock();
   void writeTime();
   void submit();
+  void amend();
   void showAll();
+  [[nodiscard]] bool isOlder(const QueueLine& line) const;
+  [[nodiscard]] QString savedWords() const;
 
   PageHeading* heading_;
   QVBoxLayout* order_;
@@ -64,6 +68,8 @@ class LivePage : public Page {
   QPushButton* start_;
   QPushButton* write_;
   QPushButton* submit_;
+  QPushButton* amend_;
+  QPushButton* older_;
   QLabel* said_;
   SheetPanel* sheet_;
   std::vector<QueueLine> lines_;
@@ -72,6 +78,8 @@ class LivePage : public Page {
   QTimer tick_;
   QElapsedTimer running_;
   std::int64_t clocked_us_ = 0;
+  KeptAt keptAt_ = KeptAt::kThisMachine;
+  bool withOlder_ = false;
   bool asking_ = false;
 };
 

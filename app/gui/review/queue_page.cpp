@@ -2,7 +2,9 @@
 #include "app/gui/review/queue_page.h"
 
 #include <cmath>
+#include <utility>
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -19,6 +21,12 @@
 #include "app/gui/shell/shell_context.h"
 
 namespace torsio::gui {
+
+namespace {
+
+constexpr int kDoorsBeside = 2;  // a third would leave no room for their sentences
+
+}  // namespace
 
 QueuePage::QueuePage(ShellContext& shell, QWidget* parent)
     : Page(shell, parent),
@@ -57,15 +65,18 @@ QueuePage::Figure QueuePage::addFigure(QHBoxLayout* row) {
 void QueuePage::createDoors(QVBoxLayout* outer) {
   doors_ = new Card(QString(), this);
   outer->addWidget(doors_);
-  QVBoxLayout* column = doors_->content();
-  const auto add = [this, column](const char* page) {
+  doorPlaces_ = new QGridLayout;
+  doorPlaces_->setHorizontalSpacing(4 * kSpace);
+  doorPlaces_->setVerticalSpacing(kSpace);
+  for (int column = 0; column < kDoorsBeside; ++column) doorPlaces_->setColumnStretch(column, 1);
+  doors_->content()->addLayout(doorPlaces_);
+  const auto add = [this](const char* page) {
     Door door{sentence(this, false), new QPushButton(this), new QWidget(this)};
     auto* row = new QHBoxLayout(door.row);
     row->setContentsMargins(0, 0, 0, 0);
-    door.button->setMinimumWidth(16 * fontMetrics().averageCharWidth());
+    door.button->setMinimumWidth(14 * fontMetrics().averageCharWidth());
     row->addWidget(door.text, 1);
     row->addWidget(door.button);
-    column->addWidget(door.row);
     const QString id = QString::fromLatin1(page);
     connect(door.button, &QPushButton::clicked, this, [this, id] { this->shell().open(id); });
     return door;
@@ -73,6 +84,7 @@ void QueuePage::createDoors(QVBoxLayout* outer) {
   warmUp_ = add("review.warmup");
   live_ = add("review.live");
   alignment_ = add("review.alignment");
+  evaluation_ = add("review.evaluation");
 }
 
 void QueuePage::enter(const QVariant&) {
@@ -93,6 +105,7 @@ void QueuePage::retranslate() {
   warmUp_.button->setText(tr("&Warm up"));
   live_.button->setText(tr("&Live sheet"));
   alignment_.button->setText(tr("&Alignment"));
+  evaluation_.button->setText(tr("&Evaluation"));
   table_->view().setAccessibleName(tr("Your cases"));
   table_->setColumns({{tr("Case")}, {tr("State")}, {tr("Length"), true}, {tr("Due")}, {tr("Minutes"), true}});
   table_->setEmptyText(tr("No recorded case is assigned to you. New ones appear here by themselves."));
@@ -116,15 +129,25 @@ void QueuePage::showFigures() {
 }
 
 void QueuePage::showDoors() {
-  warmUp_.row->setVisible(queue_.warmUpWaiting);
   warmUp_.text->setText(
-      tr("Before the first case: score two reference runs and see how far you are from the panel."));
-  live_.row->setVisible(queue_.liveWaiting > 0);
+      tr("Before the first case: score the reference runs and see how far you are from the panel."));
   live_.text->setText(tr("Live cases on the real arm that wait for you: %1.").arg(queue_.liveWaiting));
-  alignment_.row->setVisible(queue_.disagreements > 0);
-  doors_->setVisible(queue_.warmUpWaiting || queue_.liveWaiting > 0 || queue_.disagreements > 0);
   alignment_.text->setText(
       tr("All have submitted. Your marks that lie apart from the others: %1.").arg(queue_.disagreements));
+  evaluation_.text->setText(tr("Tissue models that ask for your nine marks: %1.").arg(queue_.models));
+  const std::pair<Door*, bool> all[] = {{&warmUp_, queue_.warmUpWaiting},
+                                        {&live_, queue_.liveWaiting > 0},
+                                        {&alignment_, queue_.disagreements > 0},
+                                        {&evaluation_, queue_.models > 0}};
+  int place = 0;
+  for (const auto& [door, waits] : all) {
+    doorPlaces_->removeWidget(door->row);
+    door->row->setVisible(waits);
+    if (!waits) continue;
+    doorPlaces_->addWidget(door->row, place / kDoorsBeside, place % kDoorsBeside);
+    ++place;
+  }
+  doors_->setVisible(place > 0);
 }
 
 void QueuePage::showQueue() {

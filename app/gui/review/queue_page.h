@@ -4,6 +4,7 @@
 #include "app/gui/shell/page.h"
 #include "app/session/review/review_queue.h"
 
+class QGridLayout;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
@@ -53,9 +54,11 @@ class QueuePage : public Page {
     QWidget* row;
   };
   Card* doors_;
+  QGridLayout* doorPlaces_;
   Door warmUp_;
   Door live_;
   Door alignment_;
+  Door evaluation_;
   DataTable* table_;
   ReviewQueue queue_;
 };

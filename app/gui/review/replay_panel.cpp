@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <QHBoxLayout>
@@ -26,14 +27,19 @@ constexpr double kLongestFrame_s =
     0.25;  // a window that was dragged or a lid that was closed is not watching
 constexpr std::int64_t kJump_us = 5'000'000;
 constexpr std::int64_t kStep_us = 40'000;
+constexpr std::int64_t kHalfSecond_us = 500'000;  // the last sample of 0:20 lies a tick before it
 
 }  // namespace
 
-std::shared_ptr<LoadedRecording> loadForShowing(const BlindedRecording& recording,
+std::shared_ptr<LoadedRecording> loadForShowing(BlindedRecording recording,
                                                 const std::filesystem::path& assets) {
   std::shared_ptr<LoadedRecording> loaded;
   try {
-    loaded = std::make_shared<LoadedRecording>(recording);
+    // The chunks move on to the playback, so that they are in memory once; the header stays for the scene.
+    Trial trial{recording.trial.header, std::move(recording.trial.chunks), recording.trial.summary};
+    TraceCollector traces(trial.summary.samples);
+    TrialPlayback playback(std::move(trial), [&](std::span<const Sample> samples) { traces.add(samples); });
+    loaded = std::make_shared<LoadedRecording>(std::move(playback), traces.finish(), recording.digest);
   } catch (...) {
     rethrowBlinded(std::current_exception(), recording.label);
   }
@@ -215,6 +221,14 @@ bool ReplayPanel::handleKey(int key) {
       pause();
       seek_us(position_us() + kStep_us);
       return true;
+    case Qt::Key_Home:
+      pause();
+      seek_us(0);
+      return true;
+    case Qt::Key_End:
+      pause();
+      if (ready()) seek_us(recording_->playback.duration_us());
+      return true;
     default:
       return false;
   }
@@ -245,8 +259,10 @@ void ReplayPanel::showState() {
     view_->setTool(state.tool, state.grip);
   }
   traces_->setPosition_us(position_us());
+  const std::int64_t end_us = recording_->playback.duration_us();
+  const std::int64_t whole_us = end_us + kHalfSecond_us;
   const QString text =
-      tr("%1 of %2").arg(clockTime(position_us()), clockTime(recording_->playback.duration_us()));
+      tr("%1 of %2").arg(clockTime(position_us() < end_us ? position_us() : whole_us), clockTime(whole_us));
   if (time_->text() != text) time_->setText(text);
 }
 

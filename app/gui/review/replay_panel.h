@@ -5,6 +5,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <QElapsedTimer>
@@ -24,8 +26,8 @@ namespace torsio::gui {
 
 /// A blinded recording with everything that its showing needs; made in a worker thread.
 struct LoadedRecording {
-  explicit LoadedRecording(const BlindedRecording& recording)
-      : playback(recording.trial), traces(traceData(playback)), digest(recording.digest) {}
+  LoadedRecording(TrialPlayback itsPlayback, TraceData itsTraces, std::string itsDigest)
+      : playback(std::move(itsPlayback)), traces(std::move(itsTraces)), digest(std::move(itsDigest)) {}
 
   TrialPlayback playback;
   TraceData traces;
@@ -35,7 +37,7 @@ struct LoadedRecording {
 };
 /// Decodes, checks and builds; a missing organ leaves the scene empty. Throws Error for a recording that
 /// cannot be played. Worker thread.
-[[nodiscard]] std::shared_ptr<LoadedRecording> loadForShowing(const BlindedRecording& recording,
+[[nodiscard]] std::shared_ptr<LoadedRecording> loadForShowing(BlindedRecording recording,
                                                               const std::filesystem::path& assets);
 
 /// The organ in 3D, the linked traces under it, and the transport: what a rater watches. Keys come from the

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
 
@@ -33,6 +34,39 @@ QString signedText(double points) {
 
 QString dayText(std::int64_t utc_us) {
   return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000).date(), QLocale::ShortFormat);
+}
+
+namespace {
+
+QString key(const char* text) {
+  return QCoreApplication::translate("torsio::gui::ReviewKeys", text);
+}
+
+}  // namespace
+
+std::vector<std::pair<QString, QString>> sheetKeys() {
+  return {
+      {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Score the marked row; 1 and then 0 is ten")),
+       QStringLiteral("0 \u2026 9")},
+      {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys",
+                             "Half a point less or more; with Shift the finest step")),
+       QStringLiteral("\u2190 \u2192")},
+      {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Another row")),
+       QStringLiteral("\u2191 \u2193, Tab")},
+      {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Take the score back")), QStringLiteral("Backspace")},
+      {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Undo, redo")), QStringLiteral("Ctrl+Z, Ctrl+Y")},
+      {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Submit; a second time seals")),
+       QStringLiteral("Ctrl+Enter")}};
+}
+
+std::vector<std::pair<QString, QString>> replayKeys() {
+  return {{key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Play, pause")), QStringLiteral("Space")},
+          {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Five seconds back, pause, play")),
+           QStringLiteral("J, K, L")},
+          {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "One picture back, one picture on")),
+           QStringLiteral(",  .")},
+          {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Beginning, end of the recording")),
+           QStringLiteral("Home, End")}};
 }
 
 }  // namespace torsio::gui

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <QString>
 
@@ -19,6 +21,10 @@ namespace torsio::gui {
 [[nodiscard]] QString signedText(double points);
 /// A day as the reader writes it.
 [[nodiscard]] QString dayText(std::int64_t utc_us);
+
+/// For Page::keys(): what scores a sheet, and what moves a recording.
+[[nodiscard]] std::vector<std::pair<QString, QString>> sheetKeys();
+[[nodiscard]] std::vector<std::pair<QString, QString>> replayKeys();
 
 [[nodiscard]] inline QString words(const std::string& text) {
   return QString::fromStdString(text);

@@ -86,6 +86,7 @@ void SheetPanel::setReadOnly(bool readOnly) {
 
 void SheetPanel::build() {
   for (ScoreRow* row : rows_) {
+    row->disconnect(this);  // the keyboard wanders on when a row goes; that is nobody's choice
     row->hide();
     row->deleteLater();
   }
@@ -131,6 +132,7 @@ void SheetPanel::refresh() {
   if (comment_->toPlainText() == comment) return;
   filling_ = true;
   comment_->setPlainText(comment);
+  comment_->moveCursor(QTextCursor::End);  // who comes here goes on writing
   filling_ = false;
 }
 

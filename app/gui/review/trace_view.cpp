@@ -11,7 +11,6 @@
 #include <QPainter>
 
 #include "app/gui/review/review_words.h"
-#include "app/gui/trial_playback.h"
 
 namespace torsio::gui {
 
@@ -19,31 +18,46 @@ namespace {
 
 constexpr int kLaneGap = 6;
 constexpr int kWatchedHeight = 4;
+constexpr std::size_t kMostStretches = 65'536;  // a dozen for each pixel of the widest screen
 constexpr double kRadToDeg = 180.0 / std::numbers::pi;
 constexpr std::int64_t kTickSteps_us[] = {1'000'000,  2'000'000,   5'000'000,   10'000'000,  30'000'000,
                                           60'000'000, 120'000'000, 300'000'000, 600'000'000, 1'800'000'000};
 
 }  // namespace
 
-TraceData traceData(const TrialPlayback& playback) {
-  const std::vector<Sample>& samples = playback.samples();
-  std::vector<float> angle;
-  std::vector<float> torque;
-  std::vector<float> force;
-  TraceData data;
-  for (std::vector<float>* values : {&angle, &torque, &force}) values->reserve(samples.size());
-  data.times_us.reserve(samples.size());
-  const std::int64_t begin_us = samples.front().device.time_us;
+TraceCollector::TraceCollector(std::int64_t samples)
+    : perStretch_((static_cast<std::size_t>(std::max<std::int64_t>(samples, 0)) + kMostStretches - 1) /
+                  kMostStretches) {
+  perStretch_ = std::max<std::size_t>(perStretch_, 1);
+}
+
+void TraceCollector::add(std::span<const Sample> samples) {
   for (const Sample& sample : samples) {
-    angle.push_back(static_cast<float>(sample.response.angle_rad * kRadToDeg));
-    torque.push_back(static_cast<float>(sample.response.torque_Nm));
-    force.push_back(static_cast<float>(norm(sample.force_N)));
-    data.times_us.push_back(sample.device.time_us - begin_us);
+    if (!begun_) begin_us_ = sample.device.time_us;
+    begun_ = true;
+    const std::array<float, 3> now{static_cast<float>(sample.response.angle_rad * kRadToDeg),
+                                   static_cast<float>(sample.response.torque_Nm),
+                                   static_cast<float>(norm(sample.force_N))};
+    data_.duration_us = sample.device.time_us - begin_us_;
+    if (inStretch_ == 0) data_.times_us.push_back(data_.duration_us);
+    for (std::size_t lane = 0; lane < now.size(); ++lane) {
+      std::vector<float>& values = values_[lane];
+      if (inStretch_ == 0) {
+        values.insert(values.end(), 2, now[lane]);
+      } else {
+        values[values.size() - 2] = std::min(values[values.size() - 2], now[lane]);
+        values.back() = std::max(values.back(), now[lane]);
+      }
+    }
+    inStretch_ = (inStretch_ + 1) % perStretch_;
   }
-  data.angle_deg = RangePyramid(std::move(angle));
-  data.torque_Nm = RangePyramid(std::move(torque));
-  data.force_N = RangePyramid(std::move(force));
-  return data;
+}
+
+TraceData TraceCollector::finish() {
+  data_.angle_deg = RangePyramid(std::move(values_[0]));
+  data_.torque_Nm = RangePyramid(std::move(values_[1]));
+  data_.force_N = RangePyramid(std::move(values_[2]));
+  return std::move(data_);
 }
 
 TraceView::TraceView(QWidget* parent) : QWidget(parent), theme_(&theme(ThemeKind::kLight)) {
@@ -102,7 +116,7 @@ QSize TraceView::minimumSizeHint() const {
 }
 
 std::int64_t TraceView::duration_us() const noexcept {
-  return data_ == nullptr || data_->times_us.empty() ? 0 : data_->times_us.back();
+  return data_ == nullptr ? 0 : data_->duration_us;
 }
 
 QRect TraceView::plot() const {
@@ -163,10 +177,10 @@ void TraceView::drawLane(QPainter& painter, const Lane& lane, const QRect& area)
   std::size_t first = 0;
   for (int x = 0; x < area.width(); ++x) {
     const std::int64_t until_us = duration_us() * (x + 1) / area.width();
-    const std::size_t last = std::min(std::max(indexAt(until_us), first + 1), lane.values->size());
+    const std::size_t last = std::min(std::max(indexAt(until_us), first + 1), data_->times_us.size());
     if (first >= last) break;
-    // One sample of overlap joins the columns.
-    const RangePyramid::Range range = lane.values->range(first > 0 ? first - 1 : 0, last);
+    // One stretch of overlap joins the columns.
+    const RangePyramid::Range range = lane.values->range(2 * (first > 0 ? first - 1 : 0), 2 * last);
     painter.drawLine(area.left() + x, yOf(range.low), area.left() + x, yOf(range.high));
     first = last;
   }

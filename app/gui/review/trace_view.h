@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <QPixmap>
@@ -10,20 +12,38 @@
 
 #include "app/gui/look/theme.h"
 #include "app/session/review/range_pyramid.h"
+#include "sim/base/live_types.h"
 
 namespace torsio::gui {
 
-class TrialPlayback;
-
-/// Angle, torque and force of a recording, ready to be drawn at any width.
+/// Angle, torque and force of a recording, ready to be drawn at any width: for each stretch of time, lowest
+/// and highest value one after the other. A short recording has one stretch a sample; a long one no more
+/// stretches than any screen can show, so that forty minutes take as little room as one.
 struct TraceData {
   RangePyramid angle_deg;
   RangePyramid torque_Nm;
   RangePyramid force_N;
-  std::vector<std::int64_t> times_us;  ///< since the first sample, one a sample
+  std::vector<std::int64_t> times_us;  ///< where each stretch begins, since the first sample
+  std::int64_t duration_us = 0;
 };
-/// Reads every sample once; any thread.
-[[nodiscard]] TraceData traceData(const TrialPlayback& playback);
+
+/// Makes traces while the samples go by. Any one thread.
+class TraceCollector {
+ public:
+  /// `samples`: as many as will come, about.
+  explicit TraceCollector(std::int64_t samples);
+  /// The next ones, in order.
+  void add(std::span<const Sample> samples);
+  [[nodiscard]] TraceData finish();
+
+ private:
+  std::size_t perStretch_;
+  std::size_t inStretch_ = 0;
+  std::int64_t begin_us_ = 0;
+  bool begun_ = false;
+  std::array<std::vector<float>, 3> values_;  // angle, torque, force; low, high, low, high ...
+  TraceData data_;
+};
 
 /// Three linked traces over one time axis with cursor, bookmarks and the stretches that have been watched. A
 /// click or drag moves the cursor. The traces are drawn once a size and theme; moving the cursor costs the

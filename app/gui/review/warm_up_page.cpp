@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/review/warm_up_page.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QButtonGroup>
@@ -44,7 +45,9 @@ WarmUpPage::WarmUpPage(ShellContext& shell, QWidget* parent)
       compare_(primaryButton(this)),
       resultCard_(new Card(QString(), this)),
       result_(sentence(this, false)),
-      sum_(sentence(this)) {
+      sum_(sentence(this)),
+      rubricCard_(new Card(QString(), this)),
+      anchors_(sentence(this)) {
   sheet_->setScoresOnly();
   heading_->addAction(goOn_);
   auto* column = new QVBoxLayout(this);
@@ -62,6 +65,8 @@ WarmUpPage::WarmUpPage(ShellContext& shell, QWidget* parent)
   resultCard_->content()->addWidget(result_);
   resultCard_->content()->addWidget(sum_);
   right->addWidget(resultCard_);
+  rubricCard_->content()->addWidget(anchors_);
+  right->addWidget(rubricCard_);
   right->addStretch(1);
   row->addLayout(right, 2);
   column->addLayout(row, 1);
@@ -150,7 +155,13 @@ void WarmUpPage::showResult() {
   const bool any = number_ > 0;
   compare_->setVisible(any);
   compare_->setEnabled(any && editor_ != nullptr && editor_->answer(kOverallRow).score_steps.has_value());
-  goOn_->setText(warmUp_.complete() ? tr("On to the &queue") : tr("&Queue"));
+  goOn_->setText(tr("&Queue"));
+  const std::size_t next = nextNumber();
+  compare_->setText(!compared() ? tr("&Compare with the panel")
+                    : next > 0  ? tr("Go on with reference %1").arg(static_cast<int>(next))
+                                : tr("On to the queue"));
+  anchors_->setText(anchorWords());
+  rubricCard_->setVisible(any && !anchors_->text().isEmpty());
   const WarmUpRun* run = any ? &warmUp_.runs[number_ - 1] : nullptr;
   resultCard_->setVisible(any);
   if (run == nullptr) return;
@@ -181,6 +192,7 @@ void WarmUpPage::compare() {
   if (editor_ == nullptr || number_ == 0) return;
   const auto score = editor_->answer(kOverallRow).score_steps;
   if (!score) return;
+  if (compared()) return goNext();
   try {
     scoreReferenceRun(shell().workplace(), number_, *score);
     warmUp_ = warmUp(shell().workplace());
@@ -191,17 +203,55 @@ void WarmUpPage::compare() {
   showResult();
 }
 
+bool WarmUpPage::compared() const {
+  return number_ > 0 && editor_ != nullptr && warmUp_.runs[number_ - 1].own_steps.has_value() &&
+         editor_->answer(kOverallRow).score_steps == warmUp_.runs[number_ - 1].own_steps;
+}
+
+std::size_t WarmUpPage::nextNumber() const {
+  const auto open = std::find_if(warmUp_.runs.begin(), warmUp_.runs.end(),
+                                 [](const WarmUpRun& run) { return !run.own_steps.has_value(); });
+  return open == warmUp_.runs.end() ? 0 : open->number;
+}
+
+void WarmUpPage::goNext() {
+  if (const std::size_t next = nextNumber(); next > 0) {
+    openRun(next);
+  } else {
+    shell().open(QStringLiteral("review.queue"));
+  }
+}
+
+QString WarmUpPage::anchorWords() const {
+  QStringList lines;
+  for (const StoredRubricRow& row : warmUp_.rubric.rows) {
+    QStringList points;
+    for (const StoredAnchor& anchor : row.anchors)
+      points << tr("%1: %2").arg(scoreText(anchor.score_steps, row.scale), words(anchor.meaning));
+    if (!points.isEmpty())
+      lines << tr("%1. %2").arg(words(row.label), points.join(QStringLiteral("  \u00b7  ")));
+  }
+  return lines.join(QStringLiteral("\n\n"));
+}
+
 void WarmUpPage::retranslate() {
   heading_->setTexts(tr("Warm-up"),
                      tr("Score the reference runs before the real cases and see your own offset from the "
                         "panel. Nobody else sees it."));
-  compare_->setText(tr("&Compare with the panel"));
   compare_->setToolTip(tr("Ctrl+Enter"));
   resultCard_->setTitle(tr("Your offset"));
+  rubricCard_->setTitle(tr("What the rubric asks for"));
   replay_->retranslate();
   sheet_->retranslate();
   showRuns();
   showResult();
+}
+
+std::vector<std::pair<QString, QString>> WarmUpPage::keys() const {
+  std::vector<std::pair<QString, QString>> all = replayKeys();
+  for (auto& one : sheetKeys()) all.push_back(std::move(one));
+  all.back().first = tr("Compare with the panel");
+  return all;
 }
 
 void WarmUpPage::applyTheme(const Theme& theme) {

@@ -29,6 +29,7 @@ class WarmUpPage : public Page {
 
   void enter(const QVariant& argument) override;
   [[nodiscard]] bool leave() override;
+  [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
   [[nodiscard]] ReplayPanel& replay() noexcept { return *replay_; }
@@ -41,6 +42,12 @@ class WarmUpPage : public Page {
   void showRuns();
   void showResult();
   void compare();
+  void goNext();
+  /// The mark on the sheet is the one that was compared last.
+  [[nodiscard]] bool compared() const;
+  /// The first run that is not scored; 0: none.
+  [[nodiscard]] std::size_t nextNumber() const;
+  [[nodiscard]] QString anchorWords() const;
 
   PageHeading* heading_;
   QPushButton* goOn_;
@@ -52,6 +59,8 @@ class WarmUpPage : public Page {
   Card* resultCard_;
   QLabel* result_;
   QLabel* sum_;
+  Card* rubricCard_;
+  QLabel* anchors_;
   WarmUp warmUp_;
   std::size_t number_ = 0;
   std::unique_ptr<SheetEditor> editor_;

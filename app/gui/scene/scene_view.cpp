@@ -135,6 +135,14 @@ void SceneView::registerTypes() {
   Q_UNUSED(kOnce)
 }
 
+void SceneView::prepareWindow(QWidget& window) {
+  if (!platformCanRender()) return;
+  auto* surface = new QQuickWidget(&window);  // never shown, draws nothing
+  surface->setFocusPolicy(Qt::NoFocus);
+  surface->resize(1, 1);
+  surface->hide();
+}
+
 bool SceneView::platformCanRender() {
   const QString platform = QGuiApplication::platformName();
   return platform != QLatin1String("offscreen") && platform != QLatin1String("minimal") &&

@@ -77,6 +77,9 @@ class SceneView : public QWidget {
   static void prepareGraphics();
   /// Names the scene's own types to QML; the constructor does it where the scene can be drawn.
   static void registerTypes();
+  /// Gives a window, before it is first shown, the kind of surface that scenes are drawn on. Without it the
+  /// first scene that appears in it makes the window anew: it flickers, and the keyboard is lost.
+  static void prepareWindow(QWidget& window);
   /// False on platforms that cannot draw the scene.
   [[nodiscard]] static bool platformCanRender();
 

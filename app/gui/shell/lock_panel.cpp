@@ -67,7 +67,7 @@ void LockPanel::setWorking(bool working) {
   unlock_->setEnabled(!working);
   secret_->setEnabled(!working);
   signOut_->setEnabled(!working);
-  if (!working) secret_->setFocus();
+  if (!working && isVisible()) secret_->setFocus();  // hidden, it would take the keyboard from the sign-in
 }
 
 void LockPanel::retranslate() {

@@ -5,11 +5,24 @@
 #include <utility>
 
 #include <QCoreApplication>
+#include <QElapsedTimer>
 
 #include "app/gui/shell/spoken.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
+
+namespace {
+
+/// As fast as until now; not known (negative) before there is something to go by.
+double guessedRemaining_s(double elapsed_s, double fraction) {
+  constexpr double kSomething = 0.05;
+  constexpr double kLongEnough_s = 2.0;
+  if (fraction < kSomething || fraction > 1.0 || elapsed_s < kLongEnough_s) return -1.0;
+  return elapsed_s * (1.0 - fraction) / fraction;
+}
+
+}  // namespace
 
 ShellContext::ShellContext(Workplace& workplace, std::filesystem::path assets, ThemeKind theme)
     : workplace_(workplace), assets_(std::move(assets)), theme_(theme) {
@@ -61,10 +74,16 @@ void ShellContext::run(const QString& title, Work work, std::function<void()> do
     std::exception_ptr problem;
     try {
       Workplace own(key);
-      work(own, [this](const Progress& progress) {
+      QElapsedTimer since;
+      since.start();
+      work(own, [this, since](const Progress& progress) {
         if (cancelled_.load()) throw Cancelled{};
-        QMetaObject::invokeMethod(this, [this, progress] {
-          Q_EMIT jobMoved(spoken(progress.step), progress.fraction, progress.remaining_s);
+        const double left_s =
+            progress.remaining_s >= 0.0
+                ? progress.remaining_s
+                : guessedRemaining_s(static_cast<double>(since.elapsed()) / 1000.0, progress.fraction);
+        QMetaObject::invokeMethod(this, [this, progress, left_s] {
+          Q_EMIT jobMoved(spoken(progress.step), progress.fraction, left_s);
         });
       });
     } catch (...) {

@@ -20,6 +20,14 @@ namespace torsio::gui {
 /// Thrown by a job's own progress call after the user pressed cancel; jobs let it pass.
 struct Cancelled {};
 
+/// The record of this station changes under everybody: it is replaced by a backup, or lies elsewhere from now
+/// on.
+struct RecordChange {
+  std::function<void()> swap{};  ///< while nobody has the record open; may throw, then nothing has changed
+  QString locator{};             ///< from now on; empty: as before
+  QString sentence{};            ///< said at the sign-in that follows
+};
+
 /// What pages need from round them. GUI thread.
 class ShellContext : public QObject {
   Q_OBJECT
@@ -48,6 +56,9 @@ class ShellContext : public QObject {
   using Work = std::function<void(Workplace&, const ProgressCallback&)>;
   void run(const QString& title, Work work, std::function<void()> done);
   [[nodiscard]] bool working() const noexcept { return jobs_ > 0; }
+  /// Closes the desk and the record, carries out the change, and goes back to sign-in. The calling page dies
+  /// soon after.
+  void changeRecord(const RecordChange& change) { Q_EMIT recordChangeWanted(change); }
   /// Waits for all jobs: tests, and the end of the program.
   void waitForJobs();
   void cancelJobs() noexcept { cancelled_.store(true); }
@@ -57,6 +68,7 @@ class ShellContext : public QObject {
   void noticed(const QString& sentence);
   void failed(const QString& happened, const QString& remedy, const QString& details);
   void themeChanged(ThemeKind kind);
+  void recordChangeWanted(const torsio::gui::RecordChange& change);
   void jobStarted(const QString& title);
   void jobMoved(const QString& step, double fraction, double remaining_s);
   void jobEnded();

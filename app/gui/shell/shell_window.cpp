@@ -6,15 +6,18 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QInputDialog>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QShortcut>
 #include <QStackedWidget>
+#include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/about_box.h"
 #include "app/gui/shell/credentials_dialog.h"
 #include "app/gui/shell/job_panel.h"
@@ -45,6 +48,20 @@ QString said(const std::exception_ptr& problem) {
   }
 }
 
+/// Enter presses the button that has the keyboard, as it does in dialogs. True: it was one.
+bool pressedByEnter(const QWidget& window, QObject* watched, const QEvent& event) {
+  if (event.type() != QEvent::KeyPress) return false;
+  const auto& key = static_cast<const QKeyEvent&>(event);
+  const bool enter = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+  const bool plain = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+  auto* button = qobject_cast<QAbstractButton*>(watched);
+  const bool pressable =
+      qobject_cast<QPushButton*>(watched) != nullptr || qobject_cast<QToolButton*>(watched) != nullptr;
+  if (!enter || !plain || key.isAutoRepeat() || !pressable || button->window() != &window) return false;
+  button->click();
+  return true;
+}
+
 }  // namespace
 
 ShellWindow::ShellWindow(const ShellSetup& setup)
@@ -58,6 +75,9 @@ ShellWindow::ShellWindow(const ShellSetup& setup)
   setObjectName(QStringLiteral("shell"));
   setAutoFillBackground(true);
   resize(1366, 768);
+  // Without a smallest size of its own the window grows with what a page shows for a moment, beyond the
+  // screen, and stays there.
+  setMinimumSize(640, 400);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -66,6 +86,7 @@ ShellWindow::ShellWindow(const ShellSetup& setup)
   idleWarning_->hide();
   column->addWidget(idleWarning_);
   column->addWidget(stack_);
+  SceneView::prepareWindow(*this);
   applyChoices({}, true);
   createPanels();
   createKeys();
@@ -169,6 +190,7 @@ void ShellWindow::leaveKiosk() {
 }
 
 bool ShellWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (pressedByEnter(*this, watched, *event)) return true;
   switch (event->type()) {
     case QEvent::KeyPress:
     case QEvent::MouseMove:
@@ -452,6 +474,10 @@ void ShellWindow::openDesk() {
   connect(desk_, &Desk::shortcutsWanted, this, [this] { ShortcutSheet(desk_, this).exec(); });
   connect(desk_, &Desk::aboutWanted, this, [this] { showAboutBox(this); });
   connect(desk_, &Desk::demonstrationRemovalWanted, this, &ShellWindow::removeDemonstration);
+  // Later, since the page that asks for it dies with the desk.
+  connect(&desk_->context(), &ShellContext::recordChangeWanted, this, [this](const RecordChange& change) {
+    QTimer::singleShot(0, this, [this, change] { changeRecord(change); });
+  });
   connect(desk_, &Desk::passwordChangeWanted, this, [this] {
     password_->begin(QString::fromStdString(workplace_->actor().login), {}, false);
     show(password_);
@@ -534,6 +560,32 @@ void ShellWindow::removeDemonstration() {
   } catch (...) {
     desk_->context().report(std::current_exception());
   }
+}
+
+void ShellWindow::changeRecord(const RecordChange& change) {
+  leaveDesk();
+  try {
+    torsio::signOut(*workplace_);
+  } catch (...) {
+    workplace_->setActor({});  // as in signOut
+  }
+  if (pulse_) pulse_->leave();
+  pulse_.reset();
+  workplace_.reset();  // nobody has the record open now
+  QString sentence = change.sentence;
+  bool failed = false;
+  try {
+    if (change.swap) change.swap();
+    if (!change.locator.isEmpty()) {
+      setup_.locator = change.locator;
+      preferences_.setDatabase(change.locator);
+    }
+  } catch (...) {
+    sentence = said(std::current_exception());
+    failed = true;
+  }
+  openDatabase();
+  signIn_->say(sentence, failed);
 }
 
 void ShellWindow::retranslate() {

@@ -102,6 +102,7 @@ class ShellWindow : public QWidget {
   void openDesk();
   void choosePin();
   void removeDemonstration();
+  void changeRecord(const RecordChange& change);
   void toggleFullScreen();
   void leaveKiosk();
   void retranslate();

@@ -114,7 +114,7 @@ void SignInPanel::setWorking(bool working) {
   working_ = working;
   enableForm();
   // The keyboard left the fields while they were shut.
-  if (!working && isVisible()) (login_->text().isEmpty() ? login_ : secret_)->setFocus();
+  if (!working && isVisible()) chooseField();
 }
 
 Language SignInPanel::otherLanguage() {
@@ -138,6 +138,10 @@ void SignInPanel::setPinMode(bool pin) {
   pinMode_ = pin;
   secret_->clear();
   retranslate();
+  chooseField();
+}
+
+void SignInPanel::chooseField() {
   (login_->text().isEmpty() ? login_ : secret_)->setFocus();
 }
 
@@ -186,7 +190,7 @@ void SignInPanel::changeEvent(QEvent* event) {
 
 void SignInPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  (login_->text().isEmpty() ? login_ : secret_)->setFocus();
+  chooseField();
 }
 
 }  // namespace torsio::gui

@@ -50,6 +50,7 @@ class SignInPanel : public QWidget {
   QWidget* createForm();
   void setPinMode(bool pin);
   void submit();
+  void chooseField();
   void countDown();
   void enableForm();
   void retranslate();

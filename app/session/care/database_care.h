@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "app/session/access/workplace.h"
+#include "app/session/progress.h"
 #include "db/migrations/backup.h"
 #include "db/repository/audit_repository.h"
 
@@ -36,8 +38,10 @@ struct BackupCheck {
 /// Error: kUsage for PostgreSQL (its own pg_dump does it).
 BackupContent backUpDatabase(const std::string& locator, const std::filesystem::path& target);
 /// A test restore: reads all of the backup in a copy of its own, with its audit trail; the file stays as it
-/// is.
-[[nodiscard]] BackupCheck verifyBackup(const std::filesystem::path& backup);
+/// is. `look` may read the copy, brought up to date, when it was found sound.
+[[nodiscard]] BackupCheck verifyBackup(const std::filesystem::path& backup,
+                                       const ProgressCallback& progress = {},
+                                       const std::function<void(Connection&)>& look = {});
 /// Puts a backup whose content is sound in the place of `locator`; what was there is kept beside it. Throws
 /// Error: kUsage for PostgreSQL, kDatabase when another program has the database open, kVerifyFailed when the
 /// backup is not sound. Nothing is changed then.
@@ -46,8 +50,14 @@ BackupContent restoreDatabase(const std::filesystem::path& backup, const std::st
 [[nodiscard]] DatabaseCheck checkDatabase(const std::string& locator);
 
 /// kDatabaseBackup, audited.
-BackupContent backUpDatabase(Workplace& workplace, const std::filesystem::path& target);
+BackupContent backUpDatabase(Workplace& workplace, const std::filesystem::path& target,
+                             const ProgressCallback& progress = {});
 /// kDatabaseBackup, audited with the result.
-[[nodiscard]] DatabaseCheck checkDatabase(Workplace& workplace);
+[[nodiscard]] DatabaseCheck checkDatabase(Workplace& workplace, const ProgressCallback& progress = {});
+
+/// Copies a file in steps, telling the fraction; what was begun is removed again when `progress` throws.
+/// Throws Error (kFileUnwritable, kFileMissing).
+void copyStepwise(const std::filesystem::path& from, const std::filesystem::path& to,
+                  const ProgressCallback& progress = {});
 
 }  // namespace torsio

@@ -34,6 +34,28 @@ class NewFile {
   std::string file_;
 };
 
+Text wordsOf(const CopyStep& step) {
+  switch (step.phase) {
+    case CopyPhase::kVerifying:
+      return "Checking the audit trail";
+    case CopyPhase::kCopying:
+      return Text("Copying %1", step.table);
+    case CopyPhase::kComparing:
+      return Text("Comparing %1", step.table);
+    case CopyPhase::kVerifyingCopy:
+      break;
+  }
+  return "Checking the audit trail of the copy";
+}
+
+/// Shares of the whole as they turned out with recordings of an hour.
+double fractionOf(const CopyStep& step) {
+  constexpr double kFrom[] = {0.0, 0.15, 0.55, 0.85, 1.0};
+  const auto phase = static_cast<std::size_t>(step.phase);
+  const double part = step.all == 0 ? 1.0 : static_cast<double>(step.done) / static_cast<double>(step.all);
+  return kFrom[phase] + (kFrom[phase + 1] - kFrom[phase]) * part;
+}
+
 }  // namespace
 
 CopyReport copyDatabase(const std::string& from, const std::string& to, const ProgressCallback& progress) {
@@ -50,12 +72,9 @@ CopyReport copyDatabase(const std::string& from, const std::string& to, const Pr
   MigrationOptions options;
   options.softwareVersion = softwareVersion();
   Connection writing = openRecord(to, OpenMode::kCreate, options);
-  CopyReport report =
-      copyRecord(reading, writing, [&](const std::string& table, std::int64_t done, std::int64_t all) {
-        if (!progress) return;
-        progress({.step = table.empty() ? Text("Comparing") : Text("Copying %1", table),
-                  .fraction = all == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(all)});
-      });
+  CopyReport report = copyRecord(reading, writing, [&](const CopyStep& step) {
+    tellProgress(progress, wordsOf(step), fractionOf(step));
+  });
   newFile.keep();
   return report;
 }

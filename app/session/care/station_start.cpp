@@ -7,8 +7,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/session/assets.h"
+#include "app/session/reporting/kept_digests.h"
 #include "db/repository/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/record/sample_codec.h"
 
 namespace torsio {
 
@@ -82,10 +85,19 @@ TrialListing listingOf(TrialRepository& trials, const Trial& trial) {
           .attemptMode = context.attemptMode};
 }
 
+/// What reports need of the recording, while it is at hand.
+void keepDigest(Workplace& workplace, TrialRepository& trials, const std::string& trialId) {
+  const Trial trial = trials.load(trialId);
+  DigestTolerances tolerances(assetsFolder());
+  keepDigestOf(workplace.connection(), trial, decodeTrial(trial),
+               trials.context(trialId).value_or(TrialContext{}), tolerances, workplace.now_us());
+}
+
 SettledTrial store(Workplace& workplace, const UnstoredTrial& waiting) {
   Transaction transaction(workplace.connection());
   TrialRepository trials(workplace.connection(), waiting.context);
   trials.import(waiting.trial);
+  keepDigest(workplace, trials, waiting.trial.header.trialId);
   SettledTrial stored = settled(workplace, listingOf(trials, waiting.trial), true);
   transaction.commit();
   std::error_code ignored;  // given once more at the next start, which is no error
@@ -116,8 +128,10 @@ StationStart settleStation(Workplace& workplace, const std::filesystem::path& fo
   Transaction transaction(workplace.connection());
   TrialRepository trials(workplace.connection());
   for (TrialListing& trial :
-       trials.closeInterrupted(workplace.station(), workplace.now_us() - kQuietTrial_us))
+       trials.closeInterrupted(workplace.station(), workplace.now_us() - kQuietTrial_us)) {
+    keepDigest(workplace, trials, trial.trialId);
     start.trials.push_back(settled(workplace, std::move(trial), false));
+  }
   transaction.commit();
   return start;
 }

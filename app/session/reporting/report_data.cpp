@@ -12,6 +12,7 @@
 #include "assessment/study/demonstration_marks.h"
 #include "db/repository/curriculum_repository.h"
 #include "db/repository/people_repository.h"
+#include "db/repository/sheet_repository.h"
 #include "db/repository/study_repository.h"
 #include "sim/base/error.h"
 
@@ -61,6 +62,14 @@ void addFreeze(Workplace& workplace, const ReportRequest& request, CohortInputs&
   }
   throw Error(ErrorCode::kBadParameter, "there is no such frozen data set", request.frozenId,
               "Choose one of the list");
+}
+
+/// Whoever may not look at marks gets them, under codes, once nothing can be influenced any more
+/// (docs/decisions/0007).
+bool showsSingleMarks(Workplace& workplace, const ReportRequest& request, const CohortInputs& inputs) {
+  if (workplace.may(Operation::kMarkViewCoded)) return true;
+  return request.identity == ReportIdentity::kCoded && inputs.freeze && inputs.freeze->unchanged &&
+         SheetRepository(workplace.connection()).openAssignments(request.cohortId) == 0;
 }
 
 /// The design in words, and whether the draw could be repeated.
@@ -143,7 +152,6 @@ CohortInputs reportInputs(Workplace& workplace, const ReportRequest& request, Tr
   inputs.createdUtc_us = workplace.now_us();
   inputs.demonstration = cohort.demonstration || campaign.campaign.demonstration;
   inputs.identity = request.identity;
-  inputs.singleMarks = workplace.may(Operation::kMarkViewCoded);
   inputs.occasions = occasionNames(connection, cohort);
   if (!cohort.description.empty()) inputs.facts.emplace_back("Cohort", cohort.description);
   if (!campaign.campaign.name.empty())
@@ -156,6 +164,7 @@ CohortInputs reportInputs(Workplace& workplace, const ReportRequest& request, Tr
         demonstrationTrainingRule(), demonstrationEvaluationRule()};
   addAllocation(workplace, cohort.id, inputs);
   addFreeze(workplace, request, inputs);
+  inputs.singleMarks = showsSingleMarks(workplace, request, inputs);
   inputs.trials = digests.ofCohort(workplace, cohort.id, progress);
   if (request.identity == ReportIdentity::kNamed) nameTrainees(workplace, inputs);
   return inputs;

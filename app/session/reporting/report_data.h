@@ -36,7 +36,8 @@ struct ReportRequest {
 
 /// Everything that the report says, read from the record; with a frozen data set also whether the record is
 /// still the same. kResultsCompute; for named trainees kPersonViewIdentity too. Single marks are included for
-/// whoever has kMarkViewCoded. Throws Error{kBadParameter} for an unknown cohort or data set.
+/// whoever has kMarkViewCoded; for others in a coded report of a frozen data set that is still the same and
+/// waits for no rater. Throws Error{kBadParameter} for an unknown cohort or data set.
 [[nodiscard]] CohortInputs reportInputs(Workplace& workplace, const ReportRequest& request,
                                         TrialDigests& digests, const ProgressCallback& progress = {});
 

@@ -2,14 +2,12 @@
 #include "app/session/reporting/trial_digests.h"
 
 #include <algorithm>
+#include <map>
 
 #include "app/session/trial_summary.h"
-#include "assessment/metrics/trial_metrics.h"
 #include "db/repository/study_repository.h"
 #include "db/repository/trial_repository.h"
-#include "sim/base/error.h"
 #include "sim/record/sample_codec.h"
-#include "sim/scene/scene_file.h"
 
 namespace torsio {
 
@@ -17,15 +15,7 @@ namespace {
 
 constexpr std::int64_t kEveryTrial = 10'000'000;
 constexpr std::size_t kProgressEvery = 16;
-
-std::string modelName(const Trial& trial) {
-  try {
-    const std::optional<Formulation> formulation = sceneRequestFor(trial.header.parametersJson).formulation;
-    return formulation == Formulation::kPaper ? "paper" : "Saint-Venant";
-  } catch (const Error&) {
-    return "not known";  // parameters of a later version: the recording counts all the same
-  }
-}
+constexpr std::size_t kKeepEvery = 256;
 
 /// Positions of the groups of a cohort's enrolments.
 std::map<std::string, std::size_t> groupOfEnrolment(StudyRepository& study, const std::string& cohortId) {
@@ -39,40 +29,9 @@ std::map<std::string, std::size_t> groupOfEnrolment(StudyRepository& study, cons
   return out;
 }
 
-std::optional<StoredCurriculumVersion> curriculumOf(Connection& connection, const std::string& cohortId) {
-  for (const StoredCohort& cohort : StudyRepository(connection).cohorts())
-    if (cohort.id == cohortId && !cohort.curriculumVersionId.empty())
-      return CurriculumRepository(connection).version(cohort.curriculumVersionId);
-  return std::nullopt;
-}
-
-}  // namespace
-
-double TrialDigests::tolerance_rad(const std::string& sceneId, const std::string& patternId,
-                                   const std::string& moduleId,
-                                   const std::optional<StoredCurriculumVersion>& curriculum) {
-  if (curriculum && !moduleId.empty())
-    for (const StoredModule& module : curriculum->modules)
-      if (module.id == moduleId) return module.tolerance_rad;
-  const auto [known, isNew] =
-      patternTolerances_.try_emplace({sceneId, patternId}, TrialTargets{}.tolerance_rad);
-  if (!isNew) return known->second;
-  try {
-    for (const PatternDescription& description : readSceneFile(assets_, sceneId).patterns)
-      if (description.pattern.id == patternId) known->second = description.pattern.tolerance_rad;
-  } catch (const Error&) {
-    // A scene of another installation: the usual tolerance of two degrees counts.
-  }
-  return known->second;
-}
-
-std::vector<TrialDigest> TrialDigests::ofCohort(Workplace& workplace, const std::string& cohortId,
-                                                const ProgressCallback& progress) {
-  workplace.require(Operation::kResultsCompute);
-  StudyRepository study(workplace.connection());
-  TrialRepository trials(workplace.connection());
-  const std::map<std::string, std::size_t> groups = groupOfEnrolment(study, cohortId);
-  const std::optional<StoredCurriculumVersion> curriculum = curriculumOf(workplace.connection(), cohortId);
+/// The finished trials of those enrolments, oldest first.
+std::vector<TrialListing> finishedTrials(TrialRepository& trials,
+                                         const std::map<std::string, std::size_t>& groups) {
   TrialFilter filter;
   filter.limit = kEveryTrial;
   std::vector<TrialListing> listed = trials.list(filter);
@@ -80,25 +39,78 @@ std::vector<TrialDigest> TrialDigests::ofCohort(Workplace& workplace, const std:
     return !trial.summary || trial.summary->contentHash.empty() || !groups.contains(trial.enrolmentId);
   });
   std::reverse(listed.begin(), listed.end());
+  return listed;
+}
+
+using Kept = std::multimap<std::string, StoredTrialDigest>;
+
+/// What was kept of this very recording, judged by this very tolerance.
+const StoredTrialDigest* find(const Kept& kept, const TrialListing& listing, double tolerance_rad) {
+  const auto [begin, end] = kept.equal_range(listing.trialId);
+  const auto found = std::find_if(begin, end, [&](const auto& entry) {
+    return entry.second.tolerance_rad == tolerance_rad &&
+           entry.second.contentHash == listing.summary->contentHash;
+  });
+  return found == end ? nullptr : &found->second;
+}
+
+/// Digests that are new, stored some hundred at a time: little is lost when the work is given up.
+class Fresh {
+ public:
+  explicit Fresh(Connection& connection) : connection_(connection) {}
+  Fresh(const Fresh&) = delete;
+  Fresh& operator=(const Fresh&) = delete;
+
+  void add(StoredTrialDigest digest) {
+    waiting_.push_back(std::move(digest));
+    if (waiting_.size() >= kKeepEvery) keep();
+  }
+  void keep() {
+    if (!waiting_.empty() && !connection_.readOnly()) DigestRepository(connection_).add(waiting_);
+    waiting_.clear();
+  }
+
+ private:
+  Connection& connection_;
+  std::vector<StoredTrialDigest> waiting_;
+};
+
+}  // namespace
+
+std::vector<TrialDigest> TrialDigests::ofCohort(Workplace& workplace, const std::string& cohortId,
+                                                const ProgressCallback& progress) {
+  workplace.require(Operation::kResultsCompute);
+  Connection& connection = workplace.connection();
+  StudyRepository study(connection);
+  TrialRepository trials(connection);
+  const std::map<std::string, std::size_t> groups = groupOfEnrolment(study, cohortId);
+  const std::optional<StoredCurriculumVersion> curriculum = curriculumOfCohort(connection, cohortId);
+  const std::vector<TrialListing> listed = finishedTrials(trials, groups);
+  const Kept kept = DigestRepository(connection).ofCohort(cohortId, kTrialDigestVersion);
+  Fresh fresh(connection);
   std::vector<TrialDigest> out;
+  out.reserve(listed.size());
   for (std::size_t i = 0; i < listed.size(); ++i) {
-    if (progress && i % kProgressEvery == 0)
-      progress({Text("Reading recording %1 of %2", i + 1, listed.size()),
-                static_cast<double>(i) / static_cast<double>(listed.size()), -1.0});
     const TrialListing& listing = listed[i];
-    auto known = known_.find(listing.summary->contentHash);
-    if (known == known_.end()) {
+    const double tolerance_rad =
+        tolerances_.of(listing.sceneId, listing.patternId, listing.moduleId, curriculum);
+    if (const StoredTrialDigest* known = find(kept, listing, tolerance_rad)) {
+      out.push_back(digestFrom(*known, listing));
+    } else {
+      if (progress && measured_ % kProgressEvery == 0)
+        progress({Text("Reading recording %1 of %2", i + 1, listed.size()),
+                  static_cast<double>(i) / static_cast<double>(listed.size()), -1.0});
       const Trial trial = trials.load(listing.trialId);
-      TrialDigest digest =
-          trialDigest(trial, decodeTrial(trial),
-                      tolerance_rad(listing.sceneId, listing.patternId, listing.moduleId, curriculum));
-      digest.model = modelName(trial);
-      known = known_.emplace(listing.summary->contentHash, std::move(digest)).first;
+      TrialDigest digest = trialDigest(trial, decodeTrial(trial), tolerance_rad);
+      digest.model = modelName(trial.header.parametersJson);
+      fresh.add(keptDigest(digest, tolerance_rad, workplace.now_us()));
+      ++measured_;
+      out.push_back(std::move(digest));
     }
-    out.push_back(known->second);
     out.back().group = groups.at(listing.enrolmentId);
     out.back().trainee = listing.traineeCode;
   }
+  fresh.keep();
   return out;
 }
 

@@ -2,43 +2,39 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/session/access/workplace.h"
 #include "app/session/progress.h"
+#include "app/session/reporting/kept_digests.h"
 #include "assessment/report/cohort_report.h"
-#include "db/repository/curriculum_repository.h"
 
 namespace torsio {
 
-/// What recorded trials come down to, measured once: a recording never changes, so that its digest holds as
-/// long as its content hash. One thread at a time.
+/// What recorded trials come down to. It is measured once, usually when the run ends, and kept in the record
+/// (kept_digests.h); what an older version of the program recorded is measured and kept here. One thread at a
+/// time.
 class TrialDigests {
  public:
   /// `assets`: where the tolerances of exercises without a curriculum are read.
-  explicit TrialDigests(std::filesystem::path assets) : assets_(std::move(assets)) {}
+  explicit TrialDigests(std::filesystem::path assets) : tolerances_(std::move(assets)) {}
 
   /// Digests of the finished trials of a cohort, oldest first; groups are positions among the cohort's
-  /// groups, trials of people without a group are left out. New ones are read and decoded, which takes a
-  /// tenth of a second for twenty minutes; `progress` is told and may throw to give up. kResultsCompute.
+  /// groups, trials of people without a group are left out. Those that nobody has measured by the present
+  /// formula are read and decoded, which takes a tenth of a second for twenty minutes; `progress` is told and
+  /// may throw to give up; most of what was measured until then is kept. kResultsCompute.
   /// Throws Error, DbError.
   [[nodiscard]] std::vector<TrialDigest> ofCohort(Workplace& workplace, const std::string& cohortId,
                                                   const ProgressCallback& progress = {});
 
-  /// Trials in the memory.
-  [[nodiscard]] std::size_t size() const noexcept { return known_.size(); }
+  /// Recordings that had to be read since this was made.
+  [[nodiscard]] std::size_t measured() const noexcept { return measured_; }
 
  private:
-  [[nodiscard]] double tolerance_rad(const std::string& sceneId, const std::string& patternId,
-                                     const std::string& moduleId,
-                                     const std::optional<StoredCurriculumVersion>& curriculum);
-
-  std::filesystem::path assets_;
-  std::map<std::string, TrialDigest> known_;                                 // by content hash
-  std::map<std::pair<std::string, std::string>, double> patternTolerances_;  // by scene and pattern
+  DigestTolerances tolerances_;
+  std::size_t measured_ = 0;
 };
 
 }  // namespace torsio

@@ -19,6 +19,7 @@ namespace torsio {
 namespace {
 
 constexpr double kSpeedTolerance = 1e-3;  // stored in thousandths
+constexpr double kFarApart = 0.7;         // of the scale, between the lowest and the highest row
 
 std::optional<double> numberIn(const std::string& text) {
   double number = 0.0;
@@ -43,6 +44,7 @@ void lookForSlips(const StoredRubricRevision& rubric, const Sheet& sheet, SheetC
   if (shares.size() < 3) return;
   const auto [low, high] = std::minmax_element(shares.begin(), shares.end());
   check.allTheSame = *low == *high;
+  check.farApart = *high - *low >= kFarApart;
   if (!sheet.overall_steps) return;
   const double overall = shareOfScale(*sheet.overall_steps, rubric.overall);
   check.overallOutside = overall < *low || overall > *high;
@@ -82,6 +84,11 @@ ViewingRules viewingRules(Workplace& workplace) {
     if (!speeds.empty()) rules.speeds = std::move(speeds);
   }
   return rules;
+}
+
+KeptAt keptAt(Workplace& workplace) {
+  workplace.require(Operation::kMarkSubmit);
+  return workplace.connection().engine() == Engine::kSqlite ? KeptAt::kThisMachine : KeptAt::kServer;
 }
 
 OpenedSheet openSheet(Workplace& workplace, const std::string& assignmentId) {

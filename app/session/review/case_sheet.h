@@ -21,6 +21,11 @@ struct ViewingRules {
 };
 [[nodiscard]] ViewingRules viewingRules(Workplace& workplace);
 
+/// Where a keystroke is kept once it is said to be saved.
+enum class KeptAt { kThisMachine, kServer };
+/// kMarkSubmit.
+[[nodiscard]] KeptAt keptAt(Workplace& workplace);
+
 /// A case as it is laid on the desk.
 struct OpenedSheet {
   BlindedCase shown{};
@@ -44,6 +49,7 @@ struct SheetCheck {
   bool watchedTooLittle = false;
   bool speedNotAllowed = false;
   bool allTheSame = false;      ///< three rows or more and one and the same score, in share of their scales
+  bool farApart = false;        ///< three rows or more that span most of their scales
   bool overallOutside = false;  ///< the overall mark lies outside the range of the rows
   double watchedShare = 1.0;
   [[nodiscard]] bool mayBeSubmitted() const noexcept {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/session/review/alignment.h"
+#include "app/session/review/evaluation_form.h"
 #include "app/session/review/warm_up.h"
 #include "db/repository/desk_repository.h"
 
@@ -35,6 +36,7 @@ std::vector<QueueLine> allLines(Workplace& workplace, const std::optional<double
     line.shown = {entry.assignmentId, entry.caseLabel, entry.trialId.empty(), entry.dueUtc_us, {}};
     if (!line.shown.live) line.shown.length_us = desk.trialLength_us(entry.trialId);
     line.state = entry.state;
+    line.submittedUtc_us = entry.submittedUtc_us;
     if (line.state != SheetState::kSubmitted) {
       line.overdue = entry.dueUtc_us && *entry.dueUtc_us < now_us;
       const double length_min = static_cast<double>(line.shown.length_us.value_or(0)) / kMinute_us;
@@ -82,6 +84,11 @@ ReviewQueue reviewQueue(Workplace& workplace) {
   queue.warmUpWaiting = !warmUp.runs.empty() && !warmUp.complete();
   for (const AlignmentCase& open : alignmentCases(workplace)) {
     if (open.decision.empty()) ++queue.disagreements;
+  }
+  if (workplace.may(Operation::kEvaluationSubmit)) {
+    for (const EvaluationForm& form : evaluationForms(workplace)) {
+      for (const EvaluationFormModel& model : form.models) queue.models += model.submitted ? 0 : 1;
+    }
   }
   return queue;
 }

@@ -16,6 +16,7 @@ struct QueueLine {
   SheetState state = SheetState::kOpen;
   double estimate_min = 0.0;  ///< 0 when submitted
   bool overdue = false;
+  std::int64_t submittedUtc_us = 0;  ///< of the newest version; 0: not submitted
 };
 
 /// What a physician sees first.
@@ -32,6 +33,7 @@ struct ReviewQueue {
   bool fromOwnPace = false;       ///< true: median of own last cases; false: length of the recordings
   bool warmUpWaiting = false;     ///< reference runs that this rater has not scored
   std::size_t disagreements = 0;  ///< committed cases that wait in the alignment view
+  std::size_t models = 0;         ///< of evaluations that ask the actor, not submitted yet
   std::optional<std::string>
       next{};  ///< assignment id of "continue": the first draft, else the first waiting
 };

@@ -2,14 +2,18 @@
 #include "app/session/review/warm_up.h"
 
 #include <algorithm>
+#include <set>
 
 #include "db/repository/desk_repository.h"
 #include "db/repository/remark_repository.h"
+#include "db/repository/trial_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
 
 namespace {
+
+constexpr std::int64_t kMostListed = 2000;  // a longer list is nothing to choose from
 
 std::string labelOf(std::size_t number) {
   std::string label = "R";
@@ -24,6 +28,37 @@ StoredReferenceRun runNumber(Connection& connection, std::size_t number) {
                 "Open the warm-up again");
   }
   return runs[number - 1];
+}
+
+/// The scale of the panel's mark. Throws unless the choice makes a reference run.
+ScoreScale checkedScale(Connection& connection, const ReferenceChoice& choice) {
+  const auto rubric = SheetRepository(connection).revision(choice.rubricRevisionId);
+  if (!rubric) {
+    throw Error(ErrorCode::kBadData, "there is no such rubric", choice.rubricRevisionId,
+                "Choose one from the list");
+  }
+  DeskRepository desk(connection);
+  if (!desk.trialLength_us(choice.trialId)) {
+    throw Error(ErrorCode::kBadData, "there is no such complete recording", choice.trialId,
+                "Choose one from the list");
+  }
+  for (const StoredReferenceRun& run : desk.referenceRuns()) {
+    if (run.trialId != choice.trialId) continue;
+    throw Error(ErrorCode::kBadData, "this recording is a reference run already", choice.trialId,
+                "Choose another recording");
+  }
+  const ScoreScale scale = rubric->overall;
+  const double lowest = pointsFromSteps(scale.lo, scale);
+  const double highest = pointsFromSteps(scale.hi, scale);
+  if (!(choice.panel_points >= lowest && choice.panel_points <= highest)) {
+    throw Error(ErrorCode::kBadParameter, "the panel's mark lies outside the scale of the rubric",
+                std::to_string(choice.panel_points), "Correct the mark");
+  }
+  if (choice.panelRaters < 1) {
+    throw Error(ErrorCode::kBadParameter, "a panel has at least one member",
+                std::to_string(choice.panelRaters), "Correct the number");
+  }
+  return scale;
 }
 
 }  // namespace
@@ -101,26 +136,57 @@ void scoreReferenceRun(Workplace& workplace, std::size_t number, std::int64_t sc
   transaction.commit();
 }
 
-void addReferenceRuns(Workplace& workplace, const std::vector<ReferenceChoice>& runs) {
+std::vector<ReferenceCandidate> referenceCandidates(Workplace& workplace) {
+  workplace.require(Operation::kStudySetup);
+  DeskRepository desk(workplace.connection());
+  std::set<std::string> spoken;
+  for (const std::string& trialId : desk.assignedTrials()) spoken.insert(trialId);
+  for (const StoredReferenceRun& run : desk.referenceRuns()) spoken.insert(run.trialId);
+  std::vector<ReferenceCandidate> candidates;
+  for (const TrialListing& trial : TrialRepository(workplace.connection()).list({.limit = kMostListed})) {
+    const bool complete = trial.summary && trial.summary->outcome == TrialOutcome::kCompleted;
+    if (!complete || spoken.contains(trial.trialId)) continue;
+    candidates.push_back({trial.trialId, trial.traineeCode, trial.sceneId, trial.phaseLabel,
+                          desk.trialLength_us(trial.trialId).value_or(0), trial.startedUtc_us,
+                          trial.demonstration});
+  }
+  return candidates;
+}
+
+std::vector<ReferenceRow> referenceRows(Workplace& workplace) {
   workplace.require(Operation::kStudySetup);
   DeskRepository desk(workplace.connection());
   SheetRepository sheets(workplace.connection());
+  TrialRepository trials(workplace.connection());
+  std::vector<ReferenceRow> rows;
+  for (const StoredReferenceRun& run : desk.referenceRuns()) {
+    const TrialHeader header = trials.find(run.trialId).value();
+    const ScoreScale scale = sheets.revision(run.rubricRevisionId).value().overall;
+    rows.push_back(
+        {rows.size() + 1, run.trialId, header.traineeCode, header.sceneId, desk.trialLength_us(run.trialId),
+         scale, run.panel_steps / static_cast<double>(scale.stepsPerPoint), run.panelRaters, run.setUtc_us});
+  }
+  return rows;
+}
+
+void addReferenceRuns(Workplace& workplace, const std::vector<ReferenceChoice>& runs) {
+  workplace.require(Operation::kStudySetup);
+  DeskRepository desk(workplace.connection());
   auto position = static_cast<std::int64_t>(desk.referenceRuns().size());
   Transaction transaction(workplace.connection());
   for (const ReferenceChoice& choice : runs) {
-    const auto rubric = sheets.revision(choice.rubricRevisionId);
-    if (!rubric) {
-      throw Error(ErrorCode::kBadData, "no such rubric", choice.rubricRevisionId, "Choose a stored rubric");
-    }
+    const ScoreScale scale = checkedScale(workplace.connection(), choice);
     StoredReferenceRun run;
     run.trialId = choice.trialId;
     run.position = ++position;
     run.rubricRevisionId = choice.rubricRevisionId;
-    run.panel_steps = choice.panel_points * static_cast<double>(rubric->overall.stepsPerPoint);
+    run.panel_steps = choice.panel_points * static_cast<double>(scale.stepsPerPoint);
     run.panelRaters = choice.panelRaters;
     run.setBy = workplace.actor().userId;
     run.setUtc_us = workplace.now_us();
-    run.demonstration = choice.demonstration;
+    // A simulated recording must go when the demonstration goes.
+    run.demonstration =
+        choice.demonstration || TrialRepository(workplace.connection()).find(choice.trialId)->demonstration;
     desk.addReferenceRuns(std::span(&run, 1));
     workplace.note({.action = "reference_run.add", .objectKind = "reference_run", .objectId = run.trialId});
   }

@@ -39,6 +39,35 @@ struct WarmUp {
 /// kMarkSubmit; audited. Throws Error{kBadData}: no such run, or outside the scale.
 void scoreReferenceRun(Workplace& workplace, std::size_t number, std::int64_t score_steps);
 
+/// A recording that may become a reference run: complete, not one yet, and nobody is asked to score it (the
+/// panel's mark would give the case away).
+struct ReferenceCandidate {
+  std::string trialId{};
+  std::string traineeCode{};  ///< empty: nobody's
+  std::string sceneId{};
+  std::string phaseLabel{};
+  std::int64_t length_us = 0;
+  std::int64_t startedUtc_us = 0;
+  bool demonstration = false;
+};
+/// Newest first. kStudySetup.
+[[nodiscard]] std::vector<ReferenceCandidate> referenceCandidates(Workplace& workplace);
+
+/// A reference run as the office sees it.
+struct ReferenceRow {
+  std::size_t number = 0;  ///< what raters call it: 1, 2 ...
+  std::string trialId{};
+  std::string traineeCode{};  ///< empty: nobody's
+  std::string sceneId{};
+  std::optional<std::int64_t> length_us{};
+  ScoreScale scale{};
+  double panel_points = 0.0;
+  std::int64_t panelRaters = 1;
+  std::int64_t setUtc_us = 0;
+};
+/// In the order of the warm-up. kStudySetup.
+[[nodiscard]] std::vector<ReferenceRow> referenceRows(Workplace& workplace);
+
 /// A run for the warm-up, chosen by the office.
 struct ReferenceChoice {
   std::string trialId{};
@@ -47,7 +76,9 @@ struct ReferenceChoice {
   std::int64_t panelRaters = 1;
   bool demonstration = false;
 };
-/// Adds reference runs behind those there are. kStudySetup; audited.
+/// Adds reference runs behind those there are; they stay. kStudySetup; audited. Throws Error{kBadData}: no
+/// such rubric, a recording that does not exist or has not ended, one that is a reference run already;
+/// {kBadParameter}: a mark outside the rubric's scale, or a panel of nobody.
 void addReferenceRuns(Workplace& workplace, const std::vector<ReferenceChoice>& runs);
 
 }  // namespace torsio

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/reporting/kept_digests.h"
 #include "app/session/training/debrief.h"
 #include "app/session/training/expert_run.h"
 #include "app/session/training/trainee_record.h"
@@ -88,7 +89,11 @@ Debrief debrief(Workplace& workplace, const std::string& trialId, const std::fil
   const Trial trial = trials.load(trialId);
   const StoredModule* module = record.module(listing.moduleId);
   const std::optional<Trial> expert = expertFor(trials, trial.header, assets, scene);
-  Debrief out = makeDebrief(trial.header, decodeTrial(trial), rulesOf(module), expert ? &*expert : nullptr);
+  const std::vector<Sample> samples = decodeTrial(trial);
+  DigestTolerances tolerances(assets);
+  keepDigestOf(workplace.connection(), trial, samples, trials.context(trialId).value_or(TrialContext{}),
+               tolerances, workplace.now_us());
+  Debrief out = makeDebrief(trial.header, samples, rulesOf(module), expert ? &*expert : nullptr);
   out.moduleId = listing.moduleId;
   out.mode = listing.attemptMode;
   out.interrupted = trial.summary.outcome == TrialOutcome::kInterrupted;

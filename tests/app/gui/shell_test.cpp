@@ -192,6 +192,30 @@ TEST_F(Shell, AWrongPasswordSaysNeitherWhichPartWasWrongNorKeepsIt) {
   EXPECT_TRUE(named<QLineEdit>(*window_, QStringLiteral("Password"))->text().isEmpty());
 }
 
+TEST_F(Shell, TheKeyboardIsInAFieldFromTheStartAndAfterAWrongPassword) {
+  openFoundedCentre(setup());
+  window_->activateWindow();
+  QApplication::processEvents();
+  EXPECT_TRUE(named<QLineEdit>(*window_, QStringLiteral("Sign-in name"))->hasFocus());
+
+  enter(QStringLiteral("admin"), QStringLiteral("not this one at all"));
+
+  EXPECT_TRUE(named<QLineEdit>(*window_, QStringLiteral("Password"))->hasFocus());
+}
+
+TEST_F(Shell, EnterPressesTheButtonThatHasTheKeyboard) {
+  openFoundedCentre(setup());
+  window_->activateWindow();
+  QApplication::processEvents();
+  for (QPushButton* button : window_->findChildren<QPushButton*>()) {
+    if (button->text() != QStringLiteral("Practise with a PIN") || !button->isVisible()) continue;
+    button->setFocus();
+    QTest::keyClick(button, Qt::Key_Return);
+  }
+
+  EXPECT_TRUE(says(*window_, QStringLiteral("Practice with your PIN")));
+}
+
 TEST_F(Shell, AfterTooManyTriesItSaysHowLongToWaitAndLetsNobodyTry) {
   openFoundedCentre(setup());
 

@@ -9,11 +9,14 @@
 #include "app/session/care/database_care.h"
 #include "app/session/care/database_copy.h"
 #include "app/session/care/demonstration_removal.h"
+#include "app/session/care/others_at_work.h"
 #include "app/session/care/person_package.h"
+#include "app/session/care/record_restore.h"
 #include "app/session/care/retention.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/audit_repository.h"
 #include "db/repository/people_repository.h"
+#include "db/repository/station_repository.h"
 #include "db/repository/trial_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
@@ -99,6 +102,77 @@ TEST_F(CareTest, ABackupTellsOfItselfAndPassesItsTestRestore) {
   Connection copy = openDatabase(in("backup.sqlite").string(), OpenMode::kReadOnly);
   EXPECT_EQ(AuditRepository(copy).entries().at(0).action, "database.backup");
   EXPECT_TRUE(checkDatabase(office).sound());
+}
+
+TEST_F(CareTest, ARestoreSaysInNumbersWhatIsLostBeforeAnythingIsDone) {
+  Workplace office = workplaceOf("administrator");
+  backUpDatabase(office, in("backup.sqlite"));
+  const FullRecord later(connection_, "later", false);
+
+  const RestorePlan plan = planRestore(office, in("backup.sqlite"));
+
+  EXPECT_EQ(plan.present.trials, plan.restored.trials + 1);
+  EXPECT_EQ(plan.lostTrials, 1);
+  EXPECT_EQ(plan.lostMarks, 2);  // one of a training, one of an evaluation
+  EXPECT_EQ(plan.restored.marks, 4);
+  EXPECT_EQ(plan.erasedSince, 0);
+}
+
+TEST_F(CareTest, WhoeverWasErasedAfterTheBackupStaysErased) {
+  Workplace office = workplaceOf("administrator");
+  backUpDatabase(office, in("backup.sqlite"));
+  erasePersonRecord(office, real_.traineeId, "asked for it");
+
+  const RestorePlan plan = planRestore(office, in("backup.sqlite"));
+  EXPECT_EQ(plan.erasedSince, 1);
+  const auto prepared = prepareRestore(office, plan);
+
+  EXPECT_TRUE(fs::exists(prepared->safety()));
+  Connection ready = openDatabase(temporaryBeside(database_).string(), OpenMode::kReadOnly);
+  EXPECT_EQ(numberFrom(ready, "SELECT count(*) FROM erasure WHERE reason = 'asked for it'"), 1);
+  EXPECT_EQ(
+      numberFrom(ready, "SELECT count(*) FROM person_identity WHERE person_id = '" + real_.traineeId + "'"),
+      0);
+  EXPECT_TRUE(AuditRepository(ready).verify().empty());
+  EXPECT_EQ(AuditRepository(ready).entries().at(0).action, "database.restore");
+}
+
+TEST_F(CareTest, APreparedRestoreThatIsGivenUpLeavesTheRecordAndNoFile) {
+  Workplace office = workplaceOf("administrator");
+  backUpDatabase(office, in("backup.sqlite"));
+  const RestorePlan plan = planRestore(office, in("backup.sqlite"));
+
+  { const auto prepared = prepareRestore(office, plan); }
+
+  EXPECT_FALSE(fs::exists(temporaryBeside(database_)));
+  EXPECT_TRUE(checkDatabase(office).sound());
+}
+
+TEST_F(CareTest, ARecordThatSomebodyHasOpenIsNotReplaced) {
+  Workplace office = workplaceOf("administrator");
+  backUpDatabase(office, in("backup.sqlite"));
+  const auto prepared = prepareRestore(office, planRestore(office, in("backup.sqlite")));
+
+  EXPECT_EQ(refusalFrom([&] { prepared->takeOver(); }).code, ErrorCode::kDatabase);
+
+  EXPECT_TRUE(checkDatabase(office).sound());
+}
+
+TEST_F(CareTest, NothingIsReplacedWhileARunGoesOnOrAnotherStationIsConnected) {
+  Workplace office = workplaceOf("administrator");
+  StationRepository stations(connection_);
+  stations.beat({.station = "room 2", .heartbeatUtc_us = now_us_});
+  const std::int64_t longAgo_us = now_us_ - 2 * kStationSilence_us;
+  stations.beat({.station = "room 3", .heartbeatUtc_us = longAgo_us});
+
+  EXPECT_EQ(othersAtWork(office), std::vector<std::string>{"the station room 2 is connected"});
+  EXPECT_EQ(refusalFrom([&] { (void)planRestore(office, in("backup.sqlite")); }).code, ErrorCode::kDatabase);
+  stations.leave("room 2");
+  TrialHeader header = sampleHeader("a trial that runs", "");
+  TrialRepository(connection_, {.station = "room 1"}).begin(header);
+  stations.beat({.station = "room 1", .trialId = header.trialId, .heartbeatUtc_us = now_us_});
+
+  EXPECT_EQ(othersAtWork(office), std::vector<std::string>{"a run is going on at the station room 1"});
 }
 
 TEST_F(CareTest, ABackupWithAChangedMarkIsNotRestored) {

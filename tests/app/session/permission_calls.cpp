@@ -8,8 +8,11 @@
 #include "app/session/access/settings_service.h"
 #include "app/session/care/database_care.h"
 #include "app/session/care/demonstration_removal.h"
+#include "app/session/care/others_at_work.h"
 #include "app/session/care/person_package.h"
+#include "app/session/care/record_restore.h"
 #include "app/session/care/retention.h"
+#include "app/session/care/server_move.h"
 #include "app/session/people/consent_service.h"
 #include "app/session/people/people_service.h"
 #include "app/session/people/roster_import.h"
@@ -23,6 +26,7 @@
 #include "app/session/review/evaluation_form.h"
 #include "app/session/review/own_severity.h"
 #include "app/session/review/review_queue.h"
+#include "app/session/review/third_rater.h"
 #include "app/session/review/warm_up.h"
 #include "app/session/study/allocation_service.h"
 #include "app/session/study/campaign_service.h"
@@ -87,8 +91,17 @@ std::vector<ServiceCall> officeCalls() {
       {O::kAuditView, "auditEntries", [](Workplace& w, Path) { (void)auditEntries(w); }},
       {O::kAuditView, "verifyAudit", [](Workplace& w, Path) { (void)verifyAudit(w); }},
       {O::kDatabaseBackup, "checkDatabase", [](Workplace& w, Path) { (void)checkDatabase(w); }},
-      // Restoring has no service yet that works for a signed-in user: the gate itself is asked.
-      {O::kDatabaseRestore, "require", [](Workplace& w, Path) { w.require(O::kDatabaseRestore); }},
+      {O::kDatabaseRestore, "othersAtWork", [](Workplace& w, Path) { (void)othersAtWork(w); }},
+      {O::kDatabaseRestore, "requireNobodyAtWork", [](Workplace& w, Path) { requireNobodyAtWork(w); }},
+      {O::kDatabaseRestore, "planRestore",
+       [](Workplace& w, Path folder) { (void)planRestore(w, folder / kNoSuch); }},
+      {O::kDatabaseRestore, "prepareRestore",
+       [](Workplace& w, Path folder) { (void)prepareRestore(w, {.backup = folder / kNoSuch}); }},
+      {O::kDatabaseRestore, "checkServer", [](Workplace& w, Path) { (void)checkServer(w, {}); }},
+      {O::kDatabaseRestore, "moveToServer",
+       [](Workplace& w, Path folder) { (void)moveToServer(w, {}, {}, folder); }},
+      {O::kDatabaseRestore, "joinServer", [](Workplace& w, Path folder) { (void)joinServer(w, {}, folder); }},
+      {O::kDatabaseRestore, "switchToServer", [](Workplace& w, Path) { (void)switchToServer(w, {}, {}); }},
       {O::kRetentionManage, "retentionQueue", [](Workplace& w, Path) { (void)retentionQueue(w); }},
       {O::kRetentionManage, "lockRecord", [](Workplace& w, Path) { lockRecord(w, kNoSuch, ""); }},
       {O::kSettingsEdit, "centreSettings", [](Workplace& w, Path) { (void)centreSettings(w); }},
@@ -215,6 +228,7 @@ std::vector<ServiceCall> reviewCalls() {
       {O::kMarkSubmit, "blindedCase", [](Workplace& w, Path) { (void)blindedCase(w, kNoSuch); }},
       {O::kMarkSubmit, "caseRemarks", [](Workplace& w, Path) { (void)caseRemarks(w, kNoSuch); }},
       {O::kMarkSubmit, "sheetVersions", [](Workplace& w, Path) { (void)sheetVersions(w, kNoSuch); }},
+      {O::kMarkSubmit, "keptAt", [](Workplace& w, Path) { (void)keptAt(w); }},
       {O::kMarkSubmit, "viewingRules", [](Workplace& w, Path) { (void)viewingRules(w); }},
       {O::kMarkSubmit, "ownSeverity", [](Workplace& w, Path) { (void)ownSeverity(w); }},
       {O::kMarkSubmit, "liveLines", [](Workplace& w, Path) { (void)liveLines(w); }},
@@ -222,6 +236,11 @@ std::vector<ServiceCall> reviewCalls() {
       {O::kMarkSubmit, "scoreReferenceRun", [](Workplace& w, Path) { scoreReferenceRun(w, 1, 50); }},
       {O::kTrialViewAssigned, "loadReferenceRun", [](Workplace& w, Path) { (void)loadReferenceRun(w, 1); }},
       {O::kStudySetup, "addReferenceRuns", [](Workplace& w, Path) { addReferenceRuns(w, {}); }},
+      {O::kStudySetup, "referenceCandidates", [](Workplace& w, Path) { (void)referenceCandidates(w); }},
+      {O::kStudySetup, "referenceRows", [](Workplace& w, Path) { (void)referenceRows(w); }},
+      {O::kStudySetup, "thirdRequests", [](Workplace& w, Path) { (void)thirdRequests(w, kNoSuch); }},
+      {O::kStudySetup, "assignThird",
+       [](Workplace& w, Path) { (void)assignThird(w, kNoSuch, kNoSuch, kNoSuch); }},
       {O::kEvaluationSubmit, "saveEvaluationScore",
        [](Workplace& w, Path) { saveEvaluationScore(w, kNoSuch, "X", 0, 50); }},
   };

@@ -10,10 +10,16 @@
 #include <gtest/gtest.h>
 
 #include "app/session/access/access_service.h"
+#include "app/session/reporting/report_data.h"
 #include "app/session/study/allocation_service.h"
+#include "app/session/study/coded_records.h"
 #include "app/session/study/cohort_service.h"
 #include "app/session/study/curriculum_service.h"
+#include "app/session/study/frozen_data.h"
+#include "app/session/study/run_day.h"
+#include "app/session/study/scoring_plan.h"
 #include "db/repository/access_repository.h"
+#include "db/repository/sheet_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "tests/app/session/office_centre.h"
@@ -113,6 +119,70 @@ TEST(PermissionMatrix, EveryRoleMayExactlyWhatTheDatabaseSays) {
           << role << " calls " << call.name << " (" << operationCode(call.operation) << ")";
     }
   }
+}
+
+/// One trainee who was scored by one chief; the other chief, if asked, still has the sheet to submit.
+struct ScoredCase {
+  OfficeCentre centre;
+  ReportRequest request;
+  std::string rubric;
+
+  explicit ScoredCase(std::size_t chiefs) {
+    const auto raters = centre.addChiefs(chiefs);
+    rubric = centre.addPaperRubric();
+    request.cohortId =
+        addCohort(centre.workplace(), {.name = "Study", .curriculumVersionId = centre.runPaperCurriculum()});
+    enrolTrainees(centre.workplace(), request.cohortId, centre.addTrainees(3));
+    AllocationPlan plan;
+    plan.cohortId = request.cohortId;
+    lockAllocation(centre.as("allocator"), plan);
+    allocateAll(centre.workplace(), request.cohortId);
+    createAssignments(centre.as("administrator"), {.cohortId = request.cohortId,
+                                                   .scoringPoints = {"pre"},
+                                                   .raterIds = raters,
+                                                   .rubricRevisionId = rubric,
+                                                   .seed = 3});
+    submit(raters.front());
+  }
+  void submit(const std::string& raterId) {
+    SheetRepository sheets(centre.connection());
+    const StoredRubricRevision revision = sheets.revision(rubric).value();
+    for (const StoredAssignment& one : sheets.assignmentsOf(raterId)) {
+      Sheet sheet{.overall_steps = 70};
+      for (const StoredRubricRow& row : revision.rows) sheet.rows.push_back({row.code, 70, ""});
+      sheets.submit(one.id, centre.workplace().ids().newUuid(), sheet, "", centre.workplace().now_us());
+    }
+  }
+  bool sees(const std::string& role) {
+    TrialDigests digests(centre.assets());
+    return reportInputs(centre.as(role), request, digests).singleMarks;
+  }
+  void freeze() { request.frozenId = freezeData(centre.as("administrator"), request.cohortId, "frozen").id; }
+};
+
+TEST(PermissionMatrix, AnAdministratorsReportHasSingleMarksOnlyWhenNothingCanBeInfluencedAnyMore) {
+  ScoredCase scored(1);
+  EXPECT_TRUE(scored.sees("statistician"));
+  EXPECT_FALSE(scored.sees("administrator"));  // not frozen
+
+  scored.freeze();
+  EXPECT_TRUE(scored.sees("administrator"));
+  EXPECT_THROW((void)codedMarks(scored.centre.as("administrator"), scored.request.cohortId), Error);
+  scored.request.identity = ReportIdentity::kNamed;
+  EXPECT_FALSE(scored.sees("administrator"));  // with names
+  scored.request.identity = ReportIdentity::kCoded;
+  reportDeviation(scored.centre.as("administrator"),
+                  {.cohortId = scored.request.cohortId, .kind = "late", .description = "by ten minutes"});
+  EXPECT_FALSE(scored.sees("administrator"));  // no longer what was frozen
+}
+
+TEST(PermissionMatrix, AnAdministratorsReportHasNoSingleMarksWhileARaterStillHasToSubmit) {
+  ScoredCase scored(2);
+
+  scored.freeze();
+
+  EXPECT_FALSE(scored.sees("administrator"));
+  EXPECT_TRUE(scored.sees("statistician"));
 }
 
 TEST(PermissionMatrix, ARefusedCallLeavesTheRecordAsItIs) {

@@ -7,9 +7,12 @@
 #include "app/session/study/cohort_service.h"
 #include "app/session/study/frozen_data.h"
 #include "db/repository/audit_repository.h"
+#include "db/repository/study_repository.h"
+#include "db/repository/trial_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/record/sample_codec.h"
 #include "tests/app/session/office_centre.h"
 
 namespace torsio {
@@ -72,6 +75,104 @@ TEST(ReportInputs, SayWhetherTheRecordIsStillWhatWasFrozen) {
   const CohortInputs inputs = reportInputs(workplace, study.request, study.digests);
   EXPECT_FALSE(inputs.freeze->unchanged);
   EXPECT_EQ(inputs.deviations.at(0).description, "by ten minutes");
+}
+
+/// A recording of one twist that was let go after `ticks` hundredths of a radian.
+void record(SmallStudy& study, const std::string& trialId, std::size_t ticks) {
+  std::vector<Sample> samples(300);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].tick = static_cast<std::int64_t>(i);
+    const bool twisting = i >= 50 && i < 50 + ticks;
+    samples[i].phase = twisting ? ExercisePhase::kTwisting : ExercisePhase::kContact;
+    samples[i].response.angle_rad = twisting ? 0.01 * static_cast<double>(i - 50) : 0.0;
+    samples[i].response.torque_Nm = twisting ? 0.3 : 0.0;
+  }
+  const StoredEnrolment enrolment =
+      StudyRepository(study.centre.connection()).enrolments(study.request.cohortId).at(0);
+  TrialHeader header;
+  header.trialId = trialId;
+  header.traineeCode = enrolment.traineeCode;
+  header.sceneId = "arm";
+  header.patternId = "pronation";
+  header.phaseLabel = "virtual";
+  header.parametersJson = "{}";
+  header.targetAngle_rad = 1.0;
+  header.startedUtc_us = testing::kOfficeTime_us;
+  TrialRepository trials(study.centre.connection(), {.station = "room 1", .enrolmentId = enrolment.id});
+  trials.begin(header);
+  const TrialChunk chunk = encodeChunk(0, samples);
+  trials.append(chunk);
+  TrialSummary summary;
+  summary.samples = chunk.samples;
+  summary.lateTicks = 3;
+  summary.contentHash = "hash of " + trialId;
+  trials.finish(summary);
+}
+
+std::vector<std::pair<double, bool>> pairs(const std::vector<TwistAttempt>& attempts) {
+  std::vector<std::pair<double, bool>> out;
+  for (const TwistAttempt& attempt : attempts) out.emplace_back(attempt.error_deg, attempt.onTarget);
+  return out;
+}
+
+TEST(TrialDigests, AreMeasuredOnceAndAreTheSameToTheLastBitAfterwards) {
+  SmallStudy study;
+  record(study, "first", 100);
+  record(study, "second", 70);
+  Workplace& workplace = study.centre.as("statistician");
+
+  const std::vector<TrialDigest> measured = study.digests.ofCohort(workplace, study.request.cohortId);
+  TrialDigests later(study.centre.assets());
+  const std::vector<TrialDigest> kept = later.ofCohort(workplace, study.request.cohortId);
+
+  EXPECT_EQ(study.digests.measured(), 2U);
+  EXPECT_EQ(later.measured(), 0U);
+  ASSERT_EQ(kept.size(), 2U);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    EXPECT_EQ(kept[i].trialId, measured[i].trialId);
+    EXPECT_EQ(kept[i].trainee, measured[i].trainee);
+    EXPECT_EQ(kept[i].phase, measured[i].phase);
+    EXPECT_EQ(kept[i].model, measured[i].model);
+    EXPECT_EQ(kept[i].minutes, measured[i].minutes);
+    EXPECT_EQ(kept[i].samples, measured[i].samples);
+    EXPECT_EQ(kept[i].twists, 1);
+    EXPECT_EQ(kept[i].twistsOnTarget, measured[i].twistsOnTarget);
+    EXPECT_EQ(kept[i].meanAbsoluteError_deg, measured[i].meanAbsoluteError_deg);
+    EXPECT_EQ(kept[i].peakTorque_Nm, measured[i].peakTorque_Nm);
+    EXPECT_EQ(kept[i].peakForce_N, measured[i].peakForce_N);
+    EXPECT_EQ(kept[i].lateTicks, 3);
+    EXPECT_EQ(kept[i].contentHash, measured[i].contentHash);
+    EXPECT_EQ(pairs(kept[i].attempts), pairs(measured[i].attempts));
+  }
+}
+
+TEST(TrialDigests, OfAnotherFormulaAreLeftWhereTheyAreAndMeasuredAnew) {
+  SmallStudy study;
+  record(study, "first", 100);
+  StoredTrialDigest older{
+      .trialId = "first", .formulaVersion = "twist-digest 0", .contentHash = "hash of first"};
+  DigestRepository(study.centre.connection()).add({&older, 1});
+
+  const auto digests = study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId);
+
+  EXPECT_EQ(study.digests.measured(), 1U);
+  EXPECT_EQ(digests.at(0).twists, 1);
+  EXPECT_EQ(
+      DigestRepository(study.centre.connection()).ofCohort(study.request.cohortId, "twist-digest 0").size(),
+      1U);
+}
+
+TEST(TrialDigests, OfARecordingWithOtherContentAreNotBelieved) {
+  SmallStudy study;
+  record(study, "first", 100);
+  StoredTrialDigest other{
+      .trialId = "first", .formulaVersion = kTrialDigestVersion, .contentHash = "of another"};
+  other.tolerance_rad = 1.0;
+  DigestRepository(study.centre.connection()).add({&other, 1});
+
+  (void)study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId);
+
+  EXPECT_EQ(study.digests.measured(), 1U);
 }
 
 TEST(ReportExport, KeepsWhoTookOutWhatWithTheHashOfTheFileAndNoName) {

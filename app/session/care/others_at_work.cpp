@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/session/care/others_at_work.h"
+
+#include "db/repository/station_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+std::vector<std::string> othersAtWork(Workplace& workplace) {
+  workplace.require(Operation::kDatabaseRestore);
+  const std::int64_t aliveSince_us = workplace.now_us() - kStationSilence_us;
+  std::vector<std::string> sentences;
+  for (const StationState& state : StationRepository(workplace.connection()).board()) {
+    if (state.heartbeatUtc_us < aliveSince_us) continue;
+    if (!state.trialId.empty() && !state.ended) {
+      sentences.push_back("a run is going on at the station " + state.station);
+    } else if (state.station != workplace.station()) {
+      sentences.push_back("the station " + state.station + " is connected");
+    }
+  }
+  return sentences;
+}
+
+void requireNobodyAtWork(Workplace& workplace) {
+  const std::vector<std::string> others = othersAtWork(workplace);
+  if (others.empty()) return;
+  throw Error(ErrorCode::kDatabase, others.front(), workplace.connection().location(),
+              "Let the run come to its end, close Torsio at all other stations, wait half a minute, and try "
+              "again");
+}
+
+}  // namespace torsio

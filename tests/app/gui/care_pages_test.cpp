@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Restoring a backup through the program's window, as an administrator does it.
+#include <fstream>
+
+#include "app/gui/office/move_page.h"
+#include "app/gui/office/restore_page.h"
+#include "tests/app/gui/care_window.h"
+
+namespace torsio::gui {
+namespace {
+
+TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
+  carePage().backUp(in("backup.sqlite"));
+  context().waitForJobs();
+  addPerson(*window_->workplace(), person());
+  auto& page = openBy<RestorePage>("Restore");
+  EXPECT_FALSE(page.restoreButton().isVisible());
+
+  page.file().setText(QString::fromStdString(in("backup.sqlite").string()));
+  click(page.checkButton());
+  ASSERT_TRUE(page.lossText().isVisible());
+  EXPECT_TRUE(page.lossText().text().contains(QStringLiteral("0 recordings, 0 marks and 1 people")));
+  EXPECT_FALSE(page.restoreButton().isEnabled());
+  page.word().setText(QStringLiteral("yes"));
+  EXPECT_FALSE(page.restoreButton().isEnabled());
+  page.word().clear();
+  QTest::keyClicks(&page.word(), QStringLiteral("RESTORE"));
+  click(page.restoreButton());
+  QTRY_COMPARE_WITH_TIMEOUT(window_->screen(), QStringLiteral("sign-in"), 5'000);
+  window_->background().wait();
+
+  EXPECT_TRUE(says(QStringLiteral("The record was restored from backup.sqlite")));
+  EXPECT_EQ(people(record()), 2);
+  EXPECT_TRUE(contains(trail(record()), "database.restore"));
+  std::string safety;
+  for (const auto& entry : fs::directory_iterator(folder_.path().toStdString()))
+    if (entry.path().filename().string().starts_with("torsio-before-restore-"))
+      safety = entry.path().string();
+  ASSERT_FALSE(safety.empty());
+  EXPECT_EQ(people(safety), 3);
+  EXPECT_TRUE(contains(trail(safety), "database.restore_begin"));
+  {
+    Connection restored = openDatabase(record(), OpenMode::kReadOnly);
+    EXPECT_TRUE(AuditRepository(restored).verify().empty());
+  }
+  signIn();
+}
+
+TEST_F(CarePages, ARestoreIsRefusedWhileAnotherStationIsConnected) {
+  carePage().backUp(in("backup.sqlite"));
+  context().waitForJobs();
+  showsOtherStation();
+  auto& page = openBy<RestorePage>("Restore");
+
+  page.file().setText(QString::fromStdString(in("backup.sqlite").string()));
+  click(page.checkButton());
+
+  ASSERT_EQ(failures_.size(), 1);
+  EXPECT_EQ(failures_.front(), QStringLiteral("the station room 2 is connected"));
+  EXPECT_FALSE(page.restoreButton().isVisible());
+}
+
+TEST_F(CarePages, ACancelledRestoreLeavesTheRecordAndNoHalfFile) {
+  carePage().backUp(in("backup.sqlite"));
+  context().waitForJobs();
+  const int before = filesBeside();
+  auto& page = openBy<RestorePage>("Restore");
+  page.file().setText(QString::fromStdString(in("backup.sqlite").string()));
+  click(page.checkButton());
+  page.word().setText(QStringLiteral("RESTORE"));
+
+  QTest::mouseClick(&page.restoreButton(), Qt::LeftButton);
+  context().cancelJobs();
+  context().waitForJobs();
+
+  EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
+  EXPECT_EQ(filesBeside(), before);
+  EXPECT_EQ(people(record()), 2);
+}
+
+TEST_F(CarePages, ABackupThatIsNoneIsRefusedInPlainWords) {
+  std::ofstream(in("backup.sqlite")) << "not a database at all, only some words in a file";
+  auto& page = openBy<RestorePage>("Restore");
+
+  page.file().setText(QString::fromStdString(in("backup.sqlite").string()));
+  click(page.checkButton());
+
+  EXPECT_EQ(failures_.size(), 1);
+  EXPECT_FALSE(page.restoreButton().isVisible());
+}
+
+TEST_F(CarePages, AServerThatDoesNotAnswerIsSaidAndNothingIsOffered) {
+  auto& page = openBy<MovePage>("Move to PostgreSQL");
+  EXPECT_FALSE(page.testButton().isEnabled());
+
+  page.setAddress({.host = "127.0.0.1", .port = 1, .database = "torsio", .user = "torsio"});
+  click(page.testButton());
+
+  EXPECT_EQ(failures_.size(), 1);
+  EXPECT_FALSE(page.copyButton().isVisible());
+}
+
+}  // namespace
+}  // namespace torsio::gui

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <QApplication>
+#include <QTest>
+
+#include "app/gui/review/case_page.h"
+#include "app/gui/review/replay_panel.h"
+#include "app/gui/shell/shell_context.h"
+#include "tests/app/session/review_centre.h"
+
+namespace torsio::gui {
+
+/// One physician at a desk with one page at a time; follows the pages that a page asks for.
+class DeskOf {
+ public:
+  DeskOf(torsio::testing::ReviewCentre& centre, std::size_t index)
+      : workplace_(centre.physician(index)),
+        shell_(*workplace_, std::filesystem::path(TORSIO_SOURCE_DIR) / "assets", ThemeKind::kLight) {
+    QObject::connect(&shell_, &ShellContext::pageWanted, [this](const QString& id, const QVariant& argument) {
+      wanted_.emplace_back(id, argument);
+    });
+    QObject::connect(&shell_, &ShellContext::failed,
+                     [this](const QString& happened, const QString& remedy, const QString& details) {
+                       failures_ << happened + remedy + details;
+                     });
+    QObject::connect(&shell_, &ShellContext::noticed, [this](const QString& text) { notices_ << text; });
+    QObject::connect(&shell_, &ShellContext::jobStarted, [this](const QString& text) { notices_ << text; });
+  }
+  ~DeskOf() { shell_.waitForJobs(); }
+
+  template <class T>
+  T& open(const QVariant& argument = {}) {
+    page_.reset();
+    auto made = std::make_unique<T>(shell_);
+    T& page = *made;
+    page_ = std::move(made);
+    page_->retranslate();
+    page_->applyTheme(theme(ThemeKind::kLight));
+    page_->resize(1146, 700);  // what a 1366 x 768 screen leaves beside navigation and header
+    page_->show();
+    page_->activateWindow();
+    QApplication::processEvents();
+    page_->enter(argument);
+    shell_.waitForJobs();
+    return page;
+  }
+  /// Follows the last page that was asked for; false: none, or another page than a case.
+  bool follow() {
+    if (wanted_.empty()) return false;
+    const auto [id, argument] = wanted_.back();
+    wanted_.clear();
+    if (id != QStringLiteral("review.case")) return false;
+    page_->enter(argument);
+    shell_.waitForJobs();
+    return true;
+  }
+  void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QWidget* target = page_->focusWidget() != nullptr ? page_->focusWidget() : page_.get();
+    QTest::keyClick(target, key, modifiers);
+  }
+  void type(const QString& text) {
+    QWidget* target = page_->focusWidget() != nullptr ? page_->focusWidget() : page_.get();
+    QTest::keyClicks(target, text);
+  }
+  /// Gone without leave(), save or anything else: a crash as far as the page knows.
+  void drop() { page_.reset(); }
+
+  [[nodiscard]] Workplace& workplace() { return *workplace_; }
+  [[nodiscard]] ShellContext& shell() { return shell_; }
+  [[nodiscard]] Page& page() { return *page_; }
+  [[nodiscard]] const QStringList& failures() const { return failures_; }
+  [[nodiscard]] const QStringList& notices() const { return notices_; }
+  [[nodiscard]] std::vector<std::pair<QString, QVariant>>& wanted() { return wanted_; }
+
+ private:
+  std::unique_ptr<Workplace> workplace_;
+  ShellContext shell_;
+  std::unique_ptr<Page> page_;
+  std::vector<std::pair<QString, QVariant>> wanted_;
+  QStringList failures_;
+  QStringList notices_;
+};
+
+inline Qt::Key digit(int value) {
+  return static_cast<Qt::Key>(Qt::Key_0 + value);
+}
+
+inline void watchAll(ReplayPanel& replay) {
+  for (int i = 0; i < 100 && replay.playing(); ++i) replay.frame(0.1);
+}
+
+/// Scores the open case with three digits, watches it, and submits: keys only.
+inline void scoreCase(DeskOf& desk, int time, int accuracy, int overall) {
+  auto& page = static_cast<CasePage&>(desk.page());
+  page.replay().setRealTime(false);
+  desk.press(digit(time));
+  desk.press(Qt::Key_Down);
+  desk.press(digit(accuracy));
+  desk.press(Qt::Key_Tab);
+  desk.press(digit(overall));
+  desk.press(Qt::Key_Space);
+  watchAll(page.replay());
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+}
+
+inline QString inputOf(const std::string& id) {
+  return QString::fromStdString(id);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a physician can meet, page by page and state by state, holds no name, no group, no stage and no model.
+#include <QApplication>
+#include <QClipboard>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QTableView>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "app/gui/look/data_table.h"
+#include "app/gui/review/alignment_page.h"
+#include "app/gui/review/evaluation_page.h"
+#include "app/gui/review/live_page.h"
+#include "app/gui/review/queue_page.h"
+#include "app/gui/review/review_pages.h"
+#include "app/gui/review/severity_page.h"
+#include "app/gui/review/warm_up_page.h"
+#include "app/session/review/alignment.h"
+#include "app/session/review/warm_up.h"
+#include "db/repository/evaluation_repository.h"
+#include "tests/app/gui/desk_of.h"
+#include "tests/app/gui/visible_words.h"
+
+namespace torsio::gui {
+namespace {
+
+using torsio::testing::ReviewCentre;
+
+QStringList gLogged;  // NOLINT: a message handler has no other place
+void keepMessage(QtMsgType, const QMessageLogContext&, const QString& text) {
+  gLogged << text;
+}
+
+/// Gathers what a physician can meet while going through every page in every state.
+class Gathering {
+ public:
+  Gathering() : before_(qInstallMessageHandler(keepMessage)) { gLogged.clear(); }
+  ~Gathering() { qInstallMessageHandler(before_); }
+  Gathering(const Gathering&) = delete;
+  Gathering& operator=(const Gathering&) = delete;
+
+  /// `page` as it is now, and what its lists give to the clipboard.
+  void look(QWidget& page) {
+    QApplication::processEvents();
+    for (DataTable* table : page.findChildren<DataTable*>()) {
+      table->view().selectAll();
+      QTest::keyClick(&table->view(), Qt::Key_C, Qt::ControlModifier);
+      found_ << QApplication::clipboard()->text();
+    }
+    const QStringList words = wordsOf(page);
+    EXPECT_GT(words.join(QString()).size(), 40);
+    EXPECT_FALSE(paintedWordsOf(page).isEmpty());
+    found_ << words;
+  }
+  void add(const QStringList& texts) { found_ << texts; }
+
+  /// All of it, with the log, the settings that were written and the names of the files.
+  [[nodiscard]] QStringList all(const std::filesystem::path& folder) {
+    found_ << gLogged << QSettings().allKeys();
+    for (const QString& key : QSettings().allKeys()) found_ << QSettings().value(key).toString();
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
+      found_ << QString::fromStdString(file.path().filename().string());
+    return found_;
+  }
+
+ private:
+  QtMessageHandler before_;
+  QStringList found_;
+};
+
+void addCampaign(ReviewCentre& centre) {
+  StoredCampaign campaign;
+  campaign.id = "campaign";
+  campaign.name = "Three models";
+  campaign.instrument = paperInstrument();
+  campaign.instrument.classes = {{"chief", "chief physicians", 1000}};
+  campaign.models = {{"PM", "proposed-model", "K", 1}, {"FEM", "finite-elements", "M", 2}};
+  campaign.raters = {{centre.raterId(0), "chief", "FEM,PM"}};
+  EvaluationRepository(centre.connection()).addCampaign(campaign);
+}
+
+/// Waiting, with answers and a remark, asked whether to submit, submitted, being amended.
+void goThroughACase(DeskOf& desk, Gathering& gathering, const QString& id) {
+  auto& page = desk.open<CasePage>(id);
+  gathering.look(page);
+  desk.press(Qt::Key_N);
+  desk.type(QStringLiteral("hand in the way"));
+  gathering.look(page);
+  desk.press(Qt::Key_Return);
+  desk.press(Qt::Key_B);
+  desk.press(Qt::Key_R);
+  desk.type(QStringLiteral("second grip slips"));
+  gathering.look(page);
+  desk.press(Qt::Key_Return);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  gathering.look(page);  // asked, and not ready
+  desk.press(Qt::Key_Escape);
+  scoreCase(desk, 6, 5, 7);
+  auto& sealed = desk.open<CasePage>(id);
+  gathering.look(sealed);
+  for (QPushButton* button : sealed.findChildren<QPushButton*>()) {
+    if (button->text().contains(QStringLiteral("mend")) && button->isVisibleTo(&sealed)) button->click();
+  }
+  gathering.look(sealed);
+}
+
+void goThroughTheRest(DeskOf& desk, Gathering& gathering) {
+  gathering.look(desk.open<QueuePage>());
+  auto& warmUpPage = desk.open<WarmUpPage>();
+  gathering.look(warmUpPage);
+  desk.press(Qt::Key_8);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  gathering.look(warmUpPage);
+  auto& live = desk.open<LivePage>();
+  gathering.look(live);
+  for (int i = 0; i < 3; ++i) {
+    desk.press(Qt::Key_6);
+    desk.press(Qt::Key_Down);
+  }
+  gathering.look(live);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  gathering.look(live);
+  auto& alignment = desk.open<AlignmentPage>();
+  gathering.look(alignment);
+  for (QPushButton* button : alignment.findChildren<QPushButton*>()) {
+    if (button->text().contains(QStringLiteral("Move")) && button->isVisibleTo(&alignment)) button->click();
+  }
+  gathering.look(alignment);
+  gathering.look(desk.open<SeverityPage>());
+  auto& evaluation = desk.open<EvaluationPage>();
+  gathering.look(evaluation);
+  for (int i = 0; i < 9; ++i) {
+    desk.press(Qt::Key_7);
+    desk.press(Qt::Key_Down);
+  }
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  gathering.look(evaluation);
+  desk.press(Qt::Key_Return, Qt::ControlModifier);
+  gathering.look(evaluation);
+}
+
+TEST(Blinding, NothingThatCanBeReadTellsWhoWhichGroupOrWhen) {
+  ReviewCentre::Setup setup;
+  setup.raters = 3;
+  setup.live = true;
+  ReviewCentre centre(setup);
+  addReferenceRuns(*centre.administrator(),
+                   {{centre.trialIds()[0], centre.rubricRevisionId(), 6.0, 5, false}});
+  addCampaign(centre);
+  for (std::size_t rater = 0; rater < 3; ++rater) {
+    DeskOf scorer(centre, rater);
+    scorer.open<CasePage>(inputOf(centre.caseAbout(rater, 0)));
+    scoreCase(scorer, 2 + 3 * static_cast<int>(rater), 5, 2 + 3 * static_cast<int>(rater));
+  }
+  Gathering gathering;
+  DeskOf desk(centre, 0);
+  ASSERT_FALSE(alignmentCases(desk.workplace()).empty());
+
+  for (const PageEntry& entry : reviewPages()) gathering.add({entry.title(), entry.id});
+  goThroughTheRest(desk, gathering);
+  goThroughACase(desk, gathering, inputOf(centre.caseAbout(0, 1)));
+  gathering.add(desk.notices());
+  gathering.add(desk.failures());
+
+  const QStringList found = gathering.all(centre.folder());
+  std::vector<std::string> secrets = centre.secrets();
+  secrets.insert(secrets.end(), {"FEM", "proposed-model", "finite-elements"});
+  for (const std::string& secret : secrets) {
+    for (const QString& text : found)
+      EXPECT_FALSE(text.contains(QString::fromStdString(secret), Qt::CaseInsensitive))
+          << secret << " in \"" << text.toStdString() << "\"";
+  }
+}
+
+TEST(Blinding, TheGrepWouldFindAName) {
+  QLabel label(QStringLiteral("Zhangwei"));
+  label.resize(200, 40);
+  EXPECT_TRUE(paintedWordsOf(label).join(QString()).contains(QStringLiteral("Zhangwei")));
+  QLabel tip;
+  tip.setToolTip(QStringLiteral("40 min virtual"));
+  EXPECT_TRUE(wordsOf(tip).join(QString()).contains(QStringLiteral("40 min virtual")));
+}
+
+}  // namespace
+}  // namespace torsio::gui

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Moving a record to a PostgreSQL server through the program's window.
+#include <cstdlib>
+#include <fstream>
+
+#include "app/gui/office/move_page.h"
+#include "db/migrations/migrations.h"
+#include "tests/app/gui/care_window.h"
+
+namespace torsio::gui {
+namespace {
+
+/// On the server that TORSIO_TEST_POSTGRES names, in a schema of its own.
+class ServerMove : public CarePages {
+ protected:
+  void SetUp() override {
+    const char* server = std::getenv("TORSIO_TEST_POSTGRES");
+    if (server == nullptr)
+      GTEST_SKIP()
+          << "no PostgreSQL server: export TORSIO_TEST_POSTGRES=$(tests/support/start-postgres.sh start)";
+    server_ = server;
+    const Locator locator = parseLocator(server_);
+    address_ = {.host = locator.host,
+                .port = locator.port,
+                .database = locator.database,
+                .user = locator.user,
+                .password = locator.password,
+                .schema = "torsio_move_" + std::to_string(std::hash<std::string>{}(record()))};
+    openDatabase(server_, OpenMode::kReadWrite).executeVerbatim("CREATE SCHEMA " + address_.schema);
+    qputenv("PGPASSFILE", QByteArray::fromStdString(in("pgpass").string()));
+    CarePages::SetUp();
+  }
+  void TearDown() override {
+    window_.reset();
+    if (server_.empty()) return;
+    qunsetenv("PGPASSFILE");
+    Connection connection = openDatabase(server_, OpenMode::kReadWrite);
+    connection.executeVerbatim("SET client_min_messages = warning");
+    connection.executeVerbatim("DROP SCHEMA " + address_.schema + " CASCADE");
+  }
+  void writePasswordFile() {
+    std::string line = passwordFileLine(address_);
+    line.replace(line.find("PASSWORD"), std::string("PASSWORD").size(), address_.password);
+    std::ofstream(in("pgpass")) << line << "\n";
+    fs::permissions(in("pgpass"), fs::perms::owner_read | fs::perms::owner_write);
+  }
+
+  std::string server_;
+  ServerAddress address_;
+};
+
+TEST_F(ServerMove, TheRecordIsCopiedComparedAndTheStationTurnsToTheServer) {
+  auto& page = openBy<MovePage>("Move to PostgreSQL");
+  page.setAddress(address_);
+  click(page.testButton());
+  EXPECT_TRUE(page.serverText().text().contains(QStringLiteral("The database is empty")));
+  click(page.copyButton());
+  EXPECT_TRUE(page.copyText().text().contains(QStringLiteral("same counts and hashes")));
+
+  click(page.switchButton());  // no password file yet
+  ASSERT_EQ(failures_.size(), 1);
+  EXPECT_EQ(failures_.front(),
+            QStringLiteral("the server does not let this station in without the typed password"));
+  EXPECT_TRUE(says(QStringLiteral("Torsio stores no password")));
+  writePasswordFile();
+  click(page.switchButton());
+  QTRY_COMPARE_WITH_TIMEOUT(window_->screen(), QStringLiteral("sign-in"), 5'000);
+  window_->background().wait();
+
+  EXPECT_TRUE(says(QStringLiteral("This station now works with the record at postgresql://127.0.0.1")));
+  signIn();
+  EXPECT_EQ(window_->workplace()->key().locator, lastingLocator(address_));
+  EXPECT_EQ(window_->workplace()->key().locator.find(address_.password), std::string::npos);
+  EXPECT_EQ(people(typedLocator(address_)), 2);
+  EXPECT_TRUE(contains(trail(typedLocator(address_)), "database.switch"));
+  EXPECT_TRUE(contains(trail(record()), "database.move"));
+  EXPECT_TRUE(contains(trail(typedLocator(address_)), "database.move"));
+}
+
+TEST_F(ServerMove, AUsedDatabaseIsNoTargetButAStationMayJoinIt) {
+  {
+    Connection used = openRecord(typedLocator(address_), OpenMode::kCreate, {.softwareVersion = "test"});
+    used.execute("INSERT INTO setting (name, value, changed_utc_us) VALUES ('a', 'b', 1)");
+  }
+  writePasswordFile();
+  auto& page = openBy<MovePage>("Move to PostgreSQL");
+
+  page.setAddress(address_);
+  click(page.testButton());
+  EXPECT_TRUE(
+      page.serverText().text().contains(QStringLiteral("There is a record in this database already")));
+  EXPECT_FALSE(page.copyButton().isVisible());
+  click(page.switchButton());
+  QTRY_COMPARE_WITH_TIMEOUT(window_->workplace()->key().locator, lastingLocator(address_), 5'000);
+  window_->background().wait();
+
+  EXPECT_TRUE(contains(trail(typedLocator(address_)), "database.join"));
+  EXPECT_TRUE(contains(trail(record()), "database.join"));
+  EXPECT_EQ(people(typedLocator(address_)), 0);  // nothing was copied
+}
+
+TEST_F(ServerMove, WhatIsWrittenAfterTheCopyForbidsTheSwitch) {
+  writePasswordFile();
+  auto& page = openBy<MovePage>("Move to PostgreSQL");
+  page.setAddress(address_);
+  click(page.testButton());
+  click(page.copyButton());
+  addPerson(*window_->workplace(), person());
+
+  click(page.switchButton());
+
+  ASSERT_EQ(failures_.size(), 1);
+  EXPECT_EQ(failures_.front(), QStringLiteral("something was written to this record after it was copied"));
+  EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
+}
+
+TEST_F(ServerMove, ACancelledCopyKeepsNothingOnTheServerAndCanBeRepeated) {
+  auto& page = openBy<MovePage>("Move to PostgreSQL");
+  page.setAddress(address_);
+  click(page.testButton());
+
+  QTest::mouseClick(&page.copyButton(), Qt::LeftButton);
+  context().cancelJobs();
+  context().waitForJobs();
+
+  EXPECT_TRUE(contains(trail(record()), "database.move_given_up") ||
+              !contains(trail(record()), "database.move"));
+  click(page.testButton());
+  EXPECT_TRUE(page.serverText().text().contains(QStringLiteral("the record can go there")));
+  click(page.copyButton());
+  EXPECT_TRUE(page.copyText().text().contains(QStringLiteral("same counts and hashes")));
+}
+
+TEST_F(ServerMove, ACopyIsRefusedWhileAnotherStationIsConnected) {
+  auto& page = openBy<MovePage>("Move to PostgreSQL");
+  page.setAddress(address_);
+  click(page.testButton());
+  showsOtherStation();
+
+  click(page.copyButton());
+
+  ASSERT_EQ(failures_.size(), 1);
+  EXPECT_EQ(failures_.front(), QStringLiteral("the station room 2 is connected"));
+  EXPECT_FALSE(page.switchButton().isVisible());
+}
+
+}  // namespace
+}  // namespace torsio::gui
