@@ -5,6 +5,7 @@
 
 #include "app/gui/main_window.h"
 #include "app/gui/picture.h"
+#include "app/gui/shell/spoken.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -21,8 +22,8 @@ void MainWindow::savePicture(const QImage& picture, const QString& file) {
     writePicture(picture, file.toStdString());
     Q_EMIT controller_->noticed(tr("Saved %1").arg(file));
   } catch (const Error& error) {
-    showProblem(QString::fromStdString(error.happened()), QString::fromStdString(error.remedy()),
-                QString::fromStdString(error.where()));
+    const SpokenError said = spoken(error);
+    showProblem(said.happened, said.remedy, said.details);
   }
 }
 

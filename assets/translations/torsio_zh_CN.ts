@@ -145,6 +145,13 @@
     </message>
 </context>
 <context>
+    <name>Office</name>
+    <message>
+        <source>no cohort yet</source>
+        <translation type="unfinished" />
+    </message>
+</context>
+<context>
     <name>OfficePages</name>
     <message>
         <source>Run day</source>
@@ -615,6 +622,30 @@
         <source>Report</source>
         <translation>报告</translation>
     </message>
+    <message>
+        <source>Swap turns</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Why, without names</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;With</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>原因(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Their groups stay as drawn; a deviation is noted for both and appears in the report.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Swap</source>
+        <translation type="unfinished" />
+    </message>
 </context>
 <context>
     <name>Scoring</name>
@@ -693,6 +724,21 @@
     <message>
         <source>Do it</source>
         <translation>执行</translation>
+    </message>
+</context>
+<context>
+    <name>SealedCards</name>
+    <message>
+        <source>No. %1. Open when the training begins.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 trains in group</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Sealed cards: %1</source>
+        <translation type="unfinished" />
     </message>
 </context>
 <context>
@@ -1216,6 +1262,10 @@
     <message>
         <source>Choose another recording</source>
         <translation>请选择其他录制</translation>
+    </message>
+    <message>
+        <source>Choose another trainee</source>
+        <translation type="unfinished" />
     </message>
     <message>
         <source>Choose another trial</source>
@@ -1864,6 +1914,10 @@
     <message>
         <source>List the trials to find its id</source>
         <translation>请列出操作记录以查找编号</translation>
+    </message>
+    <message>
+        <source>Lock a design and allocate first</source>
+        <translation type="unfinished" />
     </message>
     <message>
         <source>Lock one first</source>
@@ -3538,6 +3592,10 @@
         <translation>从固定端到自由端的曲面不连通</translation>
     </message>
     <message>
+        <source>nobody is allocated yet</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
         <source>nobody is asked to score</source>
         <translation>没有邀请任何人评分</translation>
     </message>
@@ -3556,6 +3614,10 @@
     <message>
         <source>nobody scores in the class %1, which has a weight</source>
         <translation>类别 %1 有权重，但没有人评分</translation>
+    </message>
+    <message>
+        <source>nobody swaps with themselves</source>
+        <translation type="unfinished" />
     </message>
     <message>
         <source>nobody waits for a group</source>
@@ -4670,6 +4732,10 @@
         <translation>该评分表刚刚在另一工作站被更改</translation>
     </message>
     <message>
+        <source>this trainee is not in the cohort</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
         <source>this version of the curriculum is not running</source>
         <translation>该课程版本未在进行中</translation>
     </message>
@@ -4776,6 +4842,10 @@
     <message>
         <source>was written by a newer version of Torsio (schema %1, this program knows %2)</source>
         <translation>由更新版本的 Torsio 写入（结构 %1，此程序支持 %2）</translation>
+    </message>
+    <message>
+        <source>withdrawn</source>
+        <translation type="unfinished" />
     </message>
     <message>
         <source>you are not asked in this evaluation</source>
@@ -5439,6 +5509,10 @@
         <source>&amp;Copy</source>
         <translation>复制(&amp;C)</translation>
     </message>
+    <message>
+        <source>Copied</source>
+        <translation type="unfinished" />
+    </message>
 </context>
 <context>
     <name>torsio::gui::AlignmentPage</name>
@@ -5584,6 +5658,16 @@ Seed: %6</source>
         <translation>按抽取结果</translation>
     </message>
     <message>
+        <source>There is no cohort yet. Make one under Cohorts and enrol its trainees.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1
+
+Only a keeper of the allocation previews, locks and draws. Whoever has the role Administrator gives it to somebody under Users.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
         <source>The design is locked and its seed is sealed</source>
         <translation>方案已锁定，种子已封存</translation>
     </message>
@@ -5614,6 +5698,18 @@ Seed: %6</source>
     <message>
         <source>From now on anybody can repeat the draw, and foresee what is left of it.</source>
         <translation>此后任何人都可以重复抽取，也能预知剩余的抽取结果。</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>Sealed cards</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Check of the draw</source>
@@ -5674,6 +5770,14 @@ Seed: %6</source>
     <message>
         <source>&amp;Allocate everybody</source>
         <translation>全部分组(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Ca&amp;rds…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>A page with a label and a card for each envelope, to print</source>
+        <translation type="unfinished" />
     </message>
     <message>
         <source>&amp;Open the seal…</source>
@@ -7098,6 +7202,14 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>%1 / %2 行</translation>
     </message>
     <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Together: %1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
         <source>Filter…</source>
         <translation>筛选…</translation>
     </message>
@@ -7108,6 +7220,14 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>Copy with headers</source>
         <translation>连同表头复制</translation>
+    </message>
+    <message>
+        <source>Sort by this column</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Columns…</source>
+        <translation type="unfinished" />
     </message>
 </context>
 <context>
@@ -8281,22 +8401,6 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>文件中的数值单位为</translation>
     </message>
     <message>
-        <source>Save picture</source>
-        <translation>保存图片</translation>
-    </message>
-    <message>
-        <source>torsio.png</source>
-        <translation>torsio.png</translation>
-    </message>
-    <message>
-        <source>PNG pictures (*.png)</source>
-        <translation>PNG 图片 (*.png)</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>已保存 %1</translation>
-    </message>
-    <message>
         <source>Nothing has been recorded yet.</source>
         <translation>尚无录制内容。</translation>
     </message>
@@ -8427,6 +8531,14 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>Save the scene as a PNG picture</source>
         <translation>将场景保存为 PNG 图片</translation>
+    </message>
+    <message>
+        <source>Film strip…</source>
+        <translation>连续画面…</translation>
+    </message>
+    <message>
+        <source>Save the twist at 0, 30, 60 … degrees, or the recording that is replayed, as one picture</source>
+        <translation>把 0、30、60……度时的扭转，或正在回放的记录，保存为一张图片</translation>
     </message>
     <message>
         <source>Start the exercise anew and record it</source>
@@ -8624,6 +8736,42 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <source>Tools</source>
         <translation>工具</translation>
     </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存图片</translation>
+    </message>
+    <message>
+        <source>torsio.png</source>
+        <translation>torsio.png</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG 图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>There is no picture to capture here</source>
+        <translation>此处没有可截取的画面</translation>
+    </message>
+    <message>
+        <source>Stop the recording before you save a film strip.</source>
+        <translation>请先停止记录，再保存连续画面。</translation>
+    </message>
+    <message>
+        <source>Save film strip</source>
+        <translation>保存连续画面</translation>
+    </message>
+    <message>
+        <source>film-strip.png</source>
+        <translation>film-strip.png</translation>
+    </message>
+    <message>
+        <source>%1 after %2 s</source>
+        <translation>%2 秒后：%1</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::NextStepPage</name>
@@ -8820,6 +8968,12 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>Nobody is left to choose.</source>
         <translation>没有可选人员。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Take %n</source>
+        <translation type="unfinished">
+            <numerusform />
+        </translation>
     </message>
 </context>
 <context>
@@ -9560,6 +9714,14 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>保存空白模板(&amp;S)…</translation>
     </message>
     <message>
+        <source>Needed columns: %1. Further columns, as far as you have them: %2. Their order and their headings do not matter; the next step asks which is which.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
         <source>Roster</source>
         <translation>人员名册</translation>
     </message>
@@ -9797,8 +9959,8 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>导入名单</translation>
     </message>
     <message>
-        <source>Import</source>
-        <translation>导入</translation>
+        <source>&amp;Import</source>
+        <translation type="unfinished" />
     </message>
 </context>
 <context>
@@ -9822,6 +9984,60 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>%1 recording now · %2 of %3 done · %4 sheets missing</source>
         <translation>正在录制 %1 · 已完成 %2 / %3 · 缺评分表 %4</translation>
+    </message>
+    <message>
+        <source>Nothing to run yet. Go through the pages at the left in their order: Roster (bring people in), Curricula, Cohorts, Allocation, Scoring.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Nobody is enrolled in this cohort yet. Enrol trainees under Cohorts.</source>
+        <translation>该批次尚无人登记。请在“批次”中登记学员。</translation>
+    </message>
+    <message>
+        <source>%1 was recording at %2, which does not answer since %3. Go and look.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 does not answer since %2.</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>%1 has rested longer than allowed.</source>
+        <translation type="unfinished" />
+    </message>
+    <message numerus="yes">
+        <source>%1: %n sheet(s) are missing.</source>
+        <translation type="unfinished">
+            <numerusform />
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n trainee(s) have no group yet; draw them under Allocation.</source>
+        <translation type="unfinished">
+            <numerusform />
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation type="unfinished">
+            <numerusform />
+        </translation>
+    </message>
+    <message>
+        <source>! does not answer</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>● records</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>○ free</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Swapped; both deviations are noted.</source>
+        <translation type="unfinished" />
     </message>
     <message>
         <source>&amp;Back in…</source>
@@ -9868,12 +10084,44 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>登记时间(&amp;L)…</translation>
     </message>
     <message>
-        <source>&amp;Deviation…</source>
-        <translation>偏离(&amp;D)…</translation>
+        <source>S&amp;wap turns…</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Stations</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Station</source>
+        <translation>工作站</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>现在</translation>
     </message>
     <message>
         <source>Trainee</source>
         <translation>学员</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Last sign of life</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Version</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Deviation…</source>
+        <translation>偏离(&amp;D)…</translation>
     </message>
     <message>
         <source>Group</source>
@@ -9892,10 +10140,6 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>剩余休息</translation>
     </message>
     <message>
-        <source>Station</source>
-        <translation>工作站</translation>
-    </message>
-    <message>
         <source>Scoring due</source>
         <translation>应评分点</translation>
     </message>
@@ -9906,10 +10150,6 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>Deviations</source>
         <translation>偏离</translation>
-    </message>
-    <message>
-        <source>Nobody is enrolled in this cohort yet. Enrol trainees under Cohorts.</source>
-        <translation>该批次尚无人登记。请在“批次”中登记学员。</translation>
     </message>
 </context>
 <context>
@@ -10997,6 +11237,10 @@ Leave it empty to remove it.</source>
     <message>
         <source>&amp;Disable…</source>
         <translation>停用(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Sealing the start password</source>
+        <translation type="unfinished" />
     </message>
     <message>
         <source>New start password</source>
