@@ -168,8 +168,9 @@ void AccessRepository::setPassword(const std::string& userId, const std::string&
 
 void AccessRepository::setPin(const std::string& userId, const std::string& pin) {
   if (!pin.empty() && pin.size() < static_cast<std::size_t>(kShortestPin)) {
-    throw Error(ErrorCode::kBadParameter, "is shorter than " + std::to_string(kShortestPin) + " digits",
-                "PIN", "Take a longer one");
+    throw Error(ErrorCode::kBadParameter,
+                "the PIN is shorter than " + std::to_string(kShortestPin) + " digits", "PIN",
+                "Take a longer one");
   }
   connection_.execute("UPDATE app_user SET pin_hash = ? WHERE id = ?",
                       {pin.empty() ? Value() : Value(hashPassword(pin, cost_)), userId});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/session/training/debrief.h"
 #include "app/session/training/expert_run.h"
@@ -87,8 +88,14 @@ Debrief debrief(Workplace& workplace, const std::string& trialId, const std::fil
   TrialRepository trials(workplace.connection());
   const Trial trial = trials.load(trialId);
   const StoredModule* module = record.module(listing.moduleId);
+  const DebriefRules rules = rulesOf(module);
+  // Decoded and measured once, for the debrief and for the attempt that is kept beside the trial.
+  const std::vector<Sample> samples = decodeTrial(trial);
+  MeasuredTrial measured = measureTwists(trial.header, samples, rules);
+  if (listing.summary && module != nullptr)
+    keepAttempt(trials, trialId, attemptFrom(trial.header, samples, measured, rules.tolerance_rad));
   const std::optional<Trial> expert = expertFor(trials, trial.header, assets, scene);
-  Debrief out = makeDebrief(trial.header, decodeTrial(trial), rulesOf(module), expert ? &*expert : nullptr);
+  Debrief out = makeDebrief(trial.header, samples, std::move(measured), rules, expert ? &*expert : nullptr);
   out.moduleId = listing.moduleId;
   out.mode = listing.attemptMode;
   out.interrupted = trial.summary.outcome == TrialOutcome::kInterrupted;
