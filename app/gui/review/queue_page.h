@@ -14,6 +14,7 @@ namespace torsio::gui {
 class Card;
 class DataTable;
 class PageHeading;
+class QuestionsCard;
 
 /// A physician's home: how much waits, how long it takes, and one button that goes on where the work is.
 class QueuePage : public Page {
@@ -53,6 +54,7 @@ class QueuePage : public Page {
     QWidget* row;
   };
   Card* doors_;
+  QuestionsCard* questions_;
   Door warmUp_;
   Door live_;
   Door alignment_;

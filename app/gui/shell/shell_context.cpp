@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include "app/session/care/station_line.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -18,6 +19,10 @@ ShellContext::ShellContext(Workplace& workplace, std::filesystem::path assets, T
 ShellContext::~ShellContext() {
   cancelled_.store(true);
   workers_.waitForDone();
+}
+
+bool ShellContext::databaseAway() const {
+  return line_ != nullptr && !line_->answers();
 }
 
 void ShellContext::setThemeKind(ThemeKind kind) {

@@ -99,6 +99,7 @@ void BriefingPage::enter(const QVariant& argument) {
     shell().report(std::current_exception());
   }
   fill();
+  start_->setFocus();
 }
 
 bool BriefingPage::leave() {
