@@ -92,6 +92,7 @@ bool RunDayPage::leave() {
 }
 
 void RunDayPage::read() {
+  if (shell().databaseAway()) return;  // the window has said so
   const bool good = attempt(shell(), [&] {
     const std::string cohort = chosenId(cohort_);
     board_ = cohort.empty() ? std::nullopt : std::optional(runDayBoard(shell().workplace(), cohort));
