@@ -53,10 +53,10 @@ ShellWindow::ShellWindow(const ShellSetup& setup)
   setWindowTitle(QStringLiteral("Torsio"));
   setObjectName(QStringLiteral("shell"));
   setAutoFillBackground(true);
-  resize(1366, 768);
   // Without a smallest size of its own the window grows with what a page shows for a moment, beyond the
   // screen, and stays there.
   setMinimumSize(640, 400);
+  resize(1366, 768);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);

@@ -5,6 +5,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QTimer>
 
 #include "app/gui/shell/about_box.h"
 #include "app/gui/shell/lock_panel.h"
@@ -56,13 +57,13 @@ void ShellWindow::openDesk() {
   connect(desk_, &Desk::shortcutsWanted, this, [this] { ShortcutSheet(desk_, this).exec(); });
   connect(desk_, &Desk::aboutWanted, this, [this] { showAboutBox(this); });
   connect(desk_, &Desk::demonstrationRemovalWanted, this, &ShellWindow::removeDemonstration);
-  // Later, since the page that asks for it dies with the desk.
-  connect(&desk_->context(), &ShellContext::recordChangeWanted, this, [this](const RecordChange& change) {
-    QTimer::singleShot(0, this, [this, change] { changeRecord(change); });
-  });
   connect(desk_, &Desk::passwordChangeWanted, this, [this] {
     password_->begin(QString::fromStdString(workplace_->actor().login), {}, false);
     show(password_);
+  });
+  // Later, since the page that asks for it dies with the desk.
+  connect(&desk_->context(), &ShellContext::recordChangeWanted, this, [this](const RecordChange& change) {
+    QTimer::singleShot(0, this, [this, change] { changeRecord(change); });
   });
   desk_->rail().setNarrow(preferences_.layout(QStringLiteral("rail_narrow")).toBool());
   connect(&desk_->rail(), &Rail::narrowChanged, this,

@@ -212,7 +212,7 @@ void RunPage::record() {
     if (desk.openDevice)
       device = desk.openDevice(*scene_->controller().scene(), order.header.targetAngle_rad);
   } catch (const Error& problem) {
-    withoutDevice(QString::fromStdString(problem.happened()));
+    withoutDevice(spoken(problem).happened);
     return;
   }
   haptic_ = device != nullptr;

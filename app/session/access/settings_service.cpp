@@ -71,8 +71,8 @@ void setCentreIdleLimits(Workplace& workplace, int warn_min, int lock_min) {
   workplace.require(Operation::kSettingsEdit);
   if (!sensible(warn_min, lock_min)) {
     throw Error(ErrorCode::kBadParameter, "these minutes make no sense", "idle lock",
-                "Lock after " + std::to_string(kShortestIdleLock_min) + " to " +
-                    std::to_string(kLongestIdleLock_min) + " minutes, and warn at least one minute before");
+                Text("Lock after %1 to %2 minutes, and warn at least one minute before",
+                     kShortestIdleLock_min, kLongestIdleLock_min));
   }
   Transaction transaction(workplace.connection());
   setCentreSetting(workplace, kIdleWarn, std::to_string(warn_min));
