@@ -240,7 +240,8 @@ PageEntry comparePage() {
           .icon = QStringLiteral("compare"),
           .title = [] { return QCoreApplication::translate("ComparePage", "Compare models"); },
           .needs = {Operation::kPractice},
-          .make = [](ShellContext& context) -> Page* { return new ComparePage(context); }};
+          .make = [](ShellContext& context) -> Page* { return new ComparePage(context); },
+          .needsDatabase = false};
 }
 
 std::vector<ScreenEntry> compareScreens() {

@@ -9,6 +9,7 @@
 #include <QPainter>
 
 #include "app/gui/scene/scene_view.h"
+#include "sim/record/sample_codec.h"
 
 namespace torsio::gui {
 
@@ -71,19 +72,25 @@ std::vector<double> stripAngles_rad(double last_rad) {
 }
 
 std::vector<StripMoment> stripMoments(const TrialPlayback& playback) {
-  const std::vector<Sample>& samples = playback.samples();
-  const auto farthest =
-      std::max_element(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) {
-        return std::abs(a.response.angle_rad) < std::abs(b.response.angle_rad);
-      });
+  double farthest_rad = 0.0;
+  std::int64_t begin_us = -1;
+  for (const TrialChunk& chunk : playback.chunks()) {
+    for (const Sample& sample : decodeChunk(chunk)) {
+      if (begin_us < 0) begin_us = sample.device.time_us;
+      if (std::abs(sample.response.angle_rad) > std::abs(farthest_rad))
+        farthest_rad = sample.response.angle_rad;
+    }
+  }
+  const std::vector<double> angles_rad = stripAngles_rad(farthest_rad);
+  const double direction = std::copysign(1.0, farthest_rad);
   std::vector<StripMoment> moments;
-  for (const double angle_rad : stripAngles_rad(farthest->response.angle_rad)) {
-    const auto first = std::find_if(samples.begin(), samples.end(), [&](const Sample& sample) {
-      const double along_rad = std::copysign(1.0, farthest->response.angle_rad) * sample.response.angle_rad;
-      return along_rad >= std::abs(angle_rad);
-    });
-    if (first == samples.end()) continue;
-    moments.push_back({angle_rad, first->device.time_us - samples.front().device.time_us});
+  for (const TrialChunk& chunk : playback.chunks()) {
+    for (const Sample& sample : decodeChunk(chunk)) {
+      while (moments.size() < angles_rad.size() &&
+             direction * sample.response.angle_rad >= std::abs(angles_rad[moments.size()])) {
+        moments.push_back({angles_rad[moments.size()], sample.device.time_us - begin_us});
+      }
+    }
   }
   return moments;
 }

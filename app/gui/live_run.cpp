@@ -22,11 +22,13 @@ ServoOptions LiveRun::options(const RunSetup& setup) {
   return options;
 }
 
-LiveRun::LiveRun(std::shared_ptr<const Scene> scene, const RunSetup& setup)
+LiveRun::LiveRun(std::shared_ptr<const Scene> scene, const RunSetup& setup,
+                 std::unique_ptr<HapticDevice> device)
     : scene_(std::move(scene)),
       pointer_(setup.start),
+      device_(std::move(device)),
       commands_(kCommandsWaiting),
-      loop_({.device = &pointer_, .scene = scene_.get(), .live = &live_, .commands = &commands_},
+      loop_({.device = &this->device(), .scene = scene_.get(), .live = &live_, .commands = &commands_},
             options(setup)),
       thread_(loop_, kTick_us) {}
 
@@ -66,6 +68,12 @@ LiveRun::~LiveRun() {
 void LiveRun::start() {
   if (recorder_) recorder_->start();
   thread_.start();
+}
+
+std::unique_ptr<HapticDevice> LiveRun::releaseDevice() {
+  thread_.stop();
+  if (device_) device_->write({});
+  return std::move(device_);
 }
 
 RecordingResult LiveRun::finish(TrialOutcome outcome) {

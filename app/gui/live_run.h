@@ -26,8 +26,9 @@ struct RunSetup {
 /// and the recorder, when there is one, another.
 class LiveRun {
  public:
-  /// Free practice: nothing is recorded.
-  LiveRun(std::shared_ptr<const Scene> scene, const RunSetup& setup);
+  /// Free practice: nothing is recorded. `device` null: the pointer.
+  LiveRun(std::shared_ptr<const Scene> scene, const RunSetup& setup,
+          std::unique_ptr<HapticDevice> device = nullptr);
   /// Recorded from the first tick on. Device, drive and target of `header` are filled in here.
   LiveRun(std::shared_ptr<const Scene> scene, const RunSetup& setup, TrialHeader header,
           std::unique_ptr<TrialSink> sink);
@@ -46,6 +47,9 @@ class LiveRun {
   void steer(const PointerInput& input) noexcept { pointer_.publish(input); }
   /// False when too many commands wait: the wish is refused, and must be said so.
   [[nodiscard]] bool command(const ServoCommand& command) noexcept { return commands_.push(command); }
+  /// Stops the servo and hands out the device that was given, its force at zero; null: it was the pointer.
+  /// Nothing but finish() and destruction may follow.
+  [[nodiscard]] std::unique_ptr<HapticDevice> releaseDevice();
   /// The newest snapshot. GUI thread.
   [[nodiscard]] const LiveState& latest() noexcept { return live_.latest(); }
   /// How punctual the servo is. Any thread.

@@ -123,6 +123,9 @@ void MainWindow::createLayout() {
   source_ = new QLabel(this);
   statusBar()->addWidget(hint_, 1);
   statusBar()->addPermanentWidget(recordingTime_);
+  device_ = new QLabel(this);
+  device_->setObjectName(QStringLiteral("deviceName"));
+  statusBar()->addPermanentWidget(device_);
   statusBar()->addPermanentWidget(source_);
   statusBar()->setSizeGripEnabled(false);
 }
@@ -132,6 +135,7 @@ void MainWindow::connectController() {
   connect(c, &SimulationController::sceneChanged, this, &MainWindow::showScene);
   connect(c, &SimulationController::modeChanged, this, &MainWindow::showMode);
   connect(c, &SimulationController::failed, this, &MainWindow::showProblem);
+  connect(c, &SimulationController::hapticModelChanged, this, &MainWindow::showDevice);
   connect(c, &SimulationController::noticed, this, [this](const QString& sentence) {
     notice_ = sentence;
     noticeLeft_s_ = kNoticeFor_s;
@@ -205,6 +209,8 @@ void MainWindow::retranslate() {
   hint_->setAccessibleName(tr("Hint"));
   recordingTime_->setAccessibleName(tr("Recording"));
   source_->setAccessibleName(tr("Source of the organ"));
+  device_->setAccessibleName(tr("Device"));
+  showDevice();
   if (controller_->scene() != nullptr) showTitle();
   noticeLeft_s_ = 0.0;
   hint_->clear();  // the next frame says it again
@@ -214,11 +220,33 @@ void MainWindow::retranslate() {
 void MainWindow::pause() {
   frameTimer_.stop();
   controller_->releaseTissue();
+  controller_->useHapticDevice({});  // a run may need it
 }
 
 void MainWindow::resume() {
+  if (setup_.openHaptic) controller_->useHapticDevice(setup_.openHaptic);
   sinceFrame_.restart();
   frameTimer_.start(kFrame_ms);
+}
+
+void MainWindow::showDevice() {
+  const QString& model = controller_->hapticModel();
+  device_->setText(model.isEmpty() ? tr("Mouse and keyboard") : model);
+  device_->setVisible(static_cast<bool>(setup_.openHaptic));
+}
+
+QString MainWindow::hapticHint(const LiveState& state) const {
+  switch (state.phase) {
+    case ExercisePhase::kTracking:
+      return tr("Bring the jaw to the marked band");
+    case ExercisePhase::kContact:
+      return tr("Touching. Hold the first button of the stylus to grip");
+    case ExercisePhase::kTwisting:
+      return tr("Holding. Lead the stylus round to twist; let the button go to release");
+    case ExercisePhase::kReleased:
+      break;
+  }
+  return tr("The tissue returns to rest");
 }
 
 void MainWindow::frame(double elapsed_s) {
@@ -275,6 +303,8 @@ void MainWindow::showHint(const LiveState& state) {
     text = notice_;
   } else if (mode == SimulationController::Mode::kReplay) {
     text = tr("Replay of a recorded trial");
+  } else if (mode != SimulationController::Mode::kEmpty && !controller_->hapticModel().isEmpty()) {
+    text = hapticHint(state);
   } else if (mode != SimulationController::Mode::kEmpty) {
     switch (state.phase) {
       case ExercisePhase::kTracking: {

@@ -32,8 +32,9 @@ struct WindowSetup {
   SceneLoader loader = loadSceneForView;
   TrialRecording recording;
   ThemeKind theme = ThemeKind::kLight;
-  bool embedded = false;  ///< a part of another window: no menu bar, no program-wide commands
-  bool remember = true;   ///< read and write geometry and choices (off for pictures and tests)
+  bool embedded = false;    ///< a part of another window: no menu bar, no program-wide commands
+  HapticOpener openHaptic;  ///< empty: mouse and keyboard
+  bool remember = true;     ///< read and write geometry and choices (off for pictures and tests)
 };
 
 /// The window: scene in the middle, exercise and readouts beside it. It only passes on: simulation is the
@@ -124,6 +125,8 @@ class MainWindow : public QMainWindow {
   void showMode();
   void showProblem(const QString& happened, const QString& remedy, const QString& details);
   void showHint(const LiveState& state);
+  [[nodiscard]] QString hapticHint(const LiveState& state) const;
+  void showDevice();
   void showTool(const LiveState& state);
   void measureRate();
   void restoreChoices();
@@ -151,6 +154,7 @@ class MainWindow : public QMainWindow {
   QLabel* hint_ = nullptr;
   QLabel* recordingTime_ = nullptr;
   QLabel* source_ = nullptr;
+  QLabel* device_ = nullptr;
   QString notice_;
   double noticeLeft_s_ = 0.0;
   QTimer frameTimer_;

@@ -58,6 +58,7 @@ SimulationController::~SimulationController() {
   workers_.clear();
   workers_.waitForDone();
   run_.reset();
+  haptic_.reset();
 }
 
 void SimulationController::report(const std::exception_ptr& problem) {
@@ -125,7 +126,8 @@ void SimulationController::freeze(const LiveState& state) {
 
 void SimulationController::replace(const SceneRequest& request, LoadedScene loaded,
                                    std::optional<TrialPlayback> playback) {
-  run_.reset();  // the servo must not see the scene change
+  endRun();  // the servo must not see the scene change
+  retireHaptic();
   frozen_.reset();
   playback_ = std::move(playback);
   request_ = request;
@@ -137,16 +139,18 @@ void SimulationController::replace(const SceneRequest& request, LoadedScene load
     mode_ = Mode::kReplay;
   } else {
     mode_ = Mode::kPractice;
-    startRun(std::make_unique<LiveRun>(loaded_.scene, setup()));
+    practise();
   }
   Q_EMIT sceneChanged();
   Q_EMIT modeChanged();
+  openHaptic();
 }
 
 RunSetup SimulationController::setup() const {
   RunSetup setup;
   setup.start.position_m = parkingPoint_m();
   setup.targetAngle_rad = target_rad_;
+  if (led_) setup.drive = TwistDrive::kTangential;
   return setup;
 }
 
@@ -154,6 +158,19 @@ void SimulationController::startRun(std::unique_ptr<LiveRun> run) {
   run_ = std::move(run);
   run_->steer(pointer_);
   if (realTime_) run_->start();
+}
+
+/// Free practice with what is at hand.
+void SimulationController::practise() {
+  led_ = haptic_ != nullptr;
+  lostSaid_ = false;
+  startRun(std::make_unique<LiveRun>(loaded_.scene, setup(), std::move(haptic_)));
+}
+
+/// The device of free practice outlives its runs: opening it takes seconds.
+void SimulationController::endRun() {
+  if (run_ && openHaptic_) haptic_ = run_->releaseDevice();
+  run_.reset();
 }
 
 void SimulationController::setMode(Mode mode) {
@@ -175,6 +192,7 @@ Vec3 SimulationController::parkingPoint_m() const {
 }
 
 void SimulationController::advance(double elapsed_s) {
+  watchDevice();
   if (!playback_) return;
   const bool was = playback_->playing();
   playback_->advance(elapsed_s);
@@ -231,7 +249,6 @@ void SimulationController::startRecording() {
   header.parametersJson = scene()->parametersJson;
   header.softwareVersion = softwareVersion();
   header.startedUtc_us = utcNow_us();
-  header.drive = setup().drive;
   header.targetAngle_rad = target_rad_;
   try {
     std::unique_ptr<TrialSink> sink = recording_.open ? recording_.open(header) : nullptr;
@@ -239,11 +256,14 @@ void SimulationController::startRecording() {
       Q_EMIT noticed(tr("There is no place to keep a recording."));
       return;
     }
-    run_.reset();
-    startRun(std::make_unique<LiveRun>(loaded_.scene, setup(), std::move(header), std::move(sink)));
+    endRun();
+    led_ = haptic_ != nullptr;
+    header.drive = setup().drive;
+    startRun(std::make_unique<LiveRun>(loaded_.scene, setup(), std::move(header), std::move(sink),
+                                       std::move(haptic_)));
   } catch (...) {
     report(std::current_exception());
-    if (!run_) startRun(std::make_unique<LiveRun>(loaded_.scene, setup()));
+    if (!run_) practise();
     return;
   }
   setMode(Mode::kRecording);
@@ -265,8 +285,8 @@ void SimulationController::stopRecording() {
   } catch (...) {
     report(std::current_exception());
   }
-  run_.reset();
-  startRun(std::make_unique<LiveRun>(loaded_.scene, setup()));
+  endRun();
+  practise();
   setMode(Mode::kPractice);
 }
 
@@ -277,13 +297,12 @@ bool SimulationController::startTraining(TrialHeader header, std::unique_ptr<Tri
   header.parameterHash = scene()->parameterHash;
   header.parametersJson = scene()->parametersJson;
   target_rad_ = header.targetAngle_rad;
-  RunSetup how = setup();
   led_ = device != nullptr;
-  if (led_) how.drive = TwistDrive::kTangential;
+  lostSaid_ = false;
   frozen_.reset();
   run_.reset();
-  startRun(
-      std::make_unique<LiveRun>(loaded_.scene, how, std::move(header), std::move(sink), std::move(device)));
+  startRun(std::make_unique<LiveRun>(loaded_.scene, setup(), std::move(header), std::move(sink),
+                                     std::move(device)));
   setMode(Mode::kRecording);
   return true;
 }
@@ -335,7 +354,7 @@ void SimulationController::closeReplay() {
   if (!playback_) return;
   playback_.reset();
   target_rad_ = scene()->pattern.targetAngle_rad;
-  startRun(std::make_unique<LiveRun>(loaded_.scene, setup()));
+  practise();
   setMode(Mode::kPractice);
   Q_EMIT sceneChanged();
 }

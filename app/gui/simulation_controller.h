@@ -30,6 +30,9 @@ struct LoadedScene {
 using SceneLoader = std::function<LoadedScene(const SceneRequest&)>;
 [[nodiscard]] LoadedScene loadSceneForView(const SceneRequest& request);
 
+/// Opens the haptic device for a scene. Called in a worker thread; throws Error{kDevice}.
+using HapticOpener = std::function<std::unique_ptr<HapticDevice>(const Scene&)>;
+
 /// Everything between the widgets and the simulation: which scene is loaded, the running exercise, its
 /// recording, or a recording that is played. Scenes are loaded in a worker thread and swapped here, after the
 /// servo has stopped. GUI thread; the servo is never waited for except while it ends.
@@ -74,6 +77,13 @@ class SimulationController : public QObject {
   /// Where the instrument waits: in front of the section to grasp, on the side of the viewer.
   [[nodiscard]] Vec3 parkingPoint_m() const;
 
+  /// From now on free practice is done with the haptic device: it is opened in the background for each scene,
+  /// and the pointer serves until it is there, when there is none (noticed() says so), and after it was lost.
+  /// Empty: the device is given back, at once.
+  void useHapticDevice(HapticOpener opener);
+  /// Model of the haptic device in use; empty: the pointer.
+  [[nodiscard]] const QString& hapticModel() const noexcept { return hapticModel_; }
+
   void steer(const PointerInput& input);
   void releaseTissue();
   void setTarget(double target_rad);
@@ -112,11 +122,23 @@ class SimulationController : public QObject {
   void modeChanged();
   void failed(const QString& happened, const QString& remedy, const QString& details);
   void noticed(const QString& sentence);
+  /// hapticModel() is another one.
+  void hapticModelChanged();
+  /// The device of a training run does not answer any more; its force is off. Once a run.
+  void deviceLost();
 
  private:
   void replace(const SceneRequest& request, LoadedScene loaded, std::optional<TrialPlayback> playback);
   void loadFor(const SceneRequest& request, std::shared_ptr<const Trial> trial);
   void startRun(std::unique_ptr<LiveRun> run);
+  void practise();
+  void endRun();
+  void openHaptic();
+  void tookHaptic(std::unique_ptr<HapticDevice> device, const QString& problem);
+  void retireHaptic();
+  void watchDevice();
+  void loseHaptic();
+  void setHapticModel(const QString& model);
   [[nodiscard]] RunSetup setup() const;
   void setMode(Mode mode);
   void report(const std::exception_ptr& problem);
@@ -135,7 +157,12 @@ class SimulationController : public QObject {
   std::unique_ptr<LiveRun> run_;
   std::optional<TrialPlayback> playback_;
   std::optional<LiveState> frozen_;
-  bool led_ = false;  // the device is led round the organ; a pointer turns in place
+  bool led_ = false;                      // the device is led round the organ; a pointer turns in place
+  HapticOpener openHaptic_;               // empty: free practice with the pointer
+  std::unique_ptr<HapticDevice> haptic_;  // between two runs of free practice
+  QString hapticModel_;
+  std::uint64_t hapticWanted_ = 0;  // number of the newest attempt to open it
+  bool lostSaid_ = false;
 };
 
 }  // namespace torsio::gui

@@ -168,7 +168,7 @@ void AccessRepository::setPassword(const std::string& userId, const std::string&
 
 void AccessRepository::setPin(const std::string& userId, const std::string& pin) {
   if (!pin.empty() && pin.size() < static_cast<std::size_t>(kShortestPin)) {
-    throw Error(ErrorCode::kBadParameter, Text("is shorter than %1 digits", kShortestPin), "PIN",
+    throw Error(ErrorCode::kBadParameter, Text("the PIN is shorter than %1 digits", kShortestPin), "PIN",
                 "Take a longer one");
   }
   connection_.execute("UPDATE app_user SET pin_hash = ? WHERE id = ?",

@@ -71,15 +71,17 @@ bool isRun(const std::string& text) {
 
 void checkPassword(const std::string& password, const std::string& login) {
   if (charactersOf(password) < kShortestPassword) {
-    refuse(Text("is shorter than %1 characters", kShortestPassword),
+    refuse(Text("the password is shorter than %1 characters", kShortestPassword),
            "Take a sentence: spaces and any letters are welcome");
   }
-  if (password.size() > static_cast<std::size_t>(kLongestPassword)) refuse("is too long", "Shorten it");
+  if (password.size() > static_cast<std::size_t>(kLongestPassword))
+    refuse("the password is too long", "Shorten it");
   const std::string plain = lowered(password);
   const std::string name = lowered(login);
-  if (repeats(plain) || isRun(plain)) refuse("is a simple pattern", "Take a sentence of your own");
+  if (repeats(plain) || isRun(plain))
+    refuse("the password is a simple pattern", "Take a sentence of your own");
   if (name.size() >= 3 && plain.size() < name.size() + 8 && plain.find(name) != std::string::npos) {
-    refuse("is little more than the login name", "Take a sentence of your own");
+    refuse("the password is little more than the login name", "Take a sentence of your own");
   }
 }
 

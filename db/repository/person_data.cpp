@@ -26,6 +26,8 @@ constexpr std::string_view kRemarks =
     " OR trial_id IN (SELECT id FROM trial WHERE trainee_id = ?))";
 constexpr std::string_view kReceipts =
     "(reader_person_id = ? OR reader IN (SELECT id FROM app_user WHERE person_id = ?))";
+constexpr std::string_view kQuestions =
+    "(rater_id = ? OR remark_id IN (SELECT id FROM trial_remark WHERE author_person_id = ?))";
 constexpr std::string_view kOwnScores = "self_score_id IN (SELECT id FROM self_score WHERE trainee_id = ?)";
 constexpr std::string_view kOwnUser = "user_id IN (SELECT id FROM app_user WHERE person_id = ?)";
 
@@ -37,6 +39,7 @@ constexpr std::array kRules{
     PersonRule{"rater", "person_id = ?"},
     PersonRule{"station_state", kOwnUser, OnErase::kClear, "user_id = NULL"},
     PersonRule{"remark_receipt", kReceipts},
+    PersonRule{"trial_question", kQuestions},
     PersonRule{"trial_remark", kRemarks, OnErase::kClear, "text = NULL"},
     PersonRule{"user_role", kOwnUser, OnErase::kDelete},
     PersonRule{"audit_entry",

@@ -132,7 +132,8 @@ struct LiveState {
   double tickDuration_us = 0.0;  ///< of the previous tick, measured on the monotonic clock
   std::int64_t refusedSamples = 0;
   std::int64_t lateTicks = 0;
-  std::uint32_t contact = kContactNone;  ///< ToolContact bits
+  std::uint32_t deviceStatus = kDeviceOk;  ///< DeviceStatus bits of the last reading
+  std::uint32_t contact = kContactNone;    ///< ToolContact bits
   /// Under the jaw and under the shaft.
   std::array<ContactPatch, 2> patches{};
   ExerciseTimes times;

@@ -187,6 +187,7 @@ void ServoLoop::publish() noexcept {
   live.refusedSamples =
       links_.recording != nullptr ? static_cast<std::int64_t>(links_.recording->refused()) : 0;
   live.lateTicks = lateTicks_;
+  live.deviceStatus = sample_.device.status;
   live.contact = sample_.contact;
   live.patches = patches_;
   live.times = times_;

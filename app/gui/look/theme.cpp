@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QFont>
+#include <QFontInfo>
 #include <QPalette>
 #include <QStyleFactory>
 
@@ -185,7 +186,7 @@ QPushButton { background: %raised; color: %text; border: 1px solid %border; bord
   padding: 7px 16px; min-height: 20px; }
 QPushButton:hover { background: %track; }
 QPushButton:default { background: %accent; color: %onAccent; border-color: %accent; }
-QPushButton:focus { border: 2px solid %accent; padding: 6px 15px; }
+QPushButton:focus { border: 2px solid %accent; padding: 6px 15px; outline: none; }
 QPushButton:disabled, QPushButton:default:disabled { background: %raised; color: %border; border-color: %line; }
 QFrame#rail { background: %surface; border: none; border-right: 1px solid %line; }
 QFrame#rail QPushButton { background: transparent; border: 1px solid transparent; border-radius: 6px; color: %text;
@@ -197,13 +198,17 @@ QFrame#header { background: %surface; border: none; border-bottom: 1px solid %li
 QFrame#problem { margin: 8px 16px 0 16px; background: %surface; border: 1px solid %caution; border-left: 4px solid %caution; border-radius: 8px; }
 QFrame#job { margin: 8px 16px 0 16px; background: %surface; border: 1px solid %accent; border-radius: 8px; }
 QLabel#idleWarning { background: %caution; color: %window; padding: 8px; font-weight: 600; }
+QLabel#databaseAway { background: %raised; color: %caution; border-bottom: 1px solid %caution; padding: 8px;
+  font-weight: 600; }
 QLabel#toast { background: %text; color: %window; border-radius: 6px; padding: 10px 16px; }
 QPushButton[primary="true"] { background: %accent; color: %onAccent; border-color: %accent; font-weight: 600; }
 QPushButton[primary="true"]:hover { border-color: %text; }
+QPushButton[primary="true"]:focus { border: 2px solid %text; padding: 6px 15px; }
 QPushButton[primary="true"]:disabled { background: %raised; color: %border; border-color: %line; }
 QPushButton[link="true"] { background: transparent; color: %accent; border: 1px solid transparent; padding: 7px 8px; }
 QPushButton[link="true"]:hover { text-decoration: underline; }
-QPushButton[link="true"]:focus { border: 1px solid %accent; }
+QPushButton[link="true"]:focus { border: 1px solid %accent; padding: 7px 8px; }
+QPushButton[link="true"]:disabled { color: %border; }
 QScrollArea { background: transparent; border: none; }
 QScrollArea > QWidget > QWidget { background: transparent; }
 QScrollBar:vertical { background: transparent; width: 10px; margin: 0; }
@@ -250,7 +255,9 @@ void applyTheme(QApplication& application, const Theme& chosen) {
   QFont font = application.font();
   font.setPointSizeF(kBodyText_pt);
   // Chinese characters in their simplified shapes, whatever else the machine has.
-  QStringList families{font.families().isEmpty() ? font.family() : font.families().front()};
+  // An alias such as "Sans" would lose against a family that exists: one word in one typeface, the next in
+  // another.
+  QStringList families{QFontInfo(font).family()};
   for (const char* family : {"Noto Sans CJK SC", "Microsoft YaHei", "PingFang SC"})
     families << QLatin1String(family);
   font.setFamilies(families);

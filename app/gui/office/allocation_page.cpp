@@ -89,7 +89,8 @@ AllocationPage::AllocationPage(ShellContext& shell)
   lists->addWidget(recordsTitle_, 0, 1);
   lists->addWidget(balance_, 1, 0);
   lists->addWidget(records_, 1, 1);
-  for (const int side : {0, 1}) lists->setColumnStretch(side, 1);
+  lists->setColumnStretch(0, 4);  // the differences are what one looks for
+  lists->setColumnStretch(1, 3);
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addLayout(choices);

@@ -2,6 +2,7 @@
 #include "app/gui/office/campaign_dialog.h"
 
 #include <cmath>
+#include <set>
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -72,7 +73,9 @@ CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters, QWidget* pa
         {shown(rater.person.id), {{shown(rater.person.code)}, {raterClassName(rater.raterClass)}}});
   raters_->setRows(std::move(rows));
   raters_->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
+  for (const PersonRow& rater : raters) classOf_[shown(rater.person.id)] = rater.raterClass;
   raters_->view().selectAll();
+  connect(raters_, &DataTable::currentChanged, this, &CampaignDialog::check);
   auto* left = new QVBoxLayout;
   left->addLayout(form);
   left->addWidget(raters_, 1);
@@ -118,13 +121,25 @@ QWidget* CampaignDialog::weightFields() {
 
 void CampaignDialog::check() {
   const bool even = sumOf(indexWeights_) == kWhole_milli && sumOf(classWeights_) == kWhole_milli;
-  sums_->setText(
-      even ? tr("Both lists of weights sum to 1.")
-           : tr("The weights must sum to 1: indices %1, classes %2.")
-                 .arg(locale().toString(static_cast<double>(sumOf(indexWeights_)) / 1000.0, 'f', 3),
-                      locale().toString(static_cast<double>(sumOf(classWeights_)) / 1000.0, 'f', 3)));
+  std::set<std::string> present;
+  for (const QString& id : raters_->selectedIds()) present.insert(classOf_[id]);
+  QStringList empty;
+  for (std::size_t i = 0; i < classWeights_.size(); ++i)
+    if (milli(classWeights_[i]) > 0 && !present.contains(instrument_.classes[i].id))
+      empty << raterClassName(instrument_.classes[i].id);
+  if (!even)
+    sums_->setText(tr("The weights must sum to 1: indices %1, classes %2.")
+                       .arg(locale().toString(static_cast<double>(sumOf(indexWeights_)) / 1000.0, 'f', 3),
+                            locale().toString(static_cast<double>(sumOf(classWeights_)) / 1000.0, 'f', 3)));
+  else if (!empty.isEmpty())
+    sums_->setText(
+        tr("Choose raters of every class that has a weight. Missing: %1.").arg(empty.join(tr(", "))));
+  else
+    sums_->setText(
+        tr("Both lists of weights sum to 1; %1 raters are chosen.").arg(raters_->selectedIds().size()));
   buttons_->button(QDialogButtonBox::Ok)
-      ->setEnabled(even && !name_->text().trimmed().isEmpty() && plan().models.size() >= 2);
+      ->setEnabled(even && empty.isEmpty() && !name_->text().trimmed().isEmpty() &&
+                   plan().models.size() >= 2);
 }
 
 CampaignPlan CampaignDialog::plan() const {

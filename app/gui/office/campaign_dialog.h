@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <map>
+#include <string>
 #include <vector>
 
 #include <QDialog>
@@ -38,6 +40,7 @@ class CampaignDialog : public QDialog {
   std::vector<QDoubleSpinBox*> indexWeights_;
   std::vector<QDoubleSpinBox*> classWeights_;
   QLabel* sums_;
+  std::map<QString, std::string> classOf_;  // of a rater's id
   DataTable* raters_;
   QDialogButtonBox* buttons_;
 };

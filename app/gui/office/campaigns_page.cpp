@@ -11,6 +11,7 @@
 #include "app/gui/look/page_heading.h"
 #include "app/gui/office/campaign_dialog.h"
 #include "app/gui/office/office_parts.h"
+#include "app/gui/office/study_words.h"
 #include "app/gui/shell/shell_context.h"
 
 namespace torsio::gui {
@@ -78,7 +79,7 @@ void CampaignsPage::showRaters() {
     for (const CampaignRow::Rater& rater : row->raters)
       rows.push_back({shown(rater.id),
                       {{shown(rater.code)},
-                       {shown(rater.classCode)},
+                       {raterClassName(rater.classCode)},
                        {tr("%1 of %2").arg(rater.submitted).arg(rater.expected),
                         static_cast<qlonglong>(rater.submitted)},
                        {rater.submitted == rater.expected ? tr("done")

@@ -12,6 +12,7 @@
 #include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/office/office_parts.h"
+#include "app/gui/office/station_settings_card.h"
 #include "app/gui/shell/shell_context.h"
 #include "app/gui/shell/spoken.h"
 
@@ -25,7 +26,8 @@ DevicesPage::DevicesPage(ShellContext& shell)
       name_(new QLineEdit(this)),
       force_(new QCheckBox(this)),
       verdict_(sentence(this, false)),
-      table_(new DataTable(QStringLiteral("devices"), this)) {
+      table_(new DataTable(QStringLiteral("devices"), this)),
+      settings_(new StationSettingsCard(shell, this)) {
   check_->setProperty("primary", true);
   heading_->addAction(check_);
   auto* choices = new QHBoxLayout;
@@ -40,11 +42,13 @@ DevicesPage::DevicesPage(ShellContext& shell)
   column->addLayout(choices);
   column->addWidget(verdict_);
   column->addWidget(table_, 1);
+  column->addWidget(settings_);
   connect(check_, &QPushButton::clicked, this, &DevicesPage::check);
   retranslate();
 }
 
 void DevicesPage::enter(const QVariant&) {
+  settings_->read();
   show();
 }
 
@@ -99,6 +103,7 @@ void DevicesPage::show() {
 }
 
 void DevicesPage::retranslate() {
+  settings_->retranslate();
   heading_->setTexts(tr("Devices"), tr("Whether the haptic device of this station is fit for a scored run."));
   check_->setText(tr("&Check the device"));
   nameLabel_->setText(tr("Device &name"));

@@ -17,6 +17,7 @@ namespace torsio::gui {
 
 class DataTable;
 class PageHeading;
+class StationSettingsCard;
 
 /// Is the haptic device of this station fit for a scored run, and if not, what is to be done.
 class DevicesPage : public Page {
@@ -43,6 +44,7 @@ class DevicesPage : public Page {
   QCheckBox* force_;
   QLabel* verdict_;
   DataTable* table_;
+  StationSettingsCard* settings_;
 };
 
 }  // namespace torsio::gui

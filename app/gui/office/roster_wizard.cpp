@@ -355,7 +355,7 @@ void RosterPreviewPage::showProgress(const QString& step, double fraction) {
 void RosterPreviewPage::initializePage() {
   import_.preview.reset();
   lines_->setRows({});
-  begin(tr("Comparing %n lines with the record\u2026", nullptr, static_cast<int>(import_.file->rows.size())));
+  begin(tr("Comparing %1 lines with the record\u2026").arg(import_.file->rows.size()));
   struct Found {
     std::optional<RosterPreview> preview;
     std::optional<Error> problem;

@@ -27,7 +27,9 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kReadAgain_ms = 10'000;
-constexpr int kStationsHeight = 150;
+constexpr int kStationsFrame = 74;  // count of rows, headings, borders
+constexpr int kStationHeight = 32;
+constexpr std::size_t kMostStations = 4;
 constexpr qsizetype kMostAlerts = 3;
 
 }  // namespace
@@ -61,7 +63,6 @@ RunDayPage::RunDayPage(ShellContext& shell)
   alerts_->hide();
   stationsTitle_->setObjectName(QStringLiteral("cardTitle"));
   stations_->filter().hide();
-  stations_->setMaximumHeight(kStationsHeight);
   column->addWidget(alerts_);
   column->addWidget(table_, 1);
   column->addWidget(stationsTitle_);
@@ -92,6 +93,7 @@ bool RunDayPage::leave() {
 }
 
 void RunDayPage::read() {
+  if (shell().databaseAway()) return;  // the window has said so
   const bool good = attempt(shell(), [&] {
     const std::string cohort = chosenId(cohort_);
     board_ = cohort.empty() ? std::nullopt : std::optional(runDayBoard(shell().workplace(), cohort));
@@ -187,11 +189,9 @@ QString RunDayPage::alertText(const RunDayAlert& alert) const {
     case Kind::kRestTooLong:
       return tr("%1 has rested longer than allowed.").arg(shown(alert.subject));
     case Kind::kSheetsMissing:
-      return tr("%1: %n sheet(s) are missing.", nullptr, static_cast<int>(alert.count))
-          .arg(scoringPointName(alert.scoringPoint));
+      return tr("%1: sheets still missing: %2.").arg(scoringPointName(alert.scoringPoint)).arg(alert.count);
     case Kind::kNoGroup:
-      return tr("%n trainee(s) have no group yet; draw them under Allocation.", nullptr,
-                static_cast<int>(alert.count));
+      return tr("Trainees without a group: %1. Draw them under Allocation.").arg(alert.count);
   }
   return {};
 }
@@ -229,6 +229,8 @@ void RunDayPage::showStations() {
             {orDash(station.softwareVersion)}}});
     }
   const bool some = !rows.empty();
+  stations_->setFixedHeight(kStationsFrame + kStationHeight * static_cast<int>(std::clamp<std::size_t>(
+                                                                  rows.size(), 1, kMostStations)));
   stations_->setRows(std::move(rows));
   stations_->setVisible(some);
   stationsTitle_->setVisible(some);

@@ -19,6 +19,8 @@ namespace torsio::gui {
 [[nodiscard]] QString factorName(const std::string& code);
 [[nodiscard]] QString raterClassName(const std::string& code);
 [[nodiscard]] QString levelName(const std::string& code);
+/// "chief physician"; classes of a centre's own keep their code.
+[[nodiscard]] QString raterClassName(const std::string& code);
 [[nodiscard]] QString methodName(AllocationMethod method);
 [[nodiscard]] QString sheetStateName(SheetState state);
 [[nodiscard]] QString versionStateName(const std::string& code);

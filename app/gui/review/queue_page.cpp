@@ -17,6 +17,7 @@
 #include "app/gui/look/data_table.h"
 #include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
+#include "app/gui/review/questions_card.h"
 #include "app/gui/review/review_words.h"
 #include "app/gui/shell/shell_context.h"
 
@@ -46,6 +47,8 @@ QueuePage::QueuePage(ShellContext& shell, QWidget* parent)
   due_ = addFigure(figures);
   column->addLayout(figures);
   createDoors(column);
+  questions_ = new QuestionsCard(shell, this);
+  column->addWidget(questions_);
   column->addWidget(table_, 1);
   connect(continue_, &QPushButton::clicked, this, &QueuePage::goOn);
   connect(table_, &DataTable::activated, this,
@@ -89,6 +92,7 @@ void QueuePage::createDoors(QVBoxLayout* outer) {
 
 void QueuePage::enter(const QVariant&) {
   queue_ = reviewQueue(shell().workplace());
+  questions_->read();
   showQueue();
   continue_->setFocus(Qt::OtherFocusReason);
 }

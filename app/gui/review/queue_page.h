@@ -15,6 +15,7 @@ namespace torsio::gui {
 class Card;
 class DataTable;
 class PageHeading;
+class QuestionsCard;
 
 /// A physician's home: how much waits, how long it takes, and one button that goes on where the work is.
 class QueuePage : public Page {
@@ -55,6 +56,7 @@ class QueuePage : public Page {
   };
   Card* doors_;
   QGridLayout* doorPlaces_;
+  QuestionsCard* questions_;
   Door warmUp_;
   Door live_;
   Door alignment_;

@@ -33,7 +33,10 @@ QToolButton* headerButton(QWidget* parent) {
 
 /// The keyboard goes to the first field of a page that has not chosen one itself.
 void focusInto(QWidget& page) {
-  if (page.focusWidget() != nullptr && page.focusWidget()->hasFocus()) return;
+  if (QWidget* chosen = page.focusWidget(); chosen != nullptr && chosen->isVisibleTo(&page)) {
+    chosen->setFocus(Qt::OtherFocusReason);
+    return;
+  }
   for (QWidget* widget = page.nextInFocusChain(); widget != &page; widget = widget->nextInFocusChain()) {
     const bool takes = (widget->focusPolicy() & Qt::TabFocus) != 0 && widget->isEnabled();
     if (takes && widget->isVisibleTo(&page) && page.isAncestorOf(widget)) {
@@ -223,6 +226,10 @@ bool Desk::open(const QString& id, const QVariant& argument) {
     }
     if (!current_->leave()) return false;
   }
+  if (entries_.at(id).needsDatabase && context_.databaseAway()) {
+    context_.notify(tr("The database does not answer now. This page opens as soon as it does"));
+    return false;
+  }
   try {
     Page* page = pageFor(id);
     current_ = page;
@@ -240,7 +247,11 @@ bool Desk::open(const QString& id, const QVariant& argument) {
 }
 
 void Desk::openHome() {
-  if (!home_.isEmpty()) open(home_);
+  if (home_.isEmpty() || open(home_)) return;
+  // The database went away in this very moment: better a page that needs none than none at all.
+  for (const QString& id : order_) {
+    if (!entries_.at(id).needsDatabase && open(id)) return;
+  }
 }
 
 bool Desk::busy() const {

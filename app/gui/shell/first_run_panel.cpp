@@ -18,8 +18,7 @@
 #include "app/gui/look/theme.h"
 #include "app/gui/shell/background.h"
 #include "app/gui/shell/job_panel.h"
-#include "app/gui/shell/spoken.h"
-#include "sim/base/error.h"
+#include "app/gui/shell/problem_words.h"
 
 namespace torsio::gui {
 
@@ -42,16 +41,6 @@ QLabel* noteBelow(QVBoxLayout* column, QWidget* parent) {
   note->setContentsMargins(3 * kSpace + 2, 0, 0, kSpace);
   column->addWidget(note);
   return note;
-}
-
-QString said(const std::exception_ptr& problem) {
-  try {
-    std::rethrow_exception(problem);
-  } catch (const Error& error) {
-    return spokenLine(error);
-  } catch (const std::exception& error) {
-    return QString::fromUtf8(error.what());
-  }
 }
 
 }  // namespace
@@ -157,6 +146,10 @@ QWidget* FirstRunPanel::createDatabaseStep() {
   column->addWidget(test_, 0, Qt::AlignLeft);
   column->addStretch(1);
   connect(file_, &QRadioButton::toggled, this, &FirstRunPanel::showEngine);
+  for (QLineEdit* field : {path_, address_}) {
+    connect(field, &QLineEdit::textChanged, this, [this] { say({}); });
+    connect(field, &QLineEdit::returnPressed, this, &FirstRunPanel::next);
+  }
   connect(choose_, &QPushButton::clicked, this, &FirstRunPanel::chooseFile);
   connect(test_, &QPushButton::clicked, this, &FirstRunPanel::testDatabase);
   showEngine();
@@ -221,7 +214,7 @@ void FirstRunPanel::testDatabase() {
       },
       [this](const std::exception_ptr& problem) {
         test_->setEnabled(true);
-        say(said(problem));
+        say(problemSentence(problem));
       });
 }
 
@@ -249,7 +242,7 @@ QString FirstRunPanel::missing() const {
       try {
         checkPassword(password_->text().toStdString(), login_->text().trimmed().toStdString());
       } catch (...) {
-        return said(std::current_exception());
+        return problemSentence(std::current_exception());
       }
       return password_->text() == again_->text() ? QString() : tr("The two passwords are not the same");
     case kDatabase:
@@ -324,7 +317,7 @@ void FirstRunPanel::retranslate() {
                               tr("Where records are kept"), tr("Something to try it with"),
                               tr("Accounts of the demonstration")};
   const QString reasons[] = {
-      tr("Four short steps set up your centre. Everything can be changed later."),
+      tr("Four short steps set up your centre. Nothing is written before the last one."),
       tr("This person lets others in. There is no default password; choose one of at least fifteen "
          "characters, a short "
          "sentence for example."),
@@ -346,7 +339,8 @@ void FirstRunPanel::retranslate() {
   withoutNote_->setText(tr("People, curricula and cohorts are entered or imported."));
   with_->setText(tr("With a &demonstration cohort"));
   withNote_->setText(
-      tr("Takes about a minute. Every row is marked as a demonstration; it can be removed with one click."));
+      tr("Takes less than a minute. Every row is marked as a demonstration; it can be removed with one "
+         "click."));
   copy_->setText(tr("Copy"));
   retranslateDatabase();
   back_->setText(tr("Back"));

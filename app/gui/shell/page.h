@@ -57,6 +57,7 @@ struct PageEntry {
   std::function<QString()> title;  ///< in the present language
   std::vector<Operation> needs;
   std::function<Page*(ShellContext&)> make;
+  bool needsDatabase = true;  ///< false: it can be opened while the database is away
 };
 
 /// One picture of the user guide: a page in a state that is worth showing, on the demonstration cohort.

@@ -8,6 +8,7 @@
 
 #include "app/gui/scripted_twist.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/station/station_desk.h"
 #include "app/session/trial_store.h"
 
 namespace torsio::gui {
@@ -37,6 +38,9 @@ PracticePage::PracticePage(ShellContext& context, QWidget* parent)
   setup.remember = false;
   setup.embedded = true;
   if (!shell().workplace().actor().practiceOnly) setup.recording = recording();
+  if (const StationDesk::DeviceOpener open = StationDesk::of(shell()).openDevice) {
+    setup.openHaptic = [open](const Scene& scene) { return open(scene, scene.pattern.targetAngle_rad); };
+  }
   simulator_ = new MainWindow(setup);
   simulator_->setParent(this, Qt::Widget);
   auto* column = new QVBoxLayout(this);
@@ -111,7 +115,8 @@ PageEntry practicePage() {
           .icon = QStringLiteral("practice"),
           .title = [] { return QCoreApplication::translate("PracticePage", "Free practice"); },
           .needs = {Operation::kPractice},
-          .make = [](ShellContext& context) -> Page* { return new PracticePage(context); }};
+          .make = [](ShellContext& context) -> Page* { return new PracticePage(context); },
+          .needsDatabase = false};
 }
 
 }  // namespace torsio::gui

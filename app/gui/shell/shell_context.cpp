@@ -8,6 +8,7 @@
 #include <QElapsedTimer>
 
 #include "app/gui/shell/spoken.h"
+#include "app/session/care/station_line.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -32,6 +33,10 @@ ShellContext::ShellContext(Workplace& workplace, std::filesystem::path assets, T
 ShellContext::~ShellContext() {
   cancelled_.store(true);
   workers_.waitForDone();
+}
+
+bool ShellContext::databaseAway() const {
+  return line_ != nullptr && !line_->answers();
 }
 
 void ShellContext::setThemeKind(ThemeKind kind) {

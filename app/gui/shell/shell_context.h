@@ -15,6 +15,10 @@
 #include "app/session/access/workplace.h"
 #include "app/session/progress.h"
 
+namespace torsio {
+class StationLine;
+}
+
 namespace torsio::gui {
 
 /// Thrown by a job's own progress call after the user pressed cancel; jobs let it pass.
@@ -41,6 +45,13 @@ class ShellContext : public QObject {
   [[nodiscard]] const std::filesystem::path& assets() const noexcept { return assets_; }
   [[nodiscard]] ThemeKind themeKind() const noexcept { return theme_; }
   void setThemeKind(ThemeKind kind);
+
+  /// For what nobody waits for (signs of life, training time); null: the workplace writes at once. It
+  /// outlives the context.
+  [[nodiscard]] StationLine* line() const noexcept { return line_; }
+  void setLine(StationLine* line) noexcept { line_ = line; }
+  /// Whether the database is known to be away: then the GUI thread must not ask it anything.
+  [[nodiscard]] bool databaseAway() const;
 
   /// Goes to another page: `id` of its PageEntry.
   void open(const QString& id, const QVariant& argument = {}) { Q_EMIT pageWanted(id, argument); }
@@ -77,6 +88,7 @@ class ShellContext : public QObject {
   Workplace& workplace_;
   std::filesystem::path assets_;
   ThemeKind theme_;
+  StationLine* line_ = nullptr;
   QThreadPool workers_;
   int jobs_ = 0;
   std::atomic<bool> cancelled_{false};

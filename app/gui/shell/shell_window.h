@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -18,7 +19,7 @@
 #include "app/gui/shell/preferences.h"
 #include "app/session/access/access_service.h"
 #include "app/session/access/idle_guard.h"
-#include "app/session/care/station_pulse.h"
+#include "app/session/care/station_line.h"
 
 class QLabel;
 class QStackedWidget;
@@ -41,9 +42,10 @@ struct ShellSetup {
   bool systemIsDark = false;
   bool kiosk = false;
   bool remember = true;
-  IdleLimits idle;
-  const Clock* clock = nullptr;  ///< of the idle lock; null: the machine's
+  std::optional<IdleLimits> idle;  ///< nothing: those of the centre
+  const Clock* clock = nullptr;    ///< of the idle lock; null: the machine's
   PasswordCost passwordCost = PasswordCost::kModerate;
+  LinePatience linePatience;
   std::filesystem::path unstored;  ///< where recordings wait for their database; empty: unstoredFolder()
 };
 
@@ -73,8 +75,11 @@ class ShellWindow : public QWidget {
   void chooseTheme(ThemeKind kind);
   /// About once a second: warns of the idle lock, and locks. Tests call it themselves.
   void watchIdleness();
-  /// About once a second: the sign of life of this station. While a run goes on, the run gives it.
+  /// About once a second: tells the line to the database who is here, says calmly when it does not answer,
+  /// and puts in order what had to wait once it does. Waits for nothing.
   void beat();
+  /// Null until the recordings of earlier starts are settled.
+  [[nodiscard]] StationLine* line() noexcept { return line_.get(); }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -90,6 +95,11 @@ class ShellWindow : public QWidget {
   void enterFirstRun();
   void enterSignIn();
   void settle();
+  void settleAgain();
+  void startLine();
+  void showAnswers(bool answers);
+  void reconnect();
+  void forgetActor();
   void tellKept();
   void tryPassword(const QString& login, const QString& password);
   void tryPin(const QString& login, const QString& pin);
@@ -118,12 +128,16 @@ class ShellWindow : public QWidget {
   IdleGuard idle_;
   QTimer second_;
   std::unique_ptr<Workplace> workplace_;
-  std::optional<StationPulse> pulse_;  // of workplace_
-  std::vector<Text> kept_;             // recordings that could not be stored; told until somebody signs in
+  std::unique_ptr<StationLine> line_;
+  bool answered_ = true;    // the database, at the last beat
+  bool settleDue_ = false;  // recordings may have gone to files meanwhile
+  std::vector<Text> kept_;  // recordings that could not be stored; told until somebody signs in
+  std::shared_ptr<std::atomic<bool>> setUpCancelled_ = std::make_shared<std::atomic<bool>>(false);
   bool mayClose_ = true;
   ThemeKind theme_ = ThemeKind::kLight;
   QString centre_;
   QLabel* idleWarning_;
+  QLabel* awayBanner_;
   QStackedWidget* stack_;
   TroublePanel* trouble_ = nullptr;
   FirstRunPanel* firstRun_ = nullptr;

@@ -109,6 +109,7 @@ void BriefingPage::enter(const QVariant& argument) {
     shell().report(std::current_exception());
   }
   fill();
+  start_->setFocus();
 }
 
 bool BriefingPage::leave() {

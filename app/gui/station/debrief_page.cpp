@@ -14,6 +14,7 @@
 #include "app/gui/look/page_heading.h"
 #include "app/gui/shell/shell_context.h"
 #include "app/gui/shell/spoken.h"
+#include "app/gui/station/ask_card.h"
 #include "app/gui/station/debrief_plot.h"
 #include "app/gui/station/station_desk.h"
 #include "app/gui/station/station_parts.h"
@@ -61,6 +62,9 @@ DebriefPage::DebriefPage(ShellContext& context, QWidget* parent)
   plot_ = new DebriefPlot(trace_);
   trace_->content()->addWidget(plot_, 1);
   page.column->addWidget(trace_, 1);
+  ask_ = new AskCard(context, this);
+  page.column->addWidget(ask_);
+  page.column->addStretch(0);
 
   again_ = new QPushButton(this);
   trend_ = new QPushButton(this);
@@ -72,6 +76,9 @@ DebriefPage::DebriefPage(ShellContext& context, QWidget* parent)
   connect(bookmark_, &QPushButton::clicked, this,
           [this] { addBookmarkAt(0.5 * (plot_->range().from_s + plot_->range().to_s)); });
   connect(plot_, &DebriefPlot::bookmarkWanted, this, &DebriefPage::addBookmarkAt);
+  connect(plot_, &DebriefPlot::rangeChanged, this,
+          [this] { ask_->setMoment(0.5 * (plot_->range().from_s + plot_->range().to_s)); });
+  connect(ask_, &AskCard::asked, this, &DebriefPage::showBookmark);
   connect(next_, &QPushButton::clicked, this, [this] { shell().open(QStringLiteral("station.next")); });
   connect(trend_, &QPushButton::clicked, this, [this] {
     shell().open(QStringLiteral("station.trend"), QString::fromStdString(debrief_.moduleId));
@@ -94,10 +101,15 @@ void DebriefPage::enter(const QVariant& argument) {
     }
     if (trialId.empty()) {
       debrief_ = {};
+      computing_ = false;
       fill();
       return;
     }
-    if (trialId != debrief_.trialId) compute(trialId);
+    if (trialId != debrief_.trialId) {
+      compute(trialId);
+    } else {
+      readQuestions();  // an answer may have come
+    }
   } catch (...) {
     shell().report(std::current_exception());
   }
@@ -105,15 +117,23 @@ void DebriefPage::enter(const QVariant& argument) {
 
 void DebriefPage::compute(const std::string& trialId) {
   const auto result = std::make_shared<Debrief>();
+  debrief_ = {};
+  computing_ = true;
+  ask_->setRun({});
+  fill();
   shell().run(
       tr("Looking at your run"),
-      [result, trialId, assets = shell().assets()](Workplace& workplace, const ProgressCallback&) {
-        *result = torsio::debrief(workplace, trialId, assets);
+      [result, trialId, assets = shell().assets(), scene = StationDesk::of(shell()).lastScene](
+          Workplace& workplace, const ProgressCallback&) {
+        *result = torsio::debrief(workplace, trialId, assets, scene.get());
       },
       [this, result] {
         debrief_ = std::move(*result);
+        computing_ = false;
         plot_->setDebrief(debrief_);
         fill();
+        readQuestions();
+        next_->setFocus();
       });
 }
 
@@ -121,14 +141,16 @@ void DebriefPage::addBookmarkAt(double at_s) {
   if (debrief_.trialId.empty()) return;
   try {
     addBookmark(shell().workplace(), debrief_.trialId, at_s, {});
-    debrief_.bookmarks.push_back({{}, at_s, {}});
-    const Seconds before = plot_->range();
-    plot_->setDebrief(debrief_);
-    plot_->show({before.from_s, before.to_s});
+    showBookmark(at_s);
     shell().notify(tr("Bookmark at %1").arg(StationWords::seconds(at_s)));
   } catch (...) {
     shell().report(std::current_exception());
   }
+}
+
+void DebriefPage::showBookmark(double at_s) {
+  debrief_.bookmarks.push_back({{}, at_s, {}});
+  plot_->addBookmark(debrief_.bookmarks.back());
 }
 
 void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding, bool strength) {
@@ -151,7 +173,16 @@ void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding,
   column->addWidget(look, 0, Qt::AlignLeft);
 }
 
+void DebriefPage::readQuestions() {
+  try {
+    ask_->setRun(debrief_.interrupted ? std::string() : debrief_.trialId);
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
 void DebriefPage::retranslate() {
+  ask_->retranslate();
   plot_->retranslate();
   fill();
 }
@@ -178,11 +209,13 @@ void DebriefPage::fill() {
   again_->setEnabled(any && !debrief_.moduleId.empty());
   trend_->setEnabled(any && !debrief_.moduleId.empty());
   const QString mode = debrief_.mode == "graded" ? tr("Graded run") : tr("Practice");
-  heading_->setTexts(any && !debrief_.moduleTitle.empty() ? spoken(debrief_.moduleTitle) : tr("Your run"),
-                     any ? tr("%1  \u00b7  %2  \u00b7  %3 s")
-                               .arg(mode, StationWords::when(debrief_.startedUtc_us))
-                               .arg(debrief_.duration_s, 0, 'f', 0)
-                         : tr("After your first run you see here what was good and what to work on."));
+  heading_->setTexts(
+      any && !debrief_.moduleTitle.empty() ? spoken(debrief_.moduleTitle) : tr("Your run"),
+      any ? tr("%1  \u00b7  %2  \u00b7  %3 s")
+                .arg(mode, StationWords::when(debrief_.startedUtc_us))
+                .arg(debrief_.duration_s, 0, 'f', 0)
+      : computing_ ? tr("One moment: your run is compared with what was asked for and with an expert's.")
+                   : tr("After your first run you see here what was good and what to work on."));
   for (QWidget* widget : std::initializer_list<QWidget*>{targets_, good_, better_, trace_, verdict_})
     widget->setVisible(any);
   emptyLayout(checks_);

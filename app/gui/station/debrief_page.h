@@ -11,6 +11,7 @@ class QVBoxLayout;
 
 namespace torsio::gui {
 
+class AskCard;
 class Card;
 class DebriefPlot;
 class PageHeading;
@@ -31,12 +32,15 @@ class DebriefPage : public Page {
   [[nodiscard]] DebriefPlot& plot() noexcept { return *plot_; }
 
  private:
+  void readQuestions();
+  void showBookmark(double at_s);
   void compute(const std::string& trialId);
   void fill();
   void addFinding(QVBoxLayout* column, const DebriefFinding& finding, bool strength);
   void addBookmarkAt(double at_s);
 
   Debrief debrief_;
+  bool computing_ = false;
   const Theme* theme_;
   PageHeading* heading_;
   QLabel* verdict_;
@@ -48,6 +52,7 @@ class DebriefPage : public Page {
   QVBoxLayout* weaknesses_;
   Card* trace_;
   DebriefPlot* plot_;
+  AskCard* ask_;
   QCheckBox* expert_;
   QPushButton* whole_;
   QPushButton* bookmark_;

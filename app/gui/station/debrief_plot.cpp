@@ -50,6 +50,11 @@ void DebriefPlot::setDebrief(Debrief debrief) {
   retranslate();
 }
 
+void DebriefPlot::addBookmark(const DebriefBookmark& mark) {
+  debrief_.bookmarks.push_back(mark);
+  update();
+}
+
 void DebriefPlot::setTheme(const Theme& theme) {
   theme_ = &theme;
   update();
@@ -65,11 +70,13 @@ void DebriefPlot::show(const Seconds& when) {
   range_ = {std::max(0.0, when.from_s - kRoomRound_s),
             std::min(debrief_.duration_s, when.to_s + kRoomRound_s)};
   if (range_.to_s - range_.from_s < kShortest_s) range_.to_s = range_.from_s + kShortest_s;
+  Q_EMIT rangeChanged();
   update();
 }
 
 void DebriefPlot::showAll() {
   range_ = {0.0, std::max(kShortest_s, debrief_.duration_s)};
+  Q_EMIT rangeChanged();
   update();
 }
 
@@ -225,6 +232,7 @@ void DebriefPlot::zoom(double factor, double at_s) {
   const double share = (at_s - range_.from_s) / (range_.to_s - range_.from_s);
   range_.from_s = std::clamp(at_s - share * span, 0.0, all - span);
   range_.to_s = range_.from_s + span;
+  Q_EMIT rangeChanged();
   update();
 }
 
@@ -232,6 +240,7 @@ void DebriefPlot::move(double by_s) {
   const double span = range_.to_s - range_.from_s;
   range_.from_s = std::clamp(range_.from_s + by_s, 0.0, std::max(0.0, debrief_.duration_s - span));
   range_.to_s = range_.from_s + span;
+  Q_EMIT rangeChanged();
   update();
 }
 

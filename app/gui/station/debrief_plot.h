@@ -20,6 +20,8 @@ class DebriefPlot : public QWidget {
   explicit DebriefPlot(QWidget* parent = nullptr);
 
   void setDebrief(Debrief debrief);
+  /// Another mark; what is shown stays.
+  void addBookmark(const DebriefBookmark& mark);
   void setTheme(const Theme& theme);
   void setExpertVisible(bool visible);
   /// Shows these seconds with some room round them.
@@ -32,6 +34,8 @@ class DebriefPlot : public QWidget {
 
  Q_SIGNALS:
   void bookmarkWanted(double at_s);
+  /// Another stretch is shown.
+  void rangeChanged();
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -124,14 +124,16 @@ void DeviceCheckPage::applyTheme(const Theme& theme) {
 
 void DeviceCheckPage::fill() {
   const StationDesk& desk = StationDesk::of(shell());
+  const bool known = desk.readiness.has_value();
   heading_->setTexts(tr("Is everything ready?"),
-                     tr("Sit down, put the stylus into its dock, and rest your forearm."));
+                     known && !desk.readiness->haptic && !desk.probe
+                         ? tr("This station has no haptic device: you work with mouse and keyboard.")
+                         : tr("Sit down, put the stylus into its dock, and rest your forearm."));
   again_->setText(tr("&Check again"));
   mouse_->setText(tr("Practise with the &mouse"));
   practise_->setText(tr("&Practise"));
   goOn_->setText(desk.graded ? tr("&Continue to the graded run") : tr("&Continue"));
   emptyLayout(findings_);
-  const bool known = desk.readiness.has_value();
   const Light light = known ? desk.readiness->light() : Light::kRed;
   card_->setTitle(known ? spoken(desk.readiness->device) : tr("Device"));
   verdict_->setText(checking_ ? tr("Checking\u2026") : StationWords::light(light));
@@ -144,6 +146,12 @@ void DeviceCheckPage::fill() {
   mouse_->setVisible(!checking_ && light == Light::kRed);
   practise_->setVisible(desk.graded && light == Light::kAmber);
   goOn_->setEnabled(!checking_ && (light == Light::kGreen || (light == Light::kAmber && !desk.graded)));
+  // Enter goes on with what is possible.
+  if (goOn_->isEnabled()) {
+    goOn_->setFocus();
+  } else if (!practise_->isHidden()) {
+    practise_->setFocus();
+  }
   if (!known) return;
   for (const ReadinessFinding& finding : desk.readiness->findings) {
     auto* row = new QHBoxLayout;

@@ -89,7 +89,9 @@ const TrialRemarks* RemarksPage::chosen() const {
 void RemarksPage::retranslate() {
   heading_->setTexts(tr("What physicians wrote"),
                      tr("Each remark stands at the second of the run that it concerns."));
-  empty_->setText(tr("No remarks yet. They appear here when the marks of a run have been released."));
+  empty_->setText(
+      tr("No remarks yet. They appear here when the marks of a run have been released, or when a physician "
+         "answers a question of yours."));
   remarks_->setTitle(tr("Remarks on this run"));
   marks_->setTitle(tr("Marks"));
   list_->setAccessibleName(tr("Runs with remarks"));
@@ -140,9 +142,10 @@ void RemarksPage::addRemark(const TraineeRemark& remark, bool reply) {
   auto* head = new QHBoxLayout;
   if (reply) head->addSpacing(3 * kSpace);
   auto* who = plainLabel(remarks_, "quiet");
-  who->setText(remark.own ? tr("You, %1").arg(StationWords::when(remark.writtenUtc_us))
-               : reply    ? tr("Physician, %1").arg(StationWords::when(remark.writtenUtc_us))
-                          : tr("Physician, at %1").arg(StationWords::seconds(remark.at_s)));
+  who->setText(remark.question ? tr("You asked, at %1").arg(StationWords::seconds(remark.at_s))
+               : remark.own    ? tr("You, %1").arg(StationWords::when(remark.writtenUtc_us))
+               : reply         ? tr("Physician, %1").arg(StationWords::when(remark.writtenUtc_us))
+                               : tr("Physician, at %1").arg(StationWords::seconds(remark.at_s)));
   head->addWidget(who, 1);
   if (!remark.read) {
     auto* read = linkButton(remarks_);
@@ -163,7 +166,8 @@ void RemarksPage::addRemark(const TraineeRemark& remark, bool reply) {
   auto* body = new QHBoxLayout;
   if (reply) body->addSpacing(3 * kSpace);
   auto* text = plainLabel(remarks_);
-  text->setText(QString::fromStdString(remark.text));
+  text->setText(remark.question && remark.text.empty() ? tr("About this moment")
+                                                       : QString::fromStdString(remark.text));
   body->addWidget(text, 1);
   threads_->addLayout(body);
 }

@@ -2,6 +2,7 @@
 #include "app/gui/station/run_page.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include <QHBoxLayout>
@@ -23,6 +24,8 @@
 #include "app/gui/station/station_desk.h"
 #include "app/gui/station/station_parts.h"
 #include "app/gui/station/station_words.h"
+#include "app/session/care/station_line.h"
+#include "sim/base/error.h"
 
 namespace torsio::gui {
 
@@ -33,6 +36,7 @@ constexpr int kClock_ms = 100;
 constexpr double kCountdown_pt = 30.0;
 constexpr double kNotice_pt = 64.0;
 constexpr std::int64_t kSoon_us = 30'000'000;
+constexpr std::chrono::milliseconds kLastWrites{500};
 const QVariant kLater = QStringLiteral("later");
 constexpr double kTargetNear = 0.85;  // of the way: time to slow down
 
@@ -59,6 +63,9 @@ RunPage::RunPage(ShellContext& context, QWidget* parent)
           [this](const QString& happened, const QString& remedy, const QString& details) {
             Q_EMIT shell().failed(happened, remedy, details);
           });
+  connect(&scene_->controller(), &SimulationController::deviceLost, this, [this] {
+    if (session_) withoutDevice(tr("The haptic device was lost"));
+  });
   connect(&timer_, &QTimer::timeout, this, &RunPage::tick);
   timer_.setInterval(kClock_ms);
 }
@@ -164,12 +171,13 @@ void RunPage::enter(const QVariant& argument) {
   try {
     session_.emplace(shell().workplace(),
                      RunRequest{desk.moduleId, desk.graded, desk.readiness.value_or(DeviceReadiness{})},
-                     *desk.clock);
+                     *desk.clock, shell().line());
   } catch (...) {
     shell().report(std::current_exception());
     return;
   }
   lastTrial_.clear();
+  inFile_ = false;
   retranslate();
   if (session_->run().phase().arm == TrainingArm::kReal) {
     begin();
@@ -200,7 +208,14 @@ void RunPage::record() {
   StationDesk& desk = StationDesk::of(shell());
   const TrialOrder order = session_->newTrial();
   std::unique_ptr<HapticDevice> device;
-  if (desk.openDevice) device = desk.openDevice(*scene_->controller().scene(), order.header.targetAngle_rad);
+  try {
+    if (desk.openDevice)
+      device = desk.openDevice(*scene_->controller().scene(), order.header.targetAngle_rad);
+  } catch (const Error& problem) {
+    withoutDevice(spoken(problem).happened);
+    return;
+  }
+  haptic_ = device != nullptr;
   if (!scene_->controller().startTraining(order.header, session_->sinkFor(order), std::move(device))) return;
   lastTrial_ = QString::fromStdString(order.header.trialId);
   const StoredModule& module = session_->step().module;
@@ -208,6 +223,26 @@ void RunPage::record() {
   torque_->setLimit(module.maxTorque_Nm.value_or(0.0));
   force_->setLimit(module.maxForce_N.value_or(0.0));
   scene_->view().setFocus();
+}
+
+/// A graded run is not judged with another device than it began with; practice goes on with the mouse.
+void RunPage::withoutDevice(const QString& why) {
+  StationDesk& desk = StationDesk::of(shell());
+  endRecording(TrialOutcome::kInterrupted);
+  desk.readiness.reset();  // the device is checked anew before the next graded run
+  if (!session_->graded()) {
+    desk.openDevice = nullptr;
+    shell().notify(tr("%1. You go on with mouse and keyboard").arg(why));
+    return;
+  }
+  session_->stop("the haptic device was lost");
+  timer_.stop();
+  session_.reset();
+  Q_EMIT shell().failed(tr("The haptic device was lost: the graded run has ended"),
+                        tr("What was recorded is kept as interrupted, and no attempt was used. Check the "
+                           "device, then begin again"),
+                        why);
+  showState();
 }
 
 void RunPage::tick() {
@@ -242,13 +277,21 @@ void RunPage::follow(const std::vector<RunEvent>& events) {
 }
 
 void RunPage::endRecording(TrialOutcome outcome) {
-  static_cast<void>(scene_->controller().endTraining(outcome));
+  const std::optional<RecordingResult> result = scene_->controller().endTraining(outcome);
+  inFile_ = inFile_ || (result && result->spillFile);
 }
 
 void RunPage::finish() {
   timer_.stop();
   endRecording(TrialOutcome::kCompleted);
+  StationDesk::of(shell()).lastScene = scene_->controller().sharedScene();
   session_.reset();
+  if (StationLine* line = shell().line(); line != nullptr) static_cast<void>(line->settled(kLastWrites));
+  inFile_ = inFile_ || shell().databaseAway();
+  if (inFile_) {
+    showState();
+    return;
+  }
   if (lastTrial_.isEmpty()) {
     shell().notify(tr("The time on the real arm is over. It has been logged."));
     shell().open(QStringLiteral("station.next"));
@@ -323,9 +366,12 @@ void RunPage::showState() {
   if (!session_) {
     countdown_->setText(StationWords::clock(0));
     stage_->setCurrentIndex(1);
-    noticeTitle_->setText(tr("No run goes on"));
+    noticeTitle_->setText(inFile_ ? tr("Your run is safe") : tr("No run goes on"));
     noticeFigure_->clear();
-    noticeText_->setText(tr("Choose a module on the page \u201cMy next step\u201d."));
+    noticeText_->setText(inFile_ ? tr("The database did not answer. The recording is kept, on this computer "
+                                      "where need be; as soon as the database answers you find its debrief "
+                                      "on the page \u201cDebrief\u201d.")
+                                 : tr("Choose a module on the page \u201cMy next step\u201d."));
     goOn_->hide();
     rest_->hide();
     return;
@@ -378,9 +424,11 @@ QString RunPage::cue(const LiveState& state) const {
   const double target = module.targetAngle_rad;
   switch (state.phase) {
     case ExercisePhase::kTracking:
-      return tr("Bring the jaw to the marked band.");
+      return haptic_ ? tr("Bring the jaw to the marked band.")
+                     : tr("Bring the jaw to the marked band. The wheel moves it nearer.");
     case ExercisePhase::kContact:
-      return tr("Touching. Close the jaw.");
+      return haptic_ ? tr("Touching. Close the jaw.")
+                     : tr("Touching. Close the jaw: hold the left button or Space.");
     case ExercisePhase::kTwisting: {
       const double way = target == 0.0 ? 0.0 : state.response.angle_rad / target;
       if (std::abs(state.response.angle_rad - target) <= module.tolerance_rad)

@@ -54,6 +54,7 @@ class RunPage : public Page {
   void endRecording(TrialOutcome outcome);
   void finish();
   void askToStop();
+  void withoutDevice(const QString& why);
   void showState();
   void showLive(const LiveState& state);
   [[nodiscard]] QString cue(const LiveState& state) const;
@@ -62,6 +63,8 @@ class RunPage : public Page {
   std::optional<RunSession> session_;
   QString lastTrial_;
   bool waiting_ = false;  // for the scene, before the clock starts
+  bool haptic_ = false;   // the run's device renders force
+  bool inFile_ = false;   // a recording of this run waits for its database
   QTimer timer_;
 
   QStackedWidget* stage_;

@@ -35,6 +35,9 @@ class StationDesk : public QObject {
   DeviceProbe probe;  ///< empty: mouse and keyboard
   DeviceOpener openDevice;
 
+  /// Of the run that has just ended: the debrief need not load it again.
+  std::shared_ptr<const Scene> lastScene;
+
   std::optional<DeviceReadiness> readiness;  ///< of the last device check since the sign-in
   bool chosen = false;                       ///< something was chosen on the first page
   std::string moduleId;                      ///< what; empty: the real arm

@@ -101,6 +101,14 @@ QString StationWords::minutes(std::int64_t span_us) {
   return tr("%1 min").arg((span_us + 59'999'999) / 60'000'000);
 }
 
+QString StationWords::waited(std::int64_t span_us) {
+  const std::int64_t minutes = span_us / 60'000'000;
+  if (minutes < 1) return tr("a moment");
+  if (minutes < 60) return tr("%1 min").arg(minutes);
+  if (minutes < 48 * 60) return tr("%1 h").arg(minutes / 60);
+  return tr("%1 days").arg(minutes / (24 * 60));
+}
+
 QString StationWords::when(std::int64_t utc_us) {
   return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
 }
@@ -134,11 +142,13 @@ QString StationWords::why(const ModuleStep& step) {
 QString StationWords::rule(const RuleProgress& progress) {
   const QString threshold = quantity(progress.rule.metric, progress.rule.threshold);
   const QString name = metric(progress.rule.metric);
-  const QString goal = progress.rule.comparison == "at_most" ? tr("%1: at most %2").arg(name, threshold)
-                                                             : tr("%1: at least %2").arg(name, threshold);
+  const bool atMost = progress.rule.comparison == "at_most";
+  const QString goal = atMost && progress.rule.threshold == 0.0 ? tr("%1: none").arg(name)
+                       : atMost                                 ? tr("%1: at most %2").arg(name, threshold)
+                                                                : tr("%1: at least %2").arg(name, threshold);
   if (progress.rule.consecutive <= 1) return goal;
-  if (progress.met) return tr("%1, %2 times in a row").arg(goal).arg(progress.rule.consecutive);
-  return tr("%1, %2 times in a row (%3 so far)")
+  if (progress.met) return tr("%1, in %2 runs in a row").arg(goal).arg(progress.rule.consecutive);
+  return tr("%1, in %2 runs in a row (%3 so far)")
       .arg(goal)
       .arg(progress.rule.consecutive)
       .arg(progress.streak);

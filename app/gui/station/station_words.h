@@ -28,6 +28,8 @@ class StationWords {
   /// "0:12.4" on a trace.
   [[nodiscard]] static QString seconds(double at_s);
   [[nodiscard]] static QString minutes(std::int64_t span_us);
+  /// How long something has waited: "3 h".
+  [[nodiscard]] static QString waited(std::int64_t span_us);
   [[nodiscard]] static QString when(std::int64_t utc_us);
 
   [[nodiscard]] static QString state(StepState state);

@@ -55,7 +55,9 @@ void TrendPlot::findRange() {
   if (trend_.threshold) seen.push_back(StationWords::shown(trend_.metric, *trend_.threshold));
   if (seen.empty()) seen = {0.0, 1.0};
   const auto [low, high] = std::minmax_element(seen.begin(), seen.end());
-  const double room = std::max(0.12 * (*high - *low), 0.05 * std::abs(*high) + 1e-6);
+  // Values that are all the same (no violation in any attempt) still get an axis that says something.
+  const double flat = *high == 0.0 ? 1.0 : 0.05 * std::abs(*high);
+  const double room = *high > *low ? std::max(0.12 * (*high - *low), 0.05 * std::abs(*high)) : flat;
   low_ = *low >= 0.0 ? std::max(0.0, *low - room) : *low - room;
   high_ = *high + room;
 }

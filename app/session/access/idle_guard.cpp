@@ -8,11 +8,17 @@
 namespace torsio {
 
 IdleGuard::IdleGuard(const Clock& clock, IdleLimits limits)
-    : clock_(clock), limits_(limits), lastActivity_us_(clock.now_us()) {
-  if (limits_.warn_us <= 0 || limits_.warn_us >= limits_.lock_us) {
+    : clock_(clock), lastActivity_us_(clock.now_us()) {
+  setLimits(limits);
+}
+
+void IdleGuard::setLimits(IdleLimits limits) {
+  if (limits.warn_us <= 0 || limits.warn_us >= limits.lock_us) {
     throw Error(ErrorCode::kBadParameter, "the warning must come before the lock", "idle lock",
                 "Give a warning time above 0 and below the lock time");
   }
+  limits_ = limits;
+  if (!locked_) lastActivity_us_ = clock_.now_us();
 }
 
 std::int64_t IdleGuard::idle_us() const noexcept {

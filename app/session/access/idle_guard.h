@@ -23,6 +23,8 @@ class IdleGuard {
   /// `clock` is monotonic and outlives the guard. Throws Error{kBadParameter} unless 0 < warn_us < lock_us.
   explicit IdleGuard(const Clock& clock, IdleLimits limits = {});
 
+  /// From now on; counting begins anew. Throws Error{kBadParameter} as the constructor does.
+  void setLimits(IdleLimits limits);
   /// A key, the mouse, a touch, the haptic device. Does not open what is locked.
   void activity() noexcept;
   /// While a run goes on nothing is counted; afterwards counting begins anew.

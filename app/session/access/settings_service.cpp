@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/session/access/settings_service.h"
 
+#include <charconv>
+#include <optional>
+
 #include <nlohmann/json.hpp>
 
 #include "db/repository/setting_repository.h"
@@ -11,6 +14,21 @@ namespace torsio {
 namespace {
 
 constexpr std::size_t kLongestValue = 4000;
+constexpr const char* kIdleWarn = "idle_warn_minutes";
+constexpr const char* kIdleLock = "idle_lock_minutes";
+constexpr std::int64_t kMinute_us = 60'000'000;
+
+bool sensible(int warn_min, int lock_min) {
+  return warn_min >= 1 && warn_min < lock_min && lock_min >= kShortestIdleLock_min &&
+         lock_min <= kLongestIdleLock_min;
+}
+
+/// 0 for what is no small number.
+int minutesOf(const std::optional<std::string>& text) {
+  int minutes = 0;
+  if (text) std::from_chars(text->data(), text->data() + text->size(), minutes);
+  return minutes;
+}
 
 }  // namespace
 
@@ -39,6 +57,31 @@ void setCentreSetting(Workplace& workplace, const std::string& name, const std::
                   .newJson = nlohmann::json{{"value", value}}.dump(),
                   .reason = reason});
   transaction.commit();
+}
+
+IdleLimits centreIdleLimits(Connection& connection) {
+  SettingRepository settings(connection);
+  const int warn_min = minutesOf(settings.value(kIdleWarn));
+  const int lock_min = minutesOf(settings.value(kIdleLock));
+  if (!sensible(warn_min, lock_min)) return {};
+  return {.warn_us = warn_min * kMinute_us, .lock_us = lock_min * kMinute_us};
+}
+
+void setCentreIdleLimits(Workplace& workplace, int warn_min, int lock_min) {
+  workplace.require(Operation::kSettingsEdit);
+  if (!sensible(warn_min, lock_min)) {
+    throw Error(ErrorCode::kBadParameter, "these minutes make no sense", "idle lock",
+                Text("Lock after %1 to %2 minutes, and warn at least one minute before",
+                     kShortestIdleLock_min, kLongestIdleLock_min));
+  }
+  Transaction transaction(workplace.connection());
+  setCentreSetting(workplace, kIdleWarn, std::to_string(warn_min));
+  setCentreSetting(workplace, kIdleLock, std::to_string(lock_min));
+  transaction.commit();
+}
+
+void setGradedWithMouse(Workplace& workplace, bool graded) {
+  setCentreSetting(workplace, "graded_with_mouse", graded ? "yes" : "no");
 }
 
 }  // namespace torsio

@@ -45,6 +45,10 @@ Workplace::Workplace(Connection& connection, IdSource& ids, WorkplaceKey key, Ut
 Workplace::~Workplace() = default;
 Workplace::Workplace(Workplace&&) noexcept = default;
 
+void Workplace::reconnect() {
+  if (owned_) owned_->connection = openUpToDate(key_.locator);
+}
+
 bool Workplace::may(Operation operation) const {
   if (key_.actor.userId.empty()) return false;
   if (key_.actor.practiceOnly && operation != Operation::kPractice) return false;

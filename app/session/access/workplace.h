@@ -70,6 +70,9 @@ class Workplace {
   /// Of every password that is set from now on; tests use a cheap one.
   [[nodiscard]] PasswordCost passwordCost() const noexcept { return passwordCost_; }
   void setPasswordCost(PasswordCost cost) noexcept { passwordCost_ = cost; }
+  /// Opens a connection of its own anew, after the server was away. Only between two services; does nothing
+  /// for a borrowed connection. Throws Error, DbError, and then keeps the old one.
+  void reconnect();
   /// After signing in or out, on the same connection.
   void setActor(Actor actor) { key_.actor = std::move(actor); }
 

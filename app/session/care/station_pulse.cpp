@@ -39,7 +39,9 @@ void StationPulse::beat() {
                .heartbeatUtc_us = now_us});
     shownTrial_ = trial;
     if (there) next_us_ = now_us + kPulse_us;
-  } catch (const DbError&) {
+    answered_ = true;
+  } catch (const DbError& error) {
+    answered_ = error.fault() != DbFault::kUnreachable;
     shownTrial_.clear();
     next_us_ = now_us + kPulse_us;  // each attempt may cost seconds while the server is away
   }
@@ -48,7 +50,8 @@ void StationPulse::beat() {
 void StationPulse::leave() {
   try {
     StationRepository(workplace_->connection()).leave(workplace_->station());
-  } catch (const DbError&) {
+  } catch (const DbError& error) {
+    answered_ = error.fault() != DbFault::kUnreachable;
     shownTrial_.clear();
   }
   changed_ = true;

@@ -22,6 +22,8 @@ class StationPulse {
   void show(const std::string& trialId);
   /// Call it often: it writes when something changed or kPulse_us have passed.
   void beat();
+  /// False when the database was away at the last beat.
+  [[nodiscard]] bool answered() const noexcept { return answered_; }
   /// The station is closed down in good order.
   void leave();
 
@@ -32,6 +34,7 @@ class StationPulse {
   std::string shownUser_;
   std::int64_t next_us_ = 0;
   bool changed_ = true;
+  bool answered_ = true;
 };
 
 }  // namespace torsio

@@ -10,6 +10,7 @@
 #include <QStandardPaths>
 #include <nlohmann/json.hpp>
 
+#include "app/session/care/timed_sink.h"
 #include "db/connection/locator.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -53,11 +54,12 @@ TrialContext contextOf(const json& text) {
       .host = {.name = of("host_name"), .os = of("host_os"), .cpu = of("host_cpu"), .gpu = of("host_gpu")}};
 }
 
-/// OwnConnectionTrialSink that tells the recorder where else to go.
+/// OwnConnectionTrialSink that is not waited for without end and tells the recorder where else to go.
 class RecordingSink final : public SpillingTrialSink {
  public:
   RecordingSink(const std::string& locator, const TrialContext& context, fs::path folder)
-      : store_(locator, context), place_{std::move(folder), textOf(locator, context)} {}
+      : store_(std::make_unique<OwnConnectionTrialSink>(locator, context)),
+        place_{std::move(folder), textOf(locator, context)} {}
 
   void begin(const TrialHeader& header) override { store_.begin(header); }
   void append(const TrialChunk& chunk) override { store_.append(chunk); }
@@ -65,7 +67,7 @@ class RecordingSink final : public SpillingTrialSink {
   [[nodiscard]] SpillPlace spillPlace() const override { return place_; }
 
  private:
-  OwnConnectionTrialSink store_;
+  TimedTrialSink store_;
   SpillPlace place_;
 };
 

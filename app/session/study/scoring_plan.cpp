@@ -12,6 +12,7 @@
 #include "app/session/study/case_order.h"
 #include "app/session/study/drawn_seed.h"
 #include "db/repository/people_repository.h"
+#include "db/repository/question_repository.h"
 #include "db/repository/study_repository.h"
 #include "sim/base/error.h"
 
@@ -89,9 +90,14 @@ void checkPlan(Workplace& workplace, const ScoringPlan& plan) {
   }
 }
 
-std::vector<Case> casesOf(StudyRepository& study, const ScoringPlan& plan) {
+std::vector<Case> casesOf(Connection& connection, StudyRepository& study, const ScoringPlan& plan) {
   std::map<std::string, std::string> recordings;
+  QuestionRepository questions(connection);
   for (const CaseRecording& recording : plan.recordings) {
+    if (!questions.ofTrial(recording.trialId).empty()) {
+      refuseParameter("a physician was asked about this recording by name", recording.trialId,
+                      "Choose another recording: a case must be blinded");
+    }
     recordings[keyOf(recording.enrolmentId, recording.scoringPoint)] = recording.trialId;
   }
   std::vector<Case> cases;
@@ -187,7 +193,7 @@ ScoringPlanOutcome createAssignments(Workplace& workplace, const ScoringPlan& pl
   checkPlan(workplace, plan);
   ScoringPlanOutcome outcome;
   outcome.seed = plan.seed ? *plan.seed : drawSeed(workplace.ids());
-  std::vector<Case> cases = casesOf(study, plan);
+  std::vector<Case> cases = casesOf(workplace.connection(), study, plan);
   SheetRepository sheets(workplace.connection());
   std::set<std::string> taken;
   for (const std::string& rater : plan.raterIds) {

@@ -110,20 +110,25 @@ bool cutOff(const MeasuredTwist& twist, std::span<const Sample> samples) {
 
 Attempt measureAttempt(const TrialHeader& header, std::span<const Sample> samples, double tolerance_rad,
                        std::optional<double> forceLimit_N, std::optional<double> torqueLimit_Nm) {
+  if (samples.size() < 2) return attemptFrom(header, samples, {}, tolerance_rad);
+  TrialMeasurement options;
+  options.tolerance_rad = tolerance_rad;
+  options.forceLimit_N = forceLimit_N;
+  options.wholeTrial = false;
+  options.torqueLimit_Nm = torqueLimit_Nm;
+  return attemptFrom(header, samples, measureRecordedTrial(header, samples, options), tolerance_rad);
+}
+
+Attempt attemptFrom(const TrialHeader& header, std::span<const Sample> samples, const MeasuredTrial& measured,
+                    double tolerance_rad) {
   Attempt attempt;
   attempt.trialId = header.trialId;
   attempt.startedUtc_us = header.startedUtc_us;
   attempt.duration_s = static_cast<double>(samples.size()) * static_cast<double>(header.tickPeriod_us) * 1e-6;
   attempt.values[kTargetsReachedMetric] = 0.0;
   if (samples.size() < 2) return attempt;
-  TrialMeasurement options;
-  options.tolerance_rad = tolerance_rad;
-  options.forceLimit_N = forceLimit_N;
-  options.wholeTrial = false;
-  options.torqueLimit_Nm = torqueLimit_Nm;
-  const MeasuredTrial measuredTrial = measureRecordedTrial(header, samples, options);
   std::map<std::string_view, std::vector<double>> ofTwists;
-  for (const MeasuredTwist& twist : measuredTrial.twists) {
+  for (const MeasuredTwist& twist : measured.twists) {
     if (cutOff(twist, samples)) continue;
     ++attempt.twists;
     if (std::abs(twist.releasedAt_rad - twist.target_rad) <= tolerance_rad) ++attempt.onTarget;
@@ -139,6 +144,12 @@ Attempt measureAttempt(const TrialHeader& header, std::span<const Sample> sample
         static_cast<double>(attempt.onTarget) / static_cast<double>(attempt.twists);
   }
   return attempt;
+}
+
+void keepAttempt(TrialRepository& trials, const std::string& trialId, const Attempt& attempt) {
+  const std::vector<StoredTrialEvent> events = trials.events(trialId);
+  Attempt before;
+  if (!readKept(events, before)) keep(trials, trialId, events, attempt);
 }
 
 Attempt attemptOf(Workplace& workplace, const std::string& trialId) {

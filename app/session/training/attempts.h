@@ -49,6 +49,11 @@ struct Attempt {
 [[nodiscard]] Attempt measureAttempt(const TrialHeader& header, std::span<const Sample> samples,
                                      double tolerance_rad, std::optional<double> forceLimit_N,
                                      std::optional<double> torqueLimit_Nm);
+/// The same from twists that were measured already (wholeTrial off).
+[[nodiscard]] Attempt attemptFrom(const TrialHeader& header, std::span<const Sample> samples,
+                                  const MeasuredTrial& measured, double tolerance_rad);
+/// Keeps what was measured beside the trial, with the version of the formulas, unless that was done before.
+void keepAttempt(TrialRepository& trials, const std::string& trialId, const Attempt& attempt);
 
 /// Measures a stored trial once and keeps the values beside it, with the version of the formulas. Does
 /// nothing when they are there. kTrialViewOwn, own trials only.

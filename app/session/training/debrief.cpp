@@ -169,15 +169,9 @@ DebriefTrace traceOf(const TrialHeader& header, std::span<const Sample> samples,
   return trace;
 }
 
-MeasuredTrial measure(const TrialHeader& header, std::span<const Sample> samples, const DebriefRules& rules) {
-  TrialMeasurement options;
-  options.tolerance_rad = rules.tolerance_rad;
-  options.forceLimit_N = rules.forceLimit_N;
-  options.wholeTrial = false;
-  options.torqueLimit_Nm = rules.torqueLimit_Nm;
-  MeasuredTrial trial = measureRecordedTrial(header, samples, options);
+/// A twist that the end of the recording cut off is not judged.
+void dropCutOff(MeasuredTrial& trial, std::span<const Sample> samples) {
   std::erase_if(trial.twists, [&](const MeasuredTwist& twist) { return cutOff(twist, samples); });
-  return trial;
 }
 
 std::optional<double> largest(const MeasuredTrial& trial, std::string_view metric) {
@@ -219,7 +213,8 @@ void addExpert(const Trial& expert, const DebriefRules& rules, const TrialHeader
                std::span<const Sample> samples, const MeasuredTrial& own, Debrief& out) {
   const std::vector<Sample> shown = decodeTrial(expert);
   if (shown.size() < 2) return;
-  const MeasuredTrial reference = measure(expert.header, shown, rules);
+  MeasuredTrial reference = measureTwists(expert.header, shown, rules);
+  dropCutOff(reference, shown);
   if (reference.twists.empty()) return;
   const MeasuredTwist& twist = reference.twists.front();
   out.expert = traceOf(expert.header, shown, twist.firstSample, twist.firstSample + twist.samples);
@@ -233,8 +228,25 @@ void addExpert(const Trial& expert, const DebriefRules& rules, const TrialHeader
 
 }  // namespace
 
+MeasuredTrial measureTwists(const TrialHeader& header, std::span<const Sample> samples,
+                            const DebriefRules& rules) {
+  if (samples.size() < 2) return {};
+  TrialMeasurement options;
+  options.tolerance_rad = rules.tolerance_rad;
+  options.forceLimit_N = rules.forceLimit_N;
+  options.wholeTrial = false;
+  options.torqueLimit_Nm = rules.torqueLimit_Nm;
+  return measureRecordedTrial(header, samples, options);
+}
+
 Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, const DebriefRules& rules,
                     const Trial* expert) {
+  return makeDebrief(header, samples, measureTwists(header, samples, rules), rules, expert);
+}
+
+Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, MeasuredTrial own,
+                    const DebriefRules& rules, const Trial* expert) {
+  dropCutOff(own, samples);
   Debrief out;
   out.trialId = header.trialId;
   out.phaseLabel = header.phaseLabel;
@@ -243,10 +255,8 @@ Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, 
   out.target_rad = header.targetAngle_rad;
   out.tolerance_rad = rules.tolerance_rad;
   out.forceLimit_N = rules.forceLimit_N.value_or(0.0);
-  MeasuredTrial own;
   if (samples.size() >= 2) {
     out.duration_s = timeAt(header, samples, samples.size() - 1);
-    own = measure(header, samples, rules);
     out.own = traceOf(header, samples, 0, samples.size());
   }
   for (const MeasuredTwist& twist : own.twists) {

@@ -111,6 +111,14 @@ struct DebriefRules {
 [[nodiscard]] Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples,
                                   const DebriefRules& rules, const Trial* expert);
 
+/// The twists of a recording as both the debrief and the attempt read them, the one that was cut off
+/// included. The slow part: seconds for an hour.
+[[nodiscard]] MeasuredTrial measureTwists(const TrialHeader& header, std::span<const Sample> samples,
+                                          const DebriefRules& rules);
+/// makeDebrief of what was measured already.
+[[nodiscard]] Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples,
+                                  MeasuredTrial measured, const DebriefRules& rules, const Trial* expert);
+
 /// The debrief of a stored trial. kTrialViewOwn, own trials only. `scene`: that of the trial when it is
 /// loaded already; else it is loaded from `assets` for the expert run. Seconds: call it off the GUI thread.
 [[nodiscard]] Debrief debrief(Workplace& workplace, const std::string& trialId,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/session/reporting/kept_digests.h"
 #include "app/session/training/debrief.h"
@@ -88,12 +89,17 @@ Debrief debrief(Workplace& workplace, const std::string& trialId, const std::fil
   TrialRepository trials(workplace.connection());
   const Trial trial = trials.load(trialId);
   const StoredModule* module = record.module(listing.moduleId);
-  const std::optional<Trial> expert = expertFor(trials, trial.header, assets, scene);
+  const DebriefRules rules = rulesOf(module);
+  // Decoded and measured once, for the debrief and for the attempt that is kept beside the trial.
   const std::vector<Sample> samples = decodeTrial(trial);
+  MeasuredTrial measured = measureTwists(trial.header, samples, rules);
+  if (listing.summary && module != nullptr)
+    keepAttempt(trials, trialId, attemptFrom(trial.header, samples, measured, rules.tolerance_rad));
+  const std::optional<Trial> expert = expertFor(trials, trial.header, assets, scene);
   DigestTolerances tolerances(assets);
   keepDigestOf(workplace.connection(), trial, samples, trials.context(trialId).value_or(TrialContext{}),
                tolerances, workplace.now_us());
-  Debrief out = makeDebrief(trial.header, samples, rulesOf(module), expert ? &*expert : nullptr);
+  Debrief out = makeDebrief(trial.header, samples, std::move(measured), rules, expert ? &*expert : nullptr);
   out.moduleId = listing.moduleId;
   out.mode = listing.attemptMode;
   out.interrupted = trial.summary.outcome == TrialOutcome::kInterrupted;

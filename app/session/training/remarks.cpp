@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/session/training/trainee_record.h"
+#include "db/repository/question_repository.h"
 #include "db/repository/rating_repository.h"
 #include "db/repository/remark_repository.h"
 #include "db/repository/sheet_repository.h"
@@ -55,15 +56,19 @@ TraineeRemark shown(const StoredRemark& stored, const std::set<std::string>& rea
           .read = own || read.contains(stored.id)};
 }
 
-/// Answers stand below what they answer, also answers to answers.
-std::vector<TraineeRemark> threads(const std::vector<StoredRemark>& all, const std::set<std::string>& read,
+/// Answers stand below what they answer, also answers to answers. A question that was answered begins a
+/// thread like a physician's remark.
+std::vector<TraineeRemark> threads(const std::vector<StoredRemark>& all,
+                                   const std::set<std::string>& answered, const std::set<std::string>& read,
                                    const Actor& actor) {
   std::map<std::string, std::string> rootOf;
   std::vector<TraineeRemark> roots;
   for (const StoredRemark& stored : all) {
-    if (stored.purpose != "remark") continue;
+    const bool question = answered.contains(stored.id);
+    if (stored.purpose != "remark" && !question) continue;
     rootOf[stored.id] = stored.id;
     roots.push_back(shown(stored, read, actor));
+    roots.back().question = question;
   }
   std::vector<StoredRemark> replies;
   for (const StoredRemark& stored : all)
@@ -90,7 +95,10 @@ TrialRemarks remarksOf(Workplace& workplace, const TraineeRecord& record, const 
   if (const StoredModule* module = record.module(trial.moduleId)) out.moduleTitle = module->title;
   out.phaseLabel = trial.phaseLabel;
   out.startedUtc_us = trial.startedUtc_us;
-  out.remarks = threads(repository.remarks(trial.trialId), read, workplace.actor());
+  std::set<std::string> answered;
+  for (const StoredQuestion& question : QuestionRepository(workplace.connection()).ofTrial(trial.trialId))
+    if (!question.answerId.empty()) answered.insert(question.remarkId);
+  out.remarks = threads(repository.remarks(trial.trialId), answered, read, workplace.actor());
   for (const TraineeRemark& remark : out.remarks) {
     if (!remark.read) ++out.unread;
     for (const TraineeRemark& reply : remark.replies)

@@ -17,7 +17,8 @@ struct TraineeRemark {
   double at_s = 0.0;
   std::string text{};
   std::int64_t writtenUtc_us = 0;
-  bool own = false;  ///< written by the trainee (a reply)
+  bool own = false;       ///< written by the trainee (a reply, or a question)
+  bool question = false;  ///< the trainee's question to a named physician
   bool read = false;
   std::vector<TraineeRemark> replies{};
 };

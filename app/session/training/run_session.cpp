@@ -76,7 +76,7 @@ RunPlan planOf(const NextSteps& steps, const ModuleStep& step) {
 
 }  // namespace
 
-RunSession::RunSession(Workplace& workplace, const RunRequest& request, const Clock& clock)
+RunSession::RunSession(Workplace& workplace, const RunRequest& request, const Clock& clock, StationLine* line)
     : workplace_(workplace),
       clock_(&clock),
       steps_(
@@ -84,29 +84,51 @@ RunSession::RunSession(Workplace& workplace, const RunRequest& request, const Cl
       step_(chosenStep(steps_, request)),
       graded_(request.graded),
       run_(planOf(steps_, step_), clock),
+      line_(line),
       pulse_(workplace) {}
 
+void RunSession::write(StationLine::Write write) {
+  if (line_ != nullptr) {
+    line_->write(std::move(write));
+  } else {
+    write(workplace_);
+  }
+}
+
+void RunSession::show(const std::string& trialId) {
+  if (line_ != nullptr) {
+    line_->show(trialId);
+  } else {
+    pulse_.show(trialId);
+  }
+}
+
+void RunSession::beat() {
+  if (line_ == nullptr) pulse_.beat();
+}
+
 void RunSession::start() {
-  workplace_.require(Operation::kTrialRecordOwn);
   run_.start();
   utcOffset_us_ = workplace_.now_us() - clock_->now_us();
   const nlohmann::json what{{"module", step_.module.id}, {"mode", graded_ ? "graded" : "practice"}};
-  workplace_.note({.action = "run.start",
-                   .objectKind = "enrolment",
-                   .objectId = steps_.enrolmentId,
-                   .newJson = what.dump()});
-  pulse_.beat();
+  write([note = AuditNote{.action = "run.start",
+                          .objectKind = "enrolment",
+                          .objectId = steps_.enrolmentId,
+                          .newJson = what.dump()}](Workplace& own) { own.note(note); });
+  beat();
 }
 
 void RunSession::log(bool all) {
   for (const ExposurePiece& piece : run_.takeExposure(all)) {
     if (piece.duration_us <= 0) continue;
-    recordExposure(workplace_, {.cohortId = steps_.cohortId,
-                                .enrolmentId = steps_.enrolmentId,
-                                .phaseId = piece.phaseId,
-                                .kind = piece.kind,
-                                .startedUtc_us = piece.begun_us + utcOffset_us_,
-                                .duration_us = piece.duration_us});
+    write([exposure = NewExposure{.cohortId = steps_.cohortId,
+                                  .enrolmentId = steps_.enrolmentId,
+                                  .phaseId = piece.phaseId,
+                                  .kind = piece.kind,
+                                  .startedUtc_us = piece.begun_us + utcOffset_us_,
+                                  .duration_us = piece.duration_us}](Workplace& own) {
+      recordExposure(own, exposure);
+    });
   }
 }
 
@@ -114,8 +136,8 @@ std::vector<RunEvent> RunSession::advance() {
   const RunState before = run_.state();
   std::vector<RunEvent> events = run_.advance();
   log(run_.state() != before || run_.over());
-  if (run_.over()) pulse_.show("");
-  pulse_.beat();
+  if (run_.over()) show("");
+  beat();
   return events;
 }
 
@@ -135,34 +157,37 @@ std::vector<RunEvent> RunSession::resume() {
 }
 
 void RunSession::stop(const std::string& reason) {
-  workplace_.require(Operation::kTrialRecordOwn);
   if (run_.over() || run_.state() == RunState::kReady) return;
   static_cast<void>(run_.advance());
   const bool early = !run_.over();
   run_.stop();
-  Transaction transaction(workplace_.connection());
   log(true);
+  const AuditNote note{
+      .action = "run.stop", .objectKind = "enrolment", .objectId = steps_.enrolmentId, .reason = reason};
   if (early && !run_.phase().phaseId.empty()) {
-    StudyRepository(workplace_.connection())
-        .addDeviation({.id = workplace_.ids().newUuid(),
-                       .cohortId = steps_.cohortId,
-                       .enrolmentId = steps_.enrolmentId,
-                       .kind = "phase cut short",
-                       .description = reason,
-                       .happenedUtc_us = workplace_.now_us(),
-                       .reportedBy = workplace_.actor().userId,
-                       .reportedUtc_us = workplace_.now_us(),
-                       .demonstration = steps_.demonstration});
+    const StoredDeviation deviation{.id = workplace_.ids().newUuid(),
+                                    .cohortId = steps_.cohortId,
+                                    .enrolmentId = steps_.enrolmentId,
+                                    .kind = "phase cut short",
+                                    .description = reason,
+                                    .happenedUtc_us = workplace_.now_us(),
+                                    .reportedBy = workplace_.actor().userId,
+                                    .reportedUtc_us = workplace_.now_us(),
+                                    .demonstration = steps_.demonstration};
+    write([deviation, note](Workplace& own) {
+      Transaction transaction(own.connection());
+      StudyRepository(own.connection()).addDeviation(deviation);
+      own.note(note);
+      transaction.commit();
+    });
+  } else {
+    write([note](Workplace& own) { own.note(note); });
   }
-  workplace_.note(
-      {.action = "run.stop", .objectKind = "enrolment", .objectId = steps_.enrolmentId, .reason = reason});
-  transaction.commit();
-  pulse_.show("");
-  pulse_.beat();
+  show("");
+  beat();
 }
 
 TrialOrder RunSession::newTrial() {
-  workplace_.require(Operation::kTrialRecordOwn);
   const RunPhase& phase = run_.phase();
   const StoredModule& module = phase.moduleId.empty() ? step_.module : stepOf(steps_, phase.moduleId).module;
   TrialOrder order;
@@ -182,7 +207,7 @@ TrialOrder RunSession::newTrial() {
                    .attemptMode = graded_ ? "graded" : "practice",
                    .host = thisHost()};
   trials_.push_back(order.header.trialId);
-  pulse_.show(order.header.trialId);
+  show(order.header.trialId);
   return order;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/session/access/workplace.h"
+#include "app/session/care/station_line.h"
 #include "app/session/care/station_pulse.h"
 #include "app/session/care/station_start.h"
 #include "app/session/training/device_readiness.h"
@@ -32,13 +33,17 @@ struct TrialOrder {
 
 /// One run of a trainee at a station, from the permission to begin to the last logged second: the clock
 /// (TrainingRun), what each recording belongs to, and the exposure, which goes to the database piece by piece
-/// so that a power cut takes little of it. GUI thread.
+/// so that a power cut takes little of it. Who may begin may go on: once it runs, the permission is not asked
+/// again, and with a `line` nothing waits for the database. GUI thread.
 class RunSession {
  public:
   /// Checks everything that must be in order. kTrialRecordOwn. Throws Error: {kPermission} without consent
   /// for the training record, {kDevice} when a graded run meets a device that is not green (or any run a red
   /// one), {kBadParameter} when the module is locked, used up or unknown, or all phases are over.
-  RunSession(Workplace& workplace, const RunRequest& request, const Clock& clock);
+  /// `line`: writes what comes up in the course of the run, and gives the signs of life; it outlives the
+  /// session. Null: the workplace writes at once.
+  RunSession(Workplace& workplace, const RunRequest& request, const Clock& clock,
+             StationLine* line = nullptr);
 
   [[nodiscard]] const TrainingRun& run() const noexcept { return run_; }
   [[nodiscard]] const ModuleStep& step() const noexcept { return step_; }
@@ -61,6 +66,9 @@ class RunSession {
 
  private:
   void log(bool all);
+  void write(StationLine::Write write);
+  void show(const std::string& trialId);
+  void beat();
 
   Workplace& workplace_;
   const Clock* clock_;
@@ -70,7 +78,8 @@ class RunSession {
   TrainingRun run_;
   std::int64_t utcOffset_us_ = 0;  // wall clock minus run clock at the start
   std::vector<std::string> trials_;
-  StationPulse pulse_;
+  StationLine* line_;
+  StationPulse pulse_;  // unless there is a line
 };
 
 /// An interrupted run that was found at the start of the program.

@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program's window as its people use it: first run, sign-in, forced change, lock, sign-out.
+#include <condition_variable>
+#include <mutex>
+
+#include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <gtest/gtest.h>
 
 #include "app/gui/shell/job_panel.h"
@@ -14,6 +21,9 @@
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/shell_window.h"
 #include "app/gui/shell/sign_in_panel.h"
+#include "app/session/access/first_run.h"
+#include "app/session/access/settings_service.h"
+#include "db/repository/people_repository.h"
 #include "db/repository/station_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -21,6 +31,7 @@
 namespace torsio::gui {
 namespace {
 
+constexpr std::chrono::seconds kLong{20};  // far more than a busy machine needs
 constexpr const char* kAdminPassword = "a short sentence for the lab";
 constexpr const char* kStartPassword = "start with these words";
 constexpr const char* kOwnPassword = "only I know this sentence";
@@ -299,7 +310,7 @@ TEST_F(Shell, APageWithSomethingUnfinishedIsNotLeft) {
 
 TEST_F(Shell, AnIdleDeskWarnsThenLocksAndOpensAsItWas) {
   ShellSetup with = setup();
-  with.idle = {.warn_us = 10'000'000, .lock_us = 20'000'000};
+  with.idle = IdleLimits{.warn_us = 10'000'000, .lock_us = 20'000'000};
   openFoundedCentre(with);
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   Desk* desk = window_->desk();
@@ -325,7 +336,7 @@ TEST_F(Shell, AnIdleDeskWarnsThenLocksAndOpensAsItWas) {
 
 TEST_F(Shell, TheIdleLockNeverEndsARun) {
   ShellSetup with = setup();
-  with.idle = {.warn_us = 10'000'000, .lock_us = 20'000'000};
+  with.idle = IdleLimits{.warn_us = 10'000'000, .lock_us = 20'000'000};
   openFoundedCentre(with);
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   page().isBusy = true;
@@ -436,15 +447,170 @@ TEST_F(Shell, ARecordingThatCannotBeStoredIsSaidBeforeTheSignInAndToWhoeverSigns
 TEST_F(Shell, AnOpenStationGivesSignsOfLifeUntilItIsClosed) {
   openFoundedCentre(setup());
   StationRepository stations(window_->workplace()->connection());
+  ASSERT_TRUE(window_->line()->settled(kLong));
   ASSERT_TRUE(stations.find("test").has_value());
   EXPECT_EQ(stations.find("test")->userId, "");
 
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   window_->beat();
+  ASSERT_TRUE(window_->line()->settled(kLong));
   EXPECT_EQ(stations.find("test")->userId, window_->workplace()->actor().userId);
   ASSERT_TRUE(window_->close());
 
   EXPECT_FALSE(stations.find("test").has_value());
+}
+
+TEST_F(Shell, EnterPressesTheButtonThatHasTheKeyboard) {
+  open(setup());
+  named<QLineEdit>(*window_, QStringLiteral("Name of the centre"))->setText(QStringLiteral("City hospital"));
+  for (QPushButton* button : window_->findChildren<QPushButton*>()) {
+    if (button->text() == QStringLiteral("Next")) QTest::keyClick(button, Qt::Key_Return);
+  }
+
+  EXPECT_TRUE(says(*window_, QStringLiteral("The first administrator")));
+}
+
+TEST_F(Shell, CancellingTheFirstRunLeavesNoCentre) {
+  const ShellSetup with = setup();
+  open(with);
+  FirstRunChoice choice;
+  choice.locator = with.locator;
+  choice.first = {
+      .centre = "City hospital", .login = "admin", .password = kAdminPassword, .demonstration = true};
+  auto* panel = window_->findChild<FirstRunPanel*>();
+
+  Q_EMIT panel->chosen(choice);
+  Q_EMIT panel->job().cancelled();
+  window_->background().wait();
+
+  EXPECT_EQ(window_->screen(), QStringLiteral("first run"));
+  EXPECT_TRUE(says(*window_, QStringLiteral("nothing was set up")));
+  EXPECT_FALSE(recordHasUsers(with.locator.toStdString()));
+}
+
+/// Fills the dialog that leaves the kiosk.
+void answerKiosk(const QString& login, const QString& password) {
+  QTimer::singleShot(0, qApp, [login, password] {
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    const QList<QLineEdit*> fields = dialog->findChildren<QLineEdit*>();
+    ASSERT_EQ(fields.size(), 2);
+    fields[0]->setText(login);
+    fields[1]->setText(password);
+    dialog->accept();
+  });
+}
+
+TEST_F(Shell, TheKioskEndsWithTheNameAndPasswordOfAnAdministratorOnly) {
+  ShellSetup with = setup();
+  with.kiosk = true;
+  openFoundedCentre(with);
+  auto* signIn = window_->findChild<SignInPanel*>();
+
+  answerKiosk(QStringLiteral("admin"), QStringLiteral("not this one at all"));
+  Q_EMIT signIn->leaveKioskWanted();
+  window_->background().wait();
+  EXPECT_TRUE(window_->isVisible());
+  EXPECT_TRUE(says(*window_, QStringLiteral("Only an administrator can end the kiosk")));
+  EXPECT_FALSE(window_->close());
+
+  answerKiosk(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  Q_EMIT signIn->leaveKioskWanted();
+  window_->background().wait();
+  EXPECT_FALSE(window_->isVisible());
+}
+
+TEST_F(Shell, OneChoiceInTheMenuRemovesTheDemonstration) {
+  openFoundedCentre(setup());
+  Connection& connection = window_->workplace()->connection();
+  StoredTrainee simulated;
+  simulated.person = {.id = "simulated", .code = "T-99", .demonstration = true};
+  StoredTrainee real;
+  real.person = {.id = "real", .code = "T-01"};
+  PeopleRepository(connection).addTrainees({&simulated, 1});
+  PeopleRepository(connection).addTrainees({&real, 1});
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+
+  QTimer::singleShot(0, qApp, [] {
+    auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    ASSERT_NE(question, nullptr);
+    EXPECT_TRUE(question->text().contains(QStringLiteral("1 simulated people")));
+    for (QAbstractButton* button : question->buttons()) {
+      if (button->text() == QStringLiteral("Remove")) button->click();
+    }
+  });
+  QAction* remove = nullptr;
+  for (QAction* action : window_->desk()->findChildren<QAction*>()) {
+    if (action->text().startsWith(QStringLiteral("Remove demonstration data"))) remove = action;
+  }
+  ASSERT_NE(remove, nullptr);
+  remove->trigger();
+  window_->desk()->context().waitForJobs();
+
+  const std::vector<std::string> codes = PeopleRepository(connection).codes();
+  EXPECT_EQ(codes, std::vector<std::string>{"T-01"});
+}
+
+TEST_F(Shell, TheCentreSaysWhenAnEmptyPlaceIsLocked) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  setCentreIdleLimits(*window_->workplace(), 10, 12);
+  window_->signOut();
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  window_->watchIdleness();
+
+  clock_.advance_us(9 * 60'000'000LL);
+  window_->watchIdleness();
+  EXPECT_EQ(window_->screen(), QStringLiteral("desk"));  // the usual five minutes would have locked
+  clock_.advance_us(90'000'000LL);
+  window_->watchIdleness();
+  EXPECT_TRUE(says(*window_, QStringLiteral("The screen will be locked in 90")));
+  clock_.advance_us(91'000'000LL);
+  window_->watchIdleness();
+  EXPECT_EQ(window_->screen(), QStringLiteral("lock"));
+}
+
+/// A server that may stop to answer.
+struct Gate {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool open = true;
+  void set(bool now) {
+    const std::lock_guard lock(mutex);
+    open = now;
+    changed.notify_all();
+  }
+  void pass() {
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [this] { return open; });
+  }
+};
+
+TEST_F(Shell, ADatabaseThatHangsIsSaidCalmlyAndHoldsUpNobody) {
+  ShellSetup with = setup();
+  using namespace std::chrono_literals;
+  with.linePatience = {.again = 10ms, .pulse = 10ms, .silence = 100ms, .farewell = 50ms};
+  openFoundedCentre(with);
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  const auto gate = std::make_shared<Gate>();
+  gate->set(false);
+  window_->line()->write([gate](Workplace&) { gate->pass(); });
+  const auto tells = [this](const char* part) {
+    window_->beat();
+    return says(*window_, QLatin1String(part));
+  };
+
+  EXPECT_TRUE(QTest::qWaitFor([&] { return tells("The database does not answer"); }, 20'000));
+  EXPECT_FALSE(window_->desk()->open(QStringLiteral("office.audit")));
+  EXPECT_EQ(window_->desk()->pageId(), QStringLiteral("office.users"));
+  page().isBusy = true;
+  EXPECT_TRUE(tells("Your run goes on"));
+  page().isBusy = false;
+
+  gate->set(true);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !tells("The database does not answer"); }, 20'000));
+  window_->background().wait();
+  EXPECT_TRUE(window_->desk()->open(QStringLiteral("office.audit")));
 }
 
 TEST_F(Shell, EverythingThatTakesTheKeyboardHasANameForScreenReaders) {

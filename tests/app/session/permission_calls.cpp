@@ -40,6 +40,7 @@
 #include "app/session/training/attempts.h"
 #include "app/session/training/debrief.h"
 #include "app/session/training/next_steps.h"
+#include "app/session/training/questions.h"
 #include "app/session/training/remarks.h"
 #include "app/session/training/run_session.h"
 #include "app/session/training/transcript.h"
@@ -106,6 +107,8 @@ std::vector<ServiceCall> officeCalls() {
       {O::kRetentionManage, "lockRecord", [](Workplace& w, Path) { lockRecord(w, kNoSuch, ""); }},
       {O::kSettingsEdit, "centreSettings", [](Workplace& w, Path) { (void)centreSettings(w); }},
       {O::kSettingsEdit, "setCentreSetting", [](Workplace& w, Path) { setCentreSetting(w, "", ""); }},
+      {O::kSettingsEdit, "setCentreIdleLimits", [](Workplace& w, Path) { setCentreIdleLimits(w, 0, 0); }},
+      {O::kSettingsEdit, "setGradedWithMouse", [](Workplace& w, Path) { setGradedWithMouse(w, false); }},
       {O::kUserManage, "setUserRoles", [](Workplace& w, Path) { setUserRoles(w, kNoSuch, {}, ""); }},
       {O::kAuditView, "auditActors", [](Workplace& w, Path) { (void)auditActors(w); }},
       {O::kPersonViewCoded, "consentHistory", [](Workplace& w, Path) { (void)consentHistory(w, kNoSuch); }},
@@ -262,6 +265,12 @@ std::vector<ServiceCall> trainingCalls() {
       {O::kTrialViewOwn, "markRemarkRead", [](Workplace& w, Path) { markRemarkRead(w, kNoSuch); }},
       {O::kTrialViewOwn, "replyToRemark", [](Workplace& w, Path) { replyToRemark(w, kNoSuch, "yes"); }},
       {O::kTrialViewOwn, "selfScore", [](Workplace& w, Path) { selfScore(w, kNoSuch, 7.0, {}); }},
+      {O::kTrialViewOwn, "questionDesk", [](Workplace& w, Path) { (void)questionDesk(w, kNoSuch); }},
+      {O::kTrialViewOwn, "askPhysician",
+       [](Workplace& w, Path) { (void)askPhysician(w, kNoSuch, 1.0, kNoSuch, "why?"); }},
+      {O::kTrialViewAssigned, "questionsToMe", [](Workplace& w, Path) { (void)questionsToMe(w); }},
+      {O::kTrialViewAssigned, "questionedRun", [](Workplace& w, Path) { (void)questionedRun(w, kNoSuch); }},
+      {O::kTrialViewAssigned, "answerQuestion", [](Workplace& w, Path) { answerQuestion(w, kNoSuch, "so"); }},
       {O::kTrialViewOwn, "hasOwnConsent", [](Workplace& w, Path) { (void)hasOwnConsent(w, kNoSuch); }},
       {O::kTrialRecordOwn, "decideOwnConsent",
        [](Workplace& w, Path) { decideOwnConsent(w, kNoSuch, true, "1"); }},

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/office/station_settings_card.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include "app/gui/look/form.h"
+#include "app/gui/look/theme.h"
+#include "app/gui/office/office_parts.h"
+#include "app/gui/shell/shell_context.h"
+#include "app/session/access/settings_service.h"
+#include "app/session/training/run_session.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr std::int64_t kMinute_us = 60'000'000;
+
+}  // namespace
+
+StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
+    : Card(QString(), parent),
+      shell_(shell),
+      warnLabel_(nullptr),
+      warn_(new QSpinBox(this)),
+      lockLabel_(nullptr),
+      lock_(new QSpinBox(this)),
+      mouse_(new QCheckBox(this)),
+      note_(sentence(this)),
+      keep_(new QPushButton(this)) {
+  warn_->setObjectName(QStringLiteral("idleWarn"));
+  lock_->setObjectName(QStringLiteral("idleLock"));
+  keep_->setObjectName(QStringLiteral("keepSettings"));
+  mouse_->setObjectName(QStringLiteral("gradedWithMouse"));
+  lock_->setRange(kShortestIdleLock_min, kLongestIdleLock_min);
+  warn_->setRange(1, kLongestIdleLock_min - 1);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kSpace);
+  warnLabel_ = fieldBeside(row, warn_);
+  row->addSpacing(2 * kSpace);
+  lockLabel_ = fieldBeside(row, lock_);
+  row->addSpacing(2 * kSpace);
+  row->addWidget(mouse_);
+  row->addStretch(1);
+  row->addWidget(keep_);
+  content()->addLayout(row);
+  content()->addWidget(note_);
+  connect(lock_, &QSpinBox::valueChanged, this, &StationSettingsCard::keepInBounds);
+  connect(keep_, &QPushButton::clicked, this, &StationSettingsCard::keep);
+  retranslate();
+}
+
+void StationSettingsCard::keepInBounds() {
+  warn_->setMaximum(lock_->value() - 1);
+}
+
+void StationSettingsCard::read() {
+  attempt(shell_, [this] {
+    const IdleLimits limits = centreIdleLimits(shell_.workplace().connection());
+    lock_->setValue(static_cast<int>(limits.lock_us / kMinute_us));
+    keepInBounds();
+    warn_->setValue(static_cast<int>(limits.warn_us / kMinute_us));
+    mouse_->setChecked(gradesWithMouse(shell_.workplace()));
+  });
+}
+
+void StationSettingsCard::keep() {
+  attempt(shell_, [this] {
+    setCentreIdleLimits(shell_.workplace(), warn_->value(), lock_->value());
+    setGradedWithMouse(shell_.workplace(), mouse_->isChecked());
+    shell_.notify(tr("Kept. It holds at every station from the next sign-in on"));
+  });
+}
+
+void StationSettingsCard::retranslate() {
+  setTitle(tr("At every station"));
+  nameField(warnLabel_, tr("When nobody is there, &warn after"));
+  nameField(lockLabel_, tr("and &lock after"));
+  warn_->setSuffix(tr(" min"));
+  lock_->setSuffix(tr(" min"));
+  mouse_->setText(tr("&Grade runs with mouse and keyboard"));
+  note_->setText(tr("A run is never interrupted by this. A kiosk signs out instead of locking."));
+  keep_->setText(tr("&Keep"));
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Of ShellWindow: the desk of whoever signed in.
+#include <QInputDialog>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTimer>
+
+#include "app/gui/shell/about_box.h"
+#include "app/gui/shell/lock_panel.h"
+#include "app/gui/shell/password_panel.h"
+#include "app/gui/shell/rail.h"
+#include "app/gui/shell/shell_window.h"
+#include "app/gui/shell/shortcut_sheet.h"
+#include "app/gui/shell/sign_in_panel.h"
+#include "app/gui/shell/spoken.h"
+#include "app/session/access/settings_service.h"
+#include "app/session/care/demonstration_removal.h"
+#include "app/session/care/station_line.h"
+
+namespace torsio::gui {
+
+void ShellWindow::tellKept() {
+  if (kept_.empty() || workplace_->actor().practiceOnly) return;
+  Q_EMIT desk_->context().failed(
+      tr("%n recording(s) of this station could not be stored", nullptr, static_cast<int>(kept_.size())),
+      tr("The files are kept. Please show this to your administrator"), spokenLines(kept_));
+  kept_.clear();
+}
+
+void ShellWindow::enterDesk() {
+  leaveDesk();
+  if (!setup_.idle) idle_.setLimits(centreIdleLimits(workplace_->connection()));
+  const bool station = homeOf(workplace_->actor()) == Home::kStation;
+  applyChoices(userId(), station);
+  openDesk();
+  tellKept();
+}
+
+void ShellWindow::openDesk() {
+  DeskSetup setup;
+  setup.assets = setup_.assets;
+  setup.centre = centre_;
+  setup.language = language_.present();
+  setup.theme = theme_;
+  setup.kiosk = setup_.kiosk;
+  setup.groups = setup_.groups;
+  desk_ = new Desk(*workplace_, setup, this);
+  desk_->context().setLine(line_.get());
+  stack_->addWidget(desk_);
+  connect(desk_, &Desk::signOutWanted, this, [this] { signOut(); });
+  connect(desk_, &Desk::lockWanted, this, &ShellWindow::lock);
+  connect(desk_, &Desk::languageWanted, this, &ShellWindow::chooseLanguage);
+  connect(desk_, &Desk::themeWanted, this, &ShellWindow::chooseTheme);
+  connect(desk_, &Desk::pinWanted, this, &ShellWindow::choosePin);
+  connect(desk_, &Desk::shortcutsWanted, this, [this] { ShortcutSheet(desk_, this).exec(); });
+  connect(desk_, &Desk::aboutWanted, this, [this] { showAboutBox(this); });
+  connect(desk_, &Desk::demonstrationRemovalWanted, this, &ShellWindow::removeDemonstration);
+  connect(desk_, &Desk::passwordChangeWanted, this, [this] {
+    password_->begin(QString::fromStdString(workplace_->actor().login), {}, false);
+    show(password_);
+  });
+  // Later, since the page that asks for it dies with the desk.
+  connect(&desk_->context(), &ShellContext::recordChangeWanted, this, [this](const RecordChange& change) {
+    QTimer::singleShot(0, this, [this, change] { changeRecord(change); });
+  });
+  desk_->rail().setNarrow(preferences_.layout(QStringLiteral("rail_narrow")).toBool());
+  connect(&desk_->rail(), &Rail::narrowChanged, this,
+          [this](bool narrow) { preferences_.setLayout(QStringLiteral("rail_narrow"), narrow); });
+  show(desk_);
+  desk_->openHome();
+}
+
+void ShellWindow::leaveDesk() {
+  if (desk_ == nullptr) return;
+  stack_->removeWidget(desk_);
+  delete desk_;
+  desk_ = nullptr;
+}
+
+bool ShellWindow::signOut(const QString& reason) {
+  if (desk_ != nullptr && !desk_->mayLeave()) return false;
+  leaveDesk();
+  forgetActor();
+  enterSignIn();
+  if (!reason.isEmpty()) signIn_->say(reason, false);
+  return true;
+}
+
+bool ShellWindow::lock() {
+  if (desk_ == nullptr || stack_->currentWidget() != desk_ || desk_->busy()) return false;
+  if (workplace_->actor().practiceOnly) return signOut();  // nothing to come back to
+  lock_->begin(QString::fromStdString(workplace_->actor().login));
+  show(lock_);
+  return true;
+}
+
+void ShellWindow::choosePin() {
+  bool entered = false;
+  const QString pin = QInputDialog::getText(this, tr("PIN for practice"),
+                                            tr("At least four digits. With it you practise at a station; "
+                                               "nothing is recorded.\nLeave it empty to remove it."),
+                                            QLineEdit::Password, {}, &entered);
+  if (!entered) return;
+  try {
+    setOwnPin(*workplace_, pin.toStdString());
+    desk_->context().notify(pin.isEmpty() ? tr("The PIN was removed") : tr("The PIN is in force"));
+  } catch (...) {
+    desk_->context().report(std::current_exception());
+  }
+}
+
+void ShellWindow::removeDemonstration() {
+  try {
+    const DemonstrationSize size = demonstrationSize(*workplace_);
+    if (size.rows == 0) {
+      desk_->context().notify(tr("There is no demonstration data"));
+      return;
+    }
+    const QLocale locale;
+    QMessageBox question(QMessageBox::Question, tr("Remove demonstration data"),
+                         tr("Remove %1 simulated people, %2 trials and %3 marks?")
+                             .arg(locale.toString(static_cast<qlonglong>(size.people)),
+                                  locale.toString(static_cast<qlonglong>(size.trials)),
+                                  locale.toString(static_cast<qlonglong>(size.marks))),
+                         QMessageBox::Cancel, this);
+    question.setInformativeText(tr("Your own data stay as they are. This cannot be undone."));
+    const QAbstractButton* remove = question.addButton(tr("Remove"), QMessageBox::DestructiveRole);
+    question.setDefaultButton(QMessageBox::Cancel);
+    question.exec();
+    if (question.clickedButton() != remove) return;
+    desk_->context().run(
+        tr("Removing the demonstration"),
+        [reason = tr("Removed from the user menu").toStdString()](Workplace& own, const ProgressCallback&) {
+          static_cast<void>(removeDemonstrationData(own, reason));
+        },
+        [this] { desk_->context().notify(tr("The demonstration data were removed")); });
+  } catch (...) {
+    desk_->context().report(std::current_exception());
+  }
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Of ShellWindow: everything before the desk.
+#include <utility>
+
+#include <QUrl>
+
+#include "app/gui/shell/credentials_dialog.h"
+#include "app/gui/shell/job_panel.h"
+#include "app/gui/shell/lock_panel.h"
+#include "app/gui/shell/password_panel.h"
+#include "app/gui/shell/problem_words.h"
+#include "app/gui/shell/shell_window.h"
+#include "app/gui/shell/sign_in_panel.h"
+#include "app/gui/shell/spoken.h"
+#include "app/gui/shell/trouble_panel.h"
+#include "app/session/access/first_run.h"
+#include "app/session/care/station_line.h"
+#include "app/session/care/station_start.h"
+
+namespace torsio::gui {
+
+/// Only somebody who may change the centre's settings gets out of the kiosk.
+void ShellWindow::leaveKiosk() {
+  CredentialsDialog dialog(tr("Leave kiosk mode"),
+                           tr("An administrator ends the kiosk with name and password."), this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  background_.run(
+      [this, key = key(), login = dialog.login(), password = dialog.password()]() -> Background::Finish {
+        Workplace own(key);
+        const SignInAnswer answer = torsio::signIn(own, login.toStdString(), password.toStdString());
+        const bool may = answer.outcome == SignIn::kOk && own.may(Operation::kSettingsEdit);
+        if (answer.outcome == SignIn::kOk) torsio::signOut(own);
+        return [this, may] {
+          if (!may) {
+            signIn_->say(tr("Only an administrator can end the kiosk"), true);
+            return;
+          }
+          mayClose_ = true;
+          close();
+        };
+      },
+      [this](const std::exception_ptr& problem) { signIn_->say(problemSentence(problem), true); });
+}
+
+void ShellWindow::openDatabase() {
+  line_.reset();
+  try {
+    workplace_ = std::make_unique<Workplace>(key());
+    workplace_->setPasswordCost(setup_.passwordCost);
+    if (needsFirstRun(workplace_->connection())) {
+      enterFirstRun();
+      return;
+    }
+    const CentreSign sign = centreSign(workplace_->connection());
+    centre_ = QString::fromStdString(sign.name);
+    if (!preferences_.language({})) {
+      if (const auto language = languageOf(QString::fromStdString(sign.language))) chooseLanguage(*language);
+    }
+    enterSignIn();
+    settle();
+  } catch (...) {
+    trouble_->tell(std::current_exception());
+    show(trouble_);
+  }
+}
+
+/// Recordings that wait in files can take long to store; until then nobody signs in.
+void ShellWindow::settle() {
+  background_.run(
+      [this, key = key(),
+       folder = setup_.unstored.empty() ? unstoredFolder() : setup_.unstored]() -> Background::Finish {
+        Workplace own(key);
+        const StationStart start = settleStation(own, folder);
+        return [this, kept = start.kept] {
+          kept_ = kept;
+          if (!kept_.empty()) signIn_->say(spokenLines(kept_), true);
+          startLine();
+        };
+      },
+      [this](const std::exception_ptr& problem) {
+        signIn_->say(problemSentence(problem), true);
+        startLine();
+      });
+}
+
+void ShellWindow::startLine() {
+  line_ = std::make_unique<StationLine>(key(), setup_.linePatience);
+  answered_ = true;
+  settleDue_ = false;
+  if (desk_ != nullptr) desk_->context().setLine(line_.get());
+  beat();
+}
+
+/// After the database was away: recordings of the meantime wait in files.
+void ShellWindow::settleAgain() {
+  settleDue_ = false;
+  background_.run(
+      [this, key = key(),
+       folder = setup_.unstored.empty() ? unstoredFolder() : setup_.unstored]() -> Background::Finish {
+        Workplace own(key);
+        const StationStart start = settleStation(own, folder);
+        return [this, start] {
+          if (desk_ == nullptr || start.trials.empty()) return;
+          desk_->context().notify(tr("The database answers again, and what was kept meanwhile is stored"));
+        };
+      },
+      [this](const std::exception_ptr&) { settleDue_ = true; });
+}
+
+void ShellWindow::changeRecord(const RecordChange& change) {
+  leaveDesk();
+  forgetActor();
+  if (line_) line_->leave();
+  line_.reset();
+  workplace_.reset();  // nobody has the record open now
+  QString sentence = change.sentence;
+  bool failed = false;
+  try {
+    if (change.swap) change.swap();
+    if (!change.locator.isEmpty()) {
+      setup_.locator = change.locator;
+      preferences_.setDatabase(change.locator);
+    }
+  } catch (...) {
+    sentence = problemSentence(std::current_exception());
+    failed = true;
+  }
+  openDatabase();
+  signIn_->say(sentence, failed);
+}
+
+void ShellWindow::enterFirstRun() {
+  firstRun_->setLanguage(language_.present());
+  show(firstRun_);
+}
+
+void ShellWindow::setUp(const FirstRunChoice& choice) {
+  if (!QUrl(choice.locator).password().isEmpty()) {
+    firstRun_->say(
+        tr("Leave the password out of the address; it would stand in a settings file. Put it into .pgpass"));
+    return;
+  }
+  setup_.locator = choice.locator;
+  line_.reset();
+  workplace_.reset();
+  setUpCancelled_->store(false);
+  firstRun_->job().begin(tr("Setting up the centre"));
+  background_.run(
+      [this, choice, key = key()]() -> Background::Finish {
+        Workplace own(key);
+        own.setPasswordCost(setup_.passwordCost);
+        if (!needsFirstRun(own.connection())) {
+          return [this, choice] {  // a centre is there already: its people sign in
+            firstRun_->job().end();
+            preferences_.setDatabase(choice.locator);
+            openDatabase();
+          };
+        }
+        const auto accounts =
+            performFirstRun(own, choice.first, setup_.assets, [this](const Progress& progress) {
+              if (setUpCancelled_->load()) throw Cancelled{};
+              QMetaObject::invokeMethod(this, [this, progress] {
+                firstRun_->job().move(spoken(progress.step), progress.fraction, progress.remaining_s);
+              });
+            });
+        return [this, actor = own.actor(), choice, accounts] {
+          firstRun_->job().end();
+          workplace_ = std::make_unique<Workplace>(this->key());
+          workplace_->setPasswordCost(setup_.passwordCost);
+          workplace_->setActor(actor);
+          startLine();
+          centre_ = QString::fromStdString(choice.first.centre);
+          preferences_.setDatabase(choice.locator);
+          firstRun_->showAccounts(accounts);
+        };
+      },
+      [this](const std::exception_ptr& problem) {
+        firstRun_->job().end();
+        try {
+          std::rethrow_exception(problem);
+        } catch (const Cancelled&) {
+          firstRun_->say(tr("Cancelled; nothing was set up"));
+        } catch (...) {
+          firstRun_->say(problemSentence(problem));
+        }
+      });
+}
+
+void ShellWindow::enterSignIn() {
+  applyChoices({}, true);
+  signIn_->setCentre(centre_);
+  signIn_->clear();
+  show(signIn_);
+}
+
+void ShellWindow::tryPassword(const QString& login, const QString& password) {
+  background_.run(
+      [this, key = key(), login, password]() -> Background::Finish {
+        Workplace own(key);
+        const SignInAnswer answer = torsio::signIn(own, login.toStdString(), password.toStdString());
+        return [this, answer, login, password] { took(answer, login, password); };
+      },
+      [this](const std::exception_ptr& problem) { signIn_->say(problemSentence(problem), true); });
+}
+
+void ShellWindow::tryPin(const QString& login, const QString& pin) {
+  background_.run(
+      [this, key = key(), login, pin]() -> Background::Finish {
+        Workplace own(key);
+        const SignInAnswer answer = signInForPractice(own, login.toStdString(), pin.toStdString());
+        return [this, answer, login] { took(answer, login, {}); };
+      },
+      [this](const std::exception_ptr& problem) { signIn_->say(problemSentence(problem), true); });
+}
+
+void ShellWindow::took(const SignInAnswer& answer, const QString& login, const QString& password) {
+  switch (answer.outcome) {
+    case SignIn::kOk:
+      workplace_->setActor(answer.actor);
+      enterDesk();
+      break;
+    case SignIn::kMustChange:
+      password_->begin(login, password, true);
+      show(password_);
+      break;
+    case SignIn::kWrong:
+      signIn_->say(tr("Name and password do not fit together. Please try again"), true);
+      break;
+    case SignIn::kWait:
+      signIn_->waitUntil(answer.waitUntilUtc_us, workplace_->now_us());
+      break;
+    case SignIn::kDisabled:
+      signIn_->say(tr("This account is switched off. Ask your administrator"), true);
+      break;
+  }
+}
+
+void ShellWindow::enterAsGuest() {
+  Actor guest;
+  guest.practiceOnly = true;
+  workplace_->setActor(guest);
+  enterDesk();
+}
+
+void ShellWindow::changePassword(const QString& login, const QString& oldPassword,
+                                 const QString& newPassword) {
+  background_.run(
+      [this, key = key(), login, oldPassword, newPassword]() -> Background::Finish {
+        Workplace own(key);
+        own.setPasswordCost(setup_.passwordCost);
+        const SignInAnswer answer =
+            changeOwnPassword(own, login.toStdString(), oldPassword.toStdString(), newPassword.toStdString());
+        return [this, answer, login] {
+          if (desk_ == nullptr) {
+            took(answer, login, {});
+            return;
+          }
+          show(desk_);
+          desk_->context().notify(tr("The new password is in force"));
+        };
+      },
+      [this](const std::exception_ptr& problem) { password_->say(problemSentence(problem)); });
+}
+
+void ShellWindow::unlock(const QString& password) {
+  background_.run(
+      [this, key = key(), login = workplace_->actor().login, password]() -> Background::Finish {
+        Workplace own(key);
+        const SignInAnswer answer = torsio::signIn(own, login, password.toStdString());
+        return [this, answer] {
+          if (answer.outcome == SignIn::kOk && answer.actor.userId == workplace_->actor().userId) {
+            show(desk_);
+          } else if (answer.outcome == SignIn::kWait) {
+            const std::int64_t left_s = (answer.waitUntilUtc_us - workplace_->now_us()) / 1'000'000 + 1;
+            lock_->say(tr("Too many wrong tries. Please wait %1 s").arg(left_s));
+          } else {
+            lock_->say(tr("That is not the password. Please try again"));
+          }
+        };
+      },
+      [this](const std::exception_ptr& problem) { lock_->say(problemSentence(problem)); });
+}
+
+}  // namespace torsio::gui

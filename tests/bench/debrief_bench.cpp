@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A debrief of a long run: from the stored chunks to strengths and weaknesses, the expert's run included. The
+// run is made with a manual clock. Prints one line a length and fails when a debrief takes longer than the
+// five seconds that a trainee is promised.
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+
+#include "app/session/training/attempts.h"
+#include "app/session/training/debrief.h"
+#include "app/session/training/expert_run.h"
+#include "sim/device/scripted_hand.h"
+#include "sim/record/memory_trial_sink.h"
+#include "sim/record/recorder.h"
+#include "sim/record/sample_codec.h"
+#include "sim/servo/hand_task.h"
+#include "sim/servo/servo_loop.h"
+
+namespace {
+
+using namespace torsio;
+
+constexpr double kPromise_s = 5.0;
+constexpr std::int64_t kTick_us = 1'000;
+
+Trial longRun(const Scene& scene, std::int64_t minutes) {
+  ScriptedHandOptions hand;
+  hand.task = handTask(scene);
+  hand.duration_s = static_cast<double>(minutes) * 60.0;
+  ScriptedHand device(hand);
+  TrialHeader header;
+  header.trialId = "bench";
+  header.sceneId = scene.id;
+  header.patternId = scene.pattern.id;
+  header.organHash = scene.organHash;
+  header.parameterHash = scene.parameterHash;
+  header.parametersJson = scene.parametersJson;
+  header.targetAngle_rad = scene.pattern.targetAngle_rad;
+  MemoryTrialSink sink;
+  SpscRing<Sample> ring(kRecordingRing);
+  Recorder recorder(ring, sink, header);
+  ServoOptions options;
+  options.drive = header.drive;
+  options.targetAngle_rad = header.targetAngle_rad;
+  ServoLoop servo({.device = &device, .scene = &scene, .recording = &ring}, options);
+  for (std::int64_t tick = 0; tick < minutes * 60'000; ++tick) {
+    servo.tick(tick * kTick_us);
+    if (tick % 1000 == 999) recorder.pump();
+  }
+  static_cast<void>(recorder.finish(TrialOutcome::kCompleted, 0));
+  return sink.trial();
+}
+
+/// Processor time, so that other work on the machine does not count.
+double processor_s() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+}  // namespace
+
+int main() {
+  SceneRequest request;
+  request.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
+  request.id = "arm";
+  const Scene scene = loadScene(request);
+  bool kept = true;
+  for (const std::int64_t minutes : {20, 40}) {
+    const Trial trial = longRun(scene, minutes);
+    DebriefRules rules;
+    rules.tolerance_rad = scene.pattern.tolerance_rad;
+    const double begun = processor_s();
+    const std::vector<Sample> samples = decodeTrial(trial);
+    const double decoded = processor_s();
+    MeasuredTrial measured = measureTwists(trial.header, samples, rules);
+    const Attempt attempt = attemptFrom(trial.header, samples, measured, rules.tolerance_rad);
+    const double counted = processor_s();
+    const Scene again = loadScene(request);  // after a restart of the program nothing is loaded
+    const Trial expert = expertRun(again, trial.header.targetAngle_rad);
+    const double shown = processor_s();
+    const Debrief debrief = makeDebrief(trial.header, samples, std::move(measured), rules, &expert);
+    const double done = processor_s();
+    std::printf(
+        "%2lld min, %lld twists: decode %.2f s, measure %.2f s, expert %.2f s, judge %.2f s, all %.2f s\n",
+        static_cast<long long>(minutes), static_cast<long long>(attempt.twists), decoded - begun,
+        counted - decoded, shown - counted, done - shown, done - begun);
+    kept = kept && done - begun < kPromise_s && !debrief.twists.empty();
+  }
+  return kept ? 0 : 1;
+}
