@@ -1108,6 +1108,10 @@
         <translation>该设备的角度精度仅能如此；请送修</translation>
     </message>
     <message>
+        <source>Ask about a practice run</source>
+        <translation>请就练习操作提问</translation>
+    </message>
+    <message>
         <source>Ask an administrator to add you to the roster</source>
         <translation>请联系管理员将您加入名册</translation>
     </message>
@@ -1209,7 +1213,7 @@
     </message>
     <message>
         <source>Check the database, and restore a backup</source>
-        <translation type="unfinished" />
+        <translation>请检查数据库并恢复备份</translation>
     </message>
     <message>
         <source>Check the database.</source>
@@ -1253,7 +1257,7 @@
     </message>
     <message>
         <source>Checking recording %1 of %2</source>
-        <translation type="unfinished" />
+        <translation>正在检查第 %1 条录像，共 %2 条</translation>
     </message>
     <message>
         <source>Choose a folder in which you may write</source>
@@ -1293,7 +1297,7 @@
     </message>
     <message>
         <source>Choose an older backup</source>
-        <translation type="unfinished" />
+        <translation>请选择更早的备份</translation>
     </message>
     <message>
         <source>Choose an open module</source>
@@ -1328,8 +1332,12 @@
         <translation>请选择其他录制</translation>
     </message>
     <message>
+        <source>Choose another recording: a case must be blinded</source>
+        <translation>请选择其他录像：案例必须盲评</translation>
+    </message>
+    <message>
         <source>Choose another trainee</source>
-        <translation type="unfinished" />
+        <translation>请选择其他学员</translation>
     </message>
     <message>
         <source>Choose another trial</source>
@@ -1433,7 +1441,7 @@
     </message>
     <message>
         <source>Choose the backup again</source>
-        <translation type="unfinished" />
+        <translation>请重新选择备份</translation>
     </message>
     <message>
         <source>Choose virtual, real or rest</source>
@@ -1489,7 +1497,7 @@
     </message>
     <message>
         <source>Comparing %1</source>
-        <translation type="unfinished" />
+        <translation>正在比较 %1</translation>
     </message>
     <message>
         <source>Comparing with the record</source>
@@ -1505,7 +1513,7 @@
     </message>
     <message>
         <source>Copy the record of this station there</source>
-        <translation type="unfinished" />
+        <translation>请将本工作站的记录复制到那里</translation>
     </message>
     <message>
         <source>Copying %1</source>
@@ -1525,7 +1533,7 @@
     </message>
     <message>
         <source>Correct the mark</source>
-        <translation type="unfinished" />
+        <translation>请更正评分</translation>
     </message>
     <message>
         <source>Correct the migration file</source>
@@ -1533,7 +1541,7 @@
     </message>
     <message>
         <source>Correct the number</source>
-        <translation type="unfinished" />
+        <translation>请更正数值</translation>
     </message>
     <message>
         <source>Correct the person's record, or lock a new design with a reason</source>
@@ -1717,7 +1725,7 @@
     </message>
     <message>
         <source>Free some space on this disk</source>
-        <translation type="unfinished" />
+        <translation>请清理此磁盘的空间</translation>
     </message>
     <message>
         <source>GLB</source>
@@ -1841,7 +1849,7 @@
     </message>
     <message>
         <source>Give the computer, the database and the account</source>
-        <translation type="unfinished" />
+        <translation>请填写计算机、数据库和账户</translation>
     </message>
     <message>
         <source>Give the curriculum as many arms as the cohort has groups</source>
@@ -1977,11 +1985,11 @@
     </message>
     <message>
         <source>Let the run come to its end, close Torsio at all other stations, wait half a minute, and try again</source>
-        <translation type="unfinished" />
+        <translation>请等待操作结束，关闭其他所有工作站上的 Torsio，等待半分钟后重试</translation>
     </message>
     <message>
         <source>Let the server's administrator make an empty database</source>
-        <translation type="unfinished" />
+        <translation>请让服务器管理员创建一个空数据库</translation>
     </message>
     <message>
         <source>Library</source>
@@ -2005,7 +2013,11 @@
     </message>
     <message>
         <source>Lock a design and allocate first</source>
-        <translation type="unfinished" />
+        <translation>请先锁定方案并分组</translation>
+    </message>
+    <message>
+        <source>Lock after %1 to %2 minutes, and warn at least one minute before</source>
+        <translation>锁定时间为 %1 至 %2 分钟，并至少提前一分钟提醒</translation>
     </message>
     <message>
         <source>Lock one first</source>
@@ -2137,7 +2149,7 @@
     </message>
     <message>
         <source>Make an empty database on the server and copy again</source>
-        <translation type="unfinished" />
+        <translation>请在服务器上创建空数据库后重新复制</translation>
     </message>
     <message>
         <source>Make another cohort for the other curriculum</source>
@@ -2256,6 +2268,10 @@
         <translation>请先以可写方式打开一次，以便更新</translation>
     </message>
     <message>
+        <source>Open one of your own</source>
+        <translation>请打开您自己的一项</translation>
+    </message>
+    <message>
         <source>Open that person, or correct the number</source>
         <translation>请打开该人员，或更正编号</translation>
     </message>
@@ -2337,7 +2353,7 @@
     </message>
     <message>
         <source>Put the line shown here into the password file of this computer's account</source>
-        <translation type="unfinished" />
+        <translation>请将此处显示的一行写入本机账户的密码文件</translation>
     </message>
     <message>
         <source>Put the stylus firmly into the inkwell and repeat the check</source>
@@ -2381,7 +2397,7 @@
     </message>
     <message>
         <source>Read the list again</source>
-        <translation type="unfinished" />
+        <translation>请重新读取列表</translation>
     </message>
     <message>
         <source>Read the list again and repeat</source>
@@ -2625,7 +2641,7 @@
     </message>
     <message>
         <source>Start Torsio again at this station, which stores them, then try again</source>
-        <translation type="unfinished" />
+        <translation>请在本工作站重新启动 Torsio 以完成存储，然后重试</translation>
     </message>
     <message>
         <source>Start it first, or choose another version</source>
@@ -2706,6 +2722,10 @@
     <message>
         <source>The library keeps its own servo rate</source>
         <translation>程序库保持自身的伺服频率</translation>
+    </message>
+    <message>
+        <source>The recording is kept in a file until it does</source>
+        <translation>在此之前录像保存在文件中</translation>
     </message>
     <message>
         <source>This program reads %1.</source>
@@ -2917,7 +2937,7 @@
     </message>
     <message>
         <source>a panel has at least one member</source>
-        <translation type="unfinished" />
+        <translation>专家组至少有一名成员</translation>
     </message>
     <message>
         <source>a part of a person cannot be taken away: records hang on it</source>
@@ -2925,11 +2945,15 @@
     </message>
     <message>
         <source>a part of the recording is missing</source>
-        <translation type="unfinished" />
+        <translation>录像缺少一部分</translation>
     </message>
     <message>
         <source>a phase or a rest has no sensible length</source>
         <translation>某个阶段或休息的时长不合理</translation>
+    </message>
+    <message>
+        <source>a physician was asked about this recording by name</source>
+        <translation>已就此录像向医师实名提问</translation>
     </message>
     <message>
         <source>a quote does not close</source>
@@ -3188,10 +3212,6 @@
         <translation>演示</translation>
     </message>
     <message>
-        <source>desk</source>
-        <translation>工作台</translation>
-    </message>
-    <message>
         <source>deviation</source>
         <translation>偏离</translation>
     </message>
@@ -3376,10 +3396,6 @@
         <translation>是文件夹，不是数据库</translation>
     </message>
     <message>
-        <source>is a simple pattern</source>
-        <translation>过于简单</translation>
-    </message>
-    <message>
         <source>is enrolled in this cohort already</source>
         <translation>已在该批次中登记</translation>
     </message>
@@ -3390,10 +3406,6 @@
     <message>
         <source>is in this group already</source>
         <translation>已在该组</translation>
-    </message>
-    <message>
-        <source>is little more than the login name</source>
-        <translation>与登录名过于相近</translation>
     </message>
     <message>
         <source>is measured by nothing</source>
@@ -3438,18 +3450,6 @@
     <message>
         <source>is open in another program</source>
         <translation>已在其他程序中打开</translation>
-    </message>
-    <message>
-        <source>is shorter than %1 characters</source>
-        <translation>短于 %1 个字符</translation>
-    </message>
-    <message>
-        <source>is shorter than %1 digits</source>
-        <translation>短于 %1 位数字</translation>
-    </message>
-    <message>
-        <source>is too long</source>
-        <translation>过长</translation>
     </message>
     <message>
         <source>it does not begin with %1</source>
@@ -3689,11 +3689,11 @@
     </message>
     <message>
         <source>nobody has asked for a third rater here</source>
-        <translation type="unfinished" />
+        <translation>此处没有人请求第三位评分者</translation>
     </message>
     <message>
         <source>nobody is allocated yet</source>
-        <translation type="unfinished" />
+        <translation>尚未有人分组</translation>
     </message>
     <message>
         <source>nobody is asked to score</source>
@@ -3717,7 +3717,7 @@
     </message>
     <message>
         <source>nobody swaps with themselves</source>
-        <translation type="unfinished" />
+        <translation>不能与自己交换</translation>
     </message>
     <message>
         <source>nobody waits for a group</source>
@@ -3837,7 +3837,7 @@
     </message>
     <message>
         <source>recordings of this station still wait in files (%1)</source>
-        <translation type="unfinished" />
+        <translation>本工作站仍有录像等待入库（%1）</translation>
     </message>
     <message>
         <source>records are kept for one day at least and a hundred years at most</source>
@@ -3944,10 +3944,6 @@
         <translation>仅显示，无触感</translation>
     </message>
     <message>
-        <source>sign-in</source>
-        <translation>登录</translation>
-    </message>
-    <message>
         <source>skill must grow from 0 or more to 1 or less</source>
         <translation>技能须从 0 或以上增长到 1 或以下</translation>
     </message>
@@ -3969,7 +3965,7 @@
     </message>
     <message>
         <source>something was written to this record after it was copied</source>
-        <translation type="unfinished" />
+        <translation>复制之后该记录又被写入</translation>
     </message>
     <message>
         <source>source and target are the same database</source>
@@ -4020,12 +4016,20 @@
         <translation>未记录%1</translation>
     </message>
     <message>
+        <source>the PIN is shorter than %1 digits</source>
+        <translation>PIN 码少于 %1 位数字</translation>
+    </message>
+    <message>
         <source>the address of the server is not complete</source>
-        <translation type="unfinished" />
+        <translation>服务器地址不完整</translation>
     </message>
     <message>
         <source>the administrator has no sign-in name</source>
         <translation>管理员没有登录名</translation>
+    </message>
+    <message>
+        <source>the answer is empty</source>
+        <translation>回答为空</translation>
     </message>
     <message>
         <source>the audit trail does not verify after copying; nothing was kept</source>
@@ -4045,7 +4049,7 @@
     </message>
     <message>
         <source>the backup is not there any more</source>
-        <translation type="unfinished" />
+        <translation>备份已不存在</translation>
     </message>
     <message>
         <source>the bookmark lies outside the recording</source>
@@ -4124,6 +4128,10 @@
         <translation>数据集没有名称</translation>
     </message>
     <message>
+        <source>the database does not answer</source>
+        <translation>数据库无响应</translation>
+    </message>
+    <message>
         <source>the device does not answer</source>
         <translation>设备无响应</translation>
     </message>
@@ -4165,7 +4173,7 @@
     </message>
     <message>
         <source>the digest of a recording is cut off</source>
-        <translation type="unfinished" />
+        <translation>某条录像的摘要不完整</translation>
     </message>
     <message>
         <source>the direction of ridge 0 is not finite</source>
@@ -4205,11 +4213,11 @@
     </message>
     <message>
         <source>the file cannot be copied</source>
-        <translation type="unfinished" />
+        <translation>文件无法复制</translation>
     </message>
     <message>
         <source>the file cannot be read</source>
-        <translation type="unfinished" />
+        <translation>文件无法读取</translation>
     </message>
     <message>
         <source>the file unit must lie between 1e-9 and 1000 m</source>
@@ -4324,6 +4332,10 @@
         <translation>方法“%1”无法识别</translation>
     </message>
     <message>
+        <source>the moment lies outside the recording</source>
+        <translation>该时刻超出录像范围</translation>
+    </message>
+    <message>
         <source>the motors are warm</source>
         <translation>电机过热</translation>
     </message>
@@ -4365,11 +4377,27 @@
     </message>
     <message>
         <source>the panel's mark lies outside the scale of the rubric</source>
-        <translation type="unfinished" />
+        <translation>专家组的评分超出评分标准的范围</translation>
     </message>
     <message>
         <source>the parts of the recording are out of order</source>
-        <translation type="unfinished" />
+        <translation>录像各部分的顺序不正确</translation>
+    </message>
+    <message>
+        <source>the password is a simple pattern</source>
+        <translation>密码过于简单</translation>
+    </message>
+    <message>
+        <source>the password is little more than the login name</source>
+        <translation>密码与登录名过于相近</translation>
+    </message>
+    <message>
+        <source>the password is shorter than %1 characters</source>
+        <translation>密码短于 %1 个字符</translation>
+    </message>
+    <message>
+        <source>the password is too long</source>
+        <translation>密码过长</translation>
     </message>
     <message>
         <source>the phase is %1, the time is %2</source>
@@ -4481,7 +4509,7 @@
     </message>
     <message>
         <source>the server does not let this station in without the typed password</source>
-        <translation type="unfinished" />
+        <translation>不输入密码时服务器不允许本工作站访问</translation>
     </message>
     <message>
         <source>the servo loop did not start</source>
@@ -4641,7 +4669,7 @@
     </message>
     <message>
         <source>there is no record in this database</source>
-        <translation type="unfinished" />
+        <translation>该数据库中没有记录</translation>
     </message>
     <message>
         <source>there is no rubric</source>
@@ -4661,7 +4689,7 @@
     </message>
     <message>
         <source>there is no such complete recording</source>
-        <translation type="unfinished" />
+        <translation>没有该完整录像</translation>
     </message>
     <message>
         <source>there is no such curriculum</source>
@@ -4704,6 +4732,10 @@
         <translation>没有该用途</translation>
     </message>
     <message>
+        <source>there is no such question</source>
+        <translation>没有该提问</translation>
+    </message>
+    <message>
         <source>there is no such recording</source>
         <translation>没有该录像</translation>
     </message>
@@ -4741,7 +4773,7 @@
     </message>
     <message>
         <source>there is not enough room for a safety backup and the restored record: %1 MiB are needed, %2 MiB are free</source>
-        <translation type="unfinished" />
+        <translation>空间不足以容纳安全备份和恢复的记录：需要 %1 MiB，可用 %2 MiB</translation>
     </message>
     <message>
         <source>there is nothing to compare</source>
@@ -4758,6 +4790,10 @@
     <message>
         <source>these marks were submitted already</source>
         <translation>这些评分已提交</translation>
+    </message>
+    <message>
+        <source>these minutes make no sense</source>
+        <translation>分钟数不合理</translation>
     </message>
     <message>
         <source>third</source>
@@ -4856,8 +4892,16 @@
         <translation>该阶段属于另一组别</translation>
     </message>
     <message>
+        <source>this physician cannot be asked</source>
+        <translation>无法向该医师提问</translation>
+    </message>
+    <message>
+        <source>this question was put to somebody else</source>
+        <translation>该提问是向其他人提出的</translation>
+    </message>
+    <message>
         <source>this rater cannot be asked about this case</source>
-        <translation type="unfinished" />
+        <translation>无法就此案例邀请该评分者</translation>
     </message>
     <message>
         <source>this record exists already</source>
@@ -4873,7 +4917,7 @@
     </message>
     <message>
         <source>this record lies on a database server, which restores its own backups</source>
-        <translation type="unfinished" />
+        <translation>该记录位于数据库服务器上，须由服务器恢复其备份</translation>
     </message>
     <message>
         <source>this recording belongs to somebody else</source>
@@ -4881,7 +4925,11 @@
     </message>
     <message>
         <source>this recording is a reference run already</source>
-        <translation type="unfinished" />
+        <translation>该录像已是参考操作</translation>
+    </message>
+    <message>
+        <source>this run is or may be judged without names</source>
+        <translation>该操作正在或可能接受匿名评判</translation>
     </message>
     <message>
         <source>this scale has no such mark</source>
@@ -4897,7 +4945,7 @@
     </message>
     <message>
         <source>this trainee is not in the cohort</source>
-        <translation type="unfinished" />
+        <translation>该学员不在此批次</translation>
     </message>
     <message>
         <source>this version of the curriculum is not running</source>
@@ -4930,10 +4978,6 @@
     <message>
         <source>triangle %1</source>
         <translation>三角形 %1</translation>
-    </message>
-    <message>
-        <source>trouble</source>
-        <translation>问题</translation>
     </message>
     <message>
         <source>two anchors stand at the same score</source>
@@ -5009,7 +5053,7 @@
     </message>
     <message>
         <source>withdrawn</source>
-        <translation type="unfinished" />
+        <translation>已退出</translation>
     </message>
     <message>
         <source>you are not asked in this evaluation</source>
@@ -5171,6 +5215,18 @@
         <translation>%1 分钟</translation>
     </message>
     <message>
+        <source>a moment</source>
+        <translation>片刻</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 小时</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 天</translation>
+    </message>
+    <message>
         <source>Locked</source>
         <translation>未解锁</translation>
     </message>
@@ -5200,6 +5256,10 @@
         <translation>请向培训办公室申请追加尝试。</translation>
     </message>
     <message>
+        <source>%1: none</source>
+        <translation>%1：无</translation>
+    </message>
+    <message>
         <source>%1: at most %2</source>
         <translation>%1：不超过 %2</translation>
     </message>
@@ -5208,12 +5268,12 @@
         <translation>%1：不低于 %2</translation>
     </message>
     <message>
-        <source>%1, %2 times in a row</source>
-        <translation>%1，连续 %2 次</translation>
+        <source>%1, in %2 runs in a row</source>
+        <translation>%1，连续 %2 次训练</translation>
     </message>
     <message>
-        <source>%1, %2 times in a row (%3 so far)</source>
-        <translation>%1，连续 %2 次（已有 %3 次）</translation>
+        <source>%1, in %2 runs in a row (%3 so far)</source>
+        <translation>%1，连续 %2 次训练（目前 %3 次）</translation>
     </message>
     <message>
         <source>Not tried yet</source>
@@ -6034,6 +6094,49 @@ Only a keeper of the allocation previews, locks and draws. Whoever has the role 
     </message>
 </context>
 <context>
+    <name>torsio::gui::AskCard</name>
+    <message>
+        <source>As&amp;k about %1</source>
+        <translation>就 %1 提问(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Sent to %1: %2</source>
+        <translation>已发送给 %1：%2</translation>
+    </message>
+    <message>
+        <source>%1  ·  %2 answered on %3</source>
+        <translation>%1  ·  %2 于 %3 回答</translation>
+    </message>
+    <message>
+        <source>%1  ·  with %2, waiting for %3</source>
+        <translation>%1  ·  由 %2 处理，已等待 %3</translation>
+    </message>
+    <message>
+        <source>You: %1</source>
+        <translation>您：%1</translation>
+    </message>
+    <message>
+        <source>Ask a physician about this moment</source>
+        <translation>就这一时刻向医师提问</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>收件人(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Physician</source>
+        <translation>医师</translation>
+    </message>
+    <message>
+        <source>What do you want to know? (may stay empty)</source>
+        <translation>您想了解什么？（可留空）</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>问题</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::AuditPage</name>
     <message>
         <source>Audit trail</source>
@@ -6262,12 +6365,20 @@ MSM = 质点弹簧</translation>
         <translation>评分者类别权重</translation>
     </message>
     <message>
-        <source>Both lists of weights sum to 1.</source>
-        <translation>两组权重之和均为 1。</translation>
-    </message>
-    <message>
         <source>The weights must sum to 1: indices %1, classes %2.</source>
         <translation>权重之和必须为 1：指标 %1，类别 %2。</translation>
+    </message>
+    <message>
+        <source>Choose raters of every class that has a weight. Missing: %1.</source>
+        <translation>请为每个有权重的类别选择评分者。缺少：%1。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Both lists of weights sum to 1; %1 raters are chosen.</source>
+        <translation>两组权重之和均为 1；已选择 %1 位评分者。</translation>
     </message>
 </context>
 <context>
@@ -7491,6 +7602,10 @@ MSM = 质点弹簧</translation>
         <translation>%1  ·  %2  ·  %3 秒</translation>
     </message>
     <message>
+        <source>One moment: your run is compared with what was asked for and with an expert's.</source>
+        <translation>请稍候：正在将您的训练与要求及专家的操作进行比较。</translation>
+    </message>
+    <message>
         <source>After your first run you see here what was good and what to work on.</source>
         <translation>完成第一次操作后，这里会显示优点和需要改进之处。</translation>
     </message>
@@ -7555,6 +7670,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>A run is going on. Finish or stop it first</source>
         <translation>训练正在进行，请先完成或停止</translation>
+    </message>
+    <message>
+        <source>The database does not answer now. This page opens as soon as it does</source>
+        <translation>数据库目前没有应答。恢复后即可打开此页面</translation>
     </message>
     <message>
         <source>Work is going on. Wait for it, or cancel it</source>
@@ -7622,6 +7741,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Is everything ready?</source>
         <translation>是否一切就绪？</translation>
+    </message>
+    <message>
+        <source>This station has no haptic device: you work with mouse and keyboard.</source>
+        <translation>本训练站没有力反馈设备：请使用鼠标和键盘。</translation>
     </message>
     <message>
         <source>Sit down, put the stylus into its dock, and rest your forearm.</source>
@@ -8117,8 +8240,8 @@ MSM = 质点弹簧</translation>
         <translation>演示账户</translation>
     </message>
     <message>
-        <source>Four short steps set up your centre. Everything can be changed later.</source>
-        <translation>只需四步即可设置您的中心，之后均可更改。</translation>
+        <source>Four short steps set up your centre. Nothing is written before the last one.</source>
+        <translation>只需四个简短步骤即可建立您的中心。最后一步之前不会写入任何内容。</translation>
     </message>
     <message>
         <source>This person lets others in. There is no default password; choose one of at least fifteen characters, a short sentence for example.</source>
@@ -8177,8 +8300,8 @@ MSM = 质点弹簧</translation>
         <translation>包含演示班级(&amp;D)</translation>
     </message>
     <message>
-        <source>Takes about a minute. Every row is marked as a demonstration; it can be removed with one click.</source>
-        <translation>约需一分钟。每条数据都标记为演示数据，可一键删除。</translation>
+        <source>Takes less than a minute. Every row is marked as a demonstration; it can be removed with one click.</source>
+        <translation>用时不到一分钟。每一行都标记为演示数据；可一键删除。</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -8567,6 +8690,30 @@ MSM = 质点弹簧</translation>
         <translation>器官来源</translation>
     </message>
     <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>鼠标和键盘</translation>
+    </message>
+    <message>
+        <source>Bring the jaw to the marked band</source>
+        <translation>将钳口移到标记的环带处</translation>
+    </message>
+    <message>
+        <source>Touching. Hold the first button of the stylus to grip</source>
+        <translation>已接触。按住手写笔的第一个按钮以夹持</translation>
+    </message>
+    <message>
+        <source>Holding. Lead the stylus round to twist; let the button go to release</source>
+        <translation>已夹持。引导手写笔绕行以扭转；松开按钮即释放</translation>
+    </message>
+    <message>
+        <source>The tissue returns to rest</source>
+        <translation>组织正在恢复</translation>
+    </message>
+    <message>
         <source>Replay of a recorded trial</source>
         <translation>正在回放录制内容</translation>
     </message>
@@ -8585,10 +8732,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Holding. Drag, or press Q and E, to twist; let go to release</source>
         <translation>已夹持。拖动或按 Q、E 键扭转；松开即释放</translation>
-    </message>
-    <message>
-        <source>The tissue returns to rest</source>
-        <translation>组织正在恢复</translation>
     </message>
     <message>
         <source>● Recording  %1 s</source>
@@ -9374,6 +9517,53 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
+    <name>torsio::gui::QuestionsCard</name>
+    <message>
+        <source>Trainees ask you: %1</source>
+        <translation>学员向您提问：%1</translation>
+    </message>
+    <message>
+        <source>Trainees ask you</source>
+        <translation>学员向您提问</translation>
+    </message>
+    <message>
+        <source>%1, %2, at %3: waiting for %4</source>
+        <translation>%1，%2，位于 %3：已等待 %4</translation>
+    </message>
+    <message>
+        <source>Answer…</source>
+        <translation>回答…</translation>
+    </message>
+    <message>
+        <source>Answer %1</source>
+        <translation>回答 %1</translation>
+    </message>
+    <message>
+        <source>Opening the run</source>
+        <translation>正在打开训练记录</translation>
+    </message>
+    <message>
+        <source>A question of %1</source>
+        <translation>%1 的提问</translation>
+    </message>
+    <message>
+        <source>%1 asks about this moment of “%2”.</source>
+        <translation>%1 就“%2”的这一时刻提问。</translation>
+    </message>
+    <message>
+        <source>Your &amp;answer; the trainee sees that it is yours</source>
+        <translation>您的回答(&amp;A)；学员能看到是您回答的</translation>
+    </message>
+    <message>
+        <source>&amp;Send</source>
+        <translation>发送(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The answer is with %1</source>
+        <translation>回答已送达 %1</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::QueuePage</name>
     <message>
         <source>Your queue</source>
@@ -9641,8 +9831,8 @@ MSM = 质点弹簧</translation>
         <translation>每条评语都标在所涉及的训练时刻。</translation>
     </message>
     <message>
-        <source>No remarks yet. They appear here when the marks of a run have been released.</source>
-        <translation>暂无评语。评分发布后会显示在这里。</translation>
+        <source>No remarks yet. They appear here when the marks of a run have been released, or when a physician answers a question of yours.</source>
+        <translation>尚无评语。当某次训练的评分发布后，或医师回答您的提问后，会显示在这里。</translation>
     </message>
     <message>
         <source>Remarks on this run</source>
@@ -9673,6 +9863,10 @@ MSM = 质点弹簧</translation>
 %2</translation>
     </message>
     <message>
+        <source>You asked, at %1</source>
+        <translation>您的提问，位于 %1</translation>
+    </message>
+    <message>
         <source>You, %1</source>
         <translation>您，%1</translation>
     </message>
@@ -9691,6 +9885,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Look at the run</source>
         <translation>查看操作</translation>
+    </message>
+    <message>
+        <source>About this moment</source>
+        <translation>关于这一时刻</translation>
     </message>
     <message>
         <source>Write a reply</source>
@@ -10460,9 +10658,9 @@ MSM = 质点弹簧</translation>
         <source>%1: %2 %</source>
         <translation>%1：%2 %</translation>
     </message>
-    <message numerus="yes">
-        <source>Comparing %n lines with the record…</source>
-        <translation><numerusform>正在将 %n 行与记录比较…</numerusform></translation>
+    <message>
+        <source>Comparing %1 lines with the record…</source>
+        <translation>正在将 %1 行与记录比较…</translation>
     </message>
     <message>
         <source>Looking at the roster</source>
@@ -10546,13 +10744,13 @@ MSM = 质点弹簧</translation>
         <source>%1 has rested longer than allowed.</source>
         <translation>%1 的休息超过规定时间。</translation>
     </message>
-    <message numerus="yes">
-        <source>%1: %n sheet(s) are missing.</source>
-        <translation><numerusform>%1：缺少 %n 份评分表。</numerusform></translation>
+    <message>
+        <source>%1: sheets still missing: %2.</source>
+        <translation>%1：仍缺评分表：%2。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n trainee(s) have no group yet; draw them under Allocation.</source>
-        <translation><numerusform>%n 名学员尚未分组；请在“分组”中抽取。</numerusform></translation>
+    <message>
+        <source>Trainees without a group: %1. Draw them under Allocation.</source>
+        <translation>未分组的学员：%1。请在“随机分组”中抽取。</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
@@ -10690,6 +10888,22 @@ MSM = 质点弹簧</translation>
 <context>
     <name>torsio::gui::RunPage</name>
     <message>
+        <source>The haptic device was lost</source>
+        <translation>力反馈设备已断开</translation>
+    </message>
+    <message>
+        <source>%1. You go on with mouse and keyboard</source>
+        <translation>%1。您可用鼠标和键盘继续</translation>
+    </message>
+    <message>
+        <source>The haptic device was lost: the graded run has ended</source>
+        <translation>力反馈设备已断开：评分训练已结束</translation>
+    </message>
+    <message>
+        <source>What was recorded is kept as interrupted, and no attempt was used. Check the device, then begin again</source>
+        <translation>已记录的内容作为中断保留，未消耗次数。请检查设备后重新开始</translation>
+    </message>
+    <message>
         <source>The computer stood still. That time does not count.</source>
         <translation>计算机曾停顿，这段时间不计入。</translation>
     </message>
@@ -10762,8 +10976,16 @@ MSM = 质点弹簧</translation>
         <translation>练习</translation>
     </message>
     <message>
+        <source>Your run is safe</source>
+        <translation>您的训练已妥善保存</translation>
+    </message>
+    <message>
         <source>No run goes on</source>
         <translation>没有正在进行的操作</translation>
+    </message>
+    <message>
+        <source>The database did not answer. The recording is kept, on this computer where need be; as soon as the database answers you find its debrief on the page 췫rief”.</source>
+        <translation>数据库无响应。录像已保留，必要时保存在本机；数据库恢复后，您可在“讲评”页面查看其讲评。</translation>
     </message>
     <message>
         <source>Choose a module on the page “My next step”.</source>
@@ -10822,8 +11044,16 @@ MSM = 质点弹簧</translation>
         <translation>将钳口移到标记带。</translation>
     </message>
     <message>
+        <source>Bring the jaw to the marked band. The wheel moves it nearer.</source>
+        <translation>将钳口移到标记的环带处。滚轮可使其靠近。</translation>
+    </message>
+    <message>
         <source>Touching. Close the jaw.</source>
         <translation>已接触，请夹紧。</translation>
+    </message>
+    <message>
+        <source>Touching. Close the jaw: hold the left button or Space.</source>
+        <translation>已接触。闭合钳口：按住左键或空格键。</translation>
     </message>
     <message>
         <source>On target. Hold, then let go gently.</source>
@@ -11126,18 +11356,6 @@ MSM = 质点弹簧</translation>
         <translation>此处有未完成的内容，只有本人可以退出登录</translation>
     </message>
     <message>
-        <source>Leave kiosk mode</source>
-        <translation>退出展台模式</translation>
-    </message>
-    <message>
-        <source>An administrator ends the kiosk with name and password.</source>
-        <translation>管理员可用登录名和密码结束展台模式。</translation>
-    </message>
-    <message>
-        <source>Only an administrator can end the kiosk</source>
-        <translation>只有管理员可以结束展台模式</translation>
-    </message>
-    <message>
         <source>Nobody here? You will be signed out in %1 s. Press any key to stay</source>
         <translation>没有人在吗？%1 秒后将退出登录。按任意键继续</translation>
     </message>
@@ -11149,6 +11367,22 @@ MSM = 质点弹簧</translation>
         <source>You were signed out because nobody was here</source>
         <translation>由于长时间无人操作，已退出登录</translation>
     </message>
+    <message>
+        <source>The database does not answer. Your run goes on; it is kept on this computer and stored as soon as the database answers</source>
+        <translation>数据库没有应答。您的训练继续进行；记录保存在本机，数据库恢复后立即存入</translation>
+    </message>
+    <message>
+        <source>The database does not answer. Torsio tries again by itself; what is stored is safe</source>
+        <translation>数据库没有应答。Torsio 会自动重试；已存入的数据是安全的</translation>
+    </message>
+    <message>
+        <source>Warning of the idle lock</source>
+        <translation>无操作锁定提醒</translation>
+    </message>
+    <message>
+        <source>State of the database</source>
+        <translation>数据库状态</translation>
+    </message>
     <message numerus="yes">
         <source>%n recording(s) of this station could not be stored</source>
         <translation><numerusform>本工作站有 %n 份记录未能存入数据库</numerusform></translation>
@@ -11156,34 +11390,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>The files are kept. Please show this to your administrator</source>
         <translation>文件已保留，请将此信息告知管理员</translation>
-    </message>
-    <message>
-        <source>Leave the password out of the address; it would stand in a settings file. Put it into .pgpass</source>
-        <translation>请不要在地址中写密码，否则它会保存在设置文件里。请写入 .pgpass</translation>
-    </message>
-    <message>
-        <source>Setting up the centre</source>
-        <translation>正在设置中心</translation>
-    </message>
-    <message>
-        <source>Name and password do not fit together. Please try again</source>
-        <translation>登录名与密码不匹配，请重试</translation>
-    </message>
-    <message>
-        <source>This account is switched off. Ask your administrator</source>
-        <translation>该账户已停用，请联系管理员</translation>
-    </message>
-    <message>
-        <source>The new password is in force</source>
-        <translation>新密码已生效</translation>
-    </message>
-    <message>
-        <source>Too many wrong tries. Please wait %1 s</source>
-        <translation>错误次数过多，请等待 %1 秒</translation>
-    </message>
-    <message>
-        <source>That is not the password. Please try again</source>
-        <translation>密码不正确，请重试</translation>
     </message>
     <message>
         <source>PIN for practice</source>
@@ -11236,8 +11442,52 @@ Leave it empty to remove it.</source>
         <translation>演示数据已删除</translation>
     </message>
     <message>
-        <source>Warning of the idle lock</source>
-        <translation>无操作锁定提醒</translation>
+        <source>Leave kiosk mode</source>
+        <translation>退出展台模式</translation>
+    </message>
+    <message>
+        <source>An administrator ends the kiosk with name and password.</source>
+        <translation>管理员可用登录名和密码结束展台模式。</translation>
+    </message>
+    <message>
+        <source>Only an administrator can end the kiosk</source>
+        <translation>只有管理员可以结束展台模式</translation>
+    </message>
+    <message>
+        <source>The database answers again, and what was kept meanwhile is stored</source>
+        <translation>数据库已恢复应答，期间保存的内容已存入</translation>
+    </message>
+    <message>
+        <source>Leave the password out of the address; it would stand in a settings file. Put it into .pgpass</source>
+        <translation>请不要在地址中写密码，否则它会保存在设置文件里。请写入 .pgpass</translation>
+    </message>
+    <message>
+        <source>Setting up the centre</source>
+        <translation>正在设置中心</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was set up</source>
+        <translation>已取消；未建立任何内容</translation>
+    </message>
+    <message>
+        <source>Name and password do not fit together. Please try again</source>
+        <translation>登录名与密码不匹配，请重试</translation>
+    </message>
+    <message>
+        <source>This account is switched off. Ask your administrator</source>
+        <translation>该账户已停用，请联系管理员</translation>
+    </message>
+    <message>
+        <source>The new password is in force</source>
+        <translation>新密码已生效</translation>
+    </message>
+    <message>
+        <source>Too many wrong tries. Please wait %1 s</source>
+        <translation>错误次数过多，请等待 %1 秒</translation>
+    </message>
+    <message>
+        <source>That is not the password. Please try again</source>
+        <translation>密码不正确，请重试</translation>
     </message>
 </context>
 <context>
@@ -11391,6 +11641,61 @@ Leave it empty to remove it.</source>
     <message>
         <source>Stop the recording before replaying another one.</source>
         <translation>请先停止录制，再回放其他内容。</translation>
+    </message>
+    <message>
+        <source>No haptic device was found. You practise with mouse and keyboard</source>
+        <translation>未找到力反馈设备。您将使用鼠标和键盘练习</translation>
+    </message>
+    <message>
+        <source>You practise with mouse and keyboard: %1</source>
+        <translation>您将使用鼠标和键盘练习：%1</translation>
+    </message>
+    <message>
+        <source>You practise with %1. The force is felt</source>
+        <translation>您正在使用 %1 练习，可以感受到力</translation>
+    </message>
+    <message>
+        <source>The haptic device was lost. The recording until then is kept; you go on with the mouse</source>
+        <translation>力反馈设备已断开。此前的记录已保留；您可用鼠标继续</translation>
+    </message>
+    <message>
+        <source>The haptic device was lost. Its force is off; you go on with the mouse</source>
+        <translation>力反馈设备已断开，其力已关闭；您可用鼠标继续</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::StationSettingsCard</name>
+    <message>
+        <source>Kept. It holds at every station from the next sign-in on</source>
+        <translation>已保存。从下次登录起在所有训练站生效</translation>
+    </message>
+    <message>
+        <source>At every station</source>
+        <translation>所有训练站</translation>
+    </message>
+    <message>
+        <source>When nobody is there, &amp;warn after</source>
+        <translation>无人操作时，提醒时间(&amp;W)</translation>
+    </message>
+    <message>
+        <source>and &amp;lock after</source>
+        <translation>锁定时间(&amp;L)</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分钟</translation>
+    </message>
+    <message>
+        <source>&amp;Grade runs with mouse and keyboard</source>
+        <translation>鼠标和键盘的训练也评分(&amp;G)</translation>
+    </message>
+    <message>
+        <source>A run is never interrupted by this. A kiosk signs out instead of locking.</source>
+        <translation>训练绝不会因此中断。展台模式下会注销而不是锁定。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>保存(&amp;K)</translation>
     </message>
 </context>
 <context>
