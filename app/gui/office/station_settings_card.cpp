@@ -43,11 +43,10 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   warnLabel_ = fieldBeside(row, warn_);
   row->addSpacing(2 * kSpace);
   lockLabel_ = fieldBeside(row, lock_);
-  row->addSpacing(2 * kSpace);
-  row->addWidget(mouse_);
   row->addStretch(1);
   row->addWidget(keep_);
   content()->addLayout(row);
+  content()->addWidget(mouse_);
   content()->addWidget(note_);
   connect(lock_, &QSpinBox::valueChanged, this, &StationSettingsCard::keepInBounds);
   connect(keep_, &QPushButton::clicked, this, &StationSettingsCard::keep);

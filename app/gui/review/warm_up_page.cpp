@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -19,6 +20,7 @@
 #include "app/gui/review/review_words.h"
 #include "app/gui/review/sheet_panel.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 
 namespace torsio::gui {
 
@@ -65,9 +67,14 @@ WarmUpPage::WarmUpPage(ShellContext& shell, QWidget* parent)
   resultCard_->content()->addWidget(result_);
   resultCard_->content()->addWidget(sum_);
   right->addWidget(resultCard_);
-  rubricCard_->content()->addWidget(anchors_);
-  right->addWidget(rubricCard_);
-  right->addStretch(1);
+  auto* scroll = new QScrollArea(rubricCard_);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(anchors_);
+  rubricCard_->content()->addWidget(scroll);
+  right->addWidget(rubricCard_, 1);
+  right->addStretch(0);
   row->addLayout(right, 2);
   column->addLayout(row, 1);
   connect(compare_, &QPushButton::clicked, this, &WarmUpPage::compare);
@@ -227,9 +234,9 @@ QString WarmUpPage::anchorWords() const {
   for (const StoredRubricRow& row : warmUp_.rubric.rows) {
     QStringList points;
     for (const StoredAnchor& anchor : row.anchors)
-      points << tr("%1: %2").arg(scoreText(anchor.score_steps, row.scale), words(anchor.meaning));
+      points << tr("%1: %2").arg(scoreText(anchor.score_steps, row.scale), spoken(anchor.meaning));
     if (!points.isEmpty())
-      lines << tr("%1. %2").arg(words(row.label), points.join(QStringLiteral("  \u00b7  ")));
+      lines << tr("%1. %2").arg(spoken(row.label), points.join(QStringLiteral("  \u00b7  ")));
   }
   return lines.join(QStringLiteral("\n\n"));
 }

@@ -34,16 +34,18 @@ constexpr QSize kSmallest(1366, 768);  // issue: "1366x768 to 4K"
 bool staysAsItIs(const QString& text) {
   static const QRegularExpression kKept(QStringLiteral(
       "^("
-      "Torsio|English|Skills laboratory|administrator|demo\\.\\w+|"  // names
-      "Good grip\\..*|Station 1|.*\\(demonstration\\).*|"            // names in the demonstration record
-      "[A-Z]{1,2}-?[0-9]{1,3}\\b.*|[0-9]+[A-Z]|"                     // codes: T-01, G1, M1 ..., 7F
+      "Torsio|English|Skills laboratory|administrator|demo\\.\\w+|"                    // names
+      "Good grip\\..*|server\\.hospital\\.example|Station 1|.*\\(demonstration\\).*|"  // names in the
+                                                                                       // demonstration record
+      "[A-Z]{1,2}-?[0-9]{1,3}\\b.*|[0-9]+[A-Z]|"  // codes: T-01, G1, M1 ..., 7F
       "[\\W\\d_]*([kmµ]?(Pa|N|Nm|N m|m|s|Hz|B|MiB|GiB)|CSV|PDF|PIN|ms|µs|X|Y|Z|F1)?[\\W\\d_]*|"  // units
       "/.*|[0-9a-f]{8,}.*|\\d.*UTC"  // paths, hashes, times
       ")$"));
   return kKept.match(text.trimmed()).hasMatch();
 }
 
-/// Sentences that stand for a moment while something is opened or done, and are not said again.
+/// Sentences that stand for a moment while something is opened or done and are not said again, and the anchor
+/// under a row, which follows the row that is current.
 bool passes(const QString& text) {
   static const QRegularExpression kPassing(
       QStringLiteral("^(Opening .*|Draft found and opened|The recording is being opened.*|On target\\..*|.* "
