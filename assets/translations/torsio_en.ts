@@ -58,22 +58,7 @@
     </message>
 </context>
 <context>
-    <name>torsio::gui::RosterPreviewPage</name>
-    <message numerus="yes">
-        <source>Comparing %n lines with the record…</source>
-        <translation><numerusform>Comparing %n lines with the record…</numerusform><numerusform>Comparing %n lines with the record…</numerusform></translation>
-    </message>
-</context>
-<context>
     <name>torsio::gui::RunDayPage</name>
-    <message numerus="yes">
-        <source>%1: %n sheet(s) are missing.</source>
-        <translation><numerusform>%1: %n sheet are missing.</numerusform><numerusform>%1: %n sheets are missing.</numerusform></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n trainee(s) have no group yet; draw them under Allocation.</source>
-        <translation><numerusform>%n trainee have no group yet; draw them under Allocation.</numerusform><numerusform>%n trainees have no group yet; draw them under Allocation.</numerusform></translation>
-    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation><numerusform>and %n more</numerusform><numerusform>and %n more</numerusform></translation>

@@ -148,7 +148,7 @@
     <name>Office</name>
     <message>
         <source>no cohort yet</source>
-        <translation type="unfinished" />
+        <translation>尚无批次</translation>
     </message>
 </context>
 <context>
@@ -200,6 +200,14 @@
     <message>
         <source>Care</source>
         <translation>维护</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>迁移</translation>
     </message>
     <message>
         <source>Devices</source>
@@ -624,15 +632,15 @@
     </message>
     <message>
         <source>Swap turns</source>
-        <translation type="unfinished" />
+        <translation>互换顺序</translation>
     </message>
     <message>
         <source>Why, without names</source>
-        <translation type="unfinished" />
+        <translation>原因（不写姓名）</translation>
     </message>
     <message>
         <source>&amp;With</source>
-        <translation type="unfinished" />
+        <translation>与(&amp;W)</translation>
     </message>
     <message>
         <source>&amp;Reason</source>
@@ -640,11 +648,11 @@
     </message>
     <message>
         <source>Their groups stay as drawn; a deviation is noted for both and appears in the report.</source>
-        <translation type="unfinished" />
+        <translation>双方分组不变；两人均记录偏离并列入报告。</translation>
     </message>
     <message>
         <source>Swap</source>
-        <translation type="unfinished" />
+        <translation>互换</translation>
     </message>
 </context>
 <context>
@@ -725,20 +733,68 @@
         <source>Do it</source>
         <translation>执行</translation>
     </message>
+    <message>
+        <source>%1, live</source>
+        <translation>%1，现场</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 sheets wait</source>
+        <translation>%1，%2：待评 %3 份</translation>
+    </message>
+    <message>
+        <source>Assign a third rater</source>
+        <translation>指派第三位评分者</translation>
+    </message>
+    <message>
+        <source>Physicians could not agree about these cases and ask for one more. The freest one of the same class is suggested; nobody learns who asked.</source>
+        <translation>医师对这些病例意见不一，请求再加一位。已建议同级别中任务最少者；被指派者不会知道由谁提出。</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Scoring point</source>
+        <translation>评分点</translation>
+    </message>
+    <message>
+        <source>Asked by</source>
+        <translation>提出者</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>创建时间</translation>
+    </message>
+    <message>
+        <source>Cases that need a third rater</source>
+        <translation>需要第三位评分者的病例</translation>
+    </message>
+    <message>
+        <source>&amp;Rater</source>
+        <translation>评分者(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Assign</source>
+        <translation>指派</translation>
+    </message>
 </context>
 <context>
     <name>SealedCards</name>
     <message>
         <source>No. %1. Open when the training begins.</source>
-        <translation type="unfinished" />
+        <translation>第 %1 号。训练开始时拆开。</translation>
     </message>
     <message>
         <source>%1 trains in group</source>
-        <translation type="unfinished" />
+        <translation>%1 所在小组</translation>
     </message>
     <message>
         <source>Sealed cards: %1</source>
-        <translation type="unfinished" />
+        <translation>密封卡片：%1</translation>
     </message>
 </context>
 <context>
@@ -1052,6 +1108,10 @@
         <translation>该设备的角度精度仅能如此；请送修</translation>
     </message>
     <message>
+        <source>Ask about a practice run</source>
+        <translation>请就练习操作提问</translation>
+    </message>
+    <message>
         <source>Ask an administrator to add you to the roster</source>
         <translation>请联系管理员将您加入名册</translation>
     </message>
@@ -1152,6 +1212,10 @@
         <translation>请检查代码</translation>
     </message>
     <message>
+        <source>Check the database, and restore a backup</source>
+        <translation>请检查数据库并恢复备份</translation>
+    </message>
+    <message>
         <source>Check the database.</source>
         <translation>请检查数据库</translation>
     </message>
@@ -1192,6 +1256,10 @@
         <translation>请检查其引用的内容</translation>
     </message>
     <message>
+        <source>Checking recording %1 of %2</source>
+        <translation>正在检查第 %1 条录像，共 %2 条</translation>
+    </message>
+    <message>
         <source>Choose a folder in which you may write</source>
         <translation>请选择您可以写入的文件夹</translation>
     </message>
@@ -1216,10 +1284,6 @@
         <translation>请选择该学员所在组别的阶段</translation>
     </message>
     <message>
-        <source>Choose a stored rubric</source>
-        <translation>请选择已存储的评分标准</translation>
-    </message>
-    <message>
         <source>Choose a time within it</source>
         <translation>请选择其范围内的时刻</translation>
     </message>
@@ -1230,6 +1294,10 @@
     <message>
         <source>Choose an existing one</source>
         <translation>请选择已有的一项</translation>
+    </message>
+    <message>
+        <source>Choose an older backup</source>
+        <translation>请选择更早的备份</translation>
     </message>
     <message>
         <source>Choose an open module</source>
@@ -1264,8 +1332,12 @@
         <translation>请选择其他录制</translation>
     </message>
     <message>
+        <source>Choose another recording: a case must be blinded</source>
+        <translation>请选择其他录像：案例必须盲评</translation>
+    </message>
+    <message>
         <source>Choose another trainee</source>
-        <translation type="unfinished" />
+        <translation>请选择其他学员</translation>
     </message>
     <message>
         <source>Choose another trial</source>
@@ -1368,6 +1440,10 @@
         <translation>请选择等待分组者；更改组别属于人工调整，须说明理由</translation>
     </message>
     <message>
+        <source>Choose the backup again</source>
+        <translation>请重新选择备份</translation>
+    </message>
+    <message>
         <source>Choose virtual, real or rest</source>
         <translation>请选择虚拟、实物或休息</translation>
     </message>
@@ -1420,8 +1496,8 @@
         <translation>请待其提交后再来</translation>
     </message>
     <message>
-        <source>Comparing</source>
-        <translation>正在比较</translation>
+        <source>Comparing %1</source>
+        <translation>正在比较 %1</translation>
     </message>
     <message>
         <source>Comparing with the record</source>
@@ -1436,12 +1512,12 @@
         <translation>连接</translation>
     </message>
     <message>
-        <source>Copying %1</source>
-        <translation>正在复制 %1</translation>
+        <source>Copy the record of this station there</source>
+        <translation>请将本工作站的记录复制到那里</translation>
     </message>
     <message>
-        <source>Copying the database while others work</source>
-        <translation>正在复制数据库（不影响他人工作）</translation>
+        <source>Copying %1</source>
+        <translation>正在复制 %1</translation>
     </message>
     <message>
         <source>Correct the curriculum</source>
@@ -1456,8 +1532,16 @@
         <translation>请修正文件</translation>
     </message>
     <message>
+        <source>Correct the mark</source>
+        <translation>请更正评分</translation>
+    </message>
+    <message>
         <source>Correct the migration file</source>
         <translation>请修正迁移文件</translation>
+    </message>
+    <message>
+        <source>Correct the number</source>
+        <translation>请更正数值</translation>
     </message>
     <message>
         <source>Correct the person's record, or lock a new design with a reason</source>
@@ -1636,12 +1720,12 @@
         <translation>前臂：旋后 60 度（更精确）</translation>
     </message>
     <message>
-        <source>Free some space in the temporary folder</source>
-        <translation>请清理临时文件夹的空间</translation>
-    </message>
-    <message>
         <source>Free some space on the disk</source>
         <translation>请清理磁盘空间</translation>
+    </message>
+    <message>
+        <source>Free some space on this disk</source>
+        <translation>请清理此磁盘的空间</translation>
     </message>
     <message>
         <source>GLB</source>
@@ -1762,6 +1846,10 @@
     <message>
         <source>Give the class a weight, or leave the rater out</source>
         <translation>请为该类设置权重，或不邀请该评分者</translation>
+    </message>
+    <message>
+        <source>Give the computer, the database and the account</source>
+        <translation>请填写计算机、数据库和账户</translation>
     </message>
     <message>
         <source>Give the curriculum as many arms as the cohort has groups</source>
@@ -1896,6 +1984,14 @@
         <translation>请让设备休息并重新校准，然后再次检查</translation>
     </message>
     <message>
+        <source>Let the run come to its end, close Torsio at all other stations, wait half a minute, and try again</source>
+        <translation>请等待操作结束，关闭其他所有工作站上的 Torsio，等待半分钟后重试</translation>
+    </message>
+    <message>
+        <source>Let the server's administrator make an empty database</source>
+        <translation>请让服务器管理员创建一个空数据库</translation>
+    </message>
+    <message>
         <source>Library</source>
         <translation>程序库</translation>
     </message>
@@ -1917,7 +2013,11 @@
     </message>
     <message>
         <source>Lock a design and allocate first</source>
-        <translation type="unfinished" />
+        <translation>请先锁定方案并分组</translation>
+    </message>
+    <message>
+        <source>Lock after %1 to %2 minutes, and warn at least one minute before</source>
+        <translation>锁定时间为 %1 至 %2 分钟，并至少提前一分钟提醒</translation>
     </message>
     <message>
         <source>Lock one first</source>
@@ -2048,6 +2148,10 @@
         <translation>M19 过于粗糙：%1 个三角形，至少需要 %2 个</translation>
     </message>
     <message>
+        <source>Make an empty database on the server and copy again</source>
+        <translation>请在服务器上创建空数据库后重新复制</translation>
+    </message>
+    <message>
         <source>Make another cohort for the other curriculum</source>
         <translation>请为另一课程新建批次</translation>
     </message>
@@ -2164,6 +2268,10 @@
         <translation>请先以可写方式打开一次，以便更新</translation>
     </message>
     <message>
+        <source>Open one of your own</source>
+        <translation>请打开您自己的一项</translation>
+    </message>
+    <message>
         <source>Open that person, or correct the number</source>
         <translation>请打开该人员，或更正编号</translation>
     </message>
@@ -2244,6 +2352,10 @@
         <translation>请加上引号</translation>
     </message>
     <message>
+        <source>Put the line shown here into the password file of this computer's account</source>
+        <translation>请将此处显示的一行写入本机账户的密码文件</translation>
+    </message>
+    <message>
         <source>Put the stylus firmly into the inkwell and repeat the check</source>
         <translation>请将手写笔牢固插入笔座，然后再次检查</translation>
     </message>
@@ -2284,6 +2396,10 @@
         <translation>请重新读取草稿并合并您的更改</translation>
     </message>
     <message>
+        <source>Read the list again</source>
+        <translation>请重新读取列表</translation>
+    </message>
+    <message>
         <source>Read the list again and repeat</source>
         <translation>请重新读取列表后再试</translation>
     </message>
@@ -2296,20 +2412,12 @@
         <translation>请重新读取待评列表</translation>
     </message>
     <message>
-        <source>Reading all tables and the audit trail</source>
-        <translation>正在读取所有数据表和审计记录</translation>
-    </message>
-    <message>
         <source>Reading marks</source>
         <translation>正在读取评分</translation>
     </message>
     <message>
         <source>Reading recording %1 of %2</source>
         <translation>正在读取第 %1 条录制，共 %2 条</translation>
-    </message>
-    <message>
-        <source>Reading the backup from end to end</source>
-        <translation>正在完整读取备份</translation>
     </message>
     <message>
         <source>Record it for the phase that it was spent in</source>
@@ -2532,6 +2640,10 @@
         <translation>请拆分该评价</translation>
     </message>
     <message>
+        <source>Start Torsio again at this station, which stores them, then try again</source>
+        <translation>请在本工作站重新启动 Torsio 以完成存储，然后重试</translation>
+    </message>
+    <message>
         <source>Start it first, or choose another version</source>
         <translation>请先启用，或选择其他版本</translation>
     </message>
@@ -2610,6 +2722,10 @@
     <message>
         <source>The library keeps its own servo rate</source>
         <translation>程序库保持自身的伺服频率</translation>
+    </message>
+    <message>
+        <source>The recording is kept in a file until it does</source>
+        <translation>在此之前录像保存在文件中</translation>
     </message>
     <message>
         <source>This program reads %1.</source>
@@ -2820,12 +2936,24 @@
         <translation>有一个模型缺少代码或名称</translation>
     </message>
     <message>
+        <source>a panel has at least one member</source>
+        <translation>专家组至少有一名成员</translation>
+    </message>
+    <message>
         <source>a part of a person cannot be taken away: records hang on it</source>
         <translation>人员的这部分信息不能移除：有记录依赖于它</translation>
     </message>
     <message>
+        <source>a part of the recording is missing</source>
+        <translation>录像缺少一部分</translation>
+    </message>
+    <message>
         <source>a phase or a rest has no sensible length</source>
         <translation>某个阶段或休息的时长不合理</translation>
+    </message>
+    <message>
+        <source>a physician was asked about this recording by name</source>
+        <translation>已就此录像向医师实名提问</translation>
     </message>
     <message>
         <source>a quote does not close</source>
@@ -2976,10 +3104,6 @@
         <translation>assets/rubrics</translation>
     </message>
     <message>
-        <source>backup cannot be copied for the test: %1</source>
-        <translation>无法复制备份用于测试：%1</translation>
-    </message>
-    <message>
         <source>backup cannot be restored: %1</source>
         <translation>无法恢复备份：%1</translation>
     </message>
@@ -3086,10 +3210,6 @@
     <message>
         <source>demonstration</source>
         <translation>演示</translation>
-    </message>
-    <message>
-        <source>desk</source>
-        <translation>工作台</translation>
     </message>
     <message>
         <source>deviation</source>
@@ -3276,10 +3396,6 @@
         <translation>是文件夹，不是数据库</translation>
     </message>
     <message>
-        <source>is a simple pattern</source>
-        <translation>过于简单</translation>
-    </message>
-    <message>
         <source>is enrolled in this cohort already</source>
         <translation>已在该批次中登记</translation>
     </message>
@@ -3290,10 +3406,6 @@
     <message>
         <source>is in this group already</source>
         <translation>已在该组</translation>
-    </message>
-    <message>
-        <source>is little more than the login name</source>
-        <translation>与登录名过于相近</translation>
     </message>
     <message>
         <source>is measured by nothing</source>
@@ -3338,18 +3450,6 @@
     <message>
         <source>is open in another program</source>
         <translation>已在其他程序中打开</translation>
-    </message>
-    <message>
-        <source>is shorter than %1 characters</source>
-        <translation>短于 %1 个字符</translation>
-    </message>
-    <message>
-        <source>is shorter than %1 digits</source>
-        <translation>短于 %1 位数字</translation>
-    </message>
-    <message>
-        <source>is too long</source>
-        <translation>过长</translation>
     </message>
     <message>
         <source>it does not begin with %1</source>
@@ -3564,10 +3664,6 @@
         <translation>没有该文件夹</translation>
     </message>
     <message>
-        <source>no such rubric</source>
-        <translation>没有该评分标准</translation>
-    </message>
-    <message>
         <source>no such trial</source>
         <translation>没有该操作记录</translation>
     </message>
@@ -3592,8 +3688,12 @@
         <translation>从固定端到自由端的曲面不连通</translation>
     </message>
     <message>
+        <source>nobody has asked for a third rater here</source>
+        <translation>此处没有人请求第三位评分者</translation>
+    </message>
+    <message>
         <source>nobody is allocated yet</source>
-        <translation type="unfinished" />
+        <translation>尚未有人分组</translation>
     </message>
     <message>
         <source>nobody is asked to score</source>
@@ -3617,7 +3717,7 @@
     </message>
     <message>
         <source>nobody swaps with themselves</source>
-        <translation type="unfinished" />
+        <translation>不能与自己交换</translation>
     </message>
     <message>
         <source>nobody waits for a group</source>
@@ -3736,6 +3836,10 @@
         <translation>真实数据使用了演示数据：%2 的 %1 行引用了 %3 的模拟行</translation>
     </message>
     <message>
+        <source>recordings of this station still wait in files (%1)</source>
+        <translation>本工作站仍有录像等待入库（%1）</translation>
+    </message>
+    <message>
         <source>records are kept for one day at least and a hundred years at most</source>
         <translation>记录保存期最短一天，最长一百年</translation>
     </message>
@@ -3840,10 +3944,6 @@
         <translation>仅显示，无触感</translation>
     </message>
     <message>
-        <source>sign-in</source>
-        <translation>登录</translation>
-    </message>
-    <message>
         <source>skill must grow from 0 or more to 1 or less</source>
         <translation>技能须从 0 或以上增长到 1 或以下</translation>
     </message>
@@ -3862,6 +3962,10 @@
     <message>
         <source>somebody of the list is not enrolled here</source>
         <translation>列表中有人未在此登记</translation>
+    </message>
+    <message>
+        <source>something was written to this record after it was copied</source>
+        <translation>复制之后该记录又被写入</translation>
     </message>
     <message>
         <source>source and target are the same database</source>
@@ -3912,8 +4016,20 @@
         <translation>未记录%1</translation>
     </message>
     <message>
+        <source>the PIN is shorter than %1 digits</source>
+        <translation>PIN 码少于 %1 位数字</translation>
+    </message>
+    <message>
+        <source>the address of the server is not complete</source>
+        <translation>服务器地址不完整</translation>
+    </message>
+    <message>
         <source>the administrator has no sign-in name</source>
         <translation>管理员没有登录名</translation>
+    </message>
+    <message>
+        <source>the answer is empty</source>
+        <translation>回答为空</translation>
     </message>
     <message>
         <source>the audit trail does not verify after copying; nothing was kept</source>
@@ -3930,6 +4046,10 @@
     <message>
         <source>the backup is not sound, so nothing was restored</source>
         <translation>备份不完好，因此未恢复任何内容</translation>
+    </message>
+    <message>
+        <source>the backup is not there any more</source>
+        <translation>备份已不存在</translation>
     </message>
     <message>
         <source>the bookmark lies outside the recording</source>
@@ -4008,6 +4128,10 @@
         <translation>数据集没有名称</translation>
     </message>
     <message>
+        <source>the database does not answer</source>
+        <translation>数据库无响应</translation>
+    </message>
+    <message>
         <source>the device does not answer</source>
         <translation>设备无响应</translation>
     </message>
@@ -4048,6 +4172,10 @@
         <translation>设备自身的保护切断了力</translation>
     </message>
     <message>
+        <source>the digest of a recording is cut off</source>
+        <translation>某条录像的摘要不完整</translation>
+    </message>
+    <message>
         <source>the direction of ridge 0 is not finite</source>
         <translation>0 号脊线的方向不是有限的数</translation>
     </message>
@@ -4082,6 +4210,14 @@
     <message>
         <source>the evaluation has no name</source>
         <translation>该评价没有名称</translation>
+    </message>
+    <message>
+        <source>the file cannot be copied</source>
+        <translation>文件无法复制</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>文件无法读取</translation>
     </message>
     <message>
         <source>the file unit must lie between 1e-9 and 1000 m</source>
@@ -4196,6 +4332,10 @@
         <translation>方法“%1”无法识别</translation>
     </message>
     <message>
+        <source>the moment lies outside the recording</source>
+        <translation>该时刻超出录像范围</translation>
+    </message>
+    <message>
         <source>the motors are warm</source>
         <translation>电机过热</translation>
     </message>
@@ -4234,6 +4374,30 @@
     <message>
         <source>the package cannot be given its name: %1</source>
         <translation>无法为文件包命名：%1</translation>
+    </message>
+    <message>
+        <source>the panel's mark lies outside the scale of the rubric</source>
+        <translation>专家组的评分超出评分标准的范围</translation>
+    </message>
+    <message>
+        <source>the parts of the recording are out of order</source>
+        <translation>录像各部分的顺序不正确</translation>
+    </message>
+    <message>
+        <source>the password is a simple pattern</source>
+        <translation>密码过于简单</translation>
+    </message>
+    <message>
+        <source>the password is little more than the login name</source>
+        <translation>密码与登录名过于相近</translation>
+    </message>
+    <message>
+        <source>the password is shorter than %1 characters</source>
+        <translation>密码短于 %1 个字符</translation>
+    </message>
+    <message>
+        <source>the password is too long</source>
+        <translation>密码过长</translation>
     </message>
     <message>
         <source>the phase is %1, the time is %2</source>
@@ -4342,6 +4506,10 @@
     <message>
         <source>the section encloses no area</source>
         <translation>截面没有围成面积</translation>
+    </message>
+    <message>
+        <source>the server does not let this station in without the typed password</source>
+        <translation>不输入密码时服务器不允许本工作站访问</translation>
     </message>
     <message>
         <source>the servo loop did not start</source>
@@ -4500,6 +4668,10 @@
         <translation>没有存放图片的文件夹</translation>
     </message>
     <message>
+        <source>there is no record in this database</source>
+        <translation>该数据库中没有记录</translation>
+    </message>
+    <message>
         <source>there is no rubric</source>
         <translation>没有评分标准</translation>
     </message>
@@ -4514,6 +4686,10 @@
     <message>
         <source>there is no such cohort</source>
         <translation>没有该批次</translation>
+    </message>
+    <message>
+        <source>there is no such complete recording</source>
+        <translation>没有该完整录像</translation>
     </message>
     <message>
         <source>there is no such curriculum</source>
@@ -4556,6 +4732,10 @@
         <translation>没有该用途</translation>
     </message>
     <message>
+        <source>there is no such question</source>
+        <translation>没有该提问</translation>
+    </message>
+    <message>
         <source>there is no such recording</source>
         <translation>没有该录像</translation>
     </message>
@@ -4592,6 +4772,10 @@
         <translation>没有可评分的对象</translation>
     </message>
     <message>
+        <source>there is not enough room for a safety backup and the restored record: %1 MiB are needed, %2 MiB are free</source>
+        <translation>空间不足以容纳安全备份和恢复的记录：需要 %1 MiB，可用 %2 MiB</translation>
+    </message>
+    <message>
         <source>there is nothing to compare</source>
         <translation>没有可比较的内容</translation>
     </message>
@@ -4606,6 +4790,10 @@
     <message>
         <source>these marks were submitted already</source>
         <translation>这些评分已提交</translation>
+    </message>
+    <message>
+        <source>these minutes make no sense</source>
+        <translation>分钟数不合理</translation>
     </message>
     <message>
         <source>third</source>
@@ -4704,6 +4892,18 @@
         <translation>该阶段属于另一组别</translation>
     </message>
     <message>
+        <source>this physician cannot be asked</source>
+        <translation>无法向该医师提问</translation>
+    </message>
+    <message>
+        <source>this question was put to somebody else</source>
+        <translation>该提问是向其他人提出的</translation>
+    </message>
+    <message>
+        <source>this rater cannot be asked about this case</source>
+        <translation>无法就此案例邀请该评分者</translation>
+    </message>
+    <message>
         <source>this record exists already</source>
         <translation>该记录已存在</translation>
     </message>
@@ -4716,8 +4916,20 @@
         <translation>该记录已封存，不能更改</translation>
     </message>
     <message>
+        <source>this record lies on a database server, which restores its own backups</source>
+        <translation>该记录位于数据库服务器上，须由服务器恢复其备份</translation>
+    </message>
+    <message>
         <source>this recording belongs to somebody else</source>
         <translation>该录像属于其他人</translation>
+    </message>
+    <message>
+        <source>this recording is a reference run already</source>
+        <translation>该录像已是参考操作</translation>
+    </message>
+    <message>
+        <source>this run is or may be judged without names</source>
+        <translation>该操作正在或可能接受匿名评判</translation>
     </message>
     <message>
         <source>this scale has no such mark</source>
@@ -4733,7 +4945,7 @@
     </message>
     <message>
         <source>this trainee is not in the cohort</source>
-        <translation type="unfinished" />
+        <translation>该学员不在此批次</translation>
     </message>
     <message>
         <source>this version of the curriculum is not running</source>
@@ -4766,10 +4978,6 @@
     <message>
         <source>triangle %1</source>
         <translation>三角形 %1</translation>
-    </message>
-    <message>
-        <source>trouble</source>
-        <translation>问题</translation>
     </message>
     <message>
         <source>two anchors stand at the same score</source>
@@ -4845,7 +5053,7 @@
     </message>
     <message>
         <source>withdrawn</source>
-        <translation type="unfinished" />
+        <translation>已退出</translation>
     </message>
     <message>
         <source>you are not asked in this evaluation</source>
@@ -5007,6 +5215,18 @@
         <translation>%1 分钟</translation>
     </message>
     <message>
+        <source>a moment</source>
+        <translation>片刻</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 小时</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 天</translation>
+    </message>
+    <message>
         <source>Locked</source>
         <translation>未解锁</translation>
     </message>
@@ -5036,6 +5256,10 @@
         <translation>请向培训办公室申请追加尝试。</translation>
     </message>
     <message>
+        <source>%1: none</source>
+        <translation>%1：无</translation>
+    </message>
+    <message>
         <source>%1: at most %2</source>
         <translation>%1：不超过 %2</translation>
     </message>
@@ -5044,12 +5268,12 @@
         <translation>%1：不低于 %2</translation>
     </message>
     <message>
-        <source>%1, %2 times in a row</source>
-        <translation>%1，连续 %2 次</translation>
+        <source>%1, in %2 runs in a row</source>
+        <translation>%1，连续 %2 次训练</translation>
     </message>
     <message>
-        <source>%1, %2 times in a row (%3 so far)</source>
-        <translation>%1，连续 %2 次（已有 %3 次）</translation>
+        <source>%1, in %2 runs in a row (%3 so far)</source>
+        <translation>%1，连续 %2 次训练（目前 %3 次）</translation>
     </message>
     <message>
         <source>Not tried yet</source>
@@ -5511,7 +5735,7 @@
     </message>
     <message>
         <source>Copied</source>
-        <translation type="unfinished" />
+        <translation>已复制</translation>
     </message>
 </context>
 <context>
@@ -5659,13 +5883,15 @@ Seed: %6</source>
     </message>
     <message>
         <source>There is no cohort yet. Make one under Cohorts and enrol its trainees.</source>
-        <translation type="unfinished" />
+        <translation>尚无批次。请在“批次”中新建并登记学员。</translation>
     </message>
     <message>
         <source>%1
 
 Only a keeper of the allocation previews, locks and draws. Whoever has the role Administrator gives it to somebody under Users.</source>
-        <translation type="unfinished" />
+        <translation>%1
+
+只有分组保管人可以预览、锁定和抽取。管理员可在“用户”中授予此角色。</translation>
     </message>
     <message>
         <source>The design is locked and its seed is sealed</source>
@@ -5705,7 +5931,7 @@ Only a keeper of the allocation previews, locks and draws. Whoever has the role 
     </message>
     <message>
         <source>Sealed cards</source>
-        <translation type="unfinished" />
+        <translation>密封卡片</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
@@ -5773,11 +5999,11 @@ Only a keeper of the allocation previews, locks and draws. Whoever has the role 
     </message>
     <message>
         <source>Ca&amp;rds…</source>
-        <translation type="unfinished" />
+        <translation>卡片(&amp;R)…</translation>
     </message>
     <message>
         <source>A page with a label and a card for each envelope, to print</source>
-        <translation type="unfinished" />
+        <translation>供打印的页面：每个信封一张标签和一张卡片</translation>
     </message>
     <message>
         <source>&amp;Open the seal…</source>
@@ -5865,6 +6091,49 @@ Only a keeper of the allocation previews, locks and draws. Whoever has the role 
     <message>
         <source>target %1</source>
         <translation>目标 %1</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::AskCard</name>
+    <message>
+        <source>As&amp;k about %1</source>
+        <translation>就 %1 提问(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Sent to %1: %2</source>
+        <translation>已发送给 %1：%2</translation>
+    </message>
+    <message>
+        <source>%1  ·  %2 answered on %3</source>
+        <translation>%1  ·  %2 于 %3 回答</translation>
+    </message>
+    <message>
+        <source>%1  ·  with %2, waiting for %3</source>
+        <translation>%1  ·  由 %2 处理，已等待 %3</translation>
+    </message>
+    <message>
+        <source>You: %1</source>
+        <translation>您：%1</translation>
+    </message>
+    <message>
+        <source>Ask a physician about this moment</source>
+        <translation>就这一时刻向医师提问</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>收件人(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Physician</source>
+        <translation>医师</translation>
+    </message>
+    <message>
+        <source>What do you want to know? (may stay empty)</source>
+        <translation>您想了解什么？（可留空）</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>问题</translation>
     </message>
 </context>
 <context>
@@ -6096,12 +6365,20 @@ MSM = 质点弹簧</translation>
         <translation>评分者类别权重</translation>
     </message>
     <message>
-        <source>Both lists of weights sum to 1.</source>
-        <translation>两组权重之和均为 1。</translation>
-    </message>
-    <message>
         <source>The weights must sum to 1: indices %1, classes %2.</source>
         <translation>权重之和必须为 1：指标 %1，类别 %2。</translation>
+    </message>
+    <message>
+        <source>Choose raters of every class that has a weight. Missing: %1.</source>
+        <translation>请为每个有权重的类别选择评分者。缺少：%1。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Both lists of weights sum to 1; %1 raters are chosen.</source>
+        <translation>两组权重之和均为 1；已选择 %1 位评分者。</translation>
     </message>
 </context>
 <context>
@@ -6232,6 +6509,14 @@ MSM = 质点弹簧</translation>
     <message>
         <source>%1 simulated people, %2 recordings, %3 marks. They are marked everywhere and can go at once; real data stay.</source>
         <translation>模拟人员 %1 名，录制 %2 次，评分 %3 个。它们处处带有标记，可一次删除；真实数据不受影响。</translation>
+    </message>
+    <message>
+        <source>A backup takes the place of this record, or the record goes to a database server for several stations. Both ask first and show what they will do.</source>
+        <translation>用备份取代此记录，或将记录迁移到供多个站点使用的数据库服务器。两者都会先询问并说明将要执行的操作。</translation>
+    </message>
+    <message>
+        <source>This record lies on a database server. Its administrator backs it up and restores it with the server's own tools.</source>
+        <translation>此记录位于数据库服务器上，由服务器管理员用服务器自带的工具备份和恢复。</translation>
     </message>
     <message>
         <source>&amp;Release…</source>
@@ -6372,12 +6657,12 @@ MSM = 质点弹簧</translation>
         <translation>恢复或迁移</translation>
     </message>
     <message>
-        <source>Nobody may work meanwhile, so this is done with all windows closed:
-torsio db restore BACKUP
-torsio db copy FROM TO moves a centre to a PostgreSQL server or back, and compares both.</source>
-        <translation>期间任何人不得使用，因此须关闭所有窗口后进行：
-torsio db restore 备份文件
-torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回，并核对两者。</translation>
+        <source>Re&amp;store…</source>
+        <translation>恢复(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Mo&amp;ve to PostgreSQL…</source>
+        <translation>迁移到 PostgreSQL(&amp;V)…</translation>
     </message>
     <message>
         <source>Records due for review</source>
@@ -6515,6 +6800,18 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>返回评分表</translation>
     </message>
     <message>
+        <source>Bookmark this moment, for yourself</source>
+        <translation>为自己标记此刻</translation>
+    </message>
+    <message>
+        <source>Remark at this moment, for the trainee</source>
+        <translation>在此刻给学员写评语</translation>
+    </message>
+    <message>
+        <source>Not assessable: type why, Enter</source>
+        <translation>无法评定：输入原因，回车</translation>
+    </message>
+    <message>
         <source>Overall</source>
         <translation>总分</translation>
     </message>
@@ -6565,6 +6862,10 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>All rows have the same score. Is that meant?</source>
         <translation>各项评分完全相同，是否有意如此？</translation>
+    </message>
+    <message>
+        <source>The rows lie far apart. Is that meant?</source>
+        <translation>各项分数相差很大，确定吗？</translation>
     </message>
     <message>
         <source>The overall mark lies outside the rows. Is that meant?</source>
@@ -7207,7 +7508,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Together: %1</source>
-        <translation type="unfinished" />
+        <translation>合计：%1</translation>
     </message>
     <message>
         <source>Filter…</source>
@@ -7223,11 +7524,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Sort by this column</source>
-        <translation type="unfinished" />
+        <translation>按此列排序</translation>
     </message>
     <message>
         <source>Columns…</source>
-        <translation type="unfinished" />
+        <translation>列…</translation>
     </message>
 </context>
 <context>
@@ -7301,6 +7602,10 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>%1  ·  %2  ·  %3 秒</translation>
     </message>
     <message>
+        <source>One moment: your run is compared with what was asked for and with an expert's.</source>
+        <translation>请稍候：正在将您的训练与要求及专家的操作进行比较。</translation>
+    </message>
+    <message>
         <source>After your first run you see here what was good and what to work on.</source>
         <translation>完成第一次操作后，这里会显示优点和需要改进之处。</translation>
     </message>
@@ -7365,6 +7670,10 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>A run is going on. Finish or stop it first</source>
         <translation>训练正在进行，请先完成或停止</translation>
+    </message>
+    <message>
+        <source>The database does not answer now. This page opens as soon as it does</source>
+        <translation>数据库目前没有应答。恢复后即可打开此页面</translation>
     </message>
     <message>
         <source>Work is going on. Wait for it, or cancel it</source>
@@ -7432,6 +7741,10 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>Is everything ready?</source>
         <translation>是否一切就绪？</translation>
+    </message>
+    <message>
+        <source>This station has no haptic device: you work with mouse and keyboard.</source>
+        <translation>本训练站没有力反馈设备：请使用鼠标和键盘。</translation>
     </message>
     <message>
         <source>Sit down, put the stylus into its dock, and rest your forearm.</source>
@@ -7927,8 +8240,8 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>演示账户</translation>
     </message>
     <message>
-        <source>Four short steps set up your centre. Everything can be changed later.</source>
-        <translation>只需四步即可设置您的中心，之后均可更改。</translation>
+        <source>Four short steps set up your centre. Nothing is written before the last one.</source>
+        <translation>只需四个简短步骤即可建立您的中心。最后一步之前不会写入任何内容。</translation>
     </message>
     <message>
         <source>This person lets others in. There is no default password; choose one of at least fifteen characters, a short sentence for example.</source>
@@ -7987,8 +8300,8 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>包含演示班级(&amp;D)</translation>
     </message>
     <message>
-        <source>Takes about a minute. Every row is marked as a demonstration; it can be removed with one click.</source>
-        <translation>约需一分钟。每条数据都标记为演示数据，可一键删除。</translation>
+        <source>Takes less than a minute. Every row is marked as a demonstration; it can be removed with one click.</source>
+        <translation>用时不到一分钟。每一行都标记为演示数据；可一键删除。</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -8231,8 +8544,24 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>%1.  案例 %2，%3</translation>
     </message>
     <message>
+        <source>Hide earlier ones</source>
+        <translation>隐藏先前的</translation>
+    </message>
+    <message>
+        <source>Show earlier ones (%1)</source>
+        <translation>显示先前的（%1）</translation>
+    </message>
+    <message>
         <source>Saved on this machine</source>
         <translation>已保存在本机</translation>
+    </message>
+    <message>
+        <source>Saved on the centre's server</source>
+        <translation>已保存在中心服务器</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>未保存</translation>
     </message>
     <message>
         <source>Time taken: %1</source>
@@ -8245,6 +8574,10 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>All rows have the same score. Press again to seal the sheet.</source>
         <translation>各项评分完全相同。再按一次即封存。</translation>
+    </message>
+    <message>
+        <source>The rows lie far apart. Press again to seal the sheet.</source>
+        <translation>各项分数相差很大。再按一次即封存评分表。</translation>
     </message>
     <message>
         <source>Everything is scored. Press again to seal the sheet.</source>
@@ -8283,6 +8616,18 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>真实手臂，按出场顺序。无需网络，每次点击即保存。</translation>
     </message>
     <message>
+        <source>Real arm, in running order. Every tap is saved on the centre's server; if it cannot be reached, it is said at once.</source>
+        <translation>真实手臂，按出场顺序。每次点按都保存到中心服务器；若无法连接，会立即提示。</translation>
+    </message>
+    <message>
+        <source>&amp;Amend …</source>
+        <translation>更正(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Makes a new version with a reason; the submitted one is kept</source>
+        <translation>附理由生成新版本；已提交的版本保留</translation>
+    </message>
+    <message>
         <source>Note the time</source>
         <translation>记录用时</translation>
     </message>
@@ -8293,6 +8638,14 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>Timer</source>
         <translation>计时器</translation>
+    </message>
+    <message>
+        <source>Start or stop the timer</source>
+        <translation>启动或停止计时</translation>
+    </message>
+    <message>
+        <source>Not assessable: type why, Enter</source>
+        <translation>无法评定：输入原因，回车</translation>
     </message>
 </context>
 <context>
@@ -8337,6 +8690,30 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>器官来源</translation>
     </message>
     <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Mouse and keyboard</source>
+        <translation>鼠标和键盘</translation>
+    </message>
+    <message>
+        <source>Bring the jaw to the marked band</source>
+        <translation>将钳口移到标记的环带处</translation>
+    </message>
+    <message>
+        <source>Touching. Hold the first button of the stylus to grip</source>
+        <translation>已接触。按住手写笔的第一个按钮以夹持</translation>
+    </message>
+    <message>
+        <source>Holding. Lead the stylus round to twist; let the button go to release</source>
+        <translation>已夹持。引导手写笔绕行以扭转；松开按钮即释放</translation>
+    </message>
+    <message>
+        <source>The tissue returns to rest</source>
+        <translation>组织正在恢复</translation>
+    </message>
+    <message>
         <source>Replay of a recorded trial</source>
         <translation>正在回放录制内容</translation>
     </message>
@@ -8355,10 +8732,6 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>Holding. Drag, or press Q and E, to twist; let go to release</source>
         <translation>已夹持。拖动或按 Q、E 键扭转；松开即释放</translation>
-    </message>
-    <message>
-        <source>The tissue returns to rest</source>
-        <translation>组织正在恢复</translation>
     </message>
     <message>
         <source>● Recording  %1 s</source>
@@ -8774,6 +9147,145 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
 </context>
 <context>
+    <name>torsio::gui::MovePage</name>
+    <message>
+        <source>The line is in the clipboard</source>
+        <translation>该行已复制到剪贴板</translation>
+    </message>
+    <message>
+        <source>Looking at the server</source>
+        <translation>正在查看服务器</translation>
+    </message>
+    <message>
+        <source>Moving the record to the server</source>
+        <translation>正在将记录迁移到服务器</translation>
+    </message>
+    <message>
+        <source>Turning this station to the server</source>
+        <translation>正在将此站点切换到服务器</translation>
+    </message>
+    <message>
+        <source>This station now works with the record at %1. The old file stays as it was; do not use it any more</source>
+        <translation>此站点现在使用位于 %1 的记录。旧文件保持原样，请不要再使用</translation>
+    </message>
+    <message>
+        <source>The server's administrator makes an empty database and an account for Torsio. The password is used for this only and stored nowhere.</source>
+        <translation>请服务器管理员为 Torsio 建立一个空数据库和一个账户。密码仅用于此操作，不会保存在任何地方。</translation>
+    </message>
+    <message>
+        <source>✓ %1 answers at %2. The database is empty: the record can go there.</source>
+        <translation>✓ %1 在 %2 应答。数据库为空：可以将记录迁移到那里。</translation>
+    </message>
+    <message>
+        <source>✓ %1 answers at %2. Torsio's tables are there and empty: the record can go there.</source>
+        <translation>✓ %1 在 %2 应答。Torsio 的表已存在且为空：可以将记录迁移到那里。</translation>
+    </message>
+    <message>
+        <source>✗ %1 answers at %2, but the record cannot go there: %3.</source>
+        <translation>✗ %1 在 %2 应答，但无法将记录迁移到那里：%3。</translation>
+    </message>
+    <message>
+        <source>✓ %1 answers at %2. There is a record in this database already: this station can join it.</source>
+        <translation>✓ %1 在 %2 应答。该数据库中已有一份记录：此站点可以加入。</translation>
+    </message>
+    <message>
+        <source>✓ %1 at %2</source>
+        <translation>✓ %1，位于 %2</translation>
+    </message>
+    <message>
+        <source>✓ Copied and compared: %1 rows of %2 tables have the same counts and hashes on both sides, and the audit trail of %3 entries fits.</source>
+        <translation>✓ 已复制并核对：%2 个表的 %1 行在两边的数量和哈希值一致，%3 条审计记录相符。</translation>
+    </message>
+    <message>
+        <source>Everything is copied and both sides are compared, row by row. Your record stays as it is. Nobody may be at work meanwhile: close Torsio at all other stations.</source>
+        <translation>复制全部内容并逐行核对两边。您的记录保持不变。期间不得有人使用：请关闭其他所有站点上的 Torsio。</translation>
+    </message>
+    <message>
+        <source>From then on this station works with the server. At every other station open this page, give the same address, and join the record.</source>
+        <translation>此后该站点使用服务器。在其他每个站点打开此页面，填写相同的地址并加入该记录。</translation>
+    </message>
+    <message>
+        <source>From then on this station works with that record, and everybody signs in with the names and passwords of that record. The record here stays as it is and is not used any more.</source>
+        <translation>此后该站点使用那份记录，所有人用那份记录中的登录名和密码登录。这里的记录保持原样，不再使用。</translation>
+    </message>
+    <message>
+        <source>Torsio stores no password. For this station put the line below, with the real password in place of the last word, into the password file of this computer's account: .pgpass in the home folder, readable by the account only (on Windows %APPDATA%\postgresql\pgpass.conf). Then switch.</source>
+        <translation>Torsio 不保存密码。请将下面一行（把最后一个词换成真实密码）写入本机账户的密码文件：主目录中的 .pgpass，仅该账户可读（Windows 上为 %APPDATA%\postgresql\pgpass.conf），然后切换。</translation>
+    </message>
+    <message>
+        <source>Move to PostgreSQL</source>
+        <translation>迁移到 PostgreSQL</translation>
+    </message>
+    <message>
+        <source>One record on a server, for several stations. The file of today stays as it is.</source>
+        <translation>服务器上的一份记录，供多个站点使用。现在的文件保持不变。</translation>
+    </message>
+    <message>
+        <source>&amp;Back to care</source>
+        <translation>返回维护(&amp;B)</translation>
+    </message>
+    <message>
+        <source>1  The server</source>
+        <translation>1  服务器</translation>
+    </message>
+    <message>
+        <source>&amp;Computer</source>
+        <translation>计算机(&amp;C)</translation>
+    </message>
+    <message>
+        <source>P&amp;ort</source>
+        <translation>端口(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Database</source>
+        <translation>数据库(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Account</source>
+        <translation>账户(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Pass&amp;word</source>
+        <translation>密码(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Schema (leave empty)</source>
+        <translation>模式（留空）(&amp;S)</translation>
+    </message>
+    <message>
+        <source>server.hospital.example</source>
+        <translation>server.hospital.example</translation>
+    </message>
+    <message>
+        <source>&amp;Test the connection</source>
+        <translation>测试连接(&amp;T)</translation>
+    </message>
+    <message>
+        <source>2  Copy and compare</source>
+        <translation>2  复制并核对</translation>
+    </message>
+    <message>
+        <source>Co&amp;py the record</source>
+        <translation>复制记录(&amp;P)</translation>
+    </message>
+    <message>
+        <source>3  This station</source>
+        <translation>3  此站点</translation>
+    </message>
+    <message>
+        <source>Line of the password file</source>
+        <translation>密码文件中的一行</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;line</source>
+        <translation>复制该行(&amp;L)</translation>
+    </message>
+    <message>
+        <source>S&amp;witch this station over</source>
+        <translation>切换此站点(&amp;W)</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::NextStepPage</name>
     <message>
         <source>Your run of %1 was interrupted. %2 s were recorded and count as training time; no attempt was used.</source>
@@ -8971,9 +9483,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message numerus="yes">
         <source>Take %n</source>
-        <translation type="unfinished">
-            <numerusform />
-        </translation>
+        <translation><numerusform>选取 %n 人</numerusform></translation>
     </message>
 </context>
 <context>
@@ -9004,6 +9514,53 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::QuestionsCard</name>
+    <message>
+        <source>Trainees ask you: %1</source>
+        <translation>学员向您提问：%1</translation>
+    </message>
+    <message>
+        <source>Trainees ask you</source>
+        <translation>学员向您提问</translation>
+    </message>
+    <message>
+        <source>%1, %2, at %3: waiting for %4</source>
+        <translation>%1，%2，位于 %3：已等待 %4</translation>
+    </message>
+    <message>
+        <source>Answer…</source>
+        <translation>回答…</translation>
+    </message>
+    <message>
+        <source>Answer %1</source>
+        <translation>回答 %1</translation>
+    </message>
+    <message>
+        <source>Opening the run</source>
+        <translation>正在打开训练记录</translation>
+    </message>
+    <message>
+        <source>A question of %1</source>
+        <translation>%1 的提问</translation>
+    </message>
+    <message>
+        <source>%1 asks about this moment of “%2”.</source>
+        <translation>%1 就“%2”的这一时刻提问。</translation>
+    </message>
+    <message>
+        <source>Your &amp;answer; the trainee sees that it is yours</source>
+        <translation>您的回答(&amp;A)；学员能看到是您回答的</translation>
+    </message>
+    <message>
+        <source>&amp;Send</source>
+        <translation>发送(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The answer is with %1</source>
+        <translation>回答已送达 %1</translation>
     </message>
 </context>
 <context>
@@ -9047,6 +9604,10 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>&amp;Alignment</source>
         <translation>评分对齐(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Evaluation</source>
+        <translation>评价(&amp;E)</translation>
     </message>
     <message>
         <source>Your cases</source>
@@ -9109,8 +9670,8 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>没有逾期</translation>
     </message>
     <message>
-        <source>Before the first case: score two reference runs and see how far you are from the panel.</source>
-        <translation>开始之前：请先为两段参考录像评分，看看您与专家组的差距。</translation>
+        <source>Before the first case: score the reference runs and see how far you are from the panel.</source>
+        <translation>开始第一个病例之前：为参考操作评分，看看与专家组的差距。</translation>
     </message>
     <message>
         <source>Live cases on the real arm that wait for you: %1.</source>
@@ -9119,6 +9680,10 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>All have submitted. Your marks that lie apart from the others: %1.</source>
         <translation>所有人均已提交。您与他人相差较大的评分：%1。</translation>
+    </message>
+    <message>
+        <source>Tissue models that ask for your nine marks: %1.</source>
+        <translation>等待您九项评分的组织模型：%1 个。</translation>
     </message>
     <message>
         <source>&amp;Continue the draft</source>
@@ -9266,8 +9831,8 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>每条评语都标在所涉及的训练时刻。</translation>
     </message>
     <message>
-        <source>No remarks yet. They appear here when the marks of a run have been released.</source>
-        <translation>暂无评语。评分发布后会显示在这里。</translation>
+        <source>No remarks yet. They appear here when the marks of a run have been released, or when a physician answers a question of yours.</source>
+        <translation>尚无评语。当某次训练的评分发布后，或医师回答您的提问后，会显示在这里。</translation>
     </message>
     <message>
         <source>Remarks on this run</source>
@@ -9298,6 +9863,10 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
 %2</translation>
     </message>
     <message>
+        <source>You asked, at %1</source>
+        <translation>您的提问，位于 %1</translation>
+    </message>
+    <message>
         <source>You, %1</source>
         <translation>您，%1</translation>
     </message>
@@ -9316,6 +9885,10 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>Look at the run</source>
         <translation>查看操作</translation>
+    </message>
+    <message>
+        <source>About this moment</source>
+        <translation>关于这一时刻</translation>
     </message>
     <message>
         <source>Write a reply</source>
@@ -9599,6 +10172,129 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
 </context>
 <context>
+    <name>torsio::gui::RestorePage</name>
+    <message>
+        <source>Choose a backup</source>
+        <translation>选择备份</translation>
+    </message>
+    <message>
+        <source>Backup (*.sqlite)</source>
+        <translation>备份 (*.sqlite)</translation>
+    </message>
+    <message>
+        <source>Checking the backup</source>
+        <translation>正在检查备份</translation>
+    </message>
+    <message>
+        <source>Restoring the backup</source>
+        <translation>正在恢复备份</translation>
+    </message>
+    <message>
+        <source>The record was restored from %1. As it was before, it is kept in %2</source>
+        <translation>记录已从 %1 恢复。恢复前的记录保存在 %2</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>In the backup</source>
+        <translation>备份中</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>丢失</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>评分</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>人员</translation>
+    </message>
+    <message>
+        <source>Newest recording or mark</source>
+        <translation>最新的录制或评分</translation>
+    </message>
+    <message>
+        <source>What was added after the backup is no longer in the record: %1 recordings, %2 marks and %3 people. It stays in the safety backup.</source>
+        <translation>备份之后新增的内容将不再属于记录：%1 个录制、%2 个评分和 %3 名人员。它们仍保留在安全备份中。</translation>
+    </message>
+    <message>
+        <source>Nothing recorded is lost: the backup has every recording, mark and person of today.</source>
+        <translation>不会丢失任何记录：备份包含今天的所有录制、评分和人员。</translation>
+    </message>
+    <message>
+        <source>Passwords, accounts, settings and consents are those of the backup. Look at consents afterwards.</source>
+        <translation>密码、账户、设置和知情同意将恢复为备份时的内容。请随后核对知情同意。</translation>
+    </message>
+    <message>
+        <source>%1 people were erased after this backup. They stay erased.</source>
+        <translation>此备份之后有 %1 人被删除，他们将保持已删除状态。</translation>
+    </message>
+    <message>
+        <source>RESTORE</source>
+        <translation>RESTORE</translation>
+    </message>
+    <message>
+        <source>Restore from a backup</source>
+        <translation>从备份恢复</translation>
+    </message>
+    <message>
+        <source>The record of all people at all stations goes back to the day of the backup.</source>
+        <translation>所有站点、所有人员的记录都将回到备份当日的状态。</translation>
+    </message>
+    <message>
+        <source>&amp;Back to care</source>
+        <translation>返回维护(&amp;B)</translation>
+    </message>
+    <message>
+        <source>1  The backup</source>
+        <translation>1  备份</translation>
+    </message>
+    <message>
+        <source>It is first read from end to end in a copy; your record is not touched. Nobody may be at work: close Torsio at all other stations.</source>
+        <translation>首先在副本中从头到尾读取备份，不会改动您的记录。此时不得有人使用：请关闭其他所有站点上的 Torsio。</translation>
+    </message>
+    <message>
+        <source>Backup &amp;file</source>
+        <translation>备份文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>选择(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>&amp;Check this backup</source>
+        <translation>检查此备份(&amp;C)</translation>
+    </message>
+    <message>
+        <source>2  What is kept and what is lost</source>
+        <translation>2  保留与丢失的内容</translation>
+    </message>
+    <message>
+        <source>3  Restore</source>
+        <translation>3  恢复</translation>
+    </message>
+    <message>
+        <source>A safety backup of the record as it is now is made first, beside the record. Then the backup takes its place, and everybody signs in again.</source>
+        <translation>首先在记录旁边为当前记录做一份安全备份，然后用备份取代记录，所有人需重新登录。</translation>
+    </message>
+    <message>
+        <source>&amp;Type %1 to go on</source>
+        <translation>输入 %1 以继续(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Restore now</source>
+        <translation>立即恢复(&amp;R)</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::ResultsPage</name>
     <message>
         <source>none</source>
@@ -9631,6 +10327,49 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>There is nothing to show yet: no cohort has marks or recordings.</source>
         <translation>暂无内容：没有批次有评分或录制。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::ReviewKeys</name>
+    <message>
+        <source>Score the marked row; 1 and then 0 is ten</source>
+        <translation>为选中的一项打分；先按 1 再按 0 为十分</translation>
+    </message>
+    <message>
+        <source>Half a point less or more; with Shift the finest step</source>
+        <translation>减或加半分；按住 Shift 为最小步长</translation>
+    </message>
+    <message>
+        <source>Another row</source>
+        <translation>其他项</translation>
+    </message>
+    <message>
+        <source>Take the score back</source>
+        <translation>收回分数</translation>
+    </message>
+    <message>
+        <source>Undo, redo</source>
+        <translation>撤销、重做</translation>
+    </message>
+    <message>
+        <source>Submit; a second time seals</source>
+        <translation>提交；再按一次封存</translation>
+    </message>
+    <message>
+        <source>Play, pause</source>
+        <translation>播放、暂停</translation>
+    </message>
+    <message>
+        <source>Five seconds back, pause, play</source>
+        <translation>后退五秒、暂停、播放</translation>
+    </message>
+    <message>
+        <source>One picture back, one picture on</source>
+        <translation>后退一帧、前进一帧</translation>
+    </message>
+    <message>
+        <source>Beginning, end of the recording</source>
+        <translation>记录的开头、结尾</translation>
     </message>
 </context>
 <context>
@@ -9715,7 +10454,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Needed columns: %1. Further columns, as far as you have them: %2. Their order and their headings do not matter; the next step asks which is which.</source>
-        <translation type="unfinished" />
+        <translation>必需的列：%1。其他可有的列：%2。顺序和标题不限；下一步会询问各列含义。</translation>
     </message>
     <message>
         <source>, </source>
@@ -9919,9 +10658,9 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <source>%1: %2 %</source>
         <translation>%1：%2 %</translation>
     </message>
-    <message numerus="yes">
-        <source>Comparing %n lines with the record…</source>
-        <translation><numerusform>正在将 %n 行与记录比较…</numerusform></translation>
+    <message>
+        <source>Comparing %1 lines with the record…</source>
+        <translation>正在将 %1 行与记录比较…</translation>
     </message>
     <message>
         <source>Looking at the roster</source>
@@ -9960,7 +10699,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>&amp;Import</source>
-        <translation type="unfinished" />
+        <translation>导入(&amp;I)</translation>
     </message>
 </context>
 <context>
@@ -9987,7 +10726,7 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>Nothing to run yet. Go through the pages at the left in their order: Roster (bring people in), Curricula, Cohorts, Allocation, Scoring.</source>
-        <translation type="unfinished" />
+        <translation>尚无可运行的内容。请按左侧顺序进行：名册（录入人员）、课程、批次、分组、评分。</translation>
     </message>
     <message>
         <source>Nobody is enrolled in this cohort yet. Enrol trainees under Cohorts.</source>
@@ -9995,49 +10734,43 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>%1 was recording at %2, which does not answer since %3. Go and look.</source>
-        <translation type="unfinished" />
+        <translation>%1 正在 %2 记录，该站点自 %3 起无响应。请前往查看。</translation>
     </message>
     <message>
         <source>%1 does not answer since %2.</source>
-        <translation type="unfinished" />
+        <translation>%1 自 %2 起无响应。</translation>
     </message>
     <message>
         <source>%1 has rested longer than allowed.</source>
-        <translation type="unfinished" />
+        <translation>%1 的休息超过规定时间。</translation>
     </message>
-    <message numerus="yes">
-        <source>%1: %n sheet(s) are missing.</source>
-        <translation type="unfinished">
-            <numerusform />
-        </translation>
+    <message>
+        <source>%1: sheets still missing: %2.</source>
+        <translation>%1：仍缺评分表：%2。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n trainee(s) have no group yet; draw them under Allocation.</source>
-        <translation type="unfinished">
-            <numerusform />
-        </translation>
+    <message>
+        <source>Trainees without a group: %1. Draw them under Allocation.</source>
+        <translation>未分组的学员：%1。请在“随机分组”中抽取。</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
-        <translation type="unfinished">
-            <numerusform />
-        </translation>
+        <translation><numerusform>另有 %n 条</numerusform></translation>
     </message>
     <message>
         <source>! does not answer</source>
-        <translation type="unfinished" />
+        <translation>! 无响应</translation>
     </message>
     <message>
         <source>● records</source>
-        <translation type="unfinished" />
+        <translation>● 记录中</translation>
     </message>
     <message>
         <source>○ free</source>
-        <translation type="unfinished" />
+        <translation>○ 空闲</translation>
     </message>
     <message>
         <source>Swapped; both deviations are noted.</source>
-        <translation type="unfinished" />
+        <translation>已互换；双方的偏离均已记录。</translation>
     </message>
     <message>
         <source>&amp;Back in…</source>
@@ -10085,11 +10818,11 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>S&amp;wap turns…</source>
-        <translation type="unfinished" />
+        <translation>互换顺序(&amp;W)…</translation>
     </message>
     <message>
         <source>Stations</source>
-        <translation type="unfinished" />
+        <translation>站点</translation>
     </message>
     <message>
         <source>Station</source>
@@ -10109,15 +10842,15 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     </message>
     <message>
         <source>For</source>
-        <translation type="unfinished" />
+        <translation>时长</translation>
     </message>
     <message>
         <source>Last sign of life</source>
-        <translation type="unfinished" />
+        <translation>最近响应</translation>
     </message>
     <message>
         <source>Version</source>
-        <translation type="unfinished" />
+        <translation>版本</translation>
     </message>
     <message>
         <source>&amp;Deviation…</source>
@@ -10154,6 +10887,22 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
 </context>
 <context>
     <name>torsio::gui::RunPage</name>
+    <message>
+        <source>The haptic device was lost</source>
+        <translation>力反馈设备已断开</translation>
+    </message>
+    <message>
+        <source>%1. You go on with mouse and keyboard</source>
+        <translation>%1。您可用鼠标和键盘继续</translation>
+    </message>
+    <message>
+        <source>The haptic device was lost: the graded run has ended</source>
+        <translation>力反馈设备已断开：评分训练已结束</translation>
+    </message>
+    <message>
+        <source>What was recorded is kept as interrupted, and no attempt was used. Check the device, then begin again</source>
+        <translation>已记录的内容作为中断保留，未消耗次数。请检查设备后重新开始</translation>
+    </message>
     <message>
         <source>The computer stood still. That time does not count.</source>
         <translation>计算机曾停顿，这段时间不计入。</translation>
@@ -10227,8 +10976,16 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>练习</translation>
     </message>
     <message>
+        <source>Your run is safe</source>
+        <translation>您的训练已妥善保存</translation>
+    </message>
+    <message>
         <source>No run goes on</source>
         <translation>没有正在进行的操作</translation>
+    </message>
+    <message>
+        <source>The database did not answer. The recording is kept, on this computer where need be; as soon as the database answers you find its debrief on the page 췫rief”.</source>
+        <translation>数据库无响应。录像已保留，必要时保存在本机；数据库恢复后，您可在“讲评”页面查看其讲评。</translation>
     </message>
     <message>
         <source>Choose a module on the page “My next step”.</source>
@@ -10287,8 +11044,16 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>将钳口移到标记带。</translation>
     </message>
     <message>
+        <source>Bring the jaw to the marked band. The wheel moves it nearer.</source>
+        <translation>将钳口移到标记的环带处。滚轮可使其靠近。</translation>
+    </message>
+    <message>
         <source>Touching. Close the jaw.</source>
         <translation>已接触，请夹紧。</translation>
+    </message>
+    <message>
+        <source>Touching. Close the jaw: hold the left button or Space.</source>
+        <translation>已接触。闭合钳口：按住左键或空格键。</translation>
     </message>
     <message>
         <source>On target. Hold, then let go gently.</source>
@@ -10395,9 +11160,17 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <source>● submitted %1 · ○ open or ◐ draft %2</source>
         <translation>● 已提交 %1 · ○ 未开始或 ◐ 草稿 %2</translation>
     </message>
+    <message>
+        <source>&amp;Third rater (%1)…</source>
+        <translation>第三位评分者（%1）(&amp;T)…</translation>
+    </message>
     <message numerus="yes">
         <source>%n sheet(s) asked for</source>
         <translation><numerusform>已发出 %n 份评分表</numerusform></translation>
+    </message>
+    <message>
+        <source>The third rater finds the case in their queue</source>
+        <translation>第三位评分者会在自己的队列中看到该病例</translation>
     </message>
     <message>
         <source>Scoring</source>
@@ -10408,8 +11181,20 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>谁为谁评分、进展如何。此处不显示分数。</translation>
     </message>
     <message>
+        <source>&amp;Warm-up…</source>
+        <translation>热身(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>The reference runs that every physician scores first</source>
+        <translation>每位医师首先评分的参考操作</translation>
+    </message>
+    <message>
         <source>&amp;Ask raters…</source>
         <translation>邀请评分者(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Physicians could not agree and ask for one more</source>
+        <translation>医师意见不一，请求再加一位</translation>
     </message>
     <message>
         <source>&amp;Cohort</source>
@@ -10571,18 +11356,6 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <translation>此处有未完成的内容，只有本人可以退出登录</translation>
     </message>
     <message>
-        <source>Leave kiosk mode</source>
-        <translation>退出展台模式</translation>
-    </message>
-    <message>
-        <source>An administrator ends the kiosk with name and password.</source>
-        <translation>管理员可用登录名和密码结束展台模式。</translation>
-    </message>
-    <message>
-        <source>Only an administrator can end the kiosk</source>
-        <translation>只有管理员可以结束展台模式</translation>
-    </message>
-    <message>
         <source>Nobody here? You will be signed out in %1 s. Press any key to stay</source>
         <translation>没有人在吗？%1 秒后将退出登录。按任意键继续</translation>
     </message>
@@ -10594,6 +11367,22 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
         <source>You were signed out because nobody was here</source>
         <translation>由于长时间无人操作，已退出登录</translation>
     </message>
+    <message>
+        <source>The database does not answer. Your run goes on; it is kept on this computer and stored as soon as the database answers</source>
+        <translation>数据库没有应答。您的训练继续进行；记录保存在本机，数据库恢复后立即存入</translation>
+    </message>
+    <message>
+        <source>The database does not answer. Torsio tries again by itself; what is stored is safe</source>
+        <translation>数据库没有应答。Torsio 会自动重试；已存入的数据是安全的</translation>
+    </message>
+    <message>
+        <source>Warning of the idle lock</source>
+        <translation>无操作锁定提醒</translation>
+    </message>
+    <message>
+        <source>State of the database</source>
+        <translation>数据库状态</translation>
+    </message>
     <message numerus="yes">
         <source>%n recording(s) of this station could not be stored</source>
         <translation><numerusform>本工作站有 %n 份记录未能存入数据库</numerusform></translation>
@@ -10601,34 +11390,6 @@ torsio db copy 来源 目标 可将中心迁移到 PostgreSQL 服务器或迁回
     <message>
         <source>The files are kept. Please show this to your administrator</source>
         <translation>文件已保留，请将此信息告知管理员</translation>
-    </message>
-    <message>
-        <source>Leave the password out of the address; it would stand in a settings file. Put it into .pgpass</source>
-        <translation>请不要在地址中写密码，否则它会保存在设置文件里。请写入 .pgpass</translation>
-    </message>
-    <message>
-        <source>Setting up the centre</source>
-        <translation>正在设置中心</translation>
-    </message>
-    <message>
-        <source>Name and password do not fit together. Please try again</source>
-        <translation>登录名与密码不匹配，请重试</translation>
-    </message>
-    <message>
-        <source>This account is switched off. Ask your administrator</source>
-        <translation>该账户已停用，请联系管理员</translation>
-    </message>
-    <message>
-        <source>The new password is in force</source>
-        <translation>新密码已生效</translation>
-    </message>
-    <message>
-        <source>Too many wrong tries. Please wait %1 s</source>
-        <translation>错误次数过多，请等待 %1 秒</translation>
-    </message>
-    <message>
-        <source>That is not the password. Please try again</source>
-        <translation>密码不正确，请重试</translation>
     </message>
     <message>
         <source>PIN for practice</source>
@@ -10681,8 +11442,52 @@ Leave it empty to remove it.</source>
         <translation>演示数据已删除</translation>
     </message>
     <message>
-        <source>Warning of the idle lock</source>
-        <translation>无操作锁定提醒</translation>
+        <source>Leave kiosk mode</source>
+        <translation>退出展台模式</translation>
+    </message>
+    <message>
+        <source>An administrator ends the kiosk with name and password.</source>
+        <translation>管理员可用登录名和密码结束展台模式。</translation>
+    </message>
+    <message>
+        <source>Only an administrator can end the kiosk</source>
+        <translation>只有管理员可以结束展台模式</translation>
+    </message>
+    <message>
+        <source>The database answers again, and what was kept meanwhile is stored</source>
+        <translation>数据库已恢复应答，期间保存的内容已存入</translation>
+    </message>
+    <message>
+        <source>Leave the password out of the address; it would stand in a settings file. Put it into .pgpass</source>
+        <translation>请不要在地址中写密码，否则它会保存在设置文件里。请写入 .pgpass</translation>
+    </message>
+    <message>
+        <source>Setting up the centre</source>
+        <translation>正在设置中心</translation>
+    </message>
+    <message>
+        <source>Cancelled; nothing was set up</source>
+        <translation>已取消；未建立任何内容</translation>
+    </message>
+    <message>
+        <source>Name and password do not fit together. Please try again</source>
+        <translation>登录名与密码不匹配，请重试</translation>
+    </message>
+    <message>
+        <source>This account is switched off. Ask your administrator</source>
+        <translation>该账户已停用，请联系管理员</translation>
+    </message>
+    <message>
+        <source>The new password is in force</source>
+        <translation>新密码已生效</translation>
+    </message>
+    <message>
+        <source>Too many wrong tries. Please wait %1 s</source>
+        <translation>错误次数过多，请等待 %1 秒</translation>
+    </message>
+    <message>
+        <source>That is not the password. Please try again</source>
+        <translation>密码不正确，请重试</translation>
     </message>
 </context>
 <context>
@@ -10836,6 +11641,61 @@ Leave it empty to remove it.</source>
     <message>
         <source>Stop the recording before replaying another one.</source>
         <translation>请先停止录制，再回放其他内容。</translation>
+    </message>
+    <message>
+        <source>No haptic device was found. You practise with mouse and keyboard</source>
+        <translation>未找到力反馈设备。您将使用鼠标和键盘练习</translation>
+    </message>
+    <message>
+        <source>You practise with mouse and keyboard: %1</source>
+        <translation>您将使用鼠标和键盘练习：%1</translation>
+    </message>
+    <message>
+        <source>You practise with %1. The force is felt</source>
+        <translation>您正在使用 %1 练习，可以感受到力</translation>
+    </message>
+    <message>
+        <source>The haptic device was lost. The recording until then is kept; you go on with the mouse</source>
+        <translation>力反馈设备已断开。此前的记录已保留；您可用鼠标继续</translation>
+    </message>
+    <message>
+        <source>The haptic device was lost. Its force is off; you go on with the mouse</source>
+        <translation>力反馈设备已断开，其力已关闭；您可用鼠标继续</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::StationSettingsCard</name>
+    <message>
+        <source>Kept. It holds at every station from the next sign-in on</source>
+        <translation>已保存。从下次登录起在所有训练站生效</translation>
+    </message>
+    <message>
+        <source>At every station</source>
+        <translation>所有训练站</translation>
+    </message>
+    <message>
+        <source>When nobody is there, &amp;warn after</source>
+        <translation>无人操作时，提醒时间(&amp;W)</translation>
+    </message>
+    <message>
+        <source>and &amp;lock after</source>
+        <translation>锁定时间(&amp;L)</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分钟</translation>
+    </message>
+    <message>
+        <source>&amp;Grade runs with mouse and keyboard</source>
+        <translation>鼠标和键盘的训练也评分(&amp;G)</translation>
+    </message>
+    <message>
+        <source>A run is never interrupted by this. A kiosk signs out instead of locking.</source>
+        <translation>训练绝不会因此中断。展台模式下会注销而不是锁定。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>保存(&amp;K)</translation>
     </message>
 </context>
 <context>
@@ -11240,7 +12100,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Sealing the start password</source>
-        <translation type="unfinished" />
+        <translation>正在加密初始密码</translation>
     </message>
     <message>
         <source>New start password</source>
@@ -11265,6 +12125,105 @@ Leave it empty to remove it.</source>
     <message>
         <source>%1 can sign in again.</source>
         <translation>%1 可以重新登录。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::WarmUpDialog</name>
+    <message>
+        <source>&amp;Add as a reference run</source>
+        <translation>添加为参考操作(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Runs of the warm-up</source>
+        <translation>热身用的参考操作</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Recording of</source>
+        <translation>记录对象</translation>
+    </message>
+    <message>
+        <source>Organ</source>
+        <translation>器官</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Mark of the panel</source>
+        <translation>专家组评分</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>专家组</translation>
+    </message>
+    <message>
+        <source>Added</source>
+        <translation>添加时间</translation>
+    </message>
+    <message>
+        <source>Reference runs</source>
+        <translation>参考操作</translation>
+    </message>
+    <message>
+        <source>None yet: physicians begin without a warm-up.</source>
+        <translation>尚无：医师将不经热身直接开始。</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>记录时间</translation>
+    </message>
+    <message>
+        <source>Recordings to choose from</source>
+        <translation>可选的记录</translation>
+    </message>
+    <message>
+        <source>No recording can be offered: each is being scored, is a reference run already, or is incomplete.</source>
+        <translation>没有可选的记录：它们或正在评分，或已是参考操作，或不完整。</translation>
+    </message>
+    <message>
+        <source>&amp;Rubric</source>
+        <translation>评分表(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Mark of the panel, points</source>
+        <translation>专家组评分（分）(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Physicians on the panel</source>
+        <translation>专家组医师人数(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The panel marks the run together before it is used. A run that was added stays, so that every physician warms up on the same ones.</source>
+        <translation>使用之前，由专家组共同给出评分。已添加的操作不再移除，使每位医师都用同样的操作热身。</translation>
+    </message>
+    <message>
+        <source>Every physician scores these runs before the first real case and sees how far the own mark is from the panel's. Two are usual: one weak, one good.</source>
+        <translation>每位医师在第一个正式病例之前为这些操作评分，并看到自己与专家组的差距。通常为两个：一个较差，一个较好。</translation>
+    </message>
+    <message>
+        <source>Every physician scores these runs before the first real case and sees how far the own mark is from the panel's.</source>
+        <translation>每位医师在第一个正式病例之前为这些操作评分，并看到自己与专家组的差距。</translation>
+    </message>
+    <message>
+        <source>Reference %1</source>
+        <translation>参考 %1</translation>
+    </message>
+    <message>
+        <source>The reference run is added to the warm-up</source>
+        <translation>参考操作已加入热身</translation>
     </message>
 </context>
 <context>
@@ -11294,12 +12253,20 @@ Leave it empty to remove it.</source>
         <translation>参考 %1</translation>
     </message>
     <message>
-        <source>On to the &amp;queue</source>
-        <translation>前往待评列表(&amp;Q)</translation>
-    </message>
-    <message>
         <source>&amp;Queue</source>
         <translation>待评列表(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with the panel</source>
+        <translation>与专家组比较(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Go on with reference %1</source>
+        <translation>继续参考操作 %1</translation>
+    </message>
+    <message>
+        <source>On to the queue</source>
+        <translation>前往队列</translation>
     </message>
     <message>
         <source>Score first; then the panel's mark is shown.</source>
@@ -11334,6 +12301,14 @@ Leave it empty to remove it.</source>
         <translation>您可以重新评分，或继续下一段。</translation>
     </message>
     <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
+    </message>
+    <message>
         <source>Warm-up</source>
         <translation>热身</translation>
     </message>
@@ -11342,16 +12317,20 @@ Leave it empty to remove it.</source>
         <translation>在正式评分之前先评参考录像，了解您与专家组的差距。其他人看不到。</translation>
     </message>
     <message>
-        <source>&amp;Compare with the panel</source>
-        <translation>与专家组比较(&amp;C)</translation>
-    </message>
-    <message>
         <source>Ctrl+Enter</source>
         <translation>Ctrl+Enter</translation>
     </message>
     <message>
         <source>Your offset</source>
         <translation>您的差距</translation>
+    </message>
+    <message>
+        <source>What the rubric asks for</source>
+        <translation>评分标准</translation>
+    </message>
+    <message>
+        <source>Compare with the panel</source>
+        <translation>与专家组比较</translation>
     </message>
 </context>
 </TS>
