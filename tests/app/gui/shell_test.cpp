@@ -460,16 +460,6 @@ TEST_F(Shell, AnOpenStationGivesSignsOfLifeUntilItIsClosed) {
   EXPECT_FALSE(stations.find("test").has_value());
 }
 
-TEST_F(Shell, EnterPressesTheButtonThatHasTheKeyboard) {
-  open(setup());
-  named<QLineEdit>(*window_, QStringLiteral("Name of the centre"))->setText(QStringLiteral("City hospital"));
-  for (QPushButton* button : window_->findChildren<QPushButton*>()) {
-    if (button->text() == QStringLiteral("Next")) QTest::keyClick(button, Qt::Key_Return);
-  }
-
-  EXPECT_TRUE(says(*window_, QStringLiteral("The first administrator")));
-}
-
 TEST_F(Shell, CancellingTheFirstRunLeavesNoCentre) {
   const ShellSetup with = setup();
   open(with);
