@@ -35,7 +35,8 @@ QString translated(const std::string& pattern) {
 }
 
 bool speaksEnglish() {
-  return QLocale().language() == QLocale::English;
+  const QLocale::Language language = QLocale().language();
+  return language == QLocale::English || language == QLocale::C;
 }
 
 /// Whether the language of the window has the sentence. Pure values (a path, a code) need no words.

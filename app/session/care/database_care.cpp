@@ -5,9 +5,10 @@
 #include <system_error>
 #include <vector>
 
+#include <QTemporaryDir>
+
 #include "db/migrations/migrations.h"
 #include "sim/base/error.h"
-#include "sim/base/file_io.h"
 
 namespace torsio {
 
@@ -43,20 +44,19 @@ DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {
   return result;
 }
 
-/// A copy beside nothing of ours, gone at the end.
+/// A copy in a folder of its own, since others may check a backup of the same name; gone at the end.
 class ScratchFile {
  public:
   explicit ScratchFile(const fs::path& original)
-      : path_(temporaryBeside(fs::temp_directory_path() / original.filename())) {}
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-  ~ScratchFile() {
-    std::error_code ignored;
-    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(path_.string() + suffix, ignored);
+      : path_(fs::path(folder_.path().toStdString()) / original.filename()) {
+    if (!folder_.isValid())
+      throw Error(ErrorCode::kFileUnwritable, "no folder for the check can be made",
+                  fs::temp_directory_path().string(), "Free some space in the temporary folder");
   }
   [[nodiscard]] const fs::path& path() const noexcept { return path_; }
 
  private:
+  QTemporaryDir folder_;
   fs::path path_;
 };
 

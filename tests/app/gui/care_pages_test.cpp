@@ -56,7 +56,7 @@ TEST_F(CarePages, ARestoreIsRefusedWhileAnotherStationIsConnected) {
   click(page.checkButton());
 
   ASSERT_EQ(failures_.size(), 1);
-  EXPECT_EQ(failures_.front(), QStringLiteral("the station room 2 is connected"));
+  EXPECT_EQ(failures_.front(), QStringLiteral("The station room 2 is connected"));
   EXPECT_FALSE(page.restoreButton().isVisible());
 }
 

@@ -112,7 +112,7 @@ TEST_F(Controller, AFailedLoadIsReportedAndTheOldSceneStays) {
   controller.load(requestFor("bad"));
   ASSERT_TRUE(eventually([&] { return !controller.loading(); }));
 
-  EXPECT_EQ(happened, QStringLiteral("the mesh is open"));
+  EXPECT_EQ(happened, QStringLiteral("The mesh is open"));
   EXPECT_EQ(controller.scene()->id, "good");
   EXPECT_EQ(controller.mode(), Mode::kPractice);
 }

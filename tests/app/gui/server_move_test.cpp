@@ -60,7 +60,7 @@ TEST_F(ServerMove, TheRecordIsCopiedComparedAndTheStationTurnsToTheServer) {
   click(page.switchButton());  // no password file yet
   ASSERT_EQ(failures_.size(), 1);
   EXPECT_EQ(failures_.front(),
-            QStringLiteral("the server does not let this station in without the typed password"));
+            QStringLiteral("The server does not let this station in without the typed password"));
   EXPECT_TRUE(says(QStringLiteral("Torsio stores no password")));
   writePasswordFile();
   click(page.switchButton());
@@ -110,7 +110,7 @@ TEST_F(ServerMove, WhatIsWrittenAfterTheCopyForbidsTheSwitch) {
   click(page.switchButton());
 
   ASSERT_EQ(failures_.size(), 1);
-  EXPECT_EQ(failures_.front(), QStringLiteral("something was written to this record after it was copied"));
+  EXPECT_EQ(failures_.front(), QStringLiteral("Something was written to this record after it was copied"));
   EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
 }
 
@@ -140,7 +140,7 @@ TEST_F(ServerMove, ACopyIsRefusedWhileAnotherStationIsConnected) {
   click(page.copyButton());
 
   ASSERT_EQ(failures_.size(), 1);
-  EXPECT_EQ(failures_.front(), QStringLiteral("the station room 2 is connected"));
+  EXPECT_EQ(failures_.front(), QStringLiteral("The station room 2 is connected"));
   EXPECT_FALSE(page.switchButton().isVisible());
 }
 
