@@ -2980,6 +2980,10 @@
         <translation>有一行缺少代码或名称</translation>
     </message>
     <message>
+        <source>a run is going on at the station %1</source>
+        <translation>工作站“%1”上有操作正在进行</translation>
+    </message>
+    <message>
         <source>a servo frame could not be opened or closed</source>
         <translation>无法打开或关闭伺服帧</translation>
     </message>
@@ -4538,6 +4542,10 @@
     <message>
         <source>the shortening must lie between 1 and 600</source>
         <translation>缩短倍数须在 1 与 600 之间</translation>
+    </message>
+    <message>
+        <source>the station %1 is connected</source>
+        <translation>工作站“%1”已连接</translation>
     </message>
     <message>
         <source>the stored design cannot be read: %1</source>

@@ -123,6 +123,7 @@ void ReplayPanel::retranslate() {
   digest_->setToolTip(
       tr("Proves that this is the recording as it was stored. It tells nothing else, and it is another "
          "one for each physician"));
+  showState();
   showTransport();
 }
 

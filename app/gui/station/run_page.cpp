@@ -113,7 +113,7 @@ QWidget* RunPage::createPanel() {
   scroll->setWidget(panel);
   whole->addWidget(scroll, 1);
   auto* buttons = new QHBoxLayout;
-  buttons->setContentsMargins(kSpace + 4, kSpace, kSpace + 4, kSpace + 4);
+  buttons->setContentsMargins(kSpace, kSpace, kSpace, kSpace + 4);
   buttons->setSpacing(kSpace);
   whole->addLayout(buttons);
   auto* column = new QVBoxLayout(panel);

@@ -45,11 +45,13 @@ bool staysAsItIs(const QString& text) {
 }
 
 /// Sentences that stand for a moment while something is opened or done and are not said again, and the anchor
-/// under a row, which follows the row that is current.
+/// under a row, which follows the row that is current. A problem that is open keeps the language it was told
+/// in.
 bool passes(const QString& text) {
   static const QRegularExpression kPassing(
-      QStringLiteral("^(Opening .*|Draft found and opened|The recording is being opened.*|On target\\..*|.* "
-                     "free on the disk)$"));
+      QStringLiteral("^(Opening .*|Draft found and opened|The recording is being opened.*|On target\\..*|: "
+                     ".*|A run is going on at .*|"
+                     "Let the run come to its end.*)$"));
   return kPassing.match(text).hasMatch();
 }
 
