@@ -5,77 +5,110 @@
     <name>torsio::gui::AllocationPage</name>
     <message numerus="yes">
         <source>%n trainee(s) allocated</source>
-        <translation><numerusform>%n trainee allocated</numerusform><numerusform>%n trainees allocated</numerusform></translation>
+        <translation>
+            <numerusform>%n trainee allocated</numerusform>
+            <numerusform>%n trainees allocated</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::AuditPage</name>
     <message numerus="yes">
         <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
-        <translation><numerusform>⚠ %n finding. Do not report from this record before they are explained.</numerusform><numerusform>⚠ %n findings. Do not report from this record before they are explained.</numerusform></translation>
+        <translation>
+            <numerusform>⚠ %n finding. Do not report from this record before they are explained.</numerusform>
+            <numerusform>⚠ %n findings. Do not report from this record before they are explained.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::CurriculumEditor</name>
     <message numerus="yes">
         <source>Check: %n to mend</source>
-        <translation><numerusform>Check: %n to mend</numerusform><numerusform>Check: %n to mend</numerusform></translation>
+        <translation>
+            <numerusform>Check: %n to mend</numerusform>
+            <numerusform>Check: %n to mend</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::DataTable</name>
     <message numerus="yes">
         <source>%n row(s)</source>
-        <translation><numerusform>%n row</numerusform><numerusform>%n rows</numerusform></translation>
+        <translation>
+            <numerusform>%n row</numerusform>
+            <numerusform>%n rows</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::FigureCanvas</name>
     <message numerus="yes">
         <source>%n row(s) more in the table</source>
-        <translation><numerusform>%n row more in the table</numerusform><numerusform>%n rows more in the table</numerusform></translation>
+        <translation>
+            <numerusform>%n row more in the table</numerusform>
+            <numerusform>%n rows more in the table</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::PeopleDialog</name>
     <message numerus="yes">
         <source>Take %n</source>
-        <translation><numerusform>Take %n</numerusform><numerusform>Take %n</numerusform></translation>
+        <translation>
+            <numerusform>Take %n</numerusform>
+            <numerusform>Take %n</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::ReadoutPanel</name>
     <message numerus="yes">
         <source>%1, %n late</source>
-        <translation><numerusform>%1, %n late</numerusform><numerusform>%1, %n late</numerusform></translation>
+        <translation>
+            <numerusform>%1, %n late</numerusform>
+            <numerusform>%1, %n late</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::ReportPreview</name>
     <message numerus="yes">
         <source>%n row(s) more in the report</source>
-        <translation><numerusform>%n row more in the report</numerusform><numerusform>%n rows more in the report</numerusform></translation>
+        <translation>
+            <numerusform>%n row more in the report</numerusform>
+            <numerusform>%n rows more in the report</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::RunDayPage</name>
     <message numerus="yes">
         <source>and %n more</source>
-        <translation><numerusform>and %n more</numerusform><numerusform>and %n more</numerusform></translation>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::ScoringPage</name>
     <message numerus="yes">
         <source>%n sheet(s) asked for</source>
-        <translation><numerusform>%n sheet asked for</numerusform><numerusform>%n sheets asked for</numerusform></translation>
+        <translation>
+            <numerusform>%n sheet asked for</numerusform>
+            <numerusform>%n sheets asked for</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>torsio::gui::ShellWindow</name>
     <message numerus="yes">
         <source>%n recording(s) of this station could not be stored</source>
-        <translation><numerusform>%n recording of this station could not be stored</numerusform><numerusform>%n recordings of this station could not be stored</numerusform></translation>
+        <translation>
+            <numerusform>%n recording of this station could not be stored</numerusform>
+            <numerusform>%n recordings of this station could not be stored</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

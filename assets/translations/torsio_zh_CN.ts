@@ -916,19 +916,19 @@
         <translation>%1。%2</translation>
     </message>
     <message>
-        <source>"%1" is chosen for two fields</source>
+        <source>&quot;%1&quot; is chosen for two fields</source>
         <translation>“%1”被选给了两个字段</translation>
     </message>
     <message>
-        <source>"%1" is no likely age in years</source>
+        <source>&quot;%1&quot; is no likely age in years</source>
         <translation>“%1”不像是年龄（岁）</translation>
     </message>
     <message>
-        <source>"%1" is not understood as %2</source>
+        <source>&quot;%1&quot; is not understood as %2</source>
         <translation>“%1”无法识别为%2</translation>
     </message>
     <message>
-        <source>"other" needs a description</source>
+        <source>&quot;other&quot; needs a description</source>
         <translation>选择“其他”时需要说明</translation>
     </message>
     <message>
@@ -1032,7 +1032,7 @@
         <translation>%1；低于 %2 Hz 时不输出力</translation>
     </message>
     <message>
-        <source>'%1' is not known</source>
+        <source>&apos;%1&apos; is not known</source>
         <translation>“%1”无法识别</translation>
     </message>
     <message>
@@ -1172,7 +1172,7 @@
         <translation>请检查电缆和电源，重新插拔设备后再次检查</translation>
     </message>
     <message>
-        <source>Check power and cable, run the vendor's set-up tool once as this user, and check the rights on the device file (docs/devices.md)</source>
+        <source>Check power and cable, run the vendor&apos;s set-up tool once as this user, and check the rights on the device file (docs/devices.md)</source>
         <translation>请检查电源和电缆，以当前用户运行一次厂商的设置工具，并检查设备文件的权限（docs/devices.md）</translation>
     </message>
     <message>
@@ -1220,7 +1220,7 @@
         <translation>请检查数据库</translation>
     </message>
     <message>
-        <source>Check the device's power supply and repeat the check</source>
+        <source>Check the device&apos;s power supply and repeat the check</source>
         <translation>请检查设备电源后再次检查</translation>
     </message>
     <message>
@@ -1280,7 +1280,7 @@
         <translation>请从列表中选择指标</translation>
     </message>
     <message>
-        <source>Choose a phase of the trainee's own arm</source>
+        <source>Choose a phase of the trainee&apos;s own arm</source>
         <translation>请选择该学员所在组别的阶段</translation>
     </message>
     <message>
@@ -1488,7 +1488,7 @@
         <translation>请补上右引号</translation>
     </message>
     <message>
-        <source>Close the tunnels: an organ's outer surface has none</source>
+        <source>Close the tunnels: an organ&apos;s outer surface has none</source>
         <translation>请封闭贯通孔：器官外表面没有贯通孔</translation>
     </message>
     <message>
@@ -1544,7 +1544,7 @@
         <translation>请更正数值</translation>
     </message>
     <message>
-        <source>Correct the person's record, or lock a new design with a reason</source>
+        <source>Correct the person&apos;s record, or lock a new design with a reason</source>
         <translation>请更正此人的记录，或说明理由后锁定新方案</translation>
     </message>
     <message>
@@ -1820,7 +1820,7 @@
         <translation>请以 %1 为单位</translation>
     </message>
     <message>
-        <source>Give it one, such as "virtual 0-20 min"</source>
+        <source>Give it one, such as &quot;virtual 0-20 min&quot;</source>
         <translation>请填写名称，例如“虚拟 0–20 分钟”</translation>
     </message>
     <message>
@@ -1904,11 +1904,11 @@
         <translation>请安装 OpenHaptics 3.0 至 3.5；该文件属于其他程序库或不完整</translation>
     </message>
     <message>
-        <source>Install the device's driver and the OpenHaptics run time (docs/devices.md), or name the library with --library</source>
+        <source>Install the device&apos;s driver and the OpenHaptics run time (docs/devices.md), or name the library with --library</source>
         <translation>请安装设备驱动和 OpenHaptics 运行库（docs/devices.md），或用 --library 指定程序库</translation>
     </message>
     <message>
-        <source>Install the device's driver package; OpenHaptics alone is not enough</source>
+        <source>Install the device&apos;s driver package; OpenHaptics alone is not enough</source>
         <translation>请安装设备驱动包；仅有 OpenHaptics 不够</translation>
     </message>
     <message>
@@ -1988,7 +1988,7 @@
         <translation>请等待操作结束，关闭其他所有工作站上的 Torsio，等待半分钟后重试</translation>
     </message>
     <message>
-        <source>Let the server's administrator make an empty database</source>
+        <source>Let the server&apos;s administrator make an empty database</source>
         <translation>请让服务器管理员创建一个空数据库</translation>
     </message>
     <message>
@@ -2048,7 +2048,7 @@
         <translation>M01 文件为空</translation>
     </message>
     <message>
-        <source>M02 files with the extension "%1" are not read</source>
+        <source>M02 files with the extension &quot;%1&quot; are not read</source>
         <translation>M02 不支持扩展名为“%1”的文件</translation>
     </message>
     <message>
@@ -2168,7 +2168,7 @@
         <translation>正在测量伺服，共 %1 秒</translation>
     </message>
     <message>
-        <source>Model "%1" is not an Omni or Touch; it is treated like a Touch</source>
+        <source>Model &quot;%1&quot; is not an Omni or Touch; it is treated like a Touch</source>
         <translation>型号“%1”不是 Omni 或 Touch；按 Touch 处理</translation>
     </message>
     <message>
@@ -2352,7 +2352,7 @@
         <translation>请加上引号</translation>
     </message>
     <message>
-        <source>Put the line shown here into the password file of this computer's account</source>
+        <source>Put the line shown here into the password file of this computer&apos;s account</source>
         <translation>请将此处显示的一行写入本机账户的密码文件</translation>
     </message>
     <message>
@@ -2604,7 +2604,7 @@
         <translation>请将 TORSIO_ASSETS 设为资源文件夹</translation>
     </message>
     <message>
-        <source>Set the person to "left" instead</source>
+        <source>Set the person to &quot;left&quot; instead</source>
         <translation>请改为将此人设为“已离开”</translation>
     </message>
     <message>
@@ -2648,7 +2648,7 @@
         <translation>请先启用，或选择其他版本</translation>
     </message>
     <message>
-        <source>Start it on a desktop, or through xvfb-run; commands such as 'torsio demo' need no display</source>
+        <source>Start it on a desktop, or through xvfb-run; commands such as &apos;torsio demo&apos; need no display</source>
         <translation>请在桌面环境中启动，或通过 xvfb-run；“torsio demo”等命令无需显示器</translation>
     </message>
     <message>
@@ -2768,11 +2768,11 @@
         <translation>扭转训练</translation>
     </message>
     <message>
-        <source>Unplug the device, plug it in again and run the vendor's set-up tool</source>
+        <source>Unplug the device, plug it in again and run the vendor&apos;s set-up tool</source>
         <translation>请拔下设备，重新插上，再运行厂商的设置工具</translation>
     </message>
     <message>
-        <source>Unplug the device, wait ten seconds, plug it in again and run the vendor's set-up tool</source>
+        <source>Unplug the device, wait ten seconds, plug it in again and run the vendor&apos;s set-up tool</source>
         <translation>请拔下设备，等待十秒，重新插上，再运行厂商的设置工具</translation>
     </message>
     <message>
@@ -3092,7 +3092,7 @@
         <translation>另一工作站同时更改了相同记录</translation>
     </message>
     <message>
-        <source>arm "%1"</source>
+        <source>arm &quot;%1&quot;</source>
         <translation>组别“%1”</translation>
     </message>
     <message>
@@ -3156,7 +3156,7 @@
         <translation>晚于任何组别的训练时间</translation>
     </message>
     <message>
-        <source>compares by "%1"</source>
+        <source>compares by &quot;%1&quot;</source>
         <translation>比较方式为“%1”</translation>
     </message>
     <message>
@@ -3224,7 +3224,7 @@
         <translation>设备</translation>
     </message>
     <message>
-        <source>device "%1"</source>
+        <source>device &quot;%1&quot;</source>
         <translation>设备“%1”</translation>
     </message>
     <message>
@@ -3264,7 +3264,7 @@
         <translation>训练时间</translation>
     </message>
     <message>
-        <source>field '%1' %2</source>
+        <source>field &apos;%1&apos; %2</source>
         <translation>字段“%1”%2</translation>
     </message>
     <message>
@@ -3320,7 +3320,7 @@
         <translation>已分组、已退出或未在此登记</translation>
     </message>
     <message>
-        <source>has a pattern "%1" that the scene %2 lacks</source>
+        <source>has a pattern &quot;%1&quot; that the scene %2 lacks</source>
         <translation>的扭转类型“%1”在场景 %2 中不存在</translation>
     </message>
     <message>
@@ -3332,11 +3332,11 @@
         <translation>的结构版本比此程序旧</translation>
     </message>
     <message>
-        <source>has an unknown exercise "%1"</source>
+        <source>has an unknown exercise &quot;%1&quot;</source>
         <translation>的任务“%1”无法识别</translation>
     </message>
     <message>
-        <source>has an unknown scene "%1"</source>
+        <source>has an unknown scene &quot;%1&quot;</source>
         <translation>的场景“%1”无法识别</translation>
     </message>
     <message>
@@ -3388,7 +3388,7 @@
         <translation>空闲锁定</translation>
     </message>
     <message>
-        <source>is '%1'</source>
+        <source>is &apos;%1&apos;</source>
         <translation>为“%1”</translation>
     </message>
     <message>
@@ -3404,7 +3404,7 @@
         <translation>已在该批次中登记</translation>
     </message>
     <message>
-        <source>is given in "%1"</source>
+        <source>is given in &quot;%1&quot;</source>
         <translation>以“%1”为单位</translation>
     </message>
     <message>
@@ -3496,7 +3496,7 @@
         <translation>知道步骤，但犹豫，多次调整夹持</translation>
     </message>
     <message>
-        <source>lattice mode '%1'</source>
+        <source>lattice mode &apos;%1&apos;</source>
         <translation>网格模式“%1”</translation>
     </message>
     <message>
@@ -3524,7 +3524,7 @@
         <translation>模型</translation>
     </message>
     <message>
-        <source>module "%1"</source>
+        <source>module &quot;%1&quot;</source>
         <translation>模块“%1”</translation>
     </message>
     <message>
@@ -3612,7 +3612,7 @@
         <translation>没有此编号的模型评价</translation>
     </message>
     <message>
-        <source>no folder 'scenes' in it</source>
+        <source>no folder &apos;scenes&apos; in it</source>
         <translation>其中没有文件夹“scenes”</translation>
     </message>
     <message>
@@ -3620,19 +3620,19 @@
         <translation>无法打开力反馈设备：%1</translation>
     </message>
     <message>
-        <source>no line of its first 64 kB begins with "v"</source>
+        <source>no line of its first 64 kB begins with &quot;v&quot;</source>
         <translation>前 64 kB 内没有以“v”开头的行</translation>
     </message>
     <message>
-        <source>no material is called '%1'</source>
+        <source>no material is called &apos;%1&apos;</source>
         <translation>没有名为“%1”的材料</translation>
     </message>
     <message>
-        <source>no scene has a pattern '%1'</source>
+        <source>no scene has a pattern &apos;%1&apos;</source>
         <translation>没有场景含有扭转类型“%1”</translation>
     </message>
     <message>
-        <source>no scene is called '%1'</source>
+        <source>no scene is called &apos;%1&apos;</source>
         <translation>没有名为“%1”的场景</translation>
     </message>
     <message>
@@ -3788,7 +3788,7 @@
         <translation>密码</translation>
     </message>
     <message>
-        <source>people cannot be balanced by "%1"</source>
+        <source>people cannot be balanced by &quot;%1&quot;</source>
         <translation>无法按“%1”均衡人员</translation>
     </message>
     <message>
@@ -3808,7 +3808,7 @@
         <translation>练习量必须为有限的非负数</translation>
     </message>
     <message>
-        <source>practises "%1", which is no module of this curriculum</source>
+        <source>practises &quot;%1&quot;, which is no module of this curriculum</source>
         <translation>练习“%1”，但该课程没有此模块</translation>
     </message>
     <message>
@@ -3856,7 +3856,7 @@
         <translation>引用了不存在的记录，或仍在使用</translation>
     </message>
     <message>
-        <source>requires "%1", which is no module of this curriculum</source>
+        <source>requires &quot;%1&quot;, which is no module of this curriculum</source>
         <translation>要求先修“%1”，但该课程没有此模块</translation>
     </message>
     <message>
@@ -3892,7 +3892,7 @@
         <translation>场景 %1</translation>
     </message>
     <message>
-        <source>scene '%1' has no pattern '%2'</source>
+        <source>scene &apos;%1&apos; has no pattern &apos;%2&apos;</source>
         <translation>场景“%1”没有扭转类型“%2”</translation>
     </message>
     <message>
@@ -3916,7 +3916,7 @@
         <translation>分数 %1 级超出其量表范围</translation>
     </message>
     <message>
-        <source>scoring point "%1"</source>
+        <source>scoring point &quot;%1&quot;</source>
         <translation>评分点“%1”</translation>
     </message>
     <message>
@@ -4008,7 +4008,7 @@
         <translation>引号值 %1 之后还有文字</translation>
     </message>
     <message>
-        <source>the %1 "%2" was not known when the design was locked</source>
+        <source>the %1 &quot;%2&quot; was not known when the design was locked</source>
         <translation>锁定方案时没有%1“%2”</translation>
     </message>
     <message>
@@ -4092,7 +4092,7 @@
         <translation>该批次没有名称</translation>
     </message>
     <message>
-        <source>the column "%1" is empty</source>
+        <source>the column &quot;%1&quot; is empty</source>
         <translation>列“%1”为空</translation>
     </message>
     <message>
@@ -4164,15 +4164,15 @@
         <translation>设备多次拒绝校准</translation>
     </message>
     <message>
-        <source>the device's force cannot be switched off</source>
+        <source>the device&apos;s force cannot be switched off</source>
         <translation>无法关闭设备的力输出</translation>
     </message>
     <message>
-        <source>the device's force limit was exceeded</source>
+        <source>the device&apos;s force limit was exceeded</source>
         <translation>超过了设备的力限值</translation>
     </message>
     <message>
-        <source>the device's own protection switched the force off</source>
+        <source>the device&apos;s own protection switched the force off</source>
         <translation>设备自身的保护切断了力</translation>
     </message>
     <message>
@@ -4260,11 +4260,11 @@
         <translation>标题行中列 %1 出现两次</translation>
     </message>
     <message>
-        <source>the id '%1' is used twice</source>
+        <source>the id &apos;%1&apos; is used twice</source>
         <translation>编号“%1”被使用两次</translation>
     </message>
     <message>
-        <source>the instrument names no mesh '%1'</source>
+        <source>the instrument names no mesh &apos;%1&apos;</source>
         <translation>器械没有名为“%1”的网格</translation>
     </message>
     <message>
@@ -4272,7 +4272,7 @@
         <translation>区间</translation>
     </message>
     <message>
-        <source>the library did not take the servo's task</source>
+        <source>the library did not take the servo&apos;s task</source>
         <translation>程序库未接受伺服任务</translation>
     </message>
     <message>
@@ -4292,19 +4292,19 @@
         <translation>程序库可在本机运行</translation>
     </message>
     <message>
-        <source>the library's servo loop accepts no further task</source>
+        <source>the library&apos;s servo loop accepts no further task</source>
         <translation>程序库的伺服循环不再接受任务</translation>
     </message>
     <message>
-        <source>the library's servo loop never called</source>
+        <source>the library&apos;s servo loop never called</source>
         <translation>程序库的伺服循环从未调用</translation>
     </message>
     <message>
-        <source>the library's servo timer does not work</source>
+        <source>the library&apos;s servo timer does not work</source>
         <translation>程序库的伺服定时器不工作</translation>
     </message>
     <message>
-        <source>the line "%1..." is missing</source>
+        <source>the line &quot;%1...&quot; is missing</source>
         <translation>缺少以“%1...”开头的行</translation>
     </message>
     <message>
@@ -4332,7 +4332,7 @@
         <translation>网格没有三角形</translation>
     </message>
     <message>
-        <source>the method "%1" is not known</source>
+        <source>the method &quot;%1&quot; is not known</source>
         <translation>方法“%1”无法识别</translation>
     </message>
     <message>
@@ -4380,7 +4380,7 @@
         <translation>无法为文件包命名：%1</translation>
     </message>
     <message>
-        <source>the panel's mark lies outside the scale of the rubric</source>
+        <source>the panel&apos;s mark lies outside the scale of the rubric</source>
         <translation>专家组的评分超出评分标准的范围</translation>
     </message>
     <message>
@@ -4408,7 +4408,7 @@
         <translation>阶段为 %1，时间为 %2</translation>
     </message>
     <message>
-        <source>the physicians' marks were shown already</source>
+        <source>the physicians&apos; marks were shown already</source>
         <translation>已显示过医师的评分</translation>
     </message>
     <message>
@@ -4628,23 +4628,23 @@
         <translation>该值过长</translation>
     </message>
     <message>
-        <source>the vendor's library %1 is loaded</source>
+        <source>the vendor&apos;s library %1 is loaded</source>
         <translation>厂商程序库 %1 已加载</translation>
     </message>
     <message>
-        <source>the vendor's library %1 is there, but it needs %2, which is missing</source>
+        <source>the vendor&apos;s library %1 is there, but it needs %2, which is missing</source>
         <translation>厂商程序库 %1 存在，但缺少所需的 %2</translation>
     </message>
     <message>
-        <source>the vendor's library %1 is there, but the system refused to load it: %2</source>
+        <source>the vendor&apos;s library %1 is there, but the system refused to load it: %2</source>
         <translation>厂商程序库 %1 存在，但系统拒绝加载：%2</translation>
     </message>
     <message>
-        <source>the vendor's library does not let go of the device</source>
+        <source>the vendor&apos;s library does not let go of the device</source>
         <translation>厂商程序库未释放设备</translation>
     </message>
     <message>
-        <source>the vendor's library is not installed; looked for %1</source>
+        <source>the vendor&apos;s library is not installed; looked for %1</source>
         <translation>未安装厂商程序库；已查找 %1</translation>
     </message>
     <message>
@@ -4992,7 +4992,7 @@
         <translation>同一分数有两个锚点</translation>
     </message>
     <message>
-        <source>two columns are called "%1"</source>
+        <source>two columns are called &quot;%1&quot;</source>
         <translation>有两列都名为“%1”</translation>
     </message>
     <message>
@@ -5024,7 +5024,7 @@
         <translation>未知的标记 {{%1}}</translation>
     </message>
     <message>
-        <source>unknown unit "%1"</source>
+        <source>unknown unit &quot;%1&quot;</source>
         <translation>未知的单位“%1”</translation>
     </message>
     <message>
@@ -5086,6 +5086,14 @@
     <message>
         <source>your curriculum has no such module</source>
         <translation>您的课程没有该模块</translation>
+    </message>
+    <message>
+        <source>Free some space in the temporary folder</source>
+        <translation>请在临时文件夹中腾出一些空间</translation>
+    </message>
+    <message>
+        <source>no folder for the check can be made</source>
+        <translation>无法建立用于检查的文件夹</translation>
     </message>
 </context>
 <context>
@@ -5555,7 +5563,7 @@
         <translation>主任医师</translation>
     </message>
     <message>
-        <source>One shuffle of everybody (the paper's case)</source>
+        <source>One shuffle of everybody (the paper&apos;s case)</source>
         <translation>全体一次随机排列（论文的做法）</translation>
     </message>
     <message>
@@ -5923,7 +5931,9 @@ Only a keeper of the allocation previews, locks and draws. Whoever has the role 
     </message>
     <message numerus="yes">
         <source>%n trainee(s) allocated</source>
-        <translation><numerusform>已分组 %n 名学员</numerusform></translation>
+        <translation>
+            <numerusform>已分组 %n 名学员</numerusform>
+        </translation>
     </message>
     <message>
         <source>Open the seal</source>
@@ -6256,7 +6266,9 @@ Only a keeper of the allocation previews, locks and draws. Whoever has the role 
     </message>
     <message numerus="yes">
         <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
-        <translation><numerusform>⚠ 发现 %n 处问题。查明原因之前请勿据此记录出具报告。</numerusform></translation>
+        <translation>
+            <numerusform>⚠ 发现 %n 处问题。查明原因之前请勿据此记录出具报告。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6306,7 +6318,7 @@ Mouse: left button grips, dragging turns, the wheel moves nearer.</source>
 鼠标：左键夹持，拖动转动，滚轮前后移动。</translation>
     </message>
     <message>
-        <source>An expert's run of the same twist</source>
+        <source>An expert&apos;s run of the same twist</source>
         <translation>专家完成同一扭转的示范</translation>
     </message>
     <message>
@@ -6523,7 +6535,7 @@ MSM = 质点弹簧</translation>
         <translation>用备份取代此记录，或将记录迁移到供多个站点使用的数据库服务器。两者都会先询问并说明将要执行的操作。</translation>
     </message>
     <message>
-        <source>This record lies on a database server. Its administrator backs it up and restores it with the server's own tools.</source>
+        <source>This record lies on a database server. Its administrator backs it up and restores it with the server&apos;s own tools.</source>
         <translation>此记录位于数据库服务器上，由服务器管理员用服务器自带的工具备份和恢复。</translation>
     </message>
     <message>
@@ -7216,7 +7228,7 @@ MSM = 质点弹簧</translation>
         <translation>%1；%2</translation>
     </message>
     <message>
-        <source>Your marks beside the others'</source>
+        <source>Your marks beside the others&apos;</source>
         <translation>您的评分与他人评分对照</translation>
     </message>
     <message>
@@ -7445,7 +7457,7 @@ MSM = 质点弹簧</translation>
         <translation>最新版本</translation>
     </message>
     <message>
-        <source>No curriculum yet. Begin with the template of the paper's three arms.</source>
+        <source>No curriculum yet. Begin with the template of the paper&apos;s three arms.</source>
         <translation>尚无课程。可从论文的三组方案模板开始。</translation>
     </message>
 </context>
@@ -7465,7 +7477,9 @@ MSM = 质点弹簧</translation>
     </message>
     <message numerus="yes">
         <source>Check: %n to mend</source>
-        <translation><numerusform>检查：%n 处待改</numerusform></translation>
+        <translation>
+            <numerusform>检查：%n 处待改</numerusform>
+        </translation>
     </message>
     <message>
         <source>Exercises</source>
@@ -7504,7 +7518,9 @@ MSM = 质点弹簧</translation>
     <name>torsio::gui::DataTable</name>
     <message numerus="yes">
         <source>%n row(s)</source>
-        <translation><numerusform>%n 行</numerusform></translation>
+        <translation>
+            <numerusform>%n 行</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 of %2 rows</source>
@@ -7610,7 +7626,7 @@ MSM = 质点弹簧</translation>
         <translation>%1  ·  %2  ·  %3 秒</translation>
     </message>
     <message>
-        <source>One moment: your run is compared with what was asked for and with an expert's.</source>
+        <source>One moment: your run is compared with what was asked for and with an expert&apos;s.</source>
         <translation>请稍候：正在将您的训练与要求及专家的操作进行比较。</translation>
     </message>
     <message>
@@ -7642,7 +7658,7 @@ MSM = 质点弹簧</translation>
         <translation>本次操作没有完成任何扭转。</translation>
     </message>
     <message>
-        <source>There is no expert's run to compare with.</source>
+        <source>There is no expert&apos;s run to compare with.</source>
         <translation>没有可供比较的专家示范。</translation>
     </message>
 </context>
@@ -8147,7 +8163,9 @@ MSM = 质点弹簧</translation>
     <name>torsio::gui::FigureCanvas</name>
     <message numerus="yes">
         <source>%n row(s) more in the table</source>
-        <translation><numerusform>表中还有 %n 行</numerusform></translation>
+        <translation>
+            <numerusform>表中还有 %n 行</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8348,7 +8366,7 @@ MSM = 质点弹簧</translation>
         <translation>PostgreSQL 服务器(&amp;S)</translation>
     </message>
     <message>
-        <source>For several stations. Keep the password in the server account's password file (.pgpass), not in this line.</source>
+        <source>For several stations. Keep the password in the server account&apos;s password file (.pgpass), not in this line.</source>
         <translation>适用于多个工作站。密码请保存在账户的密码文件 (.pgpass) 中，不要写在此行。</translation>
     </message>
     <message>
@@ -8564,7 +8582,7 @@ MSM = 质点弹簧</translation>
         <translation>已保存在本机</translation>
     </message>
     <message>
-        <source>Saved on the centre's server</source>
+        <source>Saved on the centre&apos;s server</source>
         <translation>已保存在中心服务器</translation>
     </message>
     <message>
@@ -8624,7 +8642,7 @@ MSM = 质点弹簧</translation>
         <translation>真实手臂，按出场顺序。无需网络，每次点击即保存。</translation>
     </message>
     <message>
-        <source>Real arm, in running order. Every tap is saved on the centre's server; if it cannot be reached, it is said at once.</source>
+        <source>Real arm, in running order. Every tap is saved on the centre&apos;s server; if it cannot be reached, it is said at once.</source>
         <translation>真实手臂，按出场顺序。每次点按都保存到中心服务器；若无法连接，会立即提示。</translation>
     </message>
     <message>
@@ -8778,7 +8796,7 @@ MSM = 质点弹簧</translation>
         <translation>米</translation>
     </message>
     <message>
-        <source>The file's numbers are</source>
+        <source>The file&apos;s numbers are</source>
         <translation>文件中的数值单位为</translation>
     </message>
     <message>
@@ -8962,7 +8980,7 @@ MSM = 质点弹簧</translation>
         <translation>侧面</translation>
     </message>
     <message>
-        <source>Look from the patient's left side</source>
+        <source>Look from the patient&apos;s left side</source>
         <translation>从患者左侧观察</translation>
     </message>
     <message>
@@ -9177,7 +9195,7 @@ MSM = 质点弹簧</translation>
         <translation>此站点现在使用位于 %1 的记录。旧文件保持原样，请不要再使用</translation>
     </message>
     <message>
-        <source>The server's administrator makes an empty database and an account for Torsio. The password is used for this only and stored nowhere.</source>
+        <source>The server&apos;s administrator makes an empty database and an account for Torsio. The password is used for this only and stored nowhere.</source>
         <translation>请服务器管理员为 Torsio 建立一个空数据库和一个账户。密码仅用于此操作，不会保存在任何地方。</translation>
     </message>
     <message>
@@ -9185,7 +9203,7 @@ MSM = 质点弹簧</translation>
         <translation>✓ %1 在 %2 应答。数据库为空：可以将记录迁移到那里。</translation>
     </message>
     <message>
-        <source>✓ %1 answers at %2. Torsio's tables are there and empty: the record can go there.</source>
+        <source>✓ %1 answers at %2. Torsio&apos;s tables are there and empty: the record can go there.</source>
         <translation>✓ %1 在 %2 应答。Torsio 的表已存在且为空：可以将记录迁移到那里。</translation>
     </message>
     <message>
@@ -9217,7 +9235,7 @@ MSM = 质点弹簧</translation>
         <translation>此后该站点使用那份记录，所有人用那份记录中的登录名和密码登录。这里的记录保持原样，不再使用。</translation>
     </message>
     <message>
-        <source>Torsio stores no password. For this station put the line below, with the real password in place of the last word, into the password file of this computer's account: .pgpass in the home folder, readable by the account only (on Windows %APPDATA%\postgresql\pgpass.conf). Then switch.</source>
+        <source>Torsio stores no password. For this station put the line below, with the real password in place of the last word, into the password file of this computer&apos;s account: .pgpass in the home folder, readable by the account only (on Windows %APPDATA%\postgresql\pgpass.conf). Then switch.</source>
         <translation>Torsio 不保存密码。请将下面一行（把最后一个词换成真实密码）写入本机账户的密码文件：主目录中的 .pgpass，仅该账户可读（Windows 上为 %APPDATA%\postgresql\pgpass.conf），然后切换。</translation>
     </message>
     <message>
@@ -9491,7 +9509,9 @@ MSM = 质点弹簧</translation>
     </message>
     <message numerus="yes">
         <source>Take %n</source>
-        <translation><numerusform>选取 %n 人</numerusform></translation>
+        <translation>
+            <numerusform>选取 %n 人</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9578,7 +9598,7 @@ MSM = 质点弹簧</translation>
         <translation>您的待评列表</translation>
     </message>
     <message>
-        <source>Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, and you see nobody's.</source>
+        <source>Cases are blinded and shuffled for you alone. Nobody sees your marks before all have submitted, and you see nobody&apos;s.</source>
         <translation>案例已盲化，并为您单独打乱顺序。在所有人提交之前，没有人能看到您的评分，您也看不到他人的评分。</translation>
     </message>
     <message>
@@ -9821,7 +9841,9 @@ MSM = 质点弹簧</translation>
     </message>
     <message numerus="yes">
         <source>%1, %n late</source>
-        <translation><numerusform>%1，延迟 %n 步</numerusform></translation>
+        <translation>
+            <numerusform>%1，延迟 %n 步</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 /s</source>
@@ -9919,7 +9941,7 @@ MSM = 质点弹簧</translation>
         <translation>您的自评与 %1 位医师的平均分。</translation>
     </message>
     <message>
-        <source>Your marks are kept. The physicians' marks appear when they are released.</source>
+        <source>Your marks are kept. The physicians&apos; marks appear when they are released.</source>
         <translation>您的自评已保存。医师评分发布后会显示。</translation>
     </message>
     <message>
@@ -10049,7 +10071,9 @@ MSM = 质点弹簧</translation>
     <name>torsio::gui::ReportPreview</name>
     <message numerus="yes">
         <source>%n row(s) more in the report</source>
-        <translation><numerusform>报告中还有 %n 行</numerusform></translation>
+        <translation>
+            <numerusform>报告中还有 %n 行</numerusform>
+        </translation>
     </message>
     <message>
         <source>Demonstration data: nothing in it is a result.</source>
@@ -10762,7 +10786,9 @@ MSM = 质点弹簧</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
-        <translation><numerusform>另有 %n 条</numerusform></translation>
+        <translation>
+            <numerusform>另有 %n 条</numerusform>
+        </translation>
     </message>
     <message>
         <source>! does not answer</source>
@@ -11174,7 +11200,9 @@ MSM = 质点弹簧</translation>
     </message>
     <message numerus="yes">
         <source>%n sheet(s) asked for</source>
-        <translation><numerusform>已发出 %n 份评分表</numerusform></translation>
+        <translation>
+            <numerusform>已发出 %n 份评分表</numerusform>
+        </translation>
     </message>
     <message>
         <source>The third rater finds the case in their queue</source>
@@ -11236,7 +11264,7 @@ MSM = 质点弹簧</translation>
         <translation>分，与专家组之差：您较宽松。</translation>
     </message>
     <message>
-        <source>95 % interval %1 to %2; cases: %3. Your mean is %4, the others' %5.</source>
+        <source>95 % interval %1 to %2; cases: %3. Your mean is %4, the others&apos; %5.</source>
         <translation>95 % 区间 %1 至 %2；案例数：%3。您的均分 %4，他人 %5。</translation>
     </message>
     <message>
@@ -11276,11 +11304,11 @@ MSM = 质点弹簧</translation>
         <translation>您与专家组</translation>
     </message>
     <message>
-        <source>Your mark (upwards) against the panel's mean</source>
+        <source>Your mark (upwards) against the panel&apos;s mean</source>
         <translation>您的评分（纵轴）与专家组均分</translation>
     </message>
     <message>
-        <source>Your marks and the panel's, case by case</source>
+        <source>Your marks and the panel&apos;s, case by case</source>
         <translation>逐案例的您与专家组评分</translation>
     </message>
     <message>
@@ -11307,7 +11335,7 @@ MSM = 质点弹簧</translation>
 <context>
     <name>torsio::gui::SeverityPlot</name>
     <message>
-        <source>Your marks against the panel's</source>
+        <source>Your marks against the panel&apos;s</source>
         <translation>您的评分与专家组对照</translation>
     </message>
     <message>
@@ -11393,7 +11421,9 @@ MSM = 质点弹簧</translation>
     </message>
     <message numerus="yes">
         <source>%n recording(s) of this station could not be stored</source>
-        <translation><numerusform>本工作站有 %n 份记录未能存入数据库</numerusform></translation>
+        <translation>
+            <numerusform>本工作站有 %n 份记录未能存入数据库</numerusform>
+        </translation>
     </message>
     <message>
         <source>The files are kept. Please show this to your administrator</source>
@@ -12218,11 +12248,11 @@ Leave it empty to remove it.</source>
         <translation>使用之前，由专家组共同给出评分。已添加的操作不再移除，使每位医师都用同样的操作热身。</translation>
     </message>
     <message>
-        <source>Every physician scores these runs before the first real case and sees how far the own mark is from the panel's. Two are usual: one weak, one good.</source>
+        <source>Every physician scores these runs before the first real case and sees how far the own mark is from the panel&apos;s. Two are usual: one weak, one good.</source>
         <translation>每位医师在第一个正式病例之前为这些操作评分，并看到自己与专家组的差距。通常为两个：一个较差，一个较好。</translation>
     </message>
     <message>
-        <source>Every physician scores these runs before the first real case and sees how far the own mark is from the panel's.</source>
+        <source>Every physician scores these runs before the first real case and sees how far the own mark is from the panel&apos;s.</source>
         <translation>每位医师在第一个正式病例之前为这些操作评分，并看到自己与专家组的差距。</translation>
     </message>
     <message>
@@ -12277,7 +12307,7 @@ Leave it empty to remove it.</source>
         <translation>前往队列</translation>
     </message>
     <message>
-        <source>Score first; then the panel's mark is shown.</source>
+        <source>Score first; then the panel&apos;s mark is shown.</source>
         <translation>请先评分，然后显示专家组的评分。</translation>
     </message>
     <message>

@@ -258,6 +258,7 @@ void ExerciseEditor::showPlaces(const StoredModule& module) {
 
 void ExerciseEditor::showPrerequisites(const StoredModule& module) {
   after_->clear();
+  after_->setProperty("checkable", true);  // the look: a check mark stands at the item's very edge
   const auto offer = [this](const QString& text, const std::string& code, bool required) {
     auto* item = new QListWidgetItem(text, after_);
     item->setData(Qt::UserRole, shown(code));

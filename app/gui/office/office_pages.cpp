@@ -20,7 +20,6 @@
 #include "app/gui/office/run_day_page.h"
 #include "app/gui/office/scoring_page.h"
 #include "app/gui/office/users_page.h"
-#include "app/session/care/database_care.h"
 
 namespace torsio::gui {
 
@@ -39,13 +38,6 @@ ScreenEntry screen(const char* name, const char* page, std::function<void(Page&)
           QString::fromLatin1(page),
           {},
           std::move(prepare)};
-}
-
-/// A backup to show the restore with.
-QVariant someBackup(Workplace& workplace) {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "torsio-backup.sqlite";
-  backUpDatabase(workplace, file);
-  return QString::fromStdString(file.string());
 }
 
 }  // namespace
@@ -112,8 +104,7 @@ std::vector<ScreenEntry> officeScreens() {
       screen("office-users", "office.users"),
       screen("office-audit", "office.audit"),
       screen("office-care", "office.care"),
-      {QStringLiteral("office-restore"), QStringLiteral("administrator"), QStringLiteral("office.restore"),
-       someBackup, [](Page& page) { dynamic_cast<RestorePage&>(page).settle(); }},
+      screen("office-restore", "office.restore"),
       screen("office-move", "office.move",
              [](Page& page) {
                dynamic_cast<MovePage&>(page).setAddress(

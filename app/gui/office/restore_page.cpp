@@ -108,10 +108,6 @@ void RestorePage::enter(const QVariant& argument) {
   check();
 }
 
-void RestorePage::settle() {
-  shell().waitForJobs();
-}
-
 void RestorePage::choose() {
   const QString chosen =
       QFileDialog::getOpenFileName(this, tr("Choose a backup"), file_->text(), tr("Backup (*.sqlite)"));

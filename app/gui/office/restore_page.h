@@ -28,8 +28,6 @@ class RestorePage : public Page {
   void enter(const QVariant& argument) override;
   void retranslate() override;
 
-  /// Waits for what runs.
-  void settle();
   [[nodiscard]] QLineEdit& file() const noexcept { return *file_; }
   [[nodiscard]] QLineEdit& word() const noexcept { return *word_; }
   [[nodiscard]] QPushButton& checkButton() const noexcept { return *check_; }

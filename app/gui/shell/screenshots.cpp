@@ -195,8 +195,10 @@ void takePage(Photographer& photographer, const Cast& cast, const std::filesyste
     desk->setAutoFillBackground(true);
     desk->show();
     desk->open(screen.pageId, screen.argument ? screen.argument(*workplace) : QVariant());
+    desk->context().waitForJobs();
     settle(*desk);
     if (screen.prepare && desk->page() != nullptr) screen.prepare(*desk->page());
+    desk->context().waitForJobs();
     return desk;
   });
 }
