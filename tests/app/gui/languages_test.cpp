@@ -50,8 +50,7 @@ bool staysAsItIs(const QString& text) {
 bool passes(const QString& text) {
   static const QRegularExpression kPassing(
       QStringLiteral("^(Opening .*|Draft found and opened|The recording is being opened.*|On target\\..*|: "
-                     ".*|A run is going on at .*|"
-                     "Let the run come to its end.*)$"));
+                     ".*)$"));
   return kPassing.match(text).hasMatch();
 }
 
@@ -157,8 +156,9 @@ QStringList withoutNumbers(QStringList texts) {
 }
 
 void retranslated() {
-  QCoreApplication::sendPostedEvents();
   QCoreApplication::processEvents();
+  // What a timer has just said is laid out too, from the inside outwards.
+  for (int depth = 0; depth < 4; ++depth) QCoreApplication::sendPostedEvents();
 }
 
 using Findings = std::map<QString, std::set<QString>>;
@@ -166,16 +166,11 @@ using Findings = std::map<QString, std::set<QString>>;
 /// One walk over all screens: each opened in English, then switched to Chinese and to the pseudo language.
 class Walk {
  public:
-  static const Walk& once() {
-    static const Walk kWalk;
-    return kWalk;
-  }
   Findings switched;  // texts that a Chinese reader meets
   Findings stuck;     // texts that do not come back in English
   Findings cut;       // pseudo language
   int screens = 0;
 
- private:
   Walk() {
     ScreenshotsRequest request;
     request.assets = TORSIO_SOURCE_DIR "/assets";
@@ -186,6 +181,7 @@ class Walk {
     takeAllScreenshots(request);
   }
 
+ private:
   void look(const QString& name, QWidget& window) {
     ++screens;
     const QStringList before = withoutNumbers(seenTexts(window));
@@ -221,14 +217,14 @@ std::string told(const Findings& findings) {
   return all.toStdString();
 }
 
-TEST(EveryScreen, IsChineseAfterALiveSwitchAndEnglishAgain) {
-  EXPECT_GT(Walk::once().screens, 30);
-  EXPECT_TRUE(Walk::once().switched.empty()) << told(Walk::once().switched);
-  EXPECT_TRUE(Walk::once().stuck.empty()) << told(Walk::once().stuck);
-}
+/// One test, since the walk takes most of a minute.
+TEST(EveryScreen, IsChineseAfterALiveSwitchEnglishAgainAndHasRoomForALongerLanguage) {
+  const Walk walk;
 
-TEST(EveryScreen, HasRoomForALongerLanguage) {
-  EXPECT_TRUE(Walk::once().cut.empty()) << told(Walk::once().cut);
+  EXPECT_GT(walk.screens, 30);
+  EXPECT_TRUE(walk.switched.empty()) << told(walk.switched);
+  EXPECT_TRUE(walk.stuck.empty()) << told(walk.stuck);
+  EXPECT_TRUE(walk.cut.empty()) << told(walk.cut);
 }
 
 TEST(ServiceTexts, AllHaveAChineseSentence) {
