@@ -88,6 +88,7 @@ ExerciseEditor::ExerciseEditor(std::filesystem::path assets, StoredCurriculumVer
       removeRule_(new QPushButton) {
   list_->setObjectName(QStringLiteral("exercises"));
   after_->setObjectName(QStringLiteral("prerequisites"));
+  after_->setProperty("checkable", true);  // the look: a check mark stands at the item's very edge
   mastery_->setObjectName(QStringLiteral("mastery"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -258,7 +259,6 @@ void ExerciseEditor::showPlaces(const StoredModule& module) {
 
 void ExerciseEditor::showPrerequisites(const StoredModule& module) {
   after_->clear();
-  after_->setProperty("checkable", true);  // the look: a check mark stands at the item's very edge
   const auto offer = [this](const QString& text, const std::string& code, bool required) {
     auto* item = new QListWidgetItem(text, after_);
     item->setData(Qt::UserRole, shown(code));
