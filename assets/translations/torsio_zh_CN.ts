@@ -1720,6 +1720,10 @@
         <translation>前臂：旋后 60 度（更精确）</translation>
     </message>
     <message>
+        <source>Free some space in the temporary folder</source>
+        <translation>请清理临时文件夹的空间</translation>
+    </message>
+    <message>
         <source>Free some space on the disk</source>
         <translation>请清理磁盘空间</translation>
     </message>
@@ -3614,6 +3618,10 @@
     <message>
         <source>no folder &apos;scenes&apos; in it</source>
         <translation>其中没有文件夹“scenes”</translation>
+    </message>
+    <message>
+        <source>no folder for the check can be made</source>
+        <translation>无法创建用于检查的文件夹</translation>
     </message>
     <message>
         <source>no haptic device could be opened: %1</source>

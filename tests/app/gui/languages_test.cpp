@@ -201,8 +201,8 @@ class Walk {
     }
     PseudoTranslator pseudo;
     QCoreApplication::installTranslator(&pseudo);
-    retranslated();
-    retranslated();
+    // A layout hands its new height to the layout above it in the next round.
+    for (int round = 0; round < 6; ++round) retranslated();
     for (const QString& text : cutTexts(window)) cut[name].insert(text);
     QCoreApplication::removeTranslator(&pseudo);
     retranslated();
