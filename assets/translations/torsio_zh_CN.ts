@@ -5095,14 +5095,6 @@
         <source>your curriculum has no such module</source>
         <translation>您的课程没有该模块</translation>
     </message>
-    <message>
-        <source>Free some space in the temporary folder</source>
-        <translation>请在临时文件夹中腾出一些空间</translation>
-    </message>
-    <message>
-        <source>no folder for the check can be made</source>
-        <translation>无法建立用于检查的文件夹</translation>
-    </message>
 </context>
 <context>
     <name>StationPages</name>
