@@ -67,12 +67,12 @@ WarmUpPage::WarmUpPage(ShellContext& shell, QWidget* parent)
   resultCard_->content()->addWidget(result_);
   resultCard_->content()->addWidget(sum_);
   right->addWidget(resultCard_);
-  auto* scroll = new QScrollArea(rubricCard_);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(anchors_);
-  rubricCard_->content()->addWidget(scroll);
+  anchorsArea_ = new QScrollArea(rubricCard_);
+  anchorsArea_->setWidgetResizable(true);
+  anchorsArea_->setFrameShape(QFrame::NoFrame);
+  anchorsArea_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  anchorsArea_->setWidget(anchors_);
+  rubricCard_->content()->addWidget(anchorsArea_);
   right->addWidget(rubricCard_, 1);
   right->addStretch(0);
   row->addLayout(right, 2);
@@ -248,6 +248,7 @@ void WarmUpPage::retranslate() {
   compare_->setToolTip(tr("Ctrl+Enter"));
   resultCard_->setTitle(tr("Your offset"));
   rubricCard_->setTitle(tr("What the rubric asks for"));
+  anchorsArea_->setAccessibleName(tr("What the rubric asks for"));
   replay_->retranslate();
   sheet_->retranslate();
   showRuns();

@@ -11,6 +11,7 @@ class QButtonGroup;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 
 namespace torsio::gui {
 
@@ -60,6 +61,7 @@ class WarmUpPage : public Page {
   QLabel* result_;
   QLabel* sum_;
   Card* rubricCard_;
+  QScrollArea* anchorsArea_;
   QLabel* anchors_;
   WarmUp warmUp_;
   std::size_t number_ = 0;
