@@ -9,7 +9,6 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QElapsedTimer>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -23,6 +22,7 @@
 #include "app/gui/exercise_panel.h"
 #include "app/gui/film_strip.h"
 #include "app/gui/look/card.h"
+#include "app/gui/look/file_choice.h"
 #include "app/gui/look/form.h"
 #include "app/gui/picture.h"
 #include "app/gui/shell/shell_context.h"
@@ -196,8 +196,8 @@ void ComparePage::captureFilmStrip() {
     shell().notify(tr("There is no picture to capture here"));
     return;
   }
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save film strip"), tr("film-strip.png"),
-                                                    tr("PNG pictures (*.png)"));
+  const QString file =
+      askFileToSave(this, tr("Save film strip"), tr("film-strip.png"), tr("PNG pictures (*.png)"));
   if (file.isEmpty()) return;
   const double before_Nm = torque_Nm_;
   std::vector<std::vector<StripFrame>> rows(sides_.size());

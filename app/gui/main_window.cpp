@@ -7,7 +7,6 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDateTime>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QLabel>
@@ -21,6 +20,7 @@
 
 #include "app/gui/asset_names.h"
 #include "app/gui/exercise_panel.h"
+#include "app/gui/look/file_choice.h"
 #include "app/gui/pointer_controls.h"
 #include "app/gui/readout_panel.h"
 #include "app/gui/replay_bar.h"
@@ -393,9 +393,8 @@ void MainWindow::lookWhole() {
 }
 
 void MainWindow::chooseOrganFile() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Open organ"), QString(),
-                                   tr("Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)"));
+  const QString file = askFileToOpen(
+      this, tr("Open organ"), tr("Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)"));
   if (file.isEmpty()) return;
   const QStringList units{tr("millimetres"), tr("centimetres"), tr("metres")};
   const double scales_m[] = {0.001, 0.01, 1.0};

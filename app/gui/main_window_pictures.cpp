@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures and film strips of what the window shows.
-#include <QFileDialog>
 #include <QLocale>
 
+#include "app/gui/look/file_choice.h"
 #include "app/gui/main_window.h"
 #include "app/gui/picture.h"
 #include "app/gui/shell/spoken.h"
@@ -11,8 +11,7 @@
 namespace torsio::gui {
 
 void MainWindow::choosePicture() {
-  const QString file =
-      QFileDialog::getSaveFileName(this, tr("Save picture"), tr("torsio.png"), tr("PNG pictures (*.png)"));
+  const QString file = askFileToSave(this, tr("Save picture"), tr("torsio.png"), tr("PNG pictures (*.png)"));
   if (file.isEmpty()) return;
   savePicture(view_->picture(), file);
 }
@@ -36,8 +35,8 @@ void MainWindow::chooseFilmStrip() {
     Q_EMIT controller_->noticed(tr("Stop the recording before you save a film strip."));
     return;
   }
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save film strip"), tr("film-strip.png"),
-                                                    tr("PNG pictures (*.png)"));
+  const QString file =
+      askFileToSave(this, tr("Save film strip"), tr("film-strip.png"), tr("PNG pictures (*.png)"));
   if (file.isEmpty()) return;
   const std::vector<StripFrame> frames =
       controller_->playback() != nullptr

@@ -231,7 +231,7 @@ DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& id
   PeopleRepository people(connection);
   StudyRepository studies(connection);
   DemonstrationStudy study;
-  studies.setCentre({ids.newUuid(), "Demonstration centre (simulated)", utc_us, true});
+  if (!studies.centre()) studies.setCentre({ids.newUuid(), "Demonstration centre (simulated)", utc_us, true});
   std::vector<StoredRaterClass> classes;
   for (const ClassOfRaters& c : kClasses) {
     classes.push_back({c.code, c.label, static_cast<std::int64_t>(classes.size() + 1)});

@@ -59,15 +59,27 @@ bool AccessRepository::allowed(const std::string& userId, const std::string& ope
   return row.step() && row.int64(0) > 0;
 }
 
-void AccessRepository::addUser(const StoredUser& user, const std::string& password) {
-  checkPassword(password, user.login);
-  const std::string hash = hashPassword(password, cost_);
+SealedSecret AccessRepository::sealPassword(const std::string& login, const std::string& password) const {
+  checkPassword(password, login);
+  return {hashPassword(password, cost_)};
+}
+
+SealedSecret AccessRepository::sealPin(const std::string& pin) const {
+  if (pin.empty()) return {};
+  if (pin.size() < static_cast<std::size_t>(kShortestPin)) {
+    throw Error(ErrorCode::kBadParameter, Text("the PIN is shorter than %1 digits", kShortestPin), "PIN",
+                "Take a longer one");
+  }
+  return {hashPassword(pin, cost_)};
+}
+
+void AccessRepository::addUser(const StoredUser& user, const SealedSecret& password) {
   Transaction transaction(connection_);
   connection_.execute(
       "INSERT INTO app_user (id, login, person_id, password_hash, must_change_password, state, failed_count,"
       " locked_until_utc_us, created_utc_us, demonstration) VALUES (?, ?, ?, ?, ?, ?, 0, 0, ?, ?)",
-      {user.id, user.login, textOrNull(user.personId), hash, true, user.active ? "active" : "disabled",
-       user.createdUtc_us, user.demonstration});
+      {user.id, user.login, textOrNull(user.personId), password.hash, true,
+       user.active ? "active" : "disabled", user.createdUtc_us, user.demonstration});
   insertRoles(connection_, user.id, user.roles);
   transaction.commit();
 }
@@ -156,23 +168,15 @@ SignInResult AccessRepository::signInForPractice(const std::string& login, const
   return check(login, pin, true, now_us);
 }
 
-void AccessRepository::setPassword(const std::string& userId, const std::string& password, bool mustChange) {
-  Statement row = connection_.prepare("SELECT login FROM app_user WHERE id = ?");
-  row.execute({userId});
-  checkPassword(password, row.step() ? row.text(0) : "");
+void AccessRepository::setPassword(const std::string& userId, const SealedSecret& password, bool mustChange) {
   connection_.execute(
       "UPDATE app_user SET password_hash = ?, must_change_password = ?, failed_count = 0,"
       " locked_until_utc_us = 0 WHERE id = ?",
-      {hashPassword(password, cost_), mustChange, userId});
+      {password.hash, mustChange, userId});
 }
 
-void AccessRepository::setPin(const std::string& userId, const std::string& pin) {
-  if (!pin.empty() && pin.size() < static_cast<std::size_t>(kShortestPin)) {
-    throw Error(ErrorCode::kBadParameter, Text("the PIN is shorter than %1 digits", kShortestPin), "PIN",
-                "Take a longer one");
-  }
-  connection_.execute("UPDATE app_user SET pin_hash = ? WHERE id = ?",
-                      {pin.empty() ? Value() : Value(hashPassword(pin, cost_)), userId});
+void AccessRepository::setPin(const std::string& userId, const SealedSecret& pin) {
+  connection_.execute("UPDATE app_user SET pin_hash = ? WHERE id = ?", {textOrNull(pin.hash), userId});
 }
 
 }  // namespace torsio

@@ -44,6 +44,11 @@ struct SignInResult {
 inline constexpr std::int64_t kFreeFailures = 3;
 inline constexpr std::int64_t kLongestWait_us = 900'000'000;
 
+/// A password or PIN as it is stored; empty: none.
+struct SealedSecret {
+  std::string hash{};
+};
+
 /// Users, roles, and the matrix role x operation (data of the migration). Default deny.
 class AccessRepository {
  public:
@@ -57,19 +62,27 @@ class AccessRepository {
   /// Whether one of the user's roles has the operation; unknown and disabled users may nothing.
   [[nodiscard]] bool allowed(const std::string& userId, const std::string& operation);
 
-  /// The password must be changed at the first sign-in. Throws Error (kBadParameter) for a weak password.
-  void addUser(const StoredUser& user, const std::string& password);
+  /// Sealing takes about a second on purpose: do it before a transaction begins, or everybody else waits for
+  /// the database meanwhile. Throw Error (kBadParameter) for a weak secret; an empty PIN is none.
+  [[nodiscard]] SealedSecret sealPassword(const std::string& login, const std::string& password) const;
+  [[nodiscard]] SealedSecret sealPin(const std::string& pin) const;
+
+  /// The password must be changed at the first sign-in.
+  void addUser(const StoredUser& user, const SealedSecret& password);
+  void addUser(const StoredUser& user, const std::string& password) {
+    addUser(user, sealPassword(user.login, password));
+  }
   [[nodiscard]] std::vector<StoredUser> users();
   void setRoles(const std::string& userId, const std::vector<std::string>& roles);
   void setActive(const std::string& userId, bool active);
 
   [[nodiscard]] SignInResult signIn(const std::string& login, const std::string& password,
                                     std::int64_t now_us);
-  /// Own change, or a reset by an administrator (`mustChange`). Ends any wait. Throws Error (kBadParameter).
-  void setPassword(const std::string& userId, const std::string& password, bool mustChange);
+  /// Own change, or a reset by an administrator (`mustChange`). Ends any wait.
+  void setPassword(const std::string& userId, const SealedSecret& password, bool mustChange);
 
-  /// A station PIN opens practice without a record and nothing else; empty removes it.
-  void setPin(const std::string& userId, const std::string& pin);
+  /// A station PIN opens practice without a record and nothing else; none removes it.
+  void setPin(const std::string& userId, const SealedSecret& pin);
   [[nodiscard]] SignInResult signInForPractice(const std::string& login, const std::string& pin,
                                                std::int64_t now_us);
 

@@ -109,7 +109,7 @@ TEST_F(AccessRepositoryTest, AsksForANewPasswordAtTheFirstSignIn) {
   repository.addUser(anna(), kPassword);
   EXPECT_EQ(repository.signIn("anna", kPassword, kSampleTime_us).outcome, SignIn::kMustChange);
 
-  repository.setPassword("u1", "a sentence of her own", false);
+  repository.setPassword("u1", repository.sealPassword("u1", "a sentence of her own"), false);
 
   EXPECT_EQ(repository.signIn("anna", kPassword, kSampleTime_us).outcome, SignIn::kWrong);
   const SignInResult result = repository.signIn("anna", "a sentence of her own", kSampleTime_us);
@@ -181,8 +181,8 @@ TEST_F(AccessRepositoryTest, APinOpensPracticeOnly) {
   AccessRepository repository = access(connection);
   repository.addUser(anna(), kPassword);
   EXPECT_EQ(repository.signInForPractice("anna", "4711", 0).outcome, SignIn::kWrong);
-  EXPECT_EQ(refusalFrom([&] { repository.setPin("u1", "123"); }).code, ErrorCode::kBadParameter);
-  repository.setPin("u1", "4711");
+  EXPECT_EQ(refusalFrom([&] { (void)repository.sealPin("123"); }).code, ErrorCode::kBadParameter);
+  repository.setPin("u1", repository.sealPin("4711"));
 
   EXPECT_EQ(repository.signInForPractice("anna", "4711", 0).outcome, SignIn::kOk);
   EXPECT_EQ(repository.signIn("anna", "4711", 0).outcome, SignIn::kWrong);

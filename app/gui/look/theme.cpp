@@ -171,6 +171,7 @@ QTableView, QTreeView, QListView { background: %surface; alternate-background-co
   selection-color: %onAccent; }
 QTableView::item, QListView::item, QTreeView::item { padding: 4px 8px; }
 QListView[checkable="true"]::item { padding: 4px 0; }
+QFileDialog QTreeView::item, QFileDialog QListView::item { padding: 4px 0; }
 QHeaderView { background: %window; border: none; }
 QHeaderView::section { background: %window; color: %quietText; border: none; border-bottom: 1px solid %line;
   padding: 7px 8px; font-weight: 600; }

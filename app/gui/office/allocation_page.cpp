@@ -3,7 +3,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -14,10 +13,11 @@
 
 #include "app/gui/look/card.h"
 #include "app/gui/look/data_table.h"
+#include "app/gui/look/file_choice.h"
 #include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/office/office_parts.h"
-#include "app/gui/office/sealed_cards.h"
+#include "app/gui/office/printed_cards.h"
 #include "app/gui/office/study_words.h"
 #include "app/gui/office/user_dialogs.h"
 #include "app/gui/shell/shell_context.h"
@@ -315,7 +315,7 @@ bool AllocationPage::writeCards(const std::filesystem::path& file) {
 
 void AllocationPage::askCards() {
   const QString file =
-      QFileDialog::getSaveFileName(this, tr("Sealed cards"), QStringLiteral("cards.pdf"), tr("PDF (*.pdf)"));
+      askFileToSave(this, tr("Sealed cards"), QStringLiteral("cards.pdf"), tr("PDF (*.pdf)"));
   if (!file.isEmpty()) writeCards(std::filesystem::path(file.toStdString()));
 }
 

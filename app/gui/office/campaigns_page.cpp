@@ -56,13 +56,13 @@ void CampaignsPage::show() {
       models << tr("%1 (shown as %2)").arg(shown(model.label), shown(model.hiddenLabel));
     rows.push_back({shown(row.campaign.id),
                     {{shown(row.campaign.name)},
-                     {models.join(QStringLiteral(", "))},
                      {QString::number(row.raters.size()), static_cast<qlonglong>(row.raters.size())},
                      {tr("%1 of %2").arg(row.marksSubmitted).arg(row.marksExpected),
                       static_cast<qlonglong>(row.marksSubmitted)},
                      {row.campaign.demonstration ? tr("demonstration") : QStringLiteral("\u2013")},
                      {shownTime(row.campaign.createdUtc_us, locale()),
-                      static_cast<qlonglong>(row.campaign.createdUtc_us)}}});
+                      static_cast<qlonglong>(row.campaign.createdUtc_us)},
+                     {models.join(QStringLiteral(", "))}}});
   }
   table_->setRows(std::move(rows));
   showRaters();
@@ -111,7 +111,7 @@ void CampaignsPage::retranslate() {
                                                     "letters, not names, in an order of their own."));
   add_->setText(tr("&New evaluation\u2026"));
   table_->setColumns(
-      {{tr("Name")}, {tr("Models")}, {tr("Raters"), true}, {tr("Marks"), true}, {tr("Kind")}, {tr("Since")}});
+      {{tr("Name")}, {tr("Raters"), true}, {tr("Marks"), true}, {tr("Kind")}, {tr("Since")}, {tr("Models")}});
   table_->setEmptyText(
       tr("No evaluation yet. An evaluation asks raters of three classes to score models on nine indices."));
   raters_->setColumns({{tr("Rater")}, {tr("Class")}, {tr("Marks"), true}, {tr("State")}});

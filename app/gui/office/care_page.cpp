@@ -5,7 +5,6 @@
 #include <array>
 
 #include <QDate>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -18,6 +17,7 @@
 
 #include "app/gui/look/card.h"
 #include "app/gui/look/data_table.h"
+#include "app/gui/look/file_choice.h"
 #include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/office/office_parts.h"
@@ -267,13 +267,12 @@ bool CarePage::removeDemonstration(const std::string& reason) {
 
 void CarePage::askBackUp() {
   const QString name = QStringLiteral("torsio-%1.sqlite").arg(QDate::currentDate().toString(Qt::ISODate));
-  const QString file = QFileDialog::getSaveFileName(this, tr("Back up to"), name, tr("Backup (*.sqlite)"));
+  const QString file = askFileToSave(this, tr("Back up to"), name, tr("Backup (*.sqlite)"));
   if (!file.isEmpty()) backUp(std::filesystem::path(file.toStdString()));
 }
 
 void CarePage::askTest() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Test a backup"), QString(), tr("Backup (*.sqlite)"));
+  const QString file = askFileToOpen(this, tr("Test a backup"), tr("Backup (*.sqlite)"));
   if (!file.isEmpty()) testBackup(std::filesystem::path(file.toStdString()));
 }
 

@@ -145,6 +145,7 @@ void FormTexts::title(QFormLayout* form, const char* source) {
   QLabel* label = add(nullptr, source);
   label->setObjectName(QStringLiteral("cardTitle"));
   label->setContentsMargins(0, kSpace, 0, 0);
+  label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   form->addRow(label);
 }
 

@@ -275,9 +275,9 @@ void ExerciseEditor::showPrerequisites(const StoredModule& module) {
   for (const std::string& code : required)
     if (code == module.code || std::find(known.begin(), known.end(), code) == known.end())
       offer(tr("%1  (no such exercise any more)").arg(shown(code)), code, true);
-  constexpr int kMostRows = 3;
+  constexpr int kMostRows = 3;  // in a low window; a high one shows more
   const int rows = std::clamp(after_->count(), 1, kMostRows);
-  after_->setFixedHeight(rows * std::max(after_->sizeHintForRow(0), 3 * kSpace) + 2 * kSpace);
+  after_->setMinimumHeight(rows * std::max(after_->sizeHintForRow(0), 3 * kSpace) + 2 * kSpace);
 }
 
 void ExerciseEditor::showMastery(const StoredModule& module) {

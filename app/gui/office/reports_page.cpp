@@ -3,7 +3,6 @@
 
 #include <QApplication>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QInputDialog>
 #include <QLabel>
@@ -12,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "app/gui/look/file_choice.h"
 #include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/office/office_parts.h"
@@ -188,9 +188,8 @@ void ReportsPage::askExport(ReportFormat format) {
   const bool pdf = format == ReportFormat::kPdf;
   const QString suggestion = QStringLiteral("%1.%2").arg(cohort_->currentText(),
                                                          pdf ? QStringLiteral("pdf") : QStringLiteral("csv"));
-  const QString file =
-      QFileDialog::getSaveFileName(this, pdf ? tr("Save report") : tr("Save table of numbers"), suggestion,
-                                   pdf ? tr("PDF (*.pdf)") : tr("Table, comma-separated (*.csv)"));
+  const QString file = askFileToSave(this, pdf ? tr("Save report") : tr("Save table of numbers"), suggestion,
+                                     pdf ? tr("PDF (*.pdf)") : tr("Table, comma-separated (*.csv)"));
   if (!file.isEmpty()) exportTo(format, std::filesystem::path(file.toStdString()));
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <utility>
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -14,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/look/card.h"
+#include "app/gui/look/file_choice.h"
 #include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/office/office_parts.h"
@@ -109,8 +109,7 @@ void RestorePage::enter(const QVariant& argument) {
 }
 
 void RestorePage::choose() {
-  const QString chosen =
-      QFileDialog::getOpenFileName(this, tr("Choose a backup"), file_->text(), tr("Backup (*.sqlite)"));
+  const QString chosen = askFileToOpen(this, tr("Choose a backup"), tr("Backup (*.sqlite)"), file_->text());
   if (chosen.isEmpty()) return;
   file_->setText(chosen);
   check();

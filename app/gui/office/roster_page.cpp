@@ -7,11 +7,11 @@
 #include <utility>
 
 #include <QCheckBox>
-#include <QFileDialog>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "app/gui/look/data_table.h"
+#include "app/gui/look/file_choice.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/office/person_dialog.h"
 #include "app/gui/office/roster_wizard.h"
@@ -208,7 +208,7 @@ void RosterPage::switchState() {
 
 void RosterPage::exportList() {
   const bool withNames = names_->isChecked();
-  const QString file = QFileDialog::getSaveFileName(
+  const QString file = askFileToSave(
       this, withNames ? tr("Export with names") : tr("Export under codes"),
       withNames ? QStringLiteral("people-named.csv") : QStringLiteral("people.csv"), tr("Tables (*.csv)"));
   if (file.isEmpty()) return;

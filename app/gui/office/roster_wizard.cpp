@@ -7,7 +7,6 @@
 
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -19,6 +18,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/look/data_table.h"
+#include "app/gui/look/file_choice.h"
 #include "app/gui/look/form.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/shell/shell_context.h"
@@ -215,14 +215,13 @@ bool RosterFilePage::validatePage() {
 }
 
 void RosterFilePage::choose() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Roster"), {}, tr("Tables (*.csv *.txt *.tsv);;All files (*)"));
+  const QString file = askFileToOpen(this, tr("Roster"), tr("Tables (*.csv *.txt *.tsv);;All files (*)"));
   if (!file.isEmpty()) path_->setText(file);
 }
 
 void RosterFilePage::saveTemplate() {
-  const QString file = QFileDialog::getSaveFileName(this, tr("Empty template"), QStringLiteral("roster.csv"),
-                                                    tr("Tables (*.csv)"));
+  const QString file =
+      askFileToSave(this, tr("Empty template"), QStringLiteral("roster.csv"), tr("Tables (*.csv)"));
   if (file.isEmpty()) return;
   try {
     writeFileAtomically(std::filesystem::path(file.toStdString()),

@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 
@@ -11,6 +12,7 @@
 #include "app/gui/look/theme.h"
 #include "app/gui/office/office_parts.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/session/access/first_run.h"
 #include "app/session/access/settings_service.h"
 #include "app/session/training/run_session.h"
 
@@ -25,6 +27,8 @@ constexpr std::int64_t kMinute_us = 60'000'000;
 StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
     : Card(QString(), parent),
       shell_(shell),
+      nameLabel_(nullptr),
+      name_(new QLineEdit(this)),
       warnLabel_(nullptr),
       warn_(new QSpinBox(this)),
       lockLabel_(nullptr),
@@ -32,6 +36,7 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
       mouse_(new QCheckBox(this)),
       note_(sentence(this)),
       keep_(new QPushButton(this)) {
+  name_->setObjectName(QStringLiteral("centreName"));
   warn_->setObjectName(QStringLiteral("idleWarn"));
   lock_->setObjectName(QStringLiteral("idleLock"));
   keep_->setObjectName(QStringLiteral("keepSettings"));
@@ -40,10 +45,13 @@ StationSettingsCard::StationSettingsCard(ShellContext& shell, QWidget* parent)
   warn_->setRange(1, kLongestIdleLock_min - 1);
   auto* row = new QHBoxLayout;
   row->setSpacing(kSpace);
+  nameLabel_ = fieldBeside(row, name_);
+  row->setStretchFactor(name_, 1);
+  row->addSpacing(2 * kSpace);
   warnLabel_ = fieldBeside(row, warn_);
   row->addSpacing(2 * kSpace);
   lockLabel_ = fieldBeside(row, lock_);
-  row->addStretch(1);
+  row->addSpacing(2 * kSpace);
   row->addWidget(keep_);
   content()->addLayout(row);
   content()->addWidget(mouse_);
@@ -59,6 +67,7 @@ void StationSettingsCard::keepInBounds() {
 
 void StationSettingsCard::read() {
   attempt(shell_, [this] {
+    name_->setText(shown(centreSign(shell_.workplace().connection()).name));
     const IdleLimits limits = centreIdleLimits(shell_.workplace().connection());
     lock_->setValue(static_cast<int>(limits.lock_us / kMinute_us));
     keepInBounds();
@@ -69,6 +78,7 @@ void StationSettingsCard::read() {
 
 void StationSettingsCard::keep() {
   attempt(shell_, [this] {
+    setCentreName(shell_.workplace(), name_->text().trimmed().toStdString());
     setCentreIdleLimits(shell_.workplace(), warn_->value(), lock_->value());
     setGradedWithMouse(shell_.workplace(), mouse_->isChecked());
     shell_.notify(tr("Kept. It holds at every station from the next sign-in on"));
@@ -77,6 +87,7 @@ void StationSettingsCard::keep() {
 
 void StationSettingsCard::retranslate() {
   setTitle(tr("At every station"));
+  nameField(nameLabel_, tr("&Name of the centre"));
   nameField(warnLabel_, tr("When nobody is there, &warn after"));
   nameField(lockLabel_, tr("and &lock after"));
   warn_->setSuffix(tr(" min"));

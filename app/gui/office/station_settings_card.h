@@ -5,6 +5,7 @@
 
 class QCheckBox;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 class QSpinBox;
 
@@ -12,8 +13,8 @@ namespace torsio::gui {
 
 class ShellContext;
 
-/// What holds at every station of the centre: after how many minutes an empty place warns and locks, and
-/// whether runs with the mouse are graded. For those who may change settings.
+/// What holds at every station of the centre: its name, after how many minutes an empty place warns and
+/// locks, and whether runs with the mouse are graded. For those who may change settings.
 class StationSettingsCard : public Card {
   Q_OBJECT
 
@@ -29,6 +30,8 @@ class StationSettingsCard : public Card {
   void keepInBounds();
 
   ShellContext& shell_;
+  QLabel* nameLabel_;
+  QLineEdit* name_;
   QLabel* warnLabel_;
   QSpinBox* warn_;
   QLabel* lockLabel_;

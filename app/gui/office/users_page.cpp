@@ -2,6 +2,8 @@
 #include "app/gui/office/users_page.h"
 
 #include <algorithm>
+#include <exception>
+#include <memory>
 #include <optional>
 
 #include <QDateTime>
@@ -12,11 +14,15 @@
 
 #include "app/gui/look/data_table.h"
 #include "app/gui/look/page_heading.h"
+#include "app/gui/office/accounts_dialog.h"
+#include "app/gui/office/cohort_dialogs.h"
+#include "app/gui/office/office_parts.h"
 #include "app/gui/office/user_dialogs.h"
 #include "app/gui/shell/shell_context.h"
 #include "app/session/access/access_service.h"
 #include "app/session/access/first_run.h"
 #include "app/session/people/people_service.h"
+#include "app/session/people/roster_accounts.h"
 
 namespace torsio::gui {
 
@@ -40,11 +46,11 @@ std::vector<PersonChoice> peopleToChoose(Workplace& workplace) {
   return choices;
 }
 
-QPushButton* listButton(DataTable* table) {
-  auto* button = new QPushButton(table);
-  table->addTool(button);
-  return button;
-}
+/// The accounts made so far, and what kept the others from being made.
+struct IssuedAccounts {
+  std::vector<StartAccount> made;
+  std::exception_ptr problem;
+};
 
 }  // namespace
 
@@ -53,10 +59,12 @@ UsersPage::UsersPage(ShellContext& shell)
       heading_(new PageHeading(this)),
       table_(new DataTable(QStringLiteral("users"), this)),
       add_(new QPushButton(this)),
+      addForRoster_(new QPushButton(this)),
       roles_(listButton(table_)),
       password_(listButton(table_)),
       active_(listButton(table_)) {
   add_->setProperty("primary", true);
+  heading_->addAction(addForRoster_);
   heading_->addAction(add_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
@@ -65,6 +73,7 @@ UsersPage::UsersPage(ShellContext& shell)
   column->addWidget(table_, 1);
 
   connect(add_, &QPushButton::clicked, this, &UsersPage::add);
+  connect(addForRoster_, &QPushButton::clicked, this, &UsersPage::addForRoster);
   connect(roles_, &QPushButton::clicked, this, &UsersPage::changeRoles);
   connect(password_, &QPushButton::clicked, this, &UsersPage::newPassword);
   connect(active_, &QPushButton::clicked, this, &UsersPage::switchActive);
@@ -76,6 +85,8 @@ UsersPage::UsersPage(ShellContext& shell)
 void UsersPage::enter(const QVariant&) {
   try {
     users_ = users(shell().workplace());
+    personCodes_.clear();
+    for (const PersonRow& row : people(shell().workplace())) personCodes_[row.person.id] = row.person.code;
     show();
   } catch (...) {
     shell().report(std::current_exception());
@@ -86,9 +97,11 @@ void UsersPage::retranslate() {
   heading_->setTexts(tr("Users and roles"),
                      tr("Who may sign in, and as what. Every change is kept in the audit trail."));
   add_->setText(tr("&New user\u2026"));
+  addForRoster_->setText(tr("&Accounts for the roster\u2026"));
   roles_->setText(tr("&Roles\u2026"));
   password_->setText(tr("New &password\u2026"));
   table_->setColumns({{tr("Sign-in name")},
+                      {tr("Person")},
                       {tr("Roles")},
                       {tr("State")},
                       {tr("Password")},
@@ -107,6 +120,7 @@ void UsersPage::show() {
     rows.push_back(
         {QString::fromStdString(user.id),
          {{QString::fromStdString(user.login)},
+          {user.personId.empty() ? QStringLiteral("\u2013") : shown(personCodes_[user.personId])},
           {roles.join(QStringLiteral(", "))},
           {user.active ? tr("active") : tr("disabled")},
           {user.mustChangePassword ? tr("to be changed") : tr("own")},
@@ -137,6 +151,53 @@ void UsersPage::add() {
     const auto id = std::make_shared<std::string>();
     storeAndShow([user = *user, id](Workplace& workplace) { *id = addUser(workplace, user); },
                  QString::fromStdString(user->login), user->startPassword, id);
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void UsersPage::addForRoster() {
+  try {
+    const std::vector<PersonRow> without = peopleWithoutAccount(shell().workplace());
+    if (without.empty()) {
+      shell().notify(tr("Everybody of the roster has an account"));
+      return;
+    }
+    PeopleDialog dialog(
+        tr("Accounts for the roster"),
+        tr("These people have no account yet. Each gets one: the code in small letters is the "
+           "sign-in name, trainees train, raters score."),
+        without, this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    const auto issued = std::make_shared<IssuedAccounts>();
+    shell().run(
+        tr("Making accounts"),
+        [issued, chosen = dialog.chosen(), cost = shell().workplace().passwordCost()](
+            Workplace& workplace, const ProgressCallback& progress) {
+          workplace.setPasswordCost(cost);
+          try {
+            addAccounts(workplace, chosen, issued->made, progress);
+          } catch (...) {
+            if (issued->made.empty()) throw;
+            issued->problem = std::current_exception();
+          }
+        },
+        [page = QPointer<UsersPage>(this), issued] {
+          if (page.isNull()) return;
+          page->enter({});
+          AccountsDialog(issued->made, centreSign(page->shell().workplace().connection()).name, page).exec();
+          if (!page.isNull() && issued->problem) page->sayWhyNotAll(issued->problem);
+        });
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void UsersPage::sayWhyNotAll(const std::exception_ptr& problem) {
+  try {
+    std::rethrow_exception(problem);
+  } catch (const Cancelled&) {
+    shell().notify(tr("Cancelled; the accounts that were shown stay"));
   } catch (...) {
     shell().report(std::current_exception());
   }

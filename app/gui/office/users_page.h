@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <exception>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,6 +33,8 @@ class UsersPage : public Page {
   void showButtons();
   [[nodiscard]] const StoredUser* current() const;
   void add();
+  void addForRoster();
+  void sayWhyNotAll(const std::exception_ptr& problem);
   void changeRoles();
   void newPassword();
   /// Stores away from the window's thread, then shows the start password of the user `id`.
@@ -39,9 +43,11 @@ class UsersPage : public Page {
   void switchActive();
 
   std::vector<StoredUser> users_;
+  std::map<std::string, std::string> personCodes_;  // by id
   PageHeading* heading_;
   DataTable* table_;
   QPushButton* add_;
+  QPushButton* addForRoster_;
   QPushButton* roles_;
   QPushButton* password_;
   QPushButton* active_;

@@ -67,6 +67,7 @@ WarmUpPage::WarmUpPage(ShellContext& shell, QWidget* parent)
   resultCard_->content()->addWidget(result_);
   resultCard_->content()->addWidget(sum_);
   right->addWidget(resultCard_);
+  anchors_->setAlignment(Qt::AlignTop);
   anchorsArea_ = new QScrollArea(rubricCard_);
   anchorsArea_->setWidgetResizable(true);
   anchorsArea_->setFrameShape(QFrame::NoFrame);

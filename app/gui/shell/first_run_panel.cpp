@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -25,6 +26,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kCardWidth = 620;
+constexpr int kCardHeight = 580;  // of the tallest step, so that the buttons stay where they are
 enum Step { kCentre, kAdministrator, kDatabase, kDemonstration, kAccounts };
 constexpr int kNumberedSteps = 4;
 
@@ -51,6 +53,7 @@ FirstRunPanel::FirstRunPanel(const QString& defaultFile, QWidget* parent)
       steps_(new QStackedWidget(this)),
       job_(new JobPanel(this)) {
   QVBoxLayout* column = centredCard(this, kCardWidth);
+  column->parentWidget()->setMinimumHeight(kCardHeight);
   step_ = new QLabel(this);
   step_->setProperty("quiet", true);
   heading_ = new QLabel(this);
@@ -65,7 +68,7 @@ FirstRunPanel::FirstRunPanel(const QString& defaultFile, QWidget* parent)
                         createDemonstrationStep(), createAccountsStep()}) {
     steps_->addWidget(step);
   }
-  column->addWidget(steps_);
+  column->addWidget(steps_, 1);
   column->addWidget(answer_);
   column->addWidget(job_);
   column->addSpacing(kSpace);
@@ -119,6 +122,13 @@ QWidget* FirstRunPanel::createAdministratorStep() {
   return widget;
 }
 
+void FirstRunPanel::nextOnEnter(QWidget* field) {
+  for (const int key : {Qt::Key_Return, Qt::Key_Enter}) {
+    auto* pressed = new QShortcut(QKeySequence(key), field, this, &FirstRunPanel::next);
+    pressed->setContext(Qt::WidgetShortcut);
+  }
+}
+
 QWidget* FirstRunPanel::createDatabaseStep() {
   QVBoxLayout* column = nullptr;
   QWidget* widget = page(column);
@@ -145,6 +155,7 @@ QWidget* FirstRunPanel::createDatabaseStep() {
   column->addLayout(serverRow);
   column->addWidget(test_, 0, Qt::AlignLeft);
   column->addStretch(1);
+  for (QRadioButton* choice : {file_, server_}) nextOnEnter(choice);
   connect(file_, &QRadioButton::toggled, this, &FirstRunPanel::showEngine);
   for (QLineEdit* field : {path_, address_}) {
     connect(field, &QLineEdit::textChanged, this, [this] { say({}); });
@@ -167,6 +178,7 @@ QWidget* FirstRunPanel::createDemonstrationStep() {
   column->addWidget(with_);
   withNote_ = noteBelow(column, widget);
   column->addStretch(1);
+  for (QRadioButton* choice : {without_, with_}) nextOnEnter(choice);
   return widget;
 }
 

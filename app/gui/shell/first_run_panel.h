@@ -63,6 +63,8 @@ class FirstRunPanel : public QWidget {
   QWidget* createAccountsStep();
   void go(int step);
   void next();
+  /// Enter in a field that is no line of text.
+  void nextOnEnter(QWidget* field);
   /// Empty when the present step is complete; else what is missing.
   [[nodiscard]] QString missing() const;
   [[nodiscard]] QString locator() const;

@@ -3,7 +3,6 @@
 
 #include <system_error>
 
-#include <QFileDialog>
 #include <QPageLayout>
 #include <QPdfWriter>
 #include <QPrintDialog>
@@ -13,6 +12,7 @@
 #include <QTextDocument>
 #include <QVBoxLayout>
 
+#include "app/gui/look/file_choice.h"
 #include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/shell/shell_context.h"
@@ -139,7 +139,7 @@ void TranscriptPage::writePdf(const std::filesystem::path& file) const {
 
 void TranscriptPage::choosePdf() {
   const QString proposal = tr("transcript-%1.pdf").arg(QString::fromStdString(transcript_.traineeCode));
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save transcript"), proposal, tr("PDF (*.pdf)"));
+  const QString file = askFileToSave(this, tr("Save transcript"), proposal, tr("PDF (*.pdf)"));
   if (file.isEmpty()) return;
   try {
     writePdf(std::filesystem::path(file.toStdString()));

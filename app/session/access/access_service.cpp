@@ -100,7 +100,8 @@ void setUpCentre(Workplace& workplace, const FirstRun& first) {
   if (first.login.empty()) {
     throw Error(ErrorCode::kBadParameter, "the administrator has no sign-in name", "login", "Enter one");
   }
-  checkPassword(first.password, first.login);
+  AccessRepository access = repository(workplace);
+  const SealedSecret password = access.sealPassword(first.login, first.password);
   const std::int64_t now_us = workplace.now_us();
   Transaction transaction(workplace.connection());
   if (!needsFirstRun(workplace.connection())) {
@@ -110,11 +111,10 @@ void setUpCentre(Workplace& workplace, const FirstRun& first) {
   StudyRepository(workplace.connection()).setCentre({workplace.ids().newUuid(), first.centre, now_us, false});
   SettingRepository settings(workplace.connection());
   settings.set("language", first.language, now_us);
-  AccessRepository access = repository(workplace);
   const std::string userId = workplace.ids().newUuid();
   access.addUser({.id = userId, .login = first.login, .createdUtc_us = now_us, .roles = {kAdministrator}},
-                 first.password);
-  access.setPassword(userId, first.password, false);
+                 password);
+  access.setPassword(userId, password, false);
   workplace.note({.action = "centre.set_up",
                   .objectKind = "app_user",
                   .objectId = userId,
@@ -143,9 +143,9 @@ SignInAnswer changeOwnPassword(Workplace& workplace, const std::string& login, c
     throw Error(ErrorCode::kBadParameter, "the new password is the old one", "password",
                 "Choose another one");
   }
-  checkPassword(newPassword, login);
+  const SealedSecret password = access.sealPassword(login, newPassword);
   Transaction transaction(workplace.connection());
-  access.setPassword(old.userId, newPassword, false);
+  access.setPassword(old.userId, password, false);
   SignInAnswer signedIn = answer(workplace, login, {SignIn::kOk, old.userId}, false);
   workplace.note({.action = "user.change_password", .objectKind = "app_user", .objectId = old.userId});
   transaction.commit();
@@ -182,14 +182,16 @@ void signOut(Workplace& workplace) {
 std::string addUser(Workplace& workplace, const NewUser& user) {
   workplace.require(Operation::kUserManage);
   const std::string id = workplace.ids().newUuid();
+  AccessRepository access = repository(workplace);
+  const SealedSecret password = access.sealPassword(user.login, user.startPassword);
   Transaction transaction(workplace.connection());
-  repository(workplace).addUser({.id = id,
-                                 .login = user.login,
-                                 .personId = user.personId,
-                                 .createdUtc_us = workplace.now_us(),
-                                 .demonstration = user.demonstration,
-                                 .roles = user.roles},
-                                user.startPassword);
+  access.addUser({.id = id,
+                  .login = user.login,
+                  .personId = user.personId,
+                  .createdUtc_us = workplace.now_us(),
+                  .demonstration = user.demonstration,
+                  .roles = user.roles},
+                 password);
   workplace.note(
       {.action = "user.add", .objectKind = "app_user", .objectId = id, .newJson = rolesJson(user.roles)});
   transaction.commit();
@@ -233,9 +235,10 @@ void setUserActive(Workplace& workplace, const std::string& userId, bool active,
 void resetPassword(Workplace& workplace, const std::string& userId, const std::string& startPassword,
                    const std::string& reason) {
   workplace.require(Operation::kUserManage);
-  checkPassword(startPassword, userOf(workplace, userId).login);
+  AccessRepository access = repository(workplace);
+  const SealedSecret password = access.sealPassword(userOf(workplace, userId).login, startPassword);
   Transaction transaction(workplace.connection());
-  repository(workplace).setPassword(userId, startPassword, true);
+  access.setPassword(userId, password, true);
   workplace.note(
       {.action = "user.reset_password", .objectKind = "app_user", .objectId = userId, .reason = reason});
   transaction.commit();
@@ -247,8 +250,10 @@ void setOwnPin(Workplace& workplace, const std::string& pin) {
     throw Error(ErrorCode::kPermission, "you came in with the PIN", "PIN",
                 "Sign in with your password to change it");
   }
+  AccessRepository access = repository(workplace);
+  const SealedSecret sealed = access.sealPin(pin);
   Transaction transaction(workplace.connection());
-  repository(workplace).setPin(workplace.actor().userId, pin);
+  access.setPin(workplace.actor().userId, sealed);
   workplace.note({.action = pin.empty() ? "user.remove_pin" : "user.set_pin",
                   .objectKind = "app_user",
                   .objectId = workplace.actor().userId});

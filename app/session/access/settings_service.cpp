@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "db/repository/setting_repository.h"
+#include "db/repository/study_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -56,6 +57,29 @@ void setCentreSetting(Workplace& workplace, const std::string& name, const std::
                   .oldJson = nlohmann::json{{"value", before}}.dump(),
                   .newJson = nlohmann::json{{"value", value}}.dump(),
                   .reason = reason});
+  transaction.commit();
+}
+
+void setCentreName(Workplace& workplace, const std::string& name) {
+  workplace.require(Operation::kSettingsEdit);
+  if (name.empty()) {
+    throw Error(ErrorCode::kBadParameter, "the centre has no name", "centre",
+                "Enter the name of your centre");
+  }
+  Transaction transaction(workplace.connection());
+  StudyRepository studies(workplace.connection());
+  const std::optional<StoredCentre> before = studies.centre();
+  if (before && before->name == name) return;
+  StoredCentre centre = before.value_or(StoredCentre{.id = workplace.ids().newUuid()});
+  centre.name = name;
+  centre.demonstration = false;
+  if (!before) centre.createdUtc_us = workplace.now_us();
+  studies.setCentre(centre);
+  workplace.note({.action = "centre.rename",
+                  .objectKind = "centre",
+                  .objectId = centre.id,
+                  .oldJson = nlohmann::json{{"name", before ? before->name : ""}}.dump(),
+                  .newJson = nlohmann::json{{"name", name}}.dump()});
   transaction.commit();
 }
 

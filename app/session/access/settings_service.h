@@ -17,6 +17,10 @@ namespace torsio {
 void setCentreSetting(Workplace& workplace, const std::string& name, const std::string& value,
                       const std::string& reason = {});
 
+/// The name that stands at sign-in, on transcripts and in reports made from now on. Audited. kSettingsEdit.
+/// Throws Error{kBadParameter} for an empty name.
+void setCentreName(Workplace& workplace, const std::string& name);
+
 /// Bounds of the idle limits in minutes: short enough to protect a record, long enough to read a page.
 inline constexpr int kShortestIdleLock_min = 2;
 inline constexpr int kLongestIdleLock_min = 60;

@@ -27,6 +27,7 @@
 #include "app/gui/charts/figure_canvas.h"
 #include "app/gui/charts/figure_card.h"
 #include "app/gui/look/data_table.h"
+#include "app/gui/office/accounts_dialog.h"
 #include "app/gui/office/allocation_page.h"
 #include "app/gui/office/audit_page.h"
 #include "app/gui/office/campaigns_page.h"
@@ -40,6 +41,7 @@
 #include "app/gui/office/roster_wizard.h"
 #include "app/gui/office/run_day_page.h"
 #include "app/gui/office/scoring_page.h"
+#include "app/gui/office/users_page.h"
 #include "app/gui/shell/shell_context.h"
 #include "app/session/people/people_service.h"
 #include "app/session/reporting/report_export.h"
@@ -292,6 +294,45 @@ TEST(CarePage, BacksUpTestsTheBackupAndChecksTheRecord) {
 
   EXPECT_TRUE(page->recordText().text().contains(QStringLiteral("sound")));
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
+}
+
+TEST(UsersPage, MakesTheAccountsOfTheWholeRosterAndTellsTheirPasswordsOnce) {
+  Office office;
+  office.centre.addTrainees(3);
+  auto page = office.open<UsersPage>("administrator");
+  const fs::path cards = office.centre.folder() / "cards.pdf";
+  QString copied;
+  QTimer waiting;
+  QObject::connect(&waiting, &QTimer::timeout, [&] {
+    auto* dialog = qobject_cast<AccountsDialog*>(QApplication::activeModalWidget());
+    if (dialog == nullptr) return;
+    waiting.stop();
+    QTimer::singleShot(0, [] {  // closing at once is asked about
+      auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      ASSERT_NE(question, nullptr);
+      question->button(QMessageBox::No)->click();
+    });
+    dialog->reject();
+    EXPECT_TRUE(dialog->isVisible());
+    dialog->copy();
+    copied = QApplication::clipboard()->text();
+    dialog->saveCards(cards);
+    dialog->reject();
+  });
+
+  answer([](QDialog& dialog) { dialog.accept(); });
+  waiting.start(1);
+  press(*page, QStringLiteral("Accounts for the roster"));
+  office.shell().waitForJobs();
+
+  EXPECT_EQ(office.centre.audited("user.add"), 3);
+  EXPECT_TRUE(readFile(cards).starts_with("%PDF"));
+  const QStringList lines = copied.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+  ASSERT_EQ(lines.size(), 4);  // headings and three people
+  const QStringList first = lines[1].split(QLatin1Char('\t'));
+  ASSERT_EQ(first.size(), 3);
+  EXPECT_EQ(first[1], QStringLiteral("t-01"));
+  EXPECT_EQ(signIn(office.centre.workplace(), "t-01", first[2].toStdString()).outcome, SignIn::kMustChange);
 }
 
 TEST(AuditPage, ShowsTheNewestThousandAtOnceAndTheOthersOnRequest) {

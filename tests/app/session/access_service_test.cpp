@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/session/access/first_run.h"
+#include "app/session/access/settings_service.h"
 #include "db/repository/audit_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/session/office_centre.h"
@@ -84,6 +86,18 @@ TEST(AccessService, LastAdministratorStays) {
 
   EXPECT_THROW(setUserActive(workplace, self, false, "leaves"), Error);
   EXPECT_THROW(setUserRoles(workplace, self, {"rater"}, "changes"), Error);
+}
+
+TEST(SettingsService, TheCentreCanBeRenamedAndTheTrailKeepsBothNames) {
+  OfficeCentre centre;
+  setCentreName(centre.as("administrator"), "Skills laboratory");
+  setCentreName(centre.workplace(), "Skills centre North");
+  setCentreName(centre.workplace(), "Skills centre North");
+
+  EXPECT_EQ(centreSign(centre.connection()).name, "Skills centre North");
+  EXPECT_EQ(centre.audited("centre.rename"), 2);
+  EXPECT_NE(trailText(centre.connection()).find("Skills laboratory"), std::string::npos);
+  EXPECT_THROW(setCentreName(centre.workplace(), ""), Error);
 }
 
 TEST(AccessService, ARightThatWasTakenAwayIsGoneAtOnce) {

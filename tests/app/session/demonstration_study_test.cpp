@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/session/access/first_run.h"
+#include "app/session/access/settings_service.h"
 #include "app/session/demonstration.h"
 #include "app/session/study/cohort_service.h"
 #include "app/session/study/curriculum_service.h"
@@ -29,7 +31,9 @@ DemonstrationOptions shortest(const OfficeCentre& centre) {
 
 TEST(DemonstrationStudy, FollowsTheProtocolThatItsBoardShows) {
   OfficeCentre centre;
+  setCentreName(centre.as("administrator"), "Skills laboratory");
   fillDemonstration(shortest(centre), centre.connection());
+  EXPECT_EQ(centreSign(centre.connection()).name, "Skills laboratory");  // a demonstration takes no name away
 
   Workplace& workplace = centre.as("administrator");
   const std::vector<CohortRow> all = cohorts(workplace);

@@ -26,7 +26,7 @@ OfficeCentre::OfficeCentre() {
   for (const std::string& role : access.roles()) {
     const std::string id = ids_.newUuid();
     access.addUser({.id = id, .login = role, .createdUtc_us = now_us_, .roles = {role}}, kOfficePassword);
-    access.setPassword(id, kOfficePassword, false);
+    access.setPassword(id, access.sealPassword(role, kOfficePassword), false);
     actors_[role] = {id, role, "", {role}, false};
   }
 }

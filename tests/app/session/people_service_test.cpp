@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/session/people/consent_service.h"
+#include "app/session/people/roster_accounts.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "tests/app/session/office_centre.h"
@@ -62,6 +63,51 @@ TEST(PeopleService, NamedExportIsAuditedAndHarmlessToSpreadsheets) {
   EXPECT_THROW(exportPeople(centre.as("statistician"), file, true), Error);
   EXPECT_EQ(exportPeople(centre.as("statistician"), file, false), 1U);
   EXPECT_EQ(readFile(file).find("cmd"), std::string::npos);
+}
+
+TEST(RosterAccounts, EverybodyWithoutOneGetsAnAccountThatMustChangeItsPassword) {
+  OfficeCentre centre;
+  const std::vector<std::string> trainees = centre.addTrainees(3);
+  const std::vector<std::string> chiefs = centre.addChiefs(2);
+  Workplace& workplace = centre.as("administrator");
+  addUser(workplace, {.login = "t-01",  // taken by somebody else, who needs no second account
+                      .personId = trainees[1],
+                      .roles = {"trainee"},
+                      .startPassword = "window over the yard"});
+  setPersonState(workplace, chiefs[1], "left", "retired");
+
+  std::vector<std::string> everybody = trainees;
+  everybody.insert(everybody.end(), chiefs.begin(), chiefs.end());
+  std::vector<StartAccount> made;
+  addAccounts(workplace, everybody, made);
+
+  ASSERT_EQ(made.size(), 3U);
+  EXPECT_EQ(made[0].login, "r-01");
+  EXPECT_EQ(made[1].login, "t-01.2");
+  EXPECT_EQ(made[2].login, "t-03");
+  EXPECT_TRUE(peopleWithoutAccount(workplace).empty());
+  EXPECT_EQ(centre.audited("user.add"), 4);
+  const SignInAnswer answer = signIn(workplace, "r-01", made[0].startPassword);
+  EXPECT_EQ(answer.outcome, SignIn::kMustChange);
+  EXPECT_EQ(answer.actor.roles, std::vector<std::string>{"rater"});
+  EXPECT_EQ(answer.actor.personId, chiefs[0]);
+}
+
+TEST(RosterAccounts, GivingUpKeepsTheAccountsThatWereMade) {
+  OfficeCentre centre;
+  const std::vector<std::string> trainees = centre.addTrainees(4);
+  Workplace& workplace = centre.as("administrator");
+  std::vector<StartAccount> made;
+
+  EXPECT_THROW(addAccounts(workplace, trainees, made,
+                           [](const Progress& progress) {
+                             if (progress.fraction >= 0.5) throw Error(ErrorCode::kBadData, "stop", "", "");
+                           }),
+               Error);
+
+  EXPECT_EQ(made.size(), 2U);
+  EXPECT_EQ(peopleWithoutAccount(workplace).size(), 2U);
+  EXPECT_EQ(signIn(workplace, made[1].login, made[1].startPassword).outcome, SignIn::kMustChange);
 }
 
 TEST(ConsentService, NewestDecisionCountsAndWithdrawalIsListed) {

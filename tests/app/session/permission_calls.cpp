@@ -15,6 +15,7 @@
 #include "app/session/care/server_move.h"
 #include "app/session/people/consent_service.h"
 #include "app/session/people/people_service.h"
+#include "app/session/people/roster_accounts.h"
 #include "app/session/people/roster_import.h"
 #include "app/session/reporting/report_data.h"
 #include "app/session/reporting/report_export.h"
@@ -87,6 +88,12 @@ std::vector<ServiceCall> officeCalls() {
        [](Workplace& w, Path folder) { (void)exportPeople(w, folder / "named.csv", true); }},
       {O::kUserManage, "users", [](Workplace& w, Path) { (void)users(w); }},
       {O::kUserManage, "addUser", [](Workplace& w, Path) { (void)addUser(w, {}); }},
+      {O::kUserManage, "peopleWithoutAccount", [](Workplace& w, Path) { (void)peopleWithoutAccount(w); }},
+      {O::kUserManage, "addAccounts",
+       [](Workplace& w, Path) {
+         std::vector<StartAccount> made;
+         addAccounts(w, {}, made);
+       }},
       {O::kUserManage, "setUserActive", [](Workplace& w, Path) { setUserActive(w, kNoSuch, false, ""); }},
       {O::kUserManage, "resetPassword", [](Workplace& w, Path) { resetPassword(w, kNoSuch, "short", ""); }},
       {O::kAuditView, "auditEntries", [](Workplace& w, Path) { (void)auditEntries(w); }},
@@ -107,6 +114,7 @@ std::vector<ServiceCall> officeCalls() {
       {O::kRetentionManage, "lockRecord", [](Workplace& w, Path) { lockRecord(w, kNoSuch, ""); }},
       {O::kSettingsEdit, "centreSettings", [](Workplace& w, Path) { (void)centreSettings(w); }},
       {O::kSettingsEdit, "setCentreSetting", [](Workplace& w, Path) { setCentreSetting(w, "", ""); }},
+      {O::kSettingsEdit, "setCentreName", [](Workplace& w, Path) { setCentreName(w, ""); }},
       {O::kSettingsEdit, "setCentreIdleLimits", [](Workplace& w, Path) { setCentreIdleLimits(w, 0, 0); }},
       {O::kSettingsEdit, "setGradedWithMouse", [](Workplace& w, Path) { setGradedWithMouse(w, false); }},
       {O::kUserManage, "setUserRoles", [](Workplace& w, Path) { setUserRoles(w, kNoSuch, {}, ""); }},

@@ -109,7 +109,7 @@ void TrainingCentre::fill(const Setup& setup) {
     access.addUser(
         {.id = id, .login = login, .personId = personId, .createdUtc_us = now_us_, .roles = {role}},
         kPassword);
-    access.setPassword(id, kPassword, false);
+    access.setPassword(id, access.sealPassword(login, kPassword), false);
   };
   addUser("T-01", trainees[0].person.id, "trainee");
   addUser("T-02", trainees[1].person.id, "trainee");

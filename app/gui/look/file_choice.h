@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+class QWidget;
+
+namespace torsio::gui {
+
+/// Where to save: the dialog begins in the folder that was used last at this station (at first in Documents)
+/// with `name` proposed; characters that no file system takes become dashes. Empty: given up.
+[[nodiscard]] QString askFileToSave(QWidget* parent, const QString& title, const QString& name,
+                                    const QString& filter);
+/// What to open; begins in the same folder, or at the file `begin` when there is one. Empty: given up.
+[[nodiscard]] QString askFileToOpen(QWidget* parent, const QString& title, const QString& filter,
+                                    const QString& begin = {});
+
+}  // namespace torsio::gui
