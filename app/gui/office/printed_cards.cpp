@@ -109,13 +109,12 @@ void writeAccountCards(const std::vector<StartAccount>& accounts, const std::str
                        const std::filesystem::path& file) {
   std::vector<PrintedCard> printed;
   for (const StartAccount& account : accounts) {
-    printed.push_back(
-        {.label = {{{shown(centre)},
-                    {shown(account.personCode), 24.0, true},
-                    {PrintedCards::tr("Your way into Torsio. For you alone.")}}},
-         .inside = {{{PrintedCards::tr("Sign-in name: %1").arg(shown(account.login)), 11.0},
-                     {shown(account.startPassword), 15.0, true},
-                     {PrintedCards::tr("You choose a password of your own at the first sign-in.")}}}});
+    printed.push_back({.label = {{{shown(centre)},
+                                  {shown(account.personCode), 24.0, true},
+                                  {PrintedCards::tr("Your way into Torsio. For you alone.")}}},
+                       .inside = {{{PrintedCards::tr("Sign-in name: %1").arg(shown(account.login)), 11.0},
+                                   {shown(account.startPassword), 15.0, true},
+                                   {PrintedCards::tr("Choose your own password at the first sign-in.")}}}});
   }
   writeCards(printed, PrintedCards::tr("Start passwords: %1").arg(shown(centre)), file);
 }

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/scene/scene_view.h"
+#include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/shell/lock_panel.h"
 #include "app/gui/shell/password_panel.h"
@@ -122,15 +123,17 @@ void ShellWindow::createPanels() {
       enterSignIn();
     }
   });
-  connect(lock_, &LockPanel::passwordGiven, this, &ShellWindow::unlock);
-  connect(lock_, &LockPanel::signOutWanted, this, [this] {
-    if (!signOut()) lock_->say(tr("Something is unfinished here. Only its owner can sign out"));
-  });
+  dialogLock_ = new DialogLock(this);
+  for (LockPanel* lock : {lock_, &dialogLock_->panel()}) {
+    connect(lock, &LockPanel::passwordGiven, this, &ShellWindow::unlock);
+    connect(lock, &LockPanel::signOutWanted, this, [this] { signOutBeyondDialogs({}); });
+  }
   connect(&background_, &Background::workingChanged, this, [this](bool working) {
     signIn_->setWorking(working);
     password_->setWorking(working);
     firstRun_->setWorking(working);
     lock_->setWorking(working);
+    dialogLock_->panel().setWorking(working);
   });
 }
 
@@ -183,7 +186,11 @@ void ShellWindow::watchIdleness() {
   } else if (state == IdleState::kLocked) {
     idle_.unlock();  // the lock panel is the lock; the guard counts anew once it is open
     const bool ends = setup_.kiosk || workplace_->actor().practiceOnly;
-    if (!ends || !signOut(tr("You were signed out because nobody was here"))) lock();
+    if (ends) {
+      signOutBeyondDialogs(tr("You were signed out because nobody was here"));
+    } else {
+      lock();
+    }
   }
 }
 

@@ -26,6 +26,7 @@ class QStackedWidget;
 
 namespace torsio::gui {
 
+class DialogLock;
 class LockPanel;
 class PasswordPanel;
 class ProblemPanel;
@@ -107,6 +108,9 @@ class ShellWindow : public QWidget {
   void took(const SignInAnswer& answer, const QString& login, const QString& password);
   void changePassword(const QString& login, const QString& oldPassword, const QString& newPassword);
   void unlock(const QString& password);
+  void sayLocked(const QString& sentence);
+  /// Signs out once the dialogs that stand open have been given up.
+  void signOutBeyondDialogs(const QString& reason);
   void enterDesk();
   void leaveDesk();
   void openDesk();
@@ -144,6 +148,8 @@ class ShellWindow : public QWidget {
   SignInPanel* signIn_ = nullptr;
   PasswordPanel* password_ = nullptr;
   LockPanel* lock_ = nullptr;
+  DialogLock* dialogLock_ = nullptr;
+  int deskLevel_ = 0;  // of event loops, while no dialog waits for an answer
   Desk* desk_ = nullptr;
 };
 

@@ -5,9 +5,11 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QThread>
 #include <QTimer>
 
 #include "app/gui/shell/about_box.h"
+#include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/lock_panel.h"
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/rail.h"
@@ -69,6 +71,7 @@ void ShellWindow::openDesk() {
   connect(&desk_->rail(), &Rail::narrowChanged, this,
           [this](bool narrow) { preferences_.setLayout(QStringLiteral("rail_narrow"), narrow); });
   show(desk_);
+  deskLevel_ = QThread::currentThread()->loopLevel();
   desk_->openHome();
 }
 
@@ -91,9 +94,24 @@ bool ShellWindow::signOut(const QString& reason) {
 bool ShellWindow::lock() {
   if (desk_ == nullptr || stack_->currentWidget() != desk_ || desk_->busy()) return false;
   if (workplace_->actor().practiceOnly) return signOut();  // nothing to come back to
-  lock_->begin(QString::fromStdString(workplace_->actor().login));
+  for (LockPanel* lock : {lock_, &dialogLock_->panel()}) {
+    lock->begin(QString::fromStdString(workplace_->actor().login));
+  }
   show(lock_);
+  dialogLock_->cover();
   return true;
+}
+
+void ShellWindow::signOutBeyondDialogs(const QString& reason) {
+  dialogLock_->closeOthers();
+  if (QThread::currentThread()->loopLevel() > deskLevel_) {
+    // Whoever opened a dialog still waits in its event loop, and belongs to the desk: that returns first.
+    QTimer::singleShot(0, this, [this, reason] { signOutBeyondDialogs(reason); });
+    return;
+  }
+  if (desk_ == nullptr || signOut(reason)) return;
+  if (stack_->currentWidget() == desk_) lock();
+  sayLocked(tr("Something is unfinished here. Only its owner can sign out"));
 }
 
 void ShellWindow::choosePin() {

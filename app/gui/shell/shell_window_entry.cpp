@@ -5,6 +5,7 @@
 #include <QUrl>
 
 #include "app/gui/shell/credentials_dialog.h"
+#include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/shell/lock_panel.h"
 #include "app/gui/shell/password_panel.h"
@@ -262,6 +263,11 @@ void ShellWindow::changePassword(const QString& login, const QString& oldPasswor
       [this](const std::exception_ptr& problem) { password_->say(problemSentence(problem)); });
 }
 
+void ShellWindow::sayLocked(const QString& sentence) {
+  lock_->say(sentence);
+  dialogLock_->panel().say(sentence);
+}
+
 void ShellWindow::unlock(const QString& password) {
   background_.run(
       [this, key = key(), login = workplace_->actor().login, password]() -> Background::Finish {
@@ -269,16 +275,17 @@ void ShellWindow::unlock(const QString& password) {
         const SignInAnswer answer = torsio::signIn(own, login, password.toStdString());
         return [this, answer] {
           if (answer.outcome == SignIn::kOk && answer.actor.userId == workplace_->actor().userId) {
+            dialogLock_->uncover();
             show(desk_);
           } else if (answer.outcome == SignIn::kWait) {
             const std::int64_t left_s = (answer.waitUntilUtc_us - workplace_->now_us()) / 1'000'000 + 1;
-            lock_->say(tr("Too many wrong tries. Please wait %1 s").arg(left_s));
+            sayLocked(tr("Too many wrong tries. Please wait %1 s").arg(left_s));
           } else {
-            lock_->say(tr("That is not the password. Please try again"));
+            sayLocked(tr("That is not the password. Please try again"));
           }
         };
       },
-      [this](const std::exception_ptr& problem) { lock_->say(problemSentence(problem)); });
+      [this](const std::exception_ptr& problem) { sayLocked(problemSentence(problem)); });
 }
 
 }  // namespace torsio::gui

@@ -16,6 +16,7 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
+#include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
@@ -332,6 +333,60 @@ TEST_F(Shell, AnIdleDeskWarnsThenLocksAndOpensAsItWas) {
   window_->background().wait();
   EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
   EXPECT_EQ(window_->desk(), desk);
+}
+
+/// The veil over a dialog of a locked place.
+QWidget* veilOf(const QWidget& dialog) {
+  return dialog.findChild<QWidget*>(QStringLiteral("lockVeil"));
+}
+
+TEST_F(Shell, TheLockCoversAnOpenDialogAndKeepsWhatWasTypedInIt) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  QDialog dialog(&page());
+  auto* typed = new QLineEdit(QStringLiteral("half a sentence"), &dialog);
+  dialog.setModal(true);
+  dialog.show();
+
+  ASSERT_TRUE(window_->lock());
+
+  auto* lock = window_->findChild<DialogLock*>();
+  ASSERT_NE(lock, nullptr);
+  EXPECT_TRUE(lock->isVisible());
+  EXPECT_EQ(QApplication::activeModalWidget(), lock);
+  ASSERT_NE(veilOf(dialog), nullptr);
+  EXPECT_EQ(veilOf(dialog)->geometry(), dialog.rect());
+  EXPECT_TRUE(veilOf(dialog)->isVisible());
+  lock->reject();  // Escape
+  EXPECT_TRUE(lock->isVisible());
+  named<QLineEdit>(*lock, QStringLiteral("Password"))->setText(QString::fromLatin1(kAdminPassword));
+  press(*lock, QStringLiteral("Unlock"));
+  window_->background().wait();
+  EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
+  EXPECT_FALSE(lock->isVisible());
+  EXPECT_TRUE(dialog.isVisible());
+  EXPECT_EQ(veilOf(dialog), nullptr);
+  EXPECT_EQ(typed->text(), QStringLiteral("half a sentence"));
+}
+
+TEST_F(Shell, SigningOutFromTheLockGivesUpTheDialogsFirst) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  bool returned = false;
+  QTimer::singleShot(0, window_.get(), [this] {
+    ASSERT_TRUE(window_->lock());
+    press(*window_->findChild<DialogLock*>(), QStringLiteral("Sign out"));
+    EXPECT_EQ(window_->screen(), QStringLiteral("lock"));  // the page still waits for its dialog
+  });
+  {
+    QDialog dialog(&page());  // on the stack, as pages have them: it must not die with the desk
+    EXPECT_EQ(dialog.exec(), QDialog::Rejected);
+    returned = window_->desk() != nullptr;
+  }
+  QApplication::processEvents();
+
+  EXPECT_TRUE(returned);
+  EXPECT_EQ(window_->screen(), QStringLiteral("sign-in"));
 }
 
 TEST_F(Shell, TheIdleLockNeverEndsARun) {
