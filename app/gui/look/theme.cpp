@@ -137,6 +137,13 @@ QComboBox:disabled, QDoubleSpinBox:disabled, QSpinBox:disabled { color: %border;
 QComboBox { combobox-popup: 0; }
 QComboBox::drop-down { border: none; width: 24px; }
 QComboBox::down-arrow { image: url(%chevron); width: 12px; height: 12px; }
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { subcontrol-origin: padding; border: none;
+  background: transparent; width: 20px; }
+QAbstractSpinBox::up-button { subcontrol-position: top right; }
+QAbstractSpinBox::down-button { subcontrol-position: bottom right; }
+QAbstractSpinBox::up-button:hover, QAbstractSpinBox::down-button:hover { background: %raised; }
+QAbstractSpinBox::up-arrow { image: url(%upChevron); width: 10px; height: 10px; }
+QAbstractSpinBox::down-arrow { image: url(%chevron); width: 10px; height: 10px; }
 QComboBox QAbstractItemView::item { min-height: 28px; padding: 0 6px; border-radius: 4px; }
 QComboBox QAbstractItemView { background: %surface; color: %text; border: 1px solid %line; padding: 4px;
   selection-background-color: %accent; selection-color: %onAccent; outline: none; }
@@ -224,10 +231,12 @@ QMessageBox { messagebox-text-interaction-flags: 5; }
 QToolTip { background: %surface; color: %text; border: 1px solid %border; padding: 4px 8px; }
 )");
   const bool dark = t.kind == ThemeKind::kDark;
-  sheet.replace(QLatin1String("%chevron"), dark ? QLatin1String(":/torsio/icons/chevron-dark.svg")
-                                                : QLatin1String(":/torsio/icons/chevron-light.svg"));
-  sheet.replace(QLatin1String("%tick"), dark ? QLatin1String(":/torsio/icons/tick-dark.svg")
-                                             : QLatin1String(":/torsio/icons/tick-light.svg"));
+  const QString kind = dark ? QStringLiteral("dark") : QStringLiteral("light");
+  for (const auto& [name, drawing] :
+       {std::pair{"%upChevron", "chevron-up"}, {"%chevron", "chevron"}, {"%tick", "tick"}}) {
+    sheet.replace(QLatin1String(name),
+                  QStringLiteral(":/torsio/icons/%1-%2.svg").arg(QLatin1String(drawing), kind));
+  }
   const std::pair<const char*, QColor> colours[] = {
       {"%window", t.window},       {"%surface", t.surface}, {"%raised", t.raised},
       {"%line", t.line},           {"%border", t.border},   {"%text", t.text},

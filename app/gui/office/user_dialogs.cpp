@@ -75,7 +75,8 @@ struct Frame {
     buttons = new QDialogButtonBox(&dialog);
     ok = buttons->addButton(accept, QDialogButtonBox::AcceptRole);
     ok->setDefault(true);
-    buttons->addButton(UserDialogs::tr("Cancel"), QDialogButtonBox::RejectRole)->setAutoDefault(false);
+    cancel = buttons->addButton(UserDialogs::tr("Cancel"), QDialogButtonBox::RejectRole);
+    cancel->setAutoDefault(false);
     QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
   }
@@ -89,6 +90,7 @@ struct Frame {
   QVBoxLayout* column;
   QDialogButtonBox* buttons = nullptr;
   QPushButton* ok = nullptr;
+  QPushButton* cancel = nullptr;
   QWidget* first = nullptr;  ///< where typing begins
 };
 
@@ -196,6 +198,7 @@ void showStartPassword(QWidget* parent, const QString& login, const QString& pas
   // Another Enter, typed in haste, must not close what is shown only once.
   copy->setDefault(true);
   frame.ok->setAutoDefault(false);
+  frame.cancel->hide();  // the password holds already
   frame.first = copy;
   static_cast<void>(frame.run());
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/shell/language.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QLocale>
+#include <QWidget>
 
 #include "sim/base/contracts.h"
 
@@ -79,6 +80,7 @@ void LanguageSwitch::install() {
   // The locale first: widgets format their numbers and dates when the translator's event reaches them.
   QLocale::setDefault(present_ == Language::kEnglish ? QLocale(QLocale::English, QLocale::UnitedKingdom)
                                                      : QLocale(QLocale::Chinese, QLocale::China));
+  for (QWidget* window : QApplication::topLevelWidgets()) window->setLocale(QLocale());
   QCoreApplication::removeTranslator(&texts_);
   // English has a file as well: its plurals.
   const bool loaded =

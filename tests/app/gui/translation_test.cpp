@@ -107,9 +107,13 @@ TEST(LanguageSwitch, ReachesEverySentenceOfTheFirstRun) {
 }
 
 TEST(LanguageSwitch, GoesWithNumbersAndDates) {
+  QWidget window;  // opened before the choice, as the main window is
+  auto* inside = new QLabel(&window);
   LanguageSwitch language;
+  EXPECT_EQ(inside->locale(), QLocale(QLocale::English, QLocale::UnitedKingdom));
   const QDate day(2026, 1, 5);
   language.choose(Language::kSimplifiedChinese);
+  EXPECT_EQ(inside->locale().language(), QLocale::Chinese);
   EXPECT_EQ(QLocale().language(), QLocale::Chinese);
   EXPECT_TRUE(QLocale().toString(day, QLocale::LongFormat).contains(QChar(0x5E74)));  // "year"
   language.choose(Language::kEnglish);
