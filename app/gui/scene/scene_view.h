@@ -58,7 +58,7 @@ struct ViewScene {
                                       const std::string& tissue = {});
 
 enum class RenderQuality {
-  kAutomatic,  ///< by frame time: fine as long as it stays smooth; a software renderer starts fast
+  kAutomatic,  ///< by frame time: fine as long as it stays smooth; a software renderer stays fast
   kFast,
   kFine,  ///< antialiasing, shadow, ambient occlusion
 };
