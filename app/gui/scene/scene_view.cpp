@@ -176,6 +176,7 @@ void SceneView::createScene() {
 
 void SceneView::noteFrame() {
   ++framesDrawn_;
+  Q_EMIT frameDrawn();
   const double frame_s = sinceFrame_.isValid() ? static_cast<double>(sinceFrame_.nsecsElapsed()) * 1e-9 : 0.0;
   sinceFrame_.start();
   if (!renderer_.isEmpty()) {
@@ -388,6 +389,7 @@ void SceneView::setTheme(const Theme& theme) {
   setRootProperty("latticeColour", theme.lattice);
   setRootProperty("wireColour", theme.wire);
   setRootProperty("graspColour", theme.grasp);
+  setRootProperty("shaftColour", theme.shaft);
   setRootProperty("forceColour", theme.caution);
   setRootProperty("markerColour", theme.accent);
   setRootProperty("ghostColour", theme.grasp);
