@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
+#include <QStringList>
 #include <QVBoxLayout>
 
 #include "app/gui/look/angle_dial.h"
@@ -279,9 +280,9 @@ void RunPage::withoutDevice(const Problem& why) {
   session_.reset();
   shell().tell([why, begun] {
     const SpokenError said = why();
-    const QString details = said.details.isEmpty()
-                                ? said.happened
-                                : tr("%1\n%2", "what happened, and where").arg(said.happened, said.details);
+    QStringList parts{said.happened};
+    if (!said.details.isEmpty()) parts << said.details;
+    const QString details = parts.join(QLatin1Char('\n'));
     if (!begun) {
       return SpokenError{tr("The haptic device is not ready: the graded run did not begin"),
                          tr("No attempt was used. Check the device, then begin again"), details};

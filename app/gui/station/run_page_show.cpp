@@ -97,6 +97,7 @@ bool RunPage::showNotice() {
   const bool real = phase.arm == TrainingArm::kReal;
   goOn_->setVisible(opening_.going() ? waiting_ : run.state() != RunState::kRunning);
   noticeFigure_->setVisible(!opening_.going());
+  setLook(goOn_, "primary", !opening_.going());
   if (opening_.going()) {
     noticeTitle_->setText(tr("Getting the haptic device ready"));
     noticeText_->setText(waiting_ ? tr("This takes a few seconds. Your time has not begun yet.")

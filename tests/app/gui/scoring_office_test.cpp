@@ -4,7 +4,6 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
-#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QPushButton>
@@ -150,7 +149,7 @@ TEST_F(ScoringOffice, WithdrawsARunOfTheWarmUpWithAReason) {
     QTimer::singleShot(0, &dialog, [] {
       QWidget* asked = QApplication::activeModalWidget();
       asked->findChild<QLineEdit*>(QStringLiteral("reason"))->setText(QStringLiteral("the panel erred"));
-      asked->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
+      buttonOf(*asked, "Withdraw a reference run")->click();
     });
     withdraw->click();
     EXPECT_TRUE(warmUp.present().asText().contains(QStringLiteral("the panel erred")));
