@@ -61,16 +61,22 @@ SimulationController::~SimulationController() {
   haptic_.reset();
 }
 
-void SimulationController::report(const std::exception_ptr& problem) {
-  try {
-    std::rethrow_exception(problem);
-  } catch (const Error& error) {
-    const SpokenError said = spoken(error);
-    Q_EMIT failed(said.happened, said.remedy, said.details);
-  } catch (const std::exception& error) {
-    Q_EMIT failed(tr("Something unexpected went wrong"), tr("Please report this."),
-                  QString::fromUtf8(error.what()));
-  }
+void SimulationController::report(const std::exception_ptr& thrown) {
+  tell(problemOf(thrown, {[] { return tr("Something unexpected went wrong"); },
+                          [] { return tr("Please report this."); }}));
+}
+
+void SimulationController::tell(const Problem& problem) {
+  Q_EMIT problemMet(problem);
+  const SpokenError said = problem();
+  Q_EMIT failed(said.happened, said.remedy, said.details);
+}
+
+void SimulationController::tellSpilled(const RecordingResult& result) {
+  tell([details = QString::fromStdString(result.spillFile->string() + "\n" + result.problem)] {
+    return SpokenError{tr("The recording could not go to its usual place and was kept as a file"),
+                       tr("Free some space or check the database, then import the file."), details};
+  });
 }
 
 void SimulationController::load(const SceneRequest& request) {
@@ -275,9 +281,7 @@ void SimulationController::stopRecording() {
     const RecordingResult result = run_->finish(TrialOutcome::kCompleted);
     const double duration_s = static_cast<double>(result.summary.samples) * 1e-3;
     if (result.spillFile) {
-      Q_EMIT failed(tr("The recording could not go to its usual place and was kept as a file"),
-                    tr("Free some space or check the database, then import the file."),
-                    QString::fromStdString(result.spillFile->string() + "\n" + result.problem));
+      tellSpilled(result);
     } else {
       Q_EMIT noticed(
           tr("Recorded %1 s to %2").arg(duration_s, 0, 'f', 1).arg(QString::fromStdString(recording_.place)));
@@ -312,11 +316,7 @@ std::optional<RecordingResult> SimulationController::endTraining(TrialOutcome ou
   std::optional<RecordingResult> result;
   try {
     result = run_->finish(outcome);
-    if (result->spillFile) {
-      Q_EMIT failed(tr("The recording could not go to its usual place and was kept as a file"),
-                    tr("Free some space or check the database, then import the file."),
-                    QString::fromStdString(result->spillFile->string() + "\n" + result->problem));
-    }
+    if (result->spillFile) tellSpilled(*result);
   } catch (...) {
     report(std::current_exception());
   }

@@ -14,6 +14,7 @@
 
 #include "app/gui/live_run.h"
 #include "app/gui/scene/scene_view.h"
+#include "app/gui/shell/problem.h"
 #include "app/gui/trial_playback.h"
 #include "app/gui/trial_recording.h"
 #include "sim/scene/scene.h"
@@ -120,6 +121,8 @@ class SimulationController : public QObject {
   void loadingChanged(bool loading);
   void sceneChanged();
   void modeChanged();
+  void problemMet(const torsio::gui::Problem& problem);
+  /// The same in the words of this moment.
   void failed(const QString& happened, const QString& remedy, const QString& details);
   void noticed(const QString& sentence);
   /// hapticModel() is another one.
@@ -141,7 +144,9 @@ class SimulationController : public QObject {
   void setHapticModel(const QString& model);
   [[nodiscard]] RunSetup setup() const;
   void setMode(Mode mode);
-  void report(const std::exception_ptr& problem);
+  void report(const std::exception_ptr& thrown);
+  void tell(const Problem& problem);
+  void tellSpilled(const RecordingResult& result);
 
   SceneLoader loader_;
   TrialRecording recording_;

@@ -178,9 +178,20 @@ void DeskRepository::addReferenceRuns(std::span<const StoredReferenceRun> runs) 
 }
 
 std::vector<StoredReferenceRun> DeskRepository::referenceRuns() {
+  return referenceRunsWhere(
+      " WHERE NOT EXISTS (SELECT 1 FROM reference_run_withdrawal w WHERE w.trial_id = r.trial_id)");
+}
+
+std::vector<StoredReferenceRun> DeskRepository::allReferenceRuns() {
+  return referenceRunsWhere("");
+}
+
+std::vector<StoredReferenceRun> DeskRepository::referenceRunsWhere(const char* condition) {
   Statement row = connection_.prepare(
-      "SELECT trial_id, position, rubric_revision_id, panel_steps, panel_raters, set_by, set_utc_us,"
-      " demonstration FROM reference_run ORDER BY position, trial_id");
+      std::string(
+          "SELECT r.trial_id, r.position, r.rubric_revision_id, r.panel_steps, r.panel_raters, r.set_by,"
+          " r.set_utc_us, r.demonstration FROM reference_run r") +
+      condition + " ORDER BY r.position, r.trial_id");
   std::vector<StoredReferenceRun> runs;
   row.execute();
   while (row.step()) {
@@ -188,6 +199,23 @@ std::vector<StoredReferenceRun> DeskRepository::referenceRuns() {
                     row.int64(6), row.boolean(7)});
   }
   return runs;
+}
+
+void DeskRepository::withdrawReferenceRun(const StoredReferenceWithdrawal& withdrawal) {
+  connection_.execute(
+      "INSERT INTO reference_run_withdrawal (trial_id, reason, withdrawn_by, withdrawn_utc_us)"
+      " VALUES (?, ?, ?, ?)",
+      {withdrawal.trialId, withdrawal.reason, withdrawal.withdrawnBy, withdrawal.withdrawnUtc_us});
+}
+
+std::vector<StoredReferenceWithdrawal> DeskRepository::referenceWithdrawals() {
+  Statement row = connection_.prepare(
+      "SELECT trial_id, reason, withdrawn_by, withdrawn_utc_us FROM reference_run_withdrawal"
+      " ORDER BY withdrawn_utc_us, trial_id");
+  std::vector<StoredReferenceWithdrawal> withdrawals;
+  row.execute();
+  while (row.step()) withdrawals.push_back({row.text(0), row.text(1), row.text(2), row.int64(3)});
+  return withdrawals;
 }
 
 void DeskRepository::saveEvaluationDraft(const std::string& campaignId, const std::string& raterId,

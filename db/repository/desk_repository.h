@@ -44,6 +44,14 @@ struct StoredReferenceRun {
   bool demonstration = false;
 };
 
+/// A reference run that is given to nobody any more.
+struct StoredReferenceWithdrawal {
+  std::string trialId{};
+  std::string reason{};
+  std::string withdrawnBy{};
+  std::int64_t withdrawnUtc_us = 0;
+};
+
 /// One mark of an unfinished evaluation form.
 struct EvaluationDraftMark {
   std::string modelCode{};
@@ -81,8 +89,13 @@ class DeskRepository {
   [[nodiscard]] std::vector<std::string> assignedTrials();
 
   void addReferenceRuns(std::span<const StoredReferenceRun> runs);
-  /// By position.
+  /// Those that raters are given, by position.
   [[nodiscard]] std::vector<StoredReferenceRun> referenceRuns();
+  /// With those that were withdrawn, by position.
+  [[nodiscard]] std::vector<StoredReferenceRun> allReferenceRuns();
+  /// Once a run. Throws Error{kDatabase} for a run that is none or is withdrawn already.
+  void withdrawReferenceRun(const StoredReferenceWithdrawal& withdrawal);
+  [[nodiscard]] std::vector<StoredReferenceWithdrawal> referenceWithdrawals();
 
   /// Empty score: removes the mark from the draft.
   void saveEvaluationDraft(const std::string& campaignId, const std::string& raterId,
@@ -94,6 +107,8 @@ class DeskRepository {
                              const std::string& modelCode);
 
  private:
+  [[nodiscard]] std::vector<StoredReferenceRun> referenceRunsWhere(const char* condition);
+
   Connection& connection_;
 };
 

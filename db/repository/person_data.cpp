@@ -103,6 +103,7 @@ constexpr std::array kRules{
     PersonRule{"operation", ""},
     PersonRule{"rater_class", ""},
     PersonRule{"reference_run", ""},
+    PersonRule{"reference_run_withdrawal", ""},
     PersonRule{"retention_rule", ""},
     PersonRule{"role", ""},
     PersonRule{"role_operation", ""},

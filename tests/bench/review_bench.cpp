@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reviewing a recording of 40 minutes: how much memory it takes while it is open, and how long the window
 // takes to answer when somebody scrubs: the moment decoded, the organ and the instrument in their pose, the
-// traces with their cursor. A scripted hand twists the arm; the first argument is the number of minutes.
-// With a display (xvfb-run) the picture is drawn too and timed apart. Fails when a scrub takes more work than
-// what a hand feels, or the memory is more than a small machine has to spare. Judged by processor time, so
-// that a machine that is busy with something else does not decide; the time on the wall is told beside it.
+// traces with their cursor. A scripted hand twists the arm; arguments: minutes, width and height of the
+// panel. With a display (xvfb-run) the picture is drawn too and timed apart, and the memory counts what the
+// graphics driver takes; a recording of some seconds, opened first, tells how much of it the 40 minutes are.
+// Fails when a scrub takes more work than what a hand feels, or the memory is more than a small machine has
+// to spare. Judged by processor time (of all threads), so that a machine that is busy with something else
+// does not decide; the time on the wall is told beside it.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -12,9 +14,11 @@
 #include <ctime>
 #include <fstream>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <QApplication>
+#include <QSize>
 
 #include "app/gui/review/replay_panel.h"
 #include "app/session/pipeline.h"
@@ -27,10 +31,14 @@ using namespace torsio;
 using SteadyClock = std::chrono::steady_clock;
 
 constexpr int kMinutes = 40;
+constexpr double kShort_s = 10.0;
+const QSize kPanel{680, 600};
 constexpr double kAnswer_ms = 50.0;
+constexpr double kPictureWork_ms = 2.0 * kAnswer_ms;  // of the two cores of the smallest machine
 constexpr double kOpen_MB = 150.0;
 constexpr double kPatience_ms = 2000.0;
 constexpr int kScrubs = 400;
+constexpr int kWarmUp = 20;
 
 double since_ms(SteadyClock::time_point start) {
   return std::chrono::duration<double, std::milli>(SteadyClock::now() - start).count();
@@ -50,24 +58,79 @@ double resident_MB() {
   return resident * kPage_MB;
 }
 
-Trial recorded(const std::filesystem::path& assets, int minutes) {
+Trial recorded(const std::filesystem::path& assets, double duration_s) {
   SceneRequest request;
   request.assets = assets;
   request.id = "arm";
   ScriptedTrial script;
   script.trialId = "bench";
   script.phaseLabel = "bench";
-  script.duration_s = 60.0 * minutes;
+  script.duration_s = duration_s;
   MemoryTrialSink sink;
   recordScriptedTrial(loadScene(request), script, sink);
   return sink.trial();
 }
 
-void tell(const char* what, std::vector<double> times_ms) {
-  std::sort(times_ms.begin(), times_ms.end());
-  const std::size_t last = times_ms.size() - 1;
-  std::printf("%-28s median %.2f ms, 99 %% %.2f ms, worst %.2f ms\n", what, times_ms[last / 2],
-              times_ms[last * 99 / 100], times_ms[last]);
+double packed_MB(const Trial& trial) {
+  double sum_MB = 0.0;
+  for (const TrialChunk& chunk : trial.chunks) sum_MB += static_cast<double>(chunk.bytes.size()) / 1e6;
+  return sum_MB;
+}
+
+/// Sorted; empty without a display.
+struct Times {
+  std::vector<double> work_ms;
+  std::vector<double> answers_ms;
+  std::vector<double> pictureWork_ms;
+  std::vector<double> pictures_ms;
+};
+
+double quantile(const std::vector<double>& sorted, std::size_t percent) {
+  return sorted.empty() ? 0.0 : sorted[(sorted.size() - 1) * percent / 100];
+}
+
+void tell(const char* what, const std::vector<double>& sorted_ms) {
+  if (sorted_ms.empty()) return;
+  std::printf("%-28s median %.2f ms, 99 %% %.2f ms, worst %.2f ms\n", what, quantile(sorted_ms, 50),
+              quantile(sorted_ms, 99), sorted_ms.back());
+}
+
+/// Jumps to and fro at random.
+Times scrub(gui::ReplayPanel& panel, int jumps) {
+  const auto* view = panel.findChild<gui::SceneView*>();
+  auto* traces = panel.findChild<gui::TraceView*>();
+  const auto duration_us = static_cast<double>(panel.recording()->playback.duration_us());
+  Random random(1);
+  Times into;
+  for (int i = 0; i < jumps; ++i) {
+    const auto to_us = static_cast<std::int64_t>(random.uniform() * duration_us);
+    const std::int64_t frames = view->framesDrawn();
+    const std::clock_t begun = std::clock();
+    const auto start = SteadyClock::now();
+    panel.seek_us(to_us);
+    // With a picture the window is put together once, for the organ and the traces.
+    if (!gui::SceneView::platformCanRender()) traces->repaint();
+    into.answers_ms.push_back(since_ms(start));
+    into.work_ms.push_back(worked_ms(begun));
+    if (!gui::SceneView::platformCanRender()) continue;
+    while (view->framesDrawn() == frames && since_ms(start) < kPatience_ms) QApplication::processEvents();
+    QApplication::processEvents();
+    into.pictures_ms.push_back(since_ms(start));
+    into.pictureWork_ms.push_back(worked_ms(begun));
+  }
+  for (auto* list : {&into.work_ms, &into.answers_ms, &into.pictureWork_ms, &into.pictures_ms})
+    std::sort(list->begin(), list->end());
+  return into;
+}
+
+/// Loads as a worker thread does, shows, and draws once; the trial is given away.
+void open(gui::ReplayPanel& panel, Trial trial, const std::filesystem::path& assets) {
+  panel.show(nullptr);
+  const auto start = SteadyClock::now();
+  auto loaded = gui::loadForShowing({"7F", std::move(trial), "00000000"}, assets);
+  std::printf("opened in a worker thread in %.0f ms\n", since_ms(start));
+  panel.show(std::move(loaded));
+  QApplication::processEvents();
 }
 
 }  // namespace
@@ -75,51 +138,39 @@ void tell(const char* what, std::vector<double> times_ms) {
 int main(int argc, char** argv) {
   if (qEnvironmentVariableIsEmpty("DISPLAY")) qputenv("QT_QPA_PLATFORM", "offscreen");
   const int minutes = argc > 1 ? std::max(1, std::atoi(argv[1])) : kMinutes;
+  const QSize size = argc > 3 ? QSize(std::atoi(argv[2]), std::atoi(argv[3])) : kPanel;
   gui::SceneView::prepareGraphics();
   const QApplication application(argc, argv);
   const std::filesystem::path assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
-  auto start = SteadyClock::now();
-  BlindedRecording recording{"7F", recorded(assets, minutes), "00000000"};
-  double packed_MB = 0.0;
-  for (const TrialChunk& chunk : recording.trial.chunks)
-    packed_MB += static_cast<double>(chunk.bytes.size()) / 1e6;
-  std::printf("recorded %d min in %.1f s, packed %.1f MB\n", minutes, since_ms(start) * 1e-3, packed_MB);
+  const auto start = SteadyClock::now();
+  Trial shortTrial = recorded(assets, kShort_s);
+  Trial longTrial = recorded(assets, 60.0 * minutes);
+  const double long_MB = packed_MB(longTrial);
+  std::printf("recorded %d min in %.1f s, packed %.1f MB\n", minutes, since_ms(start) * 1e-3, long_MB);
 
-  const double before_MB = resident_MB() - packed_MB;
-  start = SteadyClock::now();
-  const auto loaded = gui::loadForShowing(std::move(recording), assets);
-  std::printf("opened in a worker thread in %.0f ms\n", since_ms(start));
+  const double before_MB = resident_MB() - long_MB;
   gui::ReplayPanel panel(assets);
   panel.retranslate();
-  panel.resize(680, 600);
+  panel.resize(size);
   panel.setVisible(true);
-  panel.show(loaded);
-  QApplication::processEvents();
-  auto* view = panel.findChild<gui::SceneView*>();
+  open(panel, std::move(shortTrial), assets);
+  static_cast<void>(scrub(panel, kWarmUp));
+  const double short_MB = resident_MB() - long_MB;
+  open(panel, std::move(longTrial), assets);
+  const Times times = scrub(panel, kScrubs);
+  const double open_MB = resident_MB();
 
-  Random random(1);
-  std::vector<double> work_ms;
-  std::vector<double> answers_ms;
-  std::vector<double> pictures_ms;
-  for (int i = 0; i < kScrubs; ++i) {
-    const auto to_us =
-        static_cast<std::int64_t>(random.uniform() * static_cast<double>(loaded->playback.duration_us()));
-    const std::int64_t frames = view->framesDrawn();
-    const std::clock_t begun = std::clock();
-    start = SteadyClock::now();
-    panel.seek_us(to_us);
-    panel.findChild<gui::TraceView*>()->repaint();
-    answers_ms.push_back(since_ms(start));
-    work_ms.push_back(worked_ms(begun));
-    if (!gui::SceneView::platformCanRender()) continue;
-    while (view->framesDrawn() == frames && since_ms(start) < kPatience_ms) QApplication::processEvents();
-    pictures_ms.push_back(since_ms(start));
-  }
-  const double open_MB = resident_MB() - before_MB;
-  std::printf("memory while it is open: %.0f MB (limit %.0f MB)\n", open_MB, kOpen_MB);
-  tell("pose and traces, work", work_ms);
-  tell("pose and traces, wall", answers_ms);
-  if (!pictures_ms.empty()) tell("picture drawn as well, wall", pictures_ms);
-  const double worst_ms = *std::max_element(work_ms.begin(), work_ms.end());
-  return worst_ms <= kAnswer_ms && open_MB <= kOpen_MB ? 0 : 1;
+  const auto* view = panel.findChild<gui::SceneView*>();
+  std::printf("panel %d x %d, renderer: %s\n", size.width(), size.height(),
+              view->renderer().isEmpty() ? "none" : view->renderer().toUtf8().constData());
+  std::printf("memory while it is open: %.0f MB (limit %.0f MB); of these %.0f MB for its %d min\n",
+              open_MB - before_MB, kOpen_MB, open_MB - short_MB, minutes);
+  const bool drawn = !times.pictures_ms.empty();
+  tell(drawn ? "pose, work" : "pose and traces, work", times.work_ms);
+  tell(drawn ? "pose, wall" : "pose and traces, wall", times.answers_ms);
+  tell("picture drawn as well, work", times.pictureWork_ms);
+  tell("picture drawn as well, wall", times.pictures_ms);
+  const bool quick =
+      times.work_ms.back() <= kAnswer_ms && quantile(times.pictureWork_ms, 99) <= kPictureWork_ms;
+  return quick && open_MB - before_MB <= kOpen_MB ? 0 : 1;
 }

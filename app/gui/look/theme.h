@@ -32,6 +32,7 @@ struct Theme {
   QColor lattice;  ///< ridges and sections
   QColor wire;
   QColor grasp;  ///< section to take hold of
+  QColor shaft;  ///< sleeve of the instrument, before the lamps shine on it
 };
 
 [[nodiscard]] const Theme& theme(ThemeKind kind);

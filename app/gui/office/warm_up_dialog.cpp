@@ -2,6 +2,8 @@
 #include "app/gui/office/warm_up_dialog.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
 #include <QComboBox>
@@ -19,6 +21,7 @@
 #include "app/gui/look/data_table.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/office/office_parts.h"
+#include "app/gui/office/user_dialogs.h"
 #include "app/gui/shell/shell_context.h"
 
 namespace torsio::gui {
@@ -26,7 +29,7 @@ namespace torsio::gui {
 namespace {
 
 constexpr int kLargestPanel = 99;
-constexpr std::size_t kUsual = 2;  // reference runs of a warm-up
+constexpr std::ptrdiff_t kUsual = 2;  // reference runs of a warm-up
 
 }  // namespace
 
@@ -40,6 +43,7 @@ WarmUpDialog::WarmUpDialog(ShellContext& shell, std::vector<RubricRow> rubrics, 
       rubric_(new QComboBox(this)),
       mark_(new QDoubleSpinBox(this)),
       panel_(new QSpinBox(this)),
+      withdraw_(new QPushButton(tr("&Withdraw\u2026"), this)),
       add_(new QPushButton(tr("&Add as a reference run"), this)),
       close_(new QPushButton(tr("Close"), this)) {
   setWindowTitle(tr("Runs of the warm-up"));
@@ -55,21 +59,26 @@ WarmUpDialog::WarmUpDialog(ShellContext& shell, std::vector<RubricRow> rubrics, 
                         {tr("Length"), true},
                         {tr("Mark of the panel"), true},
                         {tr("Panel"), true},
-                        {tr("Added")}});
+                        {tr("Added")},
+                        {tr("State")}});
   present_->view().setAccessibleName(tr("Reference runs"));
   present_->setEmptyText(tr("None yet: physicians begin without a warm-up."));
   present_->filter().hide();
   present_->setMaximumHeight(9 * fontMetrics().height());
   column->addWidget(present_);
+  withdraw_->setToolTip(tr("No physician is given the chosen run any more; nothing is deleted"));
+  column->addWidget(withdraw_, 0, Qt::AlignRight);
   candidates_->setColumns(
       {{tr("Recording of")}, {tr("Organ")}, {tr("Phase")}, {tr("Length"), true}, {tr("Recorded")}});
   candidates_->view().setAccessibleName(tr("Recordings to choose from"));
   candidates_->setEmptyText(
-      tr("No recording can be offered: each is being scored, is a reference run already, or is incomplete."));
+      tr("No recording can be offered: each is being scored, is or was a reference run, or is incomplete."));
   column->addWidget(candidates_, 1);
   createForm();
   connect(candidates_, &DataTable::currentChanged, this, &WarmUpDialog::check);
+  connect(present_, &DataTable::currentChanged, this, &WarmUpDialog::check);
   connect(rubric_, &QComboBox::currentIndexChanged, this, &WarmUpDialog::showScale);
+  connect(withdraw_, &QPushButton::clicked, this, &WarmUpDialog::withdraw);
   connect(add_, &QPushButton::clicked, this, &WarmUpDialog::add);
   connect(close_, &QPushButton::clicked, this, &QDialog::accept);
   showScale();
@@ -88,8 +97,8 @@ void WarmUpDialog::createForm() {
   form->addRow(tr("&Physicians on the panel"), panel_);
   column->addLayout(form);
   auto* note =
-      new QLabel(tr("The panel marks the run together before it is used. A run that was added stays, "
-                    "so that every physician warms up on the same ones."),
+      new QLabel(tr("The panel marks the run together before it is used. Keep the runs as they are where you "
+                    "can, so that every physician warms up on the same ones."),
                  this);
   note->setWordWrap(true);
   note->setProperty("quiet", true);
@@ -116,23 +125,30 @@ void WarmUpDialog::showScale() {
 void WarmUpDialog::read() {
   const QLocale locale = this->locale();
   const std::vector<ReferenceRow> runs = referenceRows(shell_.workplace());
-  state_->setText(runs.size() < kUsual ? tr("Every physician scores these runs before the first real case "
-                                            "and sees how far the own mark is "
-                                            "from the panel's. Two are usual: one weak, one good.")
-                                       : tr("Every physician scores these runs before the first real case "
-                                            "and sees how far the own mark is "
-                                            "from the panel's."));
+  const auto given = std::count_if(runs.begin(), runs.end(),
+                                   [](const ReferenceRow& run) { return run.withdrawnBecause.empty(); });
+  state_->setText(given < kUsual ? tr("Every physician scores these runs before the first real case "
+                                      "and sees how far the own mark is "
+                                      "from the panel's. Two are usual: one weak, one good.")
+                                 : tr("Every physician scores these runs before the first real case "
+                                      "and sees how far the own mark is "
+                                      "from the panel's."));
   std::vector<Row> present;
-  for (const ReferenceRow& run : runs)
+  withdrawn_.clear();
+  for (const ReferenceRow& run : runs) {
+    const bool out = !run.withdrawnBecause.empty();
+    if (out) withdrawn_.insert(shown(run.trialId));
     present.push_back(
         {shown(run.trialId),
-         {{tr("Reference %1").arg(run.number), static_cast<int>(run.number)},
+         {{out ? QStringLiteral("\u2013") : tr("Reference %1").arg(run.number), static_cast<int>(run.number)},
           {orDash(run.traineeCode)},
           {shown(run.sceneId)},
           {shownSpan(run.length_us.value_or(0)), static_cast<qlonglong>(run.length_us.value_or(0))},
           {locale.toString(run.panel_points, 'f', 1), run.panel_points},
           {locale.toString(static_cast<qlonglong>(run.panelRaters))},
-          {shownTime(run.setUtc_us, locale), static_cast<qlonglong>(run.setUtc_us)}}});
+          {shownTime(run.setUtc_us, locale), static_cast<qlonglong>(run.setUtc_us)},
+          {out ? tr("Withdrawn: %1").arg(shown(run.withdrawnBecause)) : tr("In use")}}});
+  }
   present_->setRows(std::move(present));
   std::vector<Row> rows;
   for (const ReferenceCandidate& one : referenceCandidates(shell_.workplace()))
@@ -148,6 +164,8 @@ void WarmUpDialog::read() {
 
 void WarmUpDialog::check() {
   add_->setEnabled(!candidates_->currentId().isEmpty());
+  const QString chosen = present_->currentId();
+  withdraw_->setEnabled(!chosen.isEmpty() && !withdrawn_.contains(chosen));
 }
 
 void WarmUpDialog::add() {
@@ -156,6 +174,20 @@ void WarmUpDialog::add() {
                                            mark_->value(), panel_->value(), false}});
     read();
     shell_.notify(tr("The reference run is added to the warm-up"));
+  });
+}
+
+void WarmUpDialog::withdraw() {
+  const QString chosen = present_->currentId();
+  const std::optional<std::string> reason =
+      askReason(this, tr("Withdraw a reference run"),
+                tr("No physician is given this run any more. What was scored on it stays. A run that is "
+                   "withdrawn cannot be used for the warm-up again."));
+  if (!reason) return;
+  attempt(shell_, [&] {
+    withdrawReferenceRun(shell_.workplace(), chosen.toStdString(), *reason);
+    read();
+    shell_.notify(tr("The reference run is withdrawn"));
   });
 }
 

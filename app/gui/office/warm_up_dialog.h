@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include <QDialog>
+#include <QString>
 
 #include "app/session/review/warm_up.h"
 #include "app/session/study/rubric_service.h"
@@ -19,8 +21,8 @@ namespace torsio::gui {
 class DataTable;
 class ShellContext;
 
-/// The reference runs of the physicians' warm-up: which there are, and one more with the mark that a panel
-/// gave it. Each addition is stored at once.
+/// The reference runs of the physicians' warm-up: which there are, one more with the mark that a panel gave
+/// it, and one less with a reason. Each change is stored at once.
 class WarmUpDialog : public QDialog {
   Q_OBJECT
 
@@ -36,6 +38,7 @@ class WarmUpDialog : public QDialog {
   void read();
   void check();
   void add();
+  void withdraw();
   void showScale();
   [[nodiscard]] const StoredRubricRevision& revision() const;
 
@@ -43,10 +46,12 @@ class WarmUpDialog : public QDialog {
   std::vector<RubricRow> rubrics_;
   QLabel* state_;
   DataTable* present_;
+  std::set<QString> withdrawn_;  // of the runs that are listed
   DataTable* candidates_;
   QComboBox* rubric_;
   QDoubleSpinBox* mark_;
   QSpinBox* panel_;
+  QPushButton* withdraw_;
   QPushButton* add_;
   QPushButton* close_;
 };

@@ -27,6 +27,7 @@ constexpr double kLongestFrame_s =
     0.25;  // a window that was dragged or a lid that was closed is not watching
 constexpr std::int64_t kJump_us = 5'000'000;
 constexpr std::int64_t kStep_us = 40'000;
+constexpr qint64 kLongestWait_ms = 250;           // for a frame of a window that perhaps nobody sees
 constexpr std::int64_t kHalfSecond_us = 500'000;  // the last sample of 0:20 lies a tick before it
 
 }  // namespace
@@ -76,6 +77,9 @@ ReplayPanel::ReplayPanel(const std::filesystem::path& assets, QWidget* parent)
   column->addWidget(sentence_, 1);
   column->addWidget(traces_, 0);
   createTransport();
+  connect(view_, &SceneView::frameDrawn, this, [this] {
+    if (awaitsFrame_) showBeside();
+  });
   connect(traces_, &TraceView::soughtTo, this, [this](qint64 at) { seek_us(at); });
   connect(&timer_, &QTimer::timeout, this, [this] {
     const double elapsed_s = static_cast<double>(sinceFrame_.restart()) * 1e-3;
@@ -240,8 +244,8 @@ void ReplayPanel::frame(double elapsed_s) {
   TrialPlayback& playback = recording_->playback;
   const std::int64_t before_us = playback.position_us();
   playback.advance(elapsed_s);
-  Q_EMIT played(before_us, playback.position_us(), playback.speed());
   showState();
+  Q_EMIT played(before_us, playback.position_us(), playback.speed());
   Q_EMIT moved(playback.position_us());
   if (!playback.playing()) {
     timer_.stop();
@@ -250,14 +254,33 @@ void ReplayPanel::frame(double elapsed_s) {
 }
 
 void ReplayPanel::showState() {
+  if (recording_ != nullptr && recording_->scene != nullptr) {
+    const LiveState state = recording_->playback.state();
+    view_->setTwist({state.response.graspArc_m, state.response.angle_rad});
+    view_->setTool(state.tool, state.grip);
+    if (view_->draws()) {
+      view_->redraw();
+      if (!awaitsFrame_) awaitsFrame_.emplace().start();
+      if (awaitsFrame_->elapsed() < kLongestWait_ms) return;
+    }
+  }
+  showBeside();
+}
+
+void ReplayPanel::setWatched(std::vector<std::pair<std::int64_t, std::int64_t>> spans_us) {
+  if (awaitsFrame_) {
+    watched_us_ = std::move(spans_us);
+  } else {
+    traces_->setWatched(std::move(spans_us));
+  }
+}
+
+void ReplayPanel::showBeside() {
+  awaitsFrame_.reset();
+  if (watched_us_) traces_->setWatched(*std::exchange(watched_us_, std::nullopt));
   if (!ready()) {
     time_->clear();
     return;
-  }
-  const LiveState state = recording_->playback.state();
-  if (recording_->scene != nullptr) {
-    view_->setTwist({state.response.graspArc_m, state.response.angle_rad});
-    view_->setTool(state.tool, state.grip);
   }
   traces_->setPosition_us(position_us());
   const std::int64_t end_us = recording_->playback.duration_us();

@@ -57,9 +57,7 @@ class ReplayPanel : public QWidget {
   /// Allowed speeds, rising. One: locked.
   void setSpeeds(std::vector<double> speeds);
   void setBookmarks(std::vector<std::int64_t> times_us) { traces_->setBookmarks(std::move(times_us)); }
-  void setWatched(std::vector<std::pair<std::int64_t, std::int64_t>> spans_us) {
-    traces_->setWatched(std::move(spans_us));
-  }
+  void setWatched(std::vector<std::pair<std::int64_t, std::int64_t>> spans_us);
 
   [[nodiscard]] bool ready() const noexcept { return recording_ != nullptr; }
   [[nodiscard]] bool playing() const noexcept { return ready() && recording_->playback.playing(); }
@@ -85,6 +83,7 @@ class ReplayPanel : public QWidget {
  private:
   void createTransport();
   void showState();
+  void showBeside();
   void showTransport();
   void changeSpeed(int direction);
 
@@ -103,7 +102,8 @@ class ReplayPanel : public QWidget {
   QTimer timer_;
   QElapsedTimer sinceFrame_;
   bool realTime_ = true;
-  QString wanted_;
+  std::optional<QElapsedTimer> awaitsFrame_;  // since when; then what stands beside the picture follows
+  std::optional<std::vector<std::pair<std::int64_t, std::int64_t>>> watched_us_;  // waits for the frame too
 };
 
 }  // namespace torsio::gui

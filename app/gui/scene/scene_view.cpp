@@ -55,11 +55,13 @@ float formShade(const float (&normal)[3]) {
   return 1.0F - kDeepest * away;
 }
 
-bool isSoftware(const QString& renderer) {
-  for (const char* name : {"llvmpipe", "softpipe", "SwiftShader", "swrast"}) {
-    if (renderer.contains(QLatin1String(name), Qt::CaseInsensitive)) return true;
+/// Names of Mesa, Chrome's renderer, and Windows with and without a driver.
+Renderer kindOf(const QString& renderer) {
+  for (const char* name : {"llvmpipe", "softpipe", "swrast", "software rasterizer", "SwiftShader",
+                           "Microsoft Basic Render", "GDI Generic"}) {
+    if (renderer.contains(QLatin1String(name), Qt::CaseInsensitive)) return Renderer::kSoftware;
   }
-  return false;
+  return Renderer::kGraphicsCard;
 }
 
 /// Stands where the organ would be on a display without OpenGL.
@@ -174,6 +176,7 @@ void SceneView::createScene() {
 
 void SceneView::noteFrame() {
   ++framesDrawn_;
+  Q_EMIT frameDrawn();
   const double frame_s = sinceFrame_.isValid() ? static_cast<double>(sinceFrame_.nsecsElapsed()) * 1e-9 : 0.0;
   sinceFrame_.start();
   if (!renderer_.isEmpty()) {
@@ -185,7 +188,7 @@ void SceneView::noteFrame() {
   if (QOpenGLContext* context = QOpenGLContext::currentContext(); context != nullptr) {
     const GLubyte* name = context->functions()->glGetString(GL_RENDERER);
     renderer_ = name != nullptr ? QString::fromLatin1(reinterpret_cast<const char*>(name)) : tr("unknown");
-    control_ = QualityControl(!isSoftware(renderer_));
+    control_ = QualityControl(kindOf(renderer_));
     QMetaObject::invokeMethod(this, &SceneView::applyQuality, Qt::QueuedConnection);
   }
 }
@@ -386,6 +389,7 @@ void SceneView::setTheme(const Theme& theme) {
   setRootProperty("latticeColour", theme.lattice);
   setRootProperty("wireColour", theme.wire);
   setRootProperty("graspColour", theme.grasp);
+  setRootProperty("shaftColour", theme.shaft);
   setRootProperty("forceColour", theme.caution);
   setRootProperty("markerColour", theme.accent);
   setRootProperty("ghostColour", theme.grasp);

@@ -58,7 +58,7 @@ struct ViewScene {
                                       const std::string& tissue = {});
 
 enum class RenderQuality {
-  kAutomatic,  ///< by frame time: fine as long as it stays smooth; a software renderer starts fast
+  kAutomatic,  ///< by frame time: fine as long as it stays smooth; a software renderer stays fast
   kFast,
   kFine,  ///< antialiasing, shadow, ambient occlusion
 };
@@ -114,6 +114,8 @@ class SceneView : public QWidget {
 
   /// Draws once more, although nothing changed.
   void redraw();
+  /// Whether a redraw() will end in frameDrawn().
+  [[nodiscard]] bool draws() const { return quick_ != nullptr && isVisible(); }
   /// Frames drawn so far; the window measures its rate from it.
   [[nodiscard]] std::int64_t framesDrawn() const noexcept { return framesDrawn_; }
   /// Name of the renderer: "llvmpipe ...", empty before the first frame.
@@ -123,6 +125,10 @@ class SceneView : public QWidget {
 
  Q_SIGNALS:
   void cameraChanged();
+  /// A frame is drawn and the window is about to be put together anew: what is to change with the picture and
+  /// is marked for painting now costs nothing more, while on a software renderer each putting together takes
+  /// as long as a frame. The renderer is still at work: nothing may be shown, hidden or drawn at once.
+  void frameDrawn();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

@@ -42,6 +42,7 @@ Rectangle {
     property color wireColour: "#20323c"
     property color latticeColour: "#12303c"
     property color graspColour: "#0f766e"
+    property color shaftColour: "#343b42"
 
     property bool forceVisible: false
     property vector3d forcePosition
@@ -66,6 +67,9 @@ Rectangle {
 
     View3D {
         anchors.fill: parent
+        // Straight into the picture: a picture of its own would be drawn, copied, and asked for a second time
+        // after each change. Antialiasing needs one.
+        renderMode: root.fine ? View3D.Offscreen : View3D.Inline
         camera: camera
 
         environment: SceneEnvironment {
@@ -266,7 +270,7 @@ Rectangle {
             }
             PrincipledMaterial {
                 id: insulation
-                baseColor: "#343b42"
+                baseColor: root.shaftColour
                 metalness: 0
                 roughness: 0.42
             }

@@ -190,7 +190,7 @@ void Desk::connectContext() {
   connect(&context_, &ShellContext::pageWanted, this,
           [this](const QString& id, const QVariant& argument) { open(id, argument); });
   connect(&context_, &ShellContext::noticed, toast_, &Toast::say);
-  connect(&context_, &ShellContext::failed, problem_, &ProblemPanel::tell);
+  connect(&context_, &ShellContext::problemMet, problem_, &ProblemPanel::tell);
   connect(&context_, &ShellContext::themeChanged, this, &Desk::applyColours);
   connect(&context_, &ShellContext::jobStarted, job_, &JobPanel::begin);
   connect(&context_, &ShellContext::jobMoved, job_, &JobPanel::move);

@@ -67,18 +67,23 @@ ProblemPanel::ProblemPanel(QWidget* parent)
   retranslate();
 }
 
-void ProblemPanel::tell(const QString& happened, const QString& remedy, const QString& details) {
-  QString sentence =
-      happened;  // errors begin in lower case: they also stand within lines of the command line
-  if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
-  happened_->setText(sentence);
-  remedy_->setText(remedy);
-  remedy_->setVisible(!remedy.isEmpty());
-  details_->setPlainText(details);
-  fold_->setVisible(!details.isEmpty());
+void ProblemPanel::tell(const Problem& problem) {
+  problem_ = problem;
+  say();
   showDetails(false);
-  setAccessibleDescription(wholeText());
   setVisible(true);
+}
+
+void ProblemPanel::say() {
+  SpokenError said = problem_();
+  // Errors begin in lower case: they also stand within lines of the command line.
+  if (!said.happened.isEmpty()) said.happened[0] = said.happened[0].toUpper();
+  happened_->setText(said.happened);
+  remedy_->setText(said.remedy);
+  remedy_->setVisible(!said.remedy.isEmpty());
+  details_->setPlainText(said.details);
+  fold_->setVisible(!said.details.isEmpty());
+  setAccessibleDescription(wholeText());
 }
 
 void ProblemPanel::setClosable(bool closable) {
@@ -107,6 +112,7 @@ void ProblemPanel::retranslate() {
   details_->setAccessibleName(tr("Details"));
   copy_->setText(tr("Copy"));
   close_->setText(tr("Close"));
+  if (problem_) say();
   showDetails(!details_->isHidden());
 }
 

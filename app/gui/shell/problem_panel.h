@@ -4,6 +4,8 @@
 #include <QFrame>
 #include <QString>
 
+#include "app/gui/shell/problem.h"
+
 class QLabel;
 class QPlainTextEdit;
 class QPushButton;
@@ -13,14 +15,14 @@ namespace torsio::gui {
 struct Theme;
 
 /// What went wrong, in one sentence, and what to do; details folded; a button that copies all of it. Stays
-/// until it is closed, and never covers the work.
+/// until it is closed, follows the language, and never covers the work.
 class ProblemPanel : public QFrame {
   Q_OBJECT
 
  public:
   explicit ProblemPanel(QWidget* parent = nullptr);
 
-  void tell(const QString& happened, const QString& remedy, const QString& details);
+  void tell(const Problem& problem);
   /// False on screens that have nothing else to show.
   void setClosable(bool closable);
   /// Everything, as the copy button gives it.
@@ -32,8 +34,10 @@ class ProblemPanel : public QFrame {
   void changeEvent(QEvent* event) override;
 
  private:
+  void say();
   void showDetails(bool shown);
 
+  Problem problem_;
   QLabel* sign_;
   QLabel* happened_;
   QLabel* remedy_;

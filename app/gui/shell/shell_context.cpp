@@ -9,7 +9,6 @@
 
 #include "app/gui/shell/spoken.h"
 #include "app/session/care/station_line.h"
-#include "sim/base/error.h"
 
 namespace torsio::gui {
 
@@ -44,16 +43,15 @@ void ShellContext::setThemeKind(ThemeKind kind) {
   Q_EMIT themeChanged(kind);
 }
 
-void ShellContext::report(const std::exception_ptr& problem) {
-  try {
-    std::rethrow_exception(problem);
-  } catch (const Error& error) {
-    const SpokenError said = spoken(error);
-    Q_EMIT failed(said.happened, said.remedy, said.details);
-  } catch (const std::exception& error) {
-    Q_EMIT failed(tr("Something unexpected happened"), tr("Nothing was lost; please try again"),
-                  QString::fromLocal8Bit(error.what()));
-  }
+void ShellContext::report(const std::exception_ptr& thrown) {
+  tell(problemOf(thrown, {[] { return tr("Something unexpected happened"); },
+                          [] { return tr("Nothing was lost; please try again"); }}));
+}
+
+void ShellContext::tell(const Problem& problem) {
+  Q_EMIT problemMet(problem);
+  const SpokenError said = problem();
+  Q_EMIT failed(said.happened, said.remedy, said.details);
 }
 
 void ShellContext::run(const QString& title, Work work, std::function<void()> done) {

@@ -12,6 +12,7 @@
 #include <QVariant>
 
 #include "app/gui/look/theme.h"
+#include "app/gui/shell/problem.h"
 #include "app/session/access/workplace.h"
 #include "app/session/progress.h"
 
@@ -58,7 +59,9 @@ class ShellContext : public QObject {
   /// A sentence that passes by at the lower edge.
   void notify(const QString& sentence) { Q_EMIT noticed(sentence); }
   /// Says in plain words what went wrong, what to do, details folded. Call it in a catch block.
-  void report(const std::exception_ptr& problem);
+  void report(const std::exception_ptr& thrown);
+  /// The same for what no exception says.
+  void tell(const Problem& problem);
 
   /// Work that takes time, off the GUI thread, on a connection of its own for the same actor. `work` gets
   /// a workplace and a callback that it calls with its progress (which throws Cancelled when the user gave
@@ -77,6 +80,8 @@ class ShellContext : public QObject {
  Q_SIGNALS:
   void pageWanted(const QString& id, const QVariant& argument);
   void noticed(const QString& sentence);
+  void problemMet(const torsio::gui::Problem& problem);
+  /// The same in the words of this moment.
   void failed(const QString& happened, const QString& remedy, const QString& details);
   void themeChanged(ThemeKind kind);
   void recordChangeWanted(const torsio::gui::RecordChange& change);

@@ -25,9 +25,11 @@ namespace torsio::gui {
 
 void ShellWindow::tellKept() {
   if (kept_.empty() || workplace_->actor().practiceOnly) return;
-  Q_EMIT desk_->context().failed(
-      tr("%n recording(s) of this station could not be stored", nullptr, static_cast<int>(kept_.size())),
-      tr("The files are kept. Please show this to your administrator"), spokenLines(kept_));
+  desk_->context().tell([kept = kept_] {
+    return SpokenError{
+        tr("%n recording(s) of this station could not be stored", nullptr, static_cast<int>(kept.size())),
+        tr("The files are kept. Please show this to your administrator"), spokenLines(kept)};
+  });
   kept_.clear();
 }
 

@@ -9,8 +9,6 @@
 #include "app/gui/look/form.h"
 #include "app/gui/look/theme.h"
 #include "app/gui/shell/problem_panel.h"
-#include "app/gui/shell/spoken.h"
-#include "sim/base/error.h"
 
 namespace torsio::gui {
 
@@ -38,15 +36,9 @@ TroublePanel::TroublePanel(QWidget* parent) : QWidget(parent), problem_(new Prob
 }
 
 void TroublePanel::tell(const std::exception_ptr& problem) {
-  try {
-    std::rethrow_exception(problem);
-  } catch (const Error& error) {
-    const SpokenError said = spoken(error);
-    problem_->tell(said.happened, said.remedy, said.details);
-  } catch (const std::exception& error) {
-    problem_->tell(tr("The database cannot be used"), tr("Try again; if it stays so, ask your administrator"),
-                   QString::fromUtf8(error.what()));
-  }
+  problem_->tell(
+      problemOf(problem, {[] { return tr("The database cannot be used"); },
+                          [] { return tr("Try again; if it stays so, ask your administrator"); }}));
 }
 
 void TroublePanel::setTheme(const Theme& theme) {

@@ -36,6 +36,7 @@ LiveScene::LiveScene(SceneLoader loader, std::filesystem::path assets, QWidget* 
     view_->setScene(controller_->viewScene());
     pointer_->park(controller_->parkingPoint_m());
   });
+  connect(view_, &SceneView::frameDrawn, this, &LiveScene::tell);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, [this] {
     const double elapsed_s = static_cast<double>(since_.nsecsElapsed()) * 1e-9;
@@ -59,7 +60,13 @@ void LiveScene::frame(double elapsed_s) {
   const LiveState state = controller_->state();
   view_->setTwist({state.response.graspArc_m, state.response.angle_rad});
   showTool(state);
-  Q_EMIT shown(state);
+  tell();  // of the round before, when nothing moved and nothing was drawn
+  untold_ = state;
+  if (!view_->draws()) tell();
+}
+
+void LiveScene::tell() {
+  if (const std::optional<LiveState> state = std::exchange(untold_, std::nullopt)) Q_EMIT shown(*state);
 }
 
 void LiveScene::showTool(const LiveState& state) {

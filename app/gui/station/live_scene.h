@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -31,7 +32,7 @@ class LiveScene : public QWidget {
   void frame(double elapsed_s);
 
  Q_SIGNALS:
-  /// After each frame.
+  /// After each frame, so that the gauges and the picture change together.
   void shown(const torsio::LiveState& state);
 
  protected:
@@ -40,10 +41,12 @@ class LiveScene : public QWidget {
 
  private:
   void showTool(const LiveState& state);
+  void tell();
 
   std::unique_ptr<SimulationController> controller_;
   SceneView* view_;
   PointerControls* pointer_;
+  std::optional<LiveState> untold_;  // waits for its frame
   QTimer timer_;
   QElapsedTimer since_;
 };

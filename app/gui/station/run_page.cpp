@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/station/run_page.h"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <utility>
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -12,6 +11,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
+#include <QStringList>
 #include <QVBoxLayout>
 
 #include "app/gui/look/angle_dial.h"
@@ -35,10 +35,8 @@ constexpr int kPanelWidth = 316;
 constexpr int kClock_ms = 100;
 constexpr double kCountdown_pt = 30.0;
 constexpr double kNotice_pt = 64.0;
-constexpr std::int64_t kSoon_us = 30'000'000;
 constexpr std::chrono::milliseconds kLastWrites{500};
 const QVariant kLater = QStringLiteral("later");
-constexpr double kTargetNear = 0.85;  // of the way: time to slow down
 
 }  // namespace
 
@@ -57,14 +55,11 @@ RunPage::RunPage(ShellContext& context, QWidget* parent)
   scene_->controller().setRealTime(StationDesk::of(context).realTime);
   connect(scene_, &LiveScene::shown, this, &RunPage::showLive);
   connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
-    if (waiting_) begin();
+    if (waiting_ && !opening_.going()) begin();
   });
-  connect(&scene_->controller(), &SimulationController::failed, this,
-          [this](const QString& happened, const QString& remedy, const QString& details) {
-            Q_EMIT shell().failed(happened, remedy, details);
-          });
+  connect(&scene_->controller(), &SimulationController::problemMet, &shell(), &ShellContext::tell);
   connect(&scene_->controller(), &SimulationController::deviceLost, this, [this] {
-    if (session_) withoutDevice(tr("The haptic device was lost"));
+    if (session_) withoutDevice([] { return SpokenError{tr("The haptic device was lost"), {}, {}}; });
   });
   connect(&timer_, &QTimer::timeout, this, &RunPage::tick);
   timer_.setInterval(kClock_ms);
@@ -93,7 +88,11 @@ QWidget* RunPage::createNotice() {
   column->addWidget(goOn_, 0, Qt::AlignHCenter);
   column->addStretch(3);
   connect(goOn_, &QPushButton::clicked, this, [this] {
-    if (session_) follow(session_->resume());
+    if (waiting_) {
+      giveUp();
+    } else if (session_) {
+      follow(session_->resume());
+    }
   });
   return ground;
 }
@@ -192,7 +191,17 @@ void RunPage::enter(const QVariant& argument) {
   showState();
 }
 
+/// The scene is there. The device of the first recording comes before the clock: waiting is not training.
 void RunPage::begin() {
+  const bool real = session_->run().phase().arm == TrainingArm::kReal;
+  if (!real && StationDesk::of(shell()).openDevice) {
+    fetchDevice();
+  } else {
+    start();
+  }
+}
+
+void RunPage::start() {
   waiting_ = false;
   try {
     session_->start();
@@ -200,21 +209,49 @@ void RunPage::begin() {
     follow(session_->advance());
   } catch (...) {
     session_.reset();
+    device_.reset();
     shell().report(std::current_exception());
   }
 }
 
-void RunPage::record() {
-  StationDesk& desk = StationDesk::of(shell());
-  const TrialOrder order = session_->newTrial();
-  std::unique_ptr<HapticDevice> device;
-  try {
-    if (desk.openDevice)
-      device = desk.openDevice(*scene_->controller().scene(), order.header.targetAngle_rad);
-  } catch (const Error& problem) {
-    withoutDevice(spoken(problem).happened);
+void RunPage::fetchDevice() {
+  opening_.begin([open = StationDesk::of(shell()).openDevice, scene = scene_->controller().sharedScene(),
+                  target_rad = session_->module().targetAngle_rad] { return open(*scene, target_rad); },
+                 [this](std::unique_ptr<HapticDevice> device) {
+                   device_ = std::move(device);
+                   haveDevice();
+                 },
+                 [this](const std::exception_ptr& problem) {
+                   withoutDevice(problemOf(problem, {[] { return tr("The haptic device did not answer"); },
+                                                     [] { return tr("Check its cable and its power"); }}));
+                 });
+  showState();
+}
+
+void RunPage::haveDevice() {
+  if (waiting_) {
+    start();
     return;
   }
+  session_->hold();
+  tick();
+}
+
+/// Nothing has begun: the trainee does not want to wait for the device.
+void RunPage::giveUp() {
+  opening_.cancel();
+  waiting_ = false;
+  session_.reset();
+  shell().open(QStringLiteral("station.next"));
+}
+
+void RunPage::record() {
+  if (StationDesk::of(shell()).openDevice && !device_) {
+    fetchDevice();
+    return;
+  }
+  const TrialOrder order = session_->newTrial();
+  std::unique_ptr<HapticDevice> device = device_ ? *std::exchange(device_, std::nullopt) : nullptr;
   haptic_ = device != nullptr;
   if (!scene_->controller().startTraining(order.header, session_->sinkFor(order), std::move(device))) return;
   lastTrial_ = QString::fromStdString(order.header.trialId);
@@ -226,27 +263,45 @@ void RunPage::record() {
 }
 
 /// A graded run is not judged with another device than it began with; practice goes on with the mouse.
-void RunPage::withoutDevice(const QString& why) {
+void RunPage::withoutDevice(const Problem& why) {
   StationDesk& desk = StationDesk::of(shell());
   endRecording(TrialOutcome::kInterrupted);
   desk.readiness.reset();  // the device is checked anew before the next graded run
   if (!session_->graded()) {
     desk.openDevice = nullptr;
-    shell().notify(tr("%1. You go on with mouse and keyboard").arg(why));
+    shell().notify(tr("%1. You go on with mouse and keyboard").arg(why().happened));
+    if (waiting_) start();
     return;
   }
+  const bool begun = !waiting_;
   session_->stop("the haptic device was lost");
   timer_.stop();
+  waiting_ = false;
   session_.reset();
-  Q_EMIT shell().failed(tr("The haptic device was lost: the graded run has ended"),
-                        tr("What was recorded is kept as interrupted, and no attempt was used. Check the "
-                           "device, then begin again"),
-                        why);
+  shell().tell([why, begun] {
+    const SpokenError said = why();
+    QStringList parts{said.happened};
+    if (!said.details.isEmpty()) parts << said.details;
+    const QString details = parts.join(QLatin1Char('\n'));
+    if (!begun) {
+      return SpokenError{tr("The haptic device is not ready: the graded run did not begin"),
+                         tr("No attempt was used. Check the device, then begin again"), details};
+    }
+    return SpokenError{tr("The haptic device was lost: the graded run has ended"),
+                       tr("What was recorded is kept as interrupted, and no attempt was used. Check the "
+                          "device, then begin again"),
+                       details};
+  });
   showState();
 }
 
 void RunPage::tick() {
   if (!session_ || waiting_) return;
+  if (opening_.going()) {
+    session_->hold();
+    showState();
+    return;
+  }
   try {
     follow(session_->advance());
   } catch (...) {
@@ -283,6 +338,8 @@ void RunPage::endRecording(TrialOutcome outcome) {
 
 void RunPage::finish() {
   timer_.stop();
+  opening_.cancel();
+  device_.reset();
   endRecording(TrialOutcome::kCompleted);
   StationDesk::of(shell()).lastScene = scene_->controller().sharedScene();
   session_.reset();
@@ -325,6 +382,7 @@ bool RunPage::leave() {
     return false;
   }
   timer_.stop();
+  opening_.cancel();
   session_.reset();
   waiting_ = false;
   scene_->controller().shutDown();
@@ -333,126 +391,6 @@ bool RunPage::leave() {
 
 bool RunPage::busy() const {
   return session_ && !waiting_ && session_->run().state() != RunState::kReady && !session_->run().over();
-}
-
-void RunPage::retranslate() {
-  time_->setTitle(tr("Time left"));
-  // Their gauges say what they show; a title each would not fit a small screen.
-  angle_->setAccessibleName(tr("Angle"));
-  load_->setAccessibleName(tr("Load on the tissue"));
-  torque_->setName(tr("Torque"), tr("N m"));
-  force_->setName(tr("Force"), tr("N"));
-  stop_->setText(tr("&End the run"));
-  dial_->retranslate();
-  if (session_) {
-    title_->setText(spoken(session_->step().module.title));
-    mode_->setText(session_->graded() ? tr("Graded run") : tr("Practice"));
-  }
-  showState();
-}
-
-void RunPage::applyTheme(const Theme& theme) {
-  theme_ = &theme;
-  scene_->setTheme(theme);
-  dial_->setTheme(theme);
-  torque_->setTheme(theme);
-  force_->setTheme(theme);
-}
-
-void RunPage::showState() {
-  const bool runs = session_.has_value() && !waiting_;
-  rest_->setVisible(runs);
-  stop_->setEnabled(runs);
-  if (!session_) {
-    countdown_->setText(StationWords::clock(0));
-    stage_->setCurrentIndex(1);
-    noticeTitle_->setText(inFile_ ? tr("Your run is safe") : tr("No run goes on"));
-    noticeFigure_->clear();
-    noticeText_->setText(inFile_ ? tr("The database did not answer. The recording is kept, on this computer "
-                                      "where need be; as soon as the database answers you find its debrief "
-                                      "on the page \u201cDebrief\u201d.")
-                                 : tr("Choose a module on the page \u201cMy next step\u201d."));
-    goOn_->hide();
-    rest_->hide();
-    return;
-  }
-  const TrainingRun& run = session_->run();
-  const RunPhase& phase = run.phase();
-  const bool real = phase.arm == TrainingArm::kReal;
-  countdown_->setText(StationWords::clock(run.remainingInPhase_us()));
-  setLook(countdown_, "caution", run.state() == RunState::kRunning && run.remainingInPhase_us() < kSoon_us);
-  progress_->setValue(static_cast<int>(phase.done_us * 1000 / std::max<std::int64_t>(1, phase.duration_us)));
-  const int number = static_cast<int>(run.phaseIndex()) + 1;
-  const int all = static_cast<int>(run.plan().phases.size());
-  phase_->setVisible(all > 1);
-  phase_->setText(all > 1
-                      ? tr("Phase %1 of %2: %3").arg(number).arg(all).arg(QString::fromStdString(phase.label))
-                      : QString::fromStdString(phase.label));
-  rest_->setVisible(runs && run.plan().restAllowance_us > 0);
-  rest_->setEnabled(run.mayRest());
-  rest_->setText(run.state() == RunState::kResting || run.restLeft_us() > 0
-                     ? tr("&Rest (%1 left)").arg(StationWords::clock(run.restLeft_us()))
-                     : tr("&Rest (used up)"));
-  angle_->setVisible(!real);
-  load_->setVisible(!real);
-  cue_->setVisible(!real && !session_->graded());
-  const bool notice = run.state() == RunState::kResting || run.state() == RunState::kHandOver || real;
-  stage_->setCurrentIndex(notice ? 1 : 0);
-  if (run.state() == RunState::kResting) {
-    noticeTitle_->setText(tr("Rest"));
-    noticeFigure_->setText(StationWords::clock(run.restLeft_us()));
-    noticeText_->setText(
-        tr("Your training clock stands still. Training goes on by itself when the rest is used up."));
-    goOn_->setText(tr("&Go on now"));
-    goOn_->show();
-  } else if (run.state() == RunState::kHandOver) {
-    noticeTitle_->setText(real ? tr("Go to the real arm") : tr("Come to the simulator"));
-    noticeFigure_->setText(StationWords::clock(run.handOverLeft_us()));
-    noticeText_->setText(tr("The next phase starts by itself: %1").arg(QString::fromStdString(phase.label)));
-    goOn_->setText(tr("I am &ready"));
-    goOn_->show();
-  } else if (real) {
-    noticeTitle_->setText(tr("Train on the real arm"));
-    noticeFigure_->setText(StationWords::clock(run.remainingInPhase_us()));
-    noticeText_->setText(tr("This timer logs your training time. Nothing is recorded by the simulator."));
-    goOn_->hide();
-  }
-}
-
-QString RunPage::cue(const LiveState& state) const {
-  const StoredModule& module = session_->step().module;
-  const double target = module.targetAngle_rad;
-  switch (state.phase) {
-    case ExercisePhase::kTracking:
-      return haptic_ ? tr("Bring the jaw to the marked band.")
-                     : tr("Bring the jaw to the marked band. The wheel moves it nearer.");
-    case ExercisePhase::kContact:
-      return haptic_ ? tr("Touching. Close the jaw.")
-                     : tr("Touching. Close the jaw: hold the left button or Space.");
-    case ExercisePhase::kTwisting: {
-      const double way = target == 0.0 ? 0.0 : state.response.angle_rad / target;
-      if (std::abs(state.response.angle_rad - target) <= module.tolerance_rad)
-        return module.hold_us > 0 ? tr("On target. Hold, then let go gently.")
-                                  : tr("On target. Let go gently.");
-      if (way > 1.0) return tr("Beyond the target. Turn back a little.");
-      if (way > kTargetNear) return tr("Nearly there. Slow down.");
-      if (way < 0.0) return tr("The other way round.");
-      return tr("Turn in one even movement.");
-    }
-    case ExercisePhase::kReleased:
-      return tr("The tissue returns to rest.");
-  }
-  return {};
-}
-
-void RunPage::showLive(const LiveState& state) {
-  if (!session_) return;
-  dial_->setAngle(state.response.angle_rad);
-  torque_->setValue(std::abs(state.response.torque_Nm));
-  force_->setValue(norm(state.force_N));
-  const bool over = torque_->overLimit() || force_->overLimit();
-  warning_->setText(over ? tr("Above the limit: ease off") : QString());
-  if (!session_->graded()) cue_->setText(cue(state));
 }
 
 }  // namespace torsio::gui

@@ -7,6 +7,8 @@
 #include <QTimer>
 
 #include "app/gui/shell/page.h"
+#include "app/gui/shell/problem.h"
+#include "app/gui/station/device_opening.h"
 #include "app/session/training/run_session.h"
 #include "sim/base/live_types.h"
 
@@ -23,7 +25,8 @@ class LevelBar;
 class LiveScene;
 
 /// The run itself: big countdown, phase, rest with its allowance, gauges, quiet cues in practice only, hard
-/// stop at the end, and the timer of the real arm. The clock and what is kept are RunSession's.
+/// stop at the end, and the timer of the real arm. The clock and what is kept are RunSession's; while the
+/// device gets ready, off the GUI thread, the clock stands.
 class RunPage : public Page {
   Q_OBJECT
 
@@ -42,6 +45,8 @@ class RunPage : public Page {
   [[nodiscard]] LiveScene& scene() noexcept { return *scene_; }
   /// Null outside a run.
   [[nodiscard]] RunSession* session() noexcept { return session_ ? &*session_ : nullptr; }
+  /// Whether the run waits for its device, its clock standing still.
+  [[nodiscard]] bool fetchesDevice() const noexcept { return opening_.going(); }
   /// One round of the clock; tests call it themselves.
   void tick();
 
@@ -49,23 +54,30 @@ class RunPage : public Page {
   QWidget* createPanel();
   QWidget* createNotice();
   void begin();
+  void start();
+  void fetchDevice();
+  void haveDevice();
+  void giveUp();
   void record();
   void follow(const std::vector<RunEvent>& events);
   void endRecording(TrialOutcome outcome);
   void finish();
   void askToStop();
-  void withoutDevice(const QString& why);
+  void withoutDevice(const Problem& why);
   void showState();
+  bool showNotice();
   void showLive(const LiveState& state);
   [[nodiscard]] QString cue(const LiveState& state) const;
 
   const Theme* theme_;
   std::optional<RunSession> session_;
   QString lastTrial_;
-  bool waiting_ = false;  // for the scene, before the clock starts
-  bool haptic_ = false;   // the run's device renders force
-  bool inFile_ = false;   // a recording of this run waits for its database
+  bool waiting_ = false;  // for the scene and the device, before the clock starts
+  std::optional<std::unique_ptr<HapticDevice>> device_;  // opened for the next recording; null: the pointer
+  bool haptic_ = false;                                  // the run's device renders force
+  bool inFile_ = false;                                  // a recording of this run waits for its database
   QTimer timer_;
+  DeviceOpening opening_;
 
   QStackedWidget* stage_;
   LiveScene* scene_;

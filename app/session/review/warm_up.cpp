@@ -2,6 +2,7 @@
 #include "app/session/review/warm_up.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "db/repository/desk_repository.h"
@@ -42,9 +43,9 @@ ScoreScale checkedScale(Connection& connection, const ReferenceChoice& choice) {
     throw Error(ErrorCode::kBadData, "there is no such complete recording", choice.trialId,
                 "Choose one from the list");
   }
-  for (const StoredReferenceRun& run : desk.referenceRuns()) {
+  for (const StoredReferenceRun& run : desk.allReferenceRuns()) {
     if (run.trialId != choice.trialId) continue;
-    throw Error(ErrorCode::kBadData, "this recording is a reference run already", choice.trialId,
+    throw Error(ErrorCode::kBadData, "this recording is or was a reference run", choice.trialId,
                 "Choose another recording");
   }
   const ScoreScale scale = rubric->overall;
@@ -141,7 +142,7 @@ std::vector<ReferenceCandidate> referenceCandidates(Workplace& workplace) {
   DeskRepository desk(workplace.connection());
   std::set<std::string> spoken;
   for (const std::string& trialId : desk.assignedTrials()) spoken.insert(trialId);
-  for (const StoredReferenceRun& run : desk.referenceRuns()) spoken.insert(run.trialId);
+  for (const StoredReferenceRun& run : desk.allReferenceRuns()) spoken.insert(run.trialId);
   std::vector<ReferenceCandidate> candidates;
   for (const TrialListing& trial : TrialRepository(workplace.connection()).list({.limit = kMostListed})) {
     const bool complete = trial.summary && trial.summary->outcome == TrialOutcome::kCompleted;
@@ -158,21 +159,30 @@ std::vector<ReferenceRow> referenceRows(Workplace& workplace) {
   DeskRepository desk(workplace.connection());
   SheetRepository sheets(workplace.connection());
   TrialRepository trials(workplace.connection());
+  std::map<std::string, std::string> reasons;
+  for (const StoredReferenceWithdrawal& withdrawal : desk.referenceWithdrawals())
+    reasons.emplace(withdrawal.trialId, withdrawal.reason);
   std::vector<ReferenceRow> rows;
-  for (const StoredReferenceRun& run : desk.referenceRuns()) {
+  std::vector<ReferenceRow> withdrawn;
+  for (const StoredReferenceRun& run : desk.allReferenceRuns()) {
     const TrialHeader header = trials.find(run.trialId).value();
     const ScoreScale scale = sheets.revision(run.rubricRevisionId).value().overall;
-    rows.push_back(
-        {rows.size() + 1, run.trialId, header.traineeCode, header.sceneId, desk.trialLength_us(run.trialId),
-         scale, run.panel_steps / static_cast<double>(scale.stepsPerPoint), run.panelRaters, run.setUtc_us});
+    const auto reason = reasons.find(run.trialId);
+    const bool given = reason == reasons.end();
+    (given ? rows : withdrawn)
+        .push_back({given ? rows.size() + 1 : 0, run.trialId, header.traineeCode, header.sceneId,
+                    desk.trialLength_us(run.trialId), scale,
+                    run.panel_steps / static_cast<double>(scale.stepsPerPoint), run.panelRaters,
+                    run.setUtc_us, given ? std::string() : reason->second});
   }
+  rows.insert(rows.end(), withdrawn.begin(), withdrawn.end());
   return rows;
 }
 
 void addReferenceRuns(Workplace& workplace, const std::vector<ReferenceChoice>& runs) {
   workplace.require(Operation::kStudySetup);
   DeskRepository desk(workplace.connection());
-  auto position = static_cast<std::int64_t>(desk.referenceRuns().size());
+  auto position = static_cast<std::int64_t>(desk.allReferenceRuns().size());
   Transaction transaction(workplace.connection());
   for (const ReferenceChoice& choice : runs) {
     const ScoreScale scale = checkedScale(workplace.connection(), choice);
@@ -190,6 +200,27 @@ void addReferenceRuns(Workplace& workplace, const std::vector<ReferenceChoice>& 
     desk.addReferenceRuns(std::span(&run, 1));
     workplace.note({.action = "reference_run.add", .objectKind = "reference_run", .objectId = run.trialId});
   }
+  transaction.commit();
+}
+
+void withdrawReferenceRun(Workplace& workplace, const std::string& trialId, const std::string& reason) {
+  workplace.require(Operation::kStudySetup);
+  if (reason.empty()) {
+    throw Error(ErrorCode::kBadParameter, "a withdrawal needs a reason", trialId, "Say why, in a few words");
+  }
+  Transaction transaction(workplace.connection());
+  DeskRepository desk(workplace.connection());
+  const std::vector<StoredReferenceRun> runs = desk.referenceRuns();
+  if (std::none_of(runs.begin(), runs.end(),
+                   [&](const StoredReferenceRun& run) { return run.trialId == trialId; })) {
+    throw Error(ErrorCode::kBadData, "this recording is no reference run, or was withdrawn already", trialId,
+                "Open the list again");
+  }
+  desk.withdrawReferenceRun({trialId, reason, workplace.actor().userId, workplace.now_us()});
+  workplace.note({.action = "reference_run.withdraw",
+                  .objectKind = "reference_run",
+                  .objectId = trialId,
+                  .reason = reason});
   transaction.commit();
 }
 

@@ -39,8 +39,8 @@ struct WarmUp {
 /// kMarkSubmit; audited. Throws Error{kBadData}: no such run, or outside the scale.
 void scoreReferenceRun(Workplace& workplace, std::size_t number, std::int64_t score_steps);
 
-/// A recording that may become a reference run: complete, not one yet, and nobody is asked to score it (the
-/// panel's mark would give the case away).
+/// A recording that may become a reference run: complete, never one before, and nobody is asked to score it
+/// (the panel's mark would give the case away).
 struct ReferenceCandidate {
   std::string trialId{};
   std::string traineeCode{};  ///< empty: nobody's
@@ -55,7 +55,7 @@ struct ReferenceCandidate {
 
 /// A reference run as the office sees it.
 struct ReferenceRow {
-  std::size_t number = 0;  ///< what raters call it: 1, 2 ...
+  std::size_t number = 0;  ///< what raters call it: 1, 2 ...; 0: withdrawn
   std::string trialId{};
   std::string traineeCode{};  ///< empty: nobody's
   std::string sceneId{};
@@ -64,8 +64,9 @@ struct ReferenceRow {
   double panel_points = 0.0;
   std::int64_t panelRaters = 1;
   std::int64_t setUtc_us = 0;
+  std::string withdrawnBecause{};  ///< empty: raters are given it
 };
-/// In the order of the warm-up. kStudySetup.
+/// In the order of the warm-up, those that were withdrawn last. kStudySetup.
 [[nodiscard]] std::vector<ReferenceRow> referenceRows(Workplace& workplace);
 
 /// A run for the warm-up, chosen by the office.
@@ -76,9 +77,13 @@ struct ReferenceChoice {
   std::int64_t panelRaters = 1;
   bool demonstration = false;
 };
-/// Adds reference runs behind those there are; they stay. kStudySetup; audited. Throws Error{kBadData}: no
-/// such rubric, a recording that does not exist or has not ended, one that is a reference run already;
+/// Adds reference runs behind those there are. kStudySetup; audited. Throws Error{kBadData}: no
+/// such rubric, a recording that does not exist or has not ended, one that is or was a reference run;
 /// {kBadParameter}: a mark outside the rubric's scale, or a panel of nobody.
 void addReferenceRuns(Workplace& workplace, const std::vector<ReferenceChoice>& runs);
+/// From now on no rater is given the run; it stays stored with what raters scored, and later ones move up.
+/// For good: what raters have seen cannot come back as new. kStudySetup; audited with the reason. Throws
+/// Error{kBadData}: no such reference run; {kBadParameter}: no reason.
+void withdrawReferenceRun(Workplace& workplace, const std::string& trialId, const std::string& reason);
 
 }  // namespace torsio

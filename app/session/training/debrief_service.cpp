@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "app/session/reporting/kept_digests.h"
+#include "app/session/training/bookmarks.h"
 #include "app/session/training/debrief.h"
 #include "app/session/training/expert_run.h"
 #include "app/session/training/trainee_record.h"
@@ -118,23 +117,8 @@ Debrief debrief(Workplace& workplace, const std::string& trialId, const std::fil
 void addBookmark(Workplace& workplace, const std::string& trialId, double at_s, const std::string& text) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
   const TrialListing listing = ownTrial(workplace, record, trialId);
-  if (!std::isfinite(at_s) || at_s < 0.0) {
-    throw Error(ErrorCode::kBadParameter, "the bookmark lies outside the recording", trialId,
-                "Choose a time within it");
-  }
-  const std::string id = workplace.ids().newUuid();
   Transaction transaction(workplace.connection());
-  RemarkRepository(workplace.connection())
-      .add({.id = id,
-            .trialId = trialId,
-            .author = workplace.actor().userId,
-            .authorPersonId = workplace.actor().personId,
-            .purpose = "bookmark",
-            .tick = std::llround(at_s * 1e3),
-            .time_us = std::llround(at_s * 1e6),
-            .text = text,
-            .createdUtc_us = workplace.now_us(),
-            .demonstration = listing.demonstration});
+  const std::string id = keepBookmark(workplace, listing, at_s, text);
   workplace.note({.action = "trial.bookmark", .objectKind = "trial_remark", .objectId = id});
   transaction.commit();
 }

@@ -2,9 +2,9 @@
 #include "app/session/training/questions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "app/session/training/bookmarks.h"
 #include "app/session/training/trainee_record.h"
 #include "db/repository/curriculum_repository.h"
 #include "db/repository/people_repository.h"
@@ -108,24 +108,8 @@ std::string askPhysician(Workplace& workplace, const std::string& trialId, doubl
     throw Error(ErrorCode::kBadParameter, "this physician cannot be asked", raterId,
                 "Choose one from the list");
   }
-  const double length_s = trial.summary ? static_cast<double>(trial.summary->samples) * 1e-3 : 0.0;
-  if (!std::isfinite(at_s) || at_s < 0.0 || at_s > length_s) {
-    throw Error(ErrorCode::kBadParameter, "the moment lies outside the recording", trialId,
-                "Choose a time within it");
-  }
-  const std::string id = workplace.ids().newUuid();
   Transaction transaction(workplace.connection());
-  RemarkRepository(workplace.connection())
-      .add({.id = id,
-            .trialId = trialId,
-            .author = workplace.actor().userId,
-            .authorPersonId = record.personId,
-            .purpose = "bookmark",
-            .tick = std::llround(at_s * 1e3),
-            .time_us = std::llround(at_s * 1e6),
-            .text = text,
-            .createdUtc_us = workplace.now_us(),
-            .demonstration = trial.demonstration});
+  const std::string id = keepBookmark(workplace, trial, at_s, text);
   QuestionRepository(workplace.connection())
       .add({.remarkId = id, .raterId = raterId, .askedUtc_us = workplace.now_us()});
   workplace.note({.action = "question.ask", .objectKind = "trial_question", .objectId = id});

@@ -141,6 +141,16 @@ std::vector<RunEvent> RunSession::advance() {
   return events;
 }
 
+void RunSession::hold() {
+  run_.hold();
+  beat();
+}
+
+const StoredModule& RunSession::module() const {
+  const RunPhase& phase = run_.phase();
+  return phase.moduleId.empty() ? step_.module : stepOf(steps_, phase.moduleId).module;
+}
+
 bool RunSession::rest() {
   static_cast<void>(advance());
   if (!run_.rest()) return false;
@@ -189,20 +199,20 @@ void RunSession::stop(const std::string& reason) {
 
 TrialOrder RunSession::newTrial() {
   const RunPhase& phase = run_.phase();
-  const StoredModule& module = phase.moduleId.empty() ? step_.module : stepOf(steps_, phase.moduleId).module;
+  const StoredModule& practised = module();
   TrialOrder order;
   order.header.trialId = workplace_.ids().newUuid();
   order.header.traineeCode = steps_.traineeCode;
-  order.header.sceneId = module.sceneId;
-  order.header.patternId = module.patternId;
+  order.header.sceneId = practised.sceneId;
+  order.header.patternId = practised.patternId;
   order.header.softwareVersion = softwareVersion();
   order.header.phaseLabel = phase.label;
-  order.header.targetAngle_rad = module.targetAngle_rad;
+  order.header.targetAngle_rad = practised.targetAngle_rad;
   order.header.startedUtc_us = workplace_.now_us();
   order.header.demonstration = steps_.demonstration;
   order.context = {.station = workplace_.station(),
                    .enrolmentId = steps_.enrolmentId,
-                   .moduleId = module.id,
+                   .moduleId = practised.id,
                    .phaseId = phase.phaseId,
                    .attemptMode = graded_ ? "graded" : "practice",
                    .host = thisHost()};

@@ -48,10 +48,14 @@ class RunSession {
   [[nodiscard]] const TrainingRun& run() const noexcept { return run_; }
   [[nodiscard]] const ModuleStep& step() const noexcept { return step_; }
   [[nodiscard]] bool graded() const noexcept { return graded_; }
+  /// What is practised in the present phase.
+  [[nodiscard]] const StoredModule& module() const;
 
   void start();
   /// Moves the clock, logs exposure and gives the station's sign of life. Call it often.
   std::vector<RunEvent> advance();
+  /// In place of advance() while the machine is not ready: the trainee's time stands still.
+  void hold();
   [[nodiscard]] bool rest();
   std::vector<RunEvent> resume();
   /// Given up; `reason` goes to the study's deviations when a phase was cut short.

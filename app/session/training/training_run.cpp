@@ -134,6 +134,10 @@ std::vector<RunEvent> TrainingRun::advance() {
   return std::exchange(events_, {});
 }
 
+void TrainingRun::hold() {
+  if (state_ == RunState::kRunning) last_us_ = clock_->now_us();
+}
+
 bool TrainingRun::mayRest() const noexcept {
   const bool left = plan_.restTaken_us < plan_.restAllowance_us;
   return state_ == RunState::kRunning && left && (plan_.restSplittable || !restUsed_);

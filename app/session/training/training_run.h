@@ -84,6 +84,8 @@ class TrainingRun {
   void start();
   /// Moves on to now. Returns what happened since the last call, in order.
   std::vector<RunEvent> advance();
+  /// The trainee waits for the machine: the time since the last call counts for nothing while a phase runs.
+  void hold();
   /// Refused (false) when no rest is left or the run does not go on.
   [[nodiscard]] bool rest();
   /// Ends a rest, or the hand-over before its time.

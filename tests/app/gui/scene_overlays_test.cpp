@@ -72,7 +72,7 @@ TEST(OrganMarkers, TheArmCarriesTheTenPointsOfThePaper) {
 }
 
 TEST(QualityControl, FallsWhenThePictureStuttersAndDoesNotTryAgainAtOnce) {
-  QualityControl control(true);
+  QualityControl control(Renderer::kGraphicsCard);
   bool changed = false;
   for (int frame = 0; frame < 60 && !changed; ++frame) changed = control.note(0.06);
   ASSERT_TRUE(changed);
@@ -86,7 +86,7 @@ TEST(QualityControl, FallsWhenThePictureStuttersAndDoesNotTryAgainAtOnce) {
 }
 
 TEST(QualityControl, OneLongFrameAndIdleTimeChangeNothing) {
-  QualityControl control(true);
+  QualityControl control(Renderer::kGraphicsCard);
   for (int frame = 0; frame < 300; ++frame) {
     EXPECT_FALSE(control.note(frame % 50 == 0 ? 0.12 : 1.0 / 60.0));
     if (frame % 100 == 0) {
@@ -94,6 +94,16 @@ TEST(QualityControl, OneLongFrameAndIdleTimeChangeNothing) {
     }
   }
   EXPECT_TRUE(control.fine());
+}
+
+TEST(QualityControl, NeverTriesTheFinePictureOnASoftwareRenderer) {
+  QualityControl control(Renderer::kSoftware);
+  ASSERT_FALSE(control.fine());
+
+  // A minute of frames as quick as a display can show them.
+  for (int frame = 0; frame < 3600; ++frame) ASSERT_FALSE(control.note(1.0 / 60.0));
+
+  EXPECT_FALSE(control.fine());
 }
 
 TEST(FilmStrip, PutsEveryFrameBesideTheOtherWithoutChangingItsShape) {

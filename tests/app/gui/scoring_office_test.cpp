@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTableView>
@@ -134,6 +135,30 @@ TEST_F(ScoringOffice, ChoosesTheRunsOfTheWarmUpWithThePanelsMark) {
   EXPECT_DOUBLE_EQ(rows[1].panel_points, 7.6);
   EXPECT_EQ(rows[1].panelRaters, 8);
   EXPECT_TRUE(reviewQueue(*centre_.physician(0)).warmUpWaiting);
+}
+
+TEST_F(ScoringOffice, WithdrawsARunOfTheWarmUpWithAReason) {
+  addReferenceRuns(*office_, {{centre_.trialIds()[0], centre_.rubricRevisionId(), 6.2, 8, false}});
+  open();
+
+  press("Warm-up", [](QDialog& dialog) {
+    auto& warmUp = static_cast<WarmUpDialog&>(dialog);
+    QPushButton* withdraw = buttonOf(dialog, "Withdraw");
+    EXPECT_FALSE(withdraw->isEnabled());  // nothing is chosen
+    warmUp.present().view().selectRow(0);
+    QTimer::singleShot(0, &dialog, [] {
+      QWidget* asked = QApplication::activeModalWidget();
+      asked->findChild<QLineEdit*>(QStringLiteral("reason"))->setText(QStringLiteral("the panel erred"));
+      buttonOf(*asked, "Withdraw a reference run")->click();
+    });
+    withdraw->click();
+    EXPECT_TRUE(warmUp.present().asText().contains(QStringLiteral("the panel erred")));
+    EXPECT_FALSE(withdraw->isEnabled());
+    buttonOf(dialog, "Close")->click();
+  });
+
+  EXPECT_EQ(referenceRows(*office_)[0].withdrawnBecause, "the panel erred");
+  EXPECT_TRUE(warmUp(*centre_.physician(0)).runs.empty());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -18,10 +19,12 @@
 
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/job_panel.h"
+#include "app/gui/shell/language.h"
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/shell_window.h"
 #include "app/gui/shell/sign_in_panel.h"
+#include "app/gui/shell/spoken.h"
 #include "app/session/access/first_run.h"
 #include "app/session/access/settings_service.h"
 #include "db/repository/people_repository.h"
@@ -452,6 +455,31 @@ TEST_F(Shell, AProblemIsSaidPlainlyWithItsDetailsFoldedAndCanBeCopied) {
   EXPECT_TRUE(QApplication::clipboard()->text().contains(QStringLiteral("/reports/a.pdf")));
   press(*panel, QStringLiteral("Close"));
   EXPECT_FALSE(panel->isVisible());
+}
+
+TEST_F(Shell, AProblemThatIsOpenFollowsTheLanguage) {
+  openFoundedCentre(setup());
+  enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
+  const Error error(ErrorCode::kBadParameter, "the moment lies outside the recording", "7F",
+                    "Choose a time within it");
+  window_->desk()->context().report(std::make_exception_ptr(error));
+  auto* panel = window_->desk()->findChild<ProblemPanel*>();
+  press(*panel, QStringLiteral("Details"));
+  const QString english = panel->wholeText();
+  ASSERT_TRUE(english.contains(QStringLiteral("The moment lies outside the recording")));
+
+  LanguageSwitch language;
+  language.choose(Language::kSimplifiedChinese);
+  QApplication::processEvents();
+
+  EXPECT_TRUE(panel->isVisible());
+  EXPECT_TRUE(says(*panel, spoken(error).happened));
+  EXPECT_TRUE(says(*panel, spoken(error).remedy));
+  EXPECT_FALSE(panel->wholeText().contains(QStringLiteral("outside")));
+  EXPECT_TRUE(panel->findChild<QPlainTextEdit*>()->isVisible());  // what was unfolded stays so
+  language.choose(Language::kEnglish);
+  QApplication::processEvents();
+  EXPECT_EQ(panel->wholeText(), english);
 }
 
 TEST_F(Shell, LongWorkShowsItsProgressAndCanBeCancelled) {

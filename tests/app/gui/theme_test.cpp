@@ -39,7 +39,7 @@ TEST_P(ThemeContrast, MarksStandOutFromTheirGround) {
 
   EXPECT_GE(contrast(t.border, t.surface), kMark);
   for (const QColor& mark : {t.accent, t.good, t.caution}) EXPECT_GE(contrast(mark, t.track), kMark);
-  for (const QColor& line : {t.grasp, t.lattice, t.wire}) {
+  for (const QColor& line : {t.grasp, t.lattice, t.wire, t.shaft}) {
     EXPECT_GE(contrast(line, t.backdropTop), kMark);
     EXPECT_GE(contrast(line, t.backdropBottom), kMark);
   }

@@ -248,6 +248,8 @@ std::vector<ServiceCall> reviewCalls() {
       {O::kTrialViewAssigned, "loadReferenceRun", [](Workplace& w, Path) { (void)loadReferenceRun(w, 1); }},
       {O::kStudySetup, "addReferenceRuns", [](Workplace& w, Path) { addReferenceRuns(w, {}); }},
       {O::kStudySetup, "referenceCandidates", [](Workplace& w, Path) { (void)referenceCandidates(w); }},
+      {O::kStudySetup, "withdrawReferenceRun",
+       [](Workplace& w, Path) { withdrawReferenceRun(w, kNoSuch, "why"); }},
       {O::kStudySetup, "referenceRows", [](Workplace& w, Path) { (void)referenceRows(w); }},
       {O::kStudySetup, "thirdRequests", [](Workplace& w, Path) { (void)thirdRequests(w, kNoSuch); }},
       {O::kStudySetup, "assignThird",

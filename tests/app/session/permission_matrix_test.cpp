@@ -64,12 +64,14 @@ TEST(PermissionMatrix, EveryOperationIsAskedForByAServiceThatIsCalledHere) {
 }
 
 /// Service functions that are open by design, or whose rule is tested by itself.
-const std::set<std::string> kWithoutARow{
-    "setUpCentre",    "performFirstRun",  // before there is any user
-    "signIn",         "signInForPractice", "changeOwnPassword", "unlock", "signOut",  // ask for the secret
-    "settleStation",                                    // the station itself, at its start
-    "ownAssignment",  "ownRecord",         "ownTrial",  // parts of other services, given the operation
-    "recordExposure", "curriculumVersion"};             // one of two operations: tested below
+const std::set<std::string> kWithoutARow{"setUpCentre", "performFirstRun",  // before there is any user
+                                         "signIn", "signInForPractice", "changeOwnPassword", "unlock",
+                                         "signOut",        // ask for the secret
+                                         "settleStation",  // the station itself, at its start
+                                         // Parts of other services, given the operation.
+                                         "ownAssignment", "ownRecord", "ownTrial", "keepBookmark",
+                                         // One of two operations: tested below.
+                                         "recordExposure", "curriculumVersion"};
 
 TEST(PermissionMatrix, EveryServiceFunctionIsCalledHere) {
   std::set<std::string> called = kWithoutARow;

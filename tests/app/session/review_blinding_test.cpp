@@ -16,6 +16,7 @@
 #include "app/session/review/warm_up.h"
 #include "db/repository/desk_repository.h"
 #include "db/repository/evaluation_repository.h"
+#include "db/repository/remark_repository.h"
 #include "db/repository/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/sample_codec.h"
@@ -205,6 +206,55 @@ TEST(WarmUp, ShowsThePanelOnlyAfterTheOwnMark) {
   EXPECT_FALSE(reviewQueue(*desk).warmUpWaiting);
   EXPECT_EQ(refusal([&] { scoreReferenceRun(*desk, 3, 50); }).first, ErrorCode::kBadData);
   EXPECT_EQ(refusal([&] { scoreReferenceRun(*desk, 1, 101); }).first, ErrorCode::kBadData);
+}
+
+TEST(WarmUp, GivesAWithdrawnRunToNobodyAndKeepsWhatWasScored) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto desk = centre.physician(0);
+  const auto office = centre.administrator();
+  addReferenceRuns(*office, {{centre.trialIds()[0], centre.rubricRevisionId(), 6.2, 8, false},
+                             {centre.trialIds()[1], centre.rubricRevisionId(), 3.0, 8, false}});
+  scoreReferenceRun(*desk, 1, 50);
+  EXPECT_EQ(refusal([&] { withdrawReferenceRun(*desk, centre.trialIds()[0], "why"); }).first,
+            ErrorCode::kPermission);
+  EXPECT_EQ(refusal([&] { withdrawReferenceRun(*office, centre.trialIds()[0], ""); }).first,
+            ErrorCode::kBadParameter);
+  EXPECT_EQ(refusal([&] { withdrawReferenceRun(*office, "none", "why"); }).first, ErrorCode::kBadData);
+
+  testing::expectAudited(centre.connection(), office->actor().userId, "reference_run.withdraw", [&] {
+    withdrawReferenceRun(*office, centre.trialIds()[0], "the panel met only in part");
+  });
+
+  const WarmUp left = warmUp(*desk);
+  ASSERT_EQ(left.runs.size(), 1U);  // the second is the first now
+  EXPECT_FALSE(left.runs[0].own_steps.has_value());
+  EXPECT_FALSE(left.complete());
+  EXPECT_EQ(refusal([&] { scoreReferenceRun(*desk, 2, 50); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(RemarkRepository(centre.connection()).warmups(centre.raterId(0)).size(), 1U);
+  const std::vector<ReferenceRow> rows = referenceRows(*office);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].trialId, centre.trialIds()[1]);
+  EXPECT_EQ(rows[1].number, 0U);
+  EXPECT_EQ(rows[1].withdrawnBecause, "the panel met only in part");
+  EXPECT_EQ(AuditRepository(centre.connection()).entries({.limit = 1}).front().reason,
+            "the panel met only in part");
+}
+
+TEST(WarmUp, TakesAWithdrawnRunNeitherBackNorOutTwice) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  const auto office = centre.administrator();
+  const std::string trial = centre.trialIds()[0];
+  addReferenceRuns(*office, {{trial, centre.rubricRevisionId(), 6.2, 8, false}});
+  withdrawReferenceRun(*office, trial, "wrong recording");
+
+  EXPECT_EQ(refusal([&] { withdrawReferenceRun(*office, trial, "again"); }).first, ErrorCode::kBadData);
+  EXPECT_EQ(refusal([&] {
+              addReferenceRuns(*office, {{trial, centre.rubricRevisionId(), 6.2, 8, false}});
+            }).first,
+            ErrorCode::kBadData);
+  addReferenceRuns(*office, {{centre.trialIds()[1], centre.rubricRevisionId(), 3.0, 8, false}});
+  EXPECT_EQ(referenceRows(*office)[0].trialId, centre.trialIds()[1]);
+  EXPECT_EQ(referenceRows(*office)[0].number, 1U);
 }
 
 TEST(EvaluationForm, HidesTheModelsAndKeepsTheOwnOrder) {

@@ -150,6 +150,23 @@ TEST_F(TrainingRunTest, AMachineThatSleptTrainedNobody) {
   EXPECT_EQ(kinds().back(), Kind::kPaused);
 }
 
+TEST_F(TrainingRunTest, WaitingForTheMachineIsNoTraining) {
+  run_.start();
+  pass(kMinute_us);
+  for (int i = 0; i < 30; ++i) {
+    clock_.advance_us(200'000);
+    run_.hold();
+  }
+  pass(kMinute_us);
+
+  EXPECT_EQ(run_.remainingInPhase_us(), 18 * kMinute_us);
+  const std::vector<ExposurePiece> pieces = run_.takeExposure(true);
+  std::int64_t sum_us = 0;
+  for (const ExposurePiece& piece : pieces) sum_us += piece.duration_us;
+  EXPECT_EQ(sum_us, 2 * kMinute_us);
+  EXPECT_EQ(kinds(), std::vector<Kind>{Kind::kPhaseBegan});
+}
+
 TEST_F(TrainingRunTest, GoesOnWhereAnEarlierRunEnded) {
   RunPlan plan = paperArm();
   plan.phases[0].done_us = 20 * kMinute_us;

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Asking a physician about a moment of a practice run, and the physician's answer, with real widgets.
+#include <optional>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTimer>
+#include <gtest/gtest.h>
+
+#include "app/gui/look/theme.h"
+#include "app/gui/review/questions_card.h"
+#include "app/gui/shell/shell_context.h"
+#include "app/gui/station/ask_card.h"
+#include "app/session/assets.h"
+#include "app/session/training/questions.h"
+#include "db/repository/people_repository.h"
+#include "tests/app/session/training_centre.h"
+
+namespace torsio::gui {
+namespace {
+
+using torsio::testing::kMinute_us;
+using torsio::testing::TrainingCentre;
+
+class QuestionCards : public ::testing::Test {
+ protected:
+  QuestionCards() {
+    PeopleRepository people(centre_.connection());
+    people.setIdentity({.personId = chief_, .fullName = "Dr. Li Na"});
+    people.setIdentity({.personId = centre_.person(), .fullName = "Chen Wei"});
+  }
+
+  TrainingCentre centre_;
+  std::string trial_ = centre_.attempt("first", "practice", 1.0);
+  std::string chief_ = PeopleRepository(centre_.connection()).raters().front().person.id;
+  std::optional<ShellContext> shell_;
+  QStringList said_;
+
+  /// Somebody signs in.
+  ShellContext& shellOf(const std::string& who) {
+    shell_.reset();
+    centre_.become(who);
+    said_.clear();
+    shell_.emplace(centre_.workplace(), assetsFolder(), ThemeKind::kLight);
+    QObject::connect(&*shell_, &ShellContext::noticed, [this](const QString& text) { said_ << text; });
+    QObject::connect(&*shell_, &ShellContext::failed, [this](const QString& text) { said_ << text; });
+    return *shell_;
+  }
+  static QString textsOf(const QWidget& widget) {
+    QStringList texts;
+    for (const QLabel* label : widget.findChildren<QLabel*>()) texts << label->text();
+    return texts.join(QLatin1Char('\n'));
+  }
+  static void settle() {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QApplication::processEvents();
+  }
+};
+
+TEST_F(QuestionCards, ATraineeAsksAboutTheMomentThatIsShown) {
+  AskCard card(shellOf("T-01"));
+  card.retranslate();
+  card.setRun(trial_);
+  card.setMoment(3.5);
+  std::optional<double> asked_s;
+  QObject::connect(&card, &AskCard::asked, [&](double at_s) { asked_s = at_s; });
+  ASSERT_FALSE(card.isHidden());
+  EXPECT_EQ(card.findChild<QComboBox*>(QStringLiteral("whom"))->currentText(), QStringLiteral("Dr. Li Na"));
+  auto* text = card.findChild<QLineEdit*>(QStringLiteral("question"));
+  text->setText(QStringLiteral("too fast?"));
+
+  card.findChild<QPushButton*>(QStringLiteral("ask"))->click();
+  settle();
+
+  ASSERT_TRUE(asked_s.has_value());
+  EXPECT_DOUBLE_EQ(*asked_s, 3.5);
+  EXPECT_TRUE(text->text().isEmpty());
+  ASSERT_EQ(card.questions().questions.size(), 1U);
+  EXPECT_TRUE(textsOf(card).contains(QStringLiteral("with Dr. Li Na, waiting for")));
+  EXPECT_TRUE(textsOf(card).contains(QStringLiteral("You: too fast?")));
+  ASSERT_EQ(said_.size(), 1);
+  EXPECT_TRUE(said_[0].startsWith(QStringLiteral("Sent to Dr. Li Na")));
+}
+
+TEST_F(QuestionCards, TheCardIsHiddenWhereNobodyMayBeAsked) {
+  const std::string graded = centre_.attempt("second", "graded", 1.0);
+  AskCard card(shellOf("T-01"));
+
+  card.setRun(graded);
+  EXPECT_TRUE(card.isHidden());
+  card.setRun(trial_);
+  EXPECT_FALSE(card.isHidden());
+  card.setRun({});
+  EXPECT_TRUE(card.isHidden());
+}
+
+TEST_F(QuestionCards, ThePhysicianAnswersAndTheTraineeReadsItAtItsMoment) {
+  askPhysician(centre_.workplace(), trial_, 3.5, chief_, "too fast?");
+  centre_.passTime_us(90 * kMinute_us);
+  {
+    ShellContext& shell = shellOf("chief");
+    QuestionsCard card(shell);
+    EXPECT_TRUE(card.isHidden());
+    card.read();
+    ASSERT_FALSE(card.isHidden());
+    EXPECT_TRUE(textsOf(card).contains(QStringLiteral("Chen Wei, Quarter turn, first")));
+    bool seen = false;
+    // The dialog comes when the run is loaded, and holds the loop of events.
+    QTimer waiting;
+    QObject::connect(&waiting, &QTimer::timeout, [&] {
+      auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+      if (dialog == nullptr) return;
+      waiting.stop();
+      seen = true;
+      EXPECT_TRUE(textsOf(*dialog).contains(QStringLiteral("too fast?")));
+      auto* buttons = dialog->findChild<QDialogButtonBox*>();
+      QAbstractButton* send = nullptr;
+      for (QAbstractButton* button : buttons->buttons())
+        if (buttons->buttonRole(button) == QDialogButtonBox::AcceptRole) send = button;
+      ASSERT_NE(send, nullptr);
+      EXPECT_FALSE(send->isEnabled());  // nothing is written
+      dialog->findChild<QPlainTextEdit*>()->setPlainText(QStringLiteral("No, but let go later."));
+      EXPECT_TRUE(send->isEnabled());
+      send->click();
+    });
+    waiting.start(5);
+
+    card.findChild<QPushButton*>(QStringLiteral("answerQuestion"))->click();
+    shell.waitForJobs();
+    settle();
+
+    EXPECT_TRUE(seen);
+    EXPECT_TRUE(card.isHidden());  // nothing waits any more
+    EXPECT_EQ(said_, QStringList{QStringLiteral("The answer is with Chen Wei")});
+  }
+
+  AskCard card(shellOf("T-01"));
+  card.setRun(trial_);
+
+  EXPECT_TRUE(textsOf(card).contains(QStringLiteral("Dr. Li Na answered on")));
+  EXPECT_TRUE(textsOf(card).contains(QStringLiteral("No, but let go later.")));
+}
+
+TEST_F(QuestionCards, ALongQueueShowsTheThreeThatWaitLongest) {
+  for (const char* text : {"one", "two", "three", "four"}) {
+    askPhysician(centre_.workplace(), trial_, 2.0, chief_, text);
+    centre_.passTime_us(kMinute_us);
+  }
+  QuestionsCard card(shellOf("chief"));
+
+  card.read();
+
+  EXPECT_EQ(card.questions().size(), 4U);
+  EXPECT_EQ(card.questions().front().text, "one");
+  EXPECT_EQ(card.findChildren<QPushButton*>(QStringLiteral("answerQuestion")).size(), 3);
+}
+
+}  // namespace
+}  // namespace torsio::gui
