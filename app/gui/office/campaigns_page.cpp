@@ -61,8 +61,7 @@ void CampaignsPage::show() {
                      {tr("%1 of %2").arg(row.marksSubmitted).arg(row.marksExpected),
                       static_cast<qlonglong>(row.marksSubmitted)},
                      {row.campaign.demonstration ? tr("demonstration") : QStringLiteral("\u2013")},
-                     {shownTime(row.campaign.createdUtc_us, locale()),
-                      static_cast<qlonglong>(row.campaign.createdUtc_us)}}});
+                     timeCell(row.campaign.createdUtc_us)}});
   }
   table_->setRows(std::move(rows));
   showRaters();

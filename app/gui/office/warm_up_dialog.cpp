@@ -132,7 +132,7 @@ void WarmUpDialog::read() {
           {shownSpan(run.length_us.value_or(0)), static_cast<qlonglong>(run.length_us.value_or(0))},
           {locale.toString(run.panel_points, 'f', 1), run.panel_points},
           {locale.toString(static_cast<qlonglong>(run.panelRaters))},
-          {shownTime(run.setUtc_us, locale), static_cast<qlonglong>(run.setUtc_us)}}});
+          timeCell(run.setUtc_us)}});
   present_->setRows(std::move(present));
   std::vector<Row> rows;
   for (const ReferenceCandidate& one : referenceCandidates(shell_.workplace()))
@@ -141,7 +141,7 @@ void WarmUpDialog::read() {
                      {shown(one.sceneId)},
                      {orDash(one.phaseLabel)},
                      {shownSpan(one.length_us), static_cast<qlonglong>(one.length_us)},
-                     {shownTime(one.startedUtc_us, locale), static_cast<qlonglong>(one.startedUtc_us)}}});
+                     timeCell(one.startedUtc_us)}});
   candidates_->setRows(std::move(rows));
   check();
 }
