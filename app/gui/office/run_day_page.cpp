@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QComboBox>
+#include <QDateTime>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -20,6 +21,7 @@
 #include "app/gui/office/user_dialogs.h"
 #include "app/gui/shell/background.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "app/session/study/cohort_service.h"
 
 namespace torsio::gui {
@@ -186,6 +188,9 @@ QString RunDayPage::alertText(const RunDayAlert& alert) const {
     case Kind::kStationSilent:
       return tr("%1 does not answer since %2.")
           .arg(shown(alert.subject), shownTime(alert.sinceUtc_us, locale()));
+    case Kind::kDeviceUnfit:
+      return tr("%1: the device is not fit for scored runs: %2.")
+          .arg(shown(alert.subject), spoken(alert.reason));
     case Kind::kRestTooLong:
       return tr("%1 has rested longer than allowed.").arg(shown(alert.subject));
     case Kind::kSheetsMissing:
@@ -210,12 +215,30 @@ void RunDayPage::showAlerts() {
   alerts_->setVisible(!lines.isEmpty());
 }
 
+QString RunDayPage::checkText(const StationDevice& device) const {
+  if (device.device.empty()) return QStringLiteral("\u2013");
+  const QDate checked = QDateTime::fromMSecsSinceEpoch(device.checkedUtc_us / 1000).date();
+  const QDate today = QDateTime::fromMSecsSinceEpoch(board_->asOfUtc_us / 1000).date();
+  if (!device.light || checked != today) return tr("\u25CB not checked today");
+  switch (*device.light) {
+    case Light::kGreen:
+      return tr("\u2713 fit");
+    case Light::kAmber:
+      return tr("! practice only: %1").arg(spoken(device.problem));
+    case Light::kRed:
+      break;
+  }
+  return tr("\u2717 not fit: %1").arg(spoken(device.problem));
+}
+
 void RunDayPage::showStations() {
   std::vector<Row> rows;
   if (board_)
     for (const StationState& station : board_->stations) {
       const bool silent = board_->asOfUtc_us - station.heartbeatUtc_us > kStationSilence_us;
       const bool records = !station.trialId.empty() && !station.ended;
+      const StationDevice device = storedDevice(station);
+      const QString check = checkText(device);
       rows.push_back(
           {shown(station.station),
            {{shown(station.station)},
@@ -225,7 +248,10 @@ void RunDayPage::showStations() {
             {records ? shown(station.traineeCode) : QStringLiteral("\u2013")},
             {records ? orDash(station.phaseLabel) : QStringLiteral("\u2013")},
             {records ? shownSpan(board_->asOfUtc_us - station.startedUtc_us) : QStringLiteral("\u2013")},
-            {shownTime(station.heartbeatUtc_us, locale()), static_cast<qlonglong>(station.heartbeatUtc_us)},
+            {device.device.empty() ? orDash({}) : spoken(device.device)},
+            {check, {}, check},
+            timeCell(device.checkedUtc_us),
+            timeCell(station.heartbeatUtc_us),
             {orDash(station.softwareVersion)}}});
     }
   const bool some = !rows.empty();
@@ -325,6 +351,9 @@ void RunDayPage::retranslate() {
                          {tr("Trainee")},
                          {tr("Phase")},
                          {tr("For"), true},
+                         {tr("Device")},
+                         {tr("Device check")},
+                         {tr("Checked")},
                          {tr("Last sign of life")},
                          {tr("Version")}});
   deviation_->setText(tr("&Deviation\u2026"));
