@@ -176,7 +176,8 @@ void AuditPage::showEntry(const QString& id) {
   };
   add(tr("When (UTC)"), timeOf(*found).toUTC().toString(Qt::ISODateWithMs));
   const auto withCode = [](const Text& words, const std::string& code) {
-    return QStringLiteral("%1 (%2)").arg(spoken(words), QString::fromStdString(code));
+    const QString spelt = QString::fromStdString(code);
+    return spoken(words) == spelt ? spelt : QStringLiteral("%1 (%2)").arg(spoken(words), spelt);
   };
   add(tr("What"), withCode(auditActionWords(found->action), found->action));
   add(tr("Object"),

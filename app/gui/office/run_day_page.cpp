@@ -217,18 +217,22 @@ void RunDayPage::showAlerts() {
 
 QString RunDayPage::checkText(const StationDevice& device) const {
   if (device.device.empty()) return QStringLiteral("\u2013");
-  const QDate checked = QDateTime::fromMSecsSinceEpoch(device.checkedUtc_us / 1000).date();
-  const QDate today = QDateTime::fromMSecsSinceEpoch(board_->asOfUtc_us / 1000).date();
-  if (!device.light || checked != today) return tr("\u25CB not checked today");
+  const QDateTime checked = QDateTime::fromMSecsSinceEpoch(device.checkedUtc_us / 1000);
+  const QDateTime now = QDateTime::fromMSecsSinceEpoch(board_->asOfUtc_us / 1000);
+  if (!device.light) return tr("\u25CB not checked yet");
+  if (checked.date() != now.date())
+    return tr("\u25CB not checked today, last on %1")
+        .arg(locale().toString(checked.date(), QLocale::ShortFormat));
+  const QString time = locale().toString(checked.time(), QLocale::ShortFormat);
   switch (*device.light) {
     case Light::kGreen:
-      return tr("\u2713 fit");
+      return tr("\u2713 fit at %1").arg(time);
     case Light::kAmber:
-      return tr("! practice only: %1").arg(spoken(device.problem));
+      return tr("! practice only at %1: %2").arg(time, spoken(device.problem));
     case Light::kRed:
       break;
   }
-  return tr("\u2717 not fit: %1").arg(spoken(device.problem));
+  return tr("\u2717 not fit at %1: %2").arg(time, spoken(device.problem));
 }
 
 void RunDayPage::showStations() {
@@ -248,11 +252,10 @@ void RunDayPage::showStations() {
             {records ? shown(station.traineeCode) : QStringLiteral("\u2013")},
             {records ? orDash(station.phaseLabel) : QStringLiteral("\u2013")},
             {records ? shownSpan(board_->asOfUtc_us - station.startedUtc_us) : QStringLiteral("\u2013")},
-            {device.device.empty() ? orDash({}) : spoken(device.device)},
-            {check, {}, check},
-            timeCell(device.checkedUtc_us),
             timeCell(station.heartbeatUtc_us),
-            {orDash(station.softwareVersion)}}});
+            {orDash(station.softwareVersion)},
+            {device.device.empty() ? orDash({}) : spoken(device.device)},
+            {check, {}, check}}});
     }
   const bool some = !rows.empty();
   stations_->setFixedHeight(kStationsFrame + kStationHeight * static_cast<int>(std::clamp<std::size_t>(
@@ -341,7 +344,9 @@ void RunDayPage::changeState() {
 }
 
 void RunDayPage::retranslate() {
-  heading_->setTexts(tr("Run day"), tr("Who is at what, what is left, and which sheets are still missing."));
+  heading_->setTexts(
+      tr("Run day"),
+      tr("Who is at what, what is left, which sheets are missing, and whether the devices are fit."));
   cohortLabel_->setText(tr("&Cohort"));
   time_->setText(tr("&Log time\u2026"));
   swap_->setText(tr("S&wap turns\u2026"));
@@ -351,11 +356,10 @@ void RunDayPage::retranslate() {
                          {tr("Trainee")},
                          {tr("Phase")},
                          {tr("For"), true},
-                         {tr("Device")},
-                         {tr("Device check")},
-                         {tr("Checked")},
                          {tr("Last sign of life")},
-                         {tr("Version")}});
+                         {tr("Version")},
+                         {tr("Device")},
+                         {tr("Device check")}});
   deviation_->setText(tr("&Deviation\u2026"));
   table_->setColumns({{tr("Trainee")},
                       {tr("Group")},

@@ -7,6 +7,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDateTime>
 #include <QLabel>
 #include <QMessageBox>
 #include <QRadioButton>
@@ -182,9 +183,11 @@ void runTheDay(Office& office, const std::string& cohortId) {
   EXPECT_EQ(page->table().visibleRows(), static_cast<int>(kTrainees));
   ASSERT_EQ(page->stations().visibleRows(), 2);
   const QString stations = page->stations().asText();
-  EXPECT_TRUE(stations.contains(QStringLiteral("Touch\t\u2717 not fit: no device answers")))
+  const QString time =
+      page->locale().toString(QDateTime::fromMSecsSinceEpoch(now_us / 1000).time(), QLocale::ShortFormat);
+  EXPECT_TRUE(stations.contains(QStringLiteral("Touch\t\u2717 not fit at %1: no device answers").arg(time)))
       << stations.toStdString();
-  EXPECT_TRUE(stations.contains(QStringLiteral("Mouse and keyboard\t\u25CB not checked today")));
+  EXPECT_TRUE(stations.contains(QStringLiteral("Mouse and keyboard\t\u25CB not checked today, last on ")));
   EXPECT_TRUE(
       page->alerts().text().contains(QStringLiteral("room 2: the device is not fit for scored runs")));
   page->table().view().selectRow(0);
