@@ -83,7 +83,10 @@ void applyStep(Connection& connection, const Migration& step, const MigrationOpt
   Transaction transaction(connection);
   if (connection.engine() == Engine::kPostgresql) connection.executeVerbatim(kAdvisoryLock);
   const std::vector<AppliedStep> applied = appliedSteps(connection);
-  if (!applied.empty() && applied.back().version >= step.version) return;  // another program was faster
+  if (!applied.empty() && applied.back().version >= step.version) {  // another program was faster
+    transaction.commit();
+    return;
+  }
   if (applied.empty() && !hasBookkeeping(connection)) connection.executeVerbatim(kBookkeeping);
   for (const std::string& sql : statementsFor(connection.engine(), step.sql, step.name)) {
     connection.executeVerbatim(sql);

@@ -52,7 +52,8 @@ struct MigrationReport {
 };
 
 /// Applies the missing steps, each in one transaction of its own; a step that fails leaves the database at
-/// the step before. Two programs that start at once do not disturb each other. Throws Error, DbError.
+/// the step before. Two programs that start at once do not disturb each other. Within a Transaction of the
+/// caller all steps are kept with it or not at all (then without `backup`). Throws Error, DbError.
 MigrationReport migrate(Connection& connection, const std::vector<Migration>& migrations,
                         const MigrationOptions& options);
 

@@ -18,6 +18,7 @@ constexpr std::int64_t kProgressEvery = 16;  // recordings
 constexpr const char* kColumns =
     "sequence, at_utc_us, actor, station, action, object_kind, object_id, old_json, new_json, reason,"
     " object_hash, previous_hash, entry_hash";
+constexpr const char* kInTime = " WHERE at_utc_us >= ? AND at_utc_us <= ?";
 
 using Hashes = std::map<std::string, std::string>;
 
@@ -35,6 +36,13 @@ AuditEntry entryOf(const Statement& row) {
           .objectHash = row.text(10),
           .previousHash = row.text(11),
           .entryHash = row.text(12)};
+}
+
+bool moreThanLimit(Connection& connection, const AuditFilter& filter) {
+  Statement next =
+      connection.prepare(std::string("SELECT 1 FROM audit_entry") + kInTime + " LIMIT 1 OFFSET ?");
+  next.execute({filter.fromUtc_us, filter.toUtc_us, filter.limit});
+  return next.step();
 }
 
 /// Ids of trials whose samples were erased with their trainee.
@@ -153,7 +161,11 @@ void AuditRepository::append(std::span<const AuditEntry> entries) {
 }
 
 std::vector<AuditEntry> AuditRepository::entries(const AuditFilter& filter) {
-  std::string where = " WHERE at_utc_us >= ? AND at_utc_us <= ?";
+  // Many entries of a time are not sorted for the newest of them: the chain is walked backwards to the limit.
+  // The sign keeps the index of the times out of the plan. Few are found by that index, wherever they lie.
+  const bool walk =
+      filter.objectKind.empty() && filter.objectId.empty() && moreThanLimit(connection_, filter);
+  std::string where = walk ? " WHERE +at_utc_us >= ? AND +at_utc_us <= ?" : kInTime;
   std::vector<Value> values{filter.fromUtc_us, filter.toUtc_us};
   if (!filter.objectKind.empty()) {
     where += " AND object_kind = ?";
@@ -170,6 +182,12 @@ std::vector<AuditEntry> AuditRepository::entries(const AuditFilter& filter) {
   row.execute(values);
   while (row.step()) entries.push_back(entryOf(row));
   return entries;
+}
+
+std::int64_t AuditRepository::count(std::int64_t fromUtc_us, std::int64_t toUtc_us) {
+  Statement row = connection_.prepare(std::string("SELECT count(*) FROM audit_entry") + kInTime);
+  row.execute({fromUtc_us, toUtc_us});
+  return row.step() ? row.int64(0) : 0;
 }
 
 std::int64_t AuditRepository::length() {

@@ -61,6 +61,8 @@ class AuditRepository {
   void append(std::span<const AuditEntry> entries);
   void append(const AuditEntry& entry) { append(std::span(&entry, 1)); }
   [[nodiscard]] std::vector<AuditEntry> entries(const AuditFilter& filter = {});
+  /// Entries of a time, both ends included.
+  [[nodiscard]] std::int64_t count(std::int64_t fromUtc_us, std::int64_t toUtc_us = INT64_MAX);
 
   /// Walks the whole chain, then compares every sealed mark and trial with its row, and looks for rows that
   /// no entry tells of. Trials are decoded down to their chunk digests. Empty: nothing was tampered with.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
 
 #include "sim/base/error.h"
@@ -22,8 +23,8 @@ constexpr const char* kPeople =
     " (SELECT count(*) FROM rater r WHERE r.person_id = p.id),"
     " (SELECT max(t.started_utc_us) FROM trial t WHERE t.trainee_id = p.id),"
     " (SELECT max(e.enrolled_utc_us) FROM enrolment e WHERE e.trainee_id = p.id),"
-    " (SELECT max(m.submitted_utc_us) FROM enrolment e JOIN training_mark m ON m.enrolment_id = e.id"
-    "  WHERE e.trainee_id = p.id),"
+    " (SELECT max((SELECT max(m.submitted_utc_us) FROM training_mark m WHERE m.enrolment_id = e.id))"
+    "  FROM enrolment e WHERE e.trainee_id = p.id),"
     " (SELECT max(m.submitted_utc_us) FROM training_mark m WHERE m.rater_id = p.id),"
     " (SELECT max(v.submitted_utc_us) FROM evaluation_rater r JOIN evaluation_mark v"
     "  ON v.campaign_id = r.campaign_id AND v.rater_id = r.rater_id WHERE r.rater_id = p.id),"
@@ -32,6 +33,9 @@ constexpr const char* kPeople =
     "  AND c.granted = FALSE AND NOT EXISTS (SELECT 1 FROM consent n WHERE n.person_id = c.person_id"
     "  AND n.purpose = c.purpose AND n.sequence > c.sequence))"
     " FROM person p WHERE p.state <> 'erased' AND p.demonstration = FALSE ORDER BY p.code";
+
+constexpr const char* kHolds =
+    "SELECT person_id, kind, until_utc_us, reason, decided_by, decided_utc_us FROM retention_hold";
 
 /// What kPeople gives for one person.
 struct Activity {
@@ -63,6 +67,19 @@ std::optional<std::int64_t> since(const Activity& activity, std::string_view cat
                       (category == kRetainRater && activity.rater) ||
                       (category == kRetainLeft && activity.left);
   return counts ? std::optional(activity.last_us) : std::nullopt;
+}
+
+RetentionHold holdOf(const Statement& row) {
+  return {row.text(0), row.text(1), row.maybeInt64(2), row.text(3), row.text(4), row.int64(5)};
+}
+
+/// The newest decision about each person about whom there is one.
+std::map<std::string, RetentionHold> newestHolds(Connection& connection) {
+  std::map<std::string, RetentionHold> newest;
+  Statement row = connection.prepare(std::string(kHolds) + " ORDER BY person_id, sequence");
+  row.execute();
+  while (row.step()) newest.insert_or_assign(row.text(0), holdOf(row));
+  return newest;
 }
 
 bool holdsAt(const RetentionHold& hold, std::int64_t utc_us) {
@@ -112,13 +129,9 @@ void RetentionRepository::addHold(const RetentionHold& hold) {
 
 std::vector<RetentionHold> RetentionRepository::holds(const std::string& personId) {
   std::vector<RetentionHold> holds;
-  Statement row = connection_.prepare(
-      "SELECT person_id, kind, until_utc_us, reason, decided_by, decided_utc_us FROM retention_hold"
-      " WHERE person_id = ? ORDER BY sequence");
+  Statement row = connection_.prepare(std::string(kHolds) + " WHERE person_id = ? ORDER BY sequence");
   row.execute({personId});
-  while (row.step()) {
-    holds.push_back({row.text(0), row.text(1), row.maybeInt64(2), row.text(3), row.text(4), row.int64(5)});
-  }
+  while (row.step()) holds.push_back(holdOf(row));
   return holds;
 }
 
@@ -145,11 +158,12 @@ std::vector<RetentionItem> RetentionRepository::due(std::int64_t utc_us) {
     }
     if (item) items.push_back(std::move(*item));
   }
+  const std::map<std::string, RetentionHold> decided = newestHolds(connection_);
   for (RetentionItem& item : items) {
-    const std::vector<RetentionHold> decided = holds(item.personId);
-    if (decided.empty()) continue;
-    item.hold = decided.back();
-    item.held = holdsAt(decided.back(), utc_us);
+    const auto newest = decided.find(item.personId);
+    if (newest == decided.end()) continue;
+    item.hold = newest->second;
+    item.held = holdsAt(newest->second, utc_us);
   }
   std::stable_sort(items.begin(), items.end(),
                    [](const RetentionItem& a, const RetentionItem& b) { return a.dueUtc_us < b.dueUtc_us; });

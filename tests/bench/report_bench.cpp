@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The office with a large record, 10,000 trials and 100,000 marks: the report is built within 3 s, also the
-// first time in a program, and every list opens within 100 ms.
+// first time in a program, and every list opens within 100 ms. Exit code 0: all met, 1: missed, 2: undecided.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <functional>
+#include <limits>
 
 #include <QApplication>
 
@@ -34,8 +35,9 @@ constexpr int kRaters = 10;
 constexpr int kTrialsEach = 3;
 constexpr double kReportTarget_ms = 3'000.0;
 constexpr double kListTarget_ms = 100.0;
+constexpr int kOpenings = 5;
 
-/// What a piece of work took: by the wall clock, and of the processor alone (a shared machine takes longer).
+/// What a piece of work took: by the wall clock, and of the processor alone.
 struct Took {
   double elapsed_ms = 0.0;
   double processor_ms = 0.0;
@@ -53,11 +55,37 @@ void print(const char* what, const Took& took) {
   std::printf("%-48s %9.1f ms, processor %8.1f ms", what, took.elapsed_ms, took.processor_ms);
 }
 
-bool report(const char* what, const Took& took, double target_ms) {
-  const bool met = std::min(took.elapsed_ms, took.processor_ms) <= target_ms;
+enum class Verdict { kMet, kMissed, kUndecided };
+
+/// Whether other programs hold this one up right now: work of the processor alone takes longer than it
+/// should.
+bool machineIsBusy() {
+  constexpr double kHeldUp = 1.25;
+  volatile double sum = 0.0;
+  const Took took = milliseconds([&sum] {
+    for (int i = 1; i < 20'000'000; ++i) sum = sum + 1.0 / i;
+  });
+  return took.elapsed_ms > kHeldUp * took.processor_ms;
+}
+
+/// A target is met by the wall clock: that is what somebody waits for, the disk and a server included. The
+/// time of the processor alone never meets it. But when that lies within the target, and the machine is busy
+/// with other programs' work, the wall clock says nothing about this one: then nothing was measured.
+Verdict report(const char* what, const Took& took, double target_ms) {
+  Verdict verdict = Verdict::kMet;
+  if (took.elapsed_ms > target_ms) {
+    verdict = took.processor_ms <= target_ms && machineIsBusy() ? Verdict::kUndecided : Verdict::kMissed;
+  }
+  constexpr const char* kWords[] = {"met", "MISSED", "undecided: the machine is busy, run again"};
   print(what, took);
-  std::printf("   target %5.0f ms   %s\n", target_ms, met ? "met" : "MISSED");
-  return met;
+  std::printf("   target %5.0f ms   %s\n", target_ms, kWords[static_cast<std::size_t>(verdict)]);
+  return verdict;
+}
+
+/// A miss is worse than nothing measured.
+Verdict worse(Verdict a, Verdict b) {
+  if (a == Verdict::kMissed || b == Verdict::kMissed) return Verdict::kMissed;
+  return a == Verdict::kUndecided ? a : b;
 }
 
 std::vector<Sample> twist() {
@@ -143,7 +171,7 @@ std::string fill(testing::OfficeCentre& centre) {
   return cohort.id;
 }
 
-bool measureReport(testing::OfficeCentre& centre, const std::string& cohortId) {
+Verdict measureReport(testing::OfficeCentre& centre, const std::string& cohortId) {
   ReportRequest request;
   request.cohortId = cohortId;
   Workplace& workplace = centre.as("statistician");
@@ -158,7 +186,7 @@ bool measureReport(testing::OfficeCentre& centre, const std::string& cohortId) {
   print("the report of a record of an older version", old);
   std::printf("   (%zu recordings measured, once)\n", measured);
   const Took first = milliseconds([&] { measured = build(); });
-  if (measured != 0) return false;  // everything is kept beside the recordings by now
+  if (measured != 0) return Verdict::kMissed;  // everything is kept beside the recordings by now
   return report("the report, the first time in a program", first, kReportTarget_ms);
 }
 
@@ -168,13 +196,11 @@ void letAllBecomeDue(testing::OfficeCentre& centre) {
   centre.passTime_us(2 * 86'400'000'000);
 }
 
-bool measureLists(testing::OfficeCentre& centre) {
-  letAllBecomeDue(centre);
-  gui::ShellContext shell(centre.workplace(), centre.assets(), gui::ThemeKind::kLight);
-  bool good = true;
-  for (const gui::PageEntry& entry : gui::officePages()) {
-    if (entry.id == "office.results" || entry.id == "office.reports") continue;  // measured above
-    centre.as(entry.id == "office.allocation" ? "allocator" : "administrator");
+/// The shortest of several openings, each by a page of its own: what else goes on on the machine can only add
+/// to it.
+Took openings(const gui::PageEntry& entry, gui::ShellContext& shell) {
+  Took shortest{std::numeric_limits<double>::max(), 0.0};
+  for (int opening = 0; opening < kOpenings; ++opening) {
     const std::unique_ptr<gui::Page> page(entry.make(shell));
     page->resize(1366, 768);
     const Took took = milliseconds([&] {
@@ -182,15 +208,28 @@ bool measureLists(testing::OfficeCentre& centre) {
       page->grab();
     });
     static_cast<void>(page->leave());
-    good = report(entry.id.toStdString().c_str(), took, kListTarget_ms) && good;
+    if (took.elapsed_ms < shortest.elapsed_ms) shortest = took;
   }
-  return good;
+  return shortest;
 }
 
-bool measureTrials(testing::OfficeCentre& centre) {
+Verdict measureLists(testing::OfficeCentre& centre) {
+  letAllBecomeDue(centre);
+  gui::ShellContext shell(centre.workplace(), centre.assets(), gui::ThemeKind::kLight);
+  Verdict worst = Verdict::kMet;
+  for (const gui::PageEntry& entry : gui::officePages()) {
+    if (entry.id == "office.results" || entry.id == "office.reports") continue;  // measured above
+    centre.as(entry.id == "office.allocation" ? "allocator" : "administrator");
+    worst = worse(worst, report(entry.id.toStdString().c_str(), openings(entry, shell), kListTarget_ms));
+  }
+  return worst;
+}
+
+Verdict measureTrials(testing::OfficeCentre& centre) {
   std::size_t listed = 0;
   const Took took = milliseconds([&] { listed = codedTrials(centre.as("administrator")).size(); });
-  return report("trials under their codes, the newest page", took, kListTarget_ms) && listed > 0;
+  if (listed == 0) std::abort();
+  return report("trials under their codes, the newest page", took, kListTarget_ms);
 }
 
 /// A roster of ten thousand people, compared and then stored. No target: it happens once a year.
@@ -226,9 +265,9 @@ int main(int argc, char** argv) {
   std::string cohortId;
   torsio::print("filling", torsio::milliseconds([&] { cohortId = torsio::fill(centre); }));
   std::printf("\n");
-  const bool report = torsio::measureReport(centre, cohortId);
-  const bool trials = torsio::measureTrials(centre);
-  const bool lists = torsio::measureLists(centre);
+  const torsio::Verdict report = torsio::measureReport(centre, cohortId);
+  const torsio::Verdict trials = torsio::measureTrials(centre);
+  const torsio::Verdict lists = torsio::measureLists(centre);
   torsio::measureRoster();
-  return report && trials && lists ? 0 : 1;
+  return static_cast<int>(torsio::worse(report, torsio::worse(trials, lists)));
 }

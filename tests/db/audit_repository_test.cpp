@@ -84,6 +84,26 @@ TEST_F(AuditRepositoryTest, ChainsEntriesAndListsTheNewestFirst) {
   EXPECT_TRUE(audit.verify().empty());
 }
 
+TEST_F(AuditRepositoryTest, ListsTheNewestOfATimeWhetherFewOrManyLieInIt) {
+  Connection connection = openWithSchema();
+  AuditRepository audit(connection);
+  // Stations' clocks differ: the third entry came later than the fourth, by its clock earlier.
+  for (const std::int64_t at_us : {10, 20, 40, 30, 50}) audit.append(entryOf("person.edit", at_us));
+  const auto listed = [&audit](const AuditFilter& filter) {
+    std::vector<std::int64_t> sequences;
+    for (const AuditEntry& entry : audit.entries(filter)) sequences.push_back(entry.sequence);
+    return sequences;
+  };
+  using Sequences = std::vector<std::int64_t>;
+
+  EXPECT_EQ(listed({.limit = 2}), (Sequences{5, 4}));
+  EXPECT_EQ(listed({.limit = 5}), (Sequences{5, 4, 3, 2, 1}));
+  EXPECT_EQ(listed({.fromUtc_us = 15, .toUtc_us = 35, .limit = 1}), (Sequences{4}));
+  EXPECT_EQ(listed({.fromUtc_us = 15, .toUtc_us = 35, .limit = 2}), (Sequences{4, 2}));
+  EXPECT_EQ(listed({.fromUtc_us = 35, .limit = INT64_MAX}), (Sequences{5, 3}));
+  EXPECT_EQ(listed({.fromUtc_us = 60}), Sequences{});
+}
+
 TEST_F(AuditRepositoryTest, GoesBackWithTheChangeThatItTellsOf) {
   Connection connection = openWithSchema();
   {

@@ -32,6 +32,7 @@ const std::map<std::string, Value> kRuled{{"kind", "virtual"},
                                           {"until_utc_us", Value()},
                                           {"decision", "keep"},
                                           {"comparison", "at_most"},
+                                          {"device_light", "amber"},
                                           {"assessment_run.campaign_id", Value()},
                                           {"not_assessable_reason", Value()},
                                           {"amend_reason", Value()}};

@@ -108,6 +108,11 @@ TEST_F(QueryPlanTest, TheQueueOfARaterAndTheAuditTrailAreFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)sheets.allSubmitted("e", "pre"); }));
   expectNoWalk(
       plansOf(connection, [&] { (void)AuditRepository(connection).entries({.objectKind = "trial"}); }));
+  expectNoWalk(plansOf(connection, [&] { (void)AuditRepository(connection).entries({.fromUtc_us = 1}); }));
+  for (int i = 0; i < 2; ++i) AuditRepository(connection).append(AuditEntry{.atUtc_us = 5});
+  const auto newest = plansOf(connection, [&] { (void)AuditRepository(connection).entries({.limit = 1}); });
+  expectNoWalk(newest, true);  // LIMIT ends it
+  expectNoSort(newest);
 }
 
 TEST_F(QueryPlanTest, TheStartOfAStationAndItsBoardAreFoundByIndex) {
@@ -161,6 +166,12 @@ TEST_F(QueryPlanTest, WhatTheOfficeOpensIsFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)curricula.versionIds("c"); }));
   expectNoWalk(plansOf(connection, [&] { (void)FreezeRepository(connection).list("c"); }));
   expectNoWalk(plansOf(connection, [&] { (void)RetentionRepository(connection).holds("p"); }));
+  RetentionRepository(connection).setRule({kRetainTrainee, 1, "contract", 1});
+  const auto due = plansOf(connection, [&] { (void)RetentionRepository(connection).due(1); });
+  for (const std::string& line : due) {
+    if (line.find(" m ") == std::string::npos) continue;
+    EXPECT_NE(line.find("COVERING INDEX"), std::string::npos) << line;  // the marks themselves are not read
+  }
   AccessRepository access(connection, PasswordCost::kTest);
   expectNoWalk(plansOf(connection, [&] { (void)access.allowed("u", "trial.view"); }));
 }

@@ -69,5 +69,35 @@ TEST_F(StationRepositoryTest, EachSignOfLifeOverwritesTheOneBefore) {
   EXPECT_EQ(faultFrom([&] { stations.beat({.station = "c", .trialId = "none"}); }), DbFault::kForeignKey);
 }
 
+TEST_F(StationRepositoryTest, KeepsWhatAStationSaysAboutItsDevice) {
+  Connection connection = openWithSchema();
+  StationRepository stations(connection);
+  stations.beat({.station = "office", .heartbeatUtc_us = 1});
+  stations.beat({.station = "room 1",
+                 .heartbeatUtc_us = 1,
+                 .deviceJson = "[\"Touch\"]",
+                 .deviceHaptic = true,
+                 .deviceLight = "red",
+                 .deviceProblemJson = "[\"cable\"]",
+                 .deviceCheckedUtc_us = kSampleTime_us});
+
+  const std::vector<StationState> board = stations.board();
+
+  ASSERT_EQ(board.size(), 2U);
+  EXPECT_EQ(board[0].deviceJson, "");
+  EXPECT_FALSE(board[0].deviceHaptic);
+  EXPECT_EQ(board[0].deviceCheckedUtc_us, 0);
+  EXPECT_EQ(board[1].deviceJson, "[\"Touch\"]");
+  EXPECT_TRUE(board[1].deviceHaptic);
+  EXPECT_EQ(board[1].deviceLight, "red");
+  EXPECT_EQ(board[1].deviceProblemJson, "[\"cable\"]");
+  EXPECT_EQ(board[1].deviceCheckedUtc_us, kSampleTime_us);
+  stations.beat(
+      {.station = "room 1", .heartbeatUtc_us = 2, .deviceJson = "[\"Touch\"]", .deviceLight = "green"});
+  EXPECT_EQ(stations.find("room 1")->deviceLight, "green");
+  EXPECT_EQ(stations.find("room 1")->deviceProblemJson, "");
+  EXPECT_EQ(faultFrom([&] { stations.beat({.station = "c", .deviceLight = "purple"}); }), DbFault::kCheck);
+}
+
 }  // namespace
 }  // namespace torsio

@@ -9,6 +9,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QCollator>
+#include <QDateTime>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -95,9 +96,13 @@ class PaddedCells final : public QStyledItemDelegate {
 
 }  // namespace
 
+Cell timeCell(std::int64_t utc_us) {
+  return {.text = {}, .sortKey = static_cast<qlonglong>(utc_us), .time = true};
+}
+
 class DataTable::Model final : public QAbstractTableModel {
  public:
-  using QAbstractTableModel::QAbstractTableModel;
+  explicit Model(DataTable* table) : QAbstractTableModel(table), table_(table) {}
 
   void setColumns(const std::vector<Column>& columns) {
     if (columns.size() == columns_.size()) {
@@ -137,7 +142,7 @@ class DataTable::Model final : public QAbstractTableModel {
     const Cell& cell = row.cells[column];
     switch (role) {
       case Qt::DisplayRole:
-        return cell.text;
+        return cell.time ? timeText(cell.sortKey.toLongLong()) : cell.text;
       case Qt::ToolTipRole:
         return cell.tip.isEmpty() ? QVariant() : QVariant(cell.tip);
       case kSortRole:
@@ -158,6 +163,12 @@ class DataTable::Model final : public QAbstractTableModel {
   }
 
  private:
+  [[nodiscard]] QString timeText(qlonglong utc_us) const {
+    if (utc_us == 0) return QStringLiteral("\u2013");
+    return table_->locale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
+  }
+
+  const DataTable* table_;
   std::vector<Column> columns_;
   std::vector<Row> rows_;
 };
@@ -303,6 +314,10 @@ void DataTable::setColumnHidden(int column, bool hidden) {
   view_->horizontalHeader()->setSectionHidden(column, hidden);
 }
 
+void DataTable::hideAtFirst(int column) {
+  if (!touched_) setColumnHidden(column, true);
+}
+
 void DataTable::setEmptyText(const QString& sentence) {
   empty_->setText(sentence);
   showCount();
@@ -338,6 +353,15 @@ void DataTable::select(const QString& id) {
     view_->scrollTo(proxy_->index(row, 0));
     return;
   }
+}
+
+void DataTable::selectAll(const QStringList& ids) {
+  QItemSelection chosen;
+  for (int row = 0; row < proxy_->rowCount(); ++row) {
+    const QModelIndex index = proxy_->index(row, 0);
+    if (ids.contains(idAt(index))) chosen.select(index, index);
+  }
+  view_->selectionModel()->select(chosen, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
 }
 
 int DataTable::visibleRows() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <QString>
@@ -22,7 +23,11 @@ struct Cell {
   QString text;
   QVariant sortKey{};  ///< number or ISO text; invalid: the text itself, by the rules of the language
   QString tip{};
+  bool time = false;  ///< `sortKey` is a time: put into words when it is looked at, a long list is not
 };
+
+/// Date and time in the language of the list, sorted by time; a dash for 0.
+[[nodiscard]] Cell timeCell(std::int64_t utc_us);
 
 struct Column {
   QString title;
@@ -52,6 +57,9 @@ class DataTable : public QWidget {
   /// Every row has one cell a column. Selection and sorting stay.
   void setRows(std::vector<Row> rows);
   void setColumnHidden(int column, bool hidden);
+  /// Not shown unless somebody has chosen their columns; the filter looks into it all the same. Once the
+  /// columns are set.
+  void hideAtFirst(int column);
   /// Shown in place of rows when there are none: what this list will hold, and how it gets filled.
   void setEmptyText(const QString& sentence);
   /// Below the filter, to the right of the count: buttons that concern the list.
@@ -60,6 +68,8 @@ class DataTable : public QWidget {
   [[nodiscard]] QString currentId() const;  ///< empty: nothing selected
   [[nodiscard]] QStringList selectedIds() const;
   void select(const QString& id);
+  /// These rows and no others.
+  void selectAll(const QStringList& ids);
   [[nodiscard]] int visibleRows() const;
   /// Rows as they are shown, with a header line, tab-separated: the selection, or everything.
   [[nodiscard]] QString asText() const;

@@ -18,6 +18,8 @@
 #include "app/gui/look/data_table.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
+#include "app/session/access/audit_words.h"
 
 namespace torsio::gui {
 
@@ -25,6 +27,7 @@ namespace {
 
 constexpr std::int64_t kDay_us = 86'400'000'000;
 constexpr std::int64_t kFirstEntries = 1'000;  // on the screen at once, however long the record is
+constexpr int kCode = 7;                       // column: hidden until somebody asks for it, always searched
 
 QDateTime timeOf(const AuditEntry& entry) {
   return QDateTime::fromMSecsSinceEpoch(entry.atUtc_us / 1000);
@@ -80,6 +83,7 @@ AuditPage::AuditPage(ShellContext& shell)
   connect(more_, &QToolButton::clicked, this, &AuditPage::readMore);
   connect(table_, &DataTable::currentChanged, this, &AuditPage::showEntry);
   retranslate();
+  table_->hideAtFirst(kCode);
 }
 
 void AuditPage::enter(const QVariant&) {
@@ -103,7 +107,6 @@ void AuditPage::retranslate() {
   verify_->setToolTip(tr("Checks every entry, every sealed mark and every recorded trial"));
   const QStringList spans{tr("Last day"), tr("Last week"), tr("Last month"), tr("Everything")};
   for (int index = 0; index < spans.size(); ++index) days_->setItemText(index, spans[index]);
-  more_->setText(tr("Show &more"));
   more_->setToolTip(tr("Only the newest entries of this time are shown; this shows twice as many"));
   days_->setAccessibleName(tr("Time span"));
   entry_->setAccessibleName(tr("Chosen entry"));
@@ -114,7 +117,8 @@ void AuditPage::retranslate() {
                       {tr("Station")},
                       {tr("What")},
                       {tr("Object")},
-                      {tr("Why")}});
+                      {tr("Why")},
+                      {tr("Code")}});
   table_->setEmptyText(tr("Nothing happened in this time."));
   show();
   showVerdict();
@@ -128,6 +132,7 @@ void AuditPage::read() {
     entries_ = auditEntries(shell().workplace(), filter);
     const bool older = std::ssize(entries_) > most_;
     if (older) entries_.pop_back();
+    all_ = older ? auditEntryCount(shell().workplace(), filter.fromUtc_us) : std::ssize(entries_);
     more_->setVisible(older);
     logins_ = auditActors(shell().workplace());
     show();
@@ -143,16 +148,17 @@ void AuditPage::show() {
     const auto login = logins_.find(entry.actor);
     const QString actor = QString::fromStdString(login == logins_.end() ? entry.actor : login->second);
     const auto sequence = static_cast<qlonglong>(entry.sequence);
-    rows.push_back(
-        {QString::number(sequence),
-         {{locale().toString(sequence), sequence},
-          {locale().toString(timeOf(entry), QLocale::ShortFormat), static_cast<qlonglong>(entry.atUtc_us)},
-          {actor},
-          {QString::fromStdString(entry.station)},
-          {QString::fromStdString(entry.action)},
-          {QString::fromStdString(entry.objectKind), {}, QString::fromStdString(entry.objectId)},
-          {QString::fromStdString(entry.reason)}}});
+    rows.push_back({QString::number(sequence),
+                    {{locale().toString(sequence), sequence},
+                     timeCell(entry.atUtc_us),
+                     {actor},
+                     {QString::fromStdString(entry.station)},
+                     {spoken(auditActionWords(entry.action)), {}, QString::fromStdString(entry.action)},
+                     {spoken(auditObjectWords(entry.objectKind)), {}, QString::fromStdString(entry.objectId)},
+                     {QString::fromStdString(entry.reason)},
+                     {QString::fromStdString(entry.action)}}});
   }
+  more_->setText(tr("Show &more of %1").arg(locale().toString(static_cast<qlonglong>(all_))));
   table_->setRows(std::move(rows));
 }
 
@@ -169,9 +175,14 @@ void AuditPage::showEntry(const QString& id) {
     if (!value.isEmpty()) lines << QStringLiteral("%1: %2").arg(name, value);
   };
   add(tr("When (UTC)"), timeOf(*found).toUTC().toString(Qt::ISODateWithMs));
-  add(tr("What"), QString::fromStdString(found->action));
-  add(tr("Object"), QStringLiteral("%1 %2").arg(QString::fromStdString(found->objectKind),
-                                                QString::fromStdString(found->objectId)));
+  const auto withCode = [](const Text& words, const std::string& code) {
+    const QString spelt = QString::fromStdString(code);
+    return spoken(words) == spelt ? spelt : QStringLiteral("%1 (%2)").arg(spoken(words), spelt);
+  };
+  add(tr("What"), withCode(auditActionWords(found->action), found->action));
+  add(tr("Object"),
+      QStringLiteral("%1 %2").arg(withCode(auditObjectWords(found->objectKind), found->objectKind),
+                                  QString::fromStdString(found->objectId)));
   add(tr("Before"), indented(found->oldJson));
   add(tr("After"), indented(found->newJson));
   add(tr("Why"), QString::fromStdString(found->reason));
@@ -206,8 +217,8 @@ void AuditPage::showVerdict() {
     for (std::size_t i = 0; i < std::min(findings_->size(), kShown); ++i) {
       const AuditFinding& finding = (*findings_)[i];
       lines << QStringLiteral("\u2022 %1 %2: %3")
-                   .arg(QString::fromStdString(finding.objectKind), QString::fromStdString(finding.objectId),
-                        QString::fromStdString(finding.what));
+                   .arg(spoken(auditObjectWords(finding.objectKind)),
+                        QString::fromStdString(finding.objectId), QString::fromStdString(finding.what));
     }
     verdict_->setText(lines.join(QLatin1Char('\n')));
   }

@@ -40,7 +40,8 @@ class AuditPage : public Page {
   void showVerdict();
 
   std::vector<AuditEntry> entries_;
-  std::int64_t most_;  // of them are read
+  std::int64_t most_;     // of them are read
+  std::int64_t all_ = 0;  // of the chosen time are there
   std::map<std::string, std::string> logins_;
   std::optional<std::vector<AuditFinding>> findings_;  // empty: not looked for yet
   PageHeading* heading_;

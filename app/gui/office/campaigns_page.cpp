@@ -60,8 +60,7 @@ void CampaignsPage::show() {
                      {tr("%1 of %2").arg(row.marksSubmitted).arg(row.marksExpected),
                       static_cast<qlonglong>(row.marksSubmitted)},
                      {row.campaign.demonstration ? tr("demonstration") : QStringLiteral("\u2013")},
-                     {shownTime(row.campaign.createdUtc_us, locale()),
-                      static_cast<qlonglong>(row.campaign.createdUtc_us)},
+                     timeCell(row.campaign.createdUtc_us),
                      {models.join(QStringLiteral(", "))}}});
   }
   table_->setRows(std::move(rows));

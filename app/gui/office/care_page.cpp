@@ -136,8 +136,8 @@ void CarePage::read() {
                       {{shown(item.code)},
                        {categoryName(item.category)},
                        {orDash(item.basis)},
-                       {shownTime(item.sinceUtc_us, locale()), static_cast<qlonglong>(item.sinceUtc_us)},
-                       {shownTime(item.dueUtc_us, locale()), static_cast<qlonglong>(item.dueUtc_us)},
+                       timeCell(item.sinceUtc_us),
+                       timeCell(item.dueUtc_us),
                        {!item.held                  ? tr("to be reviewed")
                         : item.hold->kind == "lock" ? tr("locked: %1").arg(shown(item.hold->reason))
                                                     : tr("kept longer: %1").arg(shown(item.hold->reason))}}});

@@ -80,8 +80,7 @@ void CohortsPage::show() {
                      {QString::number(row.allocated), static_cast<qlonglong>(row.allocated)},
                      {QString::number(row.withdrawn), static_cast<qlonglong>(row.withdrawn)},
                      {row.cohort.demonstration ? tr("demonstration") : QStringLiteral("\u2013")},
-                     {shownTime(row.cohort.createdUtc_us, locale()),
-                      static_cast<qlonglong>(row.cohort.createdUtc_us)}}});
+                     timeCell(row.cohort.createdUtc_us)}});
   table_->setRows(std::move(rows));
   showMembers();
 }
@@ -113,8 +112,7 @@ void CohortsPage::showMembers() {
           {enrolment.numberInGroup > 0 ? QString::number(enrolment.numberInGroup) : QStringLiteral("\u2013"),
            static_cast<qlonglong>(enrolment.numberInGroup)},
           {enrolmentStateName(enrolment.state)},
-          {shownTime(enrolment.enrolledUtc_us, locale()),
-           static_cast<qlonglong>(enrolment.enrolledUtc_us)}}});
+          timeCell(enrolment.enrolledUtc_us)}});
   members_->setRows(std::move(rows));
 }
 

@@ -15,6 +15,8 @@
 #include "app/gui/office/station_settings_card.h"
 #include "app/gui/shell/shell_context.h"
 #include "app/gui/shell/spoken.h"
+#include "app/session/care/station_line.h"
+#include "app/session/training/haptic_station.h"
 
 namespace torsio::gui {
 
@@ -67,6 +69,8 @@ void DevicesPage::check() {
       },
       [this, result] {
         result_ = *result;
+        if (StationLine* line = shell().line(); line != nullptr)
+          line->showDevice(stationDevice(hapticReadiness(*result), shell().workplace().now_us()));
         show();
       });
   check_->setEnabled(true);

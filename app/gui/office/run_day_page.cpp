@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QComboBox>
+#include <QDateTime>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -20,6 +21,7 @@
 #include "app/gui/office/user_dialogs.h"
 #include "app/gui/shell/background.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "app/session/study/cohort_service.h"
 
 namespace torsio::gui {
@@ -186,6 +188,9 @@ QString RunDayPage::alertText(const RunDayAlert& alert) const {
     case Kind::kStationSilent:
       return tr("%1 does not answer since %2.")
           .arg(shown(alert.subject), shownTime(alert.sinceUtc_us, locale()));
+    case Kind::kDeviceUnfit:
+      return tr("%1: the device is not fit for scored runs: %2.")
+          .arg(shown(alert.subject), spoken(alert.reason));
     case Kind::kRestTooLong:
       return tr("%1 has rested longer than allowed.").arg(shown(alert.subject));
     case Kind::kSheetsMissing:
@@ -210,12 +215,34 @@ void RunDayPage::showAlerts() {
   alerts_->setVisible(!lines.isEmpty());
 }
 
+QString RunDayPage::checkText(const StationDevice& device) const {
+  if (device.device.empty()) return QStringLiteral("\u2013");
+  const QDateTime checked = QDateTime::fromMSecsSinceEpoch(device.checkedUtc_us / 1000);
+  const QDateTime now = QDateTime::fromMSecsSinceEpoch(board_->asOfUtc_us / 1000);
+  if (!device.light) return tr("\u25CB not checked yet");
+  if (checked.date() != now.date())
+    return tr("\u25CB not checked today, last on %1")
+        .arg(locale().toString(checked.date(), QLocale::ShortFormat));
+  const QString time = locale().toString(checked.time(), QLocale::ShortFormat);
+  switch (*device.light) {
+    case Light::kGreen:
+      return tr("\u2713 fit at %1").arg(time);
+    case Light::kAmber:
+      return tr("! practice only at %1: %2").arg(time, spoken(device.problem));
+    case Light::kRed:
+      break;
+  }
+  return tr("\u2717 not fit at %1: %2").arg(time, spoken(device.problem));
+}
+
 void RunDayPage::showStations() {
   std::vector<Row> rows;
   if (board_)
     for (const StationState& station : board_->stations) {
       const bool silent = board_->asOfUtc_us - station.heartbeatUtc_us > kStationSilence_us;
       const bool records = !station.trialId.empty() && !station.ended;
+      const StationDevice device = storedDevice(station);
+      const QString check = checkText(device);
       rows.push_back(
           {shown(station.station),
            {{shown(station.station)},
@@ -225,8 +252,10 @@ void RunDayPage::showStations() {
             {records ? shown(station.traineeCode) : QStringLiteral("\u2013")},
             {records ? orDash(station.phaseLabel) : QStringLiteral("\u2013")},
             {records ? shownSpan(board_->asOfUtc_us - station.startedUtc_us) : QStringLiteral("\u2013")},
-            {shownTime(station.heartbeatUtc_us, locale()), static_cast<qlonglong>(station.heartbeatUtc_us)},
-            {orDash(station.softwareVersion)}}});
+            timeCell(station.heartbeatUtc_us),
+            {orDash(station.softwareVersion)},
+            {device.device.empty() ? orDash({}) : spoken(device.device)},
+            {check, {}, check}}});
     }
   const bool some = !rows.empty();
   stations_->setFixedHeight(kStationsFrame + kStationHeight * static_cast<int>(std::clamp<std::size_t>(
@@ -315,7 +344,9 @@ void RunDayPage::changeState() {
 }
 
 void RunDayPage::retranslate() {
-  heading_->setTexts(tr("Run day"), tr("Who is at what, what is left, and which sheets are still missing."));
+  heading_->setTexts(
+      tr("Run day"),
+      tr("Who is at what, what is left, which sheets are missing, and whether the devices are fit."));
   cohortLabel_->setText(tr("&Cohort"));
   time_->setText(tr("&Log time\u2026"));
   swap_->setText(tr("S&wap turns\u2026"));
@@ -326,7 +357,9 @@ void RunDayPage::retranslate() {
                          {tr("Phase")},
                          {tr("For"), true},
                          {tr("Last sign of life")},
-                         {tr("Version")}});
+                         {tr("Version")},
+                         {tr("Device")},
+                         {tr("Device check")}});
   deviation_->setText(tr("&Deviation\u2026"));
   table_->setColumns({{tr("Trainee")},
                       {tr("Group")},

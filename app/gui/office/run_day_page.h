@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/gui/shell/page.h"
+#include "app/session/care/station_device.h"
 #include "app/session/study/run_day.h"
 
 class QComboBox;
@@ -50,6 +51,8 @@ class RunDayPage : public Page {
   void changeState();
   [[nodiscard]] const RunDayRow* current() const;
   [[nodiscard]] QString nowText(const RunDayRow& row) const;
+  /// What the last check of a station's device found: sign and word, never colour alone.
+  [[nodiscard]] QString checkText(const StationDevice& device) const;
 
   std::optional<RunDayBoard> board_;
   QTimer* clock_;

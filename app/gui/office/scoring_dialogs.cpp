@@ -55,7 +55,8 @@ class Question : public QDialog {
 
 }  // namespace
 
-std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<PersonRow>& raters) {
+std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<PersonRow>& raters,
+                                        const ScoringMatrix& matrix) {
   Question dialog(parent, words(QT_TRANSLATE_NOOP("Scoring", "Ask raters")),
                   words(QT_TRANSLATE_NOOP("Scoring",
                                           "Every rater gets an order of their own and case labels that tell "
@@ -70,7 +71,10 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
         {shown(rater.person.id), {{shown(rater.person.code)}, {raterClassName(rater.raterClass)}}});
   table->setRows(std::move(rows));
   table->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
-  table->view().selectAll();
+  QStringList atWork;
+  for (const ScoringMatrix::Rater& rater : matrix.raters)
+    if (rater.open > 0) atWork << shown(rater.id);
+  table->selectAll(atWork);
   dialog.column->addWidget(table, 1);
   std::vector<std::pair<std::string, QCheckBox*>> points;
   for (const char* code : {"pre", "mid", "post"}) {
@@ -79,7 +83,10 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
     dialog.column->addWidget(box);
     points.emplace_back(code, box);
   }
-  dialog.finish(words(QT_TRANSLATE_NOOP("Scoring", "Ask")));
+  QPushButton* ask = dialog.finish(words(QT_TRANSLATE_NOOP("Scoring", "Ask")));
+  const auto showAsk = [ask, table] { ask->setEnabled(!table->selectedIds().isEmpty()); };
+  QObject::connect(table, &DataTable::currentChanged, ask, showAsk);
+  showAsk();
   if (dialog.exec() != QDialog::Accepted) return std::nullopt;
   RatersAsked asked;
   for (const QString& id : table->selectedIds()) asked.raterIds.push_back(id.toStdString());
@@ -155,7 +162,7 @@ std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<Relea
 
 namespace {
 
-Row rowOf(const ThirdRequest& request, const QLocale& locale) {
+Row rowOf(const ThirdRequest& request) {
   QStringList by;
   QStringList reasons;
   for (const std::string& code : request.askedBy) by << shown(code);
@@ -167,7 +174,7 @@ Row rowOf(const ThirdRequest& request, const QLocale& locale) {
             shown(request.scoringPoint)},
            {by.join(QStringLiteral(", "))},
            {reasons.join(QStringLiteral(" \u00B7 ")), {}, reasons.join(QLatin1Char('\n'))},
-           {shownTime(request.askedUtc_us, locale), static_cast<qlonglong>(request.askedUtc_us)}}};
+           timeCell(request.askedUtc_us)}};
 }
 
 void fillThirds(QComboBox* box, const ThirdRequest& request) {
@@ -196,7 +203,7 @@ std::optional<ThirdChosen> askThirdRater(QWidget* parent, const std::vector<Thir
                      {words(QT_TRANSLATE_NOOP("Scoring", "Since"))}});
   table->view().setAccessibleName(words(QT_TRANSLATE_NOOP("Scoring", "Cases that need a third rater")));
   std::vector<Row> rows;
-  for (const ThirdRequest& request : requests) rows.push_back(rowOf(request, dialog.locale()));
+  for (const ThirdRequest& request : requests) rows.push_back(rowOf(request));
   table->setRows(std::move(rows));
   dialog.column->addWidget(table, 1);
   auto* to = new QComboBox(&dialog);

@@ -17,8 +17,10 @@ struct RatersAsked {
   std::vector<std::string> raterIds{};
   std::vector<std::string> scoringPoints{};
 };
-/// Who is asked, and for which scoring points. Empty: given up.
-[[nodiscard]] std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<PersonRow>& raters);
+/// Who is asked, and for which scoring points. Chosen already: those of `matrix` who have open sheets; nobody
+/// when nothing is open. Empty: given up.
+[[nodiscard]] std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<PersonRow>& raters,
+                                                      const ScoringMatrix& matrix);
 
 struct SheetMoved {
   std::string assignmentId{};

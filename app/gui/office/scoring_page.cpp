@@ -176,7 +176,8 @@ void ScoringPage::askRaters() {
     std::vector<PersonRow> raters;
     for (PersonRow& person : people(shell().workplace()))
       if (person.rater && person.person.state == "active") raters.push_back(std::move(person));
-    if (const std::optional<RatersAsked> asked = askRatersFor(this, raters))
+    if (const std::optional<RatersAsked> asked =
+            askRatersFor(this, raters, matrix_.value_or(ScoringMatrix{})))
       ask(asked->raterIds, asked->scoringPoints);
   });
 }

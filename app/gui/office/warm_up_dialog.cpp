@@ -146,7 +146,7 @@ void WarmUpDialog::read() {
           {shownSpan(run.length_us.value_or(0)), static_cast<qlonglong>(run.length_us.value_or(0))},
           {locale.toString(run.panel_points, 'f', 1), run.panel_points},
           {locale.toString(static_cast<qlonglong>(run.panelRaters))},
-          {shownTime(run.setUtc_us, locale), static_cast<qlonglong>(run.setUtc_us)},
+          timeCell(run.setUtc_us),
           {out ? tr("Withdrawn: %1").arg(shown(run.withdrawnBecause)) : tr("In use")}}});
   }
   present_->setRows(std::move(present));
@@ -157,7 +157,7 @@ void WarmUpDialog::read() {
                      {shown(one.sceneId)},
                      {orDash(one.phaseLabel)},
                      {shownSpan(one.length_us), static_cast<qlonglong>(one.length_us)},
-                     {shownTime(one.startedUtc_us, locale), static_cast<qlonglong>(one.startedUtc_us)}}});
+                     timeCell(one.startedUtc_us)}});
   candidates_->setRows(std::move(rows));
   check();
 }

@@ -16,6 +16,7 @@
 #include "app/gui/station/station_desk.h"
 #include "app/gui/station/station_parts.h"
 #include "app/gui/station/station_words.h"
+#include "app/session/care/station_line.h"
 #include "app/session/training/run_session.h"
 
 namespace torsio::gui {
@@ -69,6 +70,7 @@ DeviceCheckPage::DeviceCheckPage(ShellContext& context, QWidget* parent)
   connect(mouse_, &QPushButton::clicked, this, [this] {
     StationDesk& desk = StationDesk::of(shell());
     desk.openDevice = nullptr;
+    // The board goes on telling of the device that is not fit.
     desk.readiness = pointerReadiness(gradesWithMouse(shell().workplace()));
     goOn(false);
   });
@@ -83,7 +85,7 @@ void DeviceCheckPage::check() {
   desk.readiness.reset();
   if (!desk.probe) {
     try {
-      desk.readiness = pointerReadiness(gradesWithMouse(shell().workplace()));
+      found(pointerReadiness(gradesWithMouse(shell().workplace())));
     } catch (...) {
       shell().report(std::current_exception());
     }
@@ -92,15 +94,21 @@ void DeviceCheckPage::check() {
   }
   checking_ = true;
   fill();
-  const auto found = std::make_shared<DeviceReadiness>();
+  const auto readiness = std::make_shared<DeviceReadiness>();
   shell().run(
       tr("Checking the device"),
-      [found, probe = desk.probe](Workplace&, const ProgressCallback&) { *found = probe(); },
-      [this, found] {
+      [readiness, probe = desk.probe](Workplace&, const ProgressCallback&) { *readiness = probe(); },
+      [this, readiness] {
         checking_ = false;
-        StationDesk::of(shell()).readiness = *found;
+        found(*readiness);
         fill();
       });
+}
+
+void DeviceCheckPage::found(const DeviceReadiness& readiness) {
+  StationDesk::of(shell()).readiness = readiness;
+  if (StationLine* line = shell().line(); line != nullptr)
+    line->showDevice(stationDevice(readiness, shell().workplace().now_us()));
 }
 
 void DeviceCheckPage::goOn(bool graded) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/gui/shell/page.h"
+#include "app/session/training/device_readiness.h"
 
 class QLabel;
 class QPushButton;
@@ -28,6 +29,8 @@ class DeviceCheckPage : public Page {
   void check();
   void fill();
   void goOn(bool graded);
+  /// On the board of the day, too.
+  void found(const DeviceReadiness& readiness);
 
   const Theme* theme_;
   PageHeading* heading_;

@@ -2,6 +2,7 @@
 #include "app/gui/station/station_desk.h"
 
 #include "app/gui/shell/shell_context.h"
+#include "app/session/care/station_line.h"
 #include "app/session/training/haptic_station.h"
 
 namespace torsio::gui {
@@ -13,6 +14,7 @@ StationDesk& StationDesk::of(ShellContext& shell) {
     desk->probe = hapticProbe();
     desk->openDevice = [](const Scene& scene, double) { return openHapticDevice(scene); };
   }
+  if (shell.line() != nullptr) shell.line()->showDevice(uncheckedDevice(desk->probe != nullptr));
   return *desk;
 }
 

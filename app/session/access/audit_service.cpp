@@ -10,6 +10,11 @@ std::vector<AuditEntry> auditEntries(Workplace& workplace, const AuditFilter& fi
   return AuditRepository(workplace.connection()).entries(filter);
 }
 
+std::int64_t auditEntryCount(Workplace& workplace, std::int64_t fromUtc_us) {
+  workplace.require(Operation::kAuditView);
+  return AuditRepository(workplace.connection()).count(fromUtc_us);
+}
+
 std::map<std::string, std::string> auditActors(Workplace& workplace) {
   workplace.require(Operation::kAuditView);
   std::map<std::string, std::string> logins;

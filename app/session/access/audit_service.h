@@ -12,6 +12,8 @@ namespace torsio {
 
 /// Newest first. kAuditView.
 [[nodiscard]] std::vector<AuditEntry> auditEntries(Workplace& workplace, const AuditFilter& filter = {});
+/// How many there are since `fromUtc_us`. kAuditView.
+[[nodiscard]] std::int64_t auditEntryCount(Workplace& workplace, std::int64_t fromUtc_us);
 /// Sign-in names by the ids that stand in the entries. kAuditView.
 [[nodiscard]] std::map<std::string, std::string> auditActors(Workplace& workplace);
 /// Walks the whole chain and compares every sealed mark and trial with its row. That somebody looked, and

@@ -69,12 +69,13 @@ CopyReport copyDatabase(const std::string& from, const std::string& to, const Pr
   }
   Connection reading = openRecord(from, OpenMode::kReadOnly);
   NewFile newFile(target);  // before the connection, so that it is closed first
-  MigrationOptions options;
-  options.softwareVersion = softwareVersion();
-  Connection writing = openRecord(to, OpenMode::kCreate, options);
+  Connection writing = openDatabase(to, OpenMode::kCreate);
+  Transaction together(writing);  // the tables come with the rows, or neither
+  migrate(writing, embeddedMigrations(), {.softwareVersion = softwareVersion(), .backup = false});
   CopyReport report = copyRecord(reading, writing, [&](const CopyStep& step) {
     tellProgress(progress, wordsOf(step), fractionOf(step));
   });
+  together.commit();
   newFile.keep();
   return report;
 }

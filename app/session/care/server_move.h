@@ -50,7 +50,7 @@ struct ServerCheck {
 /// for an audit entry before, which is copied too, and another when it failed. kDatabaseRestore. Throws
 /// Error: kDatabase while others work at the record, kBadData while recordings of this station wait in files
 /// of `unstored` or when the target is not empty, kVerifyFailed when the copy differs; whatever `progress`
-/// throws. Nothing of the copy is kept then: the server has empty tables at most.
+/// throws. The server is as it was then.
 [[nodiscard]] CopyReport moveToServer(Workplace& workplace, const ServerAddress& address,
                                       const ProgressCallback& progress = {},
                                       const std::filesystem::path& unstored = unstoredFolder());

@@ -43,6 +43,7 @@ struct StationLine::State {
   std::deque<Waiting> writes;
   Actor actor;
   std::string trialId;
+  StationDevice device;
   std::optional<Steady::time_point> since;  // of the present try
   std::size_t refused = 0;
   bool fresh = true;  // something is to be done at once
@@ -61,9 +62,10 @@ struct StationLine::State {
       desk.workplace->setActor(next->actor);
       perform(*desk.workplace, *next);
     }
-    const auto [who, trial, leaves] = shown();
+    const auto [who, trial, tool, leaves] = shown();
     desk.workplace->setActor(who);
     desk.pulse->show(trial);
+    desk.pulse->showDevice(tool);
     if (leaves) {
       desk.pulse->leave();
     } else {
@@ -92,9 +94,9 @@ struct StationLine::State {
     return writes.empty() ? std::nullopt : std::optional(writes.front());
   }
 
-  [[nodiscard]] std::tuple<Actor, std::string, bool> shown() const {
+  [[nodiscard]] std::tuple<Actor, std::string, StationDevice, bool> shown() const {
     const std::lock_guard lock(mutex);
-    return {actor, trialId, leaveBoard};
+    return {actor, trialId, device, leaveBoard};
   }
 };
 
@@ -153,6 +155,15 @@ void StationLine::show(const std::string& trialId) {
   const std::lock_guard lock(state_->mutex);
   if (state_->trialId == trialId) return;
   state_->trialId = trialId;
+  state_->fresh = true;
+  state_->changed.notify_all();
+}
+
+void StationLine::showDevice(const StationDevice& device) {
+  const std::lock_guard lock(state_->mutex);
+  const bool known = state_->device.light && state_->device.haptic == device.haptic;
+  if (state_->device == device || (known && !device.light)) return;
+  state_->device = device;
   state_->fresh = true;
   state_->changed.notify_all();
 }

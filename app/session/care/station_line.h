@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/session/access/workplace.h"
+#include "app/session/care/station_device.h"
 
 namespace torsio {
 
@@ -41,6 +42,9 @@ class StationLine {
   void signIn(const Actor& actor);
   /// Which trial runs; empty: none.
   void show(const std::string& trialId);
+  /// Which device this station has. One that was not checked takes the place of none, or of another one, but
+  /// never of a check of the same.
+  void showDevice(const StationDevice& device);
   /// Does it soon, as the present actor. What the database refuses for good is given up and counted.
   void write(Write write);
 

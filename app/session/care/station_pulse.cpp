@@ -19,6 +19,12 @@ void StationPulse::show(const std::string& trialId) {
   trialId_ = trialId;
 }
 
+void StationPulse::showDevice(const StationDevice& device) {
+  if (device == device_) return;
+  changed_ = true;
+  device_ = device;
+}
+
 void StationPulse::beat() {
   const std::int64_t now_us = workplace_->now_us();
   changed_ = changed_ || workplace_->actor().userId != shownUser_;
@@ -31,12 +37,13 @@ void StationPulse::beat() {
     const bool there =
         trialId_.empty() || trialId_ == shownTrial_ || TrialRepository(connection).find(trialId_);
     const std::string trial = there ? trialId_ : "";
-    StationRepository(connection)
-        .beat({.station = workplace_->station(),
-               .trialId = trial,
-               .userId = workplace_->actor().userId,
-               .softwareVersion = softwareVersion(),
-               .heartbeatUtc_us = now_us});
+    StationState state{.station = workplace_->station(),
+                       .trialId = trial,
+                       .userId = workplace_->actor().userId,
+                       .softwareVersion = softwareVersion(),
+                       .heartbeatUtc_us = now_us};
+    storeDevice(device_, state);
+    StationRepository(connection).beat(state);
     shownTrial_ = trial;
     if (there) next_us_ = now_us + kPulse_us;
     answered_ = true;

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "app/session/care/station_device.h"
 #include "app/session/study/cohort_service.h"
 #include "db/repository/sheet_repository.h"
 #include "sim/base/error.h"
@@ -167,7 +168,16 @@ std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
     return board.asOfUtc_us - station.heartbeatUtc_us > kStationSilence_us;
   };
   for (const StationState& station : board.stations) {
-    if (!silent(station)) continue;
+    if (!silent(station)) {
+      const StationDevice device = storedDevice(station);
+      if (device.light == Light::kRed)
+        alerts.push_back({.kind = Kind::kDeviceUnfit,
+                          .subject = station.station,
+                          .station = station.station,
+                          .sinceUtc_us = device.checkedUtc_us,
+                          .reason = device.problem});
+      continue;
+    }
     const bool records = !station.trialId.empty() && !station.ended;
     alerts.push_back({.kind = records ? Kind::kTrialOpen : Kind::kStationSilent,
                       .subject = records ? station.traineeCode : station.station,

@@ -10,6 +10,7 @@
 #include "db/repository/curriculum_repository.h"
 #include "db/repository/station_repository.h"
 #include "db/repository/study_repository.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 
@@ -59,6 +60,7 @@ struct RunDayBoard {
 struct RunDayAlert {
   enum class Kind {
     kStationSilent,  ///< no sign of life; `subject` is the station
+    kDeviceUnfit,    ///< the last check of a device forbids scored runs; `subject` is the station
     kTrialOpen,      ///< a recording runs on a station that gives no sign of life
     kRestTooLong,    ///< longer than the curriculum allows
     kSheetsMissing,  ///< of a scoring point that the exposure has passed
@@ -70,6 +72,7 @@ struct RunDayAlert {
   std::string scoringPoint{};
   std::int64_t sinceUtc_us = 0;
   std::size_t count = 0;
+  Text reason{};  ///< why a device is not fit
 };
 /// Most urgent first. What does not concern one person counts once: groups that are not drawn, missing sheets
 /// by scoring point.

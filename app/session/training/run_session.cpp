@@ -85,7 +85,9 @@ RunSession::RunSession(Workplace& workplace, const RunRequest& request, const Cl
       graded_(request.graded),
       run_(planOf(steps_, step_), clock),
       line_(line),
-      pulse_(workplace) {}
+      pulse_(workplace) {
+  pulse_.showDevice(stationDevice(request.device, workplace.now_us()));
+}
 
 void RunSession::write(StationLine::Write write) {
   if (line_ != nullptr) {

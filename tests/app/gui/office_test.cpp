@@ -168,7 +168,20 @@ void allocateEverybody(Office& office, const std::string& cohortId, int people) 
 
 void askAllRaters(Office& office, const std::string& cohortId) {
   auto page = office.open<ScoringPage>("administrator", QString::fromStdString(cohortId));
-  answer([](QDialog& dialog) { dialog.accept(); });
+  answer([](QDialog& dialog) {
+    auto& raters = *dialog.findChild<DataTable*>();
+    EXPECT_TRUE(raters.selectedIds().isEmpty());  // nothing is open yet
+    EXPECT_FALSE(testing::button(dialog, QStringLiteral("Ask"))->isEnabled());
+    raters.view().selectAll();
+    EXPECT_TRUE(testing::button(dialog, QStringLiteral("Ask"))->isEnabled());
+    dialog.accept();
+  });
+  press(*page, QStringLiteral("Ask raters"));
+  answer([](QDialog& dialog) {
+    auto& raters = *dialog.findChild<DataTable*>();
+    EXPECT_EQ(raters.selectedIds().size(), raters.visibleRows());  // all have open sheets by now
+    dialog.reject();
+  });
   press(*page, QStringLiteral("Ask raters"));
   EXPECT_EQ(page->matrix().visibleRows(), 90);
 }

@@ -45,6 +45,30 @@ class ServerMove : public CarePages {
     fs::permissions(in("pgpass"), fs::perms::owner_read | fs::perms::owner_write);
   }
 
+  /// Tables, indexes, views, sequences and functions in the schema of the move.
+  [[nodiscard]] std::int64_t thingsOnTheServer() const {
+    Connection connection = openDatabase(server_, OpenMode::kReadOnly);
+    Statement row = connection.prepare(
+        "SELECT (SELECT count(*) FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace"
+        " WHERE n.nspname = ?) + (SELECT count(*) FROM pg_proc p JOIN pg_namespace n ON n.oid ="
+        " p.pronamespace WHERE n.nspname = ?)");
+    row.execute({address_.schema, address_.schema});
+    std::int64_t count = 0;
+    while (row.step()) count = row.int64(0);
+    return count;
+  }
+  /// Gives up when all rows are on the server and are being compared.
+  void giveUpWhileComparing() {
+    for (int i = 0; i < 600; ++i)  // progress is told every 500 rows
+      window_->workplace()->connection().execute(
+          "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)",
+          {std::string("s").append(std::to_string(i)), "", 1});
+    const auto giveUp = [](const Progress& now) {
+      if (now.step.pattern() == "Comparing %1") throw Error(ErrorCode::kUsage, "given up", "", "");
+    };
+    EXPECT_THROW((void)moveToServer(*window_->workplace(), address_, giveUp, in("unstored")), Error);
+  }
+
   std::string server_;
   ServerAddress address_;
 };
@@ -129,6 +153,32 @@ TEST_F(ServerMove, ACancelledCopyKeepsNothingOnTheServerAndCanBeRepeated) {
   EXPECT_TRUE(page.serverText().text().contains(QStringLiteral("the record can go there")));
   click(page.copyButton());
   EXPECT_TRUE(page.copyText().text().contains(QStringLiteral("same counts and hashes")));
+}
+
+TEST_F(ServerMove, AMoveThatIsGivenUpLeavesAnEmptyDatabaseEmpty) {
+  ASSERT_EQ(thingsOnTheServer(), 0);
+
+  giveUpWhileComparing();
+
+  EXPECT_EQ(thingsOnTheServer(), 0);
+  EXPECT_TRUE(contains(trail(record()), "database.move_given_up"));
+}
+
+TEST_F(ServerMove, AMoveThatIsGivenUpLeavesWhatWasThere) {
+  {
+    Connection there = openDatabase(typedLocator(address_), OpenMode::kReadWrite);
+    std::vector<Migration> older = embeddedMigrations();
+    older.resize(3);  // empty tables of an older version
+    migrate(there, older, {.softwareVersion = "older"});
+    there.executeVerbatim("CREATE TABLE somebody_else (note TEXT)");
+  }
+  const std::int64_t before = thingsOnTheServer();
+
+  giveUpWhileComparing();
+
+  EXPECT_EQ(thingsOnTheServer(), before);
+  Connection there = openDatabase(typedLocator(address_), OpenMode::kReadOnly);
+  EXPECT_EQ(checkSchema(there, embeddedMigrations()).version, 3);
 }
 
 TEST_F(ServerMove, ACopyIsRefusedWhileAnotherStationIsConnected) {

@@ -32,6 +32,8 @@
 #include "app/gui/station/transcript_page.h"
 #include "app/gui/station/trend_page.h"
 #include "app/session/assets.h"
+#include "app/session/care/station_line.h"
+#include "db/repository/station_repository.h"
 #include "db/repository/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/device/scripted_hand.h"
@@ -184,6 +186,24 @@ class Station {
   TrainingCentre& centre_;
   ShellContext shell_;
 };
+
+TEST(Station, WhatTheDeviceCheckFoundStandsOnTheBoardOfTheDay) {
+  TrainingCentre centre;
+  Station station(centre);
+  StationLine line({centre.locator(), "station 1", centre.workplace().actor()});
+  station.shell().setLine(&line);
+  station.light = Light::kRed;
+
+  station.open(QStringLiteral("station.device"));
+
+  ASSERT_TRUE(line.settled(std::chrono::milliseconds(kPatience_ms)));
+  const StationDevice shown = storedDevice(StationRepository(centre.connection()).find("station 1").value());
+  EXPECT_EQ(shown.device.str(), "Scripted hand");
+  EXPECT_EQ(shown.light, Light::kRed);
+  EXPECT_EQ(shown.problem.str(), "scripted");
+  EXPECT_EQ(shown.checkedUtc_us, centre.workplace().now_us());
+  station.shell().setLine(nullptr);
+}
 
 TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   TrainingCentre::Setup setup;

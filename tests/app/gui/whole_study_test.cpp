@@ -7,6 +7,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDateTime>
 #include <QLabel>
 #include <QMessageBox>
 #include <QRadioButton>
@@ -26,6 +27,7 @@
 #include "app/gui/office/roster_wizard.h"
 #include "app/gui/office/run_day_page.h"
 #include "app/gui/office/scoring_page.h"
+#include "app/session/care/station_device.h"
 #include "app/session/csv_table.h"
 #include "app/session/people/people_service.h"
 #include "app/session/reporting/report_export.h"
@@ -168,11 +170,26 @@ void askTheTen(Office& office, const std::string& cohortId, const std::vector<st
 }
 
 void runTheDay(Office& office, const std::string& cohortId) {
-  StationRepository(office.centre.connection())
-      .beat({.station = "room 2", .heartbeatUtc_us = office.centre.workplace().now_us()});
+  const std::int64_t now_us = office.centre.workplace().now_us();
+  StationState room{.station = "room 2", .heartbeatUtc_us = now_us};
+  DeviceReadiness unfit{.device = Text("Touch"), .haptic = true};
+  unfit.findings = {{"connected", Light::kRed, Text("no device answers"), ""}};
+  storeDevice(stationDevice(unfit, now_us), room);
+  StationRepository(office.centre.connection()).beat(room);
+  StationState yesterday{.station = "room 3", .heartbeatUtc_us = now_us};
+  storeDevice(stationDevice(pointerReadiness(true), now_us - 86'400'000'000), yesterday);
+  StationRepository(office.centre.connection()).beat(yesterday);
   auto page = office.open<RunDayPage>("administrator", QString::fromStdString(cohortId));
   EXPECT_EQ(page->table().visibleRows(), static_cast<int>(kTrainees));
-  EXPECT_EQ(page->stations().visibleRows(), 1);
+  ASSERT_EQ(page->stations().visibleRows(), 2);
+  const QString stations = page->stations().asText();
+  const QString time =
+      page->locale().toString(QDateTime::fromMSecsSinceEpoch(now_us / 1000).time(), QLocale::ShortFormat);
+  EXPECT_TRUE(stations.contains(QStringLiteral("Touch\t\u2717 not fit at %1: no device answers").arg(time)))
+      << stations.toStdString();
+  EXPECT_TRUE(stations.contains(QStringLiteral("Mouse and keyboard\t\u25CB not checked today, last on ")));
+  EXPECT_TRUE(
+      page->alerts().text().contains(QStringLiteral("room 2: the device is not fit for scored runs")));
   page->table().view().selectRow(0);
   answer([](QDialog& dialog) { dialog.accept(); });  // 20 minutes on the real arm
   press(*page, QStringLiteral("Log time"));

@@ -97,6 +97,7 @@ std::vector<ServiceCall> officeCalls() {
       {O::kUserManage, "setUserActive", [](Workplace& w, Path) { setUserActive(w, kNoSuch, false, ""); }},
       {O::kUserManage, "resetPassword", [](Workplace& w, Path) { resetPassword(w, kNoSuch, "short", ""); }},
       {O::kAuditView, "auditEntries", [](Workplace& w, Path) { (void)auditEntries(w); }},
+      {O::kAuditView, "auditEntryCount", [](Workplace& w, Path) { (void)auditEntryCount(w, 0); }},
       {O::kAuditView, "verifyAudit", [](Workplace& w, Path) { (void)verifyAudit(w); }},
       {O::kDatabaseBackup, "checkDatabase", [](Workplace& w, Path) { (void)checkDatabase(w); }},
       {O::kDatabaseRestore, "othersAtWork", [](Workplace& w, Path) { (void)othersAtWork(w); }},

@@ -75,6 +75,42 @@ TEST(StationLine, ShowsWhoIsHereAndWritesInOrder) {
   EXPECT_FALSE(StationRepository(centre.connection()).find("line").has_value());
 }
 
+TEST(StationLine, ShowsTheDeviceAndKeepsItsCheckWhenTheNextOneSignsIn) {
+  TrainingCentre centre;
+  StationLine line(keyOf(centre, centre.workplace().actor()), kQuick);
+  const auto shown = [&] {
+    EXPECT_TRUE(line.settled(kLong));
+    return storedDevice(StationRepository(centre.connection()).find("line").value());
+  };
+  EXPECT_TRUE(shown().device.empty());  // no training station yet
+  line.showDevice(uncheckedDevice(false));
+  EXPECT_EQ(shown(), uncheckedDevice(false));
+  DeviceReadiness readiness = deviceWith(Light::kAmber);
+  readiness.haptic = true;
+  readiness.findings.push_back({"rate", Light::kAmber, Text("%1; 1000 Hz are wanted", "950 Hz"), ""});
+  readiness.findings.front().light = Light::kGreen;
+  const StationDevice checked = stationDevice(readiness, 42);
+  EXPECT_EQ(checked.problem.str(), "950 Hz; 1000 Hz are wanted");
+
+  line.showDevice(checked);
+  line.showDevice(uncheckedDevice(true));  // the next trainee opens the desk
+
+  EXPECT_EQ(shown(), checked);
+  line.signIn({});
+  EXPECT_EQ(shown(), checked);
+}
+
+TEST(StationDevice, WhatCannotBeReadSaysNothing) {
+  StationState state;
+  for (const char* json : {"", "7", "[", "[7]", "{}"}) {
+    state.deviceJson = json;
+    EXPECT_TRUE(storedDevice(state).device.empty()) << json;
+  }
+  state.deviceJson = R"(["%1 of %2 at %3, %4",["a"],["b %1",["c"]],["d"],["e"]])";
+  EXPECT_EQ(storedDevice(state).device.str(), "a of b c at d, e");
+  EXPECT_FALSE(storedDevice(state).light.has_value());
+}
+
 TEST(StationLine, EachWriteIsDoneAsWhoeverWasSignedInWhenItWasGiven) {
   TrainingCentre centre;
   const Actor trainee = centre.workplace().actor();

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/session/access/access_service.h"
+#include "app/session/care/station_device.h"
 #include "app/session/people/consent_service.h"
 #include "app/session/people/people_service.h"
 #include "app/session/study/allocation_service.h"
@@ -333,6 +334,32 @@ TEST(RunDayBoard, WarnsOfSilentStationsFirstThenOfWhatIsMissing) {
   EXPECT_EQ(alerts[1].subject, "room 1");
   EXPECT_EQ(alerts.back().kind, RunDayAlert::Kind::kNoGroup);
   EXPECT_EQ(alerts.back().count, board.rows.size());
+}
+
+TEST(RunDayBoard, TellsOfADeviceThatIsNotFitWhileItsStationAnswers) {
+  Study study;
+  Workplace& workplace = study.centre.as("administrator");
+  const DeviceReadiness unfit{
+      .device = Text("Touch"),
+      .haptic = true,
+      .findings = {{"connected", Light::kGreen, "", ""},
+                   {"rate", Light::kRed, Text("%1; below %2 Hz", "700 Hz", 800), ""}}};
+  StationState state{.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us};
+  storeDevice(stationDevice(unfit, testing::kOfficeTime_us - 1), state);
+  StationRepository(study.centre.connection()).beat(state);
+
+  RunDayBoard board = runDayBoard(workplace, study.cohortId);
+  board.asOfUtc_us = testing::kOfficeTime_us;
+  const std::vector<RunDayAlert> alerts = runDayAlerts(board);
+
+  ASSERT_EQ(storedDevice(board.stations.at(0)), stationDevice(unfit, testing::kOfficeTime_us - 1));
+  EXPECT_EQ(alerts.at(0).kind, RunDayAlert::Kind::kDeviceUnfit);
+  EXPECT_EQ(alerts.at(0).subject, "room 1");
+  EXPECT_EQ(alerts.at(0).reason.str(), "700 Hz; below 800 Hz");
+  EXPECT_EQ(alerts.at(0).reason.arguments().size(), 2U);  // to be read in any language
+  EXPECT_EQ(alerts.at(0).sinceUtc_us, testing::kOfficeTime_us - 1);
+  board.asOfUtc_us += kStationSilence_us + 1;
+  EXPECT_EQ(runDayAlerts(board).at(0).kind, RunDayAlert::Kind::kStationSilent);
 }
 
 TEST(RunDayBoard, NotesASwapForBothOrForNobody) {
