@@ -3,7 +3,8 @@
 // takes to answer when somebody scrubs: the moment decoded, the organ and the instrument in their pose, the
 // traces with their cursor. A scripted hand twists the arm; arguments: minutes, width and height of the
 // panel. With a display (xvfb-run) the picture is drawn too and timed apart, and the memory counts what the
-// graphics driver takes; a recording of some seconds, opened first, tells how much of it the 40 minutes are.
+// graphics driver keeps of it, but not the code of a software renderer; a recording of some seconds, opened
+// first, tells how much of it the 40 minutes are.
 // Fails when a scrub takes more work than what a hand feels, or the memory is more than a small machine has
 // to spare. Judged by processor time (of all threads), so that a machine that is busy with something else
 // does not decide; the time on the wall is told beside it.
@@ -14,6 +15,7 @@
 #include <ctime>
 #include <fstream>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -56,6 +58,23 @@ double resident_MB() {
   double resident = 0.0;
   file >> whole >> resident;
   return resident * kPage_MB;
+}
+
+/// Of these, what the libraries of a software renderer take, which a machine with a graphics card does not
+/// load; 0 where the system does not tell.
+double renderer_MB() {
+  std::ifstream file("/proc/self/smaps");
+  std::string line;
+  bool its = false;
+  double sum_kB = 0.0;
+  while (std::getline(file, line)) {
+    if (line.find('-') < line.find(' ') && line.find(':') > line.find(' ')) {
+      its = line.find("/libLLVM") != std::string::npos || line.find("swrast_dri") != std::string::npos;
+    } else if (its && line.starts_with("Rss:")) {
+      sum_kB += std::atof(line.c_str() + 4);
+    }
+  }
+  return sum_kB * 1024.0 / 1e6;
 }
 
 Trial recorded(const std::filesystem::path& assets, double duration_s) {
@@ -148,23 +167,24 @@ int main(int argc, char** argv) {
   const double long_MB = packed_MB(longTrial);
   std::printf("recorded %d min in %.1f s, packed %.1f MB\n", minutes, since_ms(start) * 1e-3, long_MB);
 
-  const double before_MB = resident_MB() - long_MB;
+  const double before_MB = resident_MB() - long_MB - renderer_MB();
   gui::ReplayPanel panel(assets);
   panel.retranslate();
   panel.resize(size);
   panel.setVisible(true);
   open(panel, std::move(shortTrial), assets);
   static_cast<void>(scrub(panel, kWarmUp));
-  const double short_MB = resident_MB() - long_MB;
+  const double short_MB = resident_MB() - long_MB - renderer_MB();
   open(panel, std::move(longTrial), assets);
   const Times times = scrub(panel, kScrubs);
-  const double open_MB = resident_MB();
+  const double open_MB = resident_MB() - renderer_MB();
 
   const auto* view = panel.findChild<gui::SceneView*>();
   std::printf("panel %d x %d, renderer: %s\n", size.width(), size.height(),
               view->renderer().isEmpty() ? "none" : view->renderer().toUtf8().constData());
-  std::printf("memory while it is open: %.0f MB (limit %.0f MB); of these %.0f MB for its %d min\n",
+  std::printf("memory while it is open: %.0f MB (limit %.0f MB), of these %.0f MB for its %d min; ",
               open_MB - before_MB, kOpen_MB, open_MB - short_MB, minutes);
+  std::printf("besides %.0f MB of libraries of a software renderer\n", renderer_MB());
   const bool drawn = !times.pictures_ms.empty();
   tell(drawn ? "pose, work" : "pose and traces, work", times.work_ms);
   tell(drawn ? "pose, wall" : "pose and traces, wall", times.answers_ms);

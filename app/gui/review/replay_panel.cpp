@@ -145,6 +145,8 @@ void ReplayPanel::show(std::shared_ptr<LoadedRecording> recording) {
   if (picture) {
     view_->setScene(recording_->view);
     view_->frameOrgan();
+  } else {
+    view_->forgetScene();
   }
   if (recording_ != nullptr) {
     showSentence(picture

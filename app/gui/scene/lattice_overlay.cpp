@@ -116,6 +116,7 @@ void RibbonGeometry::setLines(std::vector<SkinLine> lines, float width_mm, const
   }
   setIndexData({reinterpret_cast<const char*>(indices.data()),
                 static_cast<qsizetype>(indices.size() * sizeof(std::uint32_t))});
+  reshape();
   follow(surface);
 }
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include <QQuick3DGeometry>
 #include <QVector3D>
 
+#include "app/gui/scene/moving_geometry.h"
 #include "app/gui/scene/organ_surface.h"
 #include "sim/scene/scene.h"
 
@@ -38,7 +38,7 @@ struct LatticeLines {
 [[nodiscard]] SkinAnchor skinAnchor(const Scene& scene, const Vec3& point_m);
 
 /// Flat ribbons along skin lines. GUI thread.
-class RibbonGeometry : public QQuick3DGeometry {
+class RibbonGeometry : public MovingGeometry {
   Q_OBJECT
 
  public:

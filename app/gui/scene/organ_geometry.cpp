@@ -62,6 +62,7 @@ OrganGeometry::OrganGeometry() {
 }
 
 void OrganGeometry::setSurface(const OrganSurface& surface, const TissueSkin* skin) {
+  reshape();
   if (skin == nullptr) {
     setIndexData(bytesOf(surface.triangles()));
     sources_.resize(surface.vertices().size());
@@ -117,6 +118,7 @@ WireGeometry::WireGeometry() {
 void WireGeometry::setSurface(const OrganSurface& surface) {
   const std::vector<std::array<std::uint32_t, 2>> edges = surface.edges();
   setIndexData(bytesOf(std::span<const std::array<std::uint32_t, 2>>(edges)));
+  reshape();
   updateVertices(surface);
 }
 

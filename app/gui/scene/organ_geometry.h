@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include <QQuick3DGeometry>
 #include <QQuick3DTextureData>
 
+#include "app/gui/scene/moving_geometry.h"
 #include "app/gui/scene/organ_surface.h"
 #include "app/gui/scene/tissue_skin.h"
 
@@ -24,7 +24,7 @@ struct DrawnVertex {
 static_assert(sizeof(DrawnVertex) == 68, "the layout that OrganGeometry announces");
 
 /// The organ's skin in the scene graph; its vertices are written anew whenever the tissue moves. GUI thread.
-class OrganGeometry : public QQuick3DGeometry {
+class OrganGeometry : public MovingGeometry {
   Q_OBJECT
 
  public:
@@ -48,7 +48,7 @@ class SkinTexture : public QQuick3DTextureData {
 };
 
 /// The organ's edges as thin lines, lifted off the skin so that they do not flicker. GUI thread.
-class WireGeometry : public QQuick3DGeometry {
+class WireGeometry : public MovingGeometry {
   Q_OBJECT
 
  public:

@@ -234,6 +234,12 @@ void SceneView::setScene(const ViewScene& view) {
   frameOrgan();
 }
 
+void SceneView::forgetScene() {
+  view_ = {};
+  deformed_m_ = {};
+  shown_.reset();
+}
+
 void SceneView::showLook(const TissueLook& look) {
   setRootProperty("tissueRoughness", look.roughness);
   setRootProperty("filmAmount", look.clearcoat);

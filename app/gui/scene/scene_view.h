@@ -84,6 +84,8 @@ class SceneView : public QWidget {
   [[nodiscard]] static bool platformCanRender();
 
   void setScene(const ViewScene& view);
+  /// Lets go of the scene, so that two are never in memory; what is drawn stays until the next one.
+  void forgetScene();
   void setInstrument(const InstrumentParts& parts);
   /// Moves the skin; does nothing when the state is the shown one.
   void setTwist(const TwistState& state);
