@@ -9,6 +9,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/organ_option.h"
 #include "app/cli/progress_line.h"
+#include "app/report/wording.h"
 #include "app/session/assets.h"
 #include "app/session/demonstration.h"
 #include "assessment/report/number_format.h"
@@ -23,6 +24,7 @@ struct DemoArguments {
   std::uint64_t seed = 1;
   std::int64_t shorten = 60;
   bool full = false;
+  std::string language = "en";
   OrganArguments organ;
 };
 
@@ -35,6 +37,7 @@ void runDemo(const DemoArguments& arguments) {
   options.example.assets = assetsFolder();
   options.example.id = "stomach";
   options.createdUtc_us = utcNow_us();
+  options.language = arguments.language;
   DemonstrationSummary summary;
   {
     ProgressLine line;
@@ -62,6 +65,9 @@ void addDemo(CLI::App& program) {
   command->add_option("--seed", arguments->seed, "Same seed, same results")->capture_default_str();
   command->add_option("--shorten", arguments->shorten, "Training time is shortened by this factor")
       ->check(CLI::Range(1, 600))
+      ->capture_default_str();
+  command->add_option("--language", arguments->language, "Language of the report; the table stays English")
+      ->check(CLI::IsMember(reportLanguages()))
       ->capture_default_str();
   command->add_flag("--full", arguments->full, "Full length: twenty minutes a phase");
   addOrganOptions(*command, arguments->organ);

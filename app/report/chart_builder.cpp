@@ -23,18 +23,21 @@
 #include <QValueAxis>
 
 #include "app/report/heat_map_item.h"
+#include "app/report/text_fit.h"
+#include "app/report/upright_title.h"
 #include "sim/base/contracts.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr qsizetype kLongTitle = 24;
+// What a figure on paper has for the labels of its categories, less the room that Qt leaves between them; on
+// the screen there is more.
+constexpr double kAcross_px = 500.0;
+constexpr int kSmallest_px = 8;
+constexpr qsizetype kMostLines = 3;
+constexpr qsizetype kTogether = 6;      // Chinese characters of a label that stay on one line
 constexpr std::size_t kFewPoints = 14;  // lines with no more points carry markers
-
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
 
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -54,8 +57,8 @@ constexpr std::array kMarkers{
 /// Draws one figure into one chart.
 class Builder {
  public:
-  Builder(const ReportFigure& figure, const ChartLook& look)
-      : figure_(figure), look_(look), chart_(std::make_unique<QChart>()) {}
+  Builder(const ReportFigure& figure, const ChartLook& look, const Wording& wording)
+      : figure_(figure), look_(look), say_(wording), chart_(std::make_unique<QChart>()) {}
 
   std::unique_ptr<QChart> take() {
     prepare();
@@ -100,7 +103,7 @@ class Builder {
 
  private:
   [[nodiscard]] QFont font(int pixels) const {
-    QFont out(QStringLiteral("DejaVu Sans"));
+    QFont out = reportFont();
     out.setPixelSize(pixels);
     return out;
   }
@@ -120,30 +123,48 @@ class Builder {
                                                                     : QLegend::MarkerShapeFromSeries);
   }
 
-  /// Long names of categories in small letters on two lines; Qt cuts what does not fit.
-  [[nodiscard]] bool crowded() const {
-    return figure_.categories.size() > 6 &&
-           std::any_of(figure_.categories.begin(), figure_.categories.end(),
-                       [](const auto& category) { return category.size() > 6; });
+  /// Lines of a text as an axis takes them.
+  [[nodiscard]] static QString html(const QStringList& lines) {
+    QStringList escaped;
+    for (const QString& line : lines) escaped << line.toHtmlEscaped();
+    return escaped.join(QStringLiteral("<br>"));
   }
 
-  [[nodiscard]] QString label(const std::string& category) const {
-    const QString plain = text(category).toHtmlEscaped();
-    return crowded() ? QString(plain).replace(' ', QStringLiteral("<br>")) : plain;
+  /// Names of categories on several lines, in letters as large as they fit side by side; Qt cuts what does
+  /// not fit.
+  [[nodiscard]] std::pair<QStringList, QFont> labels() const {
+    QStringList names;
+    for (const Text& category : figure_.categories) names << say_(category);
+    const double width = kAcross_px / static_cast<double>(std::max<qsizetype>(names.size(), 1));
+    for (int pixels = look_.label_px - 1;; --pixels) {
+      const QFontMetricsF metrics(font(pixels));
+      QStringList wrapped;
+      bool fits = true;
+      for (const QString& name : names) {
+        const QStringList lines = wrappedLines(name, width, metrics);
+        wrapped << html(lines);
+        fits = fits && lines.size() <= kMostLines && widestPart(name, metrics, kTogether) <= width;
+      }
+      if (fits || pixels <= kSmallest_px) return {wrapped, font(pixels)};
+    }
   }
 
-  /// Qt cuts a title that does not fit along an upright axis: a long one is set smaller.
-  [[nodiscard]] int uprightTitle(const std::string& title) const {
-    const auto length = static_cast<qsizetype>(title.size());
-    if (length <= kLongTitle) return look_.label_px;
-    return std::max(8, static_cast<int>(look_.label_px * kLongTitle / length));
+  /// Instead of the axis' own, which Qt cuts.
+  void addUprightTitle(const Text& words) const {
+    if (words.empty()) return;
+    auto* title = new UprightTitle(say_(words), look_, chart_.get());  // the chart owns it
+    QMargins margins = chart_->margins();
+    margins.setLeft(margins.left() + static_cast<int>(std::ceil(title->width())));
+    chart_->setMargins(margins);
+    QObject::connect(chart_.get(), &QChart::plotAreaChanged, chart_.get(),
+                     [title](const QRectF& plot) { title->place(plot); });
   }
 
   template <typename Axis>
-  Axis* styled(Axis* axis, const std::string& title) const {
+  Axis* styled(Axis* axis, const Text& title) const {
     axis->setLabelsFont(font(look_.label_px - 1));
     axis->setTitleFont(font(look_.label_px));
-    axis->setTitleText(text(title));
+    axis->setTitleText(say_(title).toHtmlEscaped());
     axis->setLabelsColor(look_.ink);
     axis->setTitleBrush(look_.ink);
     axis->setGridLineColor(look_.grid);
@@ -167,14 +188,15 @@ class Builder {
   }
 
   void values(Qt::Alignment side) {
-    auto* axis = styled(new QValueAxis, figure_.yLabel);
+    const bool upright = side == Qt::AlignLeft;
+    auto* axis = styled(new QValueAxis, upright ? Text() : figure_.yLabel);
     const Range range = valueRange();
     axis->setRange(figure_.yMin.value_or(range.low), figure_.yMax.value_or(range.high));
     axis->setTickCount(6);
     if (!figure_.yMin || !figure_.yMax) axis->applyNiceNumbers();
     const double span = axis->max() - axis->min();
     axis->setLabelFormat(span >= 8.0 ? "%.0f" : span >= 0.8 ? "%.1f" : "%.2f");
-    if (side == Qt::AlignLeft) axis->setTitleFont(font(uprightTitle(figure_.yLabel)));
+    if (upright) addUprightTitle(figure_.yLabel);
     chart_->addAxis(axis, side);
     values_ = axis;
   }
@@ -183,9 +205,9 @@ class Builder {
   QCategoryAxis* slotAxis() {
     auto* axis = styled(new QCategoryAxis, figure_.xLabel);
     axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
-    for (std::size_t i = 0; i < figure_.categories.size(); ++i)
-      axis->append(label(figure_.categories[i]), static_cast<double>(i + 1));
-    if (crowded()) axis->setLabelsFont(font(smallLabel()));
+    const auto [names, letters] = labels();
+    for (qsizetype i = 0; i < names.size(); ++i) axis->append(names[i], static_cast<double>(i + 1));
+    axis->setLabelsFont(letters);
     axis->setRange(0.5, static_cast<double>(figure_.categories.size()) + 0.5);
     axis->setGridLineVisible(false);
     chart_->addAxis(axis, Qt::AlignBottom);
@@ -201,24 +223,30 @@ class Builder {
     if (range.empty()) range = {0.0, 1.0};
     if (range.low == range.high) range.high = range.low + 1.0;
     axis->setRange(range.low, range.high);
-    axis->setTickCount(static_cast<int>(std::clamp(range.high - range.low + 1.0, 3.0, 6.0)));
-    if (figure_.kind == FigureKind::kScatter || range.high - range.low > 6.0) axis->applyNiceNumbers();
-    axis->setLabelFormat(axis->max() - axis->min() >= 4.0 ? "%.0f" : "%.1f");
+    if (figure_.kind == FigureKind::kScatter) {
+      axis->setTickCount(6);
+      axis->applyNiceNumbers();
+    } else {
+      countAlong(*axis, range);
+    }
+    const bool whole = figure_.kind != FigureKind::kScatter || axis->max() - axis->min() >= 4.0;
+    axis->setLabelFormat(whole ? "%.0f" : "%.1f");
     chart_->addAxis(axis, Qt::AlignBottom);
     range_ = {axis->min(), axis->max()};
     return axis;
   }
 
-  /// Smaller where a word would not fit under its category.
-  [[nodiscard]] int smallLabel() const {
-    constexpr std::ptrdiff_t kLongWord = 10;
-    const bool longWord =
-        std::any_of(figure_.categories.begin(), figure_.categories.end(), [](const std::string& category) {
-          std::ptrdiff_t run = 0;
-          return std::any_of(category.begin(), category.end(),
-                             [&run](char c) { return (run = c == ' ' ? 0 : run + 1) > kLongWord; });
-        });
-    return longWord ? std::max(8, look_.label_px - 6) : std::max(9, look_.label_px - 4);
+  /// Marks at whole numbers, some air at both ends, so that the first and the last point are drawn whole.
+  static void countAlong(QValueAxis& axis, const Range& range) {
+    constexpr double kMostTicks = 8.0;
+    const double span = range.high - range.low;
+    double step = 1.0;
+    for (const double wider : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0})
+      if (span / step > kMostTicks) step = wider;
+    axis.setTickType(QValueAxis::TicksDynamic);
+    axis.setTickAnchor(0.0);
+    axis.setTickInterval(step);
+    axis.setRange(range.low - 0.03 * span, range.high + 0.03 * span);
   }
 
   /// Where series `s` stands within its category.
@@ -231,9 +259,9 @@ class Builder {
 
   [[nodiscard]] std::size_t lookOf(std::size_t s) const { return figure_.series[s].look.value_or(s); }
 
-  [[nodiscard]] QScatterSeries* marks(std::size_t number, const std::string& name, double size) const {
+  [[nodiscard]] QScatterSeries* marks(std::size_t number, const Text& name, double size) const {
     auto* points = new QScatterSeries;
-    points->setName(text(name));
+    points->setName(say_(name));
     points->setMarkerShape(kMarkers[number % kMarkers.size()]);
     points->setMarkerSize(size);
     points->setColor(seriesColour(number, look_));
@@ -250,15 +278,15 @@ class Builder {
   }
 
   void bars() {
-    auto* axis = styled(new QBarCategoryAxis, figure_.xLabel);
-    for (const std::string& category : figure_.categories) axis->append(label(category));
-    if (crowded()) axis->setLabelsFont(font(smallLabel() - 1));  // this kind of axis leaves less room
-    axis->setGridLineVisible(false);
+    slotAxis();  // what is seen: the axis of bars would leave its labels less room
+    auto* axis = new QBarCategoryAxis;
+    for (std::size_t i = 0; i < figure_.categories.size(); ++i) axis->append(QString::number(i));
+    axis->setVisible(false);
     chart_->addAxis(axis, Qt::AlignBottom);
     auto* all = new QBarSeries;
     all->setBarWidth(0.75);
     for (std::size_t s = 0; s < figure_.series.size(); ++s) {
-      auto* set = new QBarSet(text(figure_.series[s].name));
+      auto* set = new QBarSet(say_(figure_.series[s].name));
       set->setBrush(seriesFill(lookOf(s), look_));
       set->setPen(QPen(seriesColour(lookOf(s), look_).darker(look_.dark ? 100 : 130), 1.2));
       for (const auto& value : figure_.series[s].y) *set << value.value_or(0.0);
@@ -326,7 +354,7 @@ class Builder {
       QPen pen(colour, series.faint ? 1.1 : 2.2);
       pen.setStyle(static_cast<Qt::PenStyle>(Qt::SolidLine + static_cast<int>(number % 4)));
       line->setPen(pen);
-      line->setName(text(series.name));
+      line->setName(say_(series.name));
       for (std::size_t i = 0; i < series.y.size(); ++i)
         if (series.y[i]) line->append(abscissa(series, i), *series.y[i]);
       add(line, axis, values_, !series.faint);
@@ -370,7 +398,7 @@ class Builder {
     auto* axis = styled(new QCategoryAxis, figure_.xLabel);
     axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
     for (std::size_t i = 0; i < figure_.categories.size(); ++i)
-      axis->append(text(figure_.categories[i]).toHtmlEscaped(), static_cast<double>(i + 1));
+      axis->append(say_(figure_.categories[i]).toHtmlEscaped(), static_cast<double>(i + 1));
     axis->setRange(0.4, rows + 0.6);
     axis->setReverse(true);  // first row on top
     axis->setGridLineVisible(false);
@@ -395,8 +423,8 @@ class Builder {
     auto* axis = styled(new QBarCategoryAxis, figure_.xLabel);
     axis->setGridLineVisible(false);
     auto* all = new QBoxPlotSeries;
-    auto* means = marks(3, "mean", 9.0);
-    auto* outliers = marks(0, "outside the whiskers", 6.0);
+    auto* means = marks(3, Text("mean"), 9.0);
+    auto* outliers = marks(0, Text("outside the whiskers"), 6.0);
     outliers->setColor(look_.ground);
     outliers->setBorderColor(look_.ink);
     all->setBoxWidth(0.45);
@@ -405,7 +433,7 @@ class Builder {
       TORSIO_EXPECTS(series.box.has_value());
       const BoxSummary& box = *series.box;
       auto* set = new QBoxSet(box.lowerWhisker, box.lowerQuartile, box.median, box.upperQuartile,
-                              box.upperWhisker, text(series.name));
+                              box.upperWhisker, say_(series.name));
       set->setBrush(paler(seriesColour(lookOf(s), look_)));
       set->setPen(QPen(look_.ink, 1.4));
       all->append(set);
@@ -435,7 +463,7 @@ class Builder {
     for (std::size_t i = 0; i < figure_.references.size(); ++i) {
       const FigureReference& reference = figure_.references[i];
       auto* line = new QLineSeries;
-      line->setName(text(reference.label));
+      line->setName(say_(reference.label));
       line->setPen(QPen(look_.ink, 1.2, kStyles[i % kStyles.size()]));
       if (lying) {
         line->append({{reference.value, range_.low}, {reference.value, range_.high}});
@@ -449,6 +477,7 @@ class Builder {
 
   const ReportFigure& figure_;
   const ChartLook& look_;
+  const Wording& say_;
   std::unique_ptr<QChart> chart_;
   QAbstractAxis* values_ = nullptr;
   QAbstractAxis* rows_ = nullptr;
@@ -458,13 +487,15 @@ class Builder {
 
 }  // namespace
 
-std::unique_ptr<QChart> buildChart(const ReportFigure& figure, const ChartLook& look) {
-  return Builder(figure, look).take();
+std::unique_ptr<QChart> buildChart(const ReportFigure& figure, const ChartLook& look,
+                                   const Wording& wording) {
+  return Builder(figure, look, wording).take();
 }
 
-std::unique_ptr<QGraphicsWidget> buildFigure(const ReportFigure& figure, const ChartLook& look) {
-  if (figure.kind == FigureKind::kHeatMap) return std::make_unique<HeatMapItem>(figure, look);
-  return buildChart(figure, look);
+std::unique_ptr<QGraphicsWidget> buildFigure(const ReportFigure& figure, const ChartLook& look,
+                                             const Wording& wording) {
+  if (figure.kind == FigureKind::kHeatMap) return std::make_unique<HeatMapItem>(figure, look, wording);
+  return buildChart(figure, look, wording);
 }
 
 }  // namespace torsio

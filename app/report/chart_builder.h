@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/report/chart_look.h"
+#include "app/report/wording.h"
 #include "assessment/report/report_model.h"
 
 class QChart;
@@ -12,11 +13,14 @@ class QGraphicsWidget;
 namespace torsio {
 
 /// The figure as something that a scene draws, on paper and on the screen alike: a chart, or a heat map.
-/// Title and notes are left to whoever shows it. Needs a QApplication; GUI thread.
+/// Says its words as `wording` does; title and notes are left to whoever shows it. Needs a QApplication; GUI
+/// thread.
 [[nodiscard]] std::unique_ptr<QGraphicsWidget> buildFigure(const ReportFigure& figure,
-                                                           const ChartLook& look = {});
+                                                           const ChartLook& look = {},
+                                                           const Wording& wording = englishWording);
 
 /// The figure as a Qt chart: no animation, no shadow (both spoil vector output). Every kind but kHeatMap.
-[[nodiscard]] std::unique_ptr<QChart> buildChart(const ReportFigure& figure, const ChartLook& look = {});
+[[nodiscard]] std::unique_ptr<QChart> buildChart(const ReportFigure& figure, const ChartLook& look = {},
+                                                 const Wording& wording = englishWording);
 
 }  // namespace torsio

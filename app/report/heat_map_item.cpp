@@ -2,11 +2,14 @@
 #include "app/report/heat_map_item.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <QFontMetricsF>
 #include <QLinearGradient>
 #include <QPainter>
+
+#include "app/report/text_fit.h"
 
 namespace torsio {
 
@@ -14,14 +17,12 @@ namespace {
 
 constexpr double kScaleWidth = 14.0;
 constexpr double kGap = 8.0;
-
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
+constexpr double kWidestName = 96.0;  // of a row; longer ones take two lines
 
 }  // namespace
 
-HeatMapItem::HeatMapItem(const ReportFigure& figure, const ChartLook& look) : figure_(figure), look_(look) {
+HeatMapItem::HeatMapItem(const ReportFigure& figure, const ChartLook& look, const Wording& wording)
+    : figure_(figure), look_(look), say_(wording) {
   low_ = std::numeric_limits<double>::infinity();
   high_ = -low_;
   for (const FigureSeries& row : figure_.series)
@@ -29,6 +30,7 @@ HeatMapItem::HeatMapItem(const ReportFigure& figure, const ChartLook& look) : fi
       if (!value) continue;
       low_ = std::min(low_, *value);
       high_ = std::max(high_, *value);
+      if (*value != std::floor(*value)) decimals_ = 1;
     }
   low_ = figure_.yMin.value_or(low_);
   high_ = figure_.yMax.value_or(high_);
@@ -36,23 +38,37 @@ HeatMapItem::HeatMapItem(const ReportFigure& figure, const ChartLook& look) : fi
 }
 
 QFont HeatMapItem::font(int pixels) const {
-  QFont out(QStringLiteral("DejaVu Sans"));
+  QFont out = reportFont();
   out.setPixelSize(std::max(5, pixels));
   return out;
 }
 
 void HeatMapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
   const QFontMetricsF metrics(font(look_.label_px - 2));
+  const double rows = std::max(1.0, static_cast<double>(figure_.series.size()));
+  // Long names take two lines where the rows are high enough.
+  const bool wrap = 2.0 * metrics.height() <= (rect().height() - 5.0 * metrics.height()) / rows;
+  QStringList rowNames;
   double names = 0.0;
-  for (const FigureSeries& row : figure_.series)
-    names = std::max(names, metrics.horizontalAdvance(text(row.name)));
+  for (const FigureSeries& row : figure_.series) {
+    const QString name = say_(row.name);
+    const QStringList lines = wrap ? wrappedLines(name, kWidestName, metrics) : QStringList{name};
+    for (const QString& line : lines) names = std::max(names, metrics.horizontalAdvance(line));
+    rowNames << lines.join(u'\n');
+  }
   const double scaleText = metrics.horizontalAdvance(QStringLiteral("10.0")) + kGap;
-  const double foot = 2.4 * metrics.height() + kGap;
+  const double unit = figure_.yLabel.empty() ? 0.0 : metrics.height();
   const QRectF whole = rect().adjusted(2, 4, -2, -2);
-  const QRectF plot = whole.adjusted(names + kGap, 0, -(kScaleWidth + 2 * kGap + scaleText), -foot);
+  const double left = names + kGap;
+  const double right = kScaleWidth + 2 * kGap + scaleText + unit;
+  const ColumnNames columns = columnNames(whole.width() - left - right);
+  const double foot = static_cast<double>(columns.lines) * QFontMetricsF(font(columns.pixels)).height() +
+                      1.2 * metrics.height() + kGap;
+  const QRectF plot = whole.adjusted(left, 0, -right, -foot);
   if (plot.width() < 10 || plot.height() < 10) return;
   paintCells(*painter, plot);
-  paintLabels(*painter, plot);
+  paintRowNames(*painter, plot, rowNames);
+  paintColumnNames(*painter, plot, columns);
   paintScale(*painter, QRectF(plot.right() + 2 * kGap, plot.top(), kScaleWidth, plot.height()));
 }
 
@@ -61,7 +77,8 @@ void HeatMapItem::paintCells(QPainter& painter, const QRectF& plot) const {
   const auto columns = static_cast<double>(figure_.categories.size());
   const double wide = plot.width() / columns;
   const double high = plot.height() / rows;
-  const int pixels = static_cast<int>(std::min({high * 0.62, wide * 0.42, look_.label_px * 0.85}));
+  const double ofWidth = decimals_ == 0 ? 0.6 : 0.42;
+  const int pixels = static_cast<int>(std::min({high * 0.62, wide * ofWidth, look_.label_px * 0.85}));
   painter.setFont(font(pixels));
   for (std::size_t r = 0; r < figure_.series.size(); ++r)
     for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
@@ -83,39 +100,66 @@ void HeatMapItem::paintCells(QPainter& painter, const QRectF& plot) const {
       painter.drawRect(cell);
       if (pixels < 6) continue;
       painter.setPen(inkOn(fill));
-      painter.drawText(cell, Qt::AlignCenter, QString::number(value, 'f', 1));
+      painter.drawText(cell, Qt::AlignCenter, QString::number(value, 'f', decimals_));
     }
 }
 
-void HeatMapItem::paintLabels(QPainter& painter, const QRectF& plot) const {
-  const auto rows = static_cast<double>(figure_.series.size());
-  const auto columns = static_cast<double>(figure_.categories.size());
-  const double wide = plot.width() / columns;
-  const double high = plot.height() / rows;
+void HeatMapItem::paintRowNames(QPainter& painter, const QRectF& plot, const QStringList& names) const {
+  const double high = plot.height() / static_cast<double>(figure_.series.size());
   painter.setPen(look_.ink);
   painter.setFont(font(std::min(look_.label_px - 2, static_cast<int>(high * 0.9))));
-  for (std::size_t r = 0; r < figure_.series.size(); ++r)
+  for (qsizetype r = 0; r < names.size(); ++r)
     painter.drawText(
         QRectF(rect().left(), plot.top() + high * static_cast<double>(r), plot.left() - kGap, high),
-        Qt::AlignRight | Qt::AlignVCenter, text(figure_.series[r].name));
-  double widest = 1.0;
-  const QFont columnFont = font(look_.label_px - 3);
-  const QFontMetricsF metrics(columnFont);
-  for (const std::string& category : figure_.categories)
-    for (const QString& word : text(category).split(' '))
-      widest = std::max(widest, metrics.horizontalAdvance(word) + 3.0);
-  const auto every = static_cast<std::size_t>(widest / wide) + 1;
-  painter.setFont(columnFont);
-  for (std::size_t c = 0; c < figure_.categories.size(); c += every) {
+        Qt::AlignRight | Qt::AlignVCenter, names[r]);
+}
+
+/// In letters as large as they fit; where even small ones do not, every second or third name.
+HeatMapItem::ColumnNames HeatMapItem::columnNames(double width) const {
+  constexpr int kSmallest_px = 8;
+  const double wide = std::max(1.0, width / static_cast<double>(figure_.categories.size()));
+  QStringList names;
+  for (const Text& category : figure_.categories) names << say_(category);
+  ColumnNames out;
+  // A long name may reach over its column as far as its neighbours leave room.
+  const auto needed = [&names](const QFontMetricsF& metrics) {
+    double most = 1.0;
+    double before = 0.0;
+    for (const QString& name : names) {
+      const double own = widestPart(name, metrics);
+      most = std::max(most, names.size() < 2 ? own : 0.5 * (before + own) + 3.0);
+      before = own;
+    }
+    return most;
+  };
+  out.pixels = look_.label_px - 2;
+  while (out.pixels > kSmallest_px && needed(QFontMetricsF(font(out.pixels))) > wide) --out.pixels;
+  out.every = static_cast<qsizetype>(needed(QFontMetricsF(font(out.pixels))) / (wide + 0.5)) + 1;
+  const QFontMetricsF metrics(font(out.pixels));
+  for (const QString& name : names) {
+    const double room = std::max(widestPart(name, metrics), wide * static_cast<double>(out.every));
+    const QStringList lines = wrappedLines(name, room, metrics);
+    out.lines = std::max(out.lines, lines.size());
+    out.names << lines.join(u'\n');
+  }
+  return out;
+}
+
+void HeatMapItem::paintColumnNames(QPainter& painter, const QRectF& plot, const ColumnNames& set) const {
+  const double wide = plot.width() / static_cast<double>(figure_.categories.size());
+  painter.setFont(font(set.pixels));
+  const double high = static_cast<double>(set.lines) * QFontMetricsF(painter.font()).height();
+  const double half = wide * static_cast<double>(set.every);
+  for (qsizetype c = 0; c < set.names.size(); c += set.every) {
     const double middle = plot.left() + wide * (static_cast<double>(c) + 0.5);
-    const double half = 0.5 * wide * static_cast<double>(every);
-    painter.drawText(QRectF(middle - half, plot.bottom() + 2, 2 * half, 2 * metrics.height()),
-                     Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, text(figure_.categories[c]));
+    painter.drawText(QRectF(middle - half, plot.bottom() + 2, 2 * half, high + 2),
+                     Qt::AlignHCenter | Qt::AlignTop, set.names[c]);
   }
   painter.setFont(font(look_.label_px - 2));
+  const QFontMetricsF title(painter.font());
   painter.drawText(
-      QRectF(plot.left(), rect().bottom() - metrics.height() - 2, plot.width(), metrics.height() + 2),
-      Qt::AlignCenter, text(figure_.xLabel));
+      QRectF(plot.left(), rect().bottom() - title.height() - 1, plot.width(), title.height() + 1),
+      Qt::AlignCenter, say_(figure_.xLabel));
 }
 
 void HeatMapItem::paintScale(QPainter& painter, const QRectF& bar) const {
@@ -133,6 +177,13 @@ void HeatMapItem::paintScale(QPainter& painter, const QRectF& bar) const {
     painter.drawText(QRectF(bar.right() + 4, inside, 60, metrics.height()), Qt::AlignLeft | Qt::AlignVCenter,
                      QString::number(low_ + at * (high_ - low_), 'f', high_ - low_ >= 8.0 ? 0 : 1));
   }
+  if (figure_.yLabel.empty()) return;
+  painter.save();
+  painter.translate(rect().right() - 1, bar.center().y());
+  painter.rotate(-90);
+  painter.drawText(QRectF(-0.5 * bar.height(), -metrics.height(), bar.height(), metrics.height()),
+                   Qt::AlignCenter, say_(figure_.yLabel));
+  painter.restore();
 }
 
 }  // namespace torsio

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <QGraphicsWidget>
+#include <QStringList>
 
 #include "app/report/chart_look.h"
+#include "app/report/wording.h"
 #include "assessment/report/report_model.h"
 
 namespace torsio {
@@ -12,20 +14,31 @@ namespace torsio {
 /// scale beside it. Missing values are crossed out. Vector on paper.
 class HeatMapItem : public QGraphicsWidget {
  public:
-  HeatMapItem(const ReportFigure& figure, const ChartLook& look);
+  HeatMapItem(const ReportFigure& figure, const ChartLook& look, const Wording& wording);
 
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
   void paintCells(QPainter& painter, const QRectF& plot) const;
-  void paintLabels(QPainter& painter, const QRectF& plot) const;
+  void paintRowNames(QPainter& painter, const QRectF& plot, const QStringList& names) const;
+  /// Names of the columns as they are set: size of the letters, every how many-th, and in which lines.
+  struct ColumnNames {
+    int pixels = 0;
+    qsizetype every = 1;
+    QStringList names;
+    qsizetype lines = 1;
+  };
+  [[nodiscard]] ColumnNames columnNames(double width) const;
+  void paintColumnNames(QPainter& painter, const QRectF& plot, const ColumnNames& set) const;
   void paintScale(QPainter& painter, const QRectF& bar) const;
   [[nodiscard]] QFont font(int pixels) const;
 
   ReportFigure figure_;
   ChartLook look_;
+  Wording say_;
   double low_ = 0.0;
   double high_ = 1.0;
+  int decimals_ = 0;  // whole marks need none
 };
 
 }  // namespace torsio

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <vector>
 
 #include <QColor>
@@ -10,6 +9,8 @@
 #include <QPainter>
 #include <QRectF>
 #include <QString>
+
+#include "app/report/table_layout.h"
 
 class QPdfWriter;
 
@@ -24,8 +25,9 @@ class PageFlow {
     double marginTop_mm = 20.0;
     double marginBottom_mm = 20.0;
     QString headerText;  ///< small, every page but the first
-    QString footerText;  ///< left; the page number stands right
+    QString footerText;  ///< left
     QString watermark;   ///< in the head of every page, e.g. that the data are simulated; may be empty
+    std::function<QString(std::size_t page, std::size_t pages)> pageText;  ///< right; from 1
   };
 
   PageFlow(QPdfWriter& writer, Style style);
@@ -38,6 +40,8 @@ class PageFlow {
   /// A block that is never split; goes to the next page when it does not fit. `keepWithNext_mm` asks for that
   /// much more room (headings).
   void add(double height_mm, Draw draw, double keepWithNext_mm = 0.0);
+  /// What a whole page holds.
+  [[nodiscard]] double page_mm() const;
   /// What is left of the current page.
   [[nodiscard]] double room_mm() const;
   void space(double height_mm);
@@ -45,8 +49,12 @@ class PageFlow {
   /// Wrapped text; splits between lines of a page only when taller than a page.
   void text(const QString& content, double points, bool bold = false,
             const QColor& colour = QColor(0x26, 0x32, 0x38), double keepWithNext_mm = 0.0);
-  /// A table with repeated header; column widths follow their contents.
-  void table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows);
+  /// What text() will take.
+  [[nodiscard]] double textHeight_mm(const QString& content, double points, bool bold = false) const;
+  /// A table with repeated header; column widths and the size of the letters follow the contents.
+  void table(const PlainTable& table);
+  void table(const PlainTable& table, const TableLayout& layout);
+  [[nodiscard]] TableLayout layOut(const PlainTable& table) const;
 
   /// Draws everything. `painter` is active on the writer. `progress` is told after every page.
   void render(QPainter& painter,

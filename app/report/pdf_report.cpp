@@ -14,6 +14,7 @@
 #include "app/report/chart_builder.h"
 #include "app/report/page_flow.h"
 #include "assessment/report/figure_table.h"
+#include "assessment/report/provenance_line.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -23,7 +24,7 @@ namespace torsio {
 namespace {
 
 constexpr int kResolution_dpi = 600;
-constexpr double kChartHeight_mm = 66.0;
+constexpr double kChartHeight_mm = 61.0;
 constexpr double kRowHeight_mm = 7.0;  // of a heat map or forest
 constexpr double kFrame_mm = 24.0;     // axis, labels and legend round the rows
 constexpr double kTallestChart_mm = 170.0;
@@ -33,32 +34,11 @@ constexpr std::size_t kWidestTwin = 12;   // columns that a page can hold
 constexpr double kSectionStart_mm =
     130.0;  // a section begins on the page of the last one if half of it is free
 constexpr double kChartPixelsPerMm = 3.78;  // 96 pixels an inch: chart fonts come out at about 9 points
+constexpr double kNote_pt = 7.5;
+constexpr double kHeading_mm = 8.0;
 const QColor kAccent(0x00, 0x4A, 0x7C);
 const QColor kQuiet(0x60, 0x6E, 0x76);
 const QColor kWarning(0xA0, 0x4A, 0x00);
-
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
-
-QString provenanceLine(const Provenance& from) {
-  QStringList parts;
-  if (!from.formula.empty()) {
-    parts << text(from.formula) +
-                 (from.formulaVersion.empty() ? QString() : " (" + text(from.formulaVersion) + ")");
-  }
-  if (from.n > 0) parts << QStringLiteral("n = %1").arg(from.n);
-  if (from.n > 0) parts << QStringLiteral("missing = %1").arg(from.missing);
-  for (const std::string& flag : from.flags) parts << text(flag);
-  return parts.join(QStringLiteral("; "));
-}
-
-void addNotes(PageFlow& flow, const std::vector<std::string>& notes, const Provenance& from) {
-  for (const std::string& note : notes) flow.text(text(note), 7.5, false, kQuiet);
-  const QString line = provenanceLine(from);
-  if (!line.isEmpty()) flow.text(line, 7.5, false, kQuiet);
-  flow.space(4.0);
-}
 
 double heightOf(const ReportFigure& figure) {
   const std::size_t rows = figure.kind == FigureKind::kHeatMap  ? figure.series.size()
@@ -68,71 +48,126 @@ double heightOf(const ReportFigure& figure) {
   return std::min(kTallestChart_mm, kFrame_mm + kRowHeight_mm * static_cast<double>(rows));
 }
 
-void addTwin(PageFlow& flow, const ReportFigure& figure) {
-  const ReportTable twin = figureTable(figure, kTableDecimals);
-  if (twin.rows.size() > kLongestTwin || twin.columns.size() > kWidestTwin) {
-    flow.text(QStringLiteral(
-                  "The %1 values drawn are too many to print here; the program shows them under Results.")
-                  .arg(twin.rows.size() * (twin.columns.size() - 1)),
-              7.5, false, kQuiet);
-    return;
+/// Puts a report on pages, in the words of one language.
+class Composer {
+ public:
+  Composer(PageFlow& flow, const Wording& wording) : flow_(flow), say_(wording) {}
+
+  void cover(const ReportModel& model) {
+    flow_.add(30.0, [](QPainter& painter, const QRectF& area, double unit) {
+      painter.fillRect(QRectF(area.left(), area.top() + 12.0 * unit, 18.0 * unit, 1.6 * unit), kAccent);
+    });
+    flow_.text(say_(model.title), 24.0, true, kAccent);
+    flow_.space(2.0);
+    flow_.text(say_(model.subtitle), 13.0, false, kQuiet);
+    flow_.space(8.0);
+    if (model.demonstration) {
+      flow_.text(say_(Text("Demonstration: the people, their movements and all marks in this report are "
+                           "simulated. Nothing in it is a result about real trainees.")),
+                 10.5, true, kWarning);
+      flow_.space(6.0);
+    }
+    PlainTable facts{{QString(), QString()}, {}};
+    if (!model.centre.empty()) facts.rows.push_back({say_(Text("Centre")), say_(model.centre)});
+    for (const auto& [label, value] : model.facts) facts.rows.push_back({say_(label), say_(value)});
+    flow_.table(facts);
+    flow_.space(8.0);
+    flow_.text(say_(Text("Torsio is a training tool. It is not a medical device and holds no patient data.")),
+               8.5, false, kQuiet);
   }
-  flow.table(twin.columns, twin.rows);
-  flow.space(1.0);
-}
 
-void addFigure(PageFlow& flow, const ReportFigure& figure) {
-  const double height_mm = heightOf(figure);
-  flow.text(text(figure.title), 9.5, true, kAccent, height_mm + 8.0);
-  const double width_mm = flow.width_mm();
-  flow.add(height_mm, [&figure, width_mm, height_mm](QPainter& painter, const QRectF& area, double) {
-    QGraphicsScene scene;
-    QGraphicsWidget* chart = buildFigure(figure).release();  // the scene owns it from here
-    scene.addItem(chart);
-    chart->resize(width_mm * kChartPixelsPerMm, height_mm * kChartPixelsPerMm);
-    scene.setSceneRect(chart->geometry());
-    scene.render(&painter, area, scene.sceneRect());
-  });
-  addTwin(flow, figure);
-  addNotes(flow, figure.notes, figure.provenance);
-}
-
-void addTable(PageFlow& flow, const ReportTable& table) {
-  for (const auto& row : table.rows) TORSIO_EXPECTS(row.size() == table.columns.size());
-  flow.text(text(table.title), 9.5, true, kAccent, 16.0);
-  flow.space(1.0);
-  flow.table(table.columns, table.rows);
-  flow.space(1.0);
-  addNotes(flow, table.notes, table.provenance);
-}
-
-void addCover(PageFlow& flow, const ReportModel& model) {
-  flow.add(30.0, [](QPainter& painter, const QRectF& area, double unit) {
-    painter.fillRect(QRectF(area.left(), area.top() + 12.0 * unit, 18.0 * unit, 1.6 * unit), kAccent);
-  });
-  flow.text(text(model.title), 24.0, true, kAccent);
-  flow.space(2.0);
-  flow.text(text(model.subtitle), 13.0, false, kQuiet);
-  flow.space(8.0);
-  if (model.demonstration) {
-    flow.text(QStringLiteral(
-                  "Demonstration: the people, their movements and all marks in this report are simulated. "
-                  "Nothing in it is a result about real trainees."),
-              10.5, true, kWarning);
-    flow.space(6.0);
+  void section(const ReportSection& section) {
+    flow_.text(say_(section.title), 16.0, true, kAccent, 20.0);
+    flow_.space(2.5);
+    for (const Text& paragraph : section.paragraphs) {
+      flow_.text(say_(paragraph), 9.5);
+      flow_.space(2.0);
+    }
+    flow_.space(2.0);
+    for (const ReportFigure& figure : section.figures) addFigure(figure);
+    for (const ReportTable& table : section.tables) addTable(table);
   }
-  std::vector<std::vector<std::string>> facts;
-  if (!model.centre.empty()) facts.push_back({"Centre", model.centre});
-  for (const auto& [label, value] : model.facts) facts.push_back({label, value});
-  flow.table({"", ""}, facts);
-  flow.space(8.0);
-  flow.text(
-      QStringLiteral("Torsio is a training tool. It is not a medical device and holds no patient data."), 8.5,
-      false, kQuiet);
-}
 
-void compose(PageFlow& flow, const ReportModel& model) {
-  addCover(flow, model);
+ private:
+  [[nodiscard]] PlainTable plain(const ReportTable& table) const {
+    PlainTable out;
+    for (const Text& column : table.columns)  // "[95 %]", "Eq. 25" and "n - 1" stay together
+      out.columns.push_back(say_(column)
+                                .replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"))
+                                .replace(QStringLiteral("Eq. "), QStringLiteral("Eq.\u00A0"))
+                                .replace(QStringLiteral("n - 1"), QStringLiteral("n\u00A0-\u00A01")));
+    for (const std::vector<Text>& row : table.rows) {
+      TORSIO_EXPECTS(row.size() == table.columns.size());
+      out.rows.emplace_back();
+      for (const Text& cell : row) out.rows.back().push_back(say_(cell));
+    }
+    return out;
+  }
+
+  void addFigure(const ReportFigure& figure) {
+    const ReportTable twin = figureTable(figure, kTableDecimals);
+    const bool printed = twin.rows.size() <= kLongestTwin && twin.columns.size() <= kWidestTwin;
+    const PlainTable values = printed ? plain(twin) : PlainTable{};
+    const TableLayout layout = printed ? flow_.layOut(values) : TableLayout{};
+    const double height_mm = heightOf(figure);
+    // A figure and its values stand on one page if one can hold them.
+    const double together_mm =
+        height_mm + layout.height_mm() + notesHeight_mm(figure.notes, figure.provenance);
+    flow_.text(say_(figure.title), 9.5, true, kAccent,
+               together_mm < flow_.page_mm() - kHeading_mm ? together_mm : height_mm + kHeading_mm);
+    const double width_mm = flow_.width_mm();
+    flow_.add(
+        height_mm, [&figure, say = say_, width_mm, height_mm](QPainter& painter, const QRectF& area, double) {
+          QGraphicsScene scene;
+          QGraphicsWidget* chart = buildFigure(figure, {}, say).release();  // the scene owns it from here
+          scene.addItem(chart);
+          chart->resize(width_mm * kChartPixelsPerMm, height_mm * kChartPixelsPerMm);
+          scene.setSceneRect(chart->geometry());
+          scene.render(&painter, area, scene.sceneRect());
+        });
+    if (printed) {
+      flow_.table(values, layout);
+      flow_.space(1.0);
+    } else {
+      flow_.text(
+          say_(Text("The %1 values drawn are too many to print here; the program shows them under Results.",
+                    twin.rows.size() * (twin.columns.size() - 1))),
+          kNote_pt, false, kQuiet);
+    }
+    addNotes(figure.notes, figure.provenance);
+  }
+
+  void addTable(const ReportTable& table) {
+    flow_.text(say_(table.title), 9.5, true, kAccent, 16.0);
+    flow_.space(1.0);
+    flow_.table(plain(table));
+    flow_.space(1.0);
+    addNotes(table.notes, table.provenance);
+  }
+
+  [[nodiscard]] double notesHeight_mm(const std::vector<Text>& notes, const Provenance& from) const {
+    double height_mm = 1.0;
+    for (const Text& note : notes) height_mm += flow_.textHeight_mm(say_(note), kNote_pt);
+    const Text line = provenanceLine(from);
+    return line.empty() ? height_mm : height_mm + flow_.textHeight_mm(say_(line), kNote_pt);
+  }
+
+  void addNotes(const std::vector<Text>& notes, const Provenance& from) {
+    const Text line = provenanceLine(from);
+    const double last_mm = line.empty() ? 0.0 : flow_.textHeight_mm(say_(line), kNote_pt);
+    for (const Text& note : notes)  // the last line never stands alone on a page
+      flow_.text(say_(note), kNote_pt, false, kQuiet, &note == &notes.back() ? last_mm : 0.0);
+    if (!line.empty()) flow_.text(say_(line), kNote_pt, false, kQuiet);
+    flow_.space(4.0);
+  }
+
+  PageFlow& flow_;
+  const Wording& say_;
+};
+
+void compose(PageFlow& flow, const ReportModel& model, const Wording& wording) {
+  Composer composer(flow, wording);
+  composer.cover(model);
   for (const ReportSection& section : model.sections) {
     const bool first = &section == &model.sections.front();
     if (first || flow.room_mm() < kSectionStart_mm) {
@@ -140,41 +175,37 @@ void compose(PageFlow& flow, const ReportModel& model) {
     } else {
       flow.space(6.0);
     }
-    flow.text(text(section.title), 16.0, true, kAccent, 20.0);
-    flow.space(2.5);
-    for (const std::string& paragraph : section.paragraphs) {
-      flow.text(text(paragraph), 9.5);
-      flow.space(2.0);
-    }
-    flow.space(2.0);
-    for (const ReportFigure& figure : section.figures) addFigure(flow, figure);
-    for (const ReportTable& table : section.tables) addTable(flow, table);
+    composer.section(section);
   }
 }
 
 }  // namespace
 
-void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
+void writePdfReport(const ReportModel& model, const std::filesystem::path& file, const Wording& wording,
                     const PdfProgress& progress) {
   TORSIO_EXPECTS(QCoreApplication::instance() != nullptr);
   const std::filesystem::path temporary = temporaryBeside(file);
   std::error_code failed;
   bool painted = false;
   {
+    const QString version = QString::fromStdString(model.softwareVersion);
     QPdfWriter writer(QString::fromStdString(temporary.string()));
     writer.setResolution(kResolution_dpi);
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(0, 0, 0, 0));
-    writer.setTitle(text(model.title));
-    writer.setCreator(QStringLiteral("Torsio ") + text(model.softwareVersion));
+    writer.setTitle(wording(model.title));
+    writer.setCreator(QStringLiteral("Torsio ") + version);
     const QString created = QDateTime::fromMSecsSinceEpoch(model.createdUtc_us / 1000, Qt::UTC)
                                 .toString(QStringLiteral("yyyy-MM-dd HH:mm 'UTC'"));
     PageFlow::Style style;
-    style.headerText = text(model.title);
-    style.footerText = QStringLiteral("Torsio %1  |  %2").arg(text(model.softwareVersion), created);
-    if (model.demonstration) style.watermark = QStringLiteral("DEMONSTRATION DATA - SIMULATED");
+    style.headerText = wording(model.title);
+    style.footerText = QStringLiteral("Torsio %1  |  %2").arg(version, created);
+    if (model.demonstration) style.watermark = wording(Text("DEMONSTRATION DATA - SIMULATED"));
+    style.pageText = [&wording](std::size_t page, std::size_t pages) {
+      return wording(Text("page %1 of %2", page, pages));
+    };
     PageFlow flow(writer, style);
-    compose(flow, model);
+    compose(flow, model, wording);
     QPainter painter;
     if (painter.begin(&writer)) {
       try {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "app/report/wording.h"
 #include "assessment/report/report_model.h"
 
 namespace torsio {
@@ -12,11 +13,11 @@ namespace torsio {
 /// Told after every page: pages drawn so far and in all. May throw to give up.
 using PdfProgress = std::function<void(std::size_t page, std::size_t pages)>;
 
-/// Writes the whole report as a vector PDF (A4, fonts embedded, page x of y), through a temporary file.
-/// Needs a QApplication (makeHeadlessGraphicsApplication suffices). GUI thread.
+/// Writes the whole report as a vector PDF (A4, fonts embedded, page x of y) in the words of `wording`,
+/// through a temporary file. Needs a QApplication (makeHeadlessGraphicsApplication suffices). GUI thread.
 /// Throws Error{kFileUnwritable}, or what `progress` throws; then an older file of that name is untouched and
 /// no half file is left.
 void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
-                    const PdfProgress& progress = {});
+                    const Wording& wording = englishWording, const PdfProgress& progress = {});
 
 }  // namespace torsio

@@ -91,7 +91,7 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
   inputs.softwareVersion = softwareVersion();
   const std::vector<StoredGroup> groups = study.groups(cohortId);
   for (const StoredGroup& group : groups) {
-    inputs.groups.push_back({"Group " + std::to_string(group.number), group.label});
+    inputs.groups.push_back({Text("Group %1", group.number), group.label});
   }
   std::map<std::string, StoredTrainee> trainees;
   for (StoredTrainee& trainee : PeopleRepository(connection).trainees()) {
@@ -125,7 +125,7 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
                    });
 
   inputs.trainingScale = training.scale;
-  inputs.occasions = {"before", "after 20 min", "after 40 min"};
+  inputs.occasions = {Text("before"), Text("after %1 min", 20), Text("after %1 min", 40)};
   inputs.scores = training.trainees;
   inputs.summaries = training.groups;
   inputs.trainingMarks = training.marks;

@@ -179,22 +179,23 @@ class Demonstration {
     const CampaignResult campaign = evaluateCampaign(connection_, study_.campaignId, ids_, stamp);
     const TrainingResult marks = scoreTraining(connection_, study_.cohortId, ids_, stamp);
     CohortInputs inputs = cohortInputs(connection_, study_.cohortId, campaign, marks);
-    inputs.title = "Twist training: cohort report";
+    inputs.title = Text("Twist training: cohort report");
     inputs.createdUtc_us = options_.createdUtc_us;
     inputs.demonstration = true;
     inputs.trainingTimeDivisor = options_.shortening;
     inputs.simulated = {
-        "The trainees' movements come from a scripted hand with a seed; the simulator, the recorder and "
-        "every computation are the real ones.",
+        Text("The trainees' movements come from a scripted hand with a seed; the simulator, the recorder and "
+             "every computation are the real ones."),
         demonstrationTimeRule(), demonstrationTrainingRule(), demonstrationEvaluationRule()};
-    inputs.facts = {{"Organ of the training", training.title + " (" + training.provenance + ")"},
-                    {"Second organ", example.title + " (" + example.provenance + ")"},
-                    {"Seed", std::to_string(options_.seed)},
-                    {"Simulated date", "2026-01-05 08:00 UTC, the same in every run"}};
+    inputs.facts = {
+        {"Organ of the training", Text("%1 (%2)", Text(training.title), Text(training.provenance))},
+        {"Second organ", Text("%1 (%2)", Text(example.title), Text(example.provenance))},
+        {"Seed", std::to_string(options_.seed)},
+        {"Simulated date", Text("%1, the same in every run", "2026-01-05 08:00 UTC")}};
     inputs.trials = digests_;
     for (const Scene* scene : {&training, &example}) {
-      inputs.provenance.emplace_back("organ " + scene->id, scene->organHash);
-      inputs.provenance.emplace_back("model parameters " + scene->id, scene->parameterHash);
+      inputs.provenance.emplace_back(Text("organ %1", scene->id), scene->organHash);
+      inputs.provenance.emplace_back(Text("model parameters %1", scene->id), scene->parameterHash);
     }
     return inputs;
   }
@@ -228,6 +229,7 @@ DemonstrationSummary fillDemonstration(const DemonstrationOptions& options, Conn
 
 DemonstrationSummary runDemonstration(const DemonstrationOptions& options) {
   requireShortening(options);
+  const Wording wording = wordingIn(options.language);
   ensureFolder(options.out);
   DemonstrationSummary summary;
   TemporaryDatabase database(options.out / "torsio.sqlite");
@@ -243,7 +245,7 @@ DemonstrationSummary runDemonstration(const DemonstrationOptions& options) {
     summary.report = options.out / "cohort.pdf";
     summary.table = options.out / "cohort.csv";
     summary.database = options.out / "torsio.sqlite";
-    writePdfReport(cohortReport(inputs), summary.report);
+    writePdfReport(cohortReport(inputs), summary.report, wording);
     writeFileAtomically(summary.table, cohortCsvText(cohortCsvRows(inputs)));
   }
   database.keep();

@@ -22,6 +22,7 @@ struct DemonstrationOptions {
   /// same record, content hashes included.
   std::int64_t simulatedUtc_us = 1'767'600'000'000'000;
   std::int64_t createdUtc_us = 0;  ///< printed on the report
+  std::string language = "en";     ///< of the report: one of reportLanguages()
   ProgressCallback progress;       ///< may be empty
 };
 
@@ -40,7 +41,7 @@ struct DemonstrationSummary {
 /// The main job, end to end, through the same code as the real thing but on a manual clock: load the organs,
 /// let simulated trainees twist them, record every tick, submit simulated marks, compute and store the
 /// evaluation, write report and table. Same options, same numbers. Needs a QApplication (charts). Throws
-/// Error; then none of the three files has been replaced.
+/// Error (kUsage: unknown language); then none of the three files has been replaced.
 DemonstrationSummary runDemonstration(const DemonstrationOptions& options);
 
 /// The same people, trials and marks into a record that exists: a centre that wants something to try things

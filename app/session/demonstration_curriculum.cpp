@@ -103,10 +103,10 @@ void storeDemonstrationExposures(Connection& connection, const DemonstrationStud
   StudyRepository(connection).addExposures(exposures);
 }
 
-std::string demonstrationTimeRule() {
-  return "The times of training are those of the protocol, in full; every second trainee of a group takes "
-         "the "
-         "whole rest between the two halves.";
+Text demonstrationTimeRule() {
+  return Text(
+      "The times of training are those of the protocol, in full; every second trainee of a group takes the "
+      "whole rest between the two halves.");
 }
 
 }  // namespace torsio

@@ -38,6 +38,6 @@ void storeDemonstrationExposures(Connection& connection, const DemonstrationStud
                                  std::int64_t utc_us);
 
 /// The stated rule of these times, for the report.
-[[nodiscard]] std::string demonstrationTimeRule();
+[[nodiscard]] Text demonstrationTimeRule();
 
 }  // namespace torsio

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "assessment/report/number_format.h"
+#include "sim/base/text_list.h"
 
 namespace torsio {
 
@@ -32,7 +32,7 @@ bool smallClasses(const CohortInputs& in) {
 
 }  // namespace
 
-CohortInputs withoutSmallGroups(const CohortInputs& inputs, std::vector<std::string>& left) {
+CohortInputs withoutSmallGroups(const CohortInputs& inputs, std::vector<Text>& left) {
   CohortInputs out = inputs;
   std::vector<std::int64_t> members(out.groups.size(), 0);
   for (const CohortTrainee& trainee : out.trainees) ++members[trainee.group];
@@ -43,8 +43,8 @@ CohortInputs withoutSmallGroups(const CohortInputs& inputs, std::vector<std::str
       newNumber[g] = groups.size();
       groups.push_back(out.groups[g]);
     } else {
-      left.push_back(sentence({out.groups[g].name, " is left out: it has fewer than ",
-                               std::to_string(kSmallestCell), " trainees."}));
+      left.push_back(
+          Text("%1 is left out: it has fewer than %2 trainees.", out.groups[g].name, kSmallestCell));
     }
   }
   out.groups = std::move(groups);
@@ -57,8 +57,8 @@ CohortInputs withoutSmallGroups(const CohortInputs& inputs, std::vector<std::str
   for (const CohortTrainee& trainee : out.trainees) known.insert(trainee.code);
   std::erase_if(out.doses, [&](const CohortDose& dose) { return !known.contains(dose.trainee); });
   if (smallClasses(out)) {
-    left.push_back(sentence({"The evaluation of the models is left out: a class has fewer than ",
-                             std::to_string(kSmallestCell), " raters."}));
+    left.push_back(
+        Text("The evaluation of the models is left out: a class has fewer than %1 raters.", kSmallestCell));
     out.ratings.clear();
     out.evaluations.clear();
   }
@@ -78,18 +78,15 @@ void removeIndividuals(ReportModel& report) {
   });
 }
 
-std::string countsText(const std::vector<std::pair<std::string, std::int64_t>>& counts,
-                       ReportIdentity identity) {
+Text countsText(const std::vector<std::pair<Text, std::int64_t>>& counts, ReportIdentity identity) {
   const bool small = std::any_of(counts.begin(), counts.end(),
                                  [](const auto& count) { return count.second < kSmallestCell; });
   if (identity == ReportIdentity::kAggregated && small && counts.size() > 1)
-    return sentence({"not shown (fewer than ", std::to_string(kSmallestCell), ")"});
-  std::string text;
-  for (const auto& [name, count] : counts) {
-    if (!text.empty()) text += ", ";
-    text += sentence({name.empty() ? "not known" : name, " ", std::to_string(count)});
-  }
-  return text;
+    return Text("not shown (fewer than %1)", kSmallestCell);
+  std::vector<Text> parts;
+  for (const auto& [name, count] : counts)
+    parts.push_back(Text("%1 %2", name.empty() ? Text("not known") : name, count));
+  return listed(parts);
 }
 
 }  // namespace torsio

@@ -4,7 +4,9 @@
 
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
+#include "assessment/report/report_words.h"
 #include "assessment/report/study_analysis.h"
+#include "sim/base/text_list.h"
 
 namespace torsio {
 
@@ -12,18 +14,7 @@ namespace {
 
 constexpr int kDecimals = 3;
 
-std::string withInterval(double value, const std::optional<Interval>& interval) {
-  if (!interval) return formatFixed(value, kDecimals);
-  return sentence({formatFixed(value, kDecimals), " [", formatFixed(interval->lower, kDecimals), ", ",
-                   formatFixed(interval->upper, kDecimals), "]"});
-}
-
-std::string notDefined(const std::string& reason) {
-  return sentence({"not defined: ", reason});
-}
-
-ReportTable tableOf(const CohortInputs& in, const std::string& id, const std::string& title,
-                    const std::string& formula) {
+ReportTable tableOf(const CohortInputs& in, const std::string& id, const Text& title, const Text& formula) {
   ReportTable table;
   table.id = id;
   table.title = title;
@@ -33,8 +24,8 @@ ReportTable tableOf(const CohortInputs& in, const std::string& id, const std::st
   return table;
 }
 
-ReportFigure forestOf(const CohortInputs& in, const std::string& id, const std::string& title,
-                      const std::string& axis, const std::string& formula) {
+ReportFigure forestOf(const CohortInputs& in, const std::string& id, const Text& title, const Text& axis,
+                      const Text& formula) {
   ReportFigure figure;
   figure.id = id;
   figure.title = title;
@@ -52,8 +43,8 @@ void addInterval(FigureSeries& series, double value, const Interval& interval) {
   series.high.push_back(interval.upper);
 }
 
-std::string pairName(const CohortInputs& in, std::size_t first, std::size_t second) {
-  return sentence({in.groups[first].name, " - ", in.groups[second].name});
+Text pairName(const CohortInputs& in, std::size_t first, std::size_t second) {
+  return Text("%1 - %2", in.groups[first].name, in.groups[second].name);
 }
 
 ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study) {
@@ -68,12 +59,12 @@ ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study) {
     const Outcome<IccResult>& icc = at.icc;
     table.rows.push_back(
         {in.occasions[t],
-         icc ? withInterval(icc->agreementSingle.estimate, icc->agreementSingle.interval)
+         icc ? Text(withInterval(icc->agreementSingle.estimate, icc->agreementSingle.interval))
              : notDefined(icc.reason()),
-         icc ? withInterval(icc->agreementMean.estimate, icc->agreementMean.interval)
+         icc ? Text(withInterval(icc->agreementMean.estimate, icc->agreementMean.interval))
              : notDefined(icc.reason()),
-         icc ? formatFixed(icc->semAgreement, kDecimals) : std::string("not defined"),
-         at.alpha ? formatFixed(at.alpha->alpha, kDecimals) : notDefined(at.alpha.reason())});
+         icc ? Text(formatFixed(icc->semAgreement, kDecimals)) : Text("not defined"),
+         at.alpha ? Text(formatFixed(at.alpha->alpha, kDecimals)) : notDefined(at.alpha.reason())});
   }
   table.notes = {
       "ICC: absolute agreement, raters as a random sample; (2,1) for one rater, (2,k) for the mean over all, "
@@ -156,27 +147,26 @@ ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study) 
     const Outcome<HedgesG> g = hedgesG(after[pair.first], after[pair.second]);
     table.rows.push_back({pairName(in, pair.first, pair.second), withInterval(pair.difference, pair.interval),
                           formatFixed(pair.t, 2), formatP(pair.p), formatP(pair.pHolm),
-                          g ? withInterval(g->g, g->interval) : notDefined(g.reason())});
+                          g ? Text(withInterval(g->g, g->interval)) : notDefined(g.reason())});
   }
-  std::string means;
+  std::vector<Text> means;
   for (std::size_t i = 0; i < got->adjusted.size(); ++i)
-    means += sentence({i == 0 ? "" : ", ", in.groups[i].name, " ", formatFixed(got->adjusted[i].mean, 2)});
-  table.notes = {
-      sentence({"Effect of the group: F(", formatFixed(got->group.df1, 0), ", ",
-                formatFixed(got->group.df2, 0), ") = ", formatFixed(got->group.f, 2), ", p ",
-                got->group.p < 0.001 ? "" : "= ", formatP(got->group.p), ". Adjusted means: ", means, "."}),
-      got->equalSlopes ? sentence({"Test of equal slopes: p ", got->equalSlopes->p < 0.001 ? "" : "= ",
-                                   formatP(got->equalSlopes->p), "."})
-                       : sentence({"Test of equal slopes not defined: ", got->equalSlopes.reason(), "."})};
+    means.push_back(Text("%1 %2", in.groups[i].name, formatFixed(got->adjusted[i].mean, 2)));
+  table.notes = {Text("Effect of the group: F(%1, %2) = %3, %4. Adjusted means: %5.",
+                      formatFixed(got->group.df1, 0), formatFixed(got->group.df2, 0),
+                      formatFixed(got->group.f, 2), equalsP(got->group.p), listed(means)),
+                 got->equalSlopes
+                     ? Text("Test of equal slopes: %1.", equalsP(got->equalSlopes->p))
+                     : Text("Test of equal slopes not defined: %1.", Text(got->equalSlopes.reason()))};
   for (const std::vector<double>& group : after) table.provenance.n += std::ssize(group);
   return table;
 }
 
-void addEffect(const std::string& name, const AnovaEffect& effect, ReportTable& table) {
+void addEffect(const Text& name, const AnovaEffect& effect, ReportTable& table) {
   table.rows.push_back(
       {name, formatFixed(effect.f, 2),
-       sentence({formatFixed(effect.df, 0), ", ", formatFixed(effect.dfError, 0)}), formatP(effect.p),
-       effect.pGreenhouseGeisser ? formatP(*effect.pGreenhouseGeisser) : std::string("does not apply"),
+       filledIn("%1, %2", {formatFixed(effect.df, 0), formatFixed(effect.dfError, 0)}), formatP(effect.p),
+       effect.pGreenhouseGeisser ? Text(formatP(*effect.pGreenhouseGeisser)) : Text("does not apply"),
        formatFixed(effect.generalizedEtaSquared, kDecimals)});
 }
 
@@ -196,8 +186,8 @@ ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study) {
   if (got->group) addEffect("group", *got->group, table);
   addEffect("scoring point", got->time, table);
   table.notes = {
-      sentence({"The interaction is the question; everybody improves with time. Greenhouse-Geisser epsilon ",
-                formatFixed(got->sphericity.greenhouseGeisser, kDecimals), "."})};
+      Text("The interaction is the question; everybody improves with time. Greenhouse-Geisser epsilon %1.",
+           formatFixed(got->sphericity.greenhouseGeisser, kDecimals))};
   return table;
 }
 
@@ -214,12 +204,12 @@ std::optional<ReportTable> gainTable(const CohortInputs& in, const StudyAnalysis
     const Outcome<MannWhitney> exact = mannWhitney(gains[pair.first], gains[pair.second]);
     table.rows.push_back({pairName(in, pair.first, pair.second), formatFixed(-pair.difference, 2),
                           formatFixed(-pair.z, 2), formatP(pair.pHolm),
-                          exact ? formatFixed(exact->superiority, 2) : notDefined(exact.reason()),
-                          exact && exact->pExact ? formatP(*exact->pExact) : std::string("not counted")});
+                          exact ? Text(formatFixed(exact->superiority, 2)) : notDefined(exact.reason()),
+                          exact && exact->pExact ? Text(formatP(*exact->pExact)) : Text("not counted")});
   }
   table.notes = {
-      sentence({"Kruskal-Wallis H = ", formatFixed(got->h, 2), ", p ", got->p < 0.001 ? "" : "= ",
-                formatP(got->p), ", epsilon squared ", formatFixed(got->epsilonSquared, kDecimals), "."}),
+      Text("Kruskal-Wallis H = %1, %2, epsilon squared %3.", formatFixed(got->h, 2), equalsP(got->p),
+           formatFixed(got->epsilonSquared, kDecimals)),
       "A second look beside the analysis of covariance, which is the primary one. Gains are ranked as whole "
       "numbers."};
   for (const std::vector<double>& group : gains) table.provenance.n += std::ssize(group);
@@ -244,10 +234,9 @@ std::optional<ReportTable> modelsTable(const CohortInputs& in) {
   for (std::size_t k = 0; k < in.evaluations.size(); ++k)
     table.rows.push_back(
         {in.evaluations[k].model, formatFixed(got->rankSums[k] / static_cast<double>(rows.size()), 2)});
-  table.notes = {sentence({"Chi-squared(", formatFixed(got->df, 0), ") = ", formatFixed(got->chiSquared, 2),
-                           ", p ", got->p < 0.001 ? "" : "= ", formatP(got->p),
-                           "; Kendall W = ", formatFixed(got->kendallW, kDecimals), " over ",
-                           std::to_string(rows.size()), " raters."})};
+  table.notes = {Text("Chi-squared(%1) = %2, %3; Kendall W = %4 over %5 raters.", formatFixed(got->df, 0),
+                      formatFixed(got->chiSquared, 2), equalsP(got->p), formatFixed(got->kendallW, kDecimals),
+                      rows.size())};
   table.provenance.formulaVersion = kEvaluationFormulaVersion;
   table.provenance.n = std::ssize(rows) * std::ssize(in.evaluations);
   return table;

@@ -7,19 +7,16 @@
 #include "assessment/report/aggregated_inputs.h"
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
+#include "sim/base/text_list.h"
 
 namespace torsio {
 
 namespace {
 
-std::string joinFlags(const std::vector<std::string>& common, const std::vector<std::string>& own) {
-  std::string text;
-  for (const std::vector<std::string>* list : {&common, &own})
-    for (const std::string& flag : *list) {
-      if (!text.empty()) text += "; ";
-      text += flag;
-    }
-  return text;
+std::string joinFlags(const std::vector<Text>& common, const std::vector<std::string>& own) {
+  std::vector<Text> all = common;
+  all.insert(all.end(), own.begin(), own.end());
+  return listed(all, "%1; %2").str();
 }
 
 /// Collects rows that share their place and differ in statistic and value.
@@ -73,7 +70,7 @@ void addStatistics(Rows& rows, const ScoreStatistics& s) {
 }
 
 void addEvaluation(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
-  const std::vector<std::string> common = commonFlags(in);
+  const std::vector<Text> common = commonFlags(in);
   for (std::size_t k = 0; k < in.evaluations.size(); ++k) {
     const ModelEvaluation& model = in.evaluations[k];
     Rows rows(out);
@@ -112,8 +109,8 @@ void addTraining(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
   rows.place.flags = joinFlags(commonFlags(in), {});
   for (const GroupSummary& s : in.summaries) {
     rows.place.item = "all";
-    rows.place.group = in.groups[s.group].name;
-    rows.place.occasion = in.occasions[s.occasion];
+    rows.place.group = in.groups[s.group].name.str();
+    rows.place.occasion = in.occasions[s.occasion].str();
     rows.add("mean", s.mean, s.trainees);
     rows.add("median", s.median, s.trainees);
     rows.add("min", s.min, s.trainees);
@@ -125,15 +122,15 @@ void addTraining(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
   }
   for (const TraineeScore& score : in.scores) {
     rows.place.item = score.trainee;
-    rows.place.group = in.groups[score.group].name;
-    rows.place.occasion = in.occasions[score.occasion];
+    rows.place.group = in.groups[score.group].name.str();
+    rows.place.occasion = in.occasions[score.occasion].str();
     rows.add("score", score.score, score.n);
   }
   for (const TrainingMark& mark : in.trainingMarks) {
     rows.place.item = mark.trainee;
-    rows.place.group = in.groups[mark.group].name;
+    rows.place.group = in.groups[mark.group].name.str();
     rows.place.index = mark.rater;
-    rows.place.occasion = in.occasions[mark.occasion];
+    rows.place.occasion = in.occasions[mark.occasion].str();
     rows.add("rater_mark", pointsFromSteps(mark.steps, in.trainingScale), 1);
   }
 }
@@ -143,9 +140,9 @@ void addTrials(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
   rows.place.section = "trial";
   for (const TrialDigest& trial : in.trials) {
     rows.place.item = trial.trainee;
-    rows.place.group = in.groups[trial.group].name;
+    rows.place.group = in.groups[trial.group].name.str();
     rows.place.model = trial.model;
-    rows.place.occasion = trial.phase;
+    rows.place.occasion = trial.phase.str();
     rows.place.flags = joinFlags(commonFlags(in), trial.interrupted ? std::vector<std::string>{"interrupted"}
                                                                     : std::vector<std::string>{});
     rows.add("minutes", trial.minutes, trial.samples);
@@ -171,7 +168,7 @@ void addAgreement(const CohortInputs& in, const StudyAnalysis& study, std::vecto
   rows.place.item = "all";
   for (std::size_t t = 0; t < study.occasions.size(); ++t) {
     const OccasionMarks& at = study.occasions[t];
-    rows.place.occasion = in.occasions[t];
+    rows.place.occasion = in.occasions[t].str();
     rows.place.flags = joinFlags(commonFlags(in), at.missing > 0 ? std::vector<std::string>{"marks missing"}
                                                                  : std::vector<std::string>{});
     if (at.icc) {
@@ -195,19 +192,19 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vect
   Rows rows(out);
   rows.place.section = "comparison";
   rows.place.item = "all";
-  rows.place.occasion = in.occasions.back();
+  rows.place.occasion = in.occasions.back().str();
   rows.place.flags = joinFlags(commonFlags(in), {});
   const auto n = std::ssize(in.trainees);
   rows.add("ancova_f", study.ancova->group.f, n);
   rows.add("ancova_p", study.ancova->group.p, n);
   rows.add("ancova_slope", study.ancova->slope, n);
   for (std::size_t g = 0; g < study.ancova->adjusted.size(); ++g) {
-    rows.place.group = in.groups[g].name;
+    rows.place.group = in.groups[g].name.str();
     rows.addInterval("adjusted_mean", study.ancova->adjusted[g].mean, study.ancova->adjusted[g].interval, n);
   }
   const Groups& after = *study.scores.back();
   for (const AdjustedDifference& pair : study.ancova->pairs) {
-    rows.place.group = sentence({in.groups[pair.first].name, " - ", in.groups[pair.second].name});
+    rows.place.group = Text("%1 - %2", in.groups[pair.first].name, in.groups[pair.second].name).str();
     rows.addInterval("adjusted_difference", pair.difference, pair.interval, n);
     rows.add("t", pair.t, n);
     rows.add("p", pair.p, n);
@@ -255,7 +252,7 @@ void appendField(std::string& text, const std::string& field) {
 }  // namespace
 
 std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
-  std::vector<std::string> left;
+  std::vector<Text> left;
   const bool aggregated = inputs.identity == ReportIdentity::kAggregated;
   const CohortInputs reduced = aggregated ? withoutSmallGroups(inputs, left) : CohortInputs{};
   const CohortInputs& in = aggregated ? reduced : inputs;

@@ -43,8 +43,8 @@ double mean(const std::vector<double>& values) {
   return sum / static_cast<double>(values.size());
 }
 
-std::string meanOrDash(const std::vector<double>& values, int decimals) {
-  return values.empty() ? std::string("not recorded") : formatFixed(mean(values), decimals);
+Text meanOrDash(const std::vector<double>& values, int decimals) {
+  return values.empty() ? Text("not recorded") : Text(formatFixed(mean(values), decimals));
 }
 
 ReportTable groupsTable(const CohortInputs& in) {
@@ -62,14 +62,14 @@ ReportTable groupsTable(const CohortInputs& in) {
       ++sexes[trainee.sex];
       ++levels[trainee.level];
     }
-    const auto listed = [&](const std::map<std::string, std::int64_t>& counts) {
+    const auto counted = [&](const std::map<std::string, std::int64_t>& counts) {
       return countsText({counts.begin(), counts.end()}, in.identity);
     };
-    std::string baseline = "not recorded";
+    Text baseline = Text("not recorded");
     for (const GroupSummary& summary : in.summaries)
       if (summary.group == g && summary.occasion == 0) baseline = formatFixed(summary.mean, 2);
-    table.rows.push_back({in.groups[g].name, in.groups[g].protocol, std::to_string(n), listed(sexes),
-                          listed(levels), baseline});
+    table.rows.push_back({in.groups[g].name, in.groups[g].protocol, std::to_string(n), counted(sexes),
+                          counted(levels), baseline});
   }
   table.notes = {
       "No test of baseline differences is shown: allocation was random, so any difference is due to chance."};
@@ -84,7 +84,7 @@ ReportTable flowTable(const CohortInputs& in) {
   table.id = "table-flow";
   table.title = "Flow of participants";
   table.columns = {"Group", "Allocated", "Withdrew", "Recorded trials", "Interrupted trials"};
-  for (const std::string& occasion : in.occasions) table.columns.push_back(sentence({"Marked ", occasion}));
+  for (const Text& occasion : in.occasions) table.columns.push_back(Text("Marked %1", occasion));
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     std::int64_t allocated = 0;
     std::int64_t withdrew = 0;
@@ -98,8 +98,8 @@ ReportTable flowTable(const CohortInputs& in) {
       trials += trial.group == g ? 1 : 0;
       interrupted += trial.group == g && trial.interrupted ? 1 : 0;
     }
-    std::vector<std::string> row = {in.groups[g].name, std::to_string(allocated), std::to_string(withdrew),
-                                    std::to_string(trials), std::to_string(interrupted)};
+    std::vector<Text> row = {in.groups[g].name, std::to_string(allocated), std::to_string(withdrew),
+                             std::to_string(trials), std::to_string(interrupted)};
     for (std::size_t t = 0; t < in.occasions.size(); ++t)
       row.push_back(
           std::to_string(std::count_if(in.scores.begin(), in.scores.end(), [&](const TraineeScore& score) {
@@ -115,6 +115,7 @@ ReportTable flowTable(const CohortInputs& in) {
 
 ReportTable trialsByPhase(const CohortInputs& in) {
   struct Sums {
+    Text phase;
     std::int64_t trials = 0;
     double minutes = 0.0;
     std::int64_t twists = 0;
@@ -125,7 +126,8 @@ ReportTable trialsByPhase(const CohortInputs& in) {
   };
   std::map<std::pair<std::size_t, std::string>, Sums> cells;
   for (const TrialDigest& trial : in.trials) {
-    Sums& sums = cells[{trial.group, trial.phase}];
+    Sums& sums = cells[{trial.group, trial.phase.str()}];
+    sums.phase = trial.phase;
     ++sums.trials;
     sums.minutes += trial.minutes;
     sums.twists += trial.twists;
@@ -147,7 +149,7 @@ ReportTable trialsByPhase(const CohortInputs& in) {
                    "Mean peak torque (N m)",
                    "Mean peak force (N)"};
   for (const auto& [key, sums] : cells)
-    table.rows.push_back({in.groups[key.first].name, key.second, std::to_string(sums.trials),
+    table.rows.push_back({in.groups[key.first].name, sums.phase, std::to_string(sums.trials),
                           formatFixed(sums.minutes, 2), std::to_string(sums.twists),
                           std::to_string(sums.onTarget), meanOrDash(sums.errors, 2),
                           meanOrDash(sums.torques, 3), meanOrDash(sums.forces, 2)});
@@ -159,8 +161,7 @@ ReportTable trialsByPhase(const CohortInputs& in) {
   return table;
 }
 
-ReportTable pairsTable(const std::string& id, const std::string& title,
-                       const std::vector<std::pair<std::string, std::string>>& pairs) {
+ReportTable pairsTable(const std::string& id, const Text& title, const Facts& pairs) {
   ReportTable table;
   table.id = id;
   table.title = title;
@@ -169,45 +170,47 @@ ReportTable pairsTable(const std::string& id, const std::string& title,
   return table;
 }
 
-const char* policyText(MissingPolicy policy) {
+Text policyText(MissingPolicy policy) {
   switch (policy) {
     case MissingPolicy::kRefuse:
-      return "none allowed";
+      return Text("none allowed");
     case MissingPolicy::kAvailableCase:
-      return "each index uses the marks at hand (available case)";
+      return Text("each index uses the marks at hand (available case)");
     case MissingPolicy::kListWise:
-      return "raters with a missing mark are left out (list-wise)";
+      return Text("raters with a missing mark are left out (list-wise)");
     case MissingPolicy::kRenormalise:
-      return "marks at hand; weights of classes without marks are divided among the others (renormalised)";
+      return Text(
+          "marks at hand; weights of classes without marks are divided among the others (renormalised)");
   }
-  return "";
+  return {};
 }
 
 }  // namespace
 
-std::vector<std::string> commonFlags(const CohortInputs& in) {
-  if (in.demonstration) return {"demonstration data"};
+std::vector<Text> commonFlags(const CohortInputs& in) {
+  if (in.demonstration) return {Text("demonstration data")};
   return {};
 }
 
 ReportSection participantsSection(const CohortInputs& in) {
   ReportSection section;
   section.title = "Participants and allocation";
-  section.paragraphs.push_back(sentence(
-      {std::to_string(in.trainees.size()), " trainees were allocated to ", std::to_string(in.groups.size()),
-       " groups",
-       in.notAllocated > 0
-           ? sentence({"; ", std::to_string(in.notAllocated), " more were enrolled and are in no group"})
-           : std::string(),
-       ". Method: ", in.allocation.method.empty() ? "not recorded" : in.allocation.method,
-       "; generator: ", in.allocation.generator.empty() ? "not recorded" : in.allocation.generator,
-       "; seed: ", in.allocation.sealed ? "sealed until the study ends" : std::to_string(in.allocation.seed),
-       "."}));
-  section.paragraphs.push_back(sentence(
-      {"Commitment published before enrolment: ",
-       in.allocation.commitment.empty() ? "none" : in.allocation.commitment, ". ",
-       in.allocation.replayed ? "The sequence was repeated from the seed and every arm was found the same."
-                              : "The sequence has not been repeated from the seed."}));
+  const CohortAllocation& drawn = in.allocation;
+  const Text enrolled =
+      in.notAllocated > 0
+          ? Text("%1 trainees were allocated to %2 groups; %3 more were enrolled and are in no group",
+                 in.trainees.size(), in.groups.size(), in.notAllocated)
+          : Text("%1 trainees were allocated to %2 groups", in.trainees.size(), in.groups.size());
+  section.paragraphs.push_back(
+      Text("%1. Method: %2; generator: %3; seed: %4.", enrolled,
+           drawn.method.empty() ? Text("not recorded") : drawn.method,
+           drawn.generator.empty() ? Text("not recorded") : drawn.generator,
+           drawn.sealed ? Text("sealed until the study ends") : Text(std::to_string(drawn.seed))));
+  section.paragraphs.push_back(
+      Text("Commitment published before enrolment: %1. %2",
+           drawn.commitment.empty() ? Text("none") : Text(drawn.commitment),
+           drawn.replayed ? Text("The sequence was repeated from the seed and every arm was found the same.")
+                          : Text("The sequence has not been repeated from the seed.")));
   section.tables = {groupsTable(in), flowTable(in)};
   if (!in.allocation.design.empty())
     section.tables.push_back(
@@ -224,9 +227,9 @@ ReportSection deviationsSection(const CohortInputs& in) {
   }
   std::map<std::string, std::int64_t> kinds;
   for (const CohortDeviation& deviation : in.deviations) ++kinds[deviation.kind];
-  section.paragraphs.push_back(
-      sentence({std::to_string(in.deviations.size()), " deviations from the protocol were reported: ",
-                countsText({kinds.begin(), kinds.end()}, in.identity), "."}));
+  section.paragraphs.push_back(Text("%1 deviations from the protocol were reported: %2.",
+                                    in.deviations.size(),
+                                    countsText({kinds.begin(), kinds.end()}, in.identity)));
   ReportTable table;
   table.id = "table-deviations";
   table.title = "Deviations from the protocol";
@@ -234,7 +237,7 @@ ReportSection deviationsSection(const CohortInputs& in) {
   table.columns = {"When", "Trainee", "Kind", "What happened"};
   for (const CohortDeviation& deviation : in.deviations)
     table.rows.push_back({formatUtc(deviation.happenedUtc_us),
-                          deviation.trainee.empty() ? std::string("whole cohort") : deviation.trainee,
+                          deviation.trainee.empty() ? Text("whole cohort") : Text(deviation.trainee),
                           deviation.kind, deviation.description});
   table.provenance.n = std::ssize(in.deviations);
   table.provenance.flags = commonFlags(in);
@@ -255,10 +258,10 @@ ReportSection trialsSection(const CohortInputs& in) {
     late += trial.lateTicks;
     samples += trial.samples;
   }
-  section.paragraphs.push_back(sentence({std::to_string(in.trials.size()), " trials were recorded, ",
-                                         formatFixed(minutes, 1), " minutes and ", std::to_string(samples),
-                                         " samples in all; samples not recorded: ", std::to_string(refused),
-                                         "; late ticks: ", std::to_string(late), "."}));
+  section.paragraphs.push_back(
+      Text("%1 trials were recorded, %2 minutes and %3 samples in all; samples not recorded: %4; late ticks: "
+           "%5.",
+           in.trials.size(), formatFixed(minutes, 1), samples, refused, late));
   if (refused > 0)
     section.paragraphs.push_back(
         "Trials with samples that were not recorded are incomplete and marked in the data.");
@@ -274,7 +277,7 @@ ReportSection methodsSection(const CohortInputs& in) {
       "mean squared distance of all raters' marks from M, with divisor n; it is not the usual variance, "
       "because its centre is the weighted mean. N (Eq. 27) is the sum over indices of the index weight times "
       "M.");
-  section.paragraphs.push_back(sentence({"Missing marks: ", policyText(in.evaluationPolicy.missing), "."}));
+  section.paragraphs.push_back(Text("Missing marks: %1.", policyText(in.evaluationPolicy.missing)));
   section.paragraphs.push_back(
       "The text under Eq. 26 of the paper speaks of the chief physicians' scores, but its sum runs over all "
       "raters; all raters are used here, and the chief physicians are shown alone where the figure says so.");
@@ -316,25 +319,23 @@ void addCover(const CohortInputs& in, ReportModel& report) {
   report.createdUtc_us = in.createdUtc_us;
   report.demonstration = in.demonstration;
   if (in.freeze) {
-    report.facts = {
-        {"Frozen data set", in.freeze->name},
-        {"Frozen", sentence({formatUtc(in.freeze->frozenUtc_us), " by ", in.freeze->frozenBy})},
-        {"Content hash", in.freeze->contentHash.substr(0, 32)},
-        {"Since then", in.freeze->unchanged ? "unchanged" : "the record has changed; see Provenance"}};
+    report.facts = {{"Frozen data set", in.freeze->name},
+                    {"Frozen", Text("%1 by %2", formatUtc(in.freeze->frozenUtc_us), in.freeze->frozenBy)},
+                    {"Content hash", in.freeze->contentHash.substr(0, 32)},
+                    {"Since then", in.freeze->unchanged ? Text("unchanged")
+                                                        : Text("the record has changed; see Provenance")}};
   } else {
     report.facts = {{"Data", "as they were when this report was made; not frozen"}};
   }
-  const char* identity = in.identity == ReportIdentity::kNamed ? "named trainees"
-                         : in.identity == ReportIdentity::kCoded
-                             ? "coded"
-                             : "aggregated, no line about a single person";
-  const std::vector<std::pair<std::string, std::string>> counts = {
-      {"People are shown", identity},
-      {"Trainees", std::to_string(in.trainees.size())},
-      {"Groups", std::to_string(in.groups.size())},
-      {"Recorded trials", std::to_string(in.trials.size())},
-      {"Evaluated models", std::to_string(in.evaluations.size())}};
-  report.facts.insert(report.facts.end(), counts.begin(), counts.end());
+  const Text identity = in.identity == ReportIdentity::kNamed ? Text("named trainees")
+                        : in.identity == ReportIdentity::kCoded
+                            ? Text("coded")
+                            : Text("aggregated, no line about a single person");
+  report.facts.insert(report.facts.end(), {{"People are shown", identity},
+                                           {"Trainees", std::to_string(in.trainees.size())},
+                                           {"Groups", std::to_string(in.groups.size())},
+                                           {"Recorded trials", std::to_string(in.trials.size())},
+                                           {"Evaluated models", std::to_string(in.evaluations.size())}});
   report.facts.insert(report.facts.end(), in.facts.begin(), in.facts.end());
 }
 
@@ -369,12 +370,13 @@ ReportModel reportOf(const CohortInputs& in) {
 ReportModel cohortReport(const CohortInputs& in) {
   checkInputs(in);
   if (in.identity != ReportIdentity::kAggregated) return reportOf(in);
-  std::vector<std::string> left;
+  std::vector<Text> left;
   ReportModel report = reportOf(withoutSmallGroups(in, left));
   removeIndividuals(report);
-  left.push_back(sentence(
-      {"This report is aggregated: it holds no line about a single person and no count of fewer than ",
-       std::to_string(kSmallestCell), " people beside others."}));
+  left.push_back(
+      Text("This report is aggregated: it holds no line about a single person and no count of fewer than %1 "
+           "people beside others.",
+           kSmallestCell));
   ReportSection section;
   section.title = "What is left out";
   section.paragraphs = std::move(left);

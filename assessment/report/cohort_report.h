@@ -35,20 +35,20 @@ struct CohortTrainee {
 
 /// A group and what it does.
 struct CohortGroup {
-  std::string name;      ///< "Group 1"
-  std::string protocol;  ///< "40 min virtual"
+  Text name;      ///< "Group 1"
+  Text protocol;  ///< "40 min virtual"
 };
 
 /// How trainees came into their groups.
 struct CohortAllocation {
-  std::string method;
+  Text method;
   std::string version;
-  std::string generator;
+  Text generator;
   std::uint64_t seed = 0;
   std::string commitment;
   bool replayed = false;  ///< the sequence was repeated from the seed and found the same
-  std::vector<std::pair<std::string, std::string>> design;  ///< strata, block sizes ...: label, value
-  bool sealed = false;  ///< the seed has not been revealed yet and is not printed
+  Facts design;           ///< strata, block sizes ...
+  bool sealed = false;    ///< the seed has not been revealed yet and is not printed
 };
 
 /// The named state of the data that the report is made from.
@@ -87,7 +87,7 @@ struct TrialDigest {
   std::string trialId;
   std::string trainee;
   std::size_t group = 0;
-  std::string phase;  ///< "virtual 0-20 min"
+  Text phase;  ///< "virtual 0-20 min"
   std::string model;
   double minutes = 0.0;
   std::int64_t samples = 0;
@@ -105,13 +105,13 @@ struct TrialDigest {
 
 /// Everything a cohort report is made from.
 struct CohortInputs {
-  std::string title = "Cohort report";
+  Text title = "Cohort report";
   std::string centre;
   std::string softwareVersion;
   std::int64_t createdUtc_us = 0;
   bool demonstration = false;
-  std::vector<std::string> simulated;  ///< one sentence each: what of this is simulated and by which rule
-  std::vector<std::pair<std::string, std::string>> facts;  ///< further lines for the cover: label, value
+  std::vector<Text> simulated;           ///< what of this is simulated and by which rule
+  Facts facts;                           ///< further lines for the cover
   std::int64_t trainingTimeDivisor = 1;  ///< 60: one simulated minute stands for one hour of training
   std::int64_t rests = 0;                ///< trainees who took a rest
   ReportIdentity identity = ReportIdentity::kCoded;
@@ -129,7 +129,7 @@ struct CohortInputs {
   std::size_t chiefClass = 2;                ///< the class of Fig. 18
 
   ScoreScale trainingScale{10, 100, 10};
-  std::vector<std::string> occasions;  ///< "before", "after 20 min", "after 40 min"
+  std::vector<Text> occasions;  ///< "before", "after 20 min", "after 40 min"
   std::vector<TraineeScore> scores;
   std::vector<GroupSummary> summaries;
   std::size_t trainingRaters = 0;
@@ -143,8 +143,7 @@ struct CohortInputs {
   std::vector<CohortDeviation> deviations;
 
   std::vector<TrialDigest> trials;
-  std::vector<std::pair<std::string, std::string>>
-      provenance;  ///< organ hash, parameter hash, database schema ...
+  Facts provenance;  ///< organ hash, parameter hash, database schema ...
 };
 
 /// The cohort report as plain values (paper sections 5.3 and 6: Figs. 15 to 23). Same inputs, same report.

@@ -4,6 +4,7 @@
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
 #include "assessment/statistics/quantiles.h"
+#include "sim/base/text_list.h"
 
 namespace torsio {
 
@@ -12,21 +13,21 @@ namespace {
 constexpr int kScoreDecimals = 4;  // Eq. 25 of 20/10/10 raters ends within four decimals
 constexpr int kReadableDecimals = 2;
 
-std::vector<std::string> indexNames(const CohortInputs& in) {
-  std::vector<std::string> names;
-  for (const EvaluationIndex& index : in.instrument.indices) names.push_back(index.name);
+std::vector<Text> indexNames(const CohortInputs& in) {
+  std::vector<Text> names;
+  for (const EvaluationIndex& index : in.instrument.indices) names.emplace_back(index.name);
   return names;
 }
 
-std::vector<std::string> mergedFlags(const CohortInputs& in) {
-  std::vector<std::string> flags = commonFlags(in);
+std::vector<Text> mergedFlags(const CohortInputs& in) {
+  std::vector<Text> flags = commonFlags(in);
   for (const ModelEvaluation& model : in.evaluations)
     for (const std::string& flag : model.flags)
-      if (std::find(flags.begin(), flags.end(), flag) == flags.end()) flags.push_back(flag);
+      if (std::find(flags.begin(), flags.end(), Text(flag)) == flags.end()) flags.emplace_back(flag);
   return flags;
 }
 
-Provenance provenance(const CohortInputs& in, const std::string& formula) {
+Provenance provenance(const CohortInputs& in, const Text& formula) {
   Provenance out;
   out.formula = formula;
   out.formulaVersion = kEvaluationFormulaVersion;
@@ -38,8 +39,8 @@ Provenance provenance(const CohortInputs& in, const std::string& formula) {
   return out;
 }
 
-ReportFigure figure(const CohortInputs& in, const std::string& id, const std::string& title, FigureKind kind,
-                    const std::string& formula) {
+ReportFigure figure(const CohortInputs& in, const std::string& id, const Text& title, FigureKind kind,
+                    const Text& formula) {
   ReportFigure out;
   out.id = id;
   out.title = title;
@@ -97,9 +98,9 @@ ReportFigure barsFigure(const CohortInputs& in, bool variance) {
 }
 
 ReportFigure chiefsFigure(const CohortInputs& in) {
-  const std::string of = in.instrument.classes[in.chiefClass].name;
+  const Text of = in.instrument.classes[in.chiefClass].name;
   ReportFigure out =
-      figure(in, "figure-18", sentence({"Comprehensive score given by each rater of the class ", of}),
+      figure(in, "figure-18", Text("Comprehensive score given by each rater of the class %1", of),
              FigureKind::kPoints, "Eq. 27 for one rater");
   out.xLabel = "rater";
   out.individual = true;
@@ -108,8 +109,9 @@ ReportFigure chiefsFigure(const CohortInputs& in) {
     series.name = model.model;
     for (const RaterComposite& composite : model.composites) {
       if (composite.raterClass != in.chiefClass) continue;
-      auto at = std::find(out.categories.begin(), out.categories.end(), composite.rater);
-      if (at == out.categories.end()) at = out.categories.insert(out.categories.end(), composite.rater);
+      const Text rater = composite.rater;
+      auto at = std::find(out.categories.begin(), out.categories.end(), rater);
+      if (at == out.categories.end()) at = out.categories.insert(out.categories.end(), rater);
       series.x.push_back(static_cast<double>(std::distance(out.categories.begin(), at)));
       series.y.push_back(composite.score);
     }
@@ -118,8 +120,7 @@ ReportFigure chiefsFigure(const CohortInputs& in) {
   out.provenance.n = 0;
   for (const FigureSeries& series : out.series)
     for (const std::optional<double>& y : series.y) out.provenance.n += y ? 1 : 0;
-  out.notes = {
-      sentence({"Corresponds to Fig. 18 of the paper: ", of, " only, one point a rater and model."})};
+  out.notes = {Text("Corresponds to Fig. 18 of the paper: %1 only, one point a rater and model.", of)};
   return out;
 }
 
@@ -168,7 +169,7 @@ ReportFigure classesFigure(const CohortInputs& in) {
   for (const ModelEvaluation& model : in.evaluations)
     for (std::size_t c = 0; c < in.instrument.classes.size(); ++c) {
       FigureSeries series;
-      series.name = sentence({model.model, ", ", in.instrument.classes[c].name});
+      series.name = Text("%1, %2", model.model, Text(in.instrument.classes[c].name));
       for (const ScoreStatistics& index : model.indices)
         series.y.push_back(c < index.classMeans.size() ? index.classMeans[c] : std::nullopt);
       out.series.push_back(series);
@@ -194,18 +195,18 @@ ReportTable comprehensiveTable(const CohortInputs& in) {
   for (const ModelEvaluation& model : in.evaluations) {
     const std::vector<double> composites = completeComposites(model);
     const std::optional<BoxNumbers> box = boxNumbers(composites);
-    std::string flags;
-    for (const std::string& flag : model.flags) flags += (flags.empty() ? "" : ", ") + flag;
-    std::vector<std::string> row = {model.model, formatFixed(model.n27, kScoreDecimals),
-                                    std::to_string(composites.size())};
+    const std::vector<Text> flags(model.flags.begin(), model.flags.end());
+    std::vector<Text> row = {model.model, formatFixed(model.n27, kScoreDecimals),
+                             std::to_string(composites.size())};
     const bool known = model.compositeStatistics.has_value();
-    row.push_back(known ? formatFixed(model.compositeStatistics->m, kScoreDecimals) : "not defined");
-    row.push_back(known ? formatFixed(model.compositeStatistics->standardError, kScoreDecimals)
-                        : "not defined");
+    row.push_back(known ? Text(formatFixed(model.compositeStatistics->m, kScoreDecimals))
+                        : Text("not defined"));
+    row.push_back(known ? Text(formatFixed(model.compositeStatistics->standardError, kScoreDecimals))
+                        : Text("not defined"));
     for (const auto part :
          {&BoxNumbers::min, &BoxNumbers::q1, &BoxNumbers::median, &BoxNumbers::q3, &BoxNumbers::max})
-      row.push_back(box ? formatFixed((*box).*part, kScoreDecimals) : "not defined");
-    row.push_back(flags);
+      row.push_back(box ? Text(formatFixed((*box).*part, kScoreDecimals)) : Text("not defined"));
+    row.push_back(listed(flags));
     table.rows.push_back(row);
   }
   table.notes = {"With no mark missing, the class-weighted mean of the raters' own scores equals N exactly."};
@@ -215,8 +216,8 @@ ReportTable comprehensiveTable(const CohortInputs& in) {
 
 ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
   ReportTable table;
-  table.id = sentence({"table-indices-", model.model});
-  table.title = sentence({"Model ", model.model, ": exact values by index"});
+  table.id = "table-indices-" + model.model;
+  table.title = Text("Model %1: exact values by index", model.model);
   table.columns = {"Index",   "Weight",      "n",          "Lowest",          "M (Eq. 25)",
                    "Highest", "s2 (Eq. 26)", "Plain mean", "Sample variance", "SE of M"};
   for (std::size_t j = 0; j < model.indices.size(); ++j) {
@@ -243,29 +244,25 @@ ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
 ReportSection evaluationSection(const CohortInputs& in) {
   ReportSection section;
   section.title = "Evaluation of the models";
-  std::string classes;
+  std::vector<Text> classes;
   for (const RaterClass& raterClass : in.instrument.classes) {
     std::int64_t n = 0;
     if (!in.ratings.empty())
       for (const RaterSheet& sheet : in.ratings.front().sheets)
         n += in.instrument.classes[sheet.raterClass].id == raterClass.id ? 1 : 0;
-    if (!classes.empty()) classes += ", ";
-    classes += std::to_string(n);
-    classes += sentence(
-        {" ", raterClass.name, " (weight ",
-         formatFixed(static_cast<double>(raterClass.weight_milli) / 1000.0, kReadableDecimals), ")"});
+    classes.push_back(
+        Text("%1 %2 (weight %3)", n, Text(raterClass.name),
+             formatFixed(static_cast<double>(raterClass.weight_milli) / 1000.0, kReadableDecimals)));
   }
-  section.paragraphs.push_back(sentence(
-      {"Each rater scored every model on ", std::to_string(in.instrument.indices.size()), " indices from ",
-       formatFixed(pointsFromSteps(in.instrument.scale.lo, in.instrument.scale), 0), " to ",
-       formatFixed(pointsFromSteps(in.instrument.scale.hi, in.instrument.scale), 0),
-       " points. Raters: ", classes, "."}));
-  std::string ranking;
-  for (const ModelEvaluation& model : in.evaluations) {
-    if (!ranking.empty()) ranking += "; ";
-    ranking += sentence({model.model, " ", formatFixed(model.n27, kScoreDecimals)});
-  }
-  section.paragraphs.push_back(sentence({"Comprehensive score N: ", ranking, "."}));
+  section.paragraphs.push_back(
+      Text("Each rater scored every model on %1 indices from %2 to %3 points. Raters: %4.",
+           in.instrument.indices.size(),
+           formatFixed(pointsFromSteps(in.instrument.scale.lo, in.instrument.scale), 0),
+           formatFixed(pointsFromSteps(in.instrument.scale.hi, in.instrument.scale), 0), listed(classes)));
+  std::vector<Text> ranking;
+  for (const ModelEvaluation& model : in.evaluations)
+    ranking.push_back(Text("%1 %2", model.model, formatFixed(model.n27, kScoreDecimals)));
+  section.paragraphs.push_back(Text("Comprehensive score N: %1.", listed(ranking, "%1; %2")));
   section.paragraphs.push_back(
       "Marks are whole steps of the scale; M, s2 and N are computed in whole numbers and rounded once, so "
       "the tables do not depend on the order of the raters.");

@@ -2,6 +2,7 @@
 #include "assessment/report/figure_table.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "assessment/report/number_format.h"
 
@@ -50,26 +51,24 @@ class Twin {
   [[nodiscard]] std::string number(double value) const {
     return decimals_ == kExactDecimals ? formatExact(value) : formatFixed(value, decimals_);
   }
-  [[nodiscard]] std::string heading() const {
-    return figure_.xLabel.empty() ? std::string("Category") : figure_.xLabel;
-  }
+  [[nodiscard]] Text heading() const { return figure_.xLabel.empty() ? Text("Category") : figure_.xLabel; }
 
   /// One row a category; a series with intervals takes three columns.
   void byCategory() {
     table_.columns = {heading()};
     for (const FigureSeries& series : figure_.series) {
       const bool alone = figure_.series.size() == 1;
-      if (!series.low.empty()) table_.columns.push_back(alone ? "low" : series.name + ": low");
-      table_.columns.push_back(alone && series.name.empty() ? "value" : series.name);
-      if (!series.low.empty()) table_.columns.push_back(alone ? "high" : series.name + ": high");
+      if (!series.low.empty()) table_.columns.push_back(alone ? Text("low") : Text("%1: low", series.name));
+      table_.columns.push_back(alone && series.name.empty() ? Text("value") : series.name);
+      if (!series.low.empty()) table_.columns.push_back(alone ? Text("high") : Text("%1: high", series.name));
     }
     for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
-      std::vector<std::string> row = {figure_.categories[c]};
+      std::vector<Text> row = {figure_.categories[c]};
       for (const FigureSeries& series : figure_.series) {
         const bool known = c < series.y.size() && series.y[c].has_value();
-        if (!series.low.empty()) row.push_back(known ? number(series.low[c]) : std::string());
-        row.push_back(known ? number(*series.y[c]) : std::string());
-        if (!series.low.empty()) row.push_back(known ? number(series.high[c]) : std::string());
+        if (!series.low.empty()) row.emplace_back(known ? number(series.low[c]) : std::string());
+        row.emplace_back(known ? number(*series.y[c]) : std::string());
+        if (!series.low.empty()) row.emplace_back(known ? number(series.high[c]) : std::string());
       }
       table_.rows.push_back(row);
     }
@@ -80,7 +79,7 @@ class Twin {
     table_.columns = {heading()};
     for (const FigureSeries& series : figure_.series) table_.columns.push_back(series.name);
     for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
-      std::vector<std::string> row = {figure_.categories[c]};
+      std::vector<Text> row = {figure_.categories[c]};
       for (const FigureSeries& series : figure_.series) {
         std::string cell;
         for (std::size_t i = 0; i < series.y.size(); ++i) {
@@ -89,7 +88,7 @@ class Twin {
           if (!cell.empty()) cell += "; ";
           cell += number(*series.y[i]);
         }
-        row.push_back(cell);
+        row.emplace_back(cell);
       }
       table_.rows.push_back(row);
     }
@@ -114,7 +113,8 @@ class Twin {
       for (std::size_t i = 0; i < series.y.size(); ++i) {
         if (!series.y[i]) continue;
         const double x = i < series.x.size() ? series.x[i] : static_cast<double>(i + 1);
-        table_.rows.push_back({series.name, number(x), number(*series.y[i])});
+        table_.rows.push_back(
+            {series.name, x == std::floor(x) ? formatExact(x) : number(x), number(*series.y[i])});
       }
   }
 
@@ -122,9 +122,9 @@ class Twin {
     table_.columns = {heading()};
     table_.columns.insert(table_.columns.end(), figure_.categories.begin(), figure_.categories.end());
     for (const FigureSeries& series : figure_.series) {
-      std::vector<std::string> row = {series.name};
+      std::vector<Text> row = {series.name};
       for (std::size_t c = 0; c < figure_.categories.size(); ++c)
-        row.push_back(c < series.y.size() && series.y[c] ? number(*series.y[c]) : std::string());
+        row.emplace_back(c < series.y.size() && series.y[c] ? number(*series.y[c]) : std::string());
       table_.rows.push_back(row);
     }
   }

@@ -38,8 +38,7 @@ std::vector<Course> courses(const CohortInputs& in) {
 }
 
 template <typename Item>
-Item itemOf(const CohortInputs& in, const std::string& id, const std::string& title,
-            const std::string& formula) {
+Item itemOf(const CohortInputs& in, const std::string& id, const Text& title, const Text& formula) {
   Item item;
   item.id = id;
   item.title = title;
@@ -117,10 +116,10 @@ ReportFigure cusumFigure(const CohortInputs& in, const std::vector<Course>& all,
     figure.series.push_back(series);
   }
   figure.references = {{design.limit, "adequate"}};
-  figure.notes = {sentence({"A twist within the tolerance counts as success. Adequate: a failure rate of ",
-                            formatFixed(design.adequate, 2), " against ", formatFixed(design.inadequate, 2),
-                            "; a trainee whose sum reaches ", formatFixed(design.limit, 2),
-                            " is held to be adequate. Sums cannot fall below zero."})};
+  figure.notes = {
+      Text("A twist within the tolerance counts as success. Adequate: a failure rate of %1 against %2; a "
+           "trainee whose sum reaches %3 is held to be adequate. Sums cannot fall below zero.",
+           formatFixed(design.adequate, 2), formatFixed(design.inadequate, 2), formatFixed(design.limit, 2))};
   return figure;
 }
 
@@ -150,12 +149,13 @@ ReportTable learningTable(const CohortInputs& in, const std::vector<Course>& all
     const std::span<const double> values(error);
     const Outcome<LearningCurve> fit = fitLearningCurve(LearningFamily::kExponential, number, error);
     const std::optional<std::size_t> adequate = lcCusum(failed, design).competentAt;
-    table.rows.push_back({in.groups[course.group].name, course.trainee, std::to_string(error.size()),
-                          std::to_string(std::count(failed.begin(), failed.end(), false)),
-                          half > 0 ? formatFixed(meanOf(values.first(half)), 2) : std::string("too few"),
-                          formatFixed(meanOf(values.subspan(half)), 2),
-                          fit ? formatFixed(fit->asymptote, 2) : sentence({"not fitted: ", fit.reason()}),
-                          adequate ? std::to_string(*adequate) : std::string("not yet")});
+    table.rows.push_back(
+        {in.groups[course.group].name, course.trainee, std::to_string(error.size()),
+         std::to_string(std::count(failed.begin(), failed.end(), false)),
+         half > 0 ? Text(formatFixed(meanOf(values.first(half)), 2)) : Text("too few"),
+         formatFixed(meanOf(values.subspan(half)), 2),
+         fit ? Text(formatFixed(fit->asymptote, 2)) : Text("not fitted: %1", Text(fit.reason())),
+         adequate ? Text(std::to_string(*adequate)) : Text("not yet")});
     table.provenance.n += std::ssize(error);
   }
   table.notes = {

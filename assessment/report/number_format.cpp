@@ -49,10 +49,4 @@ std::string formatUtc(std::int64_t utc_us) {
   return text.data();
 }
 
-std::string sentence(std::initializer_list<std::string_view> parts) {
-  std::string text;
-  for (const std::string_view part : parts) text += part;
-  return text;
-}
-
 }  // namespace torsio

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <string>
-#include <string_view>
 
 namespace torsio {
 
@@ -19,7 +17,5 @@ namespace torsio {
 [[nodiscard]] std::string formatP(double p);
 /// "2026-01-05 08:00 UTC", microseconds since 1970.
 [[nodiscard]] std::string formatUtc(std::int64_t utc_us);
-/// Joins parts into one sentence.
-[[nodiscard]] std::string sentence(std::initializer_list<std::string_view> parts);
 
 }  // namespace torsio

@@ -44,26 +44,24 @@ std::string hashOfTrials(const CohortInputs& in) {
 }
 
 ReportTable versionsTable(const CohortInputs& in) {
-  std::vector<std::pair<std::string, std::string>> rows = {
-      {"Software", in.softwareVersion},
-      {"Evaluation formulas", kEvaluationFormulaVersion},
-      {"Training formulas", kTrainingFormulaVersion},
-      {"Allocation", in.allocation.sealed
-                         ? sentence({in.allocation.version, ", seed sealed"})
-                         : sentence({in.allocation.version, ", seed ", std::to_string(in.allocation.seed)})},
-      {"Allocation commitment", in.allocation.commitment},
-  };
-  if (in.freeze) {
-    rows.emplace_back("Frozen data set", in.freeze->name);
-    rows.emplace_back("Frozen data set, content hash", in.freeze->contentHash);
-    rows.emplace_back("Record compared with it", in.freeze->unchanged ? "unchanged" : "changed since then");
-  }
-  rows.insert(rows.end(), in.provenance.begin(), in.provenance.end());
   ReportTable table;
   table.id = "table-provenance";
   table.title = "Where the numbers come from";
   table.columns = {"Item", "Value"};
-  for (const auto& [label, value] : rows) table.rows.push_back({label, value});
+  table.rows = {
+      {"Software", in.softwareVersion},
+      {"Evaluation formulas", kEvaluationFormulaVersion},
+      {"Training formulas", kTrainingFormulaVersion},
+      {"Allocation", in.allocation.sealed ? Text("%1, seed sealed", in.allocation.version)
+                                          : Text("%1, seed %2", in.allocation.version, in.allocation.seed)},
+      {"Allocation commitment", in.allocation.commitment}};
+  if (in.freeze) {
+    table.rows.push_back({"Frozen data set", in.freeze->name});
+    table.rows.push_back({"Frozen data set, content hash", in.freeze->contentHash});
+    table.rows.push_back(
+        {"Record compared with it", in.freeze->unchanged ? Text("unchanged") : Text("changed since then")});
+  }
+  for (const auto& [label, value] : in.provenance) table.rows.push_back({label, value});
   return table;
 }
 
@@ -73,7 +71,7 @@ ReportTable sourcesTable(const CohortInputs& in) {
   table.id = "table-sources";
   table.title = "What each part is computed from";
   table.columns = {"Part of the report", "Source", "Count", "Hash of the source"};
-  const auto add = [&](const char* part, const char* source, std::int64_t count, const std::string& hash) {
+  const auto add = [&](const Text& part, const Text& source, std::int64_t count, const std::string& hash) {
     if (count > 0)
       table.rows.push_back({part, source, std::to_string(count), hash.substr(0, kPrintedDigits)});
   };
@@ -92,8 +90,8 @@ ReportTable sourcesTable(const CohortInputs& in) {
       "compared "
       "bit for bit (torsio replay TRIAL --verify)."};
   if (in.notAssessable > 0)
-    table.notes.push_back(sentence({std::to_string(in.notAssessable),
-                                    " marks could not be given and carry a reason; they count as missing."}));
+    table.notes.push_back(
+        Text("%1 marks could not be given and carry a reason; they count as missing.", in.notAssessable));
   table.provenance.flags = commonFlags(in);
   return table;
 }
@@ -118,7 +116,7 @@ ReportTable chainTable(const CohortInputs& in) {
   table.columns = {"Trainee", "Marks behind the scores", "Recordings (first eight digits of the trial)"};
   for (const auto& [trainee, chain] : chains)
     table.rows.push_back({trainee, std::to_string(chain.marks),
-                          chain.trials.empty() ? std::string("none on the simulator") : chain.trials});
+                          chain.trials.empty() ? Text("none on the simulator") : Text(chain.trials)});
   table.provenance.flags = commonFlags(in);
   return table;
 }
@@ -131,7 +129,8 @@ ReportTable trialsTable(const CohortInputs& in) {
   table.columns = {"Trial", "Trainee", "Phase", "Model", "Minutes", "Outcome", "Content hash"};
   for (const TrialDigest& trial : in.trials)
     table.rows.push_back({trial.trialId, trial.trainee, trial.phase, trial.model,
-                          formatFixed(trial.minutes, 2), trial.interrupted ? "interrupted" : "completed",
+                          formatFixed(trial.minutes, 2),
+                          trial.interrupted ? Text("interrupted") : Text("completed"),
                           trial.contentHash.substr(0, kPrintedDigits)});
   table.notes = {
       "The first 16 digits of each content hash; the whole hashes stand in the table of numbers (CSV)."};

@@ -3,6 +3,7 @@
 
 #include "assessment/report/number_format.h"
 #include "assessment/report/report_sections.h"
+#include "assessment/report/report_words.h"
 
 namespace torsio {
 
@@ -11,8 +12,7 @@ namespace {
 constexpr int kDecimals = 3;
 
 template <typename Item>
-Item itemOf(const CohortInputs& in, const std::string& id, const std::string& title,
-            const std::string& formula) {
+Item itemOf(const CohortInputs& in, const std::string& id, const Text& title, const Text& formula) {
   Item item;
   item.id = id;
   item.title = title;
@@ -32,7 +32,7 @@ ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study) {
   figure.yLabel = "mark (points)";
   figure.yMin = pointsFromSteps(in.trainingScale.lo, in.trainingScale);
   figure.yMax = pointsFromSteps(in.trainingScale.hi, in.trainingScale);
-  figure.categories = study.trainees;
+  figure.categories.assign(study.trainees.begin(), study.trainees.end());
   const OccasionMarks& last = study.occasions.back();
   for (std::size_t r = 0; r < study.raters.size(); ++r) {
     FigureSeries series;
@@ -60,7 +60,7 @@ ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) 
   FigureSeries series;
   series.name = "offset [95 %]";
   for (const RaterSeverity& rater : ordered) {
-    figure.categories.push_back(rater.rater);
+    figure.categories.emplace_back(rater.rater);
     series.y.emplace_back(rater.offset);
     series.low.push_back(rater.interval ? rater.interval->lower : rater.offset);
     series.high.push_back(rater.interval ? rater.interval->upper : rater.offset);
@@ -109,9 +109,8 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
                        {limits->limits.upper, "upper limit"}};
   figure.provenance.n = limits->n > 0 ? static_cast<std::int64_t>(limits->n) : 0;
   figure.provenance.missing = study.occasions.back().missing;
-  figure.notes = {sentence({"Limits: mean difference plus and minus 1.96 standard deviations, ",
-                            formatFixed(limits->limits.lower, 2), " to ",
-                            formatFixed(limits->limits.upper, 2), " points."})};
+  figure.notes = {Text("Limits: mean difference plus and minus 1.96 standard deviations, %1 to %2 points.",
+                       formatFixed(limits->limits.lower, 2), formatFixed(limits->limits.upper, 2))};
   return figure;
 }
 
@@ -124,17 +123,14 @@ ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
   for (const RaterSeverity& rater : study.severity) {
     const auto at = static_cast<std::size_t>(
         std::lower_bound(study.raters.begin(), study.raters.end(), rater.rater) - study.raters.begin());
-    std::string offset = formatFixed(rater.offset, kDecimals);
-    if (rater.interval)
-      offset += sentence({" [", formatFixed(rater.interval->lower, kDecimals), ", ",
-                          formatFixed(rater.interval->upper, kDecimals), "]"});
-    std::string limits = "marks are missing";
+    Text limits = Text("marks are missing");
     if (at < study.againstPanel.size())
       limits = study.againstPanel[at]
-                   ? sentence({formatFixed(study.againstPanel[at]->limits.lower, kDecimals), " to ",
-                               formatFixed(study.againstPanel[at]->limits.upper, kDecimals)})
-                   : sentence({"not defined: ", study.againstPanel[at].reason()});
-    table.rows.push_back({rater.rater, std::to_string(rater.n), offset, limits});
+                   ? Text("%1 to %2", formatFixed(study.againstPanel[at]->limits.lower, kDecimals),
+                          formatFixed(study.againstPanel[at]->limits.upper, kDecimals))
+                   : notDefined(study.againstPanel[at].reason());
+    table.rows.push_back(
+        {rater.rater, std::to_string(rater.n), withInterval(rater.offset, rater.interval), limits});
     table.provenance.n += rater.n;
   }
   table.notes = {"Raters are shown by code, for the organisers of the study; this is no ranking."};

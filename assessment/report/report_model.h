@@ -7,24 +7,29 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/text.h"
+
 namespace torsio {
+
+/// Lines of a label and what it says.
+using Facts = std::vector<std::pair<Text, Text>>;
 
 /// Where a table or figure comes from; printed beneath it.
 struct Provenance {
-  std::string formula;  ///< "Eq. 26" ...
+  Text formula;  ///< "Eq. 26" ...
   std::string formulaVersion;
   std::int64_t n = 0;  ///< values used
   std::int64_t missing = 0;
-  std::vector<std::string> flags;  ///< "renormalised", "demonstration data" ...
+  std::vector<Text> flags;  ///< "renormalised", "demonstration data" ...
 };
 
 struct ReportTable {
   std::string id;  ///< stable, "table-evaluation"
-  std::string title;
-  std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;  ///< each as long as columns
-  bool individual = false;                     ///< lists single people: no part of an aggregated report
-  std::vector<std::string> notes;
+  Text title;
+  std::vector<Text> columns;
+  std::vector<std::vector<Text>> rows;  ///< each as long as columns; numbers are formatted already
+  bool individual = false;              ///< lists single people: no part of an aggregated report
+  std::vector<Text> notes;
   Provenance provenance;
 };
 
@@ -42,7 +47,7 @@ enum class FigureKind {
 /// A line across a figure: a limit, a target, zero. Crosses the axis of values.
 struct FigureReference {
   double value = 0.0;
-  std::string label;
+  Text label;
 };
 
 /// A box as drawn: type-7 quartiles, whiskers to the last value within 1.5 interquartile ranges of the box.
@@ -57,7 +62,7 @@ struct BoxSummary {
 };
 
 struct FigureSeries {
-  std::string name;
+  Text name;
   std::vector<double>
       x;  ///< kLines without categories: abscissa; kPoints: category number from 0; else empty
   std::vector<std::optional<double>> y;  ///< one a category; kBoxes: all raw values
@@ -70,36 +75,38 @@ struct FigureSeries {
 
 struct ReportFigure {
   std::string id;  ///< "figure-15"
-  std::string title;
-  std::string xLabel;
-  std::string yLabel;  ///< with unit
+  Text title;
+  Text xLabel;
+  Text yLabel;  ///< with unit
   FigureKind kind = FigureKind::kGroupedBars;
-  std::vector<std::string> categories;
+  std::vector<Text> categories;
   std::vector<FigureSeries> series;
   std::vector<FigureReference> references;
   std::optional<double> yMin;  ///< of the axis of values, whichever way it lies
   std::optional<double> yMax;
   bool individual = false;  ///< shows single people: no part of an aggregated report
-  std::vector<std::string> notes;
+  std::vector<Text> notes;
   Provenance provenance;
 };
 
 struct ReportSection {
-  std::string title;
-  std::vector<std::string> paragraphs;
+  Text title;
+  std::vector<Text> paragraphs;
   std::vector<ReportFigure> figures;
   std::vector<ReportTable> tables;
 };
 
-/// All that a cohort report says, as plain values: PDF, CSV and JSON are written from this and nothing else.
+/// All that a cohort report says, as plain values: PDF and screen are drawn from this and nothing else. Words
+/// are Text, so that whoever shows them may say them in another language; numbers are the same in every
+/// language. What people wrote themselves is a Text without places.
 struct ReportModel {
-  std::string title;
-  std::string subtitle;
+  Text title;
+  Text subtitle;
   std::string centre;
   std::string softwareVersion;
   std::int64_t createdUtc_us = 0;
-  bool demonstration = false;                              ///< then every page says so
-  std::vector<std::pair<std::string, std::string>> facts;  ///< cover: label, value
+  bool demonstration = false;  ///< then every page says so
+  Facts facts;                 ///< cover
   std::vector<ReportSection> sections;
 };
 

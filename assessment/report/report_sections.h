@@ -19,6 +19,6 @@ namespace torsio {
 [[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs);
 
 /// Flags every figure and table of a demonstration carries.
-[[nodiscard]] std::vector<std::string> commonFlags(const CohortInputs& inputs);
+[[nodiscard]] std::vector<Text> commonFlags(const CohortInputs& inputs);
 
 }  // namespace torsio

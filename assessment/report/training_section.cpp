@@ -15,7 +15,7 @@ namespace {
 constexpr int kScoreDecimals = 2;
 constexpr int kVarianceDecimals = 4;
 
-Provenance provenance(const CohortInputs& in, const std::string& formula, std::int64_t n) {
+Provenance provenance(const CohortInputs& in, const Text& formula, std::int64_t n) {
   Provenance out;
   out.formula = formula;
   out.formulaVersion = kTrainingFormulaVersion;
@@ -33,8 +33,8 @@ void fixScale(const CohortInputs& in, ReportFigure& figure) {
 
 ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
   ReportFigure out;
-  out.id = sentence({"figure-", std::to_string(20 + occasion)});
-  out.title = sentence({"Scores of the trainees ", in.occasions[occasion]});
+  out.id = "figure-" + std::to_string(20 + occasion);
+  out.title = Text("Scores of the trainees %1", in.occasions[occasion]);
   out.kind = FigureKind::kGroupedBars;
   out.xLabel = "trainee number in the group";
   out.individual = true;
@@ -55,9 +55,10 @@ ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
       }
     out.series.push_back(series);
   }
-  out.notes = {
-      sentence({"Corresponds to Fig. ", std::to_string(20 + occasion),
-                " of the paper. A score is the mean over the raters; the test is on the real arm."})};
+  out.notes = {Text(
+      "Corresponds to Fig. %1 of the paper. A score is the mean over the raters; the test is on the real "
+      "arm.",
+      20 + occasion)};
   out.provenance = provenance(in, "mean over raters", n);
   out.provenance.missing = std::ssize(in.trainees) - n;
   return out;
@@ -112,9 +113,8 @@ ReportFigure meansFigure(const CohortInputs& in) {
 /// The course of every trainee of one group, with the group's mean and its 95 % interval.
 ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
   ReportFigure out;
-  out.id = sentence({"figure-courses-", std::to_string(group + 1)});
-  out.title =
-      sentence({"Course of every trainee, ", in.groups[group].name, " (", in.groups[group].protocol, ")"});
+  out.id = "figure-courses-" + std::to_string(group + 1);
+  out.title = Text("Course of every trainee, %1 (%2)", in.groups[group].name, in.groups[group].protocol);
   out.kind = FigureKind::kLines;
   out.individual = true;
   out.xLabel = "scoring point";
@@ -199,12 +199,12 @@ ReportTable scoresTable(const CohortInputs& in) {
   table.individual = true;
   table.columns = {"Group", "Number", "Trainee"};
   table.columns.insert(table.columns.end(), in.occasions.begin(), in.occasions.end());
-  std::map<std::tuple<std::size_t, std::size_t, std::string>, std::vector<std::string>> rows;
+  std::map<std::tuple<std::size_t, std::size_t, std::string>, std::vector<Text>> rows;
   for (const TraineeScore& score : in.scores) {
-    std::vector<std::string>& row = rows[{score.group, score.number, score.trainee}];
+    std::vector<Text>& row = rows[{score.group, score.number, score.trainee}];
     if (row.empty()) {
       row = {in.groups[score.group].name, std::to_string(score.number), score.trainee};
-      row.resize(table.columns.size(), "missing");
+      row.resize(table.columns.size(), Text("missing"));
     }
     row[3 + score.occasion] = formatFixed(score.score, kScoreDecimals);
   }
@@ -219,17 +219,17 @@ ReportSection trainingSection(const CohortInputs& in) {
   ReportSection section;
   section.title = "Training study";
   section.paragraphs.push_back(
-      sentence({std::to_string(in.trainingRaters), " physicians marked every trainee at ",
-                std::to_string(in.occasions.size()), " scoring points on a scale from ",
-                formatFixed(pointsFromSteps(in.trainingScale.lo, in.trainingScale), 0), " to ",
-                formatFixed(pointsFromSteps(in.trainingScale.hi, in.trainingScale), 0),
-                ". A trainee's score is the plain mean of these marks."}));
+      Text("%1 physicians marked every trainee at %2 scoring points on a scale from %3 to %4. A trainee's "
+           "score is the plain mean of these marks.",
+           in.trainingRaters, in.occasions.size(),
+           formatFixed(pointsFromSteps(in.trainingScale.lo, in.trainingScale), 0),
+           formatFixed(pointsFromSteps(in.trainingScale.hi, in.trainingScale), 0)));
   if (in.trainingTimeDivisor > 1)
     section.paragraphs.push_back(
-        sentence({"Training was shortened for this demonstration: each minute of the protocol stands for ",
-                  formatFixed(60.0 / static_cast<double>(in.trainingTimeDivisor), 1),
-                  " seconds of simulated exercise (1 : ", std::to_string(in.trainingTimeDivisor), ")."}));
-  section.paragraphs.push_back(sentence({"Rests taken during training: ", std::to_string(in.rests), "."}));
+        Text("Training was shortened for this demonstration: each minute of the protocol stands for %1 "
+             "seconds of simulated exercise (1 : %2).",
+             formatFixed(60.0 / static_cast<double>(in.trainingTimeDivisor), 1), in.trainingTimeDivisor));
+  section.paragraphs.push_back(Text("Rests taken during training: %1.", in.rests));
   for (std::size_t t = 0; t < in.occasions.size(); ++t) section.figures.push_back(scoresFigure(in, t));
   section.figures.push_back(varianceFigure(in));
   section.figures.push_back(meansFigure(in));

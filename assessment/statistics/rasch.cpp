@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include "sim/base/error.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 
@@ -308,8 +309,8 @@ Outcome<RaschResult> manyFacetRasch(const Ratings& ratings, int highest) {
     return Undefined::undefined("fewer than two persons or raters have ratings that are not extreme");
   for (std::size_t k = 0; k < seen.size(); ++k)
     if (!seen[k])
-      return Undefined::undefined("category " + std::to_string(k) +
-                                  " is never used: collapse categories first");
+      return Undefined::undefined(
+          filledIn("category %1 is never used: collapse categories first", {std::to_string(k)}));
   Eigen::VectorXd x = Eigen::VectorXd::Zero(model.size());
   const std::optional<int> iterations = maximise(model, x);
   if (!iterations)

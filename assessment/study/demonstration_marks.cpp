@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 
 #include "sim/base/contracts.h"
 #include "sim/base/random.h"
+#include "sim/base/text_list.h"
 
 namespace torsio {
 
@@ -65,12 +65,6 @@ std::string decimal(double value) {
   return text;
 }
 
-std::string joined(std::initializer_list<std::string> parts) {
-  std::string text;
-  for (const std::string& part : parts) text += part;
-  return text;
-}
-
 }  // namespace
 
 std::vector<TrainingMark> demonstrationTrainingMarks(const ScoreScale& scale,
@@ -97,28 +91,20 @@ std::vector<TrainingMark> demonstrationTrainingMarks(const ScoreScale& scale,
   return marks;
 }
 
-std::string demonstrationTrainingRule() {
-  std::string text =
+Text demonstrationTrainingRule() {
+  std::vector<Text> gains;
+  for (std::size_t g = 0; g < kGroups; ++g)
+    gains.push_back(Text("group %1: %2 and %3", g + 1, decimal(kGain[g][1]), decimal(kGain[g][2])));
+  return Text(
       "Each simulated mark is the whole point nearest to baseline + gain of the group + talent of the "
-      "trainee - severity of the rater + chance, held on the scale. Baseline ";
-  text += decimal(kBaseline);
-  text += "; gains after 20 and 40 minutes:";
-  for (std::size_t g = 0; g < kGroups; ++g) {
-    text += g == 0 ? " group " : ", group ";
-    text += std::to_string(g + 1);
-    text += ": ";
-    text += decimal(kGain[g][1]);
-    text += " and ";
-    text += decimal(kGain[g][2]);
-  }
-  text += "; talent, severity and chance are normal with standard deviations ";
-  ((((text += decimal(kTalentSpread)) += ", ") += decimal(kSeveritySpread)) += " and ") +=
-      decimal(kMarkSpread);
-  text +=
-      " points; talents are centred within each group and severities over the raters. The gains were chosen "
-      "to show the pattern that the paper describes in words; they are not estimates, and no conclusion "
-      "about training may be drawn from them.";
-  return text;
+      "trainee - severity of the rater + chance, held on the scale. Baseline %1; gains after 20 and 40 "
+      "minutes: %2; talent, severity and chance are normal with standard deviations %3, %4 and %5 points; "
+      "talents are centred within each group and severities over the raters. The gains were chosen to show "
+      "the pattern that the paper describes in words; they are not estimates, and no conclusion about "
+      "training "
+      "may be drawn from them.",
+      decimal(kBaseline), listed(gains), decimal(kTalentSpread), decimal(kSeveritySpread),
+      decimal(kMarkSpread));
 }
 
 std::vector<EvaluationRating> demonstrationEvaluationMarks(const EvaluationInstrument& instrument,
@@ -147,21 +133,23 @@ std::vector<EvaluationRating> demonstrationEvaluationMarks(const EvaluationInstr
   return ratings;
 }
 
-std::string demonstrationEvaluationRule() {
-  std::string text =
-      "Each simulated mark of a model is the whole point nearest to quality of the model on the index + "
-      "shift of the rater class - severity of the rater + chance, held on the scale. Qualities for the nine "
-      "indices in order:";
+Text demonstrationEvaluationRule() {
   constexpr std::array<const char*, 3> kNames = {"PM", "FEM", "MSM"};
+  std::vector<Text> qualities;
   for (std::size_t row = 0; row < kQuality.size(); ++row) {
-    text += row == 0 ? " " : "; ";
-    text += kNames[row];
-    for (const double quality : kQuality[row]) text += joined({" ", decimal(quality)});
+    std::string line = kNames[row];
+    for (const double quality : kQuality[row]) (line += ' ') += decimal(quality);
+    qualities.emplace_back(line);
   }
-  text += "; class shifts -0.3, 0.0 and 0.2; severity and chance are normal with standard deviations ";
-  text += joined({decimal(kJudgeSpread), " and ", decimal(kJudgementSpread)});
-  text += " points. The qualities were chosen to give readable charts; they say nothing about any model.";
-  return text;
+  return Text(
+      "Each simulated mark of a model is the whole point nearest to quality of the model on the index + "
+      "shift "
+      "of the rater class - severity of the rater + chance, held on the scale. Qualities for the nine "
+      "indices "
+      "in order: %1; class shifts -0.3, 0.0 and 0.2; severity and chance are normal with standard deviations "
+      "%2 and %3 points. The qualities were chosen to give readable charts; they say nothing about any "
+      "model.",
+      listed(qualities, "%1; %2"), decimal(kJudgeSpread), decimal(kJudgementSpread));
 }
 
 }  // namespace torsio

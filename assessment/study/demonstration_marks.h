@@ -8,6 +8,7 @@
 
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/training_scores.h"
+#include "sim/base/text.h"
 
 namespace torsio {
 
@@ -25,13 +26,13 @@ struct DemonstrationPeople {
                                                                    const DemonstrationPeople& people,
                                                                    std::uint64_t seed);
 /// The rule in words, for the report.
-[[nodiscard]] std::string demonstrationTrainingRule();
+[[nodiscard]] Text demonstrationTrainingRule();
 
 /// Simulated marks of every rater for every index of every model (PM, FEM, MSM; others like MSM), whole
 /// points.
 [[nodiscard]] std::vector<EvaluationRating> demonstrationEvaluationMarks(
     const EvaluationInstrument& instrument, const DemonstrationPeople& people,
     std::span<const std::string> models, std::uint64_t seed);
-[[nodiscard]] std::string demonstrationEvaluationRule();
+[[nodiscard]] Text demonstrationEvaluationRule();
 
 }  // namespace torsio

@@ -72,16 +72,6 @@
     </message>
 </context>
 <context>
-    <name>torsio::gui::ReportPreview</name>
-    <message numerus="yes">
-        <source>%n row(s) more in the report</source>
-        <translation>
-            <numerusform>%n row more in the report</numerusform>
-            <numerusform>%n rows more in the report</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>torsio::gui::RunDayPage</name>
     <message numerus="yes">
         <source>and %n more</source>

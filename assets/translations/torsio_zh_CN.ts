@@ -3344,10 +3344,6 @@
         <translation>的场景“%1”无法识别</translation>
     </message>
     <message>
-        <source>has changed</source>
-        <translation>已更改</translation>
-    </message>
-    <message>
         <source>has neither modules nor arms</source>
         <translation>既无模块也无组别</translation>
     </message>
@@ -3434,10 +3430,6 @@
     <message>
         <source>is no JSON: %1</source>
         <translation>不是 JSON：%1</translation>
-    </message>
-    <message>
-        <source>is no longer there</source>
-        <translation>已不存在</translation>
     </message>
     <message>
         <source>is not a database, or is damaged</source>
@@ -5056,10 +5048,6 @@
         <translation>过热；力已降低</translation>
     </message>
     <message>
-        <source>was added</source>
-        <translation>被添加</translation>
-    </message>
-    <message>
         <source>was not allocated by this design</source>
         <translation>不是由此方案分组</translation>
     </message>
@@ -5094,6 +5082,2082 @@
     <message>
         <source>your curriculum has no such module</source>
         <translation>您的课程没有该模块</translation>
+    </message>
+    <message>
+        <source>female</source>
+        <translation>女</translation>
+    </message>
+    <message>
+        <source>male</source>
+        <translation>男</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>其他</translation>
+    </message>
+    <message>
+        <source>first-year graduate</source>
+        <translation>一年级研究生</translation>
+    </message>
+    <message>
+        <source>master&apos;s student</source>
+        <translation>硕士研究生</translation>
+    </message>
+    <message>
+        <source>doctoral student</source>
+        <translation>博士研究生</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>学历</translation>
+    </message>
+    <message>
+        <source>experience</source>
+        <translation>经验</translation>
+    </message>
+    <message>
+        <source>complete permutation</source>
+        <translation>全体随机排列</translation>
+    </message>
+    <message>
+        <source>permuted blocks</source>
+        <translation>置换区组</translation>
+    </message>
+    <message>
+        <source>stratified blocks</source>
+        <translation>分层区组</translation>
+    </message>
+    <message>
+        <source>minimisation</source>
+        <translation>最小化法</translation>
+    </message>
+    <message>
+        <source>mt19937_64, bounded by rejection, Fisher-Yates from the back</source>
+        <translation>mt19937_64，拒绝法取界，自末位的 Fisher-Yates 洗牌</translation>
+    </message>
+    <message>
+        <source>late</source>
+        <translation>迟到</translation>
+    </message>
+    <message>
+        <source>absent</source>
+        <translation>缺席</translation>
+    </message>
+    <message>
+        <source>device failed</source>
+        <translation>设备故障</translation>
+    </message>
+    <message>
+        <source>swapped</source>
+        <translation>已互换</translation>
+    </message>
+    <message>
+        <source>phase cut short</source>
+        <translation>阶段提前结束</translation>
+    </message>
+    <message>
+        <source>phase too long</source>
+        <translation>阶段过长</translation>
+    </message>
+    <message>
+        <source>rest too long</source>
+        <translation>休息过长</translation>
+    </message>
+    <message>
+        <source>available-case</source>
+        <translation>按可用数据</translation>
+    </message>
+    <message>
+        <source>list-wise</source>
+        <translation>成列删除</translation>
+    </message>
+    <message>
+        <source>renormalised</source>
+        <translation>重新归一化</translation>
+    </message>
+    <message>
+        <source>few raters</source>
+        <translation>评分者过少</translation>
+    </message>
+    <message>
+        <source>Demonstration centre (simulated)</source>
+        <translation>演示中心（模拟）</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>论文</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1、%2</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1；%2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>%1 %2 (weight %3)</source>
+        <translation>%1 %2（权重 %3）</translation>
+    </message>
+    <message>
+        <source>%1 %2 has changed</source>
+        <translation>%1 %2 已改变</translation>
+    </message>
+    <message>
+        <source>%1 %2 is no longer there</source>
+        <translation>%1 %2 已不存在</translation>
+    </message>
+    <message>
+        <source>%1 %2 was added</source>
+        <translation>%1 %2 为新增</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1，由 %2 冻结</translation>
+    </message>
+    <message>
+        <source>%1 deviations from the protocol were reported: %2.</source>
+        <translation>共报告 %1 次方案偏离：%2。</translation>
+    </message>
+    <message>
+        <source>%1 is in a group that no record tells of</source>
+        <translation>%1 所在的组没有任何分组记录</translation>
+    </message>
+    <message>
+        <source>%1 is left out: it has fewer than %2 trainees.</source>
+        <translation>%1 未列出：该组学员少于 %2 人。</translation>
+    </message>
+    <message>
+        <source>%1 marks could not be given and carry a reason; they count as missing.</source>
+        <translation>有 %1 个评分无法给出并注明了理由；按缺失处理。</translation>
+    </message>
+    <message>
+        <source>%1 physicians marked every trainee at %2 scoring points on a scale from %3 to %4. A trainee&apos;s score is the plain mean of these marks.</source>
+        <translation>%1 名医师在 %2 个评分点按 %3 至 %4 分对每名学员评分。学员得分为这些评分的算术平均值。</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>%1 trainees were allocated to %2 groups</source>
+        <translation>%1 名学员被随机分入 %2 组</translation>
+    </message>
+    <message>
+        <source>%1 trainees were allocated to %2 groups; %3 more were enrolled and are in no group</source>
+        <translation>%1 名学员被随机分入 %2 组；另有 %3 名已登记但尚未分组</translation>
+    </message>
+    <message>
+        <source>%1 trials were recorded, %2 minutes and %3 samples in all; samples not recorded: %4; late ticks: %5.</source>
+        <translation>共记录 %1 次操作，合计 %2 分钟、%3 个采样；未记录的采样：%4；超时周期：%5。</translation>
+    </message>
+    <message>
+        <source>%1, seed %2</source>
+        <translation>%1，种子 %2</translation>
+    </message>
+    <message>
+        <source>%1, seed sealed</source>
+        <translation>%1，种子已封存</translation>
+    </message>
+    <message>
+        <source>%1, the same in every run</source>
+        <translation>%1，每次运行均相同</translation>
+    </message>
+    <message>
+        <source>%1. Method: %2; generator: %3; seed: %4.</source>
+        <translation>%1。方法：%2；随机数发生器：%3；种子：%4。</translation>
+    </message>
+    <message>
+        <source>%1: high</source>
+        <translation>%1：上限</translation>
+    </message>
+    <message>
+        <source>%1: low</source>
+        <translation>%1：下限</translation>
+    </message>
+    <message>
+        <source>1 is perfect agreement; 0 is what marks by chance would give.</source>
+        <translation>1 表示完全一致；0 表示与随机评分无异。</translation>
+    </message>
+    <message>
+        <source>A row that is lighter or darker all along is a rater who is stricter or more lenient. An empty cell is a mark that was not given.</source>
+        <translation>整行偏浅或偏深，说明该评分者较严或较宽。空格表示未给出评分。</translation>
+    </message>
+    <message>
+        <source>A second look beside the analysis of covariance, which is the primary one. Gains are ranked as whole numbers.</source>
+        <translation>作为主要分析（协方差分析）之外的补充分析。提高值按整数排秩。</translation>
+    </message>
+    <message>
+        <source>A twist within the tolerance counts as success. Adequate: a failure rate of %1 against %2; a trainee whose sum reaches %3 is held to be adequate. Sums cannot fall below zero.</source>
+        <translation>扭转误差在容差以内计为成功。合格标准：失败率 %1，对照 %2；累积和达到 %3 的学员判为合格。累积和不低于零。</translation>
+    </message>
+    <message>
+        <source>Adequate at twist</source>
+        <translation>达到合格的扭转序号</translation>
+    </message>
+    <message>
+        <source>Agreement and comparisons</source>
+        <translation>一致性与组间比较</translation>
+    </message>
+    <message>
+        <source>Agreement of the raters at each scoring point</source>
+        <translation>各评分点的评分者间一致性</translation>
+    </message>
+    <message>
+        <source>Agreement of the raters with 95 % intervals</source>
+        <translation>评分者间一致性及 95 % 置信区间</translation>
+    </message>
+    <message>
+        <source>All people and marks in this report are simulated. No conclusion about training, trainees or models may be drawn from it.</source>
+        <translation>本报告中的人员和评分均为模拟，不得据此对训练、学员或模型得出任何结论。</translation>
+    </message>
+    <message>
+        <source>Allocated</source>
+        <translation>已分组</translation>
+    </message>
+    <message>
+        <source>Allocation</source>
+        <translation>随机分组</translation>
+    </message>
+    <message>
+        <source>Allocation commitment</source>
+        <translation>分组承诺值</translation>
+    </message>
+    <message>
+        <source>Angle error by twist, mean of the trainees with 95 % interval</source>
+        <translation>各次扭转的角度误差：学员均值及 95 % 置信区间</translation>
+    </message>
+    <message>
+        <source>Bland and Altman against the mean of the others, last scoring point</source>
+        <translation>末次评分点，与其余评分者均值的 Bland-Altman 分析</translation>
+    </message>
+    <message>
+        <source>Bland and Altman, each rater against the mean of the others</source>
+        <translation>Bland-Altman 分析，各评分者与其余评分者均值比较</translation>
+    </message>
+    <message>
+        <source>Block sizes</source>
+        <translation>区组大小</translation>
+    </message>
+    <message>
+        <source>Boxes end at the quartiles (rule: Hyndman and Fan type 7); whiskers reach the most extreme value within 1.5 interquartile ranges of the box; values beyond are drawn singly; the separate mark is the mean.</source>
+        <translation>箱体两端为四分位数（Hyndman-Fan 第 7 型）；须线延伸至距箱体 1.5 倍四分位距以内的最远值；超出者单独绘出；单独的标记为均值。</translation>
+    </message>
+    <message>
+        <source>By level</source>
+        <translation>按学历</translation>
+    </message>
+    <message>
+        <source>By sex</source>
+        <translation>按性别</translation>
+    </message>
+    <message>
+        <source>Category</source>
+        <translation>类别</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>中心</translation>
+    </message>
+    <message>
+        <source>Changed since the freeze</source>
+        <translation>冻结后的改变</translation>
+    </message>
+    <message>
+        <source>Check of the draw</source>
+        <translation>抽签核对</translation>
+    </message>
+    <message>
+        <source>Check the data that the report is made from.</source>
+        <translation>请检查生成报告所用的数据。</translation>
+    </message>
+    <message>
+        <source>Chi-squared(%1) = %2, %3; Kendall W = %4 over %5 raters.</source>
+        <translation>χ²(%1) = %2，%3；%5 名评分者的 Kendall W = %4。</translation>
+    </message>
+    <message>
+        <source>Choose 0.8.</source>
+        <translation>请选择 0.8。</translation>
+    </message>
+    <message>
+        <source>Choose permuted blocks, or enrol equal arms.</source>
+        <translation>请选择置换区组，或使各组人数相等。</translation>
+    </message>
+    <message>
+        <source>Cohort</source>
+        <translation>批次</translation>
+    </message>
+    <message>
+        <source>Commitment published before enrolment: %1. %2</source>
+        <translation>登记前公布的承诺值：%1。%2</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Comprehensive score N of each model</source>
+        <translation>各模型的综合得分 N</translation>
+    </message>
+    <message>
+        <source>Comprehensive score N: %1.</source>
+        <translation>综合得分 N：%1。</translation>
+    </message>
+    <message>
+        <source>Comprehensive score given by each rater of the class %1</source>
+        <translation>%1类各评分者给出的综合得分</translation>
+    </message>
+    <message>
+        <source>Comprehensive scores of all raters</source>
+        <translation>全体评分者的综合得分</translation>
+    </message>
+    <message>
+        <source>Content hash</source>
+        <translation>内容哈希</translation>
+    </message>
+    <message>
+        <source>Corresponds to Fig. %1 of the paper. A score is the mean over the raters; the test is on the real arm.</source>
+        <translation>对应论文图 %1。得分为各评分者评分的均值；考核在实物臂上进行。</translation>
+    </message>
+    <message>
+        <source>Corresponds to Fig. 15 of the paper. The mark in each range is the class-weighted mean M.</source>
+        <translation>对应论文图 15。各范围内的标记为类别加权均值 M。</translation>
+    </message>
+    <message>
+        <source>Corresponds to Fig. 16 of the paper.</source>
+        <translation>对应论文图 16。</translation>
+    </message>
+    <message>
+        <source>Corresponds to Fig. 17 of the paper. The centre is the class-weighted mean M, not the plain mean, and every rater counts once; the value is the population variance plus the squared distance between the two means.</source>
+        <translation>对应论文图 17。以类别加权均值 M 而非算术均值为中心，每名评分者计一次；其值等于总体方差加上两均值之差的平方。</translation>
+    </message>
+    <message>
+        <source>Corresponds to Fig. 18 of the paper: %1 only, one point a rater and model.</source>
+        <translation>对应论文图 18：仅含%1，每名评分者、每个模型一个点。</translation>
+    </message>
+    <message>
+        <source>Corresponds to Fig. 19 of the paper. Eq. 27 gives one number for each model; what is drawn is the distribution of the scores that Eq. 27 gives for each single rater.</source>
+        <translation>对应论文图 19。式 (27) 对每个模型给出一个数；图中为按式 (27) 逐一计算的各评分者得分的分布。</translation>
+    </message>
+    <message>
+        <source>Corresponds to Fig. 23 of the paper, which does not define its variance. Drawn is the variance of the trainee scores of a group about their mean, divisor n; the table gives two other readings.</source>
+        <translation>对应论文图 23，论文未定义其方差。图中为组内学员得分围绕组均值的方差，除数为 n；表中另列两种算法。</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>数量</translation>
+    </message>
+    <message>
+        <source>Course of every trainee, %1 (%2)</source>
+        <translation>各学员的得分变化，%1（%2）</translation>
+    </message>
+    <message>
+        <source>Course of the groups over the scoring points</source>
+        <translation>各组随评分点的变化</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION DATA - SIMULATED</source>
+        <translation>演示数据（模拟）</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom</source>
+        <translation>自由度</translation>
+    </message>
+    <message>
+        <source>Demonstration data: nothing in it is a result.</source>
+        <translation>演示数据：其中任何内容都不是研究结果。</translation>
+    </message>
+    <message>
+        <source>Demonstration with simulated people and marks</source>
+        <translation>使用模拟人员与评分的演示</translation>
+    </message>
+    <message>
+        <source>Demonstration: the people, their movements and all marks in this report are simulated. Nothing in it is a result about real trainees.</source>
+        <translation>演示数据：本报告中的人员、动作和全部评分均为模拟，其中任何内容都不是关于真实学员的结果。</translation>
+    </message>
+    <message>
+        <source>Design of the allocation</source>
+        <translation>分组方案</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>方案偏离</translation>
+    </message>
+    <message>
+        <source>Deviations from the protocol</source>
+        <translation>方案偏离明细</translation>
+    </message>
+    <message>
+        <source>Difference [95 %]</source>
+        <translation>差值 [95 %]</translation>
+    </message>
+    <message>
+        <source>Difference of mean ranks</source>
+        <translation>平均秩次之差</translation>
+    </message>
+    <message>
+        <source>Differences between the groups at the end, adjusted for the score before</source>
+        <translation>训练结束时的组间差值（按训练前得分校正）</translation>
+    </message>
+    <message>
+        <source>Each mark against the other raters, last scoring point</source>
+        <translation>末次评分点：各评分与其余评分者的比较</translation>
+    </message>
+    <message>
+        <source>Each rater scored every model on %1 indices from %2 to %3 points. Raters: %4.</source>
+        <translation>每名评分者按 %1 项指标对各模型评分，每项 %2 至 %3 分。评分者：%4。</translation>
+    </message>
+    <message>
+        <source>Each simulated mark is the whole point nearest to baseline + gain of the group + talent of the trainee - severity of the rater + chance, held on the scale. Baseline %1; gains after 20 and 40 minutes: %2; talent, severity and chance are normal with standard deviations %3, %4 and %5 points; talents are centred within each group and severities over the raters. The gains were chosen to show the pattern that the paper describes in words; they are not estimates, and no conclusion about training may be drawn from them.</source>
+        <translation>每个模拟评分为下式取最近整数并限于量表之内：基线 + 组的提高值 + 学员天赋 - 评分者严格度 + 随机项。基线 %1；20 分钟和 40 分钟后的提高值：%2；天赋、严格度和随机项服从正态分布，标准差分别为 %3、%4 和 %5 分；天赋在组内居中，严格度在评分者间居中。提高值按论文的文字描述选定，仅用于显示其趋势；它们不是估计值，不得据此对训练得出任何结论。</translation>
+    </message>
+    <message>
+        <source>Each simulated mark of a model is the whole point nearest to quality of the model on the index + shift of the rater class - severity of the rater + chance, held on the scale. Qualities for the nine indices in order: %1; class shifts -0.3, 0.0 and 0.2; severity and chance are normal with standard deviations %2 and %3 points. The qualities were chosen to give readable charts; they say nothing about any model.</source>
+        <translation>每个模型的模拟评分为下式取最近整数并限于量表之内：模型在该指标上的质量 + 评分者类别的偏移 - 评分者严格度 + 随机项。九项指标的质量依次为：%1；类别偏移为 -0.3、0.0 和 0.2；严格度和随机项服从正态分布，标准差分别为 %2 和 %3 分。质量值仅为使图表易读而选定，不说明任何模型的优劣。</translation>
+    </message>
+    <message>
+        <source>Each trainee is fitted alone; eight twists are the fewest for a curve with three parameters.</source>
+        <translation>每名学员单独拟合；含三个参数的曲线至少需要八次扭转。</translation>
+    </message>
+    <message>
+        <source>Earlier designs</source>
+        <translation>此前的方案</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>效应</translation>
+    </message>
+    <message>
+        <source>Effect of the group: F(%1, %2) = %3, %4. Adjusted means: %5.</source>
+        <translation>组别效应：F(%1, %2) = %3，%4。校正均值：%5。</translation>
+    </message>
+    <message>
+        <source>Enrol each person once; analyse as allocated.</source>
+        <translation>每人只登记一次；按分组结果分析。</translation>
+    </message>
+    <message>
+        <source>Eq. 25</source>
+        <translation>式 (25)</translation>
+    </message>
+    <message>
+        <source>Eq. 26</source>
+        <translation>式 (26)</translation>
+    </message>
+    <message>
+        <source>Eq. 27</source>
+        <translation>式 (27)</translation>
+    </message>
+    <message>
+        <source>Eq. 27 for one rater</source>
+        <translation>单个评分者的式 (27)</translation>
+    </message>
+    <message>
+        <source>Eq. 27 for one rater; quantiles of type 7</source>
+        <translation>单个评分者的式 (27)；第 7 型分位数</translation>
+    </message>
+    <message>
+        <source>Eqs. 25 and 26</source>
+        <translation>式 (25)、(26)</translation>
+    </message>
+    <message>
+        <source>Error left in the end (deg)</source>
+        <translation>最终残余误差 (°)</translation>
+    </message>
+    <message>
+        <source>Evaluated models</source>
+        <translation>被评价的模型</translation>
+    </message>
+    <message>
+        <source>Evaluation formulas</source>
+        <translation>评价公式</translation>
+    </message>
+    <message>
+        <source>Evaluation of models</source>
+        <translation>模型评价</translation>
+    </message>
+    <message>
+        <source>Evaluation of the models</source>
+        <translation>模型评价</translation>
+    </message>
+    <message>
+        <source>Every submitted mark and every recording is sealed in the record; a trial can be replayed and compared bit for bit (torsio replay TRIAL --verify).</source>
+        <translation>每个已提交的评分和每份录制都封存在记录库中；操作可以回放并逐位比对（torsio replay TRIAL --verify）。</translation>
+    </message>
+    <message>
+        <source>First group minus second group. An interval that crosses zero leaves the direction open.</source>
+        <translation>前一组减后一组。区间跨过零时，差异方向尚不能确定。</translation>
+    </message>
+    <message>
+        <source>Flags</source>
+        <translation>标志</translation>
+    </message>
+    <message>
+        <source>Flow of participants</source>
+        <translation>参与者流程</translation>
+    </message>
+    <message>
+        <source>Friedman on the raters&apos; own comprehensive scores</source>
+        <translation>对各评分者综合得分的 Friedman 检验</translation>
+    </message>
+    <message>
+        <source>From every trainee&apos;s scores back to marks and recordings</source>
+        <translation>由各学员得分追溯到评分与录制</translation>
+    </message>
+    <message>
+        <source>Frozen</source>
+        <translation>冻结时间</translation>
+    </message>
+    <message>
+        <source>Frozen data set</source>
+        <translation>冻结数据集</translation>
+    </message>
+    <message>
+        <source>Frozen data set, content hash</source>
+        <translation>冻结数据集的内容哈希</translation>
+    </message>
+    <message>
+        <source>Gain from before to the end, by ranks</source>
+        <translation>训练前至结束的提高值（秩检验）</translation>
+    </message>
+    <message>
+        <source>Generalised eta squared</source>
+        <translation>广义 η²</translation>
+    </message>
+    <message>
+        <source>Give en or zh_CN</source>
+        <translation>请给出 en 或 zh_CN</translation>
+    </message>
+    <message>
+        <source>Give multiples of the number of arms.</source>
+        <translation>请给出组数的整数倍。</translation>
+    </message>
+    <message>
+        <source>Give one or more block sizes.</source>
+        <translation>请给出一个或多个区组大小。</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>组别</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>第 %1 组</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>组数</translation>
+    </message>
+    <message>
+        <source>Groups are compared by an analysis of covariance: the score at the end, adjusted for the score before, one pooled slope; the trainee is the unit. Effect sizes are Hedges g with intervals from the noncentral t distribution. Agreement of raters is the intraclass correlation for absolute agreement (Shrout and Fleiss) and Krippendorff&apos;s alpha. Severity is a rater&apos;s mean distance from the other raters. Learning is judged by LC-CUSUM on twists within the tolerance.</source>
+        <translation>组间比较采用协方差分析：以训练前得分校正结束时得分，共用一个斜率；以学员为分析单位。效应量为 Hedges g，其区间由非中心 t 分布得出。评分者间一致性采用绝对一致的组内相关系数（Shrout 与 Fleiss）和 Krippendorff α。严格度为该评分者与其余评分者的平均差。学习效果以容差内扭转的 LC-CUSUM 判定。</translation>
+    </message>
+    <message>
+        <source>Groups are not compared: scores are missing at some scoring point.</source>
+        <translation>未作组间比较：某些评分点缺少得分。</translation>
+    </message>
+    <message>
+        <source>Groups of ten detect only very large differences: with two groups of ten, a two-sided test at 5 % has a power of 0.40 for a difference of 0.8 standard deviations. A difference that is not significant is no evidence of equality.</source>
+        <translation>每组十人只能检出很大的差异：两组各十人、双侧 5 % 检验时，对 0.8 个标准差的差异检验效能为 0.40。差异不显著不能说明两组相等。</translation>
+    </message>
+    <message>
+        <source>Hash of the source</source>
+        <translation>来源的哈希</translation>
+    </message>
+    <message>
+        <source>Hedges g</source>
+        <translation>Hedges g</translation>
+    </message>
+    <message>
+        <source>Hedges g [95 %]</source>
+        <translation>Hedges g [95 %]</translation>
+    </message>
+    <message>
+        <source>Hedges g of the end scores [95 %]</source>
+        <translation>结束时得分的 Hedges g [95 %]</translation>
+    </message>
+    <message>
+        <source>Hedges g, interval from the noncentral t distribution</source>
+        <translation>Hedges g，区间由非中心 t 分布得出</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>最高</translation>
+    </message>
+    <message>
+        <source>ICC(2,1) [95 %]</source>
+        <translation>ICC(2,1) [95 %]</translation>
+    </message>
+    <message>
+        <source>ICC(2,1), one rater</source>
+        <translation>ICC(2,1)，单个评分者</translation>
+    </message>
+    <message>
+        <source>ICC(2,k) [95 %]</source>
+        <translation>ICC(2,k) [95 %]</translation>
+    </message>
+    <message>
+        <source>ICC(2,k), mean of all raters</source>
+        <translation>ICC(2,k)，全体评分者均值</translation>
+    </message>
+    <message>
+        <source>ICC: absolute agreement, raters as a random sample; (2,1) for one rater, (2,k) for the mean over all, which is the reported score. Alpha with the interval metric. A group that is much alike gives a low coefficient even when raters agree well: look at the standard error of measurement (SEM).</source>
+        <translation>ICC：组内相关系数，绝对一致，评分者视为随机样本；(2,1) 针对单个评分者，(2,k) 针对全体均值，即所报告的得分。α 采用等距度量。若各学员水平相近，即使评分者一致性好，系数也会偏低：此时请看测量标准误 (SEM)。</translation>
+    </message>
+    <message>
+        <source>Index</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>Interrupted trials</source>
+        <translation>中断的操作</translation>
+    </message>
+    <message>
+        <source>Item</source>
+        <translation>项目</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Krippendorff alpha</source>
+        <translation>Krippendorff α</translation>
+    </message>
+    <message>
+        <source>Kruskal-Wallis H = %1, %2, epsilon squared %3.</source>
+        <translation>Kruskal-Wallis H = %1，%2，ε² = %3。</translation>
+    </message>
+    <message>
+        <source>Kruskal-Wallis, Dunn with Holm, exact Mann-Whitney</source>
+        <translation>Kruskal-Wallis 检验，Dunn 检验（Holm 校正），Mann-Whitney 精确检验</translation>
+    </message>
+    <message>
+        <source>LC-CUSUM of every trainee</source>
+        <translation>各学员的 LC-CUSUM</translation>
+    </message>
+    <message>
+        <source>LC-CUSUM, Biau and Porcher 2010</source>
+        <translation>LC-CUSUM，Biau 与 Porcher 2010</translation>
+    </message>
+    <message>
+        <source>Learning</source>
+        <translation>学习过程</translation>
+    </message>
+    <message>
+        <source>Learning of every trainee on the simulator</source>
+        <translation>各学员在模拟器上的学习过程</translation>
+    </message>
+    <message>
+        <source>Learning; Recorded trials</source>
+        <translation>学习过程；操作记录</translation>
+    </message>
+    <message>
+        <source>Limits of agreement, last scoring point</source>
+        <translation>一致性界限（末次评分点）</translation>
+    </message>
+    <message>
+        <source>Limits: mean difference plus and minus 1.96 standard deviations, %1 to %2 points.</source>
+        <translation>界限：平均差 ± 1.96 个标准差，%1 至 %2 分。</translation>
+    </message>
+    <message>
+        <source>List its levels.</source>
+        <translation>请列出其水平。</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>锁定时间</translation>
+    </message>
+    <message>
+        <source>Lower quartile</source>
+        <translation>下四分位数</translation>
+    </message>
+    <message>
+        <source>Lower whisker</source>
+        <translation>下须</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>最低</translation>
+    </message>
+    <message>
+        <source>Lowest, weighted mean and highest score of each index</source>
+        <translation>各指标的最低分、加权均值和最高分</translation>
+    </message>
+    <message>
+        <source>M (Eq. 25)</source>
+        <translation>M（式 25）</translation>
+    </message>
+    <message>
+        <source>M (Eq. 25) is the sum over rater classes of the class weight times the class mean. s2 (Eq. 26) is the mean squared distance of all raters&apos; marks from M, with divisor n; it is not the usual variance, because its centre is the weighted mean. N (Eq. 27) is the sum over indices of the index weight times M.</source>
+        <translation>M（式 25）为各评分者类别的权重与类别均值乘积之和。s²（式 26）为全体评分者评分与 M 之差的平方的平均，除数为 n；因以加权均值为中心，它不同于通常的方差。N（式 27）为各指标权重与 M 乘积之和。</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>生成时间</translation>
+    </message>
+    <message>
+        <source>Marked %1</source>
+        <translation>%1评分</translation>
+    </message>
+    <message>
+        <source>Marks</source>
+        <translation>评分数</translation>
+    </message>
+    <message>
+        <source>Marks are whole steps of the scale; M, s2 and N are computed in whole numbers and rounded once, so the tables do not depend on the order of the raters.</source>
+        <translation>评分为量表的整数级；M、s² 和 N 以整数计算并只舍入一次，因此各表与评分者的先后顺序无关。</translation>
+    </message>
+    <message>
+        <source>Marks behind the scores</source>
+        <translation>得分所依据的评分数</translation>
+    </message>
+    <message>
+        <source>Marks by trainee and rater, last scoring point</source>
+        <translation>末次评分点各学员、各评分者的评分</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>均值</translation>
+    </message>
+    <message>
+        <source>Mean absolute angle error (deg)</source>
+        <translation>平均绝对角度误差 (°)</translation>
+    </message>
+    <message>
+        <source>Mean error, first half (deg)</source>
+        <translation>前半程平均误差 (°)</translation>
+    </message>
+    <message>
+        <source>Mean of raters, by class weight</source>
+        <translation>评分者均值（按类别加权）</translation>
+    </message>
+    <message>
+        <source>Mean peak force (N)</source>
+        <translation>平均峰值力 (N)</translation>
+    </message>
+    <message>
+        <source>Mean peak torque (N m)</source>
+        <translation>平均峰值扭矩 (N m)</translation>
+    </message>
+    <message>
+        <source>Mean rank (1 is lowest)</source>
+        <translation>平均秩次（1 为最低）</translation>
+    </message>
+    <message>
+        <source>Mean real (min)</source>
+        <translation>实物训练均值 (min)</translation>
+    </message>
+    <message>
+        <source>Mean score before</source>
+        <translation>训练前平均得分</translation>
+    </message>
+    <message>
+        <source>Mean score by class of raters</source>
+        <translation>各类评分者的平均分</translation>
+    </message>
+    <message>
+        <source>Mean score of each group over the study</source>
+        <translation>研究期间各组平均得分</translation>
+    </message>
+    <message>
+        <source>Mean variance between raters, divisor n - 1</source>
+        <translation>评分者间平均方差（除数 n - 1）</translation>
+    </message>
+    <message>
+        <source>Mean virtual (min)</source>
+        <translation>虚拟训练均值 (min)</translation>
+    </message>
+    <message>
+        <source>Means are taken over trials. Measured by the simulator; the marks of the physicians are separate.</source>
+        <translation>按操作次数取均值。由模拟器测得；医师的评分另计。</translation>
+    </message>
+    <message>
+        <source>Measured by the simulator, twist by twist, in the order of the recordings. The marks of the physicians are a separate matter.</source>
+        <translation>由模拟器按录制顺序逐次扭转测得。医师的评分另行分析。</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>中位数</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Methods and limits</source>
+        <translation>方法与局限</translation>
+    </message>
+    <message>
+        <source>Minutes</source>
+        <translation>分钟</translation>
+    </message>
+    <message>
+        <source>Minutes recorded</source>
+        <translation>记录分钟数</translation>
+    </message>
+    <message>
+        <source>Missing marks: %1.</source>
+        <translation>缺失评分：%1。</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>Model %1: exact values by index</source>
+        <translation>模型 %1：各指标的精确值</translation>
+    </message>
+    <message>
+        <source>Moved by hand, with a reason</source>
+        <translation>人工调整（有理由）</translation>
+    </message>
+    <message>
+        <source>N (Eq. 27)</source>
+        <translation>N（式 27）</translation>
+    </message>
+    <message>
+        <source>Name a factor with its levels.</source>
+        <translation>请指定一个因素及其水平。</translation>
+    </message>
+    <message>
+        <source>Name at least two arms.</source>
+        <translation>请至少指定两个组。</translation>
+    </message>
+    <message>
+        <source>No deviation from the protocol was reported.</source>
+        <translation>没有报告方案偏离。</translation>
+    </message>
+    <message>
+        <source>No test of baseline differences is shown: allocation was random, so any difference is due to chance.</source>
+        <translation>不列基线差异检验：分组是随机的，任何差异均属偶然。</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>序号</translation>
+    </message>
+    <message>
+        <source>Offset [95 %], all scoring points</source>
+        <translation>偏差 [95 %]，全部评分点</translation>
+    </message>
+    <message>
+        <source>Offsets are taken against the mean of the other raters; a mean that contains the rater would agree by construction.</source>
+        <translation>偏差相对于其余评分者的均值计算；若均值包含该评分者本人，必然趋于一致。</translation>
+    </message>
+    <message>
+        <source>On target</source>
+        <translation>达标</translation>
+    </message>
+    <message>
+        <source>Order of the models over all raters</source>
+        <translation>全体评分者对模型的排序</translation>
+    </message>
+    <message>
+        <source>Organ of the training</source>
+        <translation>训练器官</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation>须线之外</translation>
+    </message>
+    <message>
+        <source>P(first &gt; second)</source>
+        <translation>P(前者 &gt; 后者)</translation>
+    </message>
+    <message>
+        <source>Part of the report</source>
+        <translation>报告部分</translation>
+    </message>
+    <message>
+        <source>Participants and allocation</source>
+        <translation>参与者与随机分组</translation>
+    </message>
+    <message>
+        <source>Participants by group</source>
+        <translation>各组参与者</translation>
+    </message>
+    <message>
+        <source>People allocated</source>
+        <translation>已分组人数</translation>
+    </message>
+    <message>
+        <source>People are shown</source>
+        <translation>人员显示方式</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>阶段</translation>
+    </message>
+    <message>
+        <source>Plain mean</source>
+        <translation>算术均值</translation>
+    </message>
+    <message>
+        <source>Plan a new list; the old one stays as it is.</source>
+        <translation>请另建新的分组表；旧表保持不变。</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>方案</translation>
+    </message>
+    <message>
+        <source>Provenance</source>
+        <translation>数据来源</translation>
+    </message>
+    <message>
+        <source>Rater</source>
+        <translation>评分者</translation>
+    </message>
+    <message>
+        <source>Raters</source>
+        <translation>评分者</translation>
+    </message>
+    <message>
+        <source>Raters are shown by code, for the organisers of the study; this is no ranking.</source>
+        <translation>评分者以代码显示，供研究组织者参考；并非排名。</translation>
+    </message>
+    <message>
+        <source>Raters beside each other</source>
+        <translation>评分者对照</translation>
+    </message>
+    <message>
+        <source>Raters with all marks</source>
+        <translation>评分完整的评分者数</translation>
+    </message>
+    <message>
+        <source>Ratings were not blinded: raters knew the group or the model, and interns were users and raters at once, so marks are not independent of each other.</source>
+        <translation>评分未设盲：评分者知道组别或模型，实习医师既是使用者又是评分者，因此评分之间并不独立。</translation>
+    </message>
+    <message>
+        <source>Record compared with it</source>
+        <translation>当前记录与其比较</translation>
+    </message>
+    <message>
+        <source>Record every factor before allocation.</source>
+        <translation>请在分组前记录全部因素。</translation>
+    </message>
+    <message>
+        <source>Recorded trials</source>
+        <translation>操作记录</translation>
+    </message>
+    <message>
+        <source>Recorded trials by group and phase</source>
+        <translation>各组、各阶段的操作记录</translation>
+    </message>
+    <message>
+        <source>Recordings (first eight digits of the trial)</source>
+        <translation>录制（操作编号的前八位）</translation>
+    </message>
+    <message>
+        <source>Rest in all (min)</source>
+        <translation>休息合计 (min)</translation>
+    </message>
+    <message>
+        <source>Rest stops the clock of the training phases.</source>
+        <translation>休息时训练阶段停止计时。</translation>
+    </message>
+    <message>
+        <source>Rests taken during training: %1.</source>
+        <translation>训练期间休息次数：%1。</translation>
+    </message>
+    <message>
+        <source>SE</source>
+        <translation>标准误</translation>
+    </message>
+    <message>
+        <source>SE of M</source>
+        <translation>M 的标准误</translation>
+    </message>
+    <message>
+        <source>SEM (points)</source>
+        <translation>SEM（分）</translation>
+    </message>
+    <message>
+        <source>Sample variance</source>
+        <translation>样本方差</translation>
+    </message>
+    <message>
+        <source>Scores at the end, adjusted for the score before</source>
+        <translation>结束时得分（按训练前得分校正）</translation>
+    </message>
+    <message>
+        <source>Scores of the trainees %1</source>
+        <translation>%1各学员的得分</translation>
+    </message>
+    <message>
+        <source>Scoring point</source>
+        <translation>评分点</translation>
+    </message>
+    <message>
+        <source>Second half (deg)</source>
+        <translation>后半程 (°)</translation>
+    </message>
+    <message>
+        <source>Second organ</source>
+        <translation>第二器官</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>种子</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>系列</translation>
+    </message>
+    <message>
+        <source>Severity of the raters</source>
+        <translation>评分者的严格度</translation>
+    </message>
+    <message>
+        <source>Shrout and Fleiss ICC(2,1), ICC(2,k)</source>
+        <translation>Shrout-Fleiss 组内相关系数 ICC(2,1)、ICC(2,k)</translation>
+    </message>
+    <message>
+        <source>Shrout and Fleiss ICC(2,1), ICC(2,k); Krippendorff alpha</source>
+        <translation>Shrout-Fleiss 组内相关系数 ICC(2,1)、ICC(2,k)；Krippendorff α</translation>
+    </message>
+    <message>
+        <source>Simulated date</source>
+        <translation>模拟日期</translation>
+    </message>
+    <message>
+        <source>Since then</source>
+        <translation>冻结之后</translation>
+    </message>
+    <message>
+        <source>Single marks are not shown. The role that made this report sees them, under codes, once every rater has submitted and the data set is frozen.</source>
+        <translation>不显示单个评分。待全体评分者提交且数据集冻结后，生成本报告的角色才能以代码形式查看。</translation>
+    </message>
+    <message>
+        <source>Software</source>
+        <translation>软件</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>Standardised differences of the scores at the end</source>
+        <translation>结束时得分的标准化差值（效应量）</translation>
+    </message>
+    <message>
+        <source>Strata or margins</source>
+        <translation>分层或边际因素</translation>
+    </message>
+    <message>
+        <source>Strictest first. Scores are not corrected for severity: every trainee is marked by the same raters, so that it does not change their order.</source>
+        <translation>最严者在前。得分未按严格度校正：每名学员由相同的评分者评分，不影响学员的排序。</translation>
+    </message>
+    <message>
+        <source>Surgical twist skills</source>
+        <translation>外科扭转操作技能</translation>
+    </message>
+    <message>
+        <source>Test of equal slopes not defined: %1.</source>
+        <translation>斜率相等检验无定义：%1。</translation>
+    </message>
+    <message>
+        <source>Test of equal slopes: %1.</source>
+        <translation>斜率相等检验：%1。</translation>
+    </message>
+    <message>
+        <source>The %1 values drawn are too many to print here; the program shows them under Results.</source>
+        <translation>图中 %1 个数值过多，不在此列出；可在程序的“结果”页查看。</translation>
+    </message>
+    <message>
+        <source>The analysis of covariance is the primary comparison; the others are given beside it. The trainee is the unit of analysis. p values are adjusted by Holm&apos;s method where it is said.</source>
+        <translation>协方差分析为主要比较，其余分析为补充。以学员为分析单位。注明之处的 p 值经 Holm 法校正。</translation>
+    </message>
+    <message>
+        <source>The evaluation of the models is left out: a class has fewer than %1 raters.</source>
+        <translation>模型评价未列出：有一类评分者少于 %1 人。</translation>
+    </message>
+    <message>
+        <source>The first 16 digits of each content hash; the whole hashes stand in the table of numbers (CSV).</source>
+        <translation>各内容哈希的前 16 位；完整哈希见数据表 (CSV)。</translation>
+    </message>
+    <message>
+        <source>The interaction is the question; everybody improves with time. Greenhouse-Geisser epsilon %1.</source>
+        <translation>关注的是交互作用；随时间推移所有人都会提高。Greenhouse-Geisser ε = %1。</translation>
+    </message>
+    <message>
+        <source>The marks are simulated. The tables show what is computed and how it is presented; their values mean nothing.</source>
+        <translation>评分为模拟数据。各表仅展示计算内容与呈现方式，数值没有意义。</translation>
+    </message>
+    <message>
+        <source>The paper gives the scale of the model evaluation as 0 to 10 and that of the training study as 1 to 10; both are kept.</source>
+        <translation>论文中模型评价的量表为 0 至 10，训练研究的量表为 1 至 10；两者均予保留。</translation>
+    </message>
+    <message>
+        <source>The sequence has not been repeated from the seed.</source>
+        <translation>尚未由种子重现分组序列。</translation>
+    </message>
+    <message>
+        <source>The sequence was repeated from the seed and every arm was found the same.</source>
+        <translation>已由种子重现分组序列，各组均一致。</translation>
+    </message>
+    <message>
+        <source>The text under Eq. 26 of the paper speaks of the chief physicians&apos; scores, but its sum runs over all raters; all raters are used here, and the chief physicians are shown alone where the figure says so.</source>
+        <translation>论文式 (26) 下的文字指主任医师的评分，但求和遍及全体评分者；此处采用全体评分者，仅在图中注明处单独显示主任医师。</translation>
+    </message>
+    <message>
+        <source>The times of training are those of the protocol, in full; every second trainee of a group takes the whole rest between the two halves.</source>
+        <translation>训练时间为方案规定的完整时间；每组每两名学员中有一名在两段训练之间完整休息。</translation>
+    </message>
+    <message>
+        <source>The trainee is the unit of analysis: marks of several raters for one trainee are averaged first.</source>
+        <translation>以学员为分析单位：先对同一学员的多个评分取均值。</translation>
+    </message>
+    <message>
+        <source>The trainees&apos; movements come from a scripted hand with a seed; the simulator, the recorder and every computation are the real ones.</source>
+        <translation>学员的动作由带种子的脚本手产生；模拟器、记录器和全部计算均为真实程序。</translation>
+    </message>
+    <message>
+        <source>The variance of the training evaluation is not defined in the paper. The figure shows the variance of the trainee scores with divisor n; the table lists the other readings.</source>
+        <translation>论文未定义训练评价的方差。图中为学员得分的方差，除数为 n；表中列出其他算法。</translation>
+    </message>
+    <message>
+        <source>This report is aggregated: it holds no line about a single person and no count of fewer than %1 people beside others.</source>
+        <translation>本报告为汇总报告：不含任何个人的数据行，也不单列少于 %1 人的计数。</translation>
+    </message>
+    <message>
+        <source>Time spent training and resting</source>
+        <translation>训练与休息时间</translation>
+    </message>
+    <message>
+        <source>Torsio is a training tool. It is not a medical device and holds no patient data.</source>
+        <translation>Torsio 是训练工具，不是医疗器械，也不含患者数据。</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>Trainees</source>
+        <translation>学员数</translation>
+    </message>
+    <message>
+        <source>Trainees who rested</source>
+        <translation>休息过的学员数</translation>
+    </message>
+    <message>
+        <source>Training formulas</source>
+        <translation>训练公式</translation>
+    </message>
+    <message>
+        <source>Training study</source>
+        <translation>训练研究</translation>
+    </message>
+    <message>
+        <source>Training study: groups at each scoring point</source>
+        <translation>训练研究：各评分点的各组结果</translation>
+    </message>
+    <message>
+        <source>Training study: score of every trainee</source>
+        <translation>训练研究：各学员得分</translation>
+    </message>
+    <message>
+        <source>Training study; Agreement and comparisons; Raters</source>
+        <translation>训练研究；一致性与组间比较；评分者</translation>
+    </message>
+    <message>
+        <source>Training was shortened for this demonstration: each minute of the protocol stands for %1 seconds of simulated exercise (1 : %2).</source>
+        <translation>本演示缩短了训练时间：方案中的每一分钟对应 %1 秒模拟练习（1 : %2）。</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>操作编号</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>操作次数</translation>
+    </message>
+    <message>
+        <source>Trials with samples that were not recorded are incomplete and marked in the data.</source>
+        <translation>有采样未记录的操作不完整，已在数据中标明。</translation>
+    </message>
+    <message>
+        <source>Twist training: cohort report</source>
+        <translation>扭转训练：批次报告</translation>
+    </message>
+    <message>
+        <source>Twists</source>
+        <translation>扭转次数</translation>
+    </message>
+    <message>
+        <source>Twists on the simulator only; a point needs at least two trainees. Fewer trainees make more twists, so that the last points rest on few.</source>
+        <translation>仅含模拟器上的扭转；每个点至少需要两名学员。扭转次数越多的学员越少，故末端各点所依据的人数较少。</translation>
+    </message>
+    <message>
+        <source>Upper quartile</source>
+        <translation>上四分位数</translation>
+    </message>
+    <message>
+        <source>Upper whisker</source>
+        <translation>上须</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>数值个数</translation>
+    </message>
+    <message>
+        <source>Variance of all marks, divisor n</source>
+        <translation>全部评分的方差（除数 n）</translation>
+    </message>
+    <message>
+        <source>Variance of each index about the weighted mean, divisor n</source>
+        <translation>各指标围绕加权均值的方差（除数 n）</translation>
+    </message>
+    <message>
+        <source>Variance of scores, divisor n</source>
+        <translation>得分方差（除数 n）</translation>
+    </message>
+    <message>
+        <source>Variance of scores, divisor n - 1</source>
+        <translation>得分方差（除数 n - 1）</translation>
+    </message>
+    <message>
+        <source>Variance of the trainee scores, divisor n</source>
+        <translation>学员得分的方差（除数 n）</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>权重</translation>
+    </message>
+    <message>
+        <source>Weighted mean score of each index</source>
+        <translation>各指标的加权平均分</translation>
+    </message>
+    <message>
+        <source>What each part is computed from</source>
+        <translation>各部分的计算依据</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>情况说明</translation>
+    </message>
+    <message>
+        <source>What is left out</source>
+        <translation>未列出的内容</translation>
+    </message>
+    <message>
+        <source>What was simulated</source>
+        <translation>模拟的内容</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Where the numbers come from</source>
+        <translation>数据的来源</translation>
+    </message>
+    <message>
+        <source>With no mark missing, the class-weighted mean of the raters&apos; own scores equals N exactly.</source>
+        <translation>评分无缺失时，各评分者得分按类别加权的均值恰等于 N。</translation>
+    </message>
+    <message>
+        <source>Withdrew</source>
+        <translation>退出</translation>
+    </message>
+    <message>
+        <source>a factor of person %1 has no valid level</source>
+        <translation>人员 %1 的某个因素没有有效水平</translation>
+    </message>
+    <message>
+        <source>a group does not vary</source>
+        <translation>有一组没有变异</translation>
+    </message>
+    <message>
+        <source>a group has fewer than two trainees</source>
+        <translation>有一组学员少于两名</translation>
+    </message>
+    <message>
+        <source>a group is empty</source>
+        <translation>有一组为空</translation>
+    </message>
+    <message>
+        <source>a mark belongs to a group or a scoring point that does not exist</source>
+        <translation>某个评分所属的组或评分点不存在</translation>
+    </message>
+    <message>
+        <source>a score belongs to a group or a scoring point that does not exist</source>
+        <translation>某个得分所属的组或评分点不存在</translation>
+    </message>
+    <message>
+        <source>a study needs at least two persons and two raters</source>
+        <translation>研究至少需要两名受评者和两名评分者</translation>
+    </message>
+    <message>
+        <source>a study needs at least two persons, two raters and two occasions</source>
+        <translation>研究至少需要两名受评者、两名评分者和两个评分时点</translation>
+    </message>
+    <message>
+        <source>a study needs at least two persons, two tasks and two raters a task</source>
+        <translation>研究至少需要两名受评者、两项任务且每项任务两名评分者</translation>
+    </message>
+    <message>
+        <source>a summary belongs to a group or a scoring point that does not exist</source>
+        <translation>某项汇总所属的组或评分点不存在</translation>
+    </message>
+    <message>
+        <source>a trainee is in a group that does not exist</source>
+        <translation>某名学员所在的组不存在</translation>
+    </message>
+    <message>
+        <source>a trial is in a group that does not exist</source>
+        <translation>某次操作所在的组不存在</translation>
+    </message>
+    <message>
+        <source>a value is not positive</source>
+        <translation>有数值不为正</translation>
+    </message>
+    <message>
+        <source>absolute angle error (deg)</source>
+        <translation>绝对角度误差 (°)</translation>
+    </message>
+    <message>
+        <source>adequate</source>
+        <translation>合格界限</translation>
+    </message>
+    <message>
+        <source>after %1 min</source>
+        <translation>%1 分钟后</translation>
+    </message>
+    <message>
+        <source>aggregated, no line about a single person</source>
+        <translation>汇总，不含个人数据行</translation>
+    </message>
+    <message>
+        <source>all values are the same</source>
+        <translation>所有数值相同</translation>
+    </message>
+    <message>
+        <source>allocation design</source>
+        <translation>分组方案</translation>
+    </message>
+    <message>
+        <source>alpha needs at least two persons and two items</source>
+        <translation>α 至少需要两名受评者和两个条目</translation>
+    </message>
+    <message>
+        <source>an evaluation lacks an index</source>
+        <translation>某项评价缺少指标</translation>
+    </message>
+    <message>
+        <source>analysis of covariance, one pooled slope</source>
+        <translation>协方差分析，共用斜率</translation>
+    </message>
+    <message>
+        <source>analysis of variance, groups x scoring points, type III</source>
+        <translation>方差分析，组别 × 评分点，III 型</translation>
+    </message>
+    <message>
+        <source>as the others</source>
+        <translation>与其余评分者相同</translation>
+    </message>
+    <message>
+        <source>as they were when this report was made; not frozen</source>
+        <translation>生成本报告时的状态；未冻结</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>训练前</translation>
+    </message>
+    <message>
+        <source>block size %1 is no multiple of the number of arms</source>
+        <translation>区组大小 %1 不是组数的整数倍</translation>
+    </message>
+    <message>
+        <source>both raters use one and the same category only</source>
+        <translation>两名评分者均只使用同一类别</translation>
+    </message>
+    <message>
+        <source>changed since then</source>
+        <translation>此后已改变</translation>
+    </message>
+    <message>
+        <source>class means of Eq. 25</source>
+        <translation>式 (25) 的类别均值</translation>
+    </message>
+    <message>
+        <source>coded</source>
+        <translation>以代码显示</translation>
+    </message>
+    <message>
+        <source>cohort report</source>
+        <translation>批次报告</translation>
+    </message>
+    <message>
+        <source>completed</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>concordance needs at least two targets and two raters</source>
+        <translation>一致性系数至少需要两个对象和两名评分者</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>计数</translation>
+    </message>
+    <message>
+        <source>cumulative sum</source>
+        <translation>累积和</translation>
+    </message>
+    <message>
+        <source>demonstration data</source>
+        <translation>演示数据</translation>
+    </message>
+    <message>
+        <source>difference (points)</source>
+        <translation>差值（分）</translation>
+    </message>
+    <message>
+        <source>difference [95 %]</source>
+        <translation>差值 [95 %]</translation>
+    </message>
+    <message>
+        <source>does not apply</source>
+        <translation>不适用</translation>
+    </message>
+    <message>
+        <source>each index uses the marks at hand (available case)</source>
+        <translation>各指标采用现有评分（可用数据法）</translation>
+    </message>
+    <message>
+        <source>every block ties all treatments</source>
+        <translation>每个区组内各处理均同秩</translation>
+    </message>
+    <message>
+        <source>every difference is zero</source>
+        <translation>所有差值为零</translation>
+    </message>
+    <message>
+        <source>every global rating is the same</source>
+        <translation>所有总体评分相同</translation>
+    </message>
+    <message>
+        <source>every rater ties all targets</source>
+        <translation>每名评分者对所有对象均同秩</translation>
+    </message>
+    <message>
+        <source>every rating is the same</source>
+        <translation>所有评分相同</translation>
+    </message>
+    <message>
+        <source>every resample lies on the same side of the estimate</source>
+        <translation>所有重抽样结果均在估计值同一侧</translation>
+    </message>
+    <message>
+        <source>every score is the same</source>
+        <translation>所有得分相同</translation>
+    </message>
+    <message>
+        <source>exponential learning curve; LC-CUSUM</source>
+        <translation>指数学习曲线；LC-CUSUM</translation>
+    </message>
+    <message>
+        <source>factor &quot;%1&quot; has no levels</source>
+        <translation>因素“%1”没有水平</translation>
+    </message>
+    <message>
+        <source>fewer than eight attempts cannot tell three parameters apart</source>
+        <translation>不足八次无法区分三个参数</translation>
+    </message>
+    <message>
+        <source>fewer than two persons or raters have ratings that are not extreme</source>
+        <translation>非极端评分的受评者或评分者少于两名</translation>
+    </message>
+    <message>
+        <source>further rows in the report: %1</source>
+        <translation>报告中另有 %1 行</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>组别</translation>
+    </message>
+    <message>
+        <source>group %1: %2 and %3</source>
+        <translation>第 %1 组 %2 和 %3</translation>
+    </message>
+    <message>
+        <source>group summaries</source>
+        <translation>各组汇总</translation>
+    </message>
+    <message>
+        <source>group x scoring point</source>
+        <translation>组别 × 评分点</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>上限</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>指标</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>已中断</translation>
+    </message>
+    <message>
+        <source>intraclass correlation</source>
+        <translation>组内相关系数</translation>
+    </message>
+    <message>
+        <source>kappa needs subjects and at least two categories</source>
+        <translation>κ 需要受评对象和至少两个类别</translation>
+    </message>
+    <message>
+        <source>limits of agreement need at least two pairs</source>
+        <translation>一致性界限至少需要两对数据</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>下限</translation>
+    </message>
+    <message>
+        <source>lower limit</source>
+        <translation>下限</translation>
+    </message>
+    <message>
+        <source>mark (points)</source>
+        <translation>评分（分）</translation>
+    </message>
+    <message>
+        <source>marks are missing</source>
+        <translation>评分有缺失</translation>
+    </message>
+    <message>
+        <source>marks as submitted</source>
+        <translation>提交的评分</translation>
+    </message>
+    <message>
+        <source>marks at hand; weights of classes without marks are divided among the others (renormalised)</source>
+        <translation>采用现有评分；无评分类别的权重按比例分给其余类别（重新归一化）</translation>
+    </message>
+    <message>
+        <source>masters do not score higher than novices</source>
+        <translation>熟练者得分不高于新手</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>均值</translation>
+    </message>
+    <message>
+        <source>mean [95 %]</source>
+        <translation>均值 [95 %]</translation>
+    </message>
+    <message>
+        <source>mean of own mark and the others&apos; mean (points)</source>
+        <translation>本人评分与其余均值的平均（分）</translation>
+    </message>
+    <message>
+        <source>mean of own mark minus mean of the other raters</source>
+        <translation>本人评分减其余评分者均值的平均</translation>
+    </message>
+    <message>
+        <source>mean of the absolute error over trainees, Student&apos;s t</source>
+        <translation>学员绝对误差的均值，t 分布</translation>
+    </message>
+    <message>
+        <source>mean over raters</source>
+        <translation>评分者均值</translation>
+    </message>
+    <message>
+        <source>mean over raters; mean over trainees with Student&apos;s t</source>
+        <translation>评分者均值；学员均值及 t 分布区间</translation>
+    </message>
+    <message>
+        <source>mean over trainees</source>
+        <translation>学员均值</translation>
+    </message>
+    <message>
+        <source>means over trials</source>
+        <translation>各次操作的均值</translation>
+    </message>
+    <message>
+        <source>minimisation needs a factor</source>
+        <translation>最小化法需要一个因素</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>missing = %1</source>
+        <translation>缺失 = %1</translation>
+    </message>
+    <message>
+        <source>model parameters %1</source>
+        <translation>模型参数 %1</translation>
+    </message>
+    <message>
+        <source>named trainees</source>
+        <translation>显示学员姓名</translation>
+    </message>
+    <message>
+        <source>neither persons nor errors vary</source>
+        <translation>受评者与误差均无变异</translation>
+    </message>
+    <message>
+        <source>no block size is given</source>
+        <translation>未给出区组大小</translation>
+    </message>
+    <message>
+        <source>no difference</source>
+        <translation>无差异</translation>
+    </message>
+    <message>
+        <source>no disagreement has any weight</source>
+        <translation>没有任何分歧带有权重</translation>
+    </message>
+    <message>
+        <source>no resample has any variation</source>
+        <translation>重抽样结果均无变异</translation>
+    </message>
+    <message>
+        <source>no unit has two ratings</source>
+        <translation>没有对象具有两个评分</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>none allowed</source>
+        <translation>不允许缺失</translation>
+    </message>
+    <message>
+        <source>none on the simulator</source>
+        <translation>模拟器上无</translation>
+    </message>
+    <message>
+        <source>not computed</source>
+        <translation>未计算</translation>
+    </message>
+    <message>
+        <source>not counted</source>
+        <translation>未计算</translation>
+    </message>
+    <message>
+        <source>not defined</source>
+        <translation>无定义</translation>
+    </message>
+    <message>
+        <source>not defined: %1</source>
+        <translation>无定义：%1</translation>
+    </message>
+    <message>
+        <source>not fitted: %1</source>
+        <translation>未拟合：%1</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>未记录</translation>
+    </message>
+    <message>
+        <source>not shown (fewer than %1)</source>
+        <translation>不显示（少于 %1）</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>尚未</translation>
+    </message>
+    <message>
+        <source>number of the twist</source>
+        <translation>扭转序号</translation>
+    </message>
+    <message>
+        <source>offset [95 %]</source>
+        <translation>偏差 [95 %]</translation>
+    </message>
+    <message>
+        <source>one mark</source>
+        <translation>单个评分</translation>
+    </message>
+    <message>
+        <source>one of the two does not vary</source>
+        <translation>两者之一没有变异</translation>
+    </message>
+    <message>
+        <source>only one category was used</source>
+        <translation>只使用了一个类别</translation>
+    </message>
+    <message>
+        <source>organ %1</source>
+        <translation>器官 %1</translation>
+    </message>
+    <message>
+        <source>outside the whiskers</source>
+        <translation>须线之外</translation>
+    </message>
+    <message>
+        <source>own mark minus the other raters&apos; mean (points)</source>
+        <translation>本人评分减其余评分者均值（分）</translation>
+    </message>
+    <message>
+        <source>own minus others&apos; mean</source>
+        <translation>本人减其余均值（分）</translation>
+    </message>
+    <message>
+        <source>p (Greenhouse-Geisser)</source>
+        <translation>p (Greenhouse-Geisser)</translation>
+    </message>
+    <message>
+        <source>p (Holm)</source>
+        <translation>p (Holm)</translation>
+    </message>
+    <message>
+        <source>p (exact)</source>
+        <translation>p（精确）</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>第 %1 页，共 %2 页</translation>
+    </message>
+    <message>
+        <source>person %1 is already allocated</source>
+        <translation>人员 %1 已分组</translation>
+    </message>
+    <message>
+        <source>rater</source>
+        <translation>评分者</translation>
+    </message>
+    <message>
+        <source>raters with a missing mark are left out (list-wise)</source>
+        <translation>剔除有缺失评分的评分者（成列删除）</translation>
+    </message>
+    <message>
+        <source>ratings and evaluations name different models</source>
+        <translation>评分与评价中的模型不一致</translation>
+    </message>
+    <message>
+        <source>record %1 does not fit into the chain</source>
+        <translation>第 %1 条记录与链不符</translation>
+    </message>
+    <message>
+        <source>record %1 does not follow from the seed</source>
+        <translation>第 %1 条记录与种子不符</translation>
+    </message>
+    <message>
+        <source>recordings, listed below</source>
+        <translation>录制，列于下表</translation>
+    </message>
+    <message>
+        <source>reports are not written in this language</source>
+        <translation>报告不支持该语言</translation>
+    </message>
+    <message>
+        <source>s2 (Eq. 26)</source>
+        <translation>s²（式 26）</translation>
+    </message>
+    <message>
+        <source>s2 is taken about M with divisor n (Eq. 26). The sample variance is taken about the plain mean with divisor n - 1. SE is the standard error of M from the spread within the rater classes.</source>
+        <translation>s² 以 M 为中心，除数为 n（式 26）。样本方差以算术均值为中心，除数为 n - 1。标准误为由各评分者类别内离散程度得出的 M 的标准误。</translation>
+    </message>
+    <message>
+        <source>score (points)</source>
+        <translation>得分（分）</translation>
+    </message>
+    <message>
+        <source>scoring point</source>
+        <translation>评分点</translation>
+    </message>
+    <message>
+        <source>sealed until the study ends</source>
+        <translation>封存至研究结束</translation>
+    </message>
+    <message>
+        <source>stratified blocks need a factor</source>
+        <translation>分层区组需要一个因素</translation>
+    </message>
+    <message>
+        <source>submitted marks of the campaign</source>
+        <translation>该次评价中提交的评分</translation>
+    </message>
+    <message>
+        <source>submitted marks of the scoring points</source>
+        <translation>各评分点提交的评分</translation>
+    </message>
+    <message>
+        <source>sums of the recorded times</source>
+        <translation>记录时间的合计</translation>
+    </message>
+    <message>
+        <source>the allocation list is used up</source>
+        <translation>分组表已用完</translation>
+    </message>
+    <message>
+        <source>the class of chief physicians does not exist</source>
+        <translation>主任医师类别不存在</translation>
+    </message>
+    <message>
+        <source>the curve passes through every point</source>
+        <translation>曲线通过每一个点</translation>
+    </message>
+    <message>
+        <source>the differences do not vary</source>
+        <translation>差值没有变异</translation>
+    </message>
+    <message>
+        <source>the experts do not differ</source>
+        <translation>各专家之间没有差异</translation>
+    </message>
+    <message>
+        <source>the fit does not settle</source>
+        <translation>拟合不收敛</translation>
+    </message>
+    <message>
+        <source>the fitted normals do not cross between the means</source>
+        <translation>拟合的两条正态曲线在均值之间不相交</translation>
+    </message>
+    <message>
+        <source>the likelihood has no finite maximum: the data are too orderly</source>
+        <translation>似然函数没有有限的最大值：数据过于规则</translation>
+    </message>
+    <message>
+        <source>the manifest does not fit its hash: the database was tampered with</source>
+        <translation>清单与其哈希不符：数据库曾被篡改</translation>
+    </message>
+    <message>
+        <source>the number of participants is no multiple of the number of arms</source>
+        <translation>参与者人数不是组数的整数倍</translation>
+    </message>
+    <message>
+        <source>the parameters cannot be told apart</source>
+        <translation>参数无法区分</translation>
+    </message>
+    <message>
+        <source>the probability of the best arm must lie between 0.5 and 0.9; 1 could be predicted</source>
+        <translation>最优组的概率须在 0.5 至 0.9 之间；取 1 时结果可被预测</translation>
+    </message>
+    <message>
+        <source>the raters differ by constants only, so there is no residual variance</source>
+        <translation>评分者之间仅相差常数，没有残差方差</translation>
+    </message>
+    <message>
+        <source>the rating plan falls into parts that share no person and no rater</source>
+        <translation>评分方案分裂为互不共享受评者和评分者的部分</translation>
+    </message>
+    <message>
+        <source>the record has changed; see Provenance</source>
+        <translation>记录已改变；见“数据来源”</translation>
+    </message>
+    <message>
+        <source>the scores after follow the scores before exactly</source>
+        <translation>训练后得分完全由训练前得分决定</translation>
+    </message>
+    <message>
+        <source>the scores before do not vary in one group</source>
+        <translation>有一组训练前得分没有变异</translation>
+    </message>
+    <message>
+        <source>the scores before do not vary within groups</source>
+        <translation>训练前得分在组内没有变异</translation>
+    </message>
+    <message>
+        <source>the start lies outside the domain of the curve</source>
+        <translation>起点在曲线的定义域之外</translation>
+    </message>
+    <message>
+        <source>the statistic does not change with any trainee</source>
+        <translation>去掉任一学员该统计量均不变</translation>
+    </message>
+    <message>
+        <source>the sums over the items do not vary</source>
+        <translation>条目总分没有变异</translation>
+    </message>
+    <message>
+        <source>the targets do not differ</source>
+        <translation>各对象之间没有差异</translation>
+    </message>
+    <message>
+        <source>the test is made for 4 to 5000 values</source>
+        <translation>该检验适用于 4 至 5000 个数值</translation>
+    </message>
+    <message>
+        <source>the test needs at least two blocks and two treatments</source>
+        <translation>该检验至少需要两个区组和两种处理</translation>
+    </message>
+    <message>
+        <source>the values do not differ under this metric</source>
+        <translation>在该度量下数值没有差异</translation>
+    </message>
+    <message>
+        <source>the values do not vary</source>
+        <translation>数值没有变异</translation>
+    </message>
+    <message>
+        <source>the values do not vary within groups</source>
+        <translation>组内数值没有变异</translation>
+    </message>
+    <message>
+        <source>there are fewer than three attempts</source>
+        <translation>尝试少于三次</translation>
+    </message>
+    <message>
+        <source>there are fewer than three trainees</source>
+        <translation>学员少于三名</translation>
+    </message>
+    <message>
+        <source>there are fewer than two arms</source>
+        <translation>少于两组</translation>
+    </message>
+    <message>
+        <source>there are fewer than two categories</source>
+        <translation>少于两个类别</translation>
+    </message>
+    <message>
+        <source>there are fewer than two coders</source>
+        <translation>编码者少于两名</translation>
+    </message>
+    <message>
+        <source>there are fewer than two experts</source>
+        <translation>专家少于两名</translation>
+    </message>
+    <message>
+        <source>there are fewer than two groups</source>
+        <translation>少于两组</translation>
+    </message>
+    <message>
+        <source>there are fewer than two occasions</source>
+        <translation>评分时点少于两个</translation>
+    </message>
+    <message>
+        <source>there are fewer than two pairs</source>
+        <translation>少于两对数据</translation>
+    </message>
+    <message>
+        <source>there are fewer than two raters</source>
+        <translation>评分者少于两名</translation>
+    </message>
+    <message>
+        <source>there are fewer than two targets</source>
+        <translation>对象少于两个</translation>
+    </message>
+    <message>
+        <source>there are no judges</source>
+        <translation>没有评判者</translation>
+    </message>
+    <message>
+        <source>there are no pairs</source>
+        <translation>没有成对数据</translation>
+    </message>
+    <message>
+        <source>there are no ratings</source>
+        <translation>没有评分</translation>
+    </message>
+    <message>
+        <source>there are too few points for the parameters</source>
+        <translation>相对于参数个数数据点过少</translation>
+    </message>
+    <message>
+        <source>there are too few trainees</source>
+        <translation>学员过少</translation>
+    </message>
+    <message>
+        <source>there are too few trainees for the number of occasions</source>
+        <translation>相对于评分时点数学员过少</translation>
+    </message>
+    <message>
+        <source>there are too many arrangements to count</source>
+        <translation>排列过多，无法计数</translation>
+    </message>
+    <message>
+        <source>there are too many differences to count</source>
+        <translation>差值过多，无法计数</translation>
+    </message>
+    <message>
+        <source>there are too many sign changes to count</source>
+        <translation>符号变化过多，无法计数</translation>
+    </message>
+    <message>
+        <source>there is no residual variation</source>
+        <translation>没有残差变异</translation>
+    </message>
+    <message>
+        <source>too few</source>
+        <translation>过少</translation>
+    </message>
+    <message>
+        <source>too few trainees for separate slopes</source>
+        <translation>学员过少，无法分别估计斜率</translation>
+    </message>
+    <message>
+        <source>trainee number in the group</source>
+        <translation>组内学员序号</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>未改变</translation>
+    </message>
+    <message>
+        <source>upper limit</source>
+        <translation>上限</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>variance (points squared)</source>
+        <translation>方差（分²）</translation>
+    </message>
+    <message>
+        <source>variance of trainee scores, divisor n</source>
+        <translation>学员得分的方差，除数 n</translation>
+    </message>
+    <message>
+        <source>whole cohort</source>
+        <translation>整个批次</translation>
+    </message>
+    <message>
+        <source>z (Dunn)</source>
+        <translation>z (Dunn)</translation>
+    </message>
+    <message>
+        <source>Right forearm</source>
+        <translation>右前臂</translation>
+    </message>
+    <message>
+        <source>Stomach</source>
+        <translation>胃</translation>
+    </message>
+    <message>
+        <source>Small intestine, loop</source>
+        <translation>小肠肠袢</translation>
+    </message>
+    <message>
+        <source>synthetic, drawn by torsio_make_organs from ANSUR II means</source>
+        <translation>合成，由 torsio_make_organs 按 ANSUR II 均值绘制</translation>
+    </message>
+    <message>
+        <source>synthetic, drawn by torsio_make_organs from published dimensions</source>
+        <translation>合成，由 torsio_make_organs 按已发表尺寸绘制</translation>
+    </message>
+    <message>
+        <source>Simulated trainees after section 6 of the paper</source>
+        <translation>按论文第 6 节模拟的学员</translation>
     </message>
 </context>
 <context>
@@ -8171,10 +10235,6 @@ MSM = 质点弹簧</translation>
 <context>
     <name>torsio::gui::FigureCard</name>
     <message>
-        <source>missing = %1</source>
-        <translation>缺失 = %1</translation>
-    </message>
-    <message>
         <source>&amp;Picture</source>
         <translation>图形(&amp;P)</translation>
     </message>
@@ -10068,19 +12128,6 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
-    <name>torsio::gui::ReportPreview</name>
-    <message numerus="yes">
-        <source>%n row(s) more in the report</source>
-        <translation>
-            <numerusform>报告中还有 %n 行</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Demonstration data: nothing in it is a result.</source>
-        <translation>演示数据：其中任何内容都不是研究结果。</translation>
-    </message>
-</context>
-<context>
     <name>torsio::gui::ReportsPage</name>
     <message>
         <source>none</source>
@@ -10201,6 +12248,14 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Preview of the report</source>
         <translation>报告预览</translation>
+    </message>
+    <message>
+        <source>&amp;Language of the report</source>
+        <translation>报告语言(&amp;L)</translation>
+    </message>
+    <message>
+        <source>as the window</source>
+        <translation>与窗口一致</translation>
     </message>
 </context>
 <context>

@@ -11,59 +11,13 @@
 #include "assessment/report/cohort_csv.h"
 #include "assessment/report/figure_table.h"
 #include "assessment/report/number_format.h"
-#include "assessment/study/demonstration_marks.h"
 #include "sim/base/error.h"
+#include "tests/support/demonstration_cohort.h"
 
 namespace torsio {
 namespace {
 
-std::vector<std::string> codes(char letter, std::size_t count) {
-  std::vector<std::string> out;
-  for (std::size_t i = 1; i <= count; ++i) {
-    std::string code(1, letter);
-    code += std::to_string(100 + i);
-    out.push_back(code);
-  }
-  return out;
-}
-
-CohortInputs demonstration() {
-  CohortInputs in;
-  in.demonstration = true;
-  in.simulated = {demonstrationTrainingRule()};
-  in.softwareVersion = "0.1.0";
-  in.trainingTimeDivisor = 60;
-  in.groups = {
-      {"Group 1", "40 min virtual"}, {"Group 2", "20 min virtual, 20 min real"}, {"Group 3", "40 min real"}};
-  in.occasions = {"before", "after 20 min", "after 40 min"};
-  DemonstrationPeople people{{codes('x', 10), codes('y', 10), codes('z', 10)},
-                             codes('R', 10),
-                             {codes('A', 20), codes('B', 10), codes('C', 10)}};
-  for (std::size_t g = 0; g < 3; ++g)
-    for (std::size_t i = 0; i < 10; ++i)
-      in.trainees.push_back({people.groups[g][i], g, i % 2 == 0 ? "male" : "female", "graduate"});
-  const std::vector<std::string> models = {"PM", "FEM", "MSM"};
-  in.instrument = paperInstrument();
-  in.ratings = groupRatings(in.instrument, demonstrationEvaluationMarks(in.instrument, people, models, 3));
-  for (const ModelRatings& model : in.ratings) in.evaluations.push_back(evaluateModel(in.instrument, model));
-  const std::vector<TrainingMark> marks = demonstrationTrainingMarks(in.trainingScale, people, 3);
-  in.scores = traineeScores(in.trainingScale, marks);
-  in.summaries = groupSummaries(in.trainingScale, marks);
-  in.trainingRaters = 10;
-  in.trainingMarks = marks;
-  TrialDigest trial;
-  trial.trialId = "t1";
-  trial.trainee = "x101";
-  trial.phase = "virtual 0-20 min";
-  trial.model = "saint_venant";
-  trial.minutes = 0.5;
-  trial.samples = 30000;
-  trial.twists = 4;
-  trial.meanAbsoluteError_deg = 3.25;
-  trial.contentHash = std::string(64, 'a');
-  in.trials = {trial};
-  return in;
-}
+using testing::demonstrationCohort;
 
 const ReportFigure* find(const ReportModel& report, const std::string& id) {
   for (const ReportSection& section : report.sections)
@@ -73,7 +27,7 @@ const ReportFigure* find(const ReportModel& report, const std::string& id) {
 }
 
 TEST(CohortReport, HoldsEveryFigureOfThePaperWithSeriesThatFitItsCategories) {
-  const ReportModel report = cohortReport(demonstration());
+  const ReportModel report = cohortReport(demonstrationCohort());
 
   for (const char* id : {"figure-15", "figure-16", "figure-17", "figure-18", "figure-19", "figure-20",
                          "figure-21", "figure-22", "figure-23"}) {
@@ -82,7 +36,7 @@ TEST(CohortReport, HoldsEveryFigureOfThePaperWithSeriesThatFitItsCategories) {
     EXPECT_EQ(figure->series.size(), 3U) << id;
     EXPECT_FALSE(figure->yLabel.empty());
     EXPECT_GT(figure->provenance.n, 0) << id;
-    EXPECT_THAT(figure->provenance.flags, ::testing::Contains("demonstration data")) << id;
+    EXPECT_THAT(figure->provenance.flags, ::testing::Contains(Text("demonstration data"))) << id;
     for (const FigureSeries& series : figure->series) {
       if (figure->kind == FigureKind::kBoxes) {
         EXPECT_EQ(series.y.size(), 40U);
@@ -100,13 +54,14 @@ TEST(CohortReport, HoldsEveryFigureOfThePaperWithSeriesThatFitItsCategories) {
       }
     }
   }
-  EXPECT_THAT(find(report, "figure-17")->title, ::testing::HasSubstr("about the weighted mean, divisor n"));
-  EXPECT_THAT(find(report, "figure-23")->title, ::testing::HasSubstr("divisor n"));
+  EXPECT_THAT(find(report, "figure-17")->title.str(),
+              ::testing::HasSubstr("about the weighted mean, divisor n"));
+  EXPECT_THAT(find(report, "figure-23")->title.str(), ::testing::HasSubstr("divisor n"));
   EXPECT_EQ(find(report, "figure-18")->categories.size(), 10U);
 }
 
 TEST(CohortReport, HasTablesWhoseRowsFitTheirColumnsAndUniqueNames) {
-  const ReportModel report = cohortReport(demonstration());
+  const ReportModel report = cohortReport(demonstrationCohort());
   std::set<std::string> ids;
   int tables = 0;
   for (const ReportSection& section : report.sections)
@@ -114,8 +69,7 @@ TEST(CohortReport, HasTablesWhoseRowsFitTheirColumnsAndUniqueNames) {
       ++tables;
       EXPECT_TRUE(ids.insert(table.id).second) << table.id;
       EXPECT_FALSE(table.rows.empty()) << table.id;
-      for (const std::vector<std::string>& row : table.rows)
-        EXPECT_EQ(row.size(), table.columns.size()) << table.id;
+      for (const std::vector<Text>& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.id;
     }
   EXPECT_GE(tables, 9);
   EXPECT_TRUE(report.demonstration);
@@ -123,7 +77,7 @@ TEST(CohortReport, HasTablesWhoseRowsFitTheirColumnsAndUniqueNames) {
 }
 
 TEST(CohortReport, ComparesGroupsAndRatersWhenTheMarksAreGiven) {
-  const CohortInputs in = demonstration();
+  const CohortInputs in = demonstrationCohort();
   const ReportModel report = cohortReport(in);
   const auto section =
       std::find_if(report.sections.begin(), report.sections.end(),
@@ -136,13 +90,13 @@ TEST(CohortReport, ComparesGroupsAndRatersWhenTheMarksAreGiven) {
   EXPECT_EQ(section->tables[0].rows.size(), 3U);
   EXPECT_EQ(section->tables[1].rows.size(), 3U);
   for (const ReportTable& table : section->tables)
-    for (const std::vector<std::string>& row : table.rows)
-      for (const std::string& cell : row)
-        EXPECT_THAT(cell, ::testing::Not(::testing::HasSubstr("not defined")));
+    for (const std::vector<Text>& row : table.rows)
+      for (const Text& cell : row)
+        EXPECT_THAT(cell.str(), ::testing::Not(::testing::HasSubstr("not defined")));
 }
 
 TEST(CohortReport, HasTheAdditionsOfTheStatistician) {
-  CohortInputs in = demonstration();
+  CohortInputs in = demonstrationCohort();
   in.trials[0].attempts = {{8.0, false}, {3.0, true}, {2.0, true}};
   const ReportModel report = cohortReport(in);
 
@@ -173,36 +127,36 @@ TEST(CohortReport, HasTheAdditionsOfTheStatistician) {
 }
 
 TEST(CohortReport, EveryFigureHasATableOfTheValuesThatAreDrawn) {
-  const ReportModel report = cohortReport(demonstration());
+  const ReportModel report = cohortReport(demonstrationCohort());
   for (const ReportSection& section : report.sections)
     for (const ReportFigure& figure : section.figures) {
       const ReportTable table = figureTable(figure);
       EXPECT_FALSE(table.rows.empty()) << figure.id;
-      for (const std::vector<std::string>& row : table.rows)
+      for (const std::vector<Text>& row : table.rows)
         EXPECT_EQ(row.size(), table.columns.size()) << figure.id;
     }
   // The very numbers, to the last digit.
   const ReportFigure* means = find(report, "figure-16");
-  EXPECT_EQ(std::stod(figureTable(*means).rows.at(0).at(1)), *means->series.at(0).y.at(0));
+  EXPECT_EQ(std::stod(figureTable(*means).rows.at(0).at(1).str()), *means->series.at(0).y.at(0));
 }
 
 TEST(CohortReport, AnAggregatedReportHasNoLineAboutASinglePerson) {
-  CohortInputs in = demonstration();
+  CohortInputs in = demonstrationCohort();
   in.identity = ReportIdentity::kAggregated;
   in.trainees.erase(in.trainees.begin() + 4, in.trainees.begin() + 10);  // four are left of the first group
 
   const ReportModel report = cohortReport(in);
   std::string all;
   for (const ReportSection& section : report.sections) {
-    for (const std::string& paragraph : section.paragraphs) all += paragraph;
+    for (const Text& paragraph : section.paragraphs) all += paragraph.str();
     for (const ReportFigure& figure : section.figures) {
       EXPECT_FALSE(figure.individual) << figure.id;
-      for (const FigureSeries& series : figure.series) all += series.name;
-      for (const std::string& category : figure.categories) all += category;
+      for (const FigureSeries& series : figure.series) all += series.name.str();
+      for (const Text& category : figure.categories) all += category.str();
     }
     for (const ReportTable& table : section.tables)
-      for (const std::vector<std::string>& row : table.rows)
-        for (const std::string& cell : row) all += cell;
+      for (const std::vector<Text>& row : table.rows)
+        for (const Text& cell : row) all += cell.str();
   }
   for (const CohortTrainee& trainee : in.trainees) EXPECT_EQ(all.find(trainee.code), std::string::npos);
   EXPECT_EQ(all.find("R101"), std::string::npos);
@@ -224,15 +178,16 @@ TEST(CohortReport, SmallCountsAreNotShownBesideOthers) {
 }
 
 TEST(CohortReport, SaysWhatWasFrozenWhenAndWhatDeviated) {
-  CohortInputs in = demonstration();
+  CohortInputs in = demonstrationCohort();
   in.freeze = CohortFreeze{"final", std::string(64, 'b'), 1'767'600'000'000'000, "admin", false};
   in.deviations = {{1'767'600'000'000'000, "x101", "late", "came twenty minutes late"}};
   in.doses = {{"x101", 38.5, 0.0, 5.0}};
 
   const ReportModel report = cohortReport(in);
 
-  EXPECT_THAT(report.facts, ::testing::Contains(::testing::Pair("Frozen data set", "final")));
-  EXPECT_THAT(report.facts, ::testing::Contains(::testing::Pair("Frozen", "2026-01-05 08:00 UTC by admin")));
+  EXPECT_THAT(report.facts, ::testing::Contains(::testing::Pair(Text("Frozen data set"), Text("final"))));
+  EXPECT_THAT(report.facts,
+              ::testing::Contains(::testing::Pair(Text("Frozen"), Text("2026-01-05 08:00 UTC by admin"))));
   bool deviation = false;
   bool dose = false;
   for (const ReportSection& section : report.sections)
@@ -245,7 +200,7 @@ TEST(CohortReport, SaysWhatWasFrozenWhenAndWhatDeviated) {
 }
 
 TEST(CohortReport, SingleMarksAreLeftOutForWhoMayNotSeeThem) {
-  CohortInputs in = demonstration();
+  CohortInputs in = demonstrationCohort();
   in.singleMarks = false;
   const ReportModel report = cohortReport(in);
   EXPECT_EQ(find(report, "figure-marks"), nullptr);
@@ -255,21 +210,21 @@ TEST(CohortReport, SingleMarksAreLeftOutForWhoMayNotSeeThem) {
 }
 
 TEST(CohortReport, SaysWhyAgreementIsNotDefinedWhenMarksAreMissing) {
-  CohortInputs in = demonstration();
+  CohortInputs in = demonstrationCohort();
   in.trainingMarks.pop_back();
   for (const ReportSection& section : cohortReport(in).sections)
     for (const ReportTable& table : section.tables)
       if (table.id == "table-agreement") {
-        EXPECT_THAT(table.rows[2][1], ::testing::HasSubstr("marks are missing"));
+        EXPECT_THAT(table.rows[2][1].str(), ::testing::HasSubstr("marks are missing"));
         EXPECT_EQ(table.provenance.missing, 1);
       }
 }
 
 TEST(CohortReport, RefusesInputsThatDoNotBelongTogether) {
-  CohortInputs in = demonstration();
+  CohortInputs in = demonstrationCohort();
   in.ratings.pop_back();
   EXPECT_THROW((void)cohortReport(in), Error);
-  in = demonstration();
+  in = demonstrationCohort();
   in.trainees[0].group = 7;
   EXPECT_THROW((void)cohortReport(in), Error);
 }
@@ -288,11 +243,11 @@ TEST(CohortReport, LeavesOutSectionsWithoutData) {
 }
 
 TEST(CohortCsv, IsTidyCompleteAndTheSameEachTime) {
-  const CohortInputs in = demonstration();
+  const CohortInputs in = demonstrationCohort();
   const std::vector<CohortCsvRow> rows = cohortCsvRows(in);
   const std::string text = cohortCsvText(rows);
 
-  EXPECT_EQ(text, cohortCsvText(cohortCsvRows(demonstration())));
+  EXPECT_EQ(text, cohortCsvText(cohortCsvRows(demonstrationCohort())));
   EXPECT_THAT(text,
               ::testing::StartsWith("section,item,group,model,index,occasion,statistic,value,n,flags\r\n"));
   const auto count = [&](const char* statistic) {

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string_view>
 
 namespace torsio {
@@ -134,6 +135,22 @@ class Reader {
     }
   }
 
+  /// Report models: what is written into the members that hold texts, and what is given to functions whose
+  /// parameter is a `const Text&`.
+  void runReport() {
+    for (std::size_t i = 1; i + 2 < tokens_.size(); ++i) findTextParameter(i);
+    for (std::size_t i = 2; i + 2 < tokens_.size(); ++i) readMember(i);
+    for (std::size_t i = 1; i < tokens_.size(); ++i) {
+      if (is(tokens_[i], "(") && textArguments_.contains(tokens_[nameBefore(i)].text)) readTextArguments(i);
+    }
+  }
+
+  /// Reasons why a statistic is not defined.
+  void runStatistics() {
+    speakers_ = {"undefined"};
+    run();
+  }
+
  private:
   /// A parameter with one of the telling names makes its function one that speaks.
   void findSpeaker(std::size_t i) {
@@ -164,6 +181,86 @@ class Reader {
     if (open < 1 || tokens_[open - 1].kind != Kind::kWord) return {};
     if (open >= 2 && is(tokens_[open - 2], "Text")) return "Text";
     return tokens_[open - 1].text;
+  }
+
+  /// `const Text& name` in the list of parameters: the place in the call is remembered.
+  void findTextParameter(std::size_t i) {
+    if (!is(tokens_[i - 1], "const") || !is(tokens_[i], "Text") || !is(tokens_[i + 1], "&")) return;
+    int depth = 0;
+    int angles = 0;
+    std::size_t place = 0;
+    for (std::size_t k = i; k-- > 1;) {
+      if (is(tokens_[k], ";") || is(tokens_[k], "{")) return;
+      if (is(tokens_[k], ">")) ++angles;
+      if (is(tokens_[k], "<")) --angles;
+      if (is(tokens_[k], ")")) ++depth;
+      if (is(tokens_[k], ",") && depth == 0 && angles == 0) ++place;
+      if (!is(tokens_[k], "(") || depth-- > 0) continue;
+      const std::string name =
+          is(tokens_[k - 1], "]") ? nameOfLambda(k - 1) : std::string(tokens_[k - 1].text);
+      if (tokens_[k - 1].kind == Kind::kWord || is(tokens_[k - 1], "]")) textArguments_[name].insert(place);
+      return;
+    }
+  }
+
+  /// Of a call `name(` or `name<Type>(`.
+  std::size_t nameBefore(std::size_t open) const {
+    std::size_t k = open - 1;
+    if (is(tokens_[k], ">")) {
+      while (k > 1 && !is(tokens_[k], "<")) --k;
+      --k;
+    }
+    return k;
+  }
+
+  void readTextArguments(std::size_t open) {
+    const std::set<std::size_t>& places = textArguments_.at(tokens_[nameBefore(open)].text);
+    std::size_t argument = 0;
+    int depth = 0;
+    for (std::size_t k = open; k < tokens_.size(); ++k) {
+      if (is(tokens_[k], "(") || is(tokens_[k], "{")) {
+        if (k != open && tokens_[k - 1].kind == Kind::kWord) {
+          k = closing(k);
+          continue;
+        }
+        ++depth;
+      }
+      if (is(tokens_[k], ")") || is(tokens_[k], "}")) --depth;
+      if (depth == 0) return;
+      if (depth == 1 && is(tokens_[k], ",")) ++argument;
+      if (tokens_[k].kind == Kind::kLiteral && places.contains(argument) && hasWords(tokens_[k].text))
+        take(k);
+    }
+  }
+
+  /// `table.columns = {"Group", ...};`, `section.paragraphs.push_back("...");`
+  void readMember(std::size_t i) {
+    static constexpr std::array<std::string_view, 17> kMembers{
+        "title",      "subtitle",   "columns",   "rows",      "notes", "paragraphs",
+        "name",       "xLabel",     "yLabel",    "formula",   "flags", "facts",
+        "references", "categories", "simulated", "occasions", "design"};
+    const bool member = is(tokens_[i - 1], ".") || (is(tokens_[i - 2], "-") && is(tokens_[i - 1], ">"));
+    if (!member || std::find(kMembers.begin(), kMembers.end(), tokens_[i].text) == kMembers.end()) return;
+    const bool assigned = is(tokens_[i + 1], "=") && !is(tokens_[i + 2], "=");
+    const bool grown = is(tokens_[i + 1], ".") && i + 3 < tokens_.size() &&
+                       (is(tokens_[i + 2], "push_back") || is(tokens_[i + 2], "insert"));
+    if (!assigned && !grown) return;
+    int depth = 0;
+    for (std::size_t k = assigned ? i + 2 : i + 3; k < tokens_.size(); ++k) {
+      const Token& token = tokens_[k];
+      if (is(token, "(") || is(token, "{")) {
+        if (tokens_[k - 1].kind == Kind::kWord && !is(tokens_[k - 1], "push_back") &&
+            !is(tokens_[k - 1], "insert")) {
+          k = closing(k);
+          continue;
+        }
+        ++depth;
+      }
+      if (is(token, ")") || is(token, "}")) --depth;
+      if (is(token, ";") || depth < 0) return;
+      const bool compared = is(tokens_[k - 1], "=") && is(tokens_[k - 2], "=");
+      if (token.kind == Kind::kLiteral && !compared && hasWords(token.text)) take(k);
+    }
   }
 
   void readCall(std::size_t open) {
@@ -217,6 +314,7 @@ class Reader {
   std::string file_;
   ServiceTexts& texts_;
   std::set<std::string> speakers_{"Error", "DbError", "Text", "progress"};
+  std::map<std::string, std::set<std::size_t>> textArguments_;
 };
 
 }  // namespace
@@ -234,13 +332,22 @@ void readAssetTexts(const std::string& json, ServiceTexts& texts) {
 
 void readServiceTexts(const std::string& source, const std::string& file, ServiceTexts& texts) {
   const std::vector<Token> tokens = Lexer(source).run();
+  if (file.starts_with("assessment/statistics/")) {
+    Reader(tokens, file, texts).runStatistics();
+    return;
+  }
   Reader(tokens, file, texts).run();
+  static constexpr std::array<std::string_view, 3> kReport{"assessment/report/", "app/session/reporting/",
+                                                           "app/session/demonstration.cpp"};
+  if (std::any_of(kReport.begin(), kReport.end(), [&](auto part) { return file.starts_with(part); }))
+    Reader(tokens, file, texts).runReport();
 }
 
 ServiceTexts readServiceTexts(const fs::path& root) {
-  static constexpr std::array<const char*, 10> kFolders{
-      "sim/base",    "sim/device", "sim/geometry", "sim/scene",        "db",
-      "app/session", "app/report", "app/gui",      "assets/curricula", "assets/rubrics"};
+  static constexpr std::array<const char*, 13> kFolders{
+      "sim/base",         "sim/device",       "sim/geometry",  "sim/scene",         "db",
+      "app/session",      "app/report",       "app/gui",       "assessment/report", "assessment/statistics",
+      "assessment/study", "assets/curricula", "assets/rubrics"};
   ServiceTexts texts;
   for (const char* folder : kFolders) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {

@@ -22,9 +22,11 @@ struct ServiceTexts {
 };
 
 /// Reads the literals that stand in calls of Error, DbError and Text, and of functions of the same file that
-/// take a parameter called what, why, remedy, problem or sentence; and the titles, labels, meanings and
-/// descriptions of the curricula and rubrics that are shipped. Numerical parts of the simulator and the
-/// statistics are left out: their refusals are told by their ErrorCode, the sentence is in the details.
+/// take a parameter called what, why, remedy, problem or sentence; what the sections of the cohort report
+/// write into its titles, columns, notes and other members that hold texts; the reasons why a statistic is
+/// not defined; and the titles, labels, meanings and descriptions of the curricula and rubrics that are
+/// shipped. Numerical parts of the simulator are left out, and the refusals of the statistics: they are told
+/// by their ErrorCode, the sentence is in the details.
 [[nodiscard]] ServiceTexts readServiceTexts(const std::filesystem::path& root);
 
 /// The same for one source, and for one file of assets.

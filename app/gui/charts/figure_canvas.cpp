@@ -11,6 +11,7 @@
 #include <QMimeData>
 #include <QPainter>
 
+#include "app/gui/shell/spoken.h"
 #include "app/report/chart_builder.h"
 #include "assessment/report/figure_table.h"
 
@@ -23,6 +24,9 @@ constexpr double kCopiedScale = 2.0;  // laid out at 800 x 450, drawn twice as l
 constexpr int kDescribedRows = 12;    // a screen reader offers the table for more
 constexpr int kRowHeight = 26;
 constexpr int kFrameHeight = 110;
+
+/// Figures speak the language of the window.
+const Wording kSpoken = [](const Text& text) { return spoken(text); };
 
 }  // namespace
 
@@ -38,13 +42,13 @@ ChartLook chartLook(const Theme& theme) {
 
 QString tabbed(const ReportTable& table) {
   QStringList lines;
-  const auto line = [](const std::vector<std::string>& cells) {
+  const auto line = [](const std::vector<Text>& cells) {
     QStringList parts;
-    for (const std::string& cell : cells) parts << QString::fromStdString(cell);
+    for (const Text& cell : cells) parts << spoken(cell);
     return parts.join(QLatin1Char('\t'));
   };
   lines << line(table.columns);
-  for (const std::vector<std::string>& row : table.rows) lines << line(row);
+  for (const std::vector<Text>& row : table.rows) lines << line(row);
   return lines.join(QLatin1Char('\n'));
 }
 
@@ -85,7 +89,7 @@ void FigureCanvas::rebuild() {
   scene()->clear();
   item_ = nullptr;
   if (!figure_) return;
-  item_ = buildFigure(*figure_, look_).release();
+  item_ = buildFigure(*figure_, look_, kSpoken).release();
   scene()->addItem(item_);
   fit();
 }
@@ -107,7 +111,7 @@ QImage FigureCanvas::picture(const QSize& size) const {
   image.fill(Qt::white);
   if (!figure_) return image;
   QGraphicsScene paper;
-  QGraphicsWidget* item = buildFigure(*figure_).release();
+  QGraphicsWidget* item = buildFigure(*figure_, {}, kSpoken).release();
   paper.addItem(item);
   item->resize(QSizeF(size) / kCopiedScale);
   paper.setSceneRect(item->geometry());
@@ -135,23 +139,24 @@ void FigureCanvas::keyPressEvent(QKeyEvent* event) {
 }
 
 void FigureCanvas::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) describe();
+  if (event->type() == QEvent::LanguageChange) {
+    rebuild();
+    describe();
+  }
   QGraphicsView::changeEvent(event);
 }
 
 void FigureCanvas::describe() {
   if (!figure_) return;
-  setAccessibleName(QString::fromStdString(figure_->title));
+  setAccessibleName(spoken(figure_->title));
   const ReportTable table = figureTable(*figure_, 2);
   QStringList said;
   for (std::size_t i = 0; i < table.rows.size() && i < kDescribedRows; ++i) {
     QStringList parts;
     for (std::size_t c = 1; c < table.rows[i].size(); ++c)
       if (!table.rows[i][c].empty())
-        parts << QStringLiteral("%1 %2").arg(QString::fromStdString(table.columns[c]),
-                                             QString::fromStdString(table.rows[i][c]));
-    said << QStringLiteral("%1: %2").arg(QString::fromStdString(table.rows[i].front()),
-                                         parts.join(QStringLiteral(", ")));
+        parts << QStringLiteral("%1 %2").arg(spoken(table.columns[c]), spoken(table.rows[i][c]));
+    said << QStringLiteral("%1: %2").arg(spoken(table.rows[i].front()), parts.join(QStringLiteral(", ")));
   }
   if (table.rows.size() > kDescribedRows)
     said << tr("%n row(s) more in the table", nullptr, static_cast<int>(table.rows.size()) - kDescribedRows);

@@ -18,7 +18,8 @@ namespace torsio::gui {
 [[nodiscard]] ChartLook chartLook(const Theme& theme);
 
 /// A figure of a report drawn into a widget, with the same builder as on paper. Ctrl+C copies it as a picture
-/// on white and as the table of its values. Says its values in the accessible description.
+/// on white and as the table of its values. Says its values in the accessible description. In the language of
+/// the window.
 class FigureCanvas : public QGraphicsView {
   Q_OBJECT
 

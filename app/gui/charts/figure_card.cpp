@@ -13,33 +13,17 @@
 
 #include "app/gui/charts/figure_canvas.h"
 #include "app/gui/look/data_table.h"
+#include "app/gui/shell/spoken.h"
 #include "assessment/report/figure_table.h"
+#include "assessment/report/provenance_line.h"
 
 namespace torsio::gui {
 
 namespace {
 
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
-
-QString provenanceLine(const Provenance& from) {
-  QStringList parts;
-  if (!from.formula.empty())
-    parts << (from.formulaVersion.empty()
-                  ? text(from.formula)
-                  : QStringLiteral("%1 (%2)").arg(text(from.formula), text(from.formulaVersion)));
-  if (from.n > 0) {
-    parts << QStringLiteral("n = %1").arg(from.n);
-    parts << FigureCard::tr("missing = %1").arg(from.missing);
-  }
-  for (const std::string& flag : from.flags) parts << text(flag);
-  return parts.join(QStringLiteral("; "));
-}
-
 /// Numbers sort by size.
-Cell cellOf(const std::string& content) {
-  Cell cell{text(content)};
+Cell cellOf(const Text& content) {
+  Cell cell{spoken(content)};
   bool isNumber = false;
   const double value = cell.text.toDouble(&isNumber);
   if (isNumber) cell.sortKey = value;
@@ -98,10 +82,9 @@ FigureCard::FigureCard(QWidget* parent)
 void FigureCard::setFigure(const ReportFigure& figure) {
   const bool table = stack_->currentWidget() == table_ && figure_.has_value();
   figure_ = figure;
-  title_->setText(text(figure.title));
+  alone_.reset();
   canvas_->setFigure(figure);
-  fillTable(figureTable(figure));
-  showNotes(figure.notes, figure.provenance);
+  showWords();
   picture_->setVisible(true);
   values_->setVisible(true);
   showTable(table);
@@ -109,12 +92,18 @@ void FigureCard::setFigure(const ReportFigure& figure) {
 
 void FigureCard::setTable(const ReportTable& table) {
   figure_.reset();
-  title_->setText(text(table.title));
-  fillTable(table);
-  showNotes(table.notes, table.provenance);
+  alone_ = table;
+  showWords();
   picture_->setVisible(false);
   values_->setVisible(false);
   stack_->setCurrentWidget(table_);
+}
+
+void FigureCard::showWords() {
+  if (!figure_ && !alone_) return;
+  title_->setText(spoken(figure_ ? figure_->title : alone_->title));
+  fillTable(figure_ ? figureTable(*figure_) : *alone_);
+  showNotes(figure_ ? figure_->notes : alone_->notes, figure_ ? figure_->provenance : alone_->provenance);
 }
 
 void FigureCard::setTheme(const Theme& theme) {
@@ -130,14 +119,14 @@ void FigureCard::fillTable(const ReportTable& table) {
   std::vector<Column> columns;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     bool numbers = !table.rows.empty();
-    for (const std::vector<std::string>& row : table.rows)
+    for (const std::vector<Text>& row : table.rows)
       numbers = numbers && (row[c].empty() || cellOf(row[c]).sortKey.isValid());
-    columns.push_back({text(table.columns[c]), numbers});
+    columns.push_back({spoken(table.columns[c]), numbers});
   }
   std::vector<Row> rows;
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     Row row{QString::number(r), {}};
-    for (const std::string& cell : table.rows[r]) row.cells.push_back(cellOf(cell));
+    for (const Text& cell : table.rows[r]) row.cells.push_back(cellOf(cell));
     rows.push_back(std::move(row));
   }
   table_->setRows({});
@@ -145,13 +134,11 @@ void FigureCard::fillTable(const ReportTable& table) {
   table_->setRows(std::move(rows));
 }
 
-void FigureCard::showNotes(const std::vector<std::string>& notes, const Provenance& provenance) {
-  QStringList lines;
-  for (const std::string& note : notes) lines << text(note);
-  const QString from = provenanceLine(provenance);
-  if (!from.isEmpty()) lines << from;
-  notes_->setText(lines.join(QLatin1Char('\n')));
-  notes_->setVisible(!lines.isEmpty());
+void FigureCard::showNotes(const std::vector<Text>& notes, const Provenance& provenance) {
+  std::vector<Text> lines = notes;
+  if (const Text from = provenanceLine(provenance); !from.empty()) lines.push_back(from);
+  notes_->setText(spokenLines(lines));
+  notes_->setVisible(!lines.empty());
 }
 
 void FigureCard::copy() {
@@ -172,7 +159,7 @@ void FigureCard::retranslate() {
   values_->setText(tr("&Values"));
   copy_->setText(tr("&Copy"));
   copy_->setToolTip(tr("Copies the picture and its table (Ctrl+C)"));
-  if (figure_) showNotes(figure_->notes, figure_->provenance);
+  showWords();
 }
 
 }  // namespace torsio::gui

@@ -18,7 +18,7 @@ class DataTable;
 class FigureCanvas;
 
 /// A figure with its title, its notes and its twin, the table of the values drawn: the same content for eyes,
-/// screen readers and spreadsheets. Or a table of the report alone.
+/// screen readers and spreadsheets. Or a table of the report alone. In the language of the window.
 class FigureCard : public QFrame {
   Q_OBJECT
 
@@ -39,11 +39,13 @@ class FigureCard : public QFrame {
 
  private:
   void fillTable(const ReportTable& table);
-  void showNotes(const std::vector<std::string>& notes, const Provenance& provenance);
+  void showNotes(const std::vector<Text>& notes, const Provenance& provenance);
+  void showWords();
   void copy();
   void retranslate();
 
-  std::optional<ReportFigure> figure_;
+  std::optional<ReportFigure> figure_;  // what is shown: a figure or a table alone
+  std::optional<ReportTable> alone_;
   QLabel* title_;
   QLabel* notes_;
   QPushButton* picture_;

@@ -21,6 +21,7 @@
 #include "app/gui/office/study_words.h"
 #include "app/gui/office/user_dialogs.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "app/session/study/cohort_service.h"
 
 namespace torsio::gui {
@@ -328,7 +329,7 @@ void AllocationPage::check() {
                                       "of them moved by hand.")
                                        .arg(found.records)
                                        .arg(found.overrides)
-                                 : tr("The draw does not fit its record: %1").arg(shown(found.finding)));
+                                 : tr("The draw does not fit its record: %1").arg(spoken(found.finding)));
   });
 }
 

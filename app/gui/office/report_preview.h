@@ -3,6 +3,7 @@
 
 #include <QTextBrowser>
 
+#include "app/report/wording.h"
 #include "assessment/report/report_model.h"
 
 namespace torsio::gui {
@@ -15,10 +16,11 @@ class ReportPreview : public QTextBrowser {
  public:
   explicit ReportPreview(QWidget* parent = nullptr);
 
-  void setReport(const ReportModel& model);
+  /// The words are those of `wording`: the language of the report, whatever that of the window.
+  void setReport(const ReportModel& model, const Wording& wording);
 
  private:
-  [[nodiscard]] QString tableHtml(const ReportTable& table) const;
+  [[nodiscard]] static QString tableHtml(const ReportTable& table, const Wording& wording);
 };
 
 }  // namespace torsio::gui

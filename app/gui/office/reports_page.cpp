@@ -16,7 +16,9 @@
 #include "app/gui/look/page_heading.h"
 #include "app/gui/office/office_parts.h"
 #include "app/gui/office/report_preview.h"
+#include "app/gui/shell/language.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/report/wording.h"
 #include "app/session/study/frozen_data.h"
 #include "assessment/report/cohort_report.h"
 
@@ -45,6 +47,7 @@ ReportsPage::ReportsPage(ShellContext& shell)
       frozen_(new QComboBox(this)),
       freeze_(new QPushButton(this)),
       identity_(new QComboBox(this)),
+      language_(new QComboBox(this)),
       warning_(sentence(this)),
       preview_(new ReportPreview(this)) {
   pdf_->setProperty("primary", true);
@@ -58,6 +61,7 @@ ReportsPage::ReportsPage(ShellContext& shell)
   frozenLabel_ = gridField(grid, 2, frozen_);
   grid->addWidget(freeze_, 1, 3);
   identityLabel_ = gridField(grid, 4, identity_);
+  languageLabel_ = gridField(grid, 5, language_);
   for (const int wide : {0, 1, 2, 4}) grid->setColumnStretch(wide, 1);
   for (QComboBox* box : {cohort_, campaign_, frozen_, identity_}) box->setMinimumContentsLength(14);
   QVBoxLayout* column = pageColumn(this);
@@ -72,9 +76,14 @@ ReportsPage::ReportsPage(ShellContext& shell)
   });
   for (QComboBox* box : {campaign_, frozen_, identity_})
     connect(box, &QComboBox::currentIndexChanged, this, &ReportsPage::compute);
+  connect(language_, &QComboBox::currentIndexChanged, this, &ReportsPage::showReport);
   connect(freeze_, &QPushButton::clicked, this, &ReportsPage::askFreeze);
   connect(pdf_, &QPushButton::clicked, this, [this] { askExport(ReportFormat::kPdf); });
   connect(csv_, &QPushButton::clicked, this, [this] { askExport(ReportFormat::kCsv); });
+  const QSignalBlocker quietLanguage(language_);
+  language_->addItem(QString(), QString());  // that of the window
+  for (const Language language : {Language::kEnglish, Language::kSimplifiedChinese})
+    language_->addItem(languageName(language), languageCode(language));
   const QSignalBlocker quiet(identity_);
   identity_->addItem(QString(), static_cast<int>(ReportIdentity::kCoded));
   identity_->addItem(QString(), static_cast<int>(ReportIdentity::kAggregated));
@@ -120,6 +129,7 @@ ReportRequest ReportsPage::request() const {
 
 void ReportsPage::compute() {
   inputs_.reset();
+  model_.reset();
   showButtons();
   const ReportRequest wanted = request();
   if (wanted.cohortId.empty()) {
@@ -136,9 +146,21 @@ void ReportsPage::compute() {
       },
       [this, inputs, model] {
         inputs_ = inputs;
-        preview_->setReport(*model);
+        model_ = model;
+        showReport();
         showButtons();
       });
+}
+
+std::string ReportsPage::reportLanguage() const {
+  const QString chosen = language_->currentData().toString();
+  return (chosen.isEmpty() ? languageCode(presentLanguage()) : chosen).toStdString();
+}
+
+void ReportsPage::showReport() {
+  if (!model_) return;
+  shownLanguage_ = reportLanguage();
+  preview_->setReport(*model_, wordingIn(shownLanguage_));
 }
 
 void ReportsPage::settle() {
@@ -201,7 +223,7 @@ bool ReportsPage::exportTo(ReportFormat format, const std::filesystem::path& fil
   try {
     // Charts belong to the GUI thread: pages are drawn here, and between two of them the window answers.
     const ReportExport done = exportReport(shell().workplace(), request(), *inputs_, format, file,
-                                           [&wait](std::size_t page, std::size_t pages) {
+                                           reportLanguage(), [&wait](std::size_t page, std::size_t pages) {
                                              wait.setMaximum(static_cast<int>(pages));
                                              wait.setValue(static_cast<int>(page));
                                              QApplication::processEvents();
@@ -232,6 +254,9 @@ void ReportsPage::retranslate() {
   if (identity_->count() > 2) identity_->setItemText(2, tr("trainees with names"));
   if (campaign_->count() > 0) campaign_->setItemText(0, tr("none"));
   if (frozen_->count() > 0) frozen_->setItemText(0, tr("as they are now"));
+  languageLabel_->setText(tr("&Language of the report"));
+  language_->setItemText(0, tr("as the window"));
+  if (shownLanguage_ != reportLanguage()) showReport();
   preview_->setAccessibleName(tr("Preview of the report"));
   showButtons();
 }

@@ -35,19 +35,26 @@ class ReportsPage : public Page {
   void settle();
 
   [[nodiscard]] QComboBox& identity() const noexcept { return *identity_; }
+  [[nodiscard]] QComboBox& language() const noexcept { return *language_; }
+  [[nodiscard]] ReportPreview& preview() const noexcept { return *preview_; }
   [[nodiscard]] QComboBox& dataSet() const noexcept { return *frozen_; }
   [[nodiscard]] const std::shared_ptr<CohortInputs>& inputs() const noexcept { return inputs_; }
 
  private:
   void fillFrozen();
   void compute();
+  void showReport();
   void askFreeze();
   void askExport(ReportFormat format);
   void showButtons();
   [[nodiscard]] ReportRequest request() const;
+  /// Chosen, or that of the window.
+  [[nodiscard]] std::string reportLanguage() const;
 
   std::shared_ptr<TrialDigests> digests_;
   std::shared_ptr<CohortInputs> inputs_;  // of what is shown; empty while it is computed
+  std::shared_ptr<ReportModel> model_;
+  std::string shownLanguage_;
   PageHeading* heading_;
   QPushButton* pdf_;
   QPushButton* csv_;
@@ -60,6 +67,8 @@ class ReportsPage : public Page {
   QPushButton* freeze_;
   QLabel* identityLabel_;
   QComboBox* identity_;
+  QLabel* languageLabel_;
+  QComboBox* language_;
   QLabel* warning_;
   ReportPreview* preview_;
 };

@@ -16,6 +16,7 @@
 #include "app/gui/look/page_heading.h"
 #include "app/gui/office/office_parts.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "assessment/report/cohort_report.h"
 
 namespace torsio::gui {
@@ -124,13 +125,13 @@ void ResultsPage::fill() {
   if (model_)
     for (const ReportSection& section : model_->sections) {
       if (section.figures.empty() && section.tables.empty()) continue;
-      auto* head = new QListWidgetItem(shown(section.title), contents_);
+      auto* head = new QListWidgetItem(spoken(section.title), contents_);
       QFont bold = head->font();
       bold.setBold(true);
       head->setFont(bold);
       head->setFlags(Qt::NoItemFlags | Qt::ItemIsEnabled);
-      const auto add = [this](const std::string& id, const std::string& title) {
-        auto* item = new QListWidgetItem(QStringLiteral("   %1").arg(shown(title)), contents_);
+      const auto add = [this](const std::string& id, const Text& title) {
+        auto* item = new QListWidgetItem(QStringLiteral("   %1").arg(spoken(title)), contents_);
         item->setData(kIdRole, shown(id));
       };
       for (const ReportFigure& figure : section.figures) add(figure.id, figure.title);
@@ -181,6 +182,7 @@ void ResultsPage::retranslate() {
   contents_->setAccessibleName(tr("Figures and tables"));
   empty_->setText(tr("There is nothing to show yet: no cohort has marks or recordings."));
   if (campaign_->count() > 0) campaign_->setItemText(0, tr("none"));
+  if (model_) fill();
 }
 
 void ResultsPage::applyTheme(const Theme& theme) {

@@ -57,6 +57,10 @@ QString languageName(Language language) {
                                                   : QStringLiteral("English");
 }
 
+Language presentLanguage() {
+  return QLocale().language() == QLocale::Chinese ? Language::kSimplifiedChinese : Language::kEnglish;
+}
+
 Language systemLanguage() {
   return QLocale::system().language() == QLocale::Chinese ? Language::kSimplifiedChinese : Language::kEnglish;
 }

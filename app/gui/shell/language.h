@@ -16,6 +16,8 @@ enum class Language { kEnglish, kSimplifiedChinese };
 [[nodiscard]] std::optional<Language> languageOf(const QString& code);
 /// As its speakers write it.
 [[nodiscard]] QString languageName(Language language);
+/// The one that the window speaks.
+[[nodiscard]] Language presentLanguage();
 /// Of the machine, as far as we speak it.
 [[nodiscard]] Language systemLanguage();
 

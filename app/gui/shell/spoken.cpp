@@ -7,12 +7,15 @@
 #include <QLocale>
 #include <QStringList>
 
+#include "app/report/wording.h"
+
 namespace torsio::gui {
 
 namespace {
 
-/// Names that come out of the paper's instrument as plain words.
-[[maybe_unused]] const char* const kInstrumentWords[] = {
+/// Names and codes that come out of the record, the paper's instrument and the design of the allocation as
+/// plain words, and how a text joins others.
+[[maybe_unused]] const char* const kPlainWords[] = {
     QT_TRANSLATE_NOOP("Services", "Effectiveness"),
     QT_TRANSLATE_NOOP("Services", "Force feedback"),
     QT_TRANSLATE_NOOP("Services", "Real-time performance"),
@@ -28,6 +31,43 @@ namespace {
     QT_TRANSLATE_NOOP("Services", "deputy chief physician"),
     QT_TRANSLATE_NOOP("Services", "chief physician"),
     QT_TRANSLATE_NOOP("Services", "intern"),
+    QT_TRANSLATE_NOOP("Services", "female"),
+    QT_TRANSLATE_NOOP("Services", "male"),
+    QT_TRANSLATE_NOOP("Services", "other"),
+    QT_TRANSLATE_NOOP("Services", "first-year graduate"),
+    QT_TRANSLATE_NOOP("Services", "master's student"),
+    QT_TRANSLATE_NOOP("Services", "doctoral student"),
+    QT_TRANSLATE_NOOP("Services", "sex"),
+    QT_TRANSLATE_NOOP("Services", "level"),
+    QT_TRANSLATE_NOOP("Services", "experience"),
+    QT_TRANSLATE_NOOP("Services", "handedness"),
+    QT_TRANSLATE_NOOP("Services", "complete permutation"),
+    QT_TRANSLATE_NOOP("Services", "permuted blocks"),
+    QT_TRANSLATE_NOOP("Services", "stratified blocks"),
+    QT_TRANSLATE_NOOP("Services", "minimisation"),
+    QT_TRANSLATE_NOOP("Services", "mt19937_64, bounded by rejection, Fisher-Yates from the back"),
+    QT_TRANSLATE_NOOP("Services", "late"),
+    QT_TRANSLATE_NOOP("Services", "absent"),
+    QT_TRANSLATE_NOOP("Services", "device failed"),
+    QT_TRANSLATE_NOOP("Services", "swapped"),
+    QT_TRANSLATE_NOOP("Services", "phase cut short"),
+    QT_TRANSLATE_NOOP("Services", "phase too long"),
+    QT_TRANSLATE_NOOP("Services", "rest too long"),
+    QT_TRANSLATE_NOOP("Services", "available-case"),
+    QT_TRANSLATE_NOOP("Services", "list-wise"),
+    QT_TRANSLATE_NOOP("Services", "renormalised"),
+    QT_TRANSLATE_NOOP("Services", "few raters"),
+    QT_TRANSLATE_NOOP("Services", "Demonstration centre (simulated)"),
+    QT_TRANSLATE_NOOP("Services", "paper"),
+    QT_TRANSLATE_NOOP("Services", "Right forearm"),
+    QT_TRANSLATE_NOOP("Services", "Stomach"),
+    QT_TRANSLATE_NOOP("Services", "Small intestine, loop"),
+    QT_TRANSLATE_NOOP("Services", "synthetic, drawn by torsio_make_organs from ANSUR II means"),
+    QT_TRANSLATE_NOOP("Services", "synthetic, drawn by torsio_make_organs from published dimensions"),
+    QT_TRANSLATE_NOOP("Services", "Simulated trainees after section 6 of the paper"),
+    QT_TRANSLATE_NOOP("Services", "%1, %2"),
+    QT_TRANSLATE_NOOP("Services", "%1; %2"),
+    QT_TRANSLATE_NOOP("Services", "%1 (%2)"),
 };
 
 QString translated(const std::string& pattern) {
@@ -87,12 +127,7 @@ QString capitalised(QString sentence) {
 }  // namespace
 
 QString spoken(const Text& text) {
-  if (text.empty()) return {};
-  if (text.arguments().empty()) return translated(text.pattern());
-  std::vector<std::string> words;
-  words.reserve(text.arguments().size());
-  for (const Text& argument : text.arguments()) words.push_back(spoken(argument).toStdString());
-  return QString::fromStdString(filledIn(translated(text.pattern()).toStdString(), words));
+  return worded(text, translated);
 }
 
 QString spokenLines(const std::vector<Text>& texts) {

@@ -15,6 +15,7 @@
 #include "db/repository/sheet_repository.h"
 #include "db/repository/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/text_list.h"
 
 namespace torsio {
 
@@ -27,8 +28,8 @@ StoredCohort cohortOf(Connection& connection, const std::string& cohortId) {
 }
 
 /// Scoring points as the paper names them; with a curriculum from its exposure times.
-std::vector<std::string> occasionNames(Connection& connection, const StoredCohort& cohort) {
-  std::vector<std::string> names = {"before", "after 20 min", "after 40 min"};
+std::vector<Text> occasionNames(Connection& connection, const StoredCohort& cohort) {
+  std::vector<Text> names = {Text("before"), Text("after %1 min", 20), Text("after %1 min", 40)};
   if (cohort.curriculumVersionId.empty()) return names;
   const auto version = CurriculumRepository(connection).version(cohort.curriculumVersionId);
   if (!version) return names;
@@ -37,13 +38,10 @@ std::vector<std::string> occasionNames(Connection& connection, const StoredCohor
     const auto at = std::find(points.begin(), points.end(), point.code);
     if (at == points.end()) continue;
     const auto minutes = static_cast<double>(point.afterExposure_us) / 60e6;
+    const bool whole = minutes == static_cast<double>(static_cast<std::int64_t>(minutes));
     names[static_cast<std::size_t>(at - points.begin())] =
-        point.afterExposure_us == 0
-            ? std::string("before")
-            : "after " +
-                  formatFixed(minutes,
-                              minutes == static_cast<double>(static_cast<std::int64_t>(minutes)) ? 0 : 1) +
-                  " min";
+        point.afterExposure_us == 0 ? Text("before")
+                                    : Text("after %1 min", formatFixed(minutes, whole ? 0 : 1));
   }
   return names;
 }
@@ -56,8 +54,8 @@ void addFreeze(Workplace& workplace, const ReportRequest& request, CohortInputs&
     const FrozenCheck check = compareWithFrozen(workplace, row.id);
     freeze.unchanged = check.same;
     inputs.freeze = std::move(freeze);
-    for (const std::string& difference : check.differences)
-      inputs.provenance.emplace_back("Changed since the freeze", difference);
+    for (const Text& difference : check.differences)
+      inputs.provenance.emplace_back(Text("Changed since the freeze"), difference);
     return;
   }
   throw Error(ErrorCode::kBadParameter, "there is no such frozen data set", request.frozenId,
@@ -78,15 +76,14 @@ void addAllocation(Workplace& workplace, const std::string& cohortId, CohortInpu
   const std::vector<AllocationDesignRow> designs = allocationDesigns(workplace, cohortId);
   if (designs.empty()) return;
   const AllocationDesignRow& last = designs.back();
-  std::string factors;
-  for (const AllocationFactor& factor : last.design.factors)
-    factors += (factors.empty() ? "" : ", ") + factor.name;
+  std::vector<Text> factors;
+  for (const AllocationFactor& factor : last.design.factors) factors.emplace_back(factor.name);
   std::string blocks;
   for (const std::size_t size : last.design.blockSizes)
     blocks += (blocks.empty() ? "" : ", ") + std::to_string(size);
-  inputs.allocation.design = {{"Method", last.stored.algorithm},
-                              {"Strata or margins", factors.empty() ? "none" : factors},
-                              {"Block sizes", blocks.empty() ? "none" : blocks},
+  inputs.allocation.design = {{"Method", Text(last.stored.algorithm)},
+                              {"Strata or margins", factors.empty() ? Text("none") : listed(factors)},
+                              {"Block sizes", blocks.empty() ? Text("none") : Text(blocks)},
                               {"Locked", formatUtc(last.stored.lockedUtc_us)},
                               {"People allocated", std::to_string(last.records)},
                               {"Moved by hand, with a reason", std::to_string(last.overrides)},
@@ -94,7 +91,7 @@ void addAllocation(Workplace& workplace, const std::string& cohortId, CohortInpu
   if (last.stored.seed.empty()) return;
   const AllocationCheck check = checkAllocation(workplace, last.stored.id);
   inputs.allocation.replayed = check.sound;
-  if (!check.sound) inputs.allocation.design.emplace_back("Check of the draw", check.finding);
+  if (!check.sound) inputs.allocation.design.emplace_back(Text("Check of the draw"), check.finding);
 }
 
 /// "T-07 Li Na" in place of "T-07", everywhere.
@@ -153,14 +150,14 @@ CohortInputs reportInputs(Workplace& workplace, const ReportRequest& request, Tr
   inputs.demonstration = cohort.demonstration || campaign.campaign.demonstration;
   inputs.identity = request.identity;
   inputs.occasions = occasionNames(connection, cohort);
-  if (!cohort.description.empty()) inputs.facts.emplace_back("Cohort", cohort.description);
+  if (!cohort.description.empty()) inputs.facts.emplace_back(Text("Cohort"), cohort.description);
   if (!campaign.campaign.name.empty())
-    inputs.facts.emplace_back("Evaluation of models", campaign.campaign.name);
-  inputs.facts.emplace_back("Made", formatUtc(inputs.createdUtc_us));
+    inputs.facts.emplace_back(Text("Evaluation of models"), campaign.campaign.name);
+  inputs.facts.emplace_back(Text("Made"), formatUtc(inputs.createdUtc_us));
   if (inputs.demonstration)
     inputs.simulated = {
-        "The trainees' movements come from a scripted hand with a seed; the simulator, the "
-        "recorder and every computation are the real ones.",
+        Text("The trainees' movements come from a scripted hand with a seed; the simulator, the recorder and "
+             "every computation are the real ones."),
         demonstrationTrainingRule(), demonstrationEvaluationRule()};
   addAllocation(workplace, cohort.id, inputs);
   addFreeze(workplace, request, inputs);

@@ -31,12 +31,13 @@ std::string_view identityCode(ReportIdentity identity) noexcept {
 }
 
 ReportExport exportReport(Workplace& workplace, const ReportRequest& request, const CohortInputs& inputs,
-                          ReportFormat format, const std::filesystem::path& file, const ReportPages& pages) {
+                          ReportFormat format, const std::filesystem::path& file, const std::string& language,
+                          const ReportPages& pages) {
   const bool named = request.identity == ReportIdentity::kNamed;
   workplace.require(named ? Operation::kReportExportNamed : Operation::kReportExportCoded);
   TORSIO_EXPECTS(inputs.identity == request.identity);
   if (format == ReportFormat::kPdf) {
-    writePdfReport(cohortReport(inputs), file, pages);
+    writePdfReport(cohortReport(inputs), file, wordingIn(language), pages);
   } else {
     writeFileAtomically(file, std::string(kByteOrderMark) + cohortCsvText(cohortCsvRows(inputs)));
   }
@@ -46,6 +47,7 @@ ReportExport exportReport(Workplace& workplace, const ReportRequest& request, co
   ReportExport done{file, digest.hex(), content.size()};
   nlohmann::ordered_json what;
   what["format"] = format == ReportFormat::kPdf ? "pdf" : "csv";
+  if (format == ReportFormat::kPdf) what["language"] = language;
   what["identity"] = identityCode(request.identity);
   what["campaign"] = request.campaignId;
   what["frozen"] = request.frozenId;

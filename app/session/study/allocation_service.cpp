@@ -423,7 +423,7 @@ AllocationCheck checkAllocation(Workplace& workplace, const std::string& designI
   workplace.require(Operation::kAllocationView);
   StudyRepository study(workplace.connection());
   AllocationCheck check;
-  const auto wrong = [&](const std::string& finding) {
+  const auto wrong = [&](const Text& finding) {
     check.sound = false;
     check.finding = finding;
     return check;
@@ -442,7 +442,7 @@ AllocationCheck checkAllocation(Workplace& workplace, const std::string& designI
       check.records = records.size();
       check.overrides = records.size() - drawn.size();
       if (const auto broken = study.firstBrokenAllocation(designId)) {
-        return wrong("record " + std::to_string(*broken) + " does not fit into the chain");
+        return wrong(Text("record %1 does not fit into the chain", *broken));
       }
       const AllocationDesign design = designFromStored(stored, groupCodes, drawn.size());
       const std::uint64_t seed = seedFrom(study.sealedSeed(designId), designId);
@@ -457,7 +457,7 @@ AllocationCheck checkAllocation(Workplace& workplace, const std::string& designI
             allocator.assign(personFromRecord(design, codes.at(record.enrolmentId), record.covariatesJson));
         if (groupIds[design.arms.at(again.arm)] != record.groupId ||
             static_cast<std::int64_t>(again.drawsAfter) != record.drawAfter) {
-          return wrong("record " + std::to_string(record.sequence) + " does not follow from the seed");
+          return wrong(Text("record %1 does not follow from the seed", record.sequence));
         }
       }
       std::map<std::string, std::string> lastGroup;
@@ -465,7 +465,7 @@ AllocationCheck checkAllocation(Workplace& workplace, const std::string& designI
       for (const StoredEnrolment& enrolment : study.enrolments(cohort.id)) {
         const auto last = lastGroup.find(enrolment.id);
         if (last != lastGroup.end() && last->second != enrolment.groupId) {
-          return wrong(enrolment.traineeCode + " is in a group that no record tells of");
+          return wrong(Text("%1 is in a group that no record tells of", enrolment.traineeCode));
         }
       }
       return check;

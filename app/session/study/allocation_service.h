@@ -96,7 +96,7 @@ std::string revealSeed(Workplace& workplace, const std::string& designId, const 
 
 struct AllocationCheck {
   bool sound = true;
-  std::string finding{};  ///< what is wrong, in words
+  Text finding{};  ///< what is wrong
   std::size_t records = 0;
   std::size_t overrides = 0;
 };

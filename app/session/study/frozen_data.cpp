@@ -169,22 +169,20 @@ std::optional<StoredFreeze> findFreeze(Workplace& workplace, const std::string& 
 
 /// What differs between two states of one table, in words.
 void compareTable(const std::string& table, const Hashes& then, const Hashes& now, FrozenCheck& check) {
-  const auto add = [&](const std::string& id, const char* what) {
+  const auto add = [&](const Text& difference) {
     check.same = false;
-    if (check.differences.size() < kShownDifferences) {
-      check.differences.push_back(table + " " + id + " " + what);
-    }
+    if (check.differences.size() < kShownDifferences) check.differences.push_back(difference);
   };
   for (const auto& [id, hash] : then) {
     const auto present = now.find(id);
     if (present == now.end()) {
-      add(id, "is no longer there");
+      add(Text("%1 %2 is no longer there", table, id));
     } else if (present->second != hash) {
-      add(id, "has changed");
+      add(Text("%1 %2 has changed", table, id));
     }
   }
   for (const auto& [id, hash] : now) {
-    if (!then.contains(id)) add(id, "was added");
+    if (!then.contains(id)) add(Text("%1 %2 was added", table, id));
   }
 }
 
@@ -230,7 +228,8 @@ FrozenCheck compareWithFrozen(Workplace& workplace, const std::string& frozenId)
   FrozenCheck check;
   if (hashOfText(stored->manifestJson) != stored->contentHash) {
     check.same = false;
-    check.differences.emplace_back("the manifest does not fit its hash: the database was tampered with");
+    check.differences.emplace_back(
+        Text("the manifest does not fit its hash: the database was tampered with"));
     return check;
   }
   const Manifest then = manifestFrom(*stored);

@@ -42,7 +42,7 @@ FrozenRow freezeData(Workplace& workplace, const std::string& cohortId, const st
 
 struct FrozenCheck {
   bool same = true;
-  std::vector<std::string> differences{};  ///< "mark 4f... was added", in words, at most twenty
+  std::vector<Text> differences{};  ///< "mark 4f... was added", in words, at most twenty
 };
 /// Compares a frozen state with what is there now. kResultsCompute. Throws Error{kBadParameter} when there is
 /// none.

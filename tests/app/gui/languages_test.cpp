@@ -12,6 +12,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QRegularExpression>
 #include <QTabBar>
 #include <QTableView>
@@ -19,7 +20,7 @@
 #include <QTranslator>
 #include <gtest/gtest.h>
 
-#include "app/gui/charts/figure_card.h"
+#include "app/gui/office/report_preview.h"
 #include "app/gui/shell/language.h"
 #include "app/gui/shell/screenshots.h"
 #include "app/gui/shell/spoken.h"
@@ -38,6 +39,10 @@ bool staysAsItIs(const QString& text) {
       "Good grip\\..*|server\\.hospital\\.example|Station 1|.*\\(demonstration\\).*|"  // names in the
                                                                                        // demonstration record
       "[A-Z]{1,2}-?[0-9]{1,3}\\b.*|[0-9]+[A-Z]|"  // codes: T-01, G1, M1 ..., 7F
+      "(PM|FEM|MSM|Hedges g|Krippendorff α|ICC\\(2,[1k]\\))( \\[95.%\\])?|[pz] "
+      "\\((Holm|Dunn|Greenhouse-Geisser)\\)|"  // models,
+                                               // statistics
+      "(evaluation|training)-1|Saint-Venant|"  // versions and names of formulas
       "[\\W\\d_]*([kmµ]?(Pa|N|Nm|N m|m|s|Hz|B|MiB|GiB)|CSV|PDF|PIN|ms|µs|X|Y|Z|F1)?[\\W\\d_]*|"  // units
       "/.*|[0-9a-f]{8,}.*|\\d.*UTC"  // paths, hashes, times
       ")$"));
@@ -64,24 +69,20 @@ void add(QStringList& texts, const QString& text) {
   }
 }
 
-/// The report and its figures are written in English (assets/translations/README.md).
-bool ofTheReport(const QWidget* widget) {
-  for (; widget != nullptr; widget = widget->parentWidget()) {
-    if (qobject_cast<const FigureCard*>(widget) != nullptr) return true;
-  }
-  return false;
-}
-
-/// Texts of what is seen: labels, buttons, tabs, headers, boxes, hints in fields.
+/// Texts of what is seen: labels, buttons, tabs, headers, boxes, lists, hints in fields, and the report.
 QStringList seenTexts(QWidget& window) {
   QStringList texts;
   for (QWidget* widget : window.findChildren<QWidget*>()) {
-    if (!widget->isVisibleTo(&window) || ofTheReport(widget)) continue;
+    if (!widget->isVisibleTo(&window)) continue;
     if (const auto* label = qobject_cast<QLabel*>(widget)) add(texts, label->text());
     if (const auto* button = qobject_cast<QAbstractButton*>(widget)) add(texts, button->text());
     if (const auto* box = qobject_cast<QGroupBox*>(widget)) add(texts, box->title());
     if (const auto* combo = qobject_cast<QComboBox*>(widget)) add(texts, combo->currentText());
     if (const auto* field = qobject_cast<QLineEdit*>(widget)) add(texts, field->placeholderText());
+    if (const auto* report = qobject_cast<ReportPreview*>(widget)) add(texts, report->toPlainText());
+    if (const auto* list = qobject_cast<QListWidget*>(widget)) {
+      for (int i = 0; i < list->count(); ++i) add(texts, list->item(i)->text());
+    }
     if (const auto* tabs = qobject_cast<QTabBar*>(widget)) {
       for (int i = 0; i < tabs->count(); ++i) add(texts, tabs->tabText(i));
     }

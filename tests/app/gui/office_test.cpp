@@ -36,22 +36,27 @@
 #include "app/gui/office/curricula_page.h"
 #include "app/gui/office/curriculum_editor.h"
 #include "app/gui/office/office_pages.h"
+#include "app/gui/office/report_preview.h"
 #include "app/gui/office/reports_page.h"
 #include "app/gui/office/results_page.h"
 #include "app/gui/office/roster_wizard.h"
 #include "app/gui/office/run_day_page.h"
 #include "app/gui/office/scoring_page.h"
 #include "app/gui/office/users_page.h"
+#include "app/gui/shell/language.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/report/wording.h"
 #include "app/session/people/people_service.h"
 #include "app/session/reporting/report_export.h"
 #include "app/session/study/curriculum_service.h"
+#include "assessment/report/cohort_report.h"
 #include "assessment/report/figure_table.h"
 #include "assessment/study/demonstration_marks.h"
 #include "db/repository/audit_repository.h"
 #include "db/repository/sheet_repository.h"
 #include "sim/base/file_io.h"
 #include "tests/app/gui/office_desk.h"
+#include "tests/support/demonstration_cohort.h"
 
 namespace torsio::gui {
 namespace {
@@ -186,6 +191,32 @@ void askAllRaters(Office& office, const std::string& cohortId) {
   EXPECT_EQ(page->matrix().visibleRows(), 90);
 }
 
+/// What is listed and shown follows the language of the window; what was chosen stays chosen.
+void expectResultsFollowTheLanguage(ResultsPage& results) {
+  const QString english = results.contents().currentItem()->text();
+  LanguageSwitch language;
+  language.choose(Language::kSimplifiedChinese);
+  QCoreApplication::processEvents();
+
+  EXPECT_EQ(results.contents().currentItem()->text().trimmed(),
+            QStringLiteral("40 \u5206\u949f\u540e\u5404\u5b66\u5458\u7684\u5f97\u5206"));
+  EXPECT_EQ(results.card().table().visibleRows(), 10);
+  language.choose(Language::kEnglish);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(results.contents().currentItem()->text(), english);
+}
+
+/// The report in the language chosen beside it, whatever that of the window.
+void expectReportInChinese(ReportsPage& reports, const fs::path& file) {
+  EXPECT_TRUE(reports.preview().toPlainText().contains(QStringLiteral("Methods and limits")));
+  reports.language().setCurrentIndex(reports.language().findData(QStringLiteral("zh_CN")));
+
+  EXPECT_FALSE(reports.preview().toPlainText().contains(QStringLiteral("Methods and limits")));
+  EXPECT_TRUE(reports.preview().toPlainText().contains(QStringLiteral("\u65b9\u6cd5\u4e0e\u5c40\u9650")));
+  EXPECT_TRUE(reports.exportTo(ReportFormat::kPdf, file));
+  EXPECT_NE(readFile(file).find("NotoSansCJK"), std::string::npos);
+}
+
 TEST(Office, RunsAWholeStudyFromTheRosterToTheReport) {
   Office office;
 
@@ -203,6 +234,7 @@ TEST(Office, RunsAWholeStudyFromTheRosterToTheReport) {
   auto results = office.open<ResultsPage>("administrator");
   results->showItem(QStringLiteral("figure-22"));
   EXPECT_EQ(results->card().table().visibleRows(), 10);
+  expectResultsFollowTheLanguage(*results);
 
   auto reports = office.open<ReportsPage>("administrator");
   answer([](QDialog& dialog) { type(dialog, QStringLiteral("final")); });
@@ -219,7 +251,8 @@ TEST(Office, RunsAWholeStudyFromTheRosterToTheReport) {
 
   EXPECT_EQ(readFile(pdf).substr(0, 5), "%PDF-");
   EXPECT_NE(readFile(csv).find("icc_2_k"), std::string::npos);
-  EXPECT_EQ(office.centre.audited("report.export_coded"), 2);
+  expectReportInChinese(*reports, office.centre.folder() / "chinese.pdf");
+  EXPECT_EQ(office.centre.audited("report.export_coded"), 3);
   EXPECT_TRUE(office.failures.isEmpty()) << office.failures.join(QLatin1Char('\n')).toStdString();
 }
 
@@ -265,6 +298,51 @@ TEST(Office, NamedReportsNeedTheRightAndLeaveAnEntryOfTheirOwn) {
 
   EXPECT_EQ(office.centre.audited("report.export_named"), 1);
   EXPECT_EQ(office.centre.audited("report.export_coded"), 0);
+}
+
+TEST(FigureCard, SpeaksTheLanguageOfTheWindowAndFollowsIt) {
+  const ReportModel report = cohortReport(torsio::testing::demonstrationCohort());
+  const auto figures = [&report](const std::string& id) {
+    for (const ReportSection& section : report.sections)
+      for (const ReportFigure& figure : section.figures)
+        if (figure.id == id) return figure;
+    return ReportFigure{};
+  };
+  LanguageSwitch language;
+  FigureCard card;
+  card.resize(700, 450);
+  card.setFigure(figures("figure-training-means"));
+  const auto* title = card.findChild<QLabel*>(QStringLiteral("cardTitle"));
+  const QString english = title->text();
+  const QString values = card.table().asText();
+  ASSERT_TRUE(values.contains(QStringLiteral("Group 1"))) << values.toStdString();
+
+  language.choose(Language::kSimplifiedChinese);
+  QCoreApplication::processEvents();
+
+  EXPECT_EQ(title->text(), QStringLiteral("\u7814\u7a76\u671f\u95f4\u5404\u7ec4\u5e73\u5747\u5f97\u5206"));
+  EXPECT_TRUE(card.table().asText().contains(QStringLiteral("\u7b2c 1 \u7ec4")));
+  EXPECT_FALSE(card.table().asText().contains(QStringLiteral("Group")));
+  EXPECT_TRUE(card.canvas().accessibleDescription().contains(QStringLiteral("\u7b2c 1 \u7ec4")));
+
+  language.choose(Language::kEnglish);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(title->text(), english);
+  EXPECT_EQ(card.table().asText(), values);
+}
+
+TEST(ReportPreview, ShowsTheReportInTheLanguageItWillBeWrittenIn) {
+  const ReportModel report = cohortReport(torsio::testing::demonstrationCohort());
+  ReportPreview preview;
+
+  preview.setReport(report, wordingIn("zh_CN"));
+  const QString chinese = preview.toPlainText();
+  preview.setReport(report, wordingIn("en"));
+  const QString english = preview.toPlainText();
+
+  EXPECT_TRUE(chinese.contains(QStringLiteral("\u65b9\u6cd5\u4e0e\u5c40\u9650")));  // methods and limits
+  EXPECT_FALSE(chinese.contains(QStringLiteral("Methods and limits")));
+  EXPECT_TRUE(english.contains(QStringLiteral("Methods and limits")));
 }
 
 TEST(FigureCanvas, CopiesPictureAndTableAndSaysItsValues) {

@@ -131,7 +131,7 @@ TEST(PdfReport, TellsEveryPageAndLeavesNothingWhenGivenUp) {
   writeFileAtomically(file, "older");
   struct GivenUp {};
 
-  EXPECT_THROW(writePdfReport(smallReport(), file,
+  EXPECT_THROW(writePdfReport(smallReport(), file, englishWording,
                               [](std::size_t page, std::size_t pages) {
                                 EXPECT_GE(pages, 5U);
                                 if (page == 2) throw GivenUp{};

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <QFont>
+#include <QPaintDevice>
+#include <QString>
+
+namespace torsio {
+
+/// A table of words, ready to be set.
+struct PlainTable {
+  std::vector<QString> columns;  ///< all empty: no header
+  std::vector<std::vector<QString>> rows;
+
+  [[nodiscard]] bool hasHeader() const;
+};
+
+/// How a table is set on paper: size of its letters, width of its columns, height of its rows. Lengths in
+/// millimetres.
+struct TableLayout {
+  QFont regular;
+  QFont bold;
+  std::vector<double> widths_mm;
+  std::vector<bool> numeric;  ///< to the right
+  double header_mm = 0.0;     ///< 0: no header
+  std::vector<double> rows_mm;
+
+  [[nodiscard]] double height_mm() const;
+};
+
+inline constexpr double kCellPadding_mm = 1.4;
+
+/// Letters as large as they may be so that no word is cut and no short cell ("Group 1", "virtual 0-20 min")
+/// takes a second line. `font`: of a size in points and weight.
+[[nodiscard]] TableLayout layOut(const PlainTable& table, double available_mm, QPaintDevice& device,
+                                 double unit, const std::function<QFont(double points, bool bold)>& font);
+
+}  // namespace torsio

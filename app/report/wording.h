@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <QString>
+
+#include "sim/base/text.h"
+
+namespace torsio {
+
+/// How a report says a Text: in the language of whoever reads it.
+using Wording = std::function<QString(const Text&)>;
+
+/// `text` with the patterns that `translate` gives for its own and those of its arguments.
+[[nodiscard]] QString worded(const Text& text, const std::function<QString(const std::string&)>& translate);
+
+/// As it stands in the sources.
+[[nodiscard]] QString englishWording(const Text& text);
+
+/// The languages a report can be written in: "en", "zh_CN".
+[[nodiscard]] const std::vector<std::string>& reportLanguages();
+
+/// The wording of one of reportLanguages(), whatever the language of the window. What its translation lacks
+/// stays English. Needs no window. Throws Error{kUsage} for another language.
+[[nodiscard]] Wording wordingIn(const std::string& language);
+
+}  // namespace torsio

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "assessment/statistics/values.h"
+#include "sim/base/text.h"
+
+// What several sections of the report say alike.
+namespace torsio {
+
+/// "1.234 [1.000, 1.500]", three decimals; the value alone without an interval.
+[[nodiscard]] std::string withInterval(double value, const std::optional<Interval>& interval);
+/// "not defined: every rating is the same". `reason` is that of an Outcome.
+[[nodiscard]] Text notDefined(const std::string& reason);
+/// "p < 0.001", "p = 0.032".
+[[nodiscard]] std::string equalsP(double p);
+
+}  // namespace torsio

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "sim/base/text.h"
+
+namespace torsio {
+
+/// "a, b, c"; empty for none. `two` is how two of them are joined.
+[[nodiscard]] inline Text listed(std::span<const Text> items, const char* two = "%1, %2") {
+  Text all;
+  for (const Text& item : items) all = all.empty() ? item : Text(two, all, item);
+  return all;
+}
+
+}  // namespace torsio

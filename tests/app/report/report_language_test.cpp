@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report in Chinese: nothing is left in English, and the numbers are those of the English one.
+#include <filesystem>
+#include <functional>
+
+#include <QRegularExpression>
+#include <QStringList>
+#include <gtest/gtest.h>
+
+#include "app/report/pdf_report.h"
+#include "app/report/wording.h"
+#include "assessment/report/figure_table.h"
+#include "assessment/report/provenance_line.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+#include "tests/support/demonstration_cohort.h"
+
+namespace torsio {
+namespace {
+
+/// Everything a report may say: frozen data, deviations, doses, attempts of a recording.
+CohortInputs everything() {
+  CohortInputs in = testing::demonstrationCohort();
+  in.title = Text("Twist training: cohort report");
+  in.centre = "Demonstration centre (simulated)";
+  in.freeze = CohortFreeze{"final", std::string(64, 'b'), 1'767'600'000'000'000, "admin", false};
+  in.allocation.method = Text("complete permutation");
+  in.allocation.design = {{Text("Block sizes"), "3, 6"}};
+  in.deviations = {{1'767'600'000'000'000, "x101", "device failed", ""}};
+  in.doses = {{"x101", 38.5, 0.0, 5.0}};
+  in.notAllocated = 2;
+  in.notAssessable = 1;
+  in.trials[0].attempts = {{8.0, false}, {3.0, true}, {2.0, true}};
+  in.trials[0].refusedSamples = 4;
+  in.trials[0].interrupted = true;
+  return in;
+}
+
+using Say = std::function<void(const std::string& where, const Text& text)>;
+
+void sayTable(const ReportTable& table, const Say& say) {
+  say(table.id, table.title);
+  for (const Text& column : table.columns) say(table.id, column);
+  for (const std::vector<Text>& row : table.rows)
+    for (const Text& cell : row) say(table.id, cell);
+  for (const Text& note : table.notes) say(table.id, note);
+  say(table.id, provenanceLine(table.provenance));
+}
+
+void sayFigure(const ReportFigure& figure, const Say& say) {
+  for (const Text* text : {&figure.title, &figure.xLabel, &figure.yLabel}) say(figure.id, *text);
+  for (const Text& category : figure.categories) say(figure.id, category);
+  for (const FigureSeries& series : figure.series) say(figure.id, series.name);
+  for (const FigureReference& reference : figure.references) say(figure.id, reference.label);
+  for (const Text& note : figure.notes) say(figure.id, note);
+  sayTable(figureTable(figure, 4), say);
+}
+
+/// Every text of the report, in its order.
+void sayAll(const ReportModel& model, const Say& say) {
+  say("cover", model.title);
+  say("cover", model.subtitle);
+  for (const auto& [label, value] : model.facts) {
+    say("cover", label);
+    say("cover", value);
+  }
+  for (const ReportSection& section : model.sections) {
+    say("section", section.title);
+    for (const Text& paragraph : section.paragraphs) say("section", paragraph);
+    for (const ReportFigure& figure : section.figures) sayFigure(figure, say);
+    for (const ReportTable& table : section.tables) sayTable(table, say);
+  }
+}
+
+/// What stays as it is in Chinese: names of methods and models, codes, units, symbols, hashes, versions.
+QString withoutKeptWords(QString text) {
+  static const QRegularExpression kKept(QStringLiteral(
+      "Bland-Altman|Biau|Porcher|Shrout-Fleiss|Shrout|Fleiss|Krippendorff|Hedges|Kruskal-Wallis|Dunn|Holm|"
+      "Mann-Whitney|Friedman|Kendall|Greenhouse-Geisser|Hyndman-Fan|Fisher-Yates|Torsio|torsio replay TRIAL "
+      "--verify|LC-CUSUM|CUSUM|ICC|SEM|FEM|MSM|CSV|III|UTC|min|saint_venant|final|admin|mt19937_64|"
+      "(evaluation|training|allocation)-\\d|\\b[0-9a-f]{16,}\\b"));
+  return text.remove(kKept);
+}
+
+QStringList numbersOf(const QString& text) {
+  static const QRegularExpression kNumber(QStringLiteral("[0-9]+([.][0-9]+)?"));
+  QStringList numbers;
+  // The square is a digit in English ("s2") and a sign in Chinese.
+  QString plain = text;
+  plain.replace(QStringLiteral("s2"), QStringLiteral("s"));
+  for (auto match = kNumber.globalMatch(plain); match.hasNext();) numbers << match.next().captured();
+  numbers.sort();
+  return numbers;
+}
+
+TEST(ReportLanguage, LeavesNoEnglishWordInTheChineseReport) {
+  static const QRegularExpression kWord(QStringLiteral("[A-Za-z]{3,}"));
+  const Wording chinese = wordingIn("zh_CN");
+  int said = 0;
+
+  sayAll(cohortReport(everything()), [&](const std::string& where, const Text& text) {
+    ++said;
+    const QString words = chinese(text);
+    EXPECT_FALSE(kWord.match(withoutKeptWords(words)).hasMatch())
+        << where << ": " << words.toStdString() << "\n  of: " << text.str();
+  });
+
+  EXPECT_GT(said, 1'000);
+}
+
+TEST(ReportLanguage, GivesEveryFigureAndTableAChineseTitle) {
+  static const QRegularExpression kHan(QStringLiteral("\\p{Han}"));
+  const Wording chinese = wordingIn("zh_CN");
+
+  for (const ReportSection& section : cohortReport(everything()).sections) {
+    EXPECT_TRUE(kHan.match(chinese(section.title)).hasMatch()) << section.title;
+    for (const ReportFigure& figure : section.figures)
+      EXPECT_TRUE(kHan.match(chinese(figure.title)).hasMatch()) << figure.title;
+    for (const ReportTable& table : section.tables)
+      EXPECT_TRUE(kHan.match(chinese(table.title)).hasMatch()) << table.title;
+  }
+}
+
+TEST(ReportLanguage, SaysTheSameNumbersInBothLanguages) {
+  const Wording english = wordingIn("en");
+  const Wording chinese = wordingIn("zh_CN");
+
+  sayAll(cohortReport(everything()), [&](const std::string& where, const Text& text) {
+    EXPECT_EQ(english(text).toStdString(), text.str());
+    EXPECT_EQ(numbersOf(chinese(text)), numbersOf(english(text))) << where << ": " << text.str();
+  });
+}
+
+TEST(ReportLanguage, WritesAChinesePdfWithItsLettersInIt) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / "torsio-report-language" / "report.pdf";
+  std::filesystem::remove_all(file.parent_path());
+  std::filesystem::create_directories(file.parent_path());
+
+  writePdfReport(cohortReport(everything()), file, wordingIn("zh_CN"));
+
+  const std::string pdf = readFile(file);
+  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+  EXPECT_NE(pdf.find("NotoSansCJK"), std::string::npos) << "fonts-noto-cjk is missing (app/setup.sh)";
+  EXPECT_EQ(pdf.find("/Subtype /Image"), std::string::npos);
+}
+
+TEST(ReportLanguage, RefusesALanguageItDoesNotSpeak) {
+  EXPECT_THROW((void)wordingIn("tlh"), Error);
+  for (const std::string& language : reportLanguages()) EXPECT_NO_THROW((void)wordingIn(language));
+}
+
+}  // namespace
+}  // namespace torsio

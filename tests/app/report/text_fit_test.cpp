@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/report/text_fit.h"
+
+#include <numeric>
+
+#include <QBuffer>
+#include <QPdfWriter>
+#include <gtest/gtest.h>
+
+#include "app/report/chart_look.h"
+#include "app/report/table_layout.h"
+
+namespace torsio {
+namespace {
+
+constexpr double kUnit = 600.0 / 25.4;  // device units in a millimetre at 600 dots an inch
+
+QFont fontOf(double points, bool bold) {
+  QFont font = reportFont();
+  font.setPointSizeF(points);
+  font.setBold(bold);
+  return font;
+}
+
+TableLayout laidOut(const PlainTable& table, double available_mm) {
+  QBuffer nowhere;
+  nowhere.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&nowhere);
+  writer.setResolution(600);
+  return layOut(table, available_mm, writer, kUnit, fontOf);
+}
+
+double widthOf(const QString& text, const QFont& font) {
+  QBuffer nowhere;
+  nowhere.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&nowhere);
+  writer.setResolution(600);
+  return QFontMetricsF(font, &writer).horizontalAdvance(text) / kUnit;
+}
+
+TEST(TextFit, BreaksBetweenWordsAfterHyphensAndBetweenChineseCharacters) {
+  EXPECT_EQ(breakableParts(QStringLiteral("Real-time performance")),
+            (QStringList{QStringLiteral("Real-"), QStringLiteral("time "), QStringLiteral("performance")}));
+  // A closing mark stays with the character before it.
+  EXPECT_EQ(breakableParts(QStringLiteral("\u65B9\u5DEE\uFF08n\uFF09")).size(), 3);
+  EXPECT_EQ(breakableParts(QStringLiteral("virtual 20-40 min")),
+            (QStringList{QStringLiteral("virtual "), QStringLiteral("20-40 "), QStringLiteral("min")}));
+}
+
+TEST(TextFit, FillsLinesUpToTheirWidth) {
+  QFont font = reportFont();
+  font.setPixelSize(12);
+  const QFontMetricsF metrics(font);
+  const QString title = QStringLiteral("mean of own mark and the others' mean (points)");
+
+  const QStringList lines = wrappedLines(title, 160.0, metrics);
+
+  EXPECT_GE(lines.size(), 2);
+  for (const QString& line : lines) EXPECT_LE(metrics.horizontalAdvance(line), 160.0);
+  EXPECT_EQ(lines.join(QLatin1Char(' ')), title);
+}
+
+TEST(TableLayout, KeepsShortCellsOnOneLineBesideLongHashes) {
+  PlainTable table;
+  table.columns = {QStringLiteral("Trial"),       QStringLiteral("Trainee"), QStringLiteral("Phase"),
+                   QStringLiteral("Model"),       QStringLiteral("Minutes"), QStringLiteral("Outcome"),
+                   QStringLiteral("Content hash")};
+  table.rows = {{QStringLiteral("d2166898-20dc-4f1c-869e-4c53eead91b3"), QStringLiteral("T-03"),
+                 QStringLiteral("virtual 20-40 min"), QStringLiteral("Saint-Venant"), QStringLiteral("0.33"),
+                 QStringLiteral("completed"), QStringLiteral("5b03f88e760503ed")}};
+
+  const TableLayout layout = laidOut(table, 170.0);
+
+  EXPECT_LE(std::accumulate(layout.widths_mm.begin(), layout.widths_mm.end(), 0.0), 170.0 + 1e-6);
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    EXPECT_LE(widthOf(table.rows[0][c], layout.regular), layout.widths_mm[c] - 2.0 * kCellPadding_mm) << c;
+}
+
+TEST(TableLayout, CutsNoWordOfAWideHeader) {
+  PlainTable table;
+  table.columns = {QStringLiteral("index")};
+  std::vector<QString> row{QStringLiteral("MSM, deputy chief physician")};
+  for (const char* name :
+       {"Effectiveness", "Force feedback", "Real-time performance", "System stability",
+        "Deformation efficiency", "Fidelity", "Image fluency", "Telepresence", "Texture"}) {
+    table.columns.push_back(QString::fromLatin1(name));
+    row.push_back(QStringLiteral("8.3500"));
+  }
+  table.rows = {row};
+
+  const TableLayout layout = laidOut(table, 170.0);
+
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    for (const QString& word : breakableParts(table.columns[c]))
+      EXPECT_LE(widthOf(word.trimmed(), layout.bold), layout.widths_mm[c] - 2.0 * kCellPadding_mm)
+          << word.toStdString();
+}
+
+TEST(TableLayout, SetsNumbersAndWhatStandsInTheirPlaceToTheRight) {
+  PlainTable table;
+  table.columns = {QStringLiteral("p"), QStringLiteral("Group")};
+  table.rows = {{QStringLiteral("< 0.001"), QStringLiteral("Group 1")}, {QStringLiteral("0.032"), QString()}};
+
+  const TableLayout layout = laidOut(table, 170.0);
+
+  EXPECT_TRUE(layout.numeric[0]);
+  EXPECT_FALSE(layout.numeric[1]);
+}
+
+TEST(TableLayout, HasNoHeaderWhereNoColumnHasAName) {
+  PlainTable table{{QString(), QString()}, {{QStringLiteral("Centre"), QStringLiteral("A")}}};
+  EXPECT_EQ(laidOut(table, 170.0).header_mm, 0.0);
+  EXPECT_GT(laidOut(table, 170.0).height_mm(), 0.0);
+}
+
+}  // namespace
+}  // namespace torsio
