@@ -111,7 +111,10 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
   inputs.allocation = checkedAllocation(study, cohortId, groups);
 
   inputs.instrument = campaign.campaign.instrument;
-  if (!campaign.ratings.empty())  // without an evaluation there is no instrument either
+  if (!campaign.classesMissing.empty())
+    inputs.unfinishedEvaluation = {static_cast<std::int64_t>(campaign.ratings.size()),
+                                   campaign.classesMissing};
+  if (!campaign.models.empty())  // without an evaluation there is no instrument either
     for (ModelRatings& ratings : groupRatings(inputs.instrument, campaign.ratings))
       inputs.ratings.push_back(std::move(ratings));
   inputs.evaluations = campaign.models;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "app/session/build_info.h"
@@ -61,6 +63,28 @@ struct ReadCampaign {
   Digest inputs;
 };
 
+/// The weighted classes of which nobody scored some index of some model.
+std::vector<std::string> classesMissing(const StoredCampaign& campaign,
+                                        const std::vector<EvaluationRating>& ratings) {
+  using Place = std::tuple<std::string, std::size_t, std::size_t>;  // model, class, index
+  std::set<Place> scored;
+  for (const EvaluationRating& rating : ratings)
+    scored.insert({rating.model, rating.raterClass, rating.index});
+  std::vector<std::string> missing;
+  const EvaluationInstrument& instrument = campaign.instrument;
+  for (std::size_t c = 0; c < instrument.classes.size(); ++c) {
+    if (instrument.classes[c].weight_milli == 0) continue;
+    const auto lacks = [&](const StoredModel& model) {
+      for (std::size_t j = 0; j < instrument.indices.size(); ++j)
+        if (!scored.contains({model.code, c, j})) return true;
+      return false;
+    };
+    if (std::any_of(campaign.models.begin(), campaign.models.end(), lacks))
+      missing.push_back(instrument.classes[c].name);
+  }
+  return missing;
+}
+
 ReadCampaign campaignWithHash(Connection& connection, const std::string& campaignId) {
   EvaluationRepository repository(connection);
   const auto campaign = repository.campaign(campaignId);
@@ -68,7 +92,7 @@ ReadCampaign campaignWithHash(Connection& connection, const std::string& campaig
     throw Error(ErrorCode::kBadData, "no evaluation campaign has this id", campaignId,
                 "List the campaigns first");
   }
-  ReadCampaign read{{*campaign, {}, {}}, {}};
+  ReadCampaign read{{*campaign, {}, {}, {}}, {}};
   for (const StoredEvaluationMark& mark : repository.marks(campaignId)) {
     EvaluationRating rating;
     rating.model = mark.modelCode;
@@ -82,13 +106,17 @@ ReadCampaign campaignWithHash(Connection& connection, const std::string& campaig
     read.inputs.update(mark.score_steps);
     read.result.ratings.push_back(std::move(rating));
   }
-  if (read.result.ratings.empty()) return read;
-  read.result.models = evaluate(campaign->instrument, read.result.ratings);
-  std::stable_sort(read.result.models.begin(), read.result.models.end(), [&](const auto& a, const auto& b) {
-    const auto code = [](const StoredModel& m) { return m.code; };
-    return positionOf(campaign->models, a.model, code) < positionOf(campaign->models, b.model, code);
-  });
+  read.result.classesMissing = classesMissing(*campaign, read.result.ratings);
   return read;
+}
+
+void evaluateIn(CampaignResult& result) {
+  const StoredCampaign& campaign = result.campaign;
+  result.models = evaluate(campaign.instrument, result.ratings);
+  std::stable_sort(result.models.begin(), result.models.end(), [&](const auto& a, const auto& b) {
+    const auto code = [](const StoredModel& m) { return m.code; };
+    return positionOf(campaign.models, a.model, code) < positionOf(campaign.models, b.model, code);
+  });
 }
 
 using Case = std::pair<std::string, std::size_t>;  // trainee code, position of the scoring point
@@ -152,7 +180,9 @@ const std::vector<std::string>& scoringPoints() {
 }
 
 CampaignResult readCampaign(Connection& connection, const std::string& campaignId) {
-  return campaignWithHash(connection, campaignId).result;
+  CampaignResult result = campaignWithHash(connection, campaignId).result;
+  if (result.classesMissing.empty()) evaluateIn(result);
+  return result;
 }
 
 TrainingResult readTraining(Connection& connection, const std::string& cohortId) {
@@ -162,6 +192,7 @@ TrainingResult readTraining(Connection& connection, const std::string& cohortId)
 CampaignResult evaluateCampaign(Connection& connection, const std::string& campaignId, IdSource& ids,
                                 const ScoringStamp& stamp) {
   auto [result, inputs] = campaignWithHash(connection, campaignId);
+  if (!result.ratings.empty()) evaluateIn(result);
   StoredEvaluationRun run;
   run.run = makeRun(ids, stamp, kEvaluationFormulaVersion, "available-case", inputs);
   for (const ModelEvaluation& model : result.models) {

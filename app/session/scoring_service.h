@@ -22,12 +22,14 @@ struct ScoringStamp {
 /// The nine-index evaluation of a stored campaign.
 struct CampaignResult {
   StoredCampaign campaign;
-  std::vector<EvaluationRating> ratings;  ///< the newest version of each mark, models by their code
-  std::vector<ModelEvaluation> models;    ///< in the campaign's order
+  std::vector<EvaluationRating> ratings;    ///< the newest version of each mark, models by their code
+  std::vector<ModelEvaluation> models;      ///< in the campaign's order; empty: not finished
+  std::vector<std::string> classesMissing;  ///< names of the weighted classes that have not scored everything
 };
 
-/// The same without storing anything: for previews and reports. Throws Error{kBadData} when there is no such
-/// campaign or a class is empty. A campaign without any mark gives no models.
+/// The same without storing anything: for previews and reports. While a class of raters that has a weight has
+/// not scored every index of every model, there are marks but no models. Throws Error{kBadData} when there is
+/// no such campaign.
 [[nodiscard]] CampaignResult readCampaign(Connection& connection, const std::string& campaignId);
 
 /// Reads the marks of a campaign, computes Eqs. 25-27, stores the results with formula version, policy and

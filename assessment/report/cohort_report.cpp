@@ -349,7 +349,7 @@ ReportModel reportOf(const CohortInputs& in) {
     report.sections.push_back(section);
   }
   if (!in.trainees.empty()) report.sections.push_back(participantsSection(in));
-  if (!in.evaluations.empty()) report.sections.push_back(evaluationSection(in));
+  if (!in.evaluations.empty() || in.unfinishedEvaluation) report.sections.push_back(evaluationSection(in));
   if (!in.scores.empty()) report.sections.push_back(trainingSection(in));
   if (!in.trainingMarks.empty()) {
     const StudyAnalysis study = analyseStudy(in);

@@ -103,6 +103,12 @@ struct TrialDigest {
   std::vector<TwistAttempt> attempts;
 };
 
+/// An evaluation that cannot be computed yet.
+struct UnfinishedEvaluation {
+  std::int64_t marks = 0;                   ///< so far
+  std::vector<std::string> classesMissing;  ///< names of the weighted classes that have not scored everything
+};
+
 /// Everything a cohort report is made from.
 struct CohortInputs {
   Text title = "Cohort report";
@@ -124,9 +130,10 @@ struct CohortInputs {
 
   EvaluationInstrument instrument;
   EvaluationPolicy evaluationPolicy;
-  std::vector<ModelRatings> ratings;         ///< in the order of the models in the report
-  std::vector<ModelEvaluation> evaluations;  ///< same order
-  std::size_t chiefClass = 2;                ///< the class of Fig. 18
+  std::vector<ModelRatings> ratings;                         ///< in the order of the models in the report
+  std::vector<ModelEvaluation> evaluations;                  ///< same order
+  std::size_t chiefClass = 2;                                ///< the class of Fig. 18
+  std::optional<UnfinishedEvaluation> unfinishedEvaluation;  ///< in place of the two
 
   ScoreScale trainingScale{10, 100, 10};
   std::vector<Text> occasions;  ///< "before", "after 20 min", "after 40 min"

@@ -244,6 +244,16 @@ ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
 ReportSection evaluationSection(const CohortInputs& in) {
   ReportSection section;
   section.title = "Evaluation of the models";
+  if (in.unfinishedEvaluation) {
+    const std::vector<std::string>& names = in.unfinishedEvaluation->classesMissing;
+    section.paragraphs = {
+        Text(
+            "The evaluation is not finished: %1 marks are in so far. Scores are computed once every class of "
+            "raters that has a weight has scored every index of every model.",
+            in.unfinishedEvaluation->marks),
+        Text("Marks are still missing from: %1.", listed(std::vector<Text>(names.begin(), names.end())))};
+    return section;
+  }
   std::vector<Text> classes;
   for (const RaterClass& raterClass : in.instrument.classes) {
     std::int64_t n = 0;

@@ -2,6 +2,7 @@
 #include "app/session/access/audit_service.h"
 
 #include "db/repository/access_repository.h"
+#include "db/repository/people_repository.h"
 
 namespace torsio {
 
@@ -20,6 +21,10 @@ std::map<std::string, std::string> auditActors(Workplace& workplace) {
   std::map<std::string, std::string> logins;
   for (const StoredUser& user : AccessRepository(workplace.connection()).users()) {
     logins.emplace(user.id, user.login);
+  }
+  // Simulated raters have no account: their marks stand under the person.
+  for (const StoredRater& rater : PeopleRepository(workplace.connection()).raters()) {
+    logins.emplace(rater.person.id, rater.person.code);
   }
   return logins;
 }

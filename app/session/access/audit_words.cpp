@@ -142,6 +142,7 @@ const Words& objectWords() {
       {"consent", Text("consent")},
       {"curriculum", Text("curriculum")},
       {"curriculum_draft", Text("draft of a curriculum")},
+      {"centre", Text("centre")},
       {"curriculum_version", Text("version of a curriculum")},
       {"database", Text("record")},
       {"demonstration", Text("demonstration data")},

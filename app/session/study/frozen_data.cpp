@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "db/repository/access_repository.h"
 #include "db/repository/evaluation_repository.h"
 #include "db/repository/field_digest.h"
 #include "db/repository/freeze_repository.h"
@@ -135,10 +136,10 @@ Manifest manifestFrom(const StoredFreeze& stored) {
   }
 }
 
-FrozenRow rowOf(const StoredFreeze& stored) {
+FrozenRow rowOf(const StoredFreeze& stored, const std::string& createdBy) {
   Manifest manifest = manifestFrom(stored);
-  FrozenRow row{stored.id, stored.cohortId,      stored.name,     stored.contentHash,
-                {},        stored.createdUtc_us, stored.createdBy};
+  FrozenRow row{stored.id, stored.cohortId,      stored.name, stored.contentHash,
+                {},        stored.createdUtc_us, createdBy};
   row.counts = {.enrolments = manifest["enrolment"].size(),
                 .allocations = manifest["allocation"].size(),
                 .exposures = manifest["exposure"].size(),
@@ -209,14 +210,18 @@ FrozenRow freezeData(Workplace& workplace, const std::string& cohortId, const st
   freeze.demonstration = cohort.demonstration;
   repository.add(freeze);  // with its entry in the trail
   transaction.commit();
-  return rowOf(freeze);
+  return rowOf(freeze, workplace.actor().login);
 }
 
 std::vector<FrozenRow> frozenData(Workplace& workplace, const std::string& cohortId) {
   workplace.require(Operation::kResultsCompute);
+  std::map<std::string, std::string> loginOf;  // by user
+  for (const StoredUser& user : AccessRepository(workplace.connection()).users())
+    loginOf.emplace(user.id, user.login);
   std::vector<FrozenRow> rows;
   for (const StoredFreeze& stored : FreezeRepository(workplace.connection()).list(cohortId)) {
-    rows.push_back(rowOf(stored));
+    const auto known = loginOf.find(stored.createdBy);
+    rows.push_back(rowOf(stored, known == loginOf.end() ? stored.createdBy : known->second));
   }
   return rows;
 }

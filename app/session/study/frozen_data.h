@@ -29,7 +29,7 @@ struct FrozenRow {
   std::string contentHash{};
   FrozenCounts counts{};
   std::int64_t createdUtc_us = 0;
-  std::string createdBy{};
+  std::string createdBy{};  ///< sign-in name
 };
 
 /// Stores the manifest of everything that a report of the cohort (and of `campaignIds`) is made of, under a

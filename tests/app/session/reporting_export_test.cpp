@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a report is made from, who may take it out, and what is kept about it.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
+#include "app/session/people/people_service.h"
 #include "app/session/reporting/report_export.h"
 #include "app/session/study/allocation_service.h"
+#include "app/session/study/campaign_service.h"
 #include "app/session/study/cohort_service.h"
 #include "app/session/study/frozen_data.h"
+#include "assessment/report/cohort_report.h"
 #include "db/repository/audit_repository.h"
+#include "db/repository/evaluation_repository.h"
 #include "db/repository/study_repository.h"
 #include "db/repository/trial_repository.h"
 #include "sim/base/digest.h"
@@ -67,7 +73,10 @@ TEST(ReportInputs, SayWhetherTheRecordIsStillWhatWasFrozen) {
   SmallStudy study;
   Workplace& workplace = study.centre.as("administrator");
   study.request.frozenId = freezeData(workplace, study.request.cohortId, "first").id;
-  EXPECT_TRUE(reportInputs(workplace, study.request, study.digests).freeze->unchanged);
+  const std::optional<CohortFreeze> frozen = reportInputs(workplace, study.request, study.digests).freeze;
+  ASSERT_TRUE(frozen);
+  EXPECT_TRUE(frozen->unchanged);
+  EXPECT_EQ(frozen->frozenBy, "administrator");
 
   reportDeviation(workplace,
                   {.cohortId = study.request.cohortId, .kind = "late", .description = "by ten minutes"});
@@ -75,6 +84,55 @@ TEST(ReportInputs, SayWhetherTheRecordIsStillWhatWasFrozen) {
   const CohortInputs inputs = reportInputs(workplace, study.request, study.digests);
   EXPECT_FALSE(inputs.freeze->unchanged);
   EXPECT_EQ(inputs.deviations.at(0).description, "by ten minutes");
+}
+
+TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
+  SmallStudy study;
+  Workplace& workplace = study.centre.as("administrator");
+  CampaignPlan plan;
+  plan.name = "Spring";
+  plan.instrument = paperEvaluationInstrument();
+  plan.models = {{"PM", "proposed"}, {"FEM", "finite elements"}};
+  for (const char* raterClass : {"intern", "deputy_chief", "chief"})
+    plan.raterIds.push_back(addPerson(
+        workplace,
+        {.fullName = "Rater", .externalId = raterClass, .trainee = false, .raterClass = raterClass}));
+  study.request.campaignId = addCampaign(workplace, plan);
+  const auto submit = [&](const std::string& raterId, const std::string& model) {
+    std::vector<StoredEvaluationMark> marks;
+    for (std::int64_t index = 1; index <= 9; ++index)
+      marks.push_back({.id = workplace.ids().newUuid(),
+                       .raterId = raterId,
+                       .modelCode = model,
+                       .indexNumber = index,
+                       .score_steps = 70,
+                       .submittedUtc_us = testing::kOfficeTime_us});
+    EvaluationRepository(study.centre.connection()).submit(study.request.campaignId, marks);
+  };
+  submit(plan.raterIds[0], "PM");
+  submit(plan.raterIds[0], "FEM");
+  submit(plan.raterIds[2], "PM");  // the chief has not scored FEM
+
+  const CohortInputs inputs = reportInputs(workplace, study.request, study.digests);
+
+  ASSERT_TRUE(inputs.unfinishedEvaluation);
+  EXPECT_EQ(inputs.unfinishedEvaluation->marks, 27);
+  EXPECT_EQ(inputs.unfinishedEvaluation->classesMissing,
+            (std::vector<std::string>{plan.instrument.classes[1].name, plan.instrument.classes[2].name}));
+  const ReportModel report = cohortReport(inputs);
+  const auto section = std::find_if(
+      report.sections.begin(), report.sections.end(),
+      [](const ReportSection& candidate) { return candidate.title == Text("Evaluation of the models"); });
+  ASSERT_NE(section, report.sections.end());
+  EXPECT_NE(section->paragraphs.at(0).str().find("27 marks are in so far"), std::string::npos);
+
+  for (const std::string& rater : {plan.raterIds[1], plan.raterIds[2]})
+    for (const char* model : {"PM", "FEM"})
+      if (rater != plan.raterIds[2] || model != std::string("PM")) submit(rater, model);
+  const CohortInputs finished = reportInputs(workplace, study.request, study.digests);
+  EXPECT_FALSE(finished.unfinishedEvaluation);
+  ASSERT_EQ(finished.evaluations.size(), 2U);
+  EXPECT_DOUBLE_EQ(finished.evaluations.front().n27, 7.0);
 }
 
 /// A recording of one twist that was let go after `ticks` hundredths of a radian.
