@@ -400,6 +400,37 @@
     </message>
 </context>
 <context>
+    <name>PrintedCards</name>
+    <message>
+        <source>No. %1. Open when the training begins.</source>
+        <translation>第 %1 号。训练开始时拆开。</translation>
+    </message>
+    <message>
+        <source>%1 trains in group</source>
+        <translation>%1 所在小组</translation>
+    </message>
+    <message>
+        <source>Sealed cards: %1</source>
+        <translation>密封卡片：%1</translation>
+    </message>
+    <message>
+        <source>Your way into Torsio. For you alone.</source>
+        <translation>您的 Torsio 登录信息。仅供本人使用。</translation>
+    </message>
+    <message>
+        <source>Sign-in name: %1</source>
+        <translation>登录名：%1</translation>
+    </message>
+    <message>
+        <source>Choose your own password at the first sign-in.</source>
+        <translation>首次登录时请设置自己的密码。</translation>
+    </message>
+    <message>
+        <source>Start passwords: %1</source>
+        <translation>初始密码：%1</translation>
+    </message>
+</context>
+<context>
     <name>QPlatformTheme</name>
     <message>
         <source>OK</source>
@@ -780,21 +811,6 @@
     <message>
         <source>Assign</source>
         <translation>指派</translation>
-    </message>
-</context>
-<context>
-    <name>SealedCards</name>
-    <message>
-        <source>No. %1. Open when the training begins.</source>
-        <translation>第 %1 号。训练开始时拆开。</translation>
-    </message>
-    <message>
-        <source>%1 trains in group</source>
-        <translation>%1 所在小组</translation>
-    </message>
-    <message>
-        <source>Sealed cards: %1</source>
-        <translation>密封卡片：%1</translation>
     </message>
 </context>
 <context>
@@ -4056,10 +4072,6 @@
         <translation>备份已不存在</translation>
     </message>
     <message>
-        <source>the bookmark lies outside the recording</source>
-        <translation>书签超出录像范围</translation>
-    </message>
-    <message>
         <source>the cap radius %1 m is negative or not finite</source>
         <translation>端盖半径 %1 m 为负或不是有限的数</translation>
     </message>
@@ -4930,10 +4942,6 @@
     <message>
         <source>this recording belongs to somebody else</source>
         <translation>该录像属于其他人</translation>
-    </message>
-    <message>
-        <source>this recording is a reference run already</source>
-        <translation>该录像已是参考操作</translation>
     </message>
     <message>
         <source>this run is or may be judged without names</source>
@@ -7159,6 +7167,522 @@
         <source>Simulated trainees after section 6 of the paper</source>
         <translation>按论文第 6 节模拟的学员</translation>
     </message>
+    <message>
+        <source>Allocation locked</source>
+        <translation>锁定随机分组</translation>
+    </message>
+    <message>
+        <source>Allocation replaced by a new one</source>
+        <translation>以新方案取代随机分组</translation>
+    </message>
+    <message>
+        <source>Audit trail verified</source>
+        <translation>核验审计记录</translation>
+    </message>
+    <message>
+        <source>Backup restored</source>
+        <translation>恢复备份</translation>
+    </message>
+    <message>
+        <source>Centre renamed</source>
+        <translation>中心已更名</translation>
+    </message>
+    <message>
+        <source>Centre set up</source>
+        <translation>设立中心</translation>
+    </message>
+    <message>
+        <source>Classes of raters set up</source>
+        <translation>设置评分者类别</translation>
+    </message>
+    <message>
+        <source>Cohort added</source>
+        <translation>添加批次</translation>
+    </message>
+    <message>
+        <source>Consent recorded</source>
+        <translation>记录同意</translation>
+    </message>
+    <message>
+        <source>Curriculum added</source>
+        <translation>添加课程</translation>
+    </message>
+    <message>
+        <source>Curriculum closed</source>
+        <translation>关闭课程</translation>
+    </message>
+    <message>
+        <source>Curriculum given to a cohort</source>
+        <translation>为批次指定课程</translation>
+    </message>
+    <message>
+        <source>Curriculum published</source>
+        <translation>发布课程</translation>
+    </message>
+    <message>
+        <source>Curriculum put into use</source>
+        <translation>启用课程</translation>
+    </message>
+    <message>
+        <source>Data set frozen</source>
+        <translation>冻结数据集</translation>
+    </message>
+    <message>
+        <source>Database checked</source>
+        <translation>检查数据库</translation>
+    </message>
+    <message>
+        <source>Decided about their own consent</source>
+        <translation>本人就同意作出决定</translation>
+    </message>
+    <message>
+        <source>Demonstration data removed</source>
+        <translation>删除演示数据</translation>
+    </message>
+    <message>
+        <source>Deviation reported</source>
+        <translation>报告偏离</translation>
+    </message>
+    <message>
+        <source>Draft of a curriculum saved</source>
+        <translation>保存课程草稿</translation>
+    </message>
+    <message>
+        <source>Evaluation campaign added</source>
+        <translation>添加模型评价</translation>
+    </message>
+    <message>
+        <source>Evaluation form submitted</source>
+        <translation>提交评价表</translation>
+    </message>
+    <message>
+        <source>Evaluation mark amended</source>
+        <translation>更正评价分数</translation>
+    </message>
+    <message>
+        <source>Evaluation mark submitted</source>
+        <translation>提交评价分数</translation>
+    </message>
+    <message>
+        <source>Everything about a person exported</source>
+        <translation>导出某人的全部资料</translation>
+    </message>
+    <message>
+        <source>Group of a trainee changed by hand</source>
+        <translation>手动更改学员分组</translation>
+    </message>
+    <message>
+        <source>Group of a trainee revealed</source>
+        <translation>揭示学员分组</translation>
+    </message>
+    <message>
+        <source>Groups drawn</source>
+        <translation>抽取分组</translation>
+    </message>
+    <message>
+        <source>Identity of a person erased</source>
+        <translation>删除人员身份信息</translation>
+    </message>
+    <message>
+        <source>Interrupted recording closed</source>
+        <translation>结束中断的录制</translation>
+    </message>
+    <message>
+        <source>List of people exported under codes</source>
+        <translation>导出人员名单（仅代码）</translation>
+    </message>
+    <message>
+        <source>List of people exported with names</source>
+        <translation>导出人员名单（含姓名）</translation>
+    </message>
+    <message>
+        <source>Mark amended</source>
+        <translation>更正分数</translation>
+    </message>
+    <message>
+        <source>Mark submitted</source>
+        <translation>提交分数</translation>
+    </message>
+    <message>
+        <source>Marks are still missing from: %1.</source>
+        <translation>仍缺少以下评分者类别的评分：%1。</translation>
+    </message>
+    <message>
+        <source>Marks released to trainees</source>
+        <translation>向学员公布分数</translation>
+    </message>
+    <message>
+        <source>Moment of a recording bookmarked</source>
+        <translation>为录制添加书签</translation>
+    </message>
+    <message>
+        <source>Move to a server begun</source>
+        <translation>开始迁移至服务器</translation>
+    </message>
+    <message>
+        <source>Move to a server given up</source>
+        <translation>放弃迁移至服务器</translation>
+    </message>
+    <message>
+        <source>Own mark kept when marks lay apart</source>
+        <translation>分歧时保留自己的分数</translation>
+    </message>
+    <message>
+        <source>Own mark moved when marks lay apart</source>
+        <translation>分歧时调整自己的分数</translation>
+    </message>
+    <message>
+        <source>Own password changed</source>
+        <translation>修改自己的密码</translation>
+    </message>
+    <message>
+        <source>Own recording scored</source>
+        <translation>为自己的录制评分</translation>
+    </message>
+    <message>
+        <source>PIN removed</source>
+        <translation>删除 PIN</translation>
+    </message>
+    <message>
+        <source>PIN set</source>
+        <translation>设置 PIN</translation>
+    </message>
+    <message>
+        <source>Password of a user reset</source>
+        <translation>重置用户密码</translation>
+    </message>
+    <message>
+        <source>Person changed</source>
+        <translation>修改人员资料</translation>
+    </message>
+    <message>
+        <source>Person entered</source>
+        <translation>录入人员</translation>
+    </message>
+    <message>
+        <source>Question answered</source>
+        <translation>回答问题</translation>
+    </message>
+    <message>
+        <source>Question asked</source>
+        <translation>提出问题</translation>
+    </message>
+    <message>
+        <source>Record backed up</source>
+        <translation>备份数据库</translation>
+    </message>
+    <message>
+        <source>Record kept longer</source>
+        <translation>延长记录保存期</translation>
+    </message>
+    <message>
+        <source>Record locked against erasing</source>
+        <translation>锁定记录以防删除</translation>
+    </message>
+    <message>
+        <source>Record released for erasing</source>
+        <translation>解除记录的保留</translation>
+    </message>
+    <message>
+        <source>Recording finished</source>
+        <translation>录制完成</translation>
+    </message>
+    <message>
+        <source>Recording interrupted</source>
+        <translation>录制中断</translation>
+    </message>
+    <message>
+        <source>Recording stored from a file</source>
+        <translation>从文件存入录制</translation>
+    </message>
+    <message>
+        <source>Reference run chosen</source>
+        <translation>选定参考操作</translation>
+    </message>
+    <message>
+        <source>Reference run scored to warm up</source>
+        <translation>热身：为参考操作评分</translation>
+    </message>
+    <message>
+        <source>Reference run withdrawn</source>
+        <translation>参考操作已撤回</translation>
+    </message>
+    <message>
+        <source>Release of marks taken back</source>
+        <translation>撤回分数公布</translation>
+    </message>
+    <message>
+        <source>Remark answered</source>
+        <translation>回复评语</translation>
+    </message>
+    <message>
+        <source>Remark read</source>
+        <translation>阅读评语</translation>
+    </message>
+    <message>
+        <source>Remark written</source>
+        <translation>撰写评语</translation>
+    </message>
+    <message>
+        <source>Report exported under codes</source>
+        <translation>导出报告（仅代码）</translation>
+    </message>
+    <message>
+        <source>Report exported with names</source>
+        <translation>导出报告（含姓名）</translation>
+    </message>
+    <message>
+        <source>Restoring a backup begun</source>
+        <translation>开始恢复备份</translation>
+    </message>
+    <message>
+        <source>Roles of a user changed</source>
+        <translation>更改用户角色</translation>
+    </message>
+    <message>
+        <source>Roster imported</source>
+        <translation>导入名册</translation>
+    </message>
+    <message>
+        <source>Rule for keeping records changed</source>
+        <translation>更改记录保存规则</translation>
+    </message>
+    <message>
+        <source>Say why, in a few words</source>
+        <translation>请用几个字说明理由</translation>
+    </message>
+    <message>
+        <source>Scoring assigned</source>
+        <translation>分配评分任务</translation>
+    </message>
+    <message>
+        <source>Scoring given to another rater</source>
+        <translation>评分任务转交其他评分者</translation>
+    </message>
+    <message>
+        <source>Scoring sheet added</source>
+        <translation>添加评分表</translation>
+    </message>
+    <message>
+        <source>Scoring sheet revised</source>
+        <translation>修订评分表</translation>
+    </message>
+    <message>
+        <source>Scoring withdrawn from a rater</source>
+        <translation>收回评分任务</translation>
+    </message>
+    <message>
+        <source>Screen unlocked</source>
+        <translation>解锁屏幕</translation>
+    </message>
+    <message>
+        <source>Sealed cards printed</source>
+        <translation>打印密封卡片</translation>
+    </message>
+    <message>
+        <source>Setting changed</source>
+        <translation>更改设置</translation>
+    </message>
+    <message>
+        <source>Sheet amended</source>
+        <translation>更正评分表</translation>
+    </message>
+    <message>
+        <source>Sheet submitted</source>
+        <translation>提交评分表</translation>
+    </message>
+    <message>
+        <source>Sign-in failed</source>
+        <translation>登录失败</translation>
+    </message>
+    <message>
+        <source>Signed in</source>
+        <translation>登录</translation>
+    </message>
+    <message>
+        <source>Signed in to practise only</source>
+        <translation>登录（仅练习）</translation>
+    </message>
+    <message>
+        <source>Signed out</source>
+        <translation>退出登录</translation>
+    </message>
+    <message>
+        <source>Start password for %1</source>
+        <translation>%1 的初始密码</translation>
+    </message>
+    <message>
+        <source>State of a person changed</source>
+        <translation>更改人员状态</translation>
+    </message>
+    <message>
+        <source>Station joined the record of a server</source>
+        <translation>工作站加入服务器上的数据库</translation>
+    </message>
+    <message>
+        <source>Station turned to the server</source>
+        <translation>工作站改用服务器</translation>
+    </message>
+    <message>
+        <source>Taking part in the study changed</source>
+        <translation>更改参与研究的状态</translation>
+    </message>
+    <message>
+        <source>The evaluation is not finished: %1 marks are in so far. Scores are computed once every class of raters that has a weight has scored every index of every model.</source>
+        <translation>评价尚未完成：目前已收到 %1 个评分。待每个有权重的评分者类别对每个模型的每项指标都评过分后，才计算得分。</translation>
+    </message>
+    <message>
+        <source>Third rater asked for</source>
+        <translation>请求第三位评分者</translation>
+    </message>
+    <message>
+        <source>Third rater assigned</source>
+        <translation>指定第三位评分者</translation>
+    </message>
+    <message>
+        <source>Trainee enrolled</source>
+        <translation>登记学员</translation>
+    </message>
+    <message>
+        <source>Training run begun</source>
+        <translation>开始训练</translation>
+    </message>
+    <message>
+        <source>Training run stopped</source>
+        <translation>停止训练</translation>
+    </message>
+    <message>
+        <source>Training time logged</source>
+        <translation>登记训练时间</translation>
+    </message>
+    <message>
+        <source>Training transcript made</source>
+        <translation>生成培训成绩单</translation>
+    </message>
+    <message>
+        <source>User added</source>
+        <translation>添加用户</translation>
+    </message>
+    <message>
+        <source>User disabled</source>
+        <translation>停用用户</translation>
+    </message>
+    <message>
+        <source>User enabled</source>
+        <translation>启用用户</translation>
+    </message>
+    <message>
+        <source>Withdrawal of consent recorded</source>
+        <translation>记录撤回同意</translation>
+    </message>
+    <message>
+        <source>audit trail</source>
+        <translation>审计记录</translation>
+    </message>
+    <message>
+        <source>class of raters</source>
+        <translation>评分者类别</translation>
+    </message>
+    <message>
+        <source>draft of a curriculum</source>
+        <translation>课程草稿</translation>
+    </message>
+    <message>
+        <source>enrolled trainee</source>
+        <translation>登记的学员</translation>
+    </message>
+    <message>
+        <source>evaluation campaign</source>
+        <translation>模型评价</translation>
+    </message>
+    <message>
+        <source>evaluation mark</source>
+        <translation>评价分数</translation>
+    </message>
+    <message>
+        <source>frozen data set</source>
+        <translation>冻结的数据集</translation>
+    </message>
+    <message>
+        <source>group of a trainee</source>
+        <translation>学员分组</translation>
+    </message>
+    <message>
+        <source>mark</source>
+        <translation>分数</translation>
+    </message>
+    <message>
+        <source>person</source>
+        <translation>人员</translation>
+    </message>
+    <message>
+        <source>question</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>record</source>
+        <translation>数据库</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>reference run</source>
+        <translation>参考操作</translation>
+    </message>
+    <message>
+        <source>release of marks</source>
+        <translation>分数公布</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>评语</translation>
+    </message>
+    <message>
+        <source>rule for keeping records</source>
+        <translation>记录保存规则</translation>
+    </message>
+    <message>
+        <source>scoring sheet</source>
+        <translation>评分表</translation>
+    </message>
+    <message>
+        <source>scoring task</source>
+        <translation>评分任务</translation>
+    </message>
+    <message>
+        <source>setting</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>the force is not felt</source>
+        <translation>感觉不到力反馈</translation>
+    </message>
+    <message>
+        <source>this recording is no reference run, or was withdrawn already</source>
+        <translation>此录像不是参考操作，或已被撤回</translation>
+    </message>
+    <message>
+        <source>this recording is or was a reference run</source>
+        <translation>此录像是或曾是参考操作</translation>
+    </message>
+    <message>
+        <source>training time</source>
+        <translation>训练时间</translation>
+    </message>
+    <message>
+        <source>user</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>version of a curriculum</source>
+        <translation>课程版本</translation>
+    </message>
+    <message>
+        <source>warm-up</source>
+        <translation>热身</translation>
+    </message>
 </context>
 <context>
     <name>StationPages</name>
@@ -7819,6 +8343,65 @@
     </message>
 </context>
 <context>
+    <name>torsio::gui::AccountsDialog</name>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Save &amp;cards (PDF)…</source>
+        <translation>保存卡片 (PDF)(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Start passwords</source>
+        <translation>初始密码</translation>
+    </message>
+    <message>
+        <source>These start passwords are shown only now. Hand each to its person, on a card in a closed envelope for example. At the first sign-in everybody chooses a password of their own.</source>
+        <translation>这些初始密码只在此时显示。请分别交给本人，例如用装在信封里的卡片。首次登录时每人设置自己的密码。</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>人员</translation>
+    </message>
+    <message>
+        <source>Sign-in name</source>
+        <translation>登录名</translation>
+    </message>
+    <message>
+        <source>Start password</source>
+        <translation>初始密码</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>已复制</translation>
+    </message>
+    <message>
+        <source>Cards saved</source>
+        <translation>卡片已保存</translation>
+    </message>
+    <message>
+        <source>Save cards</source>
+        <translation>保存卡片</translation>
+    </message>
+    <message>
+        <source>start-passwords.pdf</source>
+        <translation>初始密码.pdf</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Nothing was copied or saved, and these passwords are not shown again. Close all the same?</source>
+        <translation>尚未复制或保存，这些密码不会再次显示。仍要关闭吗？</translation>
+    </message>
+</context>
+<context>
     <name>torsio::gui::AlignmentPage</name>
     <message>
         <source>Your mark stays as it is</source>
@@ -8253,10 +8836,6 @@ Only a keeper of the allocation previews, locks and draws. Whoever has the role 
         <translation>全部</translation>
     </message>
     <message>
-        <source>Show &amp;more</source>
-        <translation>显示更多(&amp;M)</translation>
-    </message>
-    <message>
         <source>Only the newest entries of this time are shown; this shows twice as many</source>
         <translation>目前只显示该时间段内最新的条目；点击后显示两倍的条目</translation>
     </message>
@@ -8333,6 +8912,14 @@ Only a keeper of the allocation previews, locks and draws. Whoever has the role 
         <translation>
             <numerusform>⚠ 发现 %n 处问题。查明原因之前请勿据此记录出具报告。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>代码</translation>
+    </message>
+    <message>
+        <source>Show &amp;more of %1</source>
+        <translation>显示更多（共 %1 条）(&amp;M)</translation>
     </message>
 </context>
 <context>
@@ -12894,10 +13481,6 @@ MSM = 质点弹簧</translation>
         <translation>训练日</translation>
     </message>
     <message>
-        <source>Who is at what, what is left, and which sheets are still missing.</source>
-        <translation>谁在做什么、还剩多少、缺哪些评分表。</translation>
-    </message>
-    <message>
         <source>&amp;Cohort</source>
         <translation>批次(&amp;C)</translation>
     </message>
@@ -12972,6 +13555,42 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Deviations</source>
         <translation>偏离</translation>
+    </message>
+    <message>
+        <source>%1: the device is not fit for scored runs: %2.</source>
+        <translation>%1：设备不可用于计分训练：%2。</translation>
+    </message>
+    <message>
+        <source>○ not checked yet</source>
+        <translation>○ 尚未检查</translation>
+    </message>
+    <message>
+        <source>○ not checked today, last on %1</source>
+        <translation>○ 今天尚未检查，上次为 %1</translation>
+    </message>
+    <message>
+        <source>✓ fit at %1</source>
+        <translation>✓ %1 检查：可用</translation>
+    </message>
+    <message>
+        <source>! practice only at %1: %2</source>
+        <translation>! %1 检查：仅供练习，%2</translation>
+    </message>
+    <message>
+        <source>✗ not fit at %1: %2</source>
+        <translation>✗ %1 检查：不可用，%2</translation>
+    </message>
+    <message>
+        <source>Who is at what, what is left, which sheets are missing, and whether the devices are fit.</source>
+        <translation>谁在做什么、还剩多少、缺哪些评分表、设备是否可用。</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Device check</source>
+        <translation>设备检查</translation>
     </message>
 </context>
 <context>
@@ -13175,6 +13794,38 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Above the limit: ease off</source>
         <translation>超过限值：请减力</translation>
+    </message>
+    <message>
+        <source>The haptic device did not answer</source>
+        <translation>力反馈设备没有响应</translation>
+    </message>
+    <message>
+        <source>Check its cable and its power</source>
+        <translation>请检查其电缆和电源</translation>
+    </message>
+    <message>
+        <source>The haptic device is not ready: the graded run did not begin</source>
+        <translation>力反馈设备未就绪：计分操作没有开始</translation>
+    </message>
+    <message>
+        <source>No attempt was used. Check the device, then begin again</source>
+        <translation>未计入尝试次数。请检查设备，然后重新开始</translation>
+    </message>
+    <message>
+        <source>Getting the haptic device ready</source>
+        <translation>正在准备力反馈设备</translation>
+    </message>
+    <message>
+        <source>This takes a few seconds. Your time has not begun yet.</source>
+        <translation>需要几秒钟。计时尚未开始。</translation>
+    </message>
+    <message>
+        <source>This takes a few seconds. Your training clock stands still.</source>
+        <translation>需要几秒钟。训练计时已暂停。</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>取消(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -13790,6 +14441,10 @@ Leave it empty to remove it.</source>
         <source>&amp;Keep</source>
         <translation>保存(&amp;K)</translation>
     </message>
+    <message>
+        <source>&amp;Name of the centre</source>
+        <translation>中心名称(&amp;N)</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::StressLegend</name>
@@ -14219,6 +14874,34 @@ Leave it empty to remove it.</source>
         <source>%1 can sign in again.</source>
         <translation>%1 可以重新登录。</translation>
     </message>
+    <message>
+        <source>&amp;Accounts for the roster…</source>
+        <translation>为名册建立账户(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>人员</translation>
+    </message>
+    <message>
+        <source>Everybody of the roster has an account</source>
+        <translation>名册中的每个人都已有账户</translation>
+    </message>
+    <message>
+        <source>Accounts for the roster</source>
+        <translation>为名册建立账户</translation>
+    </message>
+    <message>
+        <source>These people have no account yet. Each gets one: the code in small letters is the sign-in name, trainees train, raters score.</source>
+        <translation>这些人还没有账户。每人将获得一个：登录名为小写的代码，学员用于训练，评分者用于评分。</translation>
+    </message>
+    <message>
+        <source>Making accounts</source>
+        <translation>正在建立账户</translation>
+    </message>
+    <message>
+        <source>Cancelled; the accounts that were shown stay</source>
+        <translation>已取消；已显示的账户仍然有效</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::WarmUpDialog</name>
@@ -14283,10 +14966,6 @@ Leave it empty to remove it.</source>
         <translation>可选的记录</translation>
     </message>
     <message>
-        <source>No recording can be offered: each is being scored, is a reference run already, or is incomplete.</source>
-        <translation>没有可选的记录：它们或正在评分，或已是参考操作，或不完整。</translation>
-    </message>
-    <message>
         <source>&amp;Rubric</source>
         <translation>评分表(&amp;R)</translation>
     </message>
@@ -14297,10 +14976,6 @@ Leave it empty to remove it.</source>
     <message>
         <source>&amp;Physicians on the panel</source>
         <translation>专家组医师人数(&amp;P)</translation>
-    </message>
-    <message>
-        <source>The panel marks the run together before it is used. A run that was added stays, so that every physician warms up on the same ones.</source>
-        <translation>使用之前，由专家组共同给出评分。已添加的操作不再移除，使每位医师都用同样的操作热身。</translation>
     </message>
     <message>
         <source>Every physician scores these runs before the first real case and sees how far the own mark is from the panel&apos;s. Two are usual: one weak, one good.</source>
@@ -14317,6 +14992,46 @@ Leave it empty to remove it.</source>
     <message>
         <source>The reference run is added to the warm-up</source>
         <translation>参考操作已加入热身</translation>
+    </message>
+    <message>
+        <source>&amp;Withdraw…</source>
+        <translation>撤回(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>No physician is given the chosen run any more; nothing is deleted</source>
+        <translation>所选参考操作不再提供给任何医师；不会删除任何内容</translation>
+    </message>
+    <message>
+        <source>No recording can be offered: each is being scored, is or was a reference run, or is incomplete.</source>
+        <translation>没有可供选择的录像：每一段都正在评分、是或曾是参考操作，或者不完整。</translation>
+    </message>
+    <message>
+        <source>The panel marks the run together before it is used. Keep the runs as they are where you can, so that every physician warms up on the same ones.</source>
+        <translation>专家组在使用前共同为该操作评分。请尽量保持参考操作不变，使每位医师都用相同的操作热身。</translation>
+    </message>
+    <message>
+        <source>Withdrawn: %1</source>
+        <translation>已撤回：%1</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>使用中</translation>
+    </message>
+    <message>
+        <source>Withdraw a reference run</source>
+        <translation>撤回参考操作</translation>
+    </message>
+    <message>
+        <source>No physician is given this run any more. What was scored on it stays. A run that is withdrawn cannot be used for the warm-up again.</source>
+        <translation>此参考操作不再提供给任何医师。已有的评分会保留。撤回后不能再次用于热身。</translation>
+    </message>
+    <message>
+        <source>The reference run is withdrawn</source>
+        <translation>参考操作已撤回</translation>
     </message>
 </context>
 <context>

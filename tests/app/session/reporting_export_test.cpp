@@ -118,7 +118,7 @@ TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
   ASSERT_TRUE(inputs.unfinishedEvaluation);
   EXPECT_EQ(inputs.unfinishedEvaluation->marks, 27);
   EXPECT_EQ(inputs.unfinishedEvaluation->classesMissing,
-            (std::vector<std::string>{plan.instrument.classes[1].name, plan.instrument.classes[2].name}));
+            (std::vector<std::string>{"deputy chief physician", "chief physician"}));
   const ReportModel report = cohortReport(inputs);
   const auto section = std::find_if(
       report.sections.begin(), report.sections.end(),
