@@ -3,6 +3,7 @@
 
 #include "db/repository/people_repository.h"
 #include "db/repository/person_data.h"
+#include "db/repository/rating_repository.h"
 #include "db/repository/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"
@@ -61,6 +62,40 @@ TEST_F(RetentionRepositoryTest, TheTimeRunsFromTheLastActivity) {
   ASSERT_EQ(due.size(), 2U);
   EXPECT_EQ(due[0].code, "R-2");  // longest due first
   EXPECT_EQ(due[1].sinceUtc_us, kSampleTime_us + 10 * kDay_us);
+}
+
+TEST_F(RetentionRepositoryTest, TheLastMarkOfAnyEnrolmentIsAnActivity) {
+  Connection connection = openWithSchema();
+  SampleRecord sample(connection, 0);
+  RetentionRepository retention(connection);
+  retention.setRule({kRetainTrainee, 30, "contract", 1});
+  addTrainee(connection, "R-1");
+  addTrainee(connection, "R-2");
+  const StoredEnrolment enrolment{.id = "enrolment",
+                                  .cohortId = sample.cohort.id,
+                                  .traineeId = "id of R-1",
+                                  .enrolledUtc_us = kSampleTime_us};
+  StudyRepository(connection).enrol(std::span(&enrolment, 1));
+  std::vector<StoredTrainingMark> marks;
+  for (const auto& [point, day] : {std::pair("pre", 5), std::pair("post", 20), std::pair("mid", 10)}) {
+    StoredTrainingMark mark;
+    mark.id = sample.ids.newUuid();
+    mark.enrolmentId = enrolment.id;
+    mark.raterId = sample.chiefs[0].person.id;
+    mark.scoringPoint = point;
+    mark.score_steps = 40;
+    mark.submittedUtc_us = kSampleTime_us + day * kDay_us;
+    marks.push_back(mark);
+  }
+  RatingRepository(connection).submit(marks);
+
+  const std::vector<RetentionItem> due = retention.due(kSampleTime_us + 50 * kDay_us);
+
+  ASSERT_EQ(due.size(), 2U);
+  EXPECT_EQ(due[0].code, "R-2");
+  EXPECT_EQ(due[0].sinceUtc_us, kSampleTime_us);
+  EXPECT_EQ(due[1].code, "R-1");
+  EXPECT_EQ(due[1].sinceUtc_us, kSampleTime_us + 20 * kDay_us);
 }
 
 TEST_F(RetentionRepositoryTest, WhoLeftOrWithdrewIsDueByTheRuleThatFallsDueFirst) {
