@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QPixmap>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -122,6 +123,8 @@ void ResultsPage::fill() {
   const QString wanted = before != nullptr ? before->data(kIdRole).toString() : QString();
   const QSignalBlocker quiet(contents_);
   contents_->clear();
+  QPixmap indent(kSpace, 1);  // also of the second line of a long title
+  indent.fill(Qt::transparent);
   if (model_)
     for (const ReportSection& section : model_->sections) {
       if (section.figures.empty() && section.tables.empty()) continue;
@@ -130,8 +133,9 @@ void ResultsPage::fill() {
       bold.setBold(true);
       head->setFont(bold);
       head->setFlags(Qt::NoItemFlags | Qt::ItemIsEnabled);
-      const auto add = [this](const std::string& id, const Text& title) {
-        auto* item = new QListWidgetItem(QStringLiteral("   %1").arg(spoken(title)), contents_);
+      const auto add = [&](const std::string& id, const Text& title) {
+        auto* item = new QListWidgetItem(spoken(title), contents_);
+        item->setData(Qt::DecorationRole, indent);
         item->setData(kIdRole, shown(id));
       };
       for (const ReportFigure& figure : section.figures) add(figure.id, figure.title);

@@ -414,7 +414,7 @@ TEST(FrozenData, TellsLaterWhatIsDifferent) {
   const FrozenCheck later = compareWithFrozen(workplace, frozen.id);
   EXPECT_FALSE(later.same);
   ASSERT_EQ(later.differences.size(), 18U);
-  EXPECT_NE(later.differences[0].find("was added"), std::string::npos);
+  EXPECT_NE(later.differences[0].str().find("was added"), std::string::npos);
   EXPECT_EQ(study.centre.audited("dataset.freeze"), 1);
 }
 
