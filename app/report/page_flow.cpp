@@ -98,7 +98,7 @@ void PageFlow::table(const PlainTable& table) {
   this->table(table, layOut(table));
 }
 
-void PageFlow::table(const PlainTable& table, const TableLayout& layout) {
+void PageFlow::table(const PlainTable& table, const TableLayout& layout, double keepWithLast_mm) {
   const double total_mm = std::accumulate(layout.widths_mm.begin(), layout.widths_mm.end(), 0.0);
   const auto drawRow = [widths = layout.widths_mm, numeric = layout.numeric, total_mm](
                            const std::vector<QString>& cells, const QFont& f, const QColor& fill) {
@@ -125,7 +125,8 @@ void PageFlow::table(const PlainTable& table, const TableLayout& layout) {
   };
   header();
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
-    if (cursor_mm_ + layout.rows_mm[r] > bottom_mm()) {
+    const double under_mm = r + 1 == table.rows.size() ? keepWithLast_mm : 0.0;
+    if (cursor_mm_ + layout.rows_mm[r] + under_mm > bottom_mm()) {
       newPage();
       header();
     }

@@ -53,7 +53,8 @@ class PageFlow {
   [[nodiscard]] double textHeight_mm(const QString& content, double points, bool bold = false) const;
   /// A table with repeated header; column widths and the size of the letters follow the contents.
   void table(const PlainTable& table);
-  void table(const PlainTable& table, const TableLayout& layout);
+  /// `keepWithLast_mm`: room that must be left under the last row (its notes).
+  void table(const PlainTable& table, const TableLayout& layout, double keepWithLast_mm = 0.0);
   [[nodiscard]] TableLayout layOut(const PlainTable& table) const;
 
   /// Draws everything. `painter` is active on the writer. `progress` is told after every page.

@@ -36,6 +36,7 @@ constexpr double kSectionStart_mm =
 constexpr double kChartPixelsPerMm = 3.78;  // 96 pixels an inch: chart fonts come out at about 9 points
 constexpr double kNote_pt = 7.5;
 constexpr double kHeading_mm = 8.0;
+constexpr std::size_t kRowsWithTitle = 2;
 const QColor kAccent(0x00, 0x4A, 0x7C);
 const QColor kQuiet(0x60, 0x6E, 0x76);
 const QColor kWarning(0xA0, 0x4A, 0x00);
@@ -95,7 +96,7 @@ class Composer {
       out.columns.push_back(say_(column)
                                 .replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"))
                                 .replace(QStringLiteral("Eq. "), QStringLiteral("Eq.\u00A0"))
-                                .replace(QStringLiteral("n - 1"), QStringLiteral("n\u00A0-\u00A01")));
+                                .replace(QStringLiteral("n - 1"), QStringLiteral("n\u00A0\u2212\u00A01")));
     for (const std::vector<Text>& row : table.rows) {
       TORSIO_EXPECTS(row.size() == table.columns.size());
       out.rows.emplace_back();
@@ -126,7 +127,7 @@ class Composer {
           scene.render(&painter, area, scene.sceneRect());
         });
     if (printed) {
-      flow_.table(values, layout);
+      flow_.table(values, layout, notesHeight_mm(figure.notes, figure.provenance));
       flow_.space(1.0);
     } else {
       flow_.text(
@@ -138,9 +139,14 @@ class Composer {
   }
 
   void addTable(const ReportTable& table) {
-    flow_.text(say_(table.title), 9.5, true, kAccent, 16.0);
+    const PlainTable cells = plain(table);
+    const TableLayout layout = flow_.layOut(cells);
+    double begin_mm = kHeading_mm + layout.header_mm;  // a title takes the head and the first rows with it
+    for (std::size_t r = 0; r < std::min(kRowsWithTitle, layout.rows_mm.size()); ++r)
+      begin_mm += layout.rows_mm[r];
+    flow_.text(say_(table.title), 9.5, true, kAccent, begin_mm);
     flow_.space(1.0);
-    flow_.table(plain(table));
+    flow_.table(cells, layout, notesHeight_mm(table.notes, table.provenance));
     flow_.space(1.0);
     addNotes(table.notes, table.provenance);
   }

@@ -30,10 +30,12 @@ bool looksNumeric(const QString& cell) {
          std::all_of(cell.begin(), cell.end(), [](QChar sign) { return kSigns.contains(sign); });
 }
 
-/// Of every column: the longest word, what keeps short cells on one line, and the longest cell.
+/// Of every column: the longest word, what keeps short cells on one line, the longest cell, and what its
+/// header likes to have besides.
 struct Demand {
   std::vector<double> least;
   std::vector<double> wanted;
+  std::vector<double> cells;
   std::vector<double> natural;
 };
 
@@ -51,10 +53,11 @@ Demand demandOf(const PlainTable& table, const QFontMetricsF& regular, const QFo
     const double head = widestPart(table.columns[c], bold) / unit;
     double word = head;
     double wanted = head;
-    double natural = std::max(head, whole <= kShortHeader_mm ? whole : kHalf * whole);
+    double longest = head;
+    const double header = std::max(head, whole <= kShortHeader_mm ? whole : kHalf * whole);
     for (const std::vector<QString>& row : table.rows) {
       const double cell = regular.horizontalAdvance(row[c]) / unit;
-      natural = std::max(natural, cell);
+      longest = std::max(longest, cell);
       if (cell <= kShortCell_mm) {
         wanted = std::max(wanted, cell);
         if (cell <= word) continue;  // its words are shorter still
@@ -63,7 +66,8 @@ Demand demandOf(const PlainTable& table, const QFontMetricsF& regular, const QFo
     }
     demand.least.push_back(word + kMargin_mm);
     demand.wanted.push_back(std::max(word, wanted) + kMargin_mm);
-    demand.natural.push_back(natural + kMargin_mm);
+    demand.cells.push_back(std::max(word, longest) + kMargin_mm);
+    demand.natural.push_back(std::max({word, longest, header}) + kMargin_mm);
   }
   return demand;
 }
@@ -99,7 +103,8 @@ std::vector<double> widthsFor(const Demand& demand, double available_mm) {
     for (double& width : widths) width *= std::min(kMostStretch, available_mm / natural);
     return widths;
   }
-  if (sum(demand.wanted) <= available_mm) return widened(demand.wanted, demand.natural, available_mm);
+  if (sum(demand.cells) <= available_mm) return widened(demand.cells, demand.natural, available_mm);
+  if (sum(demand.wanted) <= available_mm) return widened(demand.wanted, demand.cells, available_mm);
   return widened(demand.least, demand.wanted, available_mm);
 }
 

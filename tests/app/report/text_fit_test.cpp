@@ -9,6 +9,7 @@
 
 #include "app/report/chart_look.h"
 #include "app/report/table_layout.h"
+#include "app/report/upright_title.h"
 
 namespace torsio {
 namespace {
@@ -58,6 +59,21 @@ TEST(TextFit, FillsLinesUpToTheirWidth) {
   EXPECT_GE(lines.size(), 2);
   for (const QString& line : lines) EXPECT_LE(metrics.horizontalAdvance(line), 160.0);
   EXPECT_EQ(lines.join(QLatin1Char(' ')), title);
+}
+
+TEST(UprightTitle, SaysItsWholeTitleBesideAPlotOfAnyHeight) {
+  const QString words = QStringLiteral("own mark minus the other raters' mean (points)");
+  for (const double height : {110.0, 133.0, 400.0}) {
+    UprightTitle title(words, {}, nullptr);
+    title.place(QRectF(40.0, 20.0, 500.0, height));
+
+    EXPECT_EQ(title.lines().join(QLatin1Char(' ')), words) << height;
+    EXPECT_LE(title.lines().size(), 3) << height;
+    EXPECT_EQ(title.boundingRect().height(), height);
+  }
+  UprightTitle high(words, {}, nullptr);
+  high.place(QRectF(40.0, 20.0, 500.0, 400.0));
+  EXPECT_EQ(high.lines().size(), 1);
 }
 
 TEST(TableLayout, KeepsShortCellsOnOneLineBesideLongHashes) {
