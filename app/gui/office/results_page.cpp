@@ -5,7 +5,6 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QIcon>
 #include <QLabel>
 #include <QListWidget>
 #include <QPixmap>
@@ -63,7 +62,6 @@ ResultsPage::ResultsPage(ShellContext& shell)
   choices->addStretch(1);
   for (QComboBox* box : {cohort_, campaign_}) box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   contents_->setWordWrap(true);
-  contents_->setIconSize(QSize(kSpace, 1));
   contents_->setMinimumWidth(kContentsWidth * 2 / 3);
   contents_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* splitter = new QSplitter(this);
@@ -125,9 +123,8 @@ void ResultsPage::fill() {
   const QString wanted = before != nullptr ? before->data(kIdRole).toString() : QString();
   const QSignalBlocker quiet(contents_);
   contents_->clear();
-  QPixmap blank(contents_->iconSize());  // sets every line of a long title back, not the first only
-  blank.fill(Qt::transparent);
-  const QIcon indent(blank);
+  QPixmap indent(kSpace, 1);  // also of the second line of a long title
+  indent.fill(Qt::transparent);
   if (model_)
     for (const ReportSection& section : model_->sections) {
       if (section.figures.empty() && section.tables.empty()) continue;
@@ -136,8 +133,9 @@ void ResultsPage::fill() {
       bold.setBold(true);
       head->setFont(bold);
       head->setFlags(Qt::NoItemFlags | Qt::ItemIsEnabled);
-      const auto add = [this, &indent](const std::string& id, const Text& title) {
-        auto* item = new QListWidgetItem(indent, spoken(title), contents_);
+      const auto add = [&](const std::string& id, const Text& title) {
+        auto* item = new QListWidgetItem(spoken(title), contents_);
+        item->setData(Qt::DecorationRole, indent);
         item->setData(kIdRole, shown(id));
       };
       for (const ReportFigure& figure : section.figures) add(figure.id, figure.title);
