@@ -37,6 +37,7 @@ constexpr double kChartPixelsPerMm = 3.78;  // 96 pixels an inch: chart fonts co
 constexpr double kNote_pt = 7.5;
 constexpr double kHeading_mm = 8.0;
 constexpr std::size_t kRowsWithTitle = 2;
+constexpr double kShortTable_mm = 60.0;
 const QColor kAccent(0x00, 0x4A, 0x7C);
 const QColor kQuiet(0x60, 0x6E, 0x76);
 const QColor kWarning(0xA0, 0x4A, 0x00);
@@ -141,12 +142,16 @@ class Composer {
   void addTable(const ReportTable& table) {
     const PlainTable cells = plain(table);
     const TableLayout layout = flow_.layOut(cells);
-    double begin_mm = kHeading_mm + layout.header_mm;  // a title takes the head and the first rows with it
+    const double notes_mm = notesHeight_mm(table.notes, table.provenance);
+    // A title takes the head and the first rows with it, or the whole of a short table.
+    double begin_mm = kHeading_mm + layout.header_mm;
     for (std::size_t r = 0; r < std::min(kRowsWithTitle, layout.rows_mm.size()); ++r)
       begin_mm += layout.rows_mm[r];
+    if (layout.height_mm() + notes_mm < kShortTable_mm)
+      begin_mm = kHeading_mm + layout.height_mm() + notes_mm;
     flow_.text(say_(table.title), 9.5, true, kAccent, begin_mm);
     flow_.space(1.0);
-    flow_.table(cells, layout, notesHeight_mm(table.notes, table.provenance));
+    flow_.table(cells, layout, notes_mm);
     flow_.space(1.0);
     addNotes(table.notes, table.provenance);
   }
