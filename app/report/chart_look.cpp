@@ -37,10 +37,14 @@ QColor seriesColour(std::size_t i, const ChartLook& look) {
 }
 
 QBrush seriesFill(std::size_t i, const ChartLook& look) {
+  // In grey, and in print where the patterns are fine: full, light, half.
   static const std::array<Qt::BrushStyle, 6> kPatterns{Qt::SolidPattern,  Qt::BDiagPattern,
-                                                       Qt::Dense5Pattern, Qt::DiagCrossPattern,
+                                                       Qt::Dense4Pattern, Qt::DiagCrossPattern,
                                                        Qt::HorPattern,    Qt::FDiagPattern};
-  return QBrush(seriesColour(i, look), kPatterns[i % kPatterns.size()]);
+  const Qt::BrushStyle pattern = kPatterns[i % kPatterns.size()];
+  const QColor colour = seriesColour(i, look);
+  constexpr int kDarker = 180;  // PDF sets dots so small that they would come out as pale as the lines beside
+  return QBrush(pattern == Qt::Dense4Pattern && !look.dark ? colour.darker(kDarker) : colour, pattern);
 }
 
 QColor shade(double at, const ChartLook& look) {
