@@ -184,7 +184,7 @@ QFileDialog QTreeView::item, QFileDialog QListView::item { padding: 4px 0; }
 QHeaderView { background: %window; border: none; }
 QHeaderView::section { background: %window; color: %quietText; border: none; border-bottom: 1px solid %line;
   padding: 7px 8px; font-weight: 600; }
-QSplitter::handle { background: %line; }
+QSplitter::handle { background: transparent; }
 QGroupBox { border: 1px solid %line; border-radius: 8px; margin-top: 12px; padding: 12px; }
 QGroupBox::title { subcontrol-origin: margin; left: 12px; padding: 0 4px; color: %quietText; }
 QLabel[figure="true"] { font-size: 21pt; font-weight: 600; }

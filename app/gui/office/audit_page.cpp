@@ -66,6 +66,7 @@ AuditPage::AuditPage(ShellContext& shell)
   splitter->setStretchFactor(0, 3);
   splitter->setStretchFactor(1, 1);
   splitter->setChildrenCollapsible(false);
+  splitter->setHandleWidth(2 * kSpace);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
   column->setSpacing(2 * kSpace);

@@ -72,7 +72,6 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
   splitter->setStretchFactor(1, 1);
   splitter->setChildrenCollapsible(false);
   splitter->setHandleWidth(2 * kSpace);
-  splitter->setStyleSheet(QStringLiteral("QSplitter::handle { background: transparent; }"));
   table_->setMinimumWidth(kListWidth);
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);

@@ -71,7 +71,6 @@ ResultsPage::ResultsPage(ShellContext& shell)
   splitter->setSizes({kContentsWidth, 3 * kContentsWidth});
   splitter->setChildrenCollapsible(false);
   splitter->setHandleWidth(2 * kSpace);
-  splitter->setStyleSheet(QStringLiteral("QSplitter::handle { background: transparent; }"));
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addLayout(choices);

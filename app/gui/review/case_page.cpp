@@ -67,6 +67,7 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
   halves_->setStretchFactor(0, 3);
   halves_->setStretchFactor(1, 2);
   halves_->setChildrenCollapsible(false);
+  halves_->setHandleWidth(kSpace);
   column->addWidget(halves_, 1);
   column->addWidget(createStrip());
   // A sentence that wraps asks for the height of its narrowest shape; on a small screen the window would
