@@ -49,11 +49,21 @@ TEST(Demonstration, WritesReportTableAndDatabaseAndReplaysBitForBit) {
   EXPECT_EQ(unknown.code, static_cast<int>(ErrorCode::kBadData)) << unknown.err;
 }
 
-TEST(Demonstration, GivesTheSameTableForTheSameSeed) {
+TEST(Demonstration, RefusesAReportInALanguageItDoesNotSpeak) {
+  const fs::path folder = emptyFolder("demo-language");
+
+  const ProgramRun refused = runTorsio("demo --out " + (folder / "out").string() + " --language tlh", folder);
+
+  EXPECT_EQ(refused.code, static_cast<int>(ErrorCode::kUsage)) << refused.err;
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+TEST(Demonstration, GivesTheSameTableForTheSameSeedWhateverTheLanguageOfTheReport) {
   const fs::path folder = emptyFolder("demo-twice");
 
   const ProgramRun first = runTorsio("demo --out " + (folder / "a").string() + kShort, folder);
-  const ProgramRun second = runTorsio("demo --out " + (folder / "b").string() + kShort, folder);
+  const ProgramRun second =
+      runTorsio("demo --out " + (folder / "b").string() + kShort + " --language zh_CN", folder);
 
   ASSERT_EQ(first.code, 0) << first.err;
   ASSERT_EQ(second.code, 0) << second.err;
