@@ -75,7 +75,7 @@ void NextStepPage::enter(const QVariant&) {
       recovered_.push_back(std::move(trial));
     steps_ = nextSteps(shell().workplace(), shell().workplace().actor().personId);
     fill();
-    if (auto* start = findChild<QPushButton*>(QStringLiteral("begin"))) start->setFocus();
+    if (QPushButton* start = startButton()) start->setFocus();
   } catch (...) {
     shell().report(std::current_exception());
   }
@@ -254,7 +254,13 @@ void NextStepPage::addModule(const ModuleStep& step) {
   modules_->addWidget(frame);
 }
 
+QPushButton* NextStepPage::startButton() const {
+  return findChild<QPushButton*>(QStringLiteral("begin"));
+}
+
 void NextStepPage::fill() {
+  const QPushButton* before = startButton();
+  const bool atStart = before != nullptr && window()->focusWidget() == before;
   QString sentence = tr("Trainee %1").arg(QString::fromStdString(steps_.traineeCode));
   if (steps_.exposureTotal_us > 0) {
     sentence = tr("%1  \u00b7  %2 of %3 trained")
@@ -271,6 +277,8 @@ void NextStepPage::fill() {
   fillNext();
   emptyLayout(modules_);
   for (const ModuleStep& step : steps_.modules) addModule(step);
+  // The buttons are new ones: the keyboard stays where it was.
+  if (QPushButton* start = startButton(); atStart && start != nullptr) start->setFocus();
 }
 
 }  // namespace torsio::gui

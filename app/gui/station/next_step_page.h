@@ -29,6 +29,8 @@ class NextStepPage : public Page {
 
  private:
   void fill();
+  /// Of the next step; null when there is none.
+  [[nodiscard]] QPushButton* startButton() const;
   void fillNext();
   void fillNotices();
   void addModule(const ModuleStep& step);
