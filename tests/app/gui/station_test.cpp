@@ -64,7 +64,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   station.open(QStringLiteral("station.next"));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("First master: Quarter turn, second")));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Mastered")));
-  station.page->applyTheme(theme(ThemeKind::kDark));  // makes the buttons anew
+  station.page->applyTheme(theme(ThemeKind::kDark));                           // makes the buttons anew
   EXPECT_EQ(station.page->focusWidget(), station.find<QPushButton>("begin"));  // Enter begins
   station.press("begin");
 
