@@ -22,31 +22,25 @@ nlohmann::json jsonOf(const Text& text) {
   return json;
 }
 
-template <std::size_t... kPlaces>
-Text sentence(const std::string& pattern, const std::vector<Text>& arguments,
-              std::index_sequence<kPlaces...> /*places*/) {
-  return Text(pattern, arguments[kPlaces]...);
-}
-
 Text textOf(const nlohmann::json& json) {
   if (!json.is_array() || json.empty() || !json[0].is_string()) return {};
   const auto pattern = json[0].get<std::string>();
-  std::vector<Text> arguments;
-  for (std::size_t i = 1; i < json.size(); ++i) arguments.push_back(textOf(json[i]));
-  switch (arguments.size()) {
+  std::vector<Text> given;
+  for (std::size_t i = 1; i < json.size(); ++i) given.push_back(textOf(json[i]));
+  switch (given.size()) {
     case 0:
       return pattern;
     case 1:
-      return sentence(pattern, arguments, std::make_index_sequence<1>());
+      return {pattern, given[0]};
     case 2:
-      return sentence(pattern, arguments, std::make_index_sequence<2>());
+      return {pattern, given[0], given[1]};
     case 3:
-      return sentence(pattern, arguments, std::make_index_sequence<3>());
+      return {pattern, given[0], given[1], given[2]};
     default:
       break;  // findings have three at most: more is read in English
   }
   std::vector<std::string> words;
-  for (const Text& argument : arguments) words.push_back(argument.str());
+  for (const Text& argument : given) words.push_back(argument.str());
   return filledIn(pattern, words);
 }
 
