@@ -22,8 +22,8 @@
 #include <QScatterSeries>
 #include <QValueAxis>
 
+#include "app/report/category_labels.h"
 #include "app/report/heat_map_item.h"
-#include "app/report/text_fit.h"
 #include "app/report/upright_title.h"
 #include "sim/base/contracts.h"
 
@@ -31,12 +31,6 @@ namespace torsio {
 
 namespace {
 
-// What a figure on paper has for the labels of its categories, less the room that Qt leaves between them; on
-// the screen there is more.
-constexpr double kAcross_px = 500.0;
-constexpr int kSmallest_px = 8;
-constexpr qsizetype kMostLines = 3;
-constexpr qsizetype kTogether = 6;      // Chinese characters of a label that stay on one line
 constexpr std::size_t kFewPoints = 14;  // lines with no more points carry markers
 
 struct Range {
@@ -123,32 +117,6 @@ class Builder {
                                                                     : QLegend::MarkerShapeFromSeries);
   }
 
-  /// Lines of a text as an axis takes them.
-  [[nodiscard]] static QString html(const QStringList& lines) {
-    QStringList escaped;
-    for (const QString& line : lines) escaped << line.toHtmlEscaped();
-    return escaped.join(QStringLiteral("<br>"));
-  }
-
-  /// Names of categories on several lines, in letters as large as they fit side by side; Qt cuts what does
-  /// not fit.
-  [[nodiscard]] std::pair<QStringList, QFont> labels() const {
-    QStringList names;
-    for (const Text& category : figure_.categories) names << say_(category);
-    const double width = kAcross_px / static_cast<double>(std::max<qsizetype>(names.size(), 1));
-    for (int pixels = look_.label_px - 1;; --pixels) {
-      const QFontMetricsF metrics(font(pixels));
-      QStringList wrapped;
-      bool fits = true;
-      for (const QString& name : names) {
-        const QStringList lines = wrappedLines(name, width, metrics);
-        wrapped << html(lines);
-        fits = fits && lines.size() <= kMostLines && widestPart(name, metrics, kTogether) <= width;
-      }
-      if (fits || pixels <= kSmallest_px) return {wrapped, font(pixels)};
-    }
-  }
-
   /// Instead of the axis' own, which Qt cuts.
   void addUprightTitle(const Text& words) const {
     if (words.empty()) return;
@@ -205,7 +173,9 @@ class Builder {
   QCategoryAxis* slotAxis() {
     auto* axis = styled(new QCategoryAxis, figure_.xLabel);
     axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
-    const auto [names, letters] = labels();
+    QStringList categories;
+    for (const Text& category : figure_.categories) categories << say_(category);
+    const auto [names, letters] = categoryLabels(categories, look_.label_px - 1);
     for (qsizetype i = 0; i < names.size(); ++i) axis->append(names[i], static_cast<double>(i + 1));
     axis->setLabelsFont(letters);
     axis->setRange(0.5, static_cast<double>(figure_.categories.size()) + 0.5);

@@ -11,6 +11,10 @@
 #include <QBoxPlotSeries>
 #include <QBoxSet>
 #include <QChart>
+#include <QGraphicsScene>
+#include <QGraphicsTextItem>
+#include <QImage>
+#include <QPainter>
 #include <gtest/gtest.h>
 
 #include "app/report/chart_builder.h"
@@ -123,6 +127,30 @@ TEST(ChartBuilder, DrawsOneBarSetASeries) {
   ASSERT_NE(bars, nullptr);
   EXPECT_EQ(bars->barSets().size(), 3);
   EXPECT_DOUBLE_EQ(bars->barSets().first()->at(0), 8.0);
+}
+
+TEST(ChartBuilder, CutsNoNameOfTheNineIndicesOnPaper) {
+  ReportFigure figure = figureOf(FigureKind::kGroupedBars);
+  figure.xLabel = {};
+  figure.categories = {"Effectiveness",    "Force feedback",         "Real-time performance",
+                       "System stability", "Deformation efficiency", "Fidelity",
+                       "Image fluency",    "Telepresence",           "Texture"};
+  QGraphicsScene scene;
+  QChart* chart = buildChart(figure).release();  // the scene owns it from here
+  scene.addItem(chart);
+  constexpr double kAcrossPage_px = 170.0 * 3.78;  // as a page of the report has it
+  chart->resize(kAcrossPage_px, 280.0);
+  QImage paper(static_cast<int>(kAcrossPage_px), 280, QImage::Format_RGB32);
+  QPainter painter(&paper);
+  scene.render(&painter);
+
+  std::set<QString> drawn;
+  for (const QGraphicsItem* item : scene.items())
+    if (const auto* text = qgraphicsitem_cast<const QGraphicsTextItem*>(item)) {
+      drawn.insert(text->toPlainText().simplified());
+    }
+  for (const Text& name : figure.categories)
+    EXPECT_TRUE(drawn.contains(QString::fromStdString(name.str()))) << name;
 }
 
 TEST(PdfReport, TellsEveryPageAndLeavesNothingWhenGivenUp) {
