@@ -52,8 +52,7 @@ AccountsDialog::AccountsDialog(const std::vector<StartAccount>& accounts, const 
   connect(cards_, &QPushButton::clicked, this, &AccountsDialog::askCards);
   connect(copy_, &QPushButton::clicked, this, &AccountsDialog::copy);
   connect(buttons, &QDialogButtonBox::rejected, this, &AccountsDialog::reject);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+  QVBoxLayout* column = pageColumn(this);
   column->setSpacing(kSpace);
   column->addWidget(words);
   column->addWidget(table_, 1);

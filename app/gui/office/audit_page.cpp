@@ -17,6 +17,7 @@
 
 #include "app/gui/look/data_table.h"
 #include "app/gui/look/page_heading.h"
+#include "app/gui/office/office_parts.h"
 #include "app/gui/shell/shell_context.h"
 #include "app/gui/shell/spoken.h"
 #include "app/session/access/audit_words.h"
@@ -67,9 +68,7 @@ AuditPage::AuditPage(ShellContext& shell)
   splitter->setStretchFactor(1, 1);
   splitter->setChildrenCollapsible(false);
   splitter->setHandleWidth(2 * kSpace);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
-  column->setSpacing(2 * kSpace);
+  QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addWidget(verdict_);
   column->addWidget(splitter, 1);

@@ -103,8 +103,7 @@ PeopleDialog::PeopleDialog(const QString& title, const QString& question,
   take->setFocus();  // Enter takes everybody; the list is for the exceptions
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+  QVBoxLayout* column = pageColumn(this);
   column->setSpacing(kSpace);
   column->addWidget(words);
   column->addWidget(table_, 1);

@@ -6,8 +6,6 @@
 #include <memory>
 #include <optional>
 
-#include <QDateTime>
-#include <QLocale>
 #include <QPointer>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -66,9 +64,7 @@ UsersPage::UsersPage(ShellContext& shell)
   add_->setProperty("primary", true);
   heading_->addAction(addForRoster_);
   heading_->addAction(add_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
-  column->setSpacing(2 * kSpace);
+  QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addWidget(table_, 1);
 
@@ -116,16 +112,14 @@ void UsersPage::show() {
   for (const StoredUser& user : users_) {
     QStringList roles;
     for (const std::string& role : user.roles) roles << roleName(role);
-    const QDateTime since = QDateTime::fromMSecsSinceEpoch(user.createdUtc_us / 1000);
-    rows.push_back(
-        {QString::fromStdString(user.id),
-         {{QString::fromStdString(user.login)},
-          {user.personId.empty() ? QStringLiteral("\u2013") : shown(personCodes_[user.personId])},
-          {roles.join(QStringLiteral(", "))},
-          {user.active ? tr("active") : tr("disabled")},
-          {user.mustChangePassword ? tr("to be changed") : tr("own")},
-          {user.hasPin ? tr("set") : QStringLiteral("\u2013")},
-          {locale().toString(since, QLocale::ShortFormat), static_cast<qlonglong>(user.createdUtc_us)}}});
+    rows.push_back({QString::fromStdString(user.id),
+                    {{QString::fromStdString(user.login)},
+                     {orDash(personCodes_[user.personId])},
+                     {roles.join(QStringLiteral(", "))},
+                     {user.active ? tr("active") : tr("disabled")},
+                     {user.mustChangePassword ? tr("to be changed") : tr("own")},
+                     {user.hasPin ? tr("set") : QStringLiteral("\u2013")},
+                     timeCell(user.createdUtc_us)}});
   }
   table_->setRows(std::move(rows));
   showButtons();
