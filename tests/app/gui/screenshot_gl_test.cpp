@@ -94,6 +94,24 @@ TEST_F(Screenshot, ShowsALitOrganInTheMiddleAndATwistThatCanBeSeen) {
   EXPECT_GT(different(rest, twisted), whole.width() * whole.height() / 100);
 }
 
+TEST_F(Screenshot, TheGhostOfTheTargetPoseAndTheMarkersComeOnlyWhenAsked) {
+  const QStringList options{
+      QStringLiteral("--organ"),      QStringLiteral("arm"),     QStringLiteral("--quality"),
+      QStringLiteral("fast"),         QStringLiteral("--size"),  QStringLiteral("640x480"),
+      QStringLiteral("--scene-only"), QStringLiteral("--angle"), QStringLiteral("0")};
+
+  const QImage plain = shot(QStringLiteral("plain.png"), options);
+  const QImage again = shot(QStringLiteral("again.png"), options);
+  const QImage ghost = shot(QStringLiteral("ghost.png"), options + QStringList{QStringLiteral("--ghost")});
+  const QImage markers =
+      shot(QStringLiteral("markers.png"), options + QStringList{QStringLiteral("--markers")});
+
+  ASSERT_FALSE(plain.isNull());
+  EXPECT_EQ(different(plain, again), 0);
+  EXPECT_GT(different(plain, ghost), 500);   // the hand stands in its target pose as well
+  EXPECT_GT(different(plain, markers), 20);  // ten points of a few pixels, half of them behind the arm
+}
+
 TEST_F(Screenshot, DrawsTissueWithShadersOfItsOwnAtTheFineLevel) {
   for (const char* organ : {"stomach", "arm", "intestine"}) {
     const QStringList options{QStringLiteral("--organ"),      QLatin1String(organ),

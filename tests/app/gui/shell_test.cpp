@@ -17,6 +17,7 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
+#include "app/gui/shell/about_box.h"
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/shell/language.h"
@@ -27,6 +28,7 @@
 #include "app/gui/shell/spoken.h"
 #include "app/session/access/first_run.h"
 #include "app/session/access/settings_service.h"
+#include "app/session/build_info.h"
 #include "db/repository/people_repository.h"
 #include "db/repository/station_repository.h"
 #include "sim/base/error.h"
@@ -684,6 +686,14 @@ TEST_F(Shell, ADatabaseThatHangsIsSaidCalmlyAndHoldsUpNobody) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return !tells("The database does not answer"); }, 20'000));
   window_->background().wait();
   EXPECT_TRUE(window_->desk()->open(QStringLiteral("office.audit")));
+}
+
+TEST(AboutBox, TellsTheBuildAndThatThisIsNoMedicalDevice) {
+  const QString text = aboutText();
+
+  EXPECT_TRUE(text.contains(QString::fromStdString(softwareVersion())));
+  EXPECT_TRUE(text.contains(QLatin1String(QT_VERSION_STR)));
+  EXPECT_TRUE(text.contains(QStringLiteral("This is a training tool and not a medical device.")));
 }
 
 TEST_F(Shell, EverythingThatTakesTheKeyboardHasANameForScreenReaders) {
