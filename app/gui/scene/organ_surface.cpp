@@ -25,6 +25,11 @@ OrganSurface::OrganSurface(const TriangleMesh& mesh) : triangles_(mesh.triangles
   update(mesh.vertices_m);
 }
 
+void OrganSurface::sink(float depth_mm) {
+  for (SurfaceVertex& v : vertices_)
+    for (int k = 0; k < 3; ++k) v.position[k] -= depth_mm * v.normal[k];
+}
+
 void OrganSurface::paint(std::span<const std::array<float, 3>> colours) {
   TORSIO_EXPECTS(colours.empty() || colours.size() == vertices_.size());
   for (std::size_t i = 0; i < vertices_.size(); ++i) {

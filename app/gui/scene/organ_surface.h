@@ -29,6 +29,9 @@ class OrganSurface {
   /// Vertices in metres, world frame, one a mesh vertex; normals are recomputed (area-weighted).
   void update(std::span<const Vec3> vertices_m);
 
+  /// Moves every vertex inward along its normal: where another surface has the same place, that one is seen.
+  void sink(float depth_mm);
+
   /// Colours of one's own, sRGB, one a vertex; empty: none, which is white.
   void paint(std::span<const std::array<float, 3>> colours);
 

@@ -35,6 +35,7 @@ namespace torsio::gui {
 namespace {
 
 // Share of the organ's radius: what is seen of a line is the same on a large organ and a small one.
+constexpr float kGhostDepth_mm = 0.6F;
 constexpr float kLatticeWidth = 0.0042F;
 constexpr float kGraspWidth = 0.013F;
 constexpr float kMarkerRadius = 0.014F;
@@ -338,6 +339,7 @@ void SceneView::setGhost(const std::optional<TwistState>& state) {
   std::vector<Vec3> vertices_m(ghost.vertices().size());
   view_.deform(*state, vertices_m);
   ghost.update(vertices_m);
+  ghost.sink(kGhostDepth_mm);  // what the twist does not move would be seen half as ghost, half as tissue
   ghost.paint(std::vector<std::array<float, 3>>(ghost.vertices().size(), {1.0F, 1.0F, 1.0F}));  // one colour
   ghost_->setSurface(ghost);
 }

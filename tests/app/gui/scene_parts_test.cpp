@@ -130,6 +130,21 @@ TEST(OrganSurface, NormalsOfARoundBarPointAwayFromItsAxis) {
   EXPECT_GT(checked, 500);
 }
 
+TEST(OrganSurface, SinkingMovesEveryVertexInwardByThatMuch) {
+  const OrganSurface before(barScene().mesh);
+  OrganSurface sunk = before;
+
+  sunk.sink(0.5F);
+
+  for (std::size_t i = 0; i < before.vertices().size(); ++i) {
+    const SurfaceVertex& a = before.vertices()[i];
+    const SurfaceVertex& b = sunk.vertices()[i];
+    float along = 0.0F;
+    for (int k = 0; k < 3; ++k) along += (a.position[k] - b.position[k]) * a.normal[k];
+    EXPECT_NEAR(along, 0.5F, 1e-4F);
+  }
+}
+
 TEST(OrganSurface, NormalsFollowTheTwistedVertices) {
   const Scene bar = barScene();
   OrganSurface surface(bar.mesh);
