@@ -192,7 +192,11 @@ TEST(SourceRules, TheTopLevelHoldsOnlyTheNamedFolders) {
                                           "db",
                                           "assets",
                                           "tests",
-                                          "docs"};
+                                          "docs",
+                                          "tools",
+                                          "CONTRIBUTING.md",
+                                          "SECURITY.md",
+                                          "CITATION.cff"};
   const std::set<std::string> ignored = {"build", "torsio-demo", "compile_commands.json"};
   for (const auto& entry : fs::directory_iterator(kRoot)) {
     const std::string name = entry.path().filename().string();
