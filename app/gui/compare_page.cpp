@@ -26,6 +26,7 @@
 #include "app/gui/look/form.h"
 #include "app/gui/picture.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 
 namespace torsio::gui {
 
@@ -61,7 +62,7 @@ ComparePage::ComparePage(ShellContext& context, QWidget* parent) : Page(context,
   for (Side& side : sides_) row->addWidget(createSide(side), 1);
   column->addLayout(row, 1);
   for (const std::string& id : sceneIds(shell().assets())) {
-    organ_->addItem(QString(), QString::fromStdString(id));
+    organ_->addItem(QString(), toQString(id));
   }
   connect(organ_, &QComboBox::activated, this,
           [this](int index) { load(organ_->itemData(index).toString()); });
@@ -209,12 +210,10 @@ void ComparePage::captureFilmStrip() {
     }
   }
   setTorque(before_Nm);
-  try {
+  attempt(shell(), [&] {
     writePicture(filmStrip(rows), file.toStdString());
     shell().notify(tr("Saved %1").arg(file));
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void ComparePage::retranslate() {

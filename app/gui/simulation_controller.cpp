@@ -61,6 +61,16 @@ SimulationController::~SimulationController() {
   haptic_.reset();
 }
 
+bool SimulationController::attempt(const std::function<void()>& action) {
+  try {
+    action();
+    return true;
+  } catch (...) {
+    report(std::current_exception());
+    return false;
+  }
+}
+
 void SimulationController::report(const std::exception_ptr& thrown) {
   tell(problemOf(thrown, {[] { return tr("Something unexpected went wrong"); },
                           [] { return tr("Please report this."); }}));
@@ -68,14 +78,14 @@ void SimulationController::report(const std::exception_ptr& thrown) {
 
 void SimulationController::tell(const Problem& problem) {
   Q_EMIT problemMet(problem);
-  const SpokenError said = problem();
+  const TranslatedError said = problem();
   Q_EMIT failed(said.happened, said.remedy, said.details);
 }
 
 void SimulationController::tellSpilled(const RecordingResult& result) {
-  tell([details = QString::fromStdString(result.spillFile->string() + "\n" + result.problem)] {
-    return SpokenError{tr("The recording could not go to its usual place and was kept as a file"),
-                       tr("Free some space or check the database, then import the file."), details};
+  tell([details = toQString(result.spillFile->string() + "\n" + result.problem)] {
+    return TranslatedError{tr("The recording could not go to its usual place and was kept as a file"),
+                           tr("Free some space or check the database, then import the file."), details};
   });
 }
 
@@ -106,14 +116,12 @@ void SimulationController::loadFor(const SceneRequest& request, std::shared_ptr<
           if (ticket != wanted_) return;
           delivered_ = ticket;
           Q_EMIT loadingChanged(false);
-          try {
+          attempt([&] {
             if (problem) std::rethrow_exception(problem);
             std::optional<TrialPlayback> playback;
             if (trial) playback.emplace(*trial);
             replace(request, std::move(*loaded), std::move(playback));
-          } catch (...) {
-            report(std::current_exception());
-          }
+          });
         },
         Qt::QueuedConnection);
   });
@@ -256,7 +264,8 @@ void SimulationController::startRecording() {
   header.softwareVersion = softwareVersion();
   header.startedUtc_us = utcNow_us();
   header.targetAngle_rad = target_rad_;
-  try {
+  bool begun = false;
+  const bool good = attempt([&] {
     std::unique_ptr<TrialSink> sink = recording_.open ? recording_.open(header) : nullptr;
     if (!sink) {
       Q_EMIT noticed(tr("There is no place to keep a recording."));
@@ -267,28 +276,23 @@ void SimulationController::startRecording() {
     header.drive = setup().drive;
     startRun(std::make_unique<LiveRun>(loaded_.scene, setup(), std::move(header), std::move(sink),
                                        std::move(haptic_)));
-  } catch (...) {
-    report(std::current_exception());
-    if (!run_) practise();
-    return;
-  }
-  setMode(Mode::kRecording);
+    begun = true;
+  });
+  if (!good && !run_) practise();
+  if (begun) setMode(Mode::kRecording);
 }
 
 void SimulationController::stopRecording() {
   if (mode_ != Mode::kRecording) return;
-  try {
+  attempt([&] {
     const RecordingResult result = run_->finish(TrialOutcome::kCompleted);
     const double duration_s = static_cast<double>(result.summary.samples) * 1e-3;
     if (result.spillFile) {
       tellSpilled(result);
     } else {
-      Q_EMIT noticed(
-          tr("Recorded %1 s to %2").arg(duration_s, 0, 'f', 1).arg(QString::fromStdString(recording_.place)));
+      Q_EMIT noticed(tr("Recorded %1 s to %2").arg(duration_s, 0, 'f', 1).arg(toQString(recording_.place)));
     }
-  } catch (...) {
-    report(std::current_exception());
-  }
+  });
   endRun();
   practise();
   setMode(Mode::kPractice);
@@ -314,12 +318,10 @@ bool SimulationController::startTraining(TrialHeader header, std::unique_ptr<Tri
 std::optional<RecordingResult> SimulationController::endTraining(TrialOutcome outcome) {
   if (mode_ != Mode::kRecording) return std::nullopt;
   std::optional<RecordingResult> result;
-  try {
+  attempt([&] {
     result = run_->finish(outcome);
     if (result->spillFile) tellSpilled(*result);
-  } catch (...) {
-    report(std::current_exception());
-  }
+  });
   run_.reset();
   led_ = false;
   LiveState still;
@@ -361,11 +363,7 @@ void SimulationController::closeReplay() {
 
 void SimulationController::shutDown() {
   if (mode_ == Mode::kRecording) {
-    try {
-      static_cast<void>(run_->finish(TrialOutcome::kInterrupted));
-    } catch (...) {
-      report(std::current_exception());
-    }
+    attempt([&] { static_cast<void>(run_->finish(TrialOutcome::kInterrupted)); });
   }
   run_.reset();
   setMode(scene() != nullptr ? Mode::kPractice : Mode::kEmpty);

@@ -144,6 +144,8 @@ class SimulationController : public QObject {
   void setHapticModel(const QString& model);
   [[nodiscard]] RunSetup setup() const;
   void setMode(Mode mode);
+  /// Does `action`, once: what it throws is told to whoever listens. True when it went well.
+  bool attempt(const std::function<void()>& action);
   void report(const std::exception_ptr& thrown);
   void tell(const Problem& problem);
   void tellSpilled(const RecordingResult& result);

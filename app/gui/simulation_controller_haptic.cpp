@@ -2,6 +2,7 @@
 // Of SimulationController: the haptic device, and what happens without it.
 #include <utility>
 
+#include "app/gui/shell/spoken.h"
 #include "app/gui/simulation_controller.h"
 #include "sim/base/error.h"
 
@@ -33,7 +34,7 @@ void SimulationController::openHaptic() {
     try {
       *device = open(*scene);
     } catch (const Error& error) {
-      problem = QString::fromStdString(error.happened());
+      problem = toQString(error.happened());
     } catch (const std::exception& error) {
       problem = QString::fromUtf8(error.what());
     }
@@ -52,7 +53,7 @@ void SimulationController::tookHaptic(std::unique_ptr<HapticDevice> device, cons
                                      : tr("You practise with mouse and keyboard: %1").arg(problem));
     return;
   }
-  const QString model = QString::fromStdString(device->capabilities().model);
+  const QString model = toQString(device->capabilities().model);
   if (mode_ != Mode::kPractice || frozen_)
     return;  // it is given back, and asked for again with the next scene
   haptic_ = std::move(device);
@@ -88,11 +89,7 @@ void SimulationController::watchDevice() {
 void SimulationController::loseHaptic() {
   const bool recorded = mode_ == Mode::kRecording;
   if (recorded) {
-    try {
-      static_cast<void>(run_->finish(TrialOutcome::kInterrupted));
-    } catch (...) {
-      report(std::current_exception());
-    }
+    attempt([&] { static_cast<void>(run_->finish(TrialOutcome::kInterrupted)); });
   }
   endRun();
   retireHaptic();

@@ -7683,6 +7683,34 @@
         <source>warm-up</source>
         <translation>热身</translation>
     </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>“%1”不是数字</translation>
+    </message>
+    <message>
+        <source>Write it like 90 or 22.5</source>
+        <translation>请写成 90 或 22.5 的形式</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a size</source>
+        <translation>“%1”不是尺寸</translation>
+    </message>
+    <message>
+        <source>Write it like 1280x800; 320x240 to 7680x4320</source>
+        <translation>请写成 1280x800 的形式；320x240 至 7680x4320</translation>
+    </message>
+    <message>
+        <source>Use one of: %1</source>
+        <translation>请使用下列之一：%1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no option</source>
+        <translation>“%1”不是选项</translation>
+    </message>
+    <message>
+        <source>See torsio --help</source>
+        <translation>参见 torsio --help</translation>
+    </message>
 </context>
 <context>
     <name>StationPages</name>
@@ -7724,7 +7752,7 @@
     </message>
 </context>
 <context>
-    <name>StationWords</name>
+    <name>StationLabels</name>
     <message>
         <source>Twists on target</source>
         <translation>达标扭转</translation>

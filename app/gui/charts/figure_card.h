@@ -40,7 +40,7 @@ class FigureCard : public QFrame {
  private:
   void fillTable(const ReportTable& table);
   void showNotes(const std::vector<Text>& notes, const Provenance& provenance);
-  void showWords();
+  void showTexts();
   void copy();
   void retranslate();
 

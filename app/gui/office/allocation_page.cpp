@@ -200,7 +200,7 @@ void AllocationPage::showBalance() {
       QStringList expected;
       for (const double people : level.expected) expected << locale().toString(people, 'f', 1);
       rows.push_back(
-          {QStringLiteral("%1/%2").arg(shown(level.factor), shown(level.level)),
+          {QStringLiteral("%1/%2").arg(toQString(level.factor), toQString(level.level)),
            {{factorName(level.factor)},
             {levelName(level.level)},
             {QString::number(level.people), static_cast<qlonglong>(level.people)},
@@ -215,7 +215,7 @@ void AllocationPage::showBalance() {
     if (!preview_->missing.empty())
       title = tr("%1 trainee(s) lack one of these details: %2")
                   .arg(preview_->missing.size())
-                  .arg(shown(preview_->missing.front()));
+                  .arg(toQString(preview_->missing.front()));
   }
   balanceTitle_->setText(title);
 }
@@ -231,8 +231,8 @@ void AllocationPage::showDesign() {
                .arg(shownTime(row.stored.lockedUtc_us, locale()))
                .arg(row.records)
                .arg(row.overrides)
-               .arg(methodName(row.design.method), shown(row.stored.seedCommitment.substr(0, 32)),
-                    row.stored.seed.empty() ? tr("sealed") : shown(row.stored.seed));
+               .arg(methodName(row.design.method), toQString(row.stored.seedCommitment.substr(0, 32)),
+                    row.stored.seed.empty() ? tr("sealed") : toQString(row.stored.seed));
     std::map<std::string, std::string> codes;
     std::map<std::string, std::string> groups;
     for (const StoredEnrolment& enrolment : enrolments(shell().workplace(), chosenId(cohort_)))
@@ -240,13 +240,13 @@ void AllocationPage::showDesign() {
     for (const CohortRow& cohort : cohorts(shell().workplace()))
       for (const StoredGroup& group : cohort.groups) groups[group.id] = group.code;
     for (const StoredAllocation& record : allocations(shell().workplace(), row.stored.id))
-      rows.push_back({shown(record.id),
+      rows.push_back({toQString(record.id),
                       {{QString::number(record.sequence), static_cast<qlonglong>(record.sequence)},
-                       {shown(codes[record.enrolmentId])},
-                       {shown(groups[record.groupId])},
+                       {toQString(codes[record.enrolmentId])},
+                       {toQString(groups[record.groupId])},
                        {QString::number(record.numberInGroup), static_cast<qlonglong>(record.numberInGroup)},
-                       {record.overrideReason.empty() ? tr("as drawn") : shown(record.overrideReason)},
-                       {shown(record.recordHash.substr(0, 12))}}});
+                       {record.overrideReason.empty() ? tr("as drawn") : toQString(record.overrideReason)},
+                       {toQString(record.recordHash.substr(0, 12))}}});
   }
   if (cohort_->count() == 0)
     text = tr("There is no cohort yet. Make one under Cohorts and enrol its trainees.");
@@ -310,14 +310,14 @@ bool AllocationPage::writeCards(const std::filesystem::path& file) {
   return attempt(shell(), [&] {
     writeSealedCards(takeOutCards(shell().workplace(), chosenId(cohort_)),
                      cohort_->currentText().toStdString(), file);
-    shell().notify(tr("Written: %1").arg(shown(file.string())));
+    shell().notify(tr("Written: %1").arg(toQString(file)));
   });
 }
 
 void AllocationPage::askCards() {
   const QString file =
       askFileToSave(this, tr("Sealed cards"), QStringLiteral("cards.pdf"), tr("PDF (*.pdf)"));
-  if (!file.isEmpty()) writeCards(std::filesystem::path(file.toStdString()));
+  if (!file.isEmpty()) writeCards(toPath(file));
 }
 
 void AllocationPage::check() {
@@ -329,7 +329,7 @@ void AllocationPage::check() {
                                       "of them moved by hand.")
                                        .arg(found.records)
                                        .arg(found.overrides)
-                                 : tr("The draw does not fit its record: %1").arg(spoken(found.finding)));
+                                 : tr("The draw does not fit its record: %1").arg(toQString(found.finding)));
   });
 }
 

@@ -29,7 +29,7 @@ class CampaignsPage : public Page {
 
  private:
   void read();
-  void show();
+  void showContent();
   void showRaters();
   void askNew();
 

@@ -36,11 +36,11 @@ QString categoryName(const std::string& code) {
   if (code == kRetainRater) return CarePage::tr("rater");
   if (code == kRetainLeft) return CarePage::tr("left the centre");
   if (code == kRetainWithdrawn) return CarePage::tr("consent withdrawn");
-  return shown(code);
+  return toQString(code);
 }
 
 bool isFile(const std::string& locator) {
-  return QFileInfo(shown(locator)).isFile();
+  return QFileInfo(toQString(locator)).isFile();
 }
 
 }  // namespace
@@ -132,15 +132,16 @@ void CarePage::read() {
     showRecord();
     std::vector<Row> rows;
     for (const RetentionItem& item : due_)
-      rows.push_back({shown(item.personId),
-                      {{shown(item.code)},
-                       {categoryName(item.category)},
-                       {orDash(item.basis)},
-                       timeCell(item.sinceUtc_us),
-                       timeCell(item.dueUtc_us),
-                       {!item.held                  ? tr("to be reviewed")
-                        : item.hold->kind == "lock" ? tr("locked: %1").arg(shown(item.hold->reason))
-                                                    : tr("kept longer: %1").arg(shown(item.hold->reason))}}});
+      rows.push_back(
+          {toQString(item.personId),
+           {{toQString(item.code)},
+            {categoryName(item.category)},
+            {orDash(item.basis)},
+            timeCell(item.sinceUtc_us),
+            timeCell(item.dueUtc_us),
+            {!item.held                  ? tr("to be reviewed")
+             : item.hold->kind == "lock" ? tr("locked: %1").arg(toQString(item.hold->reason))
+                                         : tr("kept longer: %1").arg(toQString(item.hold->reason))}}});
     queue_->setRows(std::move(rows));
     showButtons();
   });
@@ -150,7 +151,7 @@ void CarePage::showRecord() {
   const std::string locator = shell().workplace().key().locator;
   QStringList lines;
   if (isFile(locator)) {
-    const QFileInfo file(shown(locator));
+    const QFileInfo file(toQString(locator));
     const QStorageInfo disk(file.absolutePath());
     lines << file.absoluteFilePath();
     lines << tr("%1, %2 free on the disk")
@@ -171,8 +172,8 @@ void CarePage::showRecord() {
                                     .arg(check_->auditEntries)
                               : tr("\u2717 Checked: %1 finding(s), first: %2")
                                     .arg(check_->damage.size() + check_->audit.size())
-                                    .arg(check_->damage.empty() ? shown(check_->audit.front().what)
-                                                                : shown(check_->damage.front())));
+                                    .arg(check_->damage.empty() ? toQString(check_->audit.front().what)
+                                                                : toQString(check_->damage.front())));
   recordText_->setText(lines.join(QLatin1Char('\n')));
   setLook(recordText_, "caution", check_ && !check_->sound());
   simulatedText_->setText(demonstration_.people == 0
@@ -224,7 +225,7 @@ void CarePage::backUp(const std::filesystem::path& file) {
         backupText_->setText(tr("\u2713 Written and read back: %1 recordings, %2 marks.\n%3")
                                  .arg(content->trials)
                                  .arg(content->marks)
-                                 .arg(QString::fromStdString(file.string())));
+                                 .arg(toQString(file)));
       });
 }
 
@@ -234,13 +235,13 @@ void CarePage::testBackup(const std::filesystem::path& file) {
       tr("Testing a backup"),
       [file, found](Workplace&, const ProgressCallback& progress) { *found = verifyBackup(file, progress); },
       [this, file, found] {
-        backupText_->setText(found->database.sound()
-                                 ? tr("\u2713 This backup can be restored: %1 recordings, %2 marks.\n%3")
-                                       .arg(found->content.trials)
-                                       .arg(found->content.marks)
-                                       .arg(QString::fromStdString(file.string()))
-                                 : tr("\u2717 This backup is not sound. Make a new one.\n%1")
-                                       .arg(QString::fromStdString(file.string())));
+        backupText_->setText(
+            found->database.sound()
+                ? tr("\u2713 This backup can be restored: %1 recordings, %2 marks.\n%3")
+                      .arg(found->content.trials)
+                      .arg(found->content.marks)
+                      .arg(toQString(file))
+                : tr("\u2717 This backup is not sound. Make a new one.\n%1").arg(toQString(file)));
       });
 }
 
@@ -268,12 +269,12 @@ bool CarePage::removeDemonstration(const std::string& reason) {
 void CarePage::askBackUp() {
   const QString name = QStringLiteral("torsio-%1.sqlite").arg(QDate::currentDate().toString(Qt::ISODate));
   const QString file = askFileToSave(this, tr("Back up to"), name, tr("Backup (*.sqlite)"));
-  if (!file.isEmpty()) backUp(std::filesystem::path(file.toStdString()));
+  if (!file.isEmpty()) backUp(toPath(file));
 }
 
 void CarePage::askTest() {
   const QString file = askFileToOpen(this, tr("Test a backup"), tr("Backup (*.sqlite)"));
-  if (!file.isEmpty()) testBackup(std::filesystem::path(file.toStdString()));
+  if (!file.isEmpty()) testBackup(toPath(file));
 }
 
 void CarePage::askRemoveDemonstration() {
@@ -288,7 +289,7 @@ void CarePage::keepLonger() {
   const RetentionItem* item = current();
   if (item == nullptr) return;
   const std::optional<std::string> reason = askReason(
-      this, tr("Keep longer"), tr("The record of %1 is kept for another year.").arg(shown(item->code)));
+      this, tr("Keep longer"), tr("The record of %1 is kept for another year.").arg(toQString(item->code)));
   if (!reason) return;
   attempt(shell(), [&] {
     extendRecord(shell().workplace(), item->personId, shell().workplace().now_us() + kYear_us, *reason);
@@ -301,9 +302,10 @@ void CarePage::lock() {
   if (item == nullptr) return;
   const std::optional<std::string> reason =
       item->held
-          ? askReason(this, tr("Release"), tr("The record of %1 is no longer held.").arg(shown(item->code)))
+          ? askReason(this, tr("Release"),
+                      tr("The record of %1 is no longer held.").arg(toQString(item->code)))
           : askReason(this, tr("Lock"),
-                      tr("The record of %1 is kept until somebody releases it.").arg(shown(item->code)));
+                      tr("The record of %1 is kept until somebody releases it.").arg(toQString(item->code)));
   if (!reason) return;
   attempt(shell(), [&] {
     if (item->held) {
@@ -325,7 +327,7 @@ void CarePage::erase() {
         askReason(this, tr("Erase a record"),
                   tr("The identity of %1 and %2 recording(s) are erased for good. Marks stay without a "
                      "person, so that statistics remain right.")
-                      .arg(shown(item->code))
+                      .arg(toQString(item->code))
                       .arg(tried.recordings));
     if (!reason) return;
     static_cast<void>(eraseDue(shell().workplace(), who, *reason, false));

@@ -29,7 +29,7 @@ class CohortsPage : public Page {
 
  private:
   void read();
-  void show();
+  void showContent();
   void showMembers();
   void addNew();
   void enrol();

@@ -46,14 +46,14 @@ class CurriculaPage : public Page {
 
  private:
   void read();
-  void show();
+  void showContent();
   void showDraft();
   void showChosenVersion();
   void fillVersions();
   void showButtons();
   void sayState();
-  [[nodiscard]] QString draftWords(const CurriculumRow& row) const;
-  [[nodiscard]] QString versionWords(const CurriculumRow& row, const CurriculumVersionRow& version) const;
+  [[nodiscard]] QString draftText(const CurriculumRow& row) const;
+  [[nodiscard]] QString versionText(const CurriculumRow& row, const CurriculumVersionRow& version) const;
   void askNew();
   void askPublish();
   void askClose();

@@ -95,8 +95,8 @@ void fitRows(QTableWidget* table, int leastRows) {
 }
 
 void chooseOrAdd(QComboBox* box, const std::string& value) {
-  if (box->findData(shown(value)) < 0) box->addItem(orDash(value), shown(value));
-  box->setCurrentIndex(box->findData(shown(value)));
+  if (box->findData(toQString(value)) < 0) box->addItem(orDash(value), toQString(value));
+  box->setCurrentIndex(box->findData(toQString(value)));
 }
 
 int rowOf(const QTableWidget* table, const QWidget* cell) {

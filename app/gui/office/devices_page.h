@@ -34,7 +34,7 @@ class DevicesPage : public Page {
   [[nodiscard]] DataTable& findings() const noexcept { return *table_; }
 
  private:
-  void show();
+  void showContent();
 
   std::optional<DeviceCheckResult> result_;
   PageHeading* heading_;

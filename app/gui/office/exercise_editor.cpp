@@ -49,7 +49,7 @@ std::vector<std::string> codesOf(const StoredCurriculumVersion& content) {
 }
 
 QString lineOf(const StoredModule& module) {
-  return QStringLiteral("%1  %2").arg(shown(module.code), spoken(module.title));
+  return QStringLiteral("%1  %2").arg(toQString(module.code), toQString(module.title));
 }
 
 /// A scene or a pattern as people call it: "arm" is the forearm in every language.
@@ -203,10 +203,10 @@ void ExerciseEditor::select(int row) {
   }
   list_->setCurrentRow(std::min(row, list_->count() - 1));
   filling_ = false;
-  show();
+  showContent();
 }
 
-void ExerciseEditor::show() {
+void ExerciseEditor::showContent() {
   if (filling_) return;
   const StoredModule* module = exercise();
   const int row = list_->currentRow();
@@ -225,8 +225,8 @@ void ExerciseEditor::show() {
     return;
   }
   filling_ = true;
-  code_->setText(shown(module->code));
-  title_->setText(shown(module->title));
+  code_->setText(toQString(module->code));
+  title_->setText(toQString(module->title));
   showPlaces(*module);
   target_->setValue(module->targetAngle_rad / kDegree);
   tolerance_->setValue(module->tolerance_rad / kDegree);
@@ -241,18 +241,18 @@ void ExerciseEditor::show() {
 
 void ExerciseEditor::showPlaces(const StoredModule& module) {
   scene_->clear();
-  for (const std::string& id : sceneIds(assets_)) scene_->addItem(placeName(id), shown(id));
+  for (const std::string& id : sceneIds(assets_)) scene_->addItem(placeName(id), toQString(id));
   chooseOrAdd(scene_, module.sceneId);
   pattern_->clear();
   try {
     for (const std::string& id : patternIds(assets_, module.sceneId))
-      pattern_->addItem(placeName(id), shown(id));
+      pattern_->addItem(placeName(id), toQString(id));
   } catch (const Error&) {
     // The scene belongs to another installation: its own pattern is offered alone, the check says the rest.
   }
   chooseOrAdd(pattern_, module.patternId);
   kind_->clear();
-  for (const std::string& kind : exerciseKinds()) kind_->addItem(exerciseKindName(kind), shown(kind));
+  for (const std::string& kind : exerciseKinds()) kind_->addItem(exerciseKindName(kind), toQString(kind));
   chooseOrAdd(kind_, module.exerciseKind);
   chooseOrAdd(mode_, module.mode);
 }
@@ -261,7 +261,7 @@ void ExerciseEditor::showPrerequisites(const StoredModule& module) {
   after_->clear();
   const auto offer = [this](const QString& text, const std::string& code, bool required) {
     auto* item = new QListWidgetItem(text, after_);
-    item->setData(Qt::UserRole, shown(code));
+    item->setData(Qt::UserRole, toQString(code));
     item->setFlags((item->flags() | Qt::ItemIsUserCheckable) & ~Qt::ItemIsSelectable);
     item->setCheckState(required ? Qt::Checked : Qt::Unchecked);
   };
@@ -274,7 +274,7 @@ void ExerciseEditor::showPrerequisites(const StoredModule& module) {
   const std::vector<std::string> known = codesOf(content_);
   for (const std::string& code : required)
     if (code == module.code || std::find(known.begin(), known.end(), code) == known.end())
-      offer(tr("%1  (no such exercise any more)").arg(shown(code)), code, true);
+      offer(tr("%1  (no such exercise any more)").arg(toQString(code)), code, true);
   constexpr int kMostRows = 3;  // in a low window; a high one shows more
   const int rows = std::clamp(after_->count(), 1, kMostRows);
   after_->setMinimumHeight(rows * std::max(after_->sizeHintForRow(0), 3 * kSpace) + 2 * kSpace);
@@ -293,7 +293,7 @@ void ExerciseEditor::showMastery(const StoredModule& module) {
 
 void ExerciseEditor::addMasteryRow(int row, const StoredMasteryRule& rule) {
   auto* metric = new QComboBox;
-  for (const auto& [id, name] : masteryMetrics()) metric->addItem(name, shown(id));
+  for (const auto& [id, name] : masteryMetrics()) metric->addItem(name, toQString(id));
   chooseOrAdd(metric, rule.metric);
   auto* direction = new QComboBox;
   direction->addItem(tr("at least"), QStringLiteral("at_least"));
@@ -360,13 +360,13 @@ void ExerciseEditor::takeCode() {
   const std::string code = code_->text().trimmed().toStdString();
   const std::vector<std::string> taken = codesOf(content_);
   const bool free = code == before || std::find(taken.begin(), taken.end(), code) == taken.end();
-  codeProblem_->setText(code.empty()
-                            ? tr("An exercise needs a code; it keeps %1.").arg(shown(before))
-                            : tr("Another exercise has this code; this one keeps %1.").arg(shown(before)));
+  codeProblem_->setText(
+      code.empty() ? tr("An exercise needs a code; it keeps %1.").arg(toQString(before))
+                   : tr("Another exercise has this code; this one keeps %1.").arg(toQString(before)));
   codeProblem_->setVisible(code.empty() || !free);
   if (code == before) return;
   if (code.empty() || !free) {
-    code_->setText(shown(before));
+    code_->setText(toQString(before));
     return;
   }
   for (StoredModule& module : content_.modules)
@@ -384,7 +384,7 @@ void ExerciseEditor::takeScene() {
     const std::vector<std::string> patterns = patternIds(assets_, module.sceneId);
     module.patternId = patterns.empty() ? std::string() : patterns.front();
   });
-  show();
+  showContent();
 }
 
 void ExerciseEditor::takePrerequisite(const QListWidgetItem* item) {
@@ -449,7 +449,7 @@ void ExerciseEditor::addRule() {
     rule.unit = metricUnit(rule.metric);
     module.mastery.push_back(rule);
   });
-  show();
+  showContent();
   if (mastery_->rowCount() > 0) mastery_->cellWidget(mastery_->rowCount() - 1, kMetric)->setFocus();
 }
 
@@ -458,12 +458,12 @@ void ExerciseEditor::removeRule() {
   take([row](StoredModule& module) {
     if (row >= 0 && row < std::ssize(module.mastery)) module.mastery.erase(module.mastery.begin() + row);
   });
-  show();
+  showContent();
 }
 
 void ExerciseEditor::setReadOnly(bool readOnly) {
   readOnly_ = readOnly;
-  show();
+  showContent();
 }
 
 void ExerciseEditor::retranslate() {
@@ -485,7 +485,7 @@ void ExerciseEditor::retranslate() {
   addRule_->setText(tr("Add rule"));
   removeRule_->setText(tr("Remove rule"));
   mastery_->setHorizontalHeaderLabels({tr("Metric"), tr("is"), tr("Threshold"), tr("In a row")});
-  show();
+  showContent();
 }
 
 }  // namespace torsio::gui

@@ -45,7 +45,7 @@ class ExerciseEditor : public QWidget {
   QWidget* form();
   void connectFields();
   void connectLists();
-  void show();
+  void showContent();
   void showPlaces(const StoredModule& module);
   void showPrerequisites(const StoredModule& module);
   void showMastery(const StoredModule& module);

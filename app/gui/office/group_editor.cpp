@@ -42,7 +42,7 @@ std::vector<std::string> codesOf(const StoredCurriculumVersion& content) {
 }
 
 QString lineOf(const StoredArm& arm) {
-  return QStringLiteral("%1  %2").arg(shown(arm.code), shown(arm.label));
+  return QStringLiteral("%1  %2").arg(toQString(arm.code), toQString(arm.label));
 }
 
 double minutes(std::int64_t time_us) {
@@ -144,10 +144,10 @@ void GroupEditor::select(int row) {
   }
   list_->setCurrentRow(std::min(row, list_->count() - 1));
   filling_ = false;
-  show();
+  showContent();
 }
 
-void GroupEditor::show() {
+void GroupEditor::showContent() {
   if (filling_) return;
   const StoredArm* arm = group();
   const int row = list_->currentRow();
@@ -166,8 +166,8 @@ void GroupEditor::show() {
     return;
   }
   filling_ = true;
-  code_->setText(shown(arm->code));
-  label_->setText(shown(arm->label));
+  code_->setText(toQString(arm->code));
+  label_->setText(toQString(arm->label));
   rest_->setValue(minutes(arm->restAllowance_us));
   splittable_->setChecked(arm->restSplittable);
   splittable_->setEnabled(change && arm->restAllowance_us > 0);
@@ -195,13 +195,14 @@ void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
   auto* where = new QComboBox;
   for (const char* code : {"virtual", "real"}) where->addItem(phaseKindName(code), QString::fromLatin1(code));
   chooseOrAdd(where, phase.kind);
-  auto* name = new QLineEdit(shown(phase.label));
+  auto* name = new QLineEdit(toQString(phase.label));
   QDoubleSpinBox* time = numberField(0.0, kMostMinutes, 1);
   time->setValue(minutes(phase.duration_us));
   auto* module = new QComboBox;
   module->addItem(tr("any exercise"), QString());
   for (const StoredModule& known : content_.modules)
-    module->addItem(QStringLiteral("%1  %2").arg(shown(known.code), spoken(known.title)), shown(known.code));
+    module->addItem(QStringLiteral("%1  %2").arg(toQString(known.code), toQString(known.title)),
+                    toQString(known.code));
   chooseOrAdd(module, phase.moduleId);
   module->setEnabled(phase.kind != "real" || !phase.moduleId.empty());
   phases_->setCellWidget(row, kWhere, where);
@@ -216,7 +217,7 @@ void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
     takePhase(where, [&](StoredPhase& changed) {
       changed.kind = chosenId(where);
       if (changed.kind == "real") changed.moduleId.clear();  // exercises belong to the simulator
-      module->setCurrentIndex(module->findData(shown(changed.moduleId)));
+      module->setCurrentIndex(module->findData(toQString(changed.moduleId)));
       module->setEnabled(changed.kind != "real");
     });
   });
@@ -269,12 +270,12 @@ void GroupEditor::takeCode() {
   const std::vector<std::string> taken = codesOf(content_);
   const bool free = code == before || std::find(taken.begin(), taken.end(), code) == taken.end();
   codeProblem_->setText(code.empty()
-                            ? tr("A group needs a code; it keeps %1.").arg(shown(before))
-                            : tr("Another group has this code; this one keeps %1.").arg(shown(before)));
+                            ? tr("A group needs a code; it keeps %1.").arg(toQString(before))
+                            : tr("Another group has this code; this one keeps %1.").arg(toQString(before)));
   codeProblem_->setVisible(code.empty() || !free);
   if (code == before) return;
   if (code.empty() || !free) {
-    code_->setText(shown(before));
+    code_->setText(toQString(before));
     return;
   }
   take([&](StoredArm& changed) { changed.code = changed.id = code; });
@@ -340,7 +341,7 @@ void GroupEditor::movePhase(int by) {
 
 void GroupEditor::setReadOnly(bool readOnly) {
   readOnly_ = readOnly;
-  show();
+  showContent();
 }
 
 void GroupEditor::retranslate() {
@@ -359,7 +360,7 @@ void GroupEditor::retranslate() {
   phaseUp_->setText(tr("Earlier"));
   phaseDown_->setText(tr("Later"));
   phases_->setHorizontalHeaderLabels({tr("Where"), tr("Name"), tr("Minutes"), tr("Exercise")});
-  show();
+  showContent();
 }
 
 }  // namespace torsio::gui

@@ -40,7 +40,7 @@ class GroupEditor : public QWidget {
 
  private:
   QWidget* form();
-  void show();
+  void showContent();
   void showPhases(const StoredArm& arm, int current);
   void addPhaseRow(int row, const StoredPhase& phase);
   void showTotals(const StoredArm& arm);

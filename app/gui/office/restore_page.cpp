@@ -145,8 +145,8 @@ void RestorePage::restore() {
       [plan = *plan_, prepared](Workplace& workplace, const ProgressCallback& progress) {
         *prepared = prepareRestore(workplace, plan, progress);
       },
-      [this, prepared, name = QFileInfo(shown(plan_->backup.string())).fileName()] {
-        const QString kept = shown((*prepared)->safety().string());
+      [this, prepared, name = QFileInfo(toQString(plan_->backup)).fileName()] {
+        const QString kept = toQString((*prepared)->safety());
         RecordChange change;
         change.swap = [ready = *prepared] { ready->takeOver(); };
         change.sentence =

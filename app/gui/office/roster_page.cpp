@@ -27,7 +27,7 @@ namespace {
 constexpr const char* kTrainingRecord = "training_record";
 
 QString orDash(const std::string& text) {
-  return text.empty() ? QStringLiteral("\u2013") : QString::fromStdString(text);
+  return text.empty() ? QStringLiteral("\u2013") : toQString(text);
 }
 
 QPushButton* listButton(DataTable* table) {
@@ -100,32 +100,30 @@ void RosterPage::retranslate() {
                       {tr("Consent to the record")},
                       {tr("State")}});
   table_->setEmptyText(tr("Nobody yet. Import the roster of your centre, or add people by hand."));
-  show();
+  showContent();
 }
 
 void RosterPage::read() {
-  try {
+  attempt(shell(), [&] {
     people_.clear();
     if (names_->isChecked()) {
       people_ = namedPeople(shell().workplace());
     } else {
       for (PersonRow& row : people(shell().workplace())) people_.push_back({std::move(row), {}});
     }
-    show();
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+    showContent();
+  });
 }
 
-void RosterPage::show() {
+void RosterPage::showContent() {
   std::vector<Row> rows;
   rows.reserve(people_.size());
   for (const NamedPersonRow& named : people_) {
     const PersonRow& row = named.row;
     const bool consents =
         std::find(row.consents.begin(), row.consents.end(), kTrainingRecord) != row.consents.end();
-    rows.push_back({QString::fromStdString(row.person.id),
-                    {{QString::fromStdString(row.person.code)},
+    rows.push_back({toQString(row.person.id),
+                    {{toQString(row.person.code)},
                      {orDash(named.identity.fullName)},
                      {orDash(named.identity.externalId)},
                      {row.trainee ? tr("yes") : QStringLiteral("\u2013")},
@@ -160,30 +158,26 @@ void RosterPage::import() {
 }
 
 void RosterPage::add() {
-  try {
+  attempt(shell(), [&] {
     const std::optional<PersonEdit> edit =
         askPerson(this, std::nullopt, ensureRaterClasses(shell().workplace()));
     if (!edit) return;
     const std::string id = addPerson(shell().workplace(), edit->entry);
     read();
-    table_->select(QString::fromStdString(id));
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+    table_->select(toQString(id));
+  });
 }
 
 void RosterPage::edit() {
   const std::string id = table_->currentId().toStdString();
   if (id.empty() || !edit_->isVisible()) return;
-  try {
+  attempt(shell(), [&] {
     const std::optional<PersonEdit> edit =
         askPerson(this, personEntry(shell().workplace(), id), ensureRaterClasses(shell().workplace()));
     if (!edit) return;
     changePerson(shell().workplace(), id, edit->entry, edit->reason);
     read();
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void RosterPage::switchState() {
@@ -191,9 +185,9 @@ void RosterPage::switchState() {
   const auto person = std::find_if(people_.begin(), people_.end(),
                                    [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
   if (person == people_.end()) return;
-  try {
+  attempt(shell(), [&] {
     const bool active = person->row.person.state == "active";
-    const QString code = QString::fromStdString(person->row.person.code);
+    const QString code = toQString(person->row.person.code);
     const std::optional<std::string> reason =
         active ? askReason(this, tr("Has left"),
                            tr("%1 keeps the record and is offered nowhere any more.").arg(code))
@@ -201,9 +195,7 @@ void RosterPage::switchState() {
     if (!reason) return;
     setPersonState(shell().workplace(), id, active ? "left" : "active", *reason);
     read();
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void RosterPage::exportList() {
@@ -216,7 +208,7 @@ void RosterPage::exportList() {
   shell().run(
       tr("Exporting people"),
       [file, withNames, count](Workplace& workplace, const ProgressCallback&) {
-        *count = exportPeople(workplace, std::filesystem::path(file.toStdString()), withNames);
+        *count = exportPeople(workplace, toPath(file), withNames);
       },
       [this, file, count] { shell().notify(tr("%1 people written to %2").arg(*count).arg(file)); });
 }

@@ -40,7 +40,7 @@ class RunDayPage : public Page {
   void read();
   /// The same away from the window's thread: what the clock does.
   void refresh();
-  void show();
+  void showContent();
   void showStations();
   void showAlerts();
   [[nodiscard]] QString alertText(const RunDayAlert& alert) const;

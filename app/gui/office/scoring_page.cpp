@@ -96,33 +96,34 @@ void ScoringPage::read() {
       if (shell().workplace().may(Operation::kMarkRelease))
         releases_ = releaseStates(shell().workplace(), cohort);
     }
-    show();
+    showContent();
   });
 }
 
-void ScoringPage::show() {
+void ScoringPage::showContent() {
   std::vector<Column> columns = {{tr("Trainee")}, {tr("Scoring point")}, {tr("Missing"), true, true}};
   std::vector<Row> rows;
   std::size_t open = 0;
   std::size_t submitted = 0;
   if (matrix_) {
     for (const ScoringMatrix::Rater& rater : matrix_->raters) {
-      columns.push_back({shown(rater.code)});
+      columns.push_back({toQString(rater.code)});
       open += rater.open;
       submitted += rater.submitted;
     }
     for (std::size_t i = 0; i < matrix_->lines.size(); ++i) {
       const ScoringMatrix::Line& line = matrix_->lines[i];
       Row row{QString::number(i),
-              {{shown(line.traineeCode)},
-               {scoringPointName(line.scoringPoint), shown(line.scoringPoint)},
+              {{toQString(line.traineeCode)},
+               {scoringPointName(line.scoringPoint), toQString(line.scoringPoint)},
                {line.missing == 0 ? QStringLiteral("\u2013") : QString::number(line.missing),
                 static_cast<qlonglong>(line.missing)}}};
       for (const ScoringCell& cell : line.cells)
-        row.cells.push_back({stateSign(cell), static_cast<int>(cell.state),
-                             cell.assignmentId.empty()
-                                 ? tr("not asked")
-                                 : tr("case %1: %2").arg(shown(cell.caseLabel), sheetStateName(cell.state))});
+        row.cells.push_back(
+            {stateSign(cell), static_cast<int>(cell.state),
+             cell.assignmentId.empty()
+                 ? tr("not asked")
+                 : tr("case %1: %2").arg(toQString(cell.caseLabel), sheetStateName(cell.state))});
       rows.push_back(std::move(row));
     }
   }
@@ -237,7 +238,7 @@ void ScoringPage::retranslate() {
   release_->setText(tr("Re&lease marks\u2026"));
   table_->setEmptyText(
       tr("No rater has been asked yet. Press Ask raters: each gets the cases in an order of their own."));
-  show();
+  showContent();
 }
 
 }  // namespace torsio::gui

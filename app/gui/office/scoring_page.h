@@ -34,7 +34,7 @@ class ScoringPage : public Page {
 
  private:
   void read();
-  void show();
+  void showContent();
   void showButtons();
   void askRaters();
   void reassignSheet();

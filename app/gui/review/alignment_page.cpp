@@ -82,7 +82,7 @@ void AlignmentPage::connectAll() {
   });
   connect(replay_, &QPushButton::clicked, this, [this] {
     if (const AlignmentCase* one = current())
-      this->shell().open(QStringLiteral("review.case"), words(one->shown.assignmentId));
+      this->shell().open(QStringLiteral("review.case"), toQString(one->shown.assignmentId));
   });
   connect(keep_, &QPushButton::clicked, this, [this] {
     if (editor_ != nullptr) {
@@ -126,13 +126,13 @@ void AlignmentPage::showList() {
                              : one.decision == "move"  ? tr("moved")
                              : one.decision == "third" ? tr("third asked for")
                                                        : tr("to be decided");
-    rows.push_back({words(one.shown.assignmentId),
-                    {{tr("Case %1").arg(words(one.shown.label)), static_cast<int>(rows.size())},
+    rows.push_back({toQString(one.shown.assignmentId),
+                    {{tr("Case %1").arg(toQString(one.shown.label)), static_cast<int>(rows.size())},
                      {QLocale().toString(one.largest, 'f', 1), one.largest},
                      {decision}}});
   }
   table_->setRows(std::move(rows));
-  if (const AlignmentCase* one = current()) table_->select(words(one->shown.assignmentId));
+  if (const AlignmentCase* one = current()) table_->select(toQString(one->shown.assignmentId));
 }
 
 const AlignmentCase* AlignmentPage::current() const {
@@ -149,10 +149,10 @@ void AlignmentPage::showCase() {
   table_->setVisible(!cases_.empty());
   right_->setVisible(one != nullptr);
   if (one == nullptr) return;
-  case_->setText(tr("Case %1").arg(words(one->shown.label)));
+  case_->setText(tr("Case %1").arg(toQString(one->shown.label)));
   state_->setText(one->decision.empty() ? QString()
                   : one->reason.empty() ? tr("Decided. You may decide anew.")
-                                        : tr("Decided: %1").arg(words(one->reason)));
+                                        : tr("Decided: %1").arg(toQString(one->reason)));
   bars_->setRows(one->rows);
   bars_->setVisible(!moving);
   legend_->setVisible(!moving);
@@ -176,15 +176,13 @@ void AlignmentPage::startMoving() {
            tr("The moved mark is sealed; the one before is kept"));
     return;
   }
-  try {
+  attempt(shell(), [&] {
     const OpenedSheet opened = openSheet(shell().workplace(), one->shown.assignmentId);
     editor_ = std::make_unique<SheetEditor>(opened.rubric, opened.sheet);
     sheet_->setEditor(editor_.get());
     showCase();
     sheet_->takeFocus();
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void AlignmentPage::stopMoving() {
@@ -196,15 +194,14 @@ template <typename Action>
 void AlignmentPage::decide(const Action& action, const QString& said) {
   const AlignmentCase* one = current();
   if (one == nullptr) return;
-  try {
-    action(shell().workplace(), one->shown.assignmentId, reason_->text().trimmed().toStdString());
-    reason_->clear();
-    stopMoving();
-    read();
-    showCase();
-    shell().notify(said);
-  } catch (...) {
-    shell().report(std::current_exception());
+  if (!attempt(shell(), [&] {
+        action(shell().workplace(), one->shown.assignmentId, reason_->text().trimmed().toStdString());
+        reason_->clear();
+        stopMoving();
+        read();
+        showCase();
+        shell().notify(said);
+      })) {
     reason_->setFocus(Qt::OtherFocusReason);
   }
 }

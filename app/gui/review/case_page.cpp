@@ -176,7 +176,7 @@ void CasePage::load() {
   const std::string id = opened_.shown.assignmentId;
   const std::filesystem::path assets = shell().assets();
   shell().run(
-      tr("Opening case %1").arg(words(opened_.shown.label)),
+      tr("Opening case %1").arg(toQString(opened_.shown.label)),
       [loaded, id, assets](Workplace& own, const ProgressCallback&) {
         *loaded = loadForShowing(loadBlindedRecording(own, id), assets);
       },
@@ -237,13 +237,11 @@ void CasePage::redo() {
 
 void CasePage::addBookmark(const QString& text) {
   if (!replay_->ready()) return;
-  try {
+  attempt(shell(), [&] {
     addCaseRemark(shell().workplace(), opened_.shown.assignmentId,
                   {replay_->position_us(), text.toStdString()});
     caseRemarks_ = caseRemarks(shell().workplace(), opened_.shown.assignmentId);
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
   showRemarks();
 }
 
@@ -272,20 +270,18 @@ void CasePage::submit() {
     sheet_->takeFocus();
     return;
   }
-  try {
+  attempt(shell(), [&] {
     noteWork();
     submitSheet(shell().workplace(), opened_.shown.assignmentId, editor_->sheet(), watched_);
-    shell().notify(tr("Case %1 is submitted and sealed").arg(words(opened_.shown.label)));
+    shell().notify(tr("Case %1 is submitted and sealed").arg(toQString(opened_.shown.label)));
     opened_.state = SheetState::kSubmitted;
     const auto next = reviewQueue(shell().workplace()).next;
     if (next) {
-      shell().open(QStringLiteral("review.case"), words(*next));
+      shell().open(QStringLiteral("review.case"), toQString(*next));
     } else {
       shell().open(QStringLiteral("review.queue"));
     }
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void CasePage::startAmending() {
@@ -295,14 +291,13 @@ void CasePage::startAmending() {
 }
 
 void CasePage::finishAmending() {
-  try {
-    amendSheet(shell().workplace(), opened_.shown.assignmentId, editor_->sheet(),
-               stripReason_->text().trimmed().toStdString());
-    stripReason_->clear();
-    shell().notify(tr("The new version is sealed; the one before is kept"));
-    shell().open(QStringLiteral("review.case"), words(opened_.shown.assignmentId));
-  } catch (...) {
-    shell().report(std::current_exception());
+  if (!attempt(shell(), [&] {
+        amendSheet(shell().workplace(), opened_.shown.assignmentId, editor_->sheet(),
+                   stripReason_->text().trimmed().toStdString());
+        stripReason_->clear();
+        shell().notify(tr("The new version is sealed; the one before is kept"));
+        shell().open(QStringLiteral("review.case"), toQString(opened_.shown.assignmentId));
+      })) {
     stripReason_->setFocus(Qt::OtherFocusReason);
   }
 }

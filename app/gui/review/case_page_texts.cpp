@@ -63,7 +63,7 @@ void CasePage::applyTheme(const Theme& theme) {
 
 QString CasePage::rowName(const std::string& row) const {
   for (const StoredRubricRow& line : opened_.rubric.rows) {
-    if (line.code == row) return spoken(line.label);
+    if (line.code == row) return toQString(line.label);
   }
   return tr("Overall");
 }
@@ -108,7 +108,7 @@ QString CasePage::checkText(const SheetCheck& check) const {
 void CasePage::showAll() {
   if (editor_ == nullptr) return;
   const bool sealed = opened_.state == SheetState::kSubmitted;
-  title_->setText(tr("Case %1").arg(words(opened_.shown.label)));
+  title_->setText(tr("Case %1").arg(toQString(opened_.shown.label)));
   QStringList facts;
   if (opened_.shown.length_us) facts << tr("%1 long").arg(clockTime(*opened_.shown.length_us));
   if (sealed) facts << (amending_ ? tr("submitted, being amended") : tr("submitted and sealed"));
@@ -154,7 +154,7 @@ void CasePage::showRemarks() {
   for (const CaseRemark& one : caseRemarks_) {
     times_us.push_back(one.time_us);
     if (one.text.empty() || static_cast<std::size_t>(lines.size()) >= kListedRemarks) continue;
-    lines << tr("%1 %2").arg(clockTime(one.time_us), words(one.text));
+    lines << tr("%1 %2").arg(clockTime(one.time_us), toQString(one.text));
   }
   replay_->setBookmarks(std::move(times_us));
   remarks_->setText(lines.isEmpty()

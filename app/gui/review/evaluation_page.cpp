@@ -100,7 +100,7 @@ void EvaluationPage::read() {
   forms_ = evaluationForms(shell().workplace());
   const QSignalBlocker quiet(campaigns_);
   campaigns_->clear();
-  for (const EvaluationForm& one : forms_) campaigns_->addItem(words(one.title));
+  for (const EvaluationForm& one : forms_) campaigns_->addItem(toQString(one.title));
 }
 
 void EvaluationPage::openFirst() {
@@ -128,7 +128,7 @@ void EvaluationPage::openModel(std::size_t at) {
 void EvaluationPage::edited() {
   asking_ = false;
   EvaluationFormModel& stored = forms_[campaign_].models[model_];
-  try {
+  attempt(shell(), [&] {
     for (std::size_t i = 0; i < stored.scores.size(); ++i) {
       const auto score = editor_->sheet().rows[i].score_steps;
       if (score == stored.scores[i]) continue;
@@ -137,9 +137,7 @@ void EvaluationPage::edited() {
     }
     setLook(said_, "caution", false);
     said_->setText(tr("Saved"));
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
   showAll();
 }
 
@@ -173,14 +171,12 @@ void EvaluationPage::submit() {
     said_->setText(tr("All nine are scored. Press again to seal them; sealed marks stay as they are."));
     return;
   }
-  try {
+  attempt(shell(), [&] {
     submitEvaluation(shell().workplace(), form()->campaignId, one->hiddenLabel);
-    shell().notify(tr("Model %1 is submitted and sealed").arg(words(one->hiddenLabel)));
+    shell().notify(tr("Model %1 is submitted and sealed").arg(toQString(one->hiddenLabel)));
     read();
     openFirst();
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void EvaluationPage::showModels() {
@@ -196,7 +192,7 @@ void EvaluationPage::showModels() {
     auto* button = new QToolButton(this);
     button->setCheckable(true);
     button->setChecked(i == model_);
-    const QString label = words(one->models[i].hiddenLabel);
+    const QString label = toQString(one->models[i].hiddenLabel);
     button->setText(one->models[i].submitted ? tr("%1. Model %2, submitted").arg(i + 1).arg(label)
                                              : tr("%1. Model %2").arg(i + 1).arg(label));
     group_->addButton(button);
@@ -225,7 +221,7 @@ void EvaluationPage::showAll() {
   const ScoreScale& scale = one->scale;
   scaleText_->setText(
       tr("%1: %2 to %3; keys 0 to 9 score, arrows left and right fine-tune, with Shift in steps of %4.")
-          .arg(words(one->title), scoreText(scale.lo, scale), scoreText(scale.hi, scale),
+          .arg(toQString(one->title), scoreText(scale.lo, scale), scoreText(scale.hi, scale),
                pointsText(1.0 / static_cast<double>(scale.stepsPerPoint))));
   if (now->submitted)
     said_->setText(one->complete() ? tr("All models are submitted. Thank you.") : tr("Submitted and sealed"));

@@ -150,7 +150,7 @@ void LivePage::showLines() {
     const QString state = line.state == SheetState::kSubmitted ? tr("submitted")
                           : line.state == SheetState::kDraft   ? tr("draft")
                                                                : tr("waiting");
-    button->setText(tr("%1.  Case %2, %3").arg(++number).arg(words(line.shown.label), state));
+    button->setText(tr("%1.  Case %2, %3").arg(++number).arg(toQString(line.shown.label), state));
     button->setChecked(line.shown.assignmentId == opened_.shown.assignmentId);
     group_->addButton(button);
     order_->addWidget(button);
@@ -158,11 +158,7 @@ void LivePage::showLines() {
     const std::string id = line.shown.assignmentId;
     connect(button, &QToolButton::clicked, this, [this, id] {
       if (!leave()) return showLines();
-      try {
-        openLine(id);
-      } catch (...) {
-        this->shell().report(std::current_exception());
-      }
+      attempt(this->shell(), [&] { openLine(id); });
     });
   }
   order_->addStretch(1);
@@ -175,12 +171,12 @@ bool LivePage::isOlder(const QueueLine& line) const {
          line.submittedUtc_us < shell().workplace().now_us() - kSitting_us;
 }
 
-QString LivePage::savedWords() const {
+QString LivePage::savedText() const {
   return keptAt_ == KeptAt::kThisMachine ? tr("Saved on this machine") : tr("Saved on the centre's server");
 }
 
 void LivePage::amend() {
-  if (editor_ != nullptr) shell().open(QStringLiteral("review.case"), words(opened_.shown.assignmentId));
+  if (editor_ != nullptr) shell().open(QStringLiteral("review.case"), toQString(opened_.shown.assignmentId));
 }
 
 void LivePage::openLine(const std::string& assignmentId) {
@@ -205,7 +201,7 @@ void LivePage::edited() {
       readLines();
     }
     setLook(said_, "caution", false);
-    said_->setText(savedWords());
+    said_->setText(savedText());
   } catch (...) {
     setLook(said_, "caution", true);
     said_->setText(tr("Not saved"));
@@ -245,7 +241,7 @@ void LivePage::showClock() {
 
 void LivePage::writeTime() {
   if (editor_ == nullptr) return;
-  QString text = words(editor_->sheet().comment);
+  QString text = toQString(editor_->sheet().comment);
   if (!text.isEmpty() && !text.endsWith(QLatin1Char('\n'))) text += QLatin1Char('\n');
   text += tr("Time taken: %1").arg(clockTime(clocked_us_));
   if (editor_->setComment(text.toStdString())) {
@@ -272,18 +268,16 @@ void LivePage::submit() {
                                     : tr("Everything is scored. Press again to seal the sheet."));
     return;
   }
-  try {
+  attempt(shell(), [&] {
     submitSheet(shell().workplace(), opened_.shown.assignmentId, editor_->sheet(), opened_.watched);
-    shell().notify(tr("Case %1 is submitted and sealed").arg(words(opened_.shown.label)));
+    shell().notify(tr("Case %1 is submitted and sealed").arg(toQString(opened_.shown.label)));
     enter({});
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void LivePage::showAll() {
   const bool open = editor_ != nullptr && opened_.state != SheetState::kSubmitted;
-  case_->setText(editor_ != nullptr ? tr("Case %1").arg(words(opened_.shown.label)) : tr("No live case"));
+  case_->setText(editor_ != nullptr ? tr("Case %1").arg(toQString(opened_.shown.label)) : tr("No live case"));
   start_->setText(tick_.isActive() ? tr("Stop the timer") : tr("Start the timer"));
   start_->setEnabled(open);
   write_->setEnabled(open && !tick_.isActive() && clocked_us_ > 0);

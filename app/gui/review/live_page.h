@@ -58,7 +58,7 @@ class LivePage : public Page {
   void amend();
   void showAll();
   [[nodiscard]] bool isOlder(const QueueLine& line) const;
-  [[nodiscard]] QString savedWords() const;
+  [[nodiscard]] QString savedText() const;
 
   PageHeading* heading_;
   QVBoxLayout* order_;

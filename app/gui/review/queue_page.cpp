@@ -169,8 +169,8 @@ void QueuePage::showQueue() {
                           : line.state == SheetState::kDraft ? tr("draft")
                                                              : tr("waiting");
     const std::int64_t length_us = line.shown.length_us.value_or(0);
-    Row row{words(line.shown.assignmentId), {}};
-    row.cells = {{tr("Case %1").arg(words(line.shown.label)), static_cast<int>(rows.size())},
+    Row row{toQString(line.shown.assignmentId), {}};
+    row.cells = {{tr("Case %1").arg(toQString(line.shown.label)), static_cast<int>(rows.size())},
                  {state, static_cast<int>(line.state)},
                  {clockTime(length_us), static_cast<qlonglong>(length_us)},
                  {line.shown.dueUtc_us ? dayText(*line.shown.dueUtc_us) : QString(),
@@ -182,7 +182,7 @@ void QueuePage::showQueue() {
 }
 
 void QueuePage::goOn() {
-  if (queue_.next) shell().open(QStringLiteral("review.case"), words(*queue_.next));
+  if (queue_.next) shell().open(QStringLiteral("review.case"), toQString(*queue_.next));
 }
 
 void QueuePage::keyPressEvent(QKeyEvent* event) {

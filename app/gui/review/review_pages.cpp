@@ -30,7 +30,7 @@ std::function<Page*(ShellContext&)> maker() {
 /// The case that "continue" would open.
 QVariant nextCase(Workplace& workplace) {
   const auto next = reviewQueue(workplace).next;
-  return next ? QVariant(words(*next)) : QVariant();
+  return next ? QVariant(toQString(*next)) : QVariant();
 }
 
 constexpr double kPictureAt = 0.6;  // of the recording: something happens there

@@ -168,7 +168,7 @@ void WarmUpPage::showResult() {
   compare_->setText(!compared() ? tr("&Compare with the panel")
                     : next > 0  ? tr("Go on with reference %1").arg(static_cast<int>(next))
                                 : tr("On to the queue"));
-  anchors_->setText(anchorWords());
+  anchors_->setText(anchorText());
   rubricCard_->setVisible(any && !anchors_->text().isEmpty());
   const WarmUpRun* run = any ? &warmUp_.runs[number_ - 1] : nullptr;
   resultCard_->setVisible(any);
@@ -201,12 +201,10 @@ void WarmUpPage::compare() {
   const auto score = editor_->answer(kOverallRow).score_steps;
   if (!score) return;
   if (compared()) return goNext();
-  try {
+  attempt(shell(), [&] {
     scoreReferenceRun(shell().workplace(), number_, *score);
     warmUp_ = warmUp(shell().workplace());
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
   showRuns();
   showResult();
 }
@@ -230,14 +228,14 @@ void WarmUpPage::goNext() {
   }
 }
 
-QString WarmUpPage::anchorWords() const {
+QString WarmUpPage::anchorText() const {
   QStringList lines;
   for (const StoredRubricRow& row : warmUp_.rubric.rows) {
     QStringList points;
     for (const StoredAnchor& anchor : row.anchors)
-      points << tr("%1: %2").arg(scoreText(anchor.score_steps, row.scale), spoken(anchor.meaning));
+      points << tr("%1: %2").arg(scoreText(anchor.score_steps, row.scale), toQString(anchor.meaning));
     if (!points.isEmpty())
-      lines << tr("%1. %2").arg(spoken(row.label), points.join(QStringLiteral("  \u00b7  ")));
+      lines << tr("%1. %2").arg(toQString(row.label), points.join(QStringLiteral("  \u00b7  ")));
   }
   return lines.join(QStringLiteral("\n\n"));
 }

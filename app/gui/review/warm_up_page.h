@@ -48,7 +48,7 @@ class WarmUpPage : public Page {
   [[nodiscard]] bool compared() const;
   /// The first run that is not scored; 0: none.
   [[nodiscard]] std::size_t nextNumber() const;
-  [[nodiscard]] QString anchorWords() const;
+  [[nodiscard]] QString anchorText() const;
 
   PageHeading* heading_;
   QPushButton* goOn_;

@@ -5,6 +5,7 @@
 #include <QMessageBox>
 #include <QSysInfo>
 
+#include "app/gui/shell/spoken.h"
 #include "app/session/build_info.h"
 
 namespace torsio::gui {
@@ -19,7 +20,7 @@ QString said(const char* text) {
 
 QString aboutText() {
   const QString paragraph = QStringLiteral("<p>%1</p>");
-  QString text = QStringLiteral("<h3>Torsio %1</h3>").arg(QString::fromStdString(softwareVersion()));
+  QString text = QStringLiteral("<h3>Torsio %1</h3>").arg(toQString(softwareVersion()));
   text +=
       paragraph.arg(said(QT_TRANSLATE_NOOP("AboutBox", "Training and assessment of surgical twist skills.")));
   text += QStringLiteral("<p><b>%1</b></p>")

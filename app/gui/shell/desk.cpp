@@ -17,6 +17,7 @@
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
+#include "app/gui/shell/spoken.h"
 #include "app/gui/shell/toast.h"
 #include "app/session/access/access_service.h"
 
@@ -230,7 +231,7 @@ bool Desk::open(const QString& id, const QVariant& argument) {
     context_.notify(tr("The database does not answer now. This page opens as soon as it does"));
     return false;
   }
-  try {
+  attempt(context_, [&] {
     Page* page = pageFor(id);
     current_ = page;
     currentId_ = id;
@@ -240,9 +241,7 @@ bool Desk::open(const QString& id, const QVariant& argument) {
     problem_->hide();
     page->enter(argument);
     focusInto(*page);
-  } catch (...) {
-    context_.report(std::current_exception());
-  }
+  });
   return currentId_ == id;
 }
 
@@ -302,7 +301,7 @@ void Desk::retranslate() {
   theme_->setAccessibleName(theme_->toolTip());
   help_->setToolTip(tr("Keys and help (F1)"));
   help_->setAccessibleName(help_->toolTip());
-  user_->setText(actor.userId.empty() ? tr("Guest") : QString::fromStdString(actor.login));
+  user_->setText(actor.userId.empty() ? tr("Guest") : toQString(actor.login));
   user_->setToolTip(tr("Your account"));
   user_->setAccessibleName(tr("Your account"));
   signOut_->setText(actor.userId.empty() ? tr("End") : tr("Sign out"));

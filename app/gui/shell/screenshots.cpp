@@ -13,6 +13,7 @@
 #include <QPixmap>
 #include <QTemporaryDir>
 
+#include "app/gui/option_refusal.h"
 #include "app/gui/picture.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/all_pages.h"
@@ -241,8 +242,8 @@ int takeAllScreenshots(const ScreenshotsRequest& request) {
 
 namespace {
 
-[[noreturn]] void refuse(const QString& value, const char* option, const char* remedy) {
-  throw Error(ErrorCode::kUsage, Text("'%1' is not known", value.toStdString()), option, remedy);
+Text unknown(const QString& value) {
+  return Text("'%1' is not known", value.toStdString());
 }
 
 std::vector<QSize> sizesOf(const QString& text) {
@@ -251,7 +252,7 @@ std::vector<QSize> sizesOf(const QString& text) {
     const QStringList numbers = part.split(QLatin1Char('x'));
     const QSize size = numbers.size() == 2 ? QSize(numbers[0].toInt(), numbers[1].toInt()) : QSize();
     if (size.width() < 640 || size.height() < 480 || size.width() > 7680 || size.height() > 4320) {
-      refuse(part, "--size", "Write sizes like 1366x768,1920x1080");
+      refuseOption(unknown(part), QStringLiteral("--size"), "Write sizes like 1366x768,1920x1080");
     }
     sizes.push_back(size);
   }
@@ -283,12 +284,12 @@ ScreenshotsRequest parse(const QStringList& arguments) {
   request.sizes = sizesOf(parser.value(QStringLiteral("size")));
   for (const QString& code : parser.value(QStringLiteral("language")).split(QLatin1Char(','))) {
     const auto language = languageOf(code);
-    if (!language) refuse(code, "--language", "Use en or zh_CN");
+    if (!language) refuseOption(unknown(code), QStringLiteral("--language"), "Use en or zh_CN");
     request.languages.push_back(*language);
   }
   for (const QString& name : parser.value(QStringLiteral("theme")).split(QLatin1Char(','))) {
     if (name != QLatin1String("light") && name != QLatin1String("dark"))
-      refuse(name, "--theme", "Use light or dark");
+      refuseOption(unknown(name), QStringLiteral("--theme"), "Use light or dark");
     request.themes.push_back(name == QLatin1String("dark") ? ThemeKind::kDark : ThemeKind::kLight);
   }
   request.only = parser.value(QStringLiteral("only"));

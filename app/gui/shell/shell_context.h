@@ -99,4 +99,9 @@ class ShellContext : public QObject {
   std::atomic<bool> cancelled_{false};
 };
 
+/// Does something the user asked for, once: what it throws is reported in plain words, Cancelled is answered
+/// with `cancelled` (empty: nothing was changed). True when it went well. Pages catch here and nowhere else.
+/// GUI thread.
+bool attempt(ShellContext& shell, const std::function<void()>& action, const QString& cancelled = {});
+
 }  // namespace torsio::gui

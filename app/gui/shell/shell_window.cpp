@@ -20,6 +20,7 @@
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
+#include "app/gui/shell/spoken.h"
 #include "app/gui/shell/trouble_panel.h"
 #include "app/session/care/station_line.h"
 
@@ -260,7 +261,7 @@ void ShellWindow::forgetActor() {
 }
 
 QString ShellWindow::userId() const {
-  return workplace_ ? QString::fromStdString(workplace_->actor().userId) : QString();
+  return workplace_ ? toQString(workplace_->actor().userId) : QString();
 }
 
 void ShellWindow::retranslate() {

@@ -96,7 +96,7 @@ BriefingPage::~BriefingPage() = default;
 
 void BriefingPage::enter(const QVariant& argument) {
   if (argument == QStringLiteral("later")) return;
-  try {
+  attempt(shell(), [&] {
     const NextSteps steps = nextSteps(shell().workplace(), shell().workplace().actor().personId);
     step_ = stepOf(steps, StationDesk::of(shell()).moduleId);
     asked_ = false;
@@ -105,9 +105,7 @@ void BriefingPage::enter(const QVariant& argument) {
     request.id = step_.module.sceneId;
     request.pattern = step_.module.patternId;
     scene_->controller().load(request);
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
   fill();
   start_->setFocus();
 }
@@ -120,11 +118,9 @@ bool BriefingPage::leave() {
 void BriefingPage::showExpert() {
   if (scene_->controller().scene() == nullptr) return;
   asked_ = true;
-  try {
+  attempt(shell(), [&] {
     scene_->controller().openReplay(expertRun(*scene_->controller().scene(), step_.module.targetAngle_rad));
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void BriefingPage::retranslate() {
@@ -137,7 +133,7 @@ void BriefingPage::applyTheme(const Theme& theme) {
 
 void BriefingPage::fill() {
   const bool graded = StationDesk::of(shell()).graded;
-  title_->setText(spoken(step_.module.title));
+  title_->setText(toQString(step_.module.title));
   mode_->setText(graded ? tr("Graded run: it counts as an attempt.") : tr("Practice: nothing is graded."));
   what_->setTitle(tr("What is asked for"));
   how_->setTitle(tr("How to do it"));
@@ -154,7 +150,7 @@ void BriefingPage::fill() {
     task << tr("Keep the torque below %1 N m.").arg(*step_.module.maxTorque_Nm, 0, 'f', 2);
   task_->setText(task.join(QLatin1Char('\n')));
   QStringList goals;
-  for (const RuleProgress& progress : step_.rules) goals << StationWords::rule(progress);
+  for (const RuleProgress& progress : step_.rules) goals << StationLabels::rule(progress);
   goals_->setText(goals.isEmpty() ? QString() : tr("Mastered when:\n%1").arg(goals.join(QLatin1Char('\n'))));
   goals_->setVisible(!goals.isEmpty());
   hints_->setText(

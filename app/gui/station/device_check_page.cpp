@@ -84,11 +84,7 @@ void DeviceCheckPage::check() {
   StationDesk& desk = StationDesk::of(shell());
   desk.readiness.reset();
   if (!desk.probe) {
-    try {
-      found(pointerReadiness(gradesWithMouse(shell().workplace())));
-    } catch (...) {
-      shell().report(std::current_exception());
-    }
+    attempt(shell(), [&] { found(pointerReadiness(gradesWithMouse(shell().workplace()))); });
     fill();
     return;
   }
@@ -143,8 +139,8 @@ void DeviceCheckPage::fill() {
   goOn_->setText(desk.graded ? tr("&Continue to the graded run") : tr("&Continue"));
   emptyLayout(findings_);
   const Light light = known ? desk.readiness->light() : Light::kRed;
-  card_->setTitle(known ? spoken(desk.readiness->device) : tr("Device"));
-  verdict_->setText(checking_ ? tr("Checking\u2026") : StationWords::light(light));
+  card_->setTitle(known ? toQString(desk.readiness->device) : tr("Device"));
+  verdict_->setText(checking_ ? tr("Checking\u2026") : StationLabels::light(light));
   meaning_->setText(
       checking_                ? tr("This takes a few seconds.")
       : light == Light::kGreen ? tr("Everything is in order. Practice and graded runs may begin.")
@@ -166,18 +162,18 @@ void DeviceCheckPage::fill() {
     row->setSpacing(kSpace + 4);
     auto* mark = new QLabel(card_);
     showIcon(mark, QLatin1String(iconOf(finding.light)), colourOf(finding.light, *theme_));
-    mark->setAccessibleName(StationWords::light(finding.light));
+    mark->setAccessibleName(StationLabels::light(finding.light));
     row->addWidget(mark, 0, Qt::AlignTop);
     auto* texts = new QVBoxLayout;
     texts->setSpacing(2);
     auto* what = plainLabel(card_);
     what->setText(finding.detail.empty()
-                      ? StationWords::readiness(finding)
-                      : tr("%1: %2").arg(StationWords::readiness(finding), spoken(finding.detail)));
+                      ? StationLabels::readiness(finding)
+                      : tr("%1: %2").arg(StationLabels::readiness(finding), toQString(finding.detail)));
     texts->addWidget(what);
     if (!finding.remedy.empty()) {
       auto* remedy = plainLabel(card_, "quiet");
-      remedy->setText(spoken(finding.remedy));
+      remedy->setText(toQString(finding.remedy));
       texts->addWidget(remedy);
     }
     row->addLayout(texts, 1);

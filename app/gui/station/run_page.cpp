@@ -59,7 +59,7 @@ RunPage::RunPage(ShellContext& context, QWidget* parent)
   });
   connect(&scene_->controller(), &SimulationController::problemMet, &shell(), &ShellContext::tell);
   connect(&scene_->controller(), &SimulationController::deviceLost, this, [this] {
-    if (session_) withoutDevice([] { return SpokenError{tr("The haptic device was lost"), {}, {}}; });
+    if (session_) withoutDevice([] { return TranslatedError{tr("The haptic device was lost"), {}, {}}; });
   });
   connect(&timer_, &QTimer::timeout, this, &RunPage::tick);
   timer_.setInterval(kClock_ms);
@@ -167,12 +167,11 @@ QWidget* RunPage::createPanel() {
 void RunPage::enter(const QVariant& argument) {
   if (session_ || argument == kLater) return;
   StationDesk& desk = StationDesk::of(shell());
-  try {
-    session_.emplace(shell().workplace(),
-                     RunRequest{desk.moduleId, desk.graded, desk.readiness.value_or(DeviceReadiness{})},
-                     *desk.clock, shell().line());
-  } catch (...) {
-    shell().report(std::current_exception());
+  if (!attempt(shell(), [&] {
+        session_.emplace(shell().workplace(),
+                         RunRequest{desk.moduleId, desk.graded, desk.readiness.value_or(DeviceReadiness{})},
+                         *desk.clock, shell().line());
+      })) {
     return;
   }
   lastTrial_.clear();
@@ -203,14 +202,14 @@ void RunPage::begin() {
 
 void RunPage::start() {
   waiting_ = false;
-  try {
+  const bool begun = attempt(shell(), [this] {
     session_->start();
     timer_.start();
     follow(session_->advance());
-  } catch (...) {
+  });
+  if (!begun) {
     session_.reset();
     device_.reset();
-    shell().report(std::current_exception());
   }
 }
 
@@ -254,7 +253,7 @@ void RunPage::record() {
   std::unique_ptr<HapticDevice> device = device_ ? *std::exchange(device_, std::nullopt) : nullptr;
   haptic_ = device != nullptr;
   if (!scene_->controller().startTraining(order.header, session_->sinkFor(order), std::move(device))) return;
-  lastTrial_ = QString::fromStdString(order.header.trialId);
+  lastTrial_ = toQString(order.header.trialId);
   const StoredModule& module = session_->step().module;
   dial_->setTarget(order.header.targetAngle_rad, module.tolerance_rad);
   torque_->setLimit(module.maxTorque_Nm.value_or(0.0));
@@ -279,18 +278,18 @@ void RunPage::withoutDevice(const Problem& why) {
   waiting_ = false;
   session_.reset();
   shell().tell([why, begun] {
-    const SpokenError said = why();
+    const TranslatedError said = why();
     QStringList parts{said.happened};
     if (!said.details.isEmpty()) parts << said.details;
     const QString details = parts.join(QLatin1Char('\n'));
     if (!begun) {
-      return SpokenError{tr("The haptic device is not ready: the graded run did not begin"),
-                         tr("No attempt was used. Check the device, then begin again"), details};
+      return TranslatedError{tr("The haptic device is not ready: the graded run did not begin"),
+                             tr("No attempt was used. Check the device, then begin again"), details};
     }
-    return SpokenError{tr("The haptic device was lost: the graded run has ended"),
-                       tr("What was recorded is kept as interrupted, and no attempt was used. Check the "
-                          "device, then begin again"),
-                       details};
+    return TranslatedError{tr("The haptic device was lost: the graded run has ended"),
+                           tr("What was recorded is kept as interrupted, and no attempt was used. Check the "
+                              "device, then begin again"),
+                           details};
   });
   showState();
 }
@@ -302,16 +301,13 @@ void RunPage::tick() {
     showState();
     return;
   }
-  try {
-    follow(session_->advance());
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  attempt(shell(), [&] { follow(session_->advance()); });
 }
 
 void RunPage::follow(const std::vector<RunEvent>& events) {
   using Kind = RunEvent::Kind;
-  try {
+  bool finished = false;
+  attempt(shell(), [&] {
     for (const RunEvent& event : events) {
       if (event.kind == Kind::kPhaseEnded) endRecording(TrialOutcome::kCompleted);
       if (event.kind == Kind::kPaused)
@@ -319,16 +315,15 @@ void RunPage::follow(const std::vector<RunEvent>& events) {
       if (event.kind == Kind::kRestUsedUp) shell().notify(tr("The rest is used up. Training goes on."));
       if (event.kind == Kind::kFinished) {
         finish();
+        finished = true;
         return;
       }
     }
     const TrainingRun& run = session_->run();
     const bool recording = scene_->controller().mode() == SimulationController::Mode::kRecording;
     if (run.state() == RunState::kRunning && run.phase().arm == TrainingArm::kVirtual && !recording) record();
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
-  showState();
+  });
+  if (!finished) showState();
 }
 
 void RunPage::endRecording(TrialOutcome outcome) {
@@ -368,11 +363,7 @@ void RunPage::askToStop() {
   question.addButton(tr("&Go on"), QMessageBox::RejectRole);
   question.exec();
   if (question.clickedButton() != end || !session_) return;
-  try {
-    session_->stop("ended by the trainee");
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  attempt(shell(), [&] { session_->stop("ended by the trainee"); });
   finish();
 }
 

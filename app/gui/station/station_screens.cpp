@@ -4,6 +4,7 @@
 #include <QElapsedTimer>
 
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "app/gui/station/briefing_page.h"
 #include "app/gui/station/debrief_page.h"
 #include "app/gui/station/debrief_plot.h"
@@ -116,15 +117,11 @@ std::vector<ScreenEntry> stationScreens() {
           screen("station-run", "station.run", later, showRun),
           screen(
               "station-debrief", "station.debrief",
-              [](Workplace& workplace) -> QVariant {
-                return QString::fromStdString(laidOut(workplace).newestTrialId);
-              },
+              [](Workplace& workplace) -> QVariant { return toQString(laidOut(workplace).newestTrialId); },
               showFinding),
           screen(
               "station-trend", "station.trend",
-              [](Workplace& workplace) -> QVariant {
-                return QString::fromStdString(laidOut(workplace).firstModuleId);
-              },
+              [](Workplace& workplace) -> QVariant { return toQString(laidOut(workplace).firstModuleId); },
               [](Page& page) { static_cast<TrendPage&>(page).chooseMetric("time.total"); }),
           screen("station-remarks", "station.remarks", nothing),
           screen("station-transcript", "station.transcript", nothing)};

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/session/people/person_codes.h"
+#include "app/session/refusal.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -20,10 +21,6 @@ namespace {
 constexpr std::array<const char*, 2> kStates{"active", "left"};
 constexpr std::int64_t kYoungest_years = 14;
 constexpr std::int64_t kOldest_years = 100;
-
-[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadData, what, where, remedy);
-}
 
 std::map<std::string, PersonRow> rowsById(PeopleRepository& repository) {
   std::map<std::string, PersonRow> rows;

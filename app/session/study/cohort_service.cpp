@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/session/refusal.h"
 #include "db/repository/curriculum_repository.h"
 #include "db/repository/people_repository.h"
 #include "sim/base/error.h"
@@ -13,10 +14,6 @@
 namespace torsio {
 
 namespace {
-
-[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadData, what, where, remedy);
-}
 
 StoredCohort cohortOf(StudyRepository& study, const std::string& cohortId) {
   for (StoredCohort& cohort : study.cohorts()) {

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/session/refusal.h"
 #include "app/session/scoring_service.h"
 #include "app/session/study/case_order.h"
 #include "app/session/study/drawn_seed.h"
@@ -25,10 +26,6 @@ constexpr std::uint64_t kLabelsOfRater = 100'000;
 
 [[noreturn]] void refuseParameter(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadParameter, what, where, remedy);
-}
-
-[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadData, what, where, remedy);
 }
 
 /// One trainee at one scoring point.

@@ -4,6 +4,7 @@
 
 #include "app/gui/office/move_page.h"
 #include "app/gui/office/restore_page.h"
+#include "app/gui/shell/spoken.h"
 #include "tests/app/gui/care_window.h"
 
 namespace torsio::gui {
@@ -16,7 +17,7 @@ TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
   auto& page = openBy<RestorePage>("Restore");
   EXPECT_FALSE(page.restoreButton().isVisible());
 
-  page.file().setText(QString::fromStdString(in("backup.sqlite").string()));
+  page.file().setText(toQString(in("backup.sqlite")));
   click(page.checkButton());
   ASSERT_TRUE(page.lossText().isVisible());
   EXPECT_TRUE(page.lossText().text().contains(QStringLiteral("0 recordings, 0 marks and 1 people")));
@@ -52,7 +53,7 @@ TEST_F(CarePages, ARestoreIsRefusedWhileAnotherStationIsConnected) {
   showsOtherStation();
   auto& page = openBy<RestorePage>("Restore");
 
-  page.file().setText(QString::fromStdString(in("backup.sqlite").string()));
+  page.file().setText(toQString(in("backup.sqlite")));
   click(page.checkButton());
 
   ASSERT_EQ(failures_.size(), 1);
@@ -65,7 +66,7 @@ TEST_F(CarePages, ACancelledRestoreLeavesTheRecordAndNoHalfFile) {
   context().waitForJobs();
   const int before = filesBeside();
   auto& page = openBy<RestorePage>("Restore");
-  page.file().setText(QString::fromStdString(in("backup.sqlite").string()));
+  page.file().setText(toQString(in("backup.sqlite")));
   click(page.checkButton());
   page.word().setText(QStringLiteral("RESTORE"));
 
@@ -82,7 +83,7 @@ TEST_F(CarePages, ABackupThatIsNoneIsRefusedInPlainWords) {
   std::ofstream(in("backup.sqlite")) << "not a database at all, only some words in a file";
   auto& page = openBy<RestorePage>("Restore");
 
-  page.file().setText(QString::fromStdString(in("backup.sqlite").string()));
+  page.file().setText(toQString(in("backup.sqlite")));
   click(page.checkButton());
 
   EXPECT_EQ(failures_.size(), 1);

@@ -17,6 +17,7 @@
 #include "app/gui/office/care_page.h"
 #include "app/gui/office/office_pages.h"
 #include "app/gui/shell/shell_window.h"
+#include "app/gui/shell/spoken.h"
 #include "app/session/people/people_service.h"
 #include "db/repository/audit_repository.h"
 #include "db/repository/station_repository.h"
@@ -35,7 +36,7 @@ class CarePages : public ::testing::Test {
   std::unique_ptr<ShellWindow> window_;
   QStringList failures_;
 
-  [[nodiscard]] fs::path in(const char* name) const { return fs::path(folder_.path().toStdString()) / name; }
+  [[nodiscard]] fs::path in(const char* name) const { return toPath(folder_.path()) / name; }
   [[nodiscard]] std::string record() const { return in("torsio.sqlite").string(); }
 
   void SetUp() override {
@@ -57,7 +58,7 @@ class CarePages : public ::testing::Test {
     ShellSetup setup;
     setup.assets = fs::path(TORSIO_SOURCE_DIR) / "assets";
     setup.station = "test";
-    setup.locator = QString::fromStdString(record());
+    setup.locator = toQString(record());
     setup.groups = {{[] { return QStringLiteral("Office"); }, officePages()}};
     setup.remember = false;
     setup.clock = &clock_;

@@ -12,6 +12,7 @@
 #include "app/gui/review/case_page.h"
 #include "app/gui/review/replay_panel.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "tests/app/session/review_centre.h"
 
 namespace torsio::gui {
@@ -111,7 +112,7 @@ inline void scoreCase(DeskOf& desk, int time, int accuracy, int overall) {
 }
 
 inline QString inputOf(const std::string& id) {
-  return QString::fromStdString(id);
+  return toQString(id);
 }
 
 }  // namespace torsio::gui

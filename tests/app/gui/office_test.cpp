@@ -45,6 +45,7 @@
 #include "app/gui/office/users_page.h"
 #include "app/gui/shell/language.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "app/report/wording.h"
 #include "app/session/people/people_service.h"
 #include "app/session/reporting/report_export.h"
@@ -158,7 +159,7 @@ std::string setUpCohort(Office& office) {
 }
 
 void allocateEverybody(Office& office, const std::string& cohortId, int people) {
-  auto page = office.open<AllocationPage>("allocator", QString::fromStdString(cohortId));
+  auto page = office.open<AllocationPage>("allocator", toQString(cohortId));
   press(*page, QStringLiteral("Preview balance"));
   EXPECT_GT(page->balance().visibleRows(), 0);
   QTimer::singleShot(0, [] {
@@ -172,7 +173,7 @@ void allocateEverybody(Office& office, const std::string& cohortId, int people) 
 }
 
 void askAllRaters(Office& office, const std::string& cohortId) {
-  auto page = office.open<ScoringPage>("administrator", QString::fromStdString(cohortId));
+  auto page = office.open<ScoringPage>("administrator", toQString(cohortId));
   answer([](QDialog& dialog) {
     auto& raters = *dialog.findChild<DataTable*>();
     EXPECT_TRUE(raters.selectedIds().isEmpty());  // nothing is open yet

@@ -17,6 +17,7 @@
 #include "app/gui/review/review_pages.h"
 #include "app/gui/review/severity_page.h"
 #include "app/gui/review/warm_up_page.h"
+#include "app/gui/shell/spoken.h"
 #include "app/session/review/alignment.h"
 #include "app/session/review/warm_up.h"
 #include "db/repository/evaluation_repository.h"
@@ -61,7 +62,7 @@ class Gathering {
     found_ << gLogged << QSettings().allKeys();
     for (const QString& key : QSettings().allKeys()) found_ << QSettings().value(key).toString();
     for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
-      found_ << QString::fromStdString(file.path().filename().string());
+      found_ << toQString(file.path().filename());
     return found_;
   }
 
@@ -169,7 +170,7 @@ TEST(Blinding, NothingThatCanBeReadTellsWhoWhichGroupOrWhen) {
   secrets.insert(secrets.end(), {"FEM", "proposed-model", "finite-elements"});
   for (const std::string& secret : secrets) {
     for (const QString& text : found)
-      EXPECT_FALSE(text.contains(QString::fromStdString(secret), Qt::CaseInsensitive))
+      EXPECT_FALSE(text.contains(toQString(secret), Qt::CaseInsensitive))
           << secret << " in \"" << text.toStdString() << "\"";
   }
 }

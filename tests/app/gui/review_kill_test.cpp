@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/review/sheet_panel.h"
+#include "app/gui/shell/spoken.h"
 #include "app/session/review/case_sheet.h"
 #include "tests/app/gui/desk_of.h"
 
@@ -44,7 +45,7 @@ TEST(KilledCasePage, LosesAtMostOneKeystroke) {
   ReviewCentre centre(ReviewCentre::Setup{});
   QProcess program;
   program.start(QCoreApplication::applicationFilePath(),
-                {QString::fromLatin1(kScore), QString::fromStdString(centre.folder().string())});
+                {QString::fromLatin1(kScore), toQString(centre.folder())});
   QByteArray said;
   while (said.count('\n') < kKeys && program.waitForReadyRead(kPatience_ms))
     said += program.readAllStandardOutput();

@@ -26,6 +26,7 @@
 #include "app/gui/review/sheet_panel.h"
 #include "app/gui/review/warm_up_page.h"
 #include "app/gui/shell/shell_context.h"
+#include "app/gui/shell/spoken.h"
 #include "app/session/review/alignment.h"
 #include "app/session/review/evaluation_form.h"
 #include "app/session/review/warm_up.h"
@@ -264,7 +265,7 @@ TEST(CasePage, PlaysTheRecordingBitForBitAndProvesIt) {
     EXPECT_EQ(shown.response, samples[at].response);
   }
 
-  const QString digest = QString::fromStdString(blindedDigest(original.summary.contentHash, id));
+  const QString digest = toQString(blindedDigest(original.summary.contentHash, id));
   bool shown = false;
   for (const QLabel* label : page.findChildren<QLabel*>()) shown = shown || label->text().contains(digest);
   EXPECT_TRUE(shown);

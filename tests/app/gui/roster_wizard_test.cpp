@@ -13,6 +13,7 @@
 
 #include "app/gui/look/data_table.h"
 #include "app/gui/office/roster_page.h"
+#include "app/gui/shell/spoken.h"
 #include "app/session/people/people_service.h"
 #include "sim/base/file_io.h"
 #include "tests/app/gui/office_desk.h"
@@ -34,7 +35,7 @@ class RosterWizardTest : public ::testing::Test {
     wizard = std::make_unique<RosterWizard>(office.shell());
     wizard->restart();
     wizard->show();
-    wizard->findChild<QLineEdit*>(QStringLiteral("path"))->setText(QString::fromStdString(file.string()));
+    wizard->findChild<QLineEdit*>(QStringLiteral("path"))->setText(toQString(file));
     for (QRadioButton* kind : wizard->findChildren<QRadioButton*>())
       if ((kind->text() == QStringLiteral("&Raters")) == raters) kind->setChecked(true);
     return *wizard;

@@ -475,8 +475,8 @@ TEST_F(Shell, AProblemThatIsOpenFollowsTheLanguage) {
   QApplication::processEvents();
 
   EXPECT_TRUE(panel->isVisible());
-  EXPECT_TRUE(says(*panel, spoken(error).happened));
-  EXPECT_TRUE(says(*panel, spoken(error).remedy));
+  EXPECT_TRUE(says(*panel, translated(error).happened));
+  EXPECT_TRUE(says(*panel, translated(error).remedy));
   EXPECT_FALSE(panel->wholeText().contains(QStringLiteral("outside")));
   EXPECT_TRUE(panel->findChild<QPlainTextEdit*>()->isVisible());  // what was unfolded stays so
   language.choose(Language::kEnglish);
@@ -691,7 +691,7 @@ TEST_F(Shell, ADatabaseThatHangsIsSaidCalmlyAndHoldsUpNobody) {
 TEST(AboutBox, TellsTheBuildAndThatThisIsNoMedicalDevice) {
   const QString text = aboutText();
 
-  EXPECT_TRUE(text.contains(QString::fromStdString(softwareVersion())));
+  EXPECT_TRUE(text.contains(toQString(softwareVersion())));
   EXPECT_TRUE(text.contains(QLatin1String(QT_VERSION_STR)));
   EXPECT_TRUE(text.contains(QStringLiteral("This is a training tool and not a medical device.")));
 }

@@ -251,10 +251,10 @@ TEST(StationPages, EveryPageCanBeEnteredByABeginner) {
   }
 }
 
-TEST(StationWords, RoundCountdownsUpSoThatZeroIsTheEnd) {
-  EXPECT_EQ(StationWords::clock(0), QStringLiteral("00:00"));
-  EXPECT_EQ(StationWords::clock(1), QStringLiteral("00:01"));
-  EXPECT_EQ(StationWords::clock(20 * kMinute_us), QStringLiteral("20:00"));
+TEST(StationLabels, RoundCountdownsUpSoThatZeroIsTheEnd) {
+  EXPECT_EQ(StationLabels::clock(0), QStringLiteral("00:00"));
+  EXPECT_EQ(StationLabels::clock(1), QStringLiteral("00:01"));
+  EXPECT_EQ(StationLabels::clock(20 * kMinute_us), QStringLiteral("20:00"));
 }
 
 }  // namespace

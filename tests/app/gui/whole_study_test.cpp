@@ -27,6 +27,7 @@
 #include "app/gui/office/roster_wizard.h"
 #include "app/gui/office/run_day_page.h"
 #include "app/gui/office/scoring_page.h"
+#include "app/gui/shell/spoken.h"
 #include "app/session/care/station_device.h"
 #include "app/session/csv_table.h"
 #include "app/session/people/people_service.h"
@@ -84,7 +85,7 @@ void importRoster(Office& office, const std::string& text, bool raters, std::siz
   RosterWizard wizard(office.shell());
   wizard.restart();
   wizard.show();
-  wizard.findChild<QLineEdit*>(QStringLiteral("path"))->setText(QString::fromStdString(file.string()));
+  wizard.findChild<QLineEdit*>(QStringLiteral("path"))->setText(toQString(file));
   for (QRadioButton* kind : wizard.findChildren<QRadioButton*>())
     if ((kind->text() == QStringLiteral("&Raters")) == raters) kind->setChecked(true);
   wizard.button(QWizard::NextButton)->click();
@@ -131,9 +132,9 @@ std::string makeCohort(Office& office) {
 }
 
 void drawGroups(Office& office, const std::string& cohortId) {
-  auto administrator = office.open<AllocationPage>("administrator", QString::fromStdString(cohortId));
+  auto administrator = office.open<AllocationPage>("administrator", toQString(cohortId));
   EXPECT_FALSE(testing::button(*administrator, QStringLiteral("Lock design"))->isEnabled());
-  auto page = office.open<AllocationPage>("allocator", QString::fromStdString(cohortId));
+  auto page = office.open<AllocationPage>("allocator", toQString(cohortId));
   auto* method = [&]() -> QComboBox* {
     for (QComboBox* box : page->findChildren<QComboBox*>())
       if (box->findData(static_cast<int>(AllocationMethod::kStratifiedBlocks)) >= 0) return box;
@@ -160,7 +161,7 @@ void drawGroups(Office& office, const std::string& cohortId) {
 }
 
 void askTheTen(Office& office, const std::string& cohortId, const std::vector<std::string>& chiefs) {
-  auto page = office.open<ScoringPage>("administrator", QString::fromStdString(cohortId));
+  auto page = office.open<ScoringPage>("administrator", toQString(cohortId));
   answer([&](QDialog& dialog) {
     chooseCodes(dialog, chiefs);
     dialog.accept();
@@ -179,7 +180,7 @@ void runTheDay(Office& office, const std::string& cohortId) {
   StationState yesterday{.station = "room 3", .heartbeatUtc_us = now_us};
   storeDevice(stationDevice(pointerReadiness(true), now_us - 86'400'000'000), yesterday);
   StationRepository(office.centre.connection()).beat(yesterday);
-  auto page = office.open<RunDayPage>("administrator", QString::fromStdString(cohortId));
+  auto page = office.open<RunDayPage>("administrator", toQString(cohortId));
   EXPECT_EQ(page->table().visibleRows(), static_cast<int>(kTrainees));
   ASSERT_EQ(page->stations().visibleRows(), 2);
   const QString stations = page->stations().asText();

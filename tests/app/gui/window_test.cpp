@@ -19,6 +19,7 @@
 #include "app/gui/picture.h"
 #include "app/gui/readout_panel.h"
 #include "app/gui/screenshot.h"
+#include "app/gui/shell/spoken.h"
 #include "sim/base/error.h"
 #include "tests/app/gui/bar_view.h"
 
@@ -214,10 +215,9 @@ TEST(Picture, IsWrittenWholeOrNotAtAll) {
 
   writePicture(picture, file);
 
-  EXPECT_EQ(QImage(QString::fromStdString(file.string())).pixelColor(3, 3), QColor(Qt::red));
+  EXPECT_EQ(QImage(toQString(file)).pixelColor(3, 3), QColor(Qt::red));
   EXPECT_THROW(writePicture(QImage(), file), Error);
-  EXPECT_THROW(writePicture(picture, std::filesystem::path(folder.path().toStdString()) / "none" / "a.png"),
-               Error);
+  EXPECT_THROW(writePicture(picture, toPath(folder.path()) / "none" / "a.png"), Error);
 }
 
 }  // namespace
