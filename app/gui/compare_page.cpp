@@ -235,18 +235,13 @@ void ComparePage::applyTheme(const Theme& theme) {
 }
 
 PageEntry comparePage() {
-  return {.id = QStringLiteral("compare"),
-          .icon = QStringLiteral("compare"),
-          .title = [] { return QCoreApplication::translate("ComparePage", "Compare models"); },
-          .needs = {Operation::kPractice},
-          .make = [](ShellContext& context) -> Page* { return new ComparePage(context); },
-          .needsDatabase = false};
+  return {PageId::kCompare, [](ShellContext& context) -> Page* { return new ComparePage(context); }};
 }
 
 std::vector<ScreenEntry> compareScreens() {
   return {{.name = QStringLiteral("compare"),
            .role = QStringLiteral("rater"),
-           .pageId = QStringLiteral("compare"),
+           .pageId = PageId::kCompare,
            .argument = [](Workplace&) { return QVariant(); },
            .prepare =
                [](Page& page) {

@@ -91,6 +91,7 @@ void MainWindow::createLayout() {
   auto* left = new QVBoxLayout;
   left->setSpacing(0);
   view_ = new SceneView(centre);
+  view_->setObjectName(QStringLiteral("view"));
   pointer_ = new PointerControls(*view_);
   pointer_->setKeys(PointerKeys::stored());
   replayBar_ = new ReplayBar(centre);

@@ -224,7 +224,7 @@ int runShell(const WindowOptions& options) {
   setup.station = stationName();
   setup.locator = options.database.isEmpty() ? toQString(defaultDatabase()) : options.database;
   setup.remember = options.database.isEmpty();
-  setup.groups = allPages();
+  setup.groups = allPages;
   setup.theme = options.theme;
   setup.systemIsDark = systemIsDark();
   setup.kiosk = options.kiosk;

@@ -42,6 +42,8 @@ FigureCard::FigureCard(QWidget* parent)
       stack_(new QStackedWidget(this)),
       canvas_(new FigureCanvas(stack_)),
       table_(new DataTable(QString(), stack_)) {
+  table_->setObjectName(QStringLiteral("table"));
+  canvas_->setObjectName(QStringLiteral("canvas"));
   setObjectName(QStringLiteral("card"));
   title_->setObjectName(QStringLiteral("cardTitle"));
   title_->setWordWrap(true);

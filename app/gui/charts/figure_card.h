@@ -31,9 +31,6 @@ class FigureCard : public QFrame {
   void setTheme(const Theme& theme);
   void showTable(bool table);
 
-  [[nodiscard]] FigureCanvas& canvas() const noexcept { return *canvas_; }
-  [[nodiscard]] DataTable& table() const noexcept { return *table_; }
-
  protected:
   void changeEvent(QEvent* event) override;
 

@@ -65,6 +65,11 @@ AllocationPage::AllocationPage(ShellContext& shell)
       balance_(new DataTable(QStringLiteral("allocation-balance"), this)),
       recordsTitle_(new QLabel(this)),
       records_(new DataTable(QStringLiteral("allocation-records"), this)) {
+  allocate_->setObjectName(QStringLiteral("allocateButton"));
+  lock_->setObjectName(QStringLiteral("lockButton"));
+  records_->setObjectName(QStringLiteral("records"));
+  balance_->setObjectName(QStringLiteral("balance"));
+  method_->setObjectName(QStringLiteral("method"));
   for (const AllocationMethod method : kMethods) method_->addItem(QString(), static_cast<int>(method));
   for (const std::string& name : allocationFactorNames()) factors_[name] = new QCheckBox(this);
   auto* choices = new QHBoxLayout;
@@ -174,14 +179,13 @@ void AllocationPage::showFields() {
   const auto method = static_cast<AllocationMethod>(method_->currentData().toInt());
   for (const auto& [name, box] : factors_) box->setEnabled(usesFactors(method));
   blocks_->setEnabled(usesBlocks(method));
-  const Workplace& workplace = shell().workplace();
   const bool some = cohort_->count() > 0;
-  const bool run = workplace.may(Operation::kAllocationRun);
+  const bool run = shell().may(Operation::kAllocationRun);
   previewButton_->setEnabled(some && run);
   lock_->setEnabled(some && run);
   allocate_->setEnabled(!designs_.empty() && run);
   reveal_->setEnabled(!designs_.empty() && designs_.back().stored.seed.empty() &&
-                      workplace.may(Operation::kAllocationReveal));
+                      shell().may(Operation::kAllocationReveal));
   cards_->setEnabled(!designs_.empty() && designs_.back().records > 0 && run);
   check_->setEnabled(!designs_.empty());
 }
@@ -250,7 +254,7 @@ void AllocationPage::showDesign() {
   }
   if (cohort_->count() == 0)
     text = tr("There is no cohort yet. Make one under Cohorts and enrol its trainees.");
-  else if (!shell().workplace().may(Operation::kAllocationRun))
+  else if (!shell().may(Operation::kAllocationRun))
     text = tr("%1\n\nOnly a keeper of the allocation previews, locks and draws. Whoever has the role "
               "Administrator gives it to somebody under Users.")
                .arg(text);

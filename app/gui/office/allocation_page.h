@@ -42,12 +42,6 @@ class AllocationPage : public Page {
   bool writeCards(const std::filesystem::path& file);
   bool reveal(const std::string& reason = {});
 
-  [[nodiscard]] QComboBox& method() const noexcept { return *method_; }
-  [[nodiscard]] DataTable& balance() const noexcept { return *balance_; }
-  [[nodiscard]] DataTable& records() const noexcept { return *records_; }
-  [[nodiscard]] QPushButton& lockButton() const noexcept { return *lock_; }
-  [[nodiscard]] QPushButton& allocateButton() const noexcept { return *allocate_; }
-
  private:
   QWidget* designForm();
   void read();

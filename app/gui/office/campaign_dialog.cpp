@@ -102,7 +102,7 @@ QWidget* CampaignDialog::weightFields() {
   form->setSpacing(kSpace / 2);
   const auto add = [&](const std::string& name, std::int64_t weight, std::vector<QDoubleSpinBox*>& fields) {
     fields.push_back(weightField(weight, box));
-    form->addRow(toQString(name), fields.back());
+    form->addRow(toQString(Text(name)), fields.back());
     connect(fields.back(), &QDoubleSpinBox::valueChanged, this, &CampaignDialog::check);
   };
   auto* indices = new QLabel(tr("Weights of the indices"), box);

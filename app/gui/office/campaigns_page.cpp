@@ -23,6 +23,7 @@ CampaignsPage::CampaignsPage(ShellContext& shell)
       table_(new DataTable(QStringLiteral("campaigns"), this)),
       ratersTitle_(new QLabel(this)),
       raters_(new DataTable(QStringLiteral("campaign-raters"), this)) {
+  table_->setObjectName(QStringLiteral("campaigns"));
   add_->setProperty("primary", true);
   heading_->addAction(add_);
   ratersTitle_->setObjectName(QStringLiteral("cardTitle"));
@@ -68,7 +69,7 @@ void CampaignsPage::showContent() {
 }
 
 void CampaignsPage::showRaters() {
-  add_->setEnabled(shell().workplace().may(Operation::kEvaluationSetup));
+  add_->setEnabled(shell().may(Operation::kEvaluationSetup));
   const std::string id = table_->currentId().toStdString();
   const auto row =
       std::find_if(rows_.begin(), rows_.end(), [&](const CampaignRow& r) { return r.campaign.id == id; });

@@ -25,7 +25,6 @@ class CampaignsPage : public Page {
   void retranslate() override;
 
   bool add(const CampaignPlan& plan);
-  [[nodiscard]] DataTable& campaigns() const noexcept { return *table_; }
 
  private:
   void read();

@@ -68,6 +68,9 @@ CarePage::CarePage(ShellContext& shell)
       keep_(listButton(queue_)),
       lock_(listButton(queue_)),
       erase_(listButton(queue_)) {
+  recordText_->setObjectName(QStringLiteral("recordText"));
+  backupText_->setObjectName(QStringLiteral("backupText"));
+  queue_->setObjectName(QStringLiteral("queue"));
   queueTitle_->setObjectName(QStringLiteral("cardTitle"));
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
@@ -78,10 +81,8 @@ CarePage::CarePage(ShellContext& shell)
   connect(backupButton_, &QPushButton::clicked, this, &CarePage::askBackUp);
   connect(testButton_, &QPushButton::clicked, this, &CarePage::askTest);
   connect(removeButton_, &QPushButton::clicked, this, &CarePage::askRemoveDemonstration);
-  connect(restoreButton_, &QPushButton::clicked, this,
-          [this] { this->shell().open(QStringLiteral("office.restore")); });
-  connect(moveButton_, &QPushButton::clicked, this,
-          [this] { this->shell().open(QStringLiteral("office.move")); });
+  connect(restoreButton_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kRestore); });
+  connect(moveButton_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kMove); });
   connect(keep_, &QPushButton::clicked, this, &CarePage::keepLonger);
   connect(lock_, &QPushButton::clicked, this, &CarePage::lock);
   connect(erase_, &QPushButton::clicked, this, &CarePage::erase);
@@ -125,10 +126,9 @@ void CarePage::enter(const QVariant&) {
 
 void CarePage::read() {
   attempt(shell(), [&] {
-    const Workplace& workplace = shell().workplace();
-    if (workplace.may(Operation::kPersonErase)) demonstration_ = demonstrationSize(shell().workplace());
+    if (shell().may(Operation::kPersonErase)) demonstration_ = demonstrationSize(shell().workplace());
     due_.clear();
-    if (workplace.may(Operation::kRetentionManage)) due_ = retentionQueue(shell().workplace());
+    if (shell().may(Operation::kRetentionManage)) due_ = retentionQueue(shell().workplace());
     showRecord();
     std::vector<Row> rows;
     for (const RetentionItem& item : due_)
@@ -186,14 +186,13 @@ void CarePage::showRecord() {
 }
 
 void CarePage::showButtons() {
-  const Workplace& workplace = shell().workplace();
-  const bool file = isFile(workplace.key().locator);
-  backupButton_->setEnabled(file && workplace.may(Operation::kDatabaseBackup));
-  testButton_->setEnabled(workplace.may(Operation::kDatabaseBackup));
-  checkButton_->setEnabled(workplace.may(Operation::kDatabaseBackup));
-  removeButton_->setEnabled(demonstration_.people > 0 && workplace.may(Operation::kPersonErase));
-  restoreButton_->setEnabled(file && workplace.may(Operation::kDatabaseRestore));
-  moveButton_->setEnabled(file && workplace.may(Operation::kDatabaseRestore));
+  const bool file = isFile(shell().workplace().key().locator);
+  backupButton_->setEnabled(file && shell().may(Operation::kDatabaseBackup));
+  testButton_->setEnabled(shell().may(Operation::kDatabaseBackup));
+  checkButton_->setEnabled(shell().may(Operation::kDatabaseBackup));
+  removeButton_->setEnabled(demonstration_.people > 0 && shell().may(Operation::kPersonErase));
+  restoreButton_->setEnabled(file && shell().may(Operation::kDatabaseRestore));
+  moveButton_->setEnabled(file && shell().may(Operation::kDatabaseRestore));
   moveText_->setText(
       file
           ? tr("A backup takes the place of this record, or the record goes to a database server for several "
@@ -204,7 +203,7 @@ void CarePage::showButtons() {
   const RetentionItem* item = current();
   for (QPushButton* button : {keep_, lock_}) button->setEnabled(item != nullptr);
   lock_->setText(item != nullptr && item->held ? tr("&Release\u2026") : tr("&Lock\u2026"));
-  erase_->setEnabled(item != nullptr && !item->held && workplace.may(Operation::kPersonErase));
+  erase_->setEnabled(item != nullptr && !item->held && shell().may(Operation::kPersonErase));
 }
 
 const RetentionItem* CarePage::current() const {

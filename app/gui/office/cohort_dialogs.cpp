@@ -27,6 +27,7 @@ CohortDialog::CohortDialog(const std::vector<CurriculumRow>& curricula, QWidget*
       groups_(new QLineEdit(this)),
       groupsLabel_(new QLabel(tr("&Groups"), this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
+  name_->setObjectName(QStringLiteral("name"));
   setWindowTitle(tr("New cohort"));
   curriculum_->addItem(tr("none yet"), QString());
   for (const auto& [id, title] : runningVersions(curricula)) curriculum_->addItem(title, toQString(id));

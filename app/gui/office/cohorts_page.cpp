@@ -30,6 +30,8 @@ CohortsPage::CohortsPage(ShellContext& shell)
       membersTitle_(new QLabel(this)),
       members_(new DataTable(QStringLiteral("cohort-members"), this)),
       state_(listButton(members_)) {
+  members_->setObjectName(QStringLiteral("members"));
+  table_->setObjectName(QStringLiteral("cohorts"));
   add_->setProperty("primary", true);
   heading_->addAction(add_);
   membersTitle_->setObjectName(QStringLiteral("cardTitle"));
@@ -43,13 +45,12 @@ CohortsPage::CohortsPage(ShellContext& shell)
   connect(enrol_, &QPushButton::clicked, this, &CohortsPage::enrol);
   connect(follow_, &QPushButton::clicked, this, &CohortsPage::follow);
   connect(allocate_, &QPushButton::clicked, this, [this] {
-    if (const CohortRow* row = current())
-      this->shell().open(QStringLiteral("office.allocation"), toQString(row->cohort.id));
+    if (const CohortRow* row = current()) this->shell().open(PageId::kAllocation, toQString(row->cohort.id));
   });
   connect(state_, &QPushButton::clicked, this, &CohortsPage::changeState);
   connect(table_, &DataTable::currentChanged, this, &CohortsPage::showMembers);
   connect(members_, &DataTable::currentChanged, this, [this](const QString& id) {
-    state_->setEnabled(!id.isEmpty() && this->shell().workplace().may(Operation::kStudyEnrol));
+    state_->setEnabled(!id.isEmpty() && this->shell().may(Operation::kStudyEnrol));
   });
   retranslate();
 }
@@ -96,10 +97,10 @@ const CohortRow* CohortsPage::current() const {
 void CohortsPage::showMembers() {
   const CohortRow* row = current();
   Workplace& workplace = shell().workplace();
-  add_->setEnabled(workplace.may(Operation::kStudySetup));
-  enrol_->setEnabled(row != nullptr && workplace.may(Operation::kStudyEnrol));
-  follow_->setEnabled(row != nullptr && workplace.may(Operation::kStudySetup));
-  allocate_->setEnabled(row != nullptr && workplace.may(Operation::kAllocationView));
+  add_->setEnabled(shell().may(Operation::kStudySetup));
+  enrol_->setEnabled(row != nullptr && shell().may(Operation::kStudyEnrol));
+  follow_->setEnabled(row != nullptr && shell().may(Operation::kStudySetup));
+  allocate_->setEnabled(row != nullptr && shell().may(Operation::kAllocationView));
   state_->setEnabled(false);
   membersTitle_->setText(row != nullptr ? tr("Trainees of %1").arg(toQString(row->cohort.name)) : QString());
   enrolments_.clear();

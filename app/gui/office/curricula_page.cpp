@@ -50,6 +50,10 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
       begin_(new QPushButton(this)),
       close_(new QPushButton(this)),
       editor_(new CurriculumEditor(shell.assets(), this)) {
+  state_->setObjectName(QStringLiteral("state"));
+  versions_->setObjectName(QStringLiteral("versions"));
+  table_->setObjectName(QStringLiteral("curricula"));
+  editor_->setObjectName(QStringLiteral("editor"));
   add_->setProperty("primary", true);
   heading_->addAction(add_);
   auto* right = editing_ = new QWidget(this);
@@ -151,7 +155,7 @@ void CurriculaPage::showDraft() {
   }
   CurriculumDraft draft;
   const bool found = attempt(shell(), [&] {
-    if (shell().workplace().may(Operation::kCurriculumEdit))
+    if (shell().may(Operation::kCurriculumEdit))
       draft = curriculumDraft(shell().workplace(), row->curriculum.id);
     else if (!row->versions.empty())
       draft.content = publishedContent(shell().workplace(), row->versions.back().id);
@@ -202,7 +206,7 @@ void CurriculaPage::showChosenVersion() {
     editor_->setContent(version == nullptr ? draft_.content
                                            : publishedContent(shell().workplace(), version->id));
   });
-  editor_->setReadOnly(version != nullptr || !shell().workplace().may(Operation::kCurriculumEdit));
+  editor_->setReadOnly(version != nullptr || !shell().may(Operation::kCurriculumEdit));
   showButtons();
 }
 
@@ -223,10 +227,10 @@ const CurriculumVersionRow* CurriculaPage::versionAtHand() const {
 
 void CurriculaPage::showButtons() {
   const CurriculumRow* row = current();
-  const bool may = row != nullptr && shell().workplace().may(Operation::kCurriculumEdit);
+  const bool may = row != nullptr && shell().may(Operation::kCurriculumEdit);
   const CurriculumVersionRow* version = versionAtHand();
   const bool draftShown = shownVersion() == nullptr;
-  add_->setEnabled(shell().workplace().may(Operation::kCurriculumEdit));
+  add_->setEnabled(shell().may(Operation::kCurriculumEdit));
   save_->setVisible(draftShown);
   publish_->setVisible(draftShown);
   take_->setVisible(!draftShown);
@@ -367,7 +371,7 @@ void CurriculaPage::askNew() {
     auto* name = new QLineEdit(&dialog);
     auto* from = new QComboBox(&dialog);
     for (const CurriculumTemplate& known : curriculumTemplates(shell().assets()))
-      from->addItem(toQString(known.title), toQString(known.id));
+      from->addItem(toQString(Text(known.title)), toQString(known.id));
     from->addItem(tr("nothing in it yet"), QString());
     chooseId(from, "paper-three-arms");
     auto* form = new QFormLayout(&dialog);

@@ -39,11 +39,6 @@ class CurriculaPage : public Page {
   /// What the shown version contains becomes the draft; the draft before is asked for first when it differs.
   bool takeAsDraft();
 
-  [[nodiscard]] CurriculumEditor& editor() const noexcept { return *editor_; }
-  [[nodiscard]] DataTable& curricula() const noexcept { return *table_; }
-  [[nodiscard]] QComboBox& versions() const noexcept { return *versions_; }
-  [[nodiscard]] QLabel& state() const noexcept { return *state_; }
-
  private:
   void read();
   void showContent();

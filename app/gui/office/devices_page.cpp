@@ -30,6 +30,7 @@ DevicesPage::DevicesPage(ShellContext& shell)
       verdict_(sentence(this, false)),
       table_(new DataTable(QStringLiteral("devices"), this)),
       settings_(new StationSettingsCard(shell, this)) {
+  table_->setObjectName(QStringLiteral("findings"));
   check_->setProperty("primary", true);
   heading_->addAction(check_);
   auto* choices = new QHBoxLayout;
@@ -86,7 +87,7 @@ void DevicesPage::showContent() {
                                                                    : tr("\u2717 not usable");
       rows.push_back({toQString(finding.subject),
                       {{grade, static_cast<int>(finding.grade)},
-                       {toQString(finding.subject)},
+                       {toQString(Text(finding.subject))},
                        {toQString(finding.sentence)},
                        {finding.remedy.empty() ? orDash({}) : toQString(finding.remedy)}}});
     }

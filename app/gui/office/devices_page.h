@@ -31,7 +31,6 @@ class DevicesPage : public Page {
 
   void check();
   [[nodiscard]] const std::optional<DeviceCheckResult>& result() const noexcept { return result_; }
-  [[nodiscard]] DataTable& findings() const noexcept { return *table_; }
 
  private:
   void showContent();

@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include "app/gui/office/curriculum_parts.h"
+#include "app/gui/office/ordered_list.h"
 #include "app/session/study/curriculum_content.h"
 
 class QComboBox;
@@ -61,6 +62,7 @@ class ExerciseEditor : public QWidget {
   void addRule();
   void removeRule();
   [[nodiscard]] StoredModule* exercise();
+  [[nodiscard]] QStringList lines() const;
 
   std::filesystem::path assets_;
   StoredCurriculumVersion& content_;
@@ -68,13 +70,8 @@ class ExerciseEditor : public QWidget {
   bool readOnly_ = false;
   FormTexts texts_;
 
-  QListWidget* list_;
-  QPushButton* add_;
-  QPushButton* remove_;
-  QPushButton* up_;
-  QPushButton* down_;
-  QLineEdit* code_;
-  QLabel* codeProblem_;
+  CodeField code_;
+  OrderedList* list_ = nullptr;
   QLineEdit* title_;
   QComboBox* scene_;
   QComboBox* pattern_;

@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include "app/gui/office/curriculum_parts.h"
+#include "app/gui/office/ordered_list.h"
 #include "app/session/study/curriculum_content.h"
 
 class QCheckBox;
@@ -54,20 +55,16 @@ class GroupEditor : public QWidget {
   void removePhase();
   void movePhase(int by);
   [[nodiscard]] StoredArm* group();
+  [[nodiscard]] QStringList lines() const;
 
   StoredCurriculumVersion& content_;
   bool filling_ = false;
   bool readOnly_ = false;
   FormTexts texts_;
 
-  QListWidget* list_;
-  QPushButton* add_;
-  QPushButton* remove_;
-  QPushButton* up_;
-  QPushButton* down_;
+  CodeField code_;
+  OrderedList* list_ = nullptr;
   QLineEdit* label_;
-  QLineEdit* code_;
-  QLabel* codeProblem_;
   QDoubleSpinBox* rest_;
   QCheckBox* splittable_;
   QTableWidget* phases_;

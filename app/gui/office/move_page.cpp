@@ -55,8 +55,13 @@ MovePage::MovePage(ShellContext& shell)
       line_(new QLineEdit(this)),
       copyLine_(new QPushButton(this)),
       switch_(new QPushButton(this)) {
+  copyText_->setObjectName(QStringLiteral("copyText"));
+  serverText_->setObjectName(QStringLiteral("serverText"));
+  switch_->setObjectName(QStringLiteral("switchButton"));
+  copy_->setObjectName(QStringLiteral("copyButton"));
+  test_->setObjectName(QStringLiteral("testButton"));
   layOut();
-  connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(QStringLiteral("office.care")); });
+  connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kCare); });
   for (QLineEdit* field : {host_, database_, user_, password_, schema_}) {
     connect(field, &QLineEdit::textChanged, this, &MovePage::addressChanged);
     connect(field, &QLineEdit::returnPressed, this, &MovePage::testServer);

@@ -67,7 +67,7 @@ class PersonDialog : public QDialog {
     }
     raterClass_->addItem(tr("does not score"), QString());
     for (const StoredRaterClass& raterClass : classes) {
-      raterClass_->addItem(toQString(raterClass.label), toQString(raterClass.code));
+      raterClass_->addItem(toQString(Text(raterClass.label)), toQString(raterClass.code));
     }
     age_->setRange(0, kOldestAge);
     age_->setSpecialValueText(tr("not known"));

@@ -50,6 +50,10 @@ ReportsPage::ReportsPage(ShellContext& shell)
       language_(new QComboBox(this)),
       warning_(sentence(this)),
       preview_(new ReportPreview(this)) {
+  frozen_->setObjectName(QStringLiteral("dataSet"));
+  preview_->setObjectName(QStringLiteral("preview"));
+  language_->setObjectName(QStringLiteral("language"));
+  identity_->setObjectName(QStringLiteral("identity"));
   pdf_->setProperty("primary", true);
   heading_->addAction(csv_);
   heading_->addAction(pdf_);
@@ -87,8 +91,7 @@ ReportsPage::ReportsPage(ShellContext& shell)
   const QSignalBlocker quiet(identity_);
   identity_->addItem(QString(), static_cast<int>(ReportIdentity::kCoded));
   identity_->addItem(QString(), static_cast<int>(ReportIdentity::kAggregated));
-  if (shell.workplace().may(Operation::kReportExportNamed) &&
-      shell.workplace().may(Operation::kPersonViewIdentity))
+  if (shell.may(Operation::kReportExportNamed) && shell.may(Operation::kPersonViewIdentity))
     identity_->addItem(QString(), static_cast<int>(ReportIdentity::kNamed));
   retranslate();
 }

@@ -54,6 +54,8 @@ ResultsPage::ResultsPage(ShellContext& shell)
       contents_(new QListWidget(this)),
       empty_(sentence(this)),
       card_(new FigureCard(this)) {
+  card_->setObjectName(QStringLiteral("card"));
+  contents_->setObjectName(QStringLiteral("contents"));
   auto* choices = new QHBoxLayout;
   choices->setSpacing(kSpace);
   cohortLabel_ = fieldBeside(choices, cohort_);

@@ -73,9 +73,9 @@ RosterPage::RosterPage(ShellContext& shell)
 }
 
 void RosterPage::enter(const QVariant&) {
-  names_->setVisible(shell().workplace().may(Operation::kPersonViewIdentity));
+  names_->setVisible(shell().may(Operation::kPersonViewIdentity));
   for (QPushButton* button : {import_, add_, edit_, state_}) {
-    button->setVisible(shell().workplace().may(Operation::kPersonEdit));
+    button->setVisible(shell().may(Operation::kPersonEdit));
   }
   read();
 }

@@ -52,6 +52,9 @@ RunDayPage::RunDayPage(ShellContext& shell)
       swap_(listButton(table_)),
       deviation_(listButton(table_)),
       state_(listButton(table_)) {
+  alerts_->setObjectName(QStringLiteral("alerts"));
+  stations_->setObjectName(QStringLiteral("stations"));
+  table_->setObjectName(QStringLiteral("table"));
   auto* choices = new QHBoxLayout;
   choices->setSpacing(kSpace);
   cohortLabel_ = fieldBeside(choices, cohort_);

@@ -30,9 +30,6 @@ class RunDayPage : public Page {
   bool leave() override;
   void retranslate() override;
 
-  [[nodiscard]] DataTable& table() const noexcept { return *table_; }
-  [[nodiscard]] DataTable& stations() const noexcept { return *stations_; }
-  [[nodiscard]] QLabel& alerts() const noexcept { return *alerts_; }
   /// Reads anew now and waits for it: tests.
   void refreshAndWait();
 

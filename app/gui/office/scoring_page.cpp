@@ -52,6 +52,7 @@ ScoringPage::ScoringPage(ShellContext& shell)
       reassign_(listButton(table_)),
       release_(listButton(table_)),
       third_(listButton(table_)) {
+  table_->setObjectName(QStringLiteral("matrix"));
   ask_->setProperty("primary", true);
   heading_->addAction(warmUp_);
   heading_->addAction(ask_);
@@ -93,8 +94,7 @@ void ScoringPage::read() {
     if (!cohort.empty()) {
       matrix_ = scoringMatrix(shell().workplace(), cohort);
       thirds_ = thirdRequests(shell().workplace(), cohort);
-      if (shell().workplace().may(Operation::kMarkRelease))
-        releases_ = releaseStates(shell().workplace(), cohort);
+      if (shell().may(Operation::kMarkRelease)) releases_ = releaseStates(shell().workplace(), cohort);
     }
     showContent();
   });
@@ -136,12 +136,11 @@ void ScoringPage::showContent() {
 }
 
 void ScoringPage::showButtons() {
-  const Workplace& workplace = shell().workplace();
-  ask_->setEnabled(cohort_->count() > 0 && workplace.may(Operation::kStudySetup));
+  ask_->setEnabled(cohort_->count() > 0 && shell().may(Operation::kStudySetup));
   const std::size_t at = table_->currentId().isEmpty() ? SIZE_MAX : table_->currentId().toULongLong();
   reassign_->setEnabled(matrix_ && at < matrix_->lines.size() && matrix_->lines[at].missing > 0);
   release_->setEnabled(!releases_.empty());
-  warmUp_->setEnabled(workplace.may(Operation::kStudySetup));
+  warmUp_->setEnabled(shell().may(Operation::kStudySetup));
   // A number that is not 0 calls; without requests there is nothing to press.
   third_->setVisible(!thirds_.empty());
   third_->setText(tr("&Third rater (%1)\u2026").arg(thirds_.size()));

@@ -28,7 +28,6 @@ class ScoringPage : public Page {
   void enter(const QVariant& argument) override;
   void retranslate() override;
 
-  [[nodiscard]] DataTable& matrix() const noexcept { return *table_; }
   /// Asks the raters for every trainee of the cohort at these scoring points.
   bool ask(const std::vector<std::string>& raterIds, const std::vector<std::string>& scoringPoints);
 

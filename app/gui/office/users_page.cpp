@@ -27,9 +27,10 @@ namespace torsio::gui {
 namespace {
 
 /// Everybody of the record, with names where the actor may see them.
-std::vector<PersonChoice> peopleToChoose(Workplace& workplace) {
+std::vector<PersonChoice> peopleToChoose(ShellContext& shell) {
   std::vector<PersonChoice> choices;
-  if (workplace.may(Operation::kPersonViewIdentity)) {
+  Workplace& workplace = shell.workplace();
+  if (shell.may(Operation::kPersonViewIdentity)) {
     for (const NamedPersonRow& person : namedPeople(workplace)) {
       const QString code = toQString(person.row.person.code);
       const QString name = toQString(person.identity.fullName);
@@ -138,7 +139,7 @@ const StoredUser* UsersPage::current() const {
 
 void UsersPage::add() {
   attempt(shell(), [&] {
-    const std::optional<NewUser> user = askNewUser(this, peopleToChoose(shell().workplace()));
+    const std::optional<NewUser> user = askNewUser(this, peopleToChoose(shell()));
     if (!user) return;
     const auto id = std::make_shared<std::string>();
     storeAndShow([user = *user, id](Workplace& workplace) { *id = addUser(workplace, user); },
@@ -211,6 +212,7 @@ void UsersPage::changeRoles() {
     const std::optional<RolesChange> change = askRoles(this, toQString(user->login), user->roles);
     if (!change) return;
     setUserRoles(shell().workplace(), user->id, change->roles, change->reason);
+    shell().readRights();
     enter({});
   });
 }

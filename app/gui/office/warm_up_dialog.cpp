@@ -46,6 +46,8 @@ WarmUpDialog::WarmUpDialog(ShellContext& shell, std::vector<RubricRow> rubrics, 
       withdraw_(new QPushButton(tr("&Withdraw\u2026"), this)),
       add_(new QPushButton(tr("&Add as a reference run"), this)),
       close_(new QPushButton(tr("Close"), this)) {
+  candidates_->setObjectName(QStringLiteral("candidates"));
+  present_->setObjectName(QStringLiteral("present"));
   setWindowTitle(tr("Runs of the warm-up"));
   resize(900, 660);
   auto* column = new QVBoxLayout(this);

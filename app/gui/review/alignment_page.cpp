@@ -17,7 +17,7 @@
 #include "app/gui/look/page_heading.h"
 #include "app/gui/review/comparison_bars.h"
 #include "app/gui/review/review_words.h"
-#include "app/gui/review/sheet_panel.h"
+#include "app/gui/review/sheet_editor_panel.h"
 #include "app/gui/shell/shell_context.h"
 #include "app/session/review/case_sheet.h"
 
@@ -32,7 +32,7 @@ AlignmentPage::AlignmentPage(ShellContext& shell, QWidget* parent)
       state_(sentence(this)),
       legend_(sentence(this)),
       bars_(new ComparisonBars(this)),
-      sheet_(new SheetPanel(false, this)),
+      sheet_(new SheetEditorPanel(false, this)),
       reason_(new QLineEdit(this)),
       keep_(new QPushButton(this)),
       move_(new QPushButton(this)),
@@ -82,10 +82,10 @@ void AlignmentPage::connectAll() {
   });
   connect(replay_, &QPushButton::clicked, this, [this] {
     if (const AlignmentCase* one = current())
-      this->shell().open(QStringLiteral("review.case"), toQString(one->shown.assignmentId));
+      this->shell().open(PageId::kCase, toQString(one->shown.assignmentId));
   });
   connect(keep_, &QPushButton::clicked, this, [this] {
-    if (editor_ != nullptr) {
+    if (sheet_->editor() != nullptr) {
       stopMoving();
       showCase();
       return;
@@ -94,6 +94,7 @@ void AlignmentPage::connectAll() {
            tr("Your mark stays as it is"));
   });
   connect(move_, &QPushButton::clicked, this, &AlignmentPage::startMoving);
+  connect(sheet_, &SheetEditorPanel::finishWanted, this, &AlignmentPage::startMoving);  // seals
   connect(third_, &QPushButton::clicked, this, [this] {
     decide([](Workplace& w, const std::string& id, const std::string& why) { askForThird(w, id, why); },
            tr("The office is asked for a third physician"));
@@ -144,7 +145,7 @@ const AlignmentCase* AlignmentPage::current() const {
 
 void AlignmentPage::showCase() {
   const AlignmentCase* one = current();
-  const bool moving = editor_ != nullptr;
+  const bool moving = sheet_->editor() != nullptr;
   empty_->setVisible(cases_.empty());
   table_->setVisible(!cases_.empty());
   right_->setVisible(one != nullptr);
@@ -169,8 +170,8 @@ void AlignmentPage::showCase() {
 void AlignmentPage::startMoving() {
   const AlignmentCase* one = current();
   if (one == nullptr) return;
-  if (editor_ != nullptr) {
-    const Sheet sheet = editor_->sheet();
+  if (sheet_->editor() != nullptr) {
+    const Sheet sheet = sheet_->editor()->sheet();
     decide([&sheet](Workplace& w, const std::string& id,
                     const std::string& why) { moveMark(w, id, sheet, why); },
            tr("The moved mark is sealed; the one before is kept"));
@@ -178,16 +179,14 @@ void AlignmentPage::startMoving() {
   }
   attempt(shell(), [&] {
     const OpenedSheet opened = openSheet(shell().workplace(), one->shown.assignmentId);
-    editor_ = std::make_unique<SheetEditor>(opened.rubric, opened.sheet);
-    sheet_->setEditor(editor_.get());
+    sheet_->open(opened.rubric, opened.sheet);
     showCase();
     sheet_->takeFocus();
   });
 }
 
 void AlignmentPage::stopMoving() {
-  sheet_->setEditor(nullptr);
-  editor_.reset();
+  sheet_->close();
 }
 
 template <typename Action>
@@ -234,15 +233,7 @@ void AlignmentPage::applyTheme(const Theme& theme) {
 }
 
 void AlignmentPage::keyPressEvent(QKeyEvent* event) {
-  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (editor_ != nullptr) {
-    if (enter && (event->modifiers() & Qt::ControlModifier) != 0) return startMoving();  // seals
-    const bool undone = event->matches(QKeySequence::Undo) && editor_->undo();
-    const bool redone = event->matches(QKeySequence::Redo) && editor_->redo();
-    if (undone || redone) return sheet_->refresh();
-    if (sheet_->handleKey(event->key(), event->modifiers())) return;
-  }
-  Page::keyPressEvent(event);
+  if (sheet_->editor() == nullptr || !sheet_->handle(event)) Page::keyPressEvent(event);
 }
 
 }  // namespace torsio::gui

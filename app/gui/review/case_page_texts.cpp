@@ -13,7 +13,7 @@
 #include "app/gui/review/case_page.h"
 #include "app/gui/review/replay_panel.h"
 #include "app/gui/review/review_words.h"
-#include "app/gui/review/sheet_panel.h"
+#include "app/gui/review/sheet_editor_panel.h"
 #include "app/gui/shell/spoken.h"
 
 namespace torsio::gui {
@@ -63,7 +63,7 @@ void CasePage::applyTheme(const Theme& theme) {
 
 QString CasePage::rowName(const std::string& row) const {
   for (const StoredRubricRow& line : opened_.rubric.rows) {
-    if (line.code == row) return toQString(line.label);
+    if (line.code == row) return toQString(Text(line.label));
   }
   return tr("Overall");
 }
@@ -106,7 +106,7 @@ QString CasePage::checkText(const SheetCheck& check) const {
 }
 
 void CasePage::showAll() {
-  if (editor_ == nullptr) return;
+  if (sheet_->editor() == nullptr) return;
   const bool sealed = opened_.state == SheetState::kSubmitted;
   title_->setText(tr("Case %1").arg(toQString(opened_.shown.label)));
   QStringList facts;
@@ -117,16 +117,16 @@ void CasePage::showAll() {
   sheet_->setReadOnly(sealed && !amending_);
   amend_->setVisible(sealed && !amending_);
   submit_->setVisible(!sealed);
-  strip_->setVisible(asking_ || amending_);
+  strip_->setVisible(sheet_->asking() || amending_);
   stripReason_->setVisible(amending_);
   if (amending_) {
     stripText_->setText(
         tr("Change what must be changed, give the reason, seal the new version. Both versions are kept."));
     stripGo_->setText(tr("Seal the new version"));
     stripGo_->setEnabled(true);
-  } else if (asking_) {
+  } else if (sheet_->asking()) {
     const SheetCheck check =
-        checkSheet(opened_.rubric, editor_->sheet(), opened_.shown.live, watched_, rules_);
+        checkSheet(opened_.rubric, sheet_->editor()->sheet(), opened_.shown.live, watched_, rules_);
     stripText_->setText(checkText(check));
     setLook(stripText_, "caution", !check.mayBeSubmitted());
     stripGo_->setText(tr("Submit and seal (Ctrl+Enter)"));
@@ -138,10 +138,10 @@ void CasePage::showAll() {
 
 void CasePage::showHistory() {
   const bool open = opened_.state != SheetState::kSubmitted || amending_;
-  undo_->setEnabled(open && editor_->canUndo());
-  redo_->setEnabled(open && editor_->canRedo());
-  const auto undoable = editor_->undoable();
-  const auto redoable = editor_->redoable();
+  undo_->setEnabled(open && sheet_->editor()->canUndo());
+  redo_->setEnabled(open && sheet_->editor()->canRedo());
+  const auto undoable = sheet_->editor()->undoable();
+  const auto redoable = sheet_->editor()->redoable();
   undo_->setToolTip(undoable ? tr("Undo %1 (Ctrl+Z)").arg(stepName(*undoable)) : tr("Nothing to undo"));
   redo_->setToolTip(redoable ? tr("Redo %1 (Ctrl+Y)").arg(stepName(*redoable)) : tr("Nothing to redo"));
 }

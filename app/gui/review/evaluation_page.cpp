@@ -16,7 +16,7 @@
 #include "app/gui/look/form.h"
 #include "app/gui/look/page_heading.h"
 #include "app/gui/review/review_words.h"
-#include "app/gui/review/sheet_panel.h"
+#include "app/gui/review/sheet_editor_panel.h"
 #include "app/gui/shell/shell_context.h"
 
 namespace torsio::gui {
@@ -50,7 +50,7 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
       choices_(new QHBoxLayout),
       group_(new QButtonGroup(this)),
       scaleText_(sentence(this)),
-      sheet_(new SheetPanel(false, this)),
+      sheet_(new SheetEditorPanel(false, this)),
       said_(sentence(this)),
       submit_(primaryButton(this)) {
   sheet_->setScoresOnly();
@@ -71,6 +71,7 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
   foot->addWidget(submit_);
   column->addLayout(foot);
   connect(sheet_, &SheetPanel::edited, this, &EvaluationPage::edited);
+  connect(sheet_, &SheetEditorPanel::finishWanted, this, &EvaluationPage::submit);
   connect(submit_, &QPushButton::clicked, this, &EvaluationPage::submit);
   connect(campaigns_, &QComboBox::activated, this, [this](int at) {
     campaign_ = static_cast<std::size_t>(at);
@@ -112,13 +113,10 @@ void EvaluationPage::openFirst() {
 
 void EvaluationPage::openModel(std::size_t at) {
   model_ = at;
-  asking_ = false;
-  editor_.reset();
-  sheet_->setEditor(nullptr);
+  sheet_->close();
   said_->clear();
   if (const EvaluationFormModel* one = model()) {
-    editor_ = std::make_unique<SheetEditor>(rubricOf(*form()), sheetOf(*one), false);
-    sheet_->setEditor(editor_.get());
+    sheet_->open(rubricOf(*form()), sheetOf(*one), false);
     sheet_->takeFocus();
   }
   showModels();
@@ -126,31 +124,16 @@ void EvaluationPage::openModel(std::size_t at) {
 }
 
 void EvaluationPage::edited() {
-  asking_ = false;
   EvaluationFormModel& stored = forms_[campaign_].models[model_];
-  attempt(shell(), [&] {
+  sheet_->save(shell(), said_, tr("Saved"), [&] {
     for (std::size_t i = 0; i < stored.scores.size(); ++i) {
-      const auto score = editor_->sheet().rows[i].score_steps;
+      const auto score = sheet_->editor()->sheet().rows[i].score_steps;
       if (score == stored.scores[i]) continue;
       saveEvaluationScore(shell().workplace(), form()->campaignId, stored.hiddenLabel, i, score);
       stored.scores[i] = score;
     }
-    setLook(said_, "caution", false);
-    said_->setText(tr("Saved"));
   });
   showAll();
-}
-
-void EvaluationPage::undo() {
-  if (editor_ == nullptr || model()->submitted || !editor_->undo()) return;
-  sheet_->refresh();
-  edited();
-}
-
-void EvaluationPage::redo() {
-  if (editor_ == nullptr || model()->submitted || !editor_->redo()) return;
-  sheet_->refresh();
-  edited();
 }
 
 void EvaluationPage::submit() {
@@ -165,8 +148,8 @@ void EvaluationPage::submit() {
     sheet_->takeFocus();
     return;
   }
-  if (!asking_) {
-    asking_ = true;
+  if (!sheet_->asking()) {
+    sheet_->setAsking(true);
     setLook(said_, "caution", false);
     said_->setText(tr("All nine are scored. Press again to seal them; sealed marks stay as they are."));
     return;
@@ -248,14 +231,7 @@ void EvaluationPage::applyTheme(const Theme& theme) {
 }
 
 void EvaluationPage::keyPressEvent(QKeyEvent* event) {
-  if (event->matches(QKeySequence::Undo)) return undo();
-  if (event->matches(QKeySequence::Redo) ||
-      (event->key() == Qt::Key_Y && event->modifiers() == Qt::ControlModifier))
-    return redo();
-  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (enter && (event->modifiers() & Qt::ControlModifier) != 0) return submit();
-  if (sheet_->handleKey(event->key(), event->modifiers())) return;
-  Page::keyPressEvent(event);
+  if (!sheet_->handle(event)) Page::keyPressEvent(event);
 }
 
 }  // namespace torsio::gui

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +11,6 @@
 #include "app/gui/shell/page.h"
 #include "app/session/review/case_sheet.h"
 #include "app/session/review/review_queue.h"
-#include "app/session/review/sheet_editor.h"
 
 class QButtonGroup;
 class QLabel;
@@ -22,7 +20,7 @@ class QVBoxLayout;
 namespace torsio::gui {
 
 class PageHeading;
-class SheetPanel;
+class SheetEditorPanel;
 
 /// The sheet for the real arm: trainees in running order, a timer, and targets for fingers. Everything goes
 /// to the record of this machine, so that it works without a network.
@@ -41,7 +39,6 @@ class LivePage : public Page {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void createClock(QVBoxLayout* column);
@@ -49,8 +46,6 @@ class LivePage : public Page {
   void showLines();
   void openLine(const std::string& assignmentId);
   void edited();
-  void undo();
-  void redo();
   void toggleClock();
   void showClock();
   void writeTime();
@@ -71,16 +66,14 @@ class LivePage : public Page {
   QPushButton* amend_;
   QPushButton* older_;
   QLabel* said_;
-  SheetPanel* sheet_;
+  SheetEditorPanel* sheet_;
   std::vector<QueueLine> lines_;
   OpenedSheet opened_;
-  std::unique_ptr<SheetEditor> editor_;
   QTimer tick_;
   QElapsedTimer running_;
   std::int64_t clocked_us_ = 0;
   KeptAt keptAt_ = KeptAt::kThisMachine;
   bool withOlder_ = false;
-  bool asking_ = false;
 };
 
 }  // namespace torsio::gui

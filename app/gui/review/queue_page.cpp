@@ -52,7 +52,7 @@ QueuePage::QueuePage(ShellContext& shell, QWidget* parent)
   column->addWidget(table_, 1);
   connect(continue_, &QPushButton::clicked, this, &QueuePage::goOn);
   connect(table_, &DataTable::activated, this,
-          [this](const QString& id) { this->shell().open(QStringLiteral("review.case"), id); });
+          [this](const QString& id) { this->shell().open(PageId::kCase, id); });
 }
 
 QueuePage::Figure QueuePage::addFigure(QHBoxLayout* row) {
@@ -73,21 +73,20 @@ void QueuePage::createDoors(QVBoxLayout* outer) {
   doorPlaces_->setVerticalSpacing(kSpace);
   for (int column = 0; column < kDoorsBeside; ++column) doorPlaces_->setColumnStretch(column, 1);
   doors_->content()->addLayout(doorPlaces_);
-  const auto add = [this](const char* page) {
+  const auto add = [this](PageId page) {
     Door door{sentence(this, false), new QPushButton(this), new QWidget(this)};
     auto* row = new QHBoxLayout(door.row);
     row->setContentsMargins(0, 0, 0, 0);
     door.button->setMinimumWidth(14 * fontMetrics().averageCharWidth());
     row->addWidget(door.text, 1);
     row->addWidget(door.button);
-    const QString id = QString::fromLatin1(page);
-    connect(door.button, &QPushButton::clicked, this, [this, id] { this->shell().open(id); });
+    connect(door.button, &QPushButton::clicked, this, [this, page] { this->shell().open(page); });
     return door;
   };
-  warmUp_ = add("review.warmup");
-  live_ = add("review.live");
-  alignment_ = add("review.alignment");
-  evaluation_ = add("review.evaluation");
+  warmUp_ = add(PageId::kWarmUp);
+  live_ = add(PageId::kLiveSheet);
+  alignment_ = add(PageId::kAlignment);
+  evaluation_ = add(PageId::kEvaluation);
 }
 
 void QueuePage::enter(const QVariant&) {
@@ -182,7 +181,7 @@ void QueuePage::showQueue() {
 }
 
 void QueuePage::goOn() {
-  if (queue_.next) shell().open(QStringLiteral("review.case"), toQString(*queue_.next));
+  if (queue_.next) shell().open(PageId::kCase, toQString(*queue_.next));
 }
 
 void QueuePage::keyPressEvent(QKeyEvent* event) {

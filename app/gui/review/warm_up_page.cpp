@@ -18,7 +18,7 @@
 #include "app/gui/look/page_heading.h"
 #include "app/gui/review/replay_panel.h"
 #include "app/gui/review/review_words.h"
-#include "app/gui/review/sheet_panel.h"
+#include "app/gui/review/sheet_editor_panel.h"
 #include "app/gui/shell/shell_context.h"
 #include "app/gui/shell/spoken.h"
 
@@ -43,13 +43,14 @@ WarmUpPage::WarmUpPage(ShellContext& shell, QWidget* parent)
       choices_(new QHBoxLayout),
       group_(new QButtonGroup(this)),
       replay_(new ReplayPanel(shell.assets(), this)),
-      sheet_(new SheetPanel(false, this)),
+      sheet_(new SheetEditorPanel(false, this)),
       compare_(primaryButton(this)),
       resultCard_(new Card(QString(), this)),
       result_(sentence(this, false)),
       sum_(sentence(this)),
       rubricCard_(new Card(QString(), this)),
       anchors_(sentence(this)) {
+  replay_->setObjectName(QStringLiteral("replay"));
   sheet_->setScoresOnly();
   heading_->addAction(goOn_);
   auto* column = new QVBoxLayout(this);
@@ -83,8 +84,9 @@ WarmUpPage::WarmUpPage(ShellContext& shell, QWidget* parent)
   connect(&shell, &ShellContext::jobEnded, this, [this] {
     if (number_ > 0 && !replay_->ready()) replay_->showSentence(tr("The recording could not be opened."));
   });
-  connect(goOn_, &QPushButton::clicked, this, [this] { this->shell().open(QStringLiteral("review.queue")); });
+  connect(goOn_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kQueue); });
   connect(sheet_, &SheetPanel::edited, this, &WarmUpPage::showResult);
+  connect(sheet_, &SheetEditorPanel::finishWanted, this, &WarmUpPage::compare);
 }
 
 WarmUpPage::~WarmUpPage() = default;
@@ -110,8 +112,7 @@ bool WarmUpPage::leave() {
 void WarmUpPage::openRun(std::size_t number) {
   number_ = number;
   replay_->show(nullptr);
-  editor_.reset();
-  sheet_->setEditor(nullptr);
+  sheet_->close();
   showRuns();
   if (number_ == 0) {
     replay_->showSentence(tr("The office has chosen no reference run yet. You may begin with your queue."));
@@ -120,8 +121,7 @@ void WarmUpPage::openRun(std::size_t number) {
   }
   Sheet last;
   last.overall_steps = warmUp_.runs[number_ - 1].own_steps;
-  editor_ = std::make_unique<SheetEditor>(overallOnly(warmUp_.rubric), last);
-  sheet_->setEditor(editor_.get());
+  sheet_->open(overallOnly(warmUp_.rubric), last);
   sheet_->takeFocus();
   showResult();
   replay_->showSentence(tr("The recording is being opened. You may score meanwhile."));
@@ -162,7 +162,8 @@ void WarmUpPage::showRuns() {
 void WarmUpPage::showResult() {
   const bool any = number_ > 0;
   compare_->setVisible(any);
-  compare_->setEnabled(any && editor_ != nullptr && editor_->answer(kOverallRow).score_steps.has_value());
+  compare_->setEnabled(any && sheet_->editor() != nullptr &&
+                       sheet_->editor()->answer(kOverallRow).score_steps.has_value());
   goOn_->setText(tr("&Queue"));
   const std::size_t next = nextNumber();
   compare_->setText(!compared() ? tr("&Compare with the panel")
@@ -197,8 +198,8 @@ void WarmUpPage::showResult() {
 }
 
 void WarmUpPage::compare() {
-  if (editor_ == nullptr || number_ == 0) return;
-  const auto score = editor_->answer(kOverallRow).score_steps;
+  if (sheet_->editor() == nullptr || number_ == 0) return;
+  const auto score = sheet_->editor()->answer(kOverallRow).score_steps;
   if (!score) return;
   if (compared()) return goNext();
   attempt(shell(), [&] {
@@ -210,8 +211,8 @@ void WarmUpPage::compare() {
 }
 
 bool WarmUpPage::compared() const {
-  return number_ > 0 && editor_ != nullptr && warmUp_.runs[number_ - 1].own_steps.has_value() &&
-         editor_->answer(kOverallRow).score_steps == warmUp_.runs[number_ - 1].own_steps;
+  return number_ > 0 && sheet_->editor() != nullptr && warmUp_.runs[number_ - 1].own_steps.has_value() &&
+         sheet_->editor()->answer(kOverallRow).score_steps == warmUp_.runs[number_ - 1].own_steps;
 }
 
 std::size_t WarmUpPage::nextNumber() const {
@@ -224,7 +225,7 @@ void WarmUpPage::goNext() {
   if (const std::size_t next = nextNumber(); next > 0) {
     openRun(next);
   } else {
-    shell().open(QStringLiteral("review.queue"));
+    shell().open(PageId::kQueue);
   }
 }
 
@@ -233,9 +234,9 @@ QString WarmUpPage::anchorText() const {
   for (const StoredRubricRow& row : warmUp_.rubric.rows) {
     QStringList points;
     for (const StoredAnchor& anchor : row.anchors)
-      points << tr("%1: %2").arg(scoreText(anchor.score_steps, row.scale), toQString(anchor.meaning));
+      points << tr("%1: %2").arg(scoreText(anchor.score_steps, row.scale), toQString(Text(anchor.meaning)));
     if (!points.isEmpty())
-      lines << tr("%1. %2").arg(toQString(row.label), points.join(QStringLiteral("  \u00b7  ")));
+      lines << tr("%1. %2").arg(toQString(Text(row.label)), points.join(QStringLiteral("  \u00b7  ")));
   }
   return lines.join(QStringLiteral("\n\n"));
 }
@@ -267,8 +268,7 @@ void WarmUpPage::applyTheme(const Theme& theme) {
 }
 
 void WarmUpPage::keyPressEvent(QKeyEvent* event) {
-  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (enter && (event->modifiers() & Qt::ControlModifier) != 0) return compare();
+  if (sheet_->handleCommand(event)) return;
   if ((event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0 && replay_->handleKey(event->key()))
     return;
   if (event->key() != Qt::Key_N && sheet_->handleKey(event->key(), event->modifiers())) return;

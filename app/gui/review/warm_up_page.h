@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
-
 #include "app/gui/shell/page.h"
-#include "app/session/review/sheet_editor.h"
 #include "app/session/review/warm_up.h"
 
 class QButtonGroup;
@@ -18,7 +15,7 @@ namespace torsio::gui {
 class Card;
 class PageHeading;
 class ReplayPanel;
-class SheetPanel;
+class SheetEditorPanel;
 
 /// Two reference runs before the real ones: score, then see how far from the panel.
 class WarmUpPage : public Page {
@@ -33,7 +30,6 @@ class WarmUpPage : public Page {
   [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
-  [[nodiscard]] ReplayPanel& replay() noexcept { return *replay_; }
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -55,7 +51,7 @@ class WarmUpPage : public Page {
   QHBoxLayout* choices_;
   QButtonGroup* group_;
   ReplayPanel* replay_;
-  SheetPanel* sheet_;
+  SheetEditorPanel* sheet_;
   QPushButton* compare_;
   Card* resultCard_;
   QLabel* result_;
@@ -65,7 +61,6 @@ class WarmUpPage : public Page {
   QLabel* anchors_;
   WarmUp warmUp_;
   std::size_t number_ = 0;
-  std::unique_ptr<SheetEditor> editor_;
   std::uint64_t loads_ = 0;
 };
 

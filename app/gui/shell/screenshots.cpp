@@ -191,7 +191,7 @@ void takePage(Photographer& photographer, const Cast& cast, const std::filesyste
     setup.centre = QString::fromLatin1(kCentre);
     setup.language = language;
     setup.theme = kind;
-    setup.groups = allPages();
+    setup.groups = allPages;
     auto desk = std::make_unique<Desk>(*workplace, setup);
     desk->setAutoFillBackground(true);
     desk->show();

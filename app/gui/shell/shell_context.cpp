@@ -34,6 +34,24 @@ ShellContext::~ShellContext() {
   workers_.waitForDone();
 }
 
+bool ShellContext::may(Operation operation) {
+  if (rightsOf_ != workplace_.actor().userId) readRights();
+  return rights_.contains(operation);
+}
+
+void ShellContext::readRights() {
+  const Actor& actor = workplace_.actor();
+  std::set<Operation> rights;
+  // A guest is nobody: whoever sits down may practise, and nothing else.
+  if (actor.practiceOnly && actor.userId.empty()) rights.insert(Operation::kPractice);
+  for (std::size_t i = 0; i < kOperationCodes.size(); ++i) {
+    const auto operation = static_cast<Operation>(i);
+    if (workplace_.may(operation)) rights.insert(operation);
+  }
+  rights_ = std::move(rights);
+  rightsOf_ = actor.userId;
+}
+
 bool ShellContext::databaseAway() const {
   return line_ != nullptr && !line_->answers();
 }

@@ -12,7 +12,8 @@
 
 namespace torsio::gui {
 
-/// Text of a std::string (UTF-8) as it stands. Any thread.
+/// Text of a std::string (UTF-8) as it stands: names, codes, what people wrote. A term of the record that has
+/// a translation is given as `toQString(Text(term))`. Any thread.
 [[nodiscard]] QString toQString(const std::string& utf8);
 /// Text of a path, in the notation of this system. Any thread.
 [[nodiscard]] QString toQString(const std::filesystem::path& path);

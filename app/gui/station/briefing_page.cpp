@@ -29,8 +29,9 @@ constexpr double kDegree = 180.0 / std::numbers::pi;
 
 }  // namespace
 
-BriefingPage::BriefingPage(ShellContext& context, QWidget* parent)
-    : Page(context, parent), scene_(new LiveScene(StationDesk::of(context).loader, context.assets(), this)) {
+BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* parent)
+    : Page(context, parent), desk_(desk), scene_(new LiveScene(desk.loader, context.assets(), this)) {
+  scene_->setObjectName(QStringLiteral("scene"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
@@ -82,8 +83,8 @@ BriefingPage::BriefingPage(ShellContext& context, QWidget* parent)
   column->addWidget(back_);
   row->addWidget(panel);
 
-  connect(start_, &QPushButton::clicked, this, [this] { shell().open(QStringLiteral("station.run")); });
-  connect(back_, &QPushButton::clicked, this, [this] { shell().open(QStringLiteral("station.next")); });
+  connect(start_, &QPushButton::clicked, this, [this] { shell().open(PageId::kRun); });
+  connect(back_, &QPushButton::clicked, this, [this] { shell().open(PageId::kNextStep); });
   connect(again_, &QPushButton::clicked, this, &BriefingPage::showExpert);
   connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
     if (!asked_) showExpert();
@@ -98,7 +99,7 @@ void BriefingPage::enter(const QVariant& argument) {
   if (argument == QStringLiteral("later")) return;
   attempt(shell(), [&] {
     const NextSteps steps = nextSteps(shell().workplace(), shell().workplace().actor().personId);
-    step_ = stepOf(steps, StationDesk::of(shell()).moduleId);
+    step_ = stepOf(steps, desk_.moduleId);
     asked_ = false;
     SceneRequest request;
     request.assets = shell().assets();
@@ -132,8 +133,8 @@ void BriefingPage::applyTheme(const Theme& theme) {
 }
 
 void BriefingPage::fill() {
-  const bool graded = StationDesk::of(shell()).graded;
-  title_->setText(toQString(step_.module.title));
+  const bool graded = desk_.graded;
+  title_->setText(toQString(Text(step_.module.title)));
   mode_->setText(graded ? tr("Graded run: it counts as an attempt.") : tr("Practice: nothing is graded."));
   what_->setTitle(tr("What is asked for"));
   how_->setTitle(tr("How to do it"));

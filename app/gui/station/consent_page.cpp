@@ -52,7 +52,7 @@ ConsentPage::ConsentPage(ShellContext& context, QWidget* parent) : Page(context,
 }
 
 void ConsentPage::enter(const QVariant& argument) {
-  then_ = argument.toString();
+  then_ = argument.canConvert<PageId>() ? argument.value<PageId>() : PageId::kNextStep;
   understood_->setChecked(false);
   agree_->setEnabled(false);
   retranslate();
@@ -86,8 +86,7 @@ void ConsentPage::decide(bool granted) {
   attempt(shell(), [&] {
     decideOwnConsent(shell().workplace(), kPurpose, granted, version_);
     if (!granted) shell().notify(tr("Nothing will be recorded. Free practice stays open."));
-    const QString next = granted && !then_.isEmpty() ? then_ : QStringLiteral("station.next");
-    shell().open(next);
+    shell().open(granted ? then_ : PageId::kNextStep);
   });
 }
 

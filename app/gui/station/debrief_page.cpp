@@ -22,8 +22,8 @@
 
 namespace torsio::gui {
 
-DebriefPage::DebriefPage(ShellContext& context, QWidget* parent)
-    : Page(context, parent), theme_(&theme(context.themeKind())) {
+DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* parent)
+    : Page(context, parent), desk_(desk), theme_(&theme(context.themeKind())) {
   const PageColumn page = pageColumn(this);
   heading_ = page.heading;
   verdict_ = plainLabel(this, "subheading");
@@ -60,6 +60,7 @@ DebriefPage::DebriefPage(ShellContext& context, QWidget* parent)
   tools->addWidget(whole_);
   trace_->content()->addLayout(tools);
   plot_ = new DebriefPlot(trace_);
+  plot_->setObjectName(QStringLiteral("plot"));
   trace_->content()->addWidget(plot_, 1);
   page.column->addWidget(trace_, 1);
   ask_ = new AskCard(context, this);
@@ -79,14 +80,13 @@ DebriefPage::DebriefPage(ShellContext& context, QWidget* parent)
   connect(plot_, &DebriefPlot::rangeChanged, this,
           [this] { ask_->setMoment(0.5 * (plot_->range().from_s + plot_->range().to_s)); });
   connect(ask_, &AskCard::asked, this, &DebriefPage::showBookmark);
-  connect(next_, &QPushButton::clicked, this, [this] { shell().open(QStringLiteral("station.next")); });
+  connect(next_, &QPushButton::clicked, this, [this] { shell().open(PageId::kNextStep); });
   connect(trend_, &QPushButton::clicked, this,
-          [this] { shell().open(QStringLiteral("station.trend"), toQString(debrief_.moduleId)); });
+          [this] { shell().open(PageId::kTrend, toQString(debrief_.moduleId)); });
   connect(again_, &QPushButton::clicked, this, [this] {
-    StationDesk& desk = StationDesk::of(shell());
-    desk.chosen = true;
-    desk.moduleId = debrief_.moduleId;
-    shell().open(desk.readiness ? QStringLiteral("station.briefing") : QStringLiteral("station.device"));
+    desk_.chosen = true;
+    desk_.moduleId = debrief_.moduleId;
+    shell().open(desk_.readiness ? PageId::kBriefing : PageId::kDeviceCheck);
   });
 }
 
@@ -120,8 +120,8 @@ void DebriefPage::compute(const std::string& trialId) {
   fill();
   shell().run(
       tr("Looking at your run"),
-      [result, trialId, assets = shell().assets(), scene = StationDesk::of(shell()).lastScene](
-          Workplace& workplace, const ProgressCallback&) {
+      [result, trialId, assets = shell().assets(), scene = desk_.lastScene](Workplace& workplace,
+                                                                            const ProgressCallback&) {
         *result = torsio::debrief(workplace, trialId, assets, scene.get());
       },
       [this, result] {
@@ -201,7 +201,7 @@ void DebriefPage::fill() {
   trend_->setEnabled(any && !debrief_.moduleId.empty());
   const QString mode = debrief_.mode == "graded" ? tr("Graded run") : tr("Practice");
   heading_->setTexts(
-      any && !debrief_.moduleTitle.empty() ? toQString(debrief_.moduleTitle) : tr("Your run"),
+      any && !debrief_.moduleTitle.empty() ? toQString(Text(debrief_.moduleTitle)) : tr("Your run"),
       any ? tr("%1  \u00b7  %2  \u00b7  %3 s")
                 .arg(mode, StationLabels::when(debrief_.startedUtc_us))
                 .arg(debrief_.duration_s, 0, 'f', 0)

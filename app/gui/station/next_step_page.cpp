@@ -46,13 +46,13 @@ QString iconOf(StepState state) {
 
 }  // namespace
 
-NextStepPage::NextStepPage(ShellContext& context, QWidget* parent)
-    : Page(context, parent), theme_(&theme(context.themeKind())) {
+NextStepPage::NextStepPage(ShellContext& context, StationDesk& desk, QWidget* parent)
+    : Page(context, parent), desk_(desk), theme_(&theme(context.themeKind())) {
   const PageColumn page = pageColumn(this, kWidest);
   heading_ = page.heading;
   consent_ = linkButton(this);
   heading_->addAction(consent_);
-  connect(consent_, &QPushButton::clicked, this, [this] { shell().open(QStringLiteral("station.consent")); });
+  connect(consent_, &QPushButton::clicked, this, [this] { shell().open(PageId::kConsent); });
   notices_ = new QVBoxLayout;
   notices_->setSpacing(kSpace);
   page.column->addLayout(notices_);
@@ -89,21 +89,19 @@ void NextStepPage::applyTheme(const Theme& theme) {
 }
 
 void NextStepPage::begin(const std::string& moduleId, bool graded) {
-  StationDesk& desk = StationDesk::of(shell());
-  desk.chosen = true;
-  desk.moduleId = moduleId;
-  desk.graded = graded;
+  desk_.chosen = true;
+  desk_.moduleId = moduleId;
+  desk_.graded = graded;
   if (!steps_.recordingAllowed) {
-    shell().open(QStringLiteral("station.consent"), QStringLiteral("station.device"));
+    shell().open(PageId::kConsent, QVariant::fromValue(PageId::kDeviceCheck));
     return;
   }
-  shell().open(desk.readiness ? QStringLiteral("station.briefing") : QStringLiteral("station.device"));
+  shell().open(desk_.readiness ? PageId::kBriefing : PageId::kDeviceCheck);
 }
 
 void NextStepPage::fillNotices() {
   emptyLayout(notices_);
-  const auto add = [this](const QString& text, const QString& button, const QString& page,
-                          const QVariant& argument) {
+  const auto add = [this](const QString& text, const QString& button, PageId page, const QVariant& argument) {
     auto* frame = new QFrame(this);
     frame->setObjectName(QStringLiteral("card"));
     auto* row = new QHBoxLayout(frame);
@@ -124,13 +122,13 @@ void NextStepPage::fillNotices() {
            "used.")
             .arg(StationLabels::when(trial.startedUtc_us))
             .arg(trial.recorded_s, 0, 'f', 0),
-        tr("Look at it"), QStringLiteral("station.debrief"), toQString(trial.trialId));
+        tr("Look at it"), PageId::kDebrief, toQString(trial.trialId));
   }
   if (steps_.unreadRemarks > 0) {
     add(steps_.unreadRemarks == 1
             ? tr("One remark of a physician that you have not read")
             : tr("%1 remarks of physicians that you have not read").arg(steps_.unreadRemarks),
-        tr("Read"), QStringLiteral("station.remarks"), {});
+        tr("Read"), PageId::kRemarks, {});
   }
 }
 
@@ -167,7 +165,7 @@ void NextStepPage::fillNext() {
     texts->addWidget(quiet);
   } else {
     const ModuleStep& step = steps_.modules[*steps_.next];
-    title->setText(toQString(step.module.title));
+    title->setText(toQString(Text(step.module.title)));
     QStringList facts;
     if (phase != nullptr) facts << toQString(phase->label);
     facts << tr("takes at most %1").arg(StationLabels::minutes(step.needed_us))
@@ -207,7 +205,7 @@ void NextStepPage::fillNext() {
 void NextStepPage::addModule(const ModuleStep& step) {
   auto* frame = new QFrame(this);
   frame->setObjectName(QStringLiteral("card"));
-  frame->setAccessibleName(toQString(step.module.title));
+  frame->setAccessibleName(toQString(Text(step.module.title)));
   auto* row = new QHBoxLayout(frame);
   row->setContentsMargins(2 * kSpace, kSpace + 2, 2 * kSpace, kSpace + 2);
   row->setSpacing(2 * kSpace);
@@ -222,7 +220,8 @@ void NextStepPage::addModule(const ModuleStep& step) {
   auto* texts = new QVBoxLayout;
   texts->setSpacing(2);
   auto* title = plainLabel(frame, locked ? "quiet" : nullptr);
-  title->setText(tr("%1  \u00b7  %2").arg(toQString(step.module.title), StationLabels::state(step.state)));
+  title->setText(
+      tr("%1  \u00b7  %2").arg(toQString(Text(step.module.title)), StationLabels::state(step.state)));
   texts->addWidget(title);
   auto* why = plainLabel(frame, "quiet");
   why->setObjectName(QStringLiteral("why"));
@@ -238,12 +237,11 @@ void NextStepPage::addModule(const ModuleStep& step) {
   if (step.last) {
     auto* trend = linkButton(frame);
     trend->setText(tr("Trend"));
-    connect(trend, &QPushButton::clicked, this,
-            [this, id] { shell().open(QStringLiteral("station.trend"), toQString(id)); });
+    connect(trend, &QPushButton::clicked, this, [this, id] { shell().open(PageId::kTrend, toQString(id)); });
     row->addWidget(trend, 0, Qt::AlignTop);
   }
   auto* start = new QPushButton(tr("Begin"), frame);
-  start->setAccessibleName(tr("Begin %1").arg(toQString(step.module.title)));
+  start->setAccessibleName(tr("Begin %1").arg(toQString(Text(step.module.title))));
   start->setEnabled(!locked && !steps_.allPhasesDone);
   if (locked) start->setToolTip(why->text());
   const bool graded = step.module.mode == "graded" && step.state != StepState::kUsedUp;

@@ -104,7 +104,7 @@ void RemarksPage::fillList() {
   list_->clear();
   for (const TrialRemarks& trial : all_) {
     const QString title =
-        trial.moduleTitle.empty() ? toQString(trial.phaseLabel) : toQString(trial.moduleTitle);
+        trial.moduleTitle.empty() ? toQString(trial.phaseLabel) : toQString(Text(trial.moduleTitle));
     const QString head = title.isEmpty() ? tr("Run") : title;
     const QString line =
         trial.unread > 0
@@ -152,7 +152,7 @@ void RemarksPage::addRemark(const TraineeRemark& remark, bool reply) {
     auto* look = linkButton(remarks_);
     look->setText(tr("Look at the run"));
     connect(look, &QPushButton::clicked, this,
-            [this, id = remark.trialId] { shell().open(QStringLiteral("station.debrief"), toQString(id)); });
+            [this, id = remark.trialId] { shell().open(PageId::kDebrief, toQString(id)); });
     head->addWidget(look);
   }
   threads_->addLayout(head);
@@ -222,7 +222,7 @@ void RemarksPage::fillMarks() {
     ++line;
   }
   for (const ScoreGapRow& row : rows) {
-    auto* name = new QLabel(row.code.empty() ? tr("Overall") : toQString(row.label), marks_);
+    auto* name = new QLabel(row.code.empty() ? tr("Overall") : toQString(Text(row.label)), marks_);
     grid->addWidget(name, line, 0);
     if (!gap.selfScored) {
       auto* field = new QDoubleSpinBox(marks_);

@@ -40,11 +40,13 @@ const QVariant kLater = QStringLiteral("later");
 
 }  // namespace
 
-RunPage::RunPage(ShellContext& context, QWidget* parent)
+RunPage::RunPage(ShellContext& context, StationDesk& desk, QWidget* parent)
     : Page(context, parent),
+      desk_(desk),
       theme_(&theme(context.themeKind())),
       stage_(new QStackedWidget(this)),
-      scene_(new LiveScene(StationDesk::of(context).loader, context.assets(), this)) {
+      scene_(new LiveScene(desk.loader, context.assets(), this)) {
+  scene_->setObjectName(QStringLiteral("scene"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
@@ -52,7 +54,7 @@ RunPage::RunPage(ShellContext& context, QWidget* parent)
   stage_->addWidget(createNotice());
   row->addWidget(stage_, 1);
   row->addWidget(createPanel());
-  scene_->controller().setRealTime(StationDesk::of(context).realTime);
+  scene_->controller().setRealTime(desk.realTime);
   connect(scene_, &LiveScene::shown, this, &RunPage::showLive);
   connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
     if (waiting_ && !opening_.going()) begin();
@@ -166,11 +168,11 @@ QWidget* RunPage::createPanel() {
 
 void RunPage::enter(const QVariant& argument) {
   if (session_ || argument == kLater) return;
-  StationDesk& desk = StationDesk::of(shell());
   if (!attempt(shell(), [&] {
-        session_.emplace(shell().workplace(),
-                         RunRequest{desk.moduleId, desk.graded, desk.readiness.value_or(DeviceReadiness{})},
-                         *desk.clock, shell().line());
+        session_.emplace(
+            shell().workplace(),
+            RunRequest{desk_.moduleId, desk_.graded, desk_.readiness.value_or(DeviceReadiness{})},
+            *desk_.clock, shell().line());
       })) {
     return;
   }
@@ -193,7 +195,7 @@ void RunPage::enter(const QVariant& argument) {
 /// The scene is there. The device of the first recording comes before the clock: waiting is not training.
 void RunPage::begin() {
   const bool real = session_->run().phase().arm == TrainingArm::kReal;
-  if (!real && StationDesk::of(shell()).openDevice) {
+  if (!real && desk_.openDevice) {
     fetchDevice();
   } else {
     start();
@@ -214,7 +216,7 @@ void RunPage::start() {
 }
 
 void RunPage::fetchDevice() {
-  opening_.begin([open = StationDesk::of(shell()).openDevice, scene = scene_->controller().sharedScene(),
+  opening_.begin([open = desk_.openDevice, scene = scene_->controller().sharedScene(),
                   target_rad = session_->module().targetAngle_rad] { return open(*scene, target_rad); },
                  [this](std::unique_ptr<HapticDevice> device) {
                    device_ = std::move(device);
@@ -241,11 +243,11 @@ void RunPage::giveUp() {
   opening_.cancel();
   waiting_ = false;
   session_.reset();
-  shell().open(QStringLiteral("station.next"));
+  shell().open(PageId::kNextStep);
 }
 
 void RunPage::record() {
-  if (StationDesk::of(shell()).openDevice && !device_) {
+  if (desk_.openDevice && !device_) {
     fetchDevice();
     return;
   }
@@ -263,11 +265,10 @@ void RunPage::record() {
 
 /// A graded run is not judged with another device than it began with; practice goes on with the mouse.
 void RunPage::withoutDevice(const Problem& why) {
-  StationDesk& desk = StationDesk::of(shell());
   endRecording(TrialOutcome::kInterrupted);
-  desk.readiness.reset();  // the device is checked anew before the next graded run
+  desk_.readiness.reset();  // the device is checked anew before the next graded run
   if (!session_->graded()) {
-    desk.openDevice = nullptr;
+    desk_.openDevice = nullptr;
     shell().notify(tr("%1. You go on with mouse and keyboard").arg(why().happened));
     if (waiting_) start();
     return;
@@ -336,7 +337,7 @@ void RunPage::finish() {
   opening_.cancel();
   device_.reset();
   endRecording(TrialOutcome::kCompleted);
-  StationDesk::of(shell()).lastScene = scene_->controller().sharedScene();
+  desk_.lastScene = scene_->controller().sharedScene();
   session_.reset();
   if (StationLine* line = shell().line(); line != nullptr) static_cast<void>(line->settled(kLastWrites));
   inFile_ = inFile_ || shell().databaseAway();
@@ -346,9 +347,9 @@ void RunPage::finish() {
   }
   if (lastTrial_.isEmpty()) {
     shell().notify(tr("The time on the real arm is over. It has been logged."));
-    shell().open(QStringLiteral("station.next"));
+    shell().open(PageId::kNextStep);
   } else {
-    shell().open(QStringLiteral("station.debrief"), lastTrial_);
+    shell().open(PageId::kDebrief, lastTrial_);
   }
 }
 

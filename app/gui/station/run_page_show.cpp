@@ -36,7 +36,7 @@ void RunPage::retranslate() {
   stop_->setText(tr("&End the run"));
   dial_->retranslate();
   if (session_) {
-    title_->setText(toQString(session_->step().module.title));
+    title_->setText(toQString(Text(session_->step().module.title)));
     mode_->setText(session_->graded() ? tr("Graded run") : tr("Practice"));
   }
   showState();

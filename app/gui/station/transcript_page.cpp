@@ -84,7 +84,7 @@ QString TranscriptPage::html(bool paper) const {
            .arg(t.real_min, 0, 'f', 1)
            .arg(t.rest_min, 0, 'f', 1));
   for (const TranscriptModule& module : t.modules) {
-    const QString title = toQString(module.step.module.title);
+    const QString title = toQString(Text(module.step.module.title));
     page += QStringLiteral("<h3>%1</h3>").arg(title.toHtmlEscaped());
     line(tr("%1. Level: %2.")
              .arg(StationLabels::state(module.step.state),

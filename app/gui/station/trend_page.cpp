@@ -84,7 +84,7 @@ TrendPage::TrendPage(ShellContext& context, QWidget* parent) : Page(context, par
     if (!filling_ && index >= 0) readTrend();
   });
   connect(table_, &DataTable::activated, this,
-          [this](const QString& id) { shell().open(QStringLiteral("station.debrief"), id); });
+          [this](const QString& id) { shell().open(PageId::kDebrief, id); });
 }
 
 void TrendPage::enter(const QVariant& argument) {
@@ -124,7 +124,7 @@ void TrendPage::fillChoices() {
   filling_ = true;
   modules_->clear();
   for (const ModuleStep& step : steps_.modules) {
-    modules_->addItem(toQString(step.module.title), toQString(step.module.id));
+    modules_->addItem(toQString(Text(step.module.title)), toQString(step.module.id));
   }
   modules_->setCurrentIndex(modules_->findData(toQString(module_)));
   std::vector<std::string> metrics(std::begin(kUsualMetrics), std::end(kUsualMetrics));
@@ -153,7 +153,7 @@ void TrendPage::applyTheme(const Theme& theme) {
 }
 
 void TrendPage::fill() {
-  heading_->setTexts(trend_.moduleTitle.empty() ? tr("Your way") : toQString(trend_.moduleTitle),
+  heading_->setTexts(trend_.moduleTitle.empty() ? tr("Your way") : toQString(Text(trend_.moduleTitle)),
                      tr("Every attempt is kept and shown."));
   moduleLabel_->setText(tr("&Module"));
   metricLabel_->setText(tr("&Quantity"));

@@ -59,7 +59,9 @@ class CarePages : public ::testing::Test {
     setup.assets = fs::path(TORSIO_SOURCE_DIR) / "assets";
     setup.station = "test";
     setup.locator = toQString(record());
-    setup.groups = {{[] { return QStringLiteral("Office"); }, officePages()}};
+    setup.groups = [] {
+      return std::vector<PageGroup>{{[] { return QStringLiteral("Office"); }, officePages()}};
+    };
     setup.remember = false;
     setup.clock = &clock_;
     setup.unstored = in("unstored");
@@ -98,13 +100,13 @@ class CarePages : public ::testing::Test {
   /// Goes there by the button of the care page.
   template <typename Made>
   Made& openBy(const char* button) {
-    window_->desk()->open(QStringLiteral("office.care"));
+    window_->desk()->open(PageId::kCare);
     press(*window_->desk()->page(), button);
     return dynamic_cast<Made&>(*window_->desk()->page());
   }
 
   CarePage& carePage() {
-    window_->desk()->open(QStringLiteral("office.care"));
+    window_->desk()->open(PageId::kCare);
     return dynamic_cast<CarePage&>(*window_->desk()->page());
   }
 

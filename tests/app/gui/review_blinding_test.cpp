@@ -159,7 +159,7 @@ TEST(Blinding, NothingThatCanBeReadTellsWhoWhichGroupOrWhen) {
   DeskOf desk(centre, 0);
   ASSERT_FALSE(alignmentCases(desk.workplace()).empty());
 
-  for (const PageEntry& entry : reviewPages()) gathering.add({entry.title(), entry.id});
+  for (const PageEntry& entry : reviewPages()) gathering.add({pageTitle(entry.id), pageText(entry.id)});
   goThroughTheRest(desk, gathering);
   goThroughACase(desk, gathering, inputOf(centre.caseAbout(0, 1)));
   gathering.add(desk.notices());

@@ -9,6 +9,7 @@
 #include <QProcess>
 #include <gtest/gtest.h>
 
+#include "app/gui/look/child.h"
 #include "app/gui/review/sheet_panel.h"
 #include "app/gui/shell/spoken.h"
 #include "app/session/review/case_sheet.h"
@@ -34,7 +35,7 @@ constexpr int kKeys = 30;
   desk.press(Qt::Key_Down);
   desk.press(Qt::Key_4);
   tell();
-  page.sheetPanel().commentField()->setFocus();
+  child<QPlainTextEdit>(page, "comment").setFocus();
   for (int i = 0;; ++i) {
     desk.type(QString(QLatin1Char(static_cast<char>('a' + i % 26))));
     tell();
@@ -58,10 +59,10 @@ TEST(KilledCasePage, LosesAtMostOneKeystroke) {
   ASSERT_GE(pressed, static_cast<std::size_t>(kKeys)) << program.readAllStandardError().toStdString();
   DeskOf again(centre, 0);
   const auto& page = again.open<CasePage>(inputOf(centre.cases(0).front()));
-  EXPECT_EQ(page.editor()->answer("time").score_steps, 70);
-  EXPECT_EQ(page.editor()->answer("accuracy").score_steps, 40);
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
+  EXPECT_EQ(editorOf(page)->answer("accuracy").score_steps, 40);
   // Two of the keys were scores; the rest stands in the comment, and the one under way may stand there too.
-  const std::string comment = page.editor()->sheet().comment;
+  const std::string comment = editorOf(page)->sheet().comment;
   EXPECT_GE(comment.size(), pressed - 2);
   EXPECT_LE(comment.size(), pressed - 1);
   for (std::size_t i = 0; i < comment.size(); ++i) ASSERT_EQ(comment[i], static_cast<char>('a' + i % 26));
