@@ -179,14 +179,14 @@ void AlignmentPage::startMoving() {
   }
   attempt(shell(), [&] {
     const OpenedSheet opened = openSheet(shell().workplace(), one->shown.assignmentId);
-    sheet_->open(opened.rubric, opened.sheet);
+    sheet_->beginSheet(opened.rubric, opened.sheet);
     showCase();
     sheet_->takeFocus();
   });
 }
 
 void AlignmentPage::stopMoving() {
-  sheet_->close();
+  sheet_->endSheet();
 }
 
 template <typename Action>

@@ -138,7 +138,7 @@ QWidget* CasePage::createStrip() {
     sheet_->setAsking(false);
     if (amending_) {
       amending_ = false;
-      sheet_->open(opened_.rubric, opened_.sheet);
+      sheet_->beginSheet(opened_.rubric, opened_.sheet);
     }
     showAll();
     sheet_->takeFocus();
@@ -155,7 +155,7 @@ void CasePage::enter(const QVariant& argument) {
   opened_ = openSheet(shell().workplace(), id);
   watched_ = opened_.watched;
   caseRemarks_ = caseRemarks(shell().workplace(), id);
-  sheet_->open(opened_.rubric, opened_.sheet);
+  sheet_->beginSheet(opened_.rubric, opened_.sheet);
   replay_->setSpeeds(rules_.speeds);
   sinceKey_.start();
   setLook(saved_, "caution", false);

@@ -113,10 +113,10 @@ void EvaluationPage::openFirst() {
 
 void EvaluationPage::openModel(std::size_t at) {
   model_ = at;
-  sheet_->close();
+  sheet_->endSheet();
   said_->clear();
   if (const EvaluationFormModel* one = model()) {
-    sheet_->open(rubricOf(*form()), sheetOf(*one), false);
+    sheet_->beginSheet(rubricOf(*form()), sheetOf(*one), false);
     sheet_->takeFocus();
   }
   showModels();

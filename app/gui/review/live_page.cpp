@@ -110,7 +110,7 @@ void LivePage::enter(const QVariant&) {
     return;
   }
   if (lines_.empty()) {
-    sheet_->close();
+    sheet_->endSheet();
     showAll();
   } else {
     openLine(lines_.back().shown.assignmentId);
@@ -180,7 +180,7 @@ void LivePage::amend() {
 
 void LivePage::openLine(const std::string& assignmentId) {
   opened_ = openSheet(shell().workplace(), assignmentId);
-  sheet_->open(opened_.rubric, opened_.sheet);
+  sheet_->beginSheet(opened_.rubric, opened_.sheet);
   clocked_us_ = 0;
   said_->clear();
   readLines();

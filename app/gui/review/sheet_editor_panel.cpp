@@ -19,14 +19,14 @@ SheetEditorPanel::SheetEditorPanel(bool largeTargets, QWidget* parent) : SheetPa
 
 SheetEditorPanel::~SheetEditorPanel() = default;
 
-void SheetEditorPanel::open(StoredRubricRevision rubric, Sheet sheet, bool withOverall) {
+void SheetEditorPanel::beginSheet(StoredRubricRevision rubric, Sheet sheet, bool withOverall) {
   asking_ = false;
   auto fresh = std::make_unique<SheetEditor>(std::move(rubric), std::move(sheet), withOverall);
   setEditor(fresh.get());
   editor_ = std::move(fresh);
 }
 
-void SheetEditorPanel::close() {
+void SheetEditorPanel::endSheet() {
   asking_ = false;
   setEditor(nullptr);
   editor_.reset();

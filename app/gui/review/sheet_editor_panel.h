@@ -25,10 +25,10 @@ class SheetEditorPanel : public SheetPanel {
   ~SheetEditorPanel() override;
 
   /// Shows a sheet and begins a new history. `withOverall`: false for forms of rows alone.
-  void open(StoredRubricRevision rubric, Sheet sheet, bool withOverall = true);
+  void beginSheet(StoredRubricRevision rubric, Sheet sheet, bool withOverall = true);
   /// Shows nothing.
-  void close();
-  /// Null when nothing is open.
+  void endSheet();
+  /// Null when no sheet is shown.
   [[nodiscard]] SheetEditor* editor() const noexcept { return editor_.get(); }
 
   /// Does `store`; says on `said` that the sheet is kept, or that it is not, and reports why.

@@ -112,7 +112,7 @@ bool WarmUpPage::leave() {
 void WarmUpPage::openRun(std::size_t number) {
   number_ = number;
   replay_->show(nullptr);
-  sheet_->close();
+  sheet_->endSheet();
   showRuns();
   if (number_ == 0) {
     replay_->showSentence(tr("The office has chosen no reference run yet. You may begin with your queue."));
@@ -121,7 +121,7 @@ void WarmUpPage::openRun(std::size_t number) {
   }
   Sheet last;
   last.overall_steps = warmUp_.runs[number_ - 1].own_steps;
-  sheet_->open(overallOnly(warmUp_.rubric), last);
+  sheet_->beginSheet(overallOnly(warmUp_.rubric), last);
   sheet_->takeFocus();
   showResult();
   replay_->showSentence(tr("The recording is being opened. You may score meanwhile."));

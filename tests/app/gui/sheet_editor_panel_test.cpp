@@ -26,7 +26,7 @@ StoredRubricRevision oneRow() {
 
 TEST(SheetEditorPanel, KeepsOneHistoryForMarksAndComment) {
   SheetEditorPanel panel;
-  panel.open(oneRow(), {});
+  panel.beginSheet(oneRow(), {});
   QSignalSpy edited(&panel, &SheetPanel::edited);
 
   panel.handleKey(Qt::Key_7, Qt::NoModifier);
@@ -45,7 +45,7 @@ TEST(SheetEditorPanel, KeepsOneHistoryForMarksAndComment) {
 
 TEST(SheetEditorPanel, TakesNothingBackOnASealedSheet) {
   SheetEditorPanel panel;
-  panel.open(oneRow(), {});
+  panel.beginSheet(oneRow(), {});
   panel.handleKey(Qt::Key_7, Qt::NoModifier);
 
   panel.setReadOnly(true);
@@ -56,7 +56,7 @@ TEST(SheetEditorPanel, TakesNothingBackOnASealedSheet) {
 
 TEST(SheetEditorPanel, AsksAnewAfterEveryChange) {
   SheetEditorPanel panel;
-  panel.open(oneRow(), {});
+  panel.beginSheet(oneRow(), {});
   QSignalSpy finish(&panel, &SheetEditorPanel::finishWanted);
 
   QTest::keyClick(&child<QPlainTextEdit>(panel, "comment"), Qt::Key_Return, Qt::ControlModifier);
