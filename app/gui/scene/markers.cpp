@@ -12,7 +12,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "app/gui/shell/spoken.h"
+#include "app/gui/base/spoken.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {

@@ -5,8 +5,8 @@
 #include <QMessageBox>
 #include <QSysInfo>
 
-#include "app/gui/shell/spoken.h"
-#include "app/session/build_info.h"
+#include "app/base/build_info.h"
+#include "app/gui/base/spoken.h"
 
 namespace torsio::gui {
 

@@ -13,6 +13,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gui/base/spoken.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/job_panel.h"
@@ -20,9 +21,8 @@
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
-#include "app/gui/shell/spoken.h"
 #include "app/gui/shell/trouble_panel.h"
-#include "app/session/care/station_line.h"
+#include "app/recording/station_line.h"
 
 namespace torsio::gui {
 

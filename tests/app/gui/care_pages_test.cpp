@@ -2,10 +2,10 @@
 // Restoring a backup through the program's window, as an administrator does it.
 #include <fstream>
 
-#include "app/gui/look/child.h"
-#include "app/gui/office/move_page.h"
-#include "app/gui/office/restore_page.h"
-#include "app/gui/shell/spoken.h"
+#include "app/gui/administrator/move_page.h"
+#include "app/gui/administrator/restore_page.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/widgets/child.h"
 #include "tests/app/gui/care_window.h"
 
 namespace torsio::gui {

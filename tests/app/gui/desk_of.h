@@ -9,12 +9,12 @@
 #include <QApplication>
 #include <QTest>
 
-#include "app/gui/look/child.h"
-#include "app/gui/review/case_page.h"
-#include "app/gui/review/replay_panel.h"
-#include "app/gui/review/sheet_editor_panel.h"
-#include "app/gui/shell/shell_context.h"
-#include "app/gui/shell/spoken.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/physician/case_page.h"
+#include "app/gui/physician/replay_panel.h"
+#include "app/gui/physician/sheet_editor_panel.h"
+#include "app/gui/widgets/child.h"
 #include "tests/app/session/review_centre.h"
 
 namespace torsio::gui {

@@ -9,10 +9,10 @@
 #include <QProcess>
 #include <gtest/gtest.h>
 
-#include "app/gui/look/child.h"
-#include "app/gui/review/sheet_panel.h"
-#include "app/gui/shell/spoken.h"
-#include "app/session/review/case_sheet.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/physician/sheet_panel.h"
+#include "app/gui/widgets/child.h"
+#include "app/review/case_sheet.h"
 #include "tests/app/gui/desk_of.h"
 
 namespace torsio::gui {

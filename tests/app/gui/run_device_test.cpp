@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/gui/look/child.h"
+#include "app/gui/widgets/child.h"
 #include "db/repository/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/gui/trainee_station.h"

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/gui/look/child.h"
-#include "app/gui/office/move_page.h"
+#include "app/gui/administrator/move_page.h"
+#include "app/gui/widgets/child.h"
 #include "db/migrations/migrations.h"
 #include "tests/app/gui/care_window.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What all pages on which marks are given share: one history, one set of keys, what is said about saving.
-#include "app/gui/review/sheet_editor_panel.h"
+#include "app/gui/physician/sheet_editor_panel.h"
 
 #include <QLabel>
 #include <QPlainTextEdit>
@@ -8,7 +8,7 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/gui/look/child.h"
+#include "app/gui/widgets/child.h"
 #include "tests/app/gui/desk_of.h"
 
 namespace torsio::gui {

@@ -13,9 +13,9 @@
 #include <QUrlQuery>
 #include <gtest/gtest.h>
 
+#include "app/access/first_run.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/shell/shell_window.h"
-#include "app/gui/shell/spoken.h"
-#include "app/session/access/first_run.h"
 #include "tests/db/test_database.h"
 
 namespace torsio::gui {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/shell/all_pages.h"
-#include "app/gui/shell/page_id.h"
+#include "app/gui/base/page_id.h"
+#include "app/gui/program/all_pages.h"
 #include "sim/base/error.h"
 #include "tests/app/gui/office_desk.h"
 

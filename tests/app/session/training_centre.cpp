@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "app/session/build_info.h"
+#include "app/base/build_info.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/access_repository.h"
 #include "db/repository/people_repository.h"

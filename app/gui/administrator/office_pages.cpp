@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/office_pages.h"
+
+#include "app/gui/administrator/allocation_page.h"
+#include "app/gui/administrator/audit_page.h"
+#include "app/gui/administrator/campaigns_page.h"
+#include "app/gui/administrator/care_page.h"
+#include "app/gui/administrator/cohorts_page.h"
+#include "app/gui/administrator/curricula_page.h"
+#include "app/gui/administrator/curriculum_editor.h"
+#include "app/gui/administrator/devices_page.h"
+#include "app/gui/administrator/move_page.h"
+#include "app/gui/administrator/reports_page.h"
+#include "app/gui/administrator/restore_page.h"
+#include "app/gui/administrator/results_page.h"
+#include "app/gui/administrator/roster_page.h"
+#include "app/gui/administrator/run_day_page.h"
+#include "app/gui/administrator/scoring_page.h"
+#include "app/gui/administrator/users_page.h"
+#include "app/gui/widgets/child.h"
+#include "app/gui/widgets/data_table.h"
+
+namespace torsio::gui {
+
+namespace {
+
+template <typename Made>
+PageEntry entry(PageId id) {
+  return {id, [](ShellContext& shell) -> Page* { return new Made(shell); }};
+}
+
+ScreenEntry screen(const char* name, PageId page, std::function<void(Page&)> prepare = {}) {
+  return {QString::fromLatin1(name), QStringLiteral("administrator"), page, {}, std::move(prepare)};
+}
+
+}  // namespace
+
+std::vector<PageEntry> officePages() {
+  return {entry<RunDayPage>(PageId::kRunDay),         entry<RosterPage>(PageId::kRoster),
+          entry<CurriculaPage>(PageId::kCurricula),   entry<CohortsPage>(PageId::kCohorts),
+          entry<AllocationPage>(PageId::kAllocation), entry<ScoringPage>(PageId::kScoring),
+          entry<CampaignsPage>(PageId::kCampaigns),   entry<ResultsPage>(PageId::kResults),
+          entry<ReportsPage>(PageId::kReports),       entry<UsersPage>(PageId::kUsers),
+          entry<AuditPage>(PageId::kAudit),           entry<CarePage>(PageId::kCare),
+          entry<RestorePage>(PageId::kRestore),       entry<MovePage>(PageId::kMove),
+          entry<DevicesPage>(PageId::kDevices)};
+}
+
+std::vector<ScreenEntry> officeScreens() {
+  const auto shows = [](const char* id) {
+    return [id](Page& page) {
+      auto& results = dynamic_cast<ResultsPage&>(page);
+      results.settle();
+      results.showItem(QString::fromLatin1(id));
+    };
+  };
+  const auto fromTemplate = [](Page& page) {
+    auto& curricula = dynamic_cast<CurriculaPage&>(page);
+    if (child<DataTable>(curricula, "curricula").visibleRows() == 0)
+      curricula.add("Twist skills 2026", "paper-three-arms");
+    child<CurriculumEditor>(curricula, "editor")
+        .setCurrentIndex(child<CurriculumEditor>(curricula, "editor").content().arms.empty() ? 0 : 1);
+  };
+  const auto report = [](Page& page) { dynamic_cast<ReportsPage&>(page).settle(); };
+  return {
+      screen("office-run-day", PageId::kRunDay),
+      screen("office-roster", PageId::kRoster),
+      screen("office-curricula", PageId::kCurricula, fromTemplate),
+      screen("office-cohorts", PageId::kCohorts),
+      screen("office-allocation", PageId::kAllocation),
+      screen("office-scoring", PageId::kScoring),
+      screen("office-evaluation", PageId::kCampaigns),
+      screen("office-results-scores", PageId::kResults, shows("figure-22")),
+      screen("office-results-differences", PageId::kResults, shows("figure-differences")),
+      screen("office-results-boxes", PageId::kResults, shows("figure-19")),
+      screen("office-results-severity", PageId::kResults, shows("figure-severity")),
+      screen("office-reports", PageId::kReports, report),
+      screen("office-users", PageId::kUsers),
+      screen("office-audit", PageId::kAudit),
+      screen("office-care", PageId::kCare),
+      screen("office-restore", PageId::kRestore),
+      screen("office-move", PageId::kMove,
+             [](Page& page) {
+               dynamic_cast<MovePage&>(page).setAddress(
+                   {.host = "server.hospital.example", .database = "torsio", .user = "torsio"});
+             }),
+      screen("office-devices", PageId::kDevices),
+  };
+}
+
+}  // namespace torsio::gui

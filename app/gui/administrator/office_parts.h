@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <string>
+
+#include <QLocale>
+#include <QString>
+
+#include "app/gui/base/spoken.h"
+
+class QBoxLayout;
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+class QWidget;
+
+namespace torsio {
+class Workplace;
+}
+
+namespace torsio::gui {
+
+class DataTable;
+class ShellContext;
+
+/// The column in which the parts of an office page stand, with the margins all of them share.
+QVBoxLayout* pageColumn(QWidget* page);
+/// The same for pages whose content may be taller than the window.
+QVBoxLayout* scrolledColumn(QWidget* page);
+/// A button among the tools of a list.
+QPushButton* listButton(DataTable* table);
+/// A row "label, field" above a list; the label is the field's buddy. Texts are set by the page.
+QLabel* fieldBeside(QBoxLayout* row, QWidget* field);
+
+/// The cohorts of the record, newest last; keeps the choice when filled anew. Chosen first: the newest whose
+/// people are in groups, since there is something to see; else the newest.
+void fillCohorts(QComboBox* chooser, Workplace& workplace);
+/// The evaluation campaigns and "none". Chosen first: the newest that somebody has scored in.
+void fillCampaigns(QComboBox* chooser, Workplace& workplace, const QString& none);
+/// Id of what is chosen; empty: nothing.
+[[nodiscard]] std::string chosenId(const QComboBox* chooser);
+void chooseId(QComboBox* chooser, const std::string& id);
+
+/// The text, or a dash when there is none.
+[[nodiscard]] QString orDash(const std::string& text);
+/// Date and time in the user's language; a dash for 0.
+[[nodiscard]] QString shownTime(std::int64_t utc_us, const QLocale& locale);
+/// "12:30" of minutes and seconds.
+[[nodiscard]] QString shownSpan(std::int64_t duration_us);
+
+}  // namespace torsio::gui

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/devices/device_readiness.h"
+#include "app/gui/simulator/simulation_controller.h"
+#include "sim/base/clock.h"
+#include "sim/device/haptic_device.h"
+
+namespace torsio {
+class StationLine;
+}
+
+namespace torsio::gui {
+
+/// What the pages of one trainee at one station hand to each other, and what a test puts in place of the
+/// real world. Made with the pages of a sign-in, handed to those that need it, and gone with them. GUI
+/// thread.
+class StationDesk {
+ public:
+  /// Opens the device for one recording. Empty, or an answer of null: mouse and keyboard.
+  using DeviceOpener = std::function<std::unique_ptr<HapticDevice>(const Scene&, double target_rad)>;
+
+  SceneLoader loader = loadSceneForView;
+  bool realTime = true;
+  std::shared_ptr<const Clock> clock = std::make_shared<MonotonicClock>();
+  DeviceProbe probe;  ///< empty: mouse and keyboard
+  DeviceOpener openDevice;
+
+  /// Of the run that has just ended: the debrief need not load it again.
+  std::shared_ptr<const Scene> lastScene;
+
+  std::optional<DeviceReadiness> readiness;  ///< of the last device check since the sign-in
+  bool chosen = false;                       ///< something was chosen on the first page
+  std::string moduleId;                      ///< what; empty: the real arm
+  bool graded = false;
+
+  /// Tells the board of the day, once, that a device stands here which nobody has checked yet. `line` may be
+  /// null.
+  void announce(StationLine* line);
+
+ private:
+  bool announced_ = false;
+};
+
+/// Makes the desk of this machine: with the haptic device where its library is installed.
+[[nodiscard]] std::shared_ptr<StationDesk> deskOfThisStation();
+
+}  // namespace torsio::gui
