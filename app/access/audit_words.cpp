@@ -52,6 +52,7 @@ const Words& studyWords() {
       {"curriculum.publish", Text("Curriculum published")},
       {"curriculum.running", Text("Curriculum put into use")},
       {"curriculum.closed", Text("Curriculum closed")},
+      {"occasion.add", Text("Occasion of scoring added")},
       {"rubric.add", Text("Scoring sheet added")},
       {"rubric.revise", Text("Scoring sheet revised")},
       {"cohort.add", Text("Cohort added")},

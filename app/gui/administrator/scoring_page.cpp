@@ -115,7 +115,7 @@ void ScoringPage::show() {
       const ScoringMatrix::Line& line = matrix_->lines[i];
       Row row{QString::number(i),
               {{shown(line.traineeCode)},
-               {scoringPointName(line.scoringPoint), shown(line.scoringPoint)},
+               {occasionName(line.occasion), shown(line.occasion.code)},
                {line.missing == 0 ? QStringLiteral("\u2013") : QString::number(line.missing),
                 static_cast<qlonglong>(line.missing)}}};
       for (const ScoringCell& cell : line.cells)

@@ -38,7 +38,7 @@ TEST(CurriculumTemplates, AllCanBePublished) {
 
   ASSERT_GE(templates.size(), 2U);
   for (const CurriculumTemplate& one : templates) {
-    EXPECT_TRUE(curriculumProblems(one.content, centre.assets()).empty()) << one.id;
+    EXPECT_TRUE(curriculumProblems(one.content, centre.assets(), knownOccasions(centre.workplace())).empty()) << one.id;
   }
 }
 
@@ -100,7 +100,7 @@ TEST(CurriculumContent, NamesEveryProblemWithItsPlaceAndRemedy) {
   broken.arms.push_back({"", "G1", "", 0, false, {{"", "watching", "", 0, "Z9"}}});
   broken.scoringPoints = {{"mid", 5}, {"pre", 5}, {"later", 1}};
 
-  const auto problems = curriculumProblems(broken, centre.assets());
+  const auto problems = curriculumProblems(broken, centre.assets(), knownOccasions(centre.workplace()));
 
   EXPECT_TRUE(mentions(problems, "module A1", "unknown scene \"liver\""));
   EXPECT_TRUE(mentions(problems, "module A2", "lacks"));
@@ -120,7 +120,7 @@ TEST(CurriculumContent, FindsModulesThatWaitForEachOther) {
   StoredCurriculumVersion circle = shipped(centre, "first-steps");
   circle.modules[0].requires_ = {"A3"};
 
-  EXPECT_TRUE(mentions(curriculumProblems(circle, centre.assets()), "A1", "wait for each other"));
+  EXPECT_TRUE(mentions(curriculumProblems(circle, centre.assets(), knownOccasions(centre.workplace())), "A1", "wait for each other"));
 }
 
 TEST(CurriculumService, DraftBecomesAVersionThatRunsAndCloses) {
