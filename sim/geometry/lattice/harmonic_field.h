@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/geometry/mesh/end_caps.h"
+#include "sim/geometry/lattice/end_caps.h"
 #include "sim/geometry/mesh/surface_topology.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 

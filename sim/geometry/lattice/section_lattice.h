@@ -11,7 +11,7 @@
 
 #include "sim/base/vec3.h"
 #include "sim/geometry/lattice/centreline.h"
-#include "sim/geometry/mesh/end_caps.h"
+#include "sim/geometry/lattice/end_caps.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 
 namespace torsio {
