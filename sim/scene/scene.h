@@ -15,7 +15,8 @@
 
 namespace torsio {
 
-/// The instrument as the collision sees it: a sphere at the tip of a shaft.
+/// What collision and grip need of an instrument's file. ToolShape (sim/servo/tool_touch.h) makes tip, blades
+/// and shaft of it.
 struct Instrument {
   std::string id = "grasper";
   double tipRadius_m = 0.0025;

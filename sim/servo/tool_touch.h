@@ -13,12 +13,14 @@
 
 namespace torsio {
 
-/// The jaw of assets/instruments/grasper.json: hinge behind the tip, turn of each blade when it is open.
+/// Distance of the jaw's hinge behind the tip: `jaws.pivot_mm` of assets/instruments/grasper.json, as
+/// tests/sim/servo/shipped_scenes_test.cpp checks.
 inline constexpr double kJawLength_m = 0.020;
+/// Turn of each blade when the jaw is open: `jaws.opening_deg` of the same file.
 inline constexpr double kJawOpening_rad = 25.0 * kDegree;
-/// A blade is thinner than the closed jaw: share of the tip's radius.
+/// Radius of a blade as a share of the tip's radius: a blade is thinner than the closed jaw.
 inline constexpr double kBladeShare = 0.6;
-/// Surfaces farther from blade and shaft than this are not looked for.
+/// Distance from blade and shaft within which surfaces are searched.
 inline constexpr double kLookAhead_m = 0.001;
 
 /// The instrument as the collision sees it, world frame: a sphere at the tip, where the blades meet; two
@@ -34,7 +36,7 @@ struct ToolShape {
   double bladeRadius_m = 0.0;
 };
 
-/// Any thread.
+/// Returns the shape of `instrument` in the pose and with the grip of `tool`. Any thread.
 [[nodiscard]] ToolShape toolShape(const ToolState& tool, const Instrument& instrument) noexcept;
 
 /// One part of the instrument and the deformed surface, world frame.
@@ -45,6 +47,7 @@ struct PartTouch {
   double radius_m = 0.0;                                   ///< of the part
 };
 
+/// What each part of the instrument touches.
 struct ToolTouch {
   PartTouch tip;    ///< the sphere at the tip; of a deformed organ infinite gap beyond a centimetre
   PartTouch jaw;    ///< the deeper of tip and blades
