@@ -25,7 +25,7 @@ enum class ErrorCode : int {
   kInternal = 70,       ///< our own bug (ContractError)
 };
 
-/// What happened, where, and what the user can do: every refusal of input carries the three.
+/// A refusal of input: what happened, where, and what the user can do.
 class Error : public std::runtime_error {
  public:
   /// `what`: one sentence without a full stop. `where`: file, line, vertex, column or "".
@@ -34,12 +34,12 @@ class Error : public std::runtime_error {
   Error(ErrorCode code, Text what, Text where, Text remedy);
 
   [[nodiscard]] ErrorCode code() const noexcept { return code_; }
-  /// The three in English, as in what().
+  /// Returns what happened in English; where() and remedy() likewise.
   [[nodiscard]] const std::string& happened() const noexcept { return happened_; }
   [[nodiscard]] const std::string& where() const noexcept { return where_; }
   [[nodiscard]] const std::string& remedy() const noexcept { return remedy_; }
 
-  /// The three as texts, for another language.
+  /// Returns what happened as a text for another language; whereText() and remedyText() likewise.
   [[nodiscard]] const Text& happenedText() const noexcept { return happenedText_; }
   [[nodiscard]] const Text& whereText() const noexcept { return whereText_; }
   [[nodiscard]] const Text& remedyText() const noexcept { return remedyText_; }
@@ -54,7 +54,7 @@ class Error : public std::runtime_error {
   std::string remedy_;
 };
 
-/// A promise between two parts of Torsio was broken: our bug, never the user's input.
+/// Thrown when a promise between two parts of Torsio was broken: a bug of Torsio, never the user's input.
 class ContractError : public std::logic_error {
  public:
   using std::logic_error::logic_error;
