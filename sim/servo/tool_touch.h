@@ -39,7 +39,7 @@ struct ToolShape {
 /// Returns the shape of `instrument` in the pose and with the grip of `tool`. Any thread.
 [[nodiscard]] ToolShape toolShape(const ToolState& tool, const Instrument& instrument) noexcept;
 
-/// One part of the instrument and the deformed surface, world frame.
+/// Contact of one part of the instrument with the deformed surface, world frame.
 struct PartTouch {
   double gap_m = std::numeric_limits<double>::infinity();  ///< between them; negative: that deep inside
   Vec3 point_m;                                            ///< of the surface
@@ -54,9 +54,9 @@ struct ToolTouch {
   PartTouch shaft;  ///< infinite gap beyond kLookAhead_m
 };
 
-/// Where the instrument touches the organ as `twist` has left it. A part whose axis lies outside has the
-/// depth of the capsule; one whose axis has entered is as deep as the deepest of some points of the axis near
-/// the place of entry. `holding`: the blades are in the tissue and do not collide.
+/// Finds where the instrument touches the organ as `twist` has left it. A part whose axis lies outside has
+/// the depth of the capsule; one whose axis has entered is as deep as the deepest of some points of the
+/// axis near the place of entry. `holding`: the blades are in the tissue and do not collide.
 ///
 /// At rest the rest hierarchy answers (CollisionMesh::nearest), else DeformedSurface over the vertices as the
 /// model moves them: the surface that is drawn. noexcept, allocation-free; runs in the servo tick, 3 to 10 us
@@ -64,8 +64,9 @@ struct ToolTouch {
 [[nodiscard]] ToolTouch touchTool(const ToolShape& shape, const Scene& scene, const TwistState& twist,
                                   bool holding) noexcept;
 
-/// The surface point that closing the jaw would take hold of, of the organ at rest: the nearest to the mouth
-/// within `gripReach_m` of the tip's radius, if it lies between the open blades; nothing else can be held.
+/// Finds the surface point of the organ at rest that closing the jaw would take hold of: the nearest to the
+/// mouth within `gripReach_m` of the tip's radius, if it lies between the open blades; nothing else can be
+/// held.
 [[nodiscard]] std::optional<SurfacePoint> tissueInMouth(const ToolShape& shape, const ToolState& tool,
                                                         const Scene& scene) noexcept;
 
