@@ -22,8 +22,9 @@ struct MetricCard {
   std::string_view version = kMetricsVersion;
 };
 
+/// Lists the cards of all metrics.
 [[nodiscard]] std::span<const MetricCard> metricCards();
-/// The card of an id; our own bug when there is none.
+/// Returns the card of an id; a missing one is a bug of Torsio.
 [[nodiscard]] const MetricCard& metricCard(std::string_view id);
 
 }  // namespace torsio

@@ -34,14 +34,18 @@ class Error : public std::runtime_error {
   Error(ErrorCode code, Text what, Text where, Text remedy);
 
   [[nodiscard]] ErrorCode code() const noexcept { return code_; }
-  /// Returns what happened in English; where() and remedy() likewise.
+  /// Returns in English what happened.
   [[nodiscard]] const std::string& happened() const noexcept { return happened_; }
+  /// Returns in English where it happened, or "".
   [[nodiscard]] const std::string& where() const noexcept { return where_; }
+  /// Returns in English what the user can do, or "".
   [[nodiscard]] const std::string& remedy() const noexcept { return remedy_; }
 
-  /// Returns what happened as a text for another language; whereText() and remedyText() likewise.
+  /// Returns what happened as a text, which can be said in another language.
   [[nodiscard]] const Text& happenedText() const noexcept { return happenedText_; }
+  /// Returns where it happened as a text.
   [[nodiscard]] const Text& whereText() const noexcept { return whereText_; }
+  /// Returns what the user can do as a text.
   [[nodiscard]] const Text& remedyText() const noexcept { return remedyText_; }
 
  private:

@@ -29,16 +29,17 @@ struct GovernorLimits {
 /// Longest gap between ticks after which force is still let through; after a longer one the coupling starts
 /// anew.
 inline constexpr std::int64_t kLongestTickGap_us = 5'000;
-/// Age from which a force fades, and age at which it is gone.
+/// Age from which a force fades.
 inline constexpr std::int64_t kStaleFadeBegins_us = 5'000;
+/// Age at which a force has faded to nothing.
 inline constexpr std::int64_t kStaleFadeEnds_us = 25'000;
 /// Time that the faded force takes to come back after a stall.
 inline constexpr std::int64_t kStaleRecovery_us = 100'000;
 /// Distance outside the usable box over which the force falls to zero.
 inline constexpr double kWorkspaceFade_m = 0.010;
-/// Factors a tick by which the allowed force shrinks and recovers in thermal fold-back (the rule of the
-/// vendor's own sample).
+/// Factor a tick by which the allowed force shrinks in thermal fold-back (rule of the vendor's own sample).
 inline constexpr double kThermalFoldBack = 0.999;
+/// Factor a tick by which the allowed force recovers after thermal fold-back.
 inline constexpr double kThermalRecovery = 1.001;
 /// Time constant of the leaky mean of the squared force (motor heat). Assumed: no figure is published.
 inline constexpr double kHeatTime_s = 60.0;
@@ -47,7 +48,9 @@ inline constexpr double kHeatMargin = 0.25;
 /// Largest change of the sent force: 3.3 N take 33 ms. No published limit exists for the Touch; at the
 /// stiffest contact (500 N/m) a hand at 0.2 m/s stays just below it.
 inline constexpr double kSlewLimit_N_per_s = 100.0;
+/// Time of the ramp by which the force comes in when it is switched on.
 inline constexpr std::int64_t kEngageTime_us = 500'000;
+/// Time of the ramp by which the force goes when it is switched off.
 inline constexpr std::int64_t kReleaseTime_us = 100'000;
 /// Time for which the inputs must be sound after a fault before the governor engages again.
 inline constexpr std::int64_t kInhibitTime_us = 1'000'000;

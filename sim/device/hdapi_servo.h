@@ -46,9 +46,9 @@ struct HdapiForce {
 
 /// Age at which a force that was not renewed is no longer sent.
 inline constexpr std::int64_t kForceExpires_us = 20'000;
-/// Temperature of a motor above which the force is folded back, and below which all motors must be before
-/// it is restored (rule of the vendor's own sample).
+/// Temperature of a motor above which the force is folded back (rule of the vendor's own sample).
 inline constexpr double kWarmAbove = 0.7;
+/// Temperature below which all motors must be before the full force returns.
 inline constexpr double kWarmUntilBelow = 0.5;
 /// Speed that no hand exceeds; a faster step is a jump of the calibration.
 inline constexpr double kFastestHand_m_per_s = 10.0;

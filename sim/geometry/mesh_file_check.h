@@ -16,19 +16,22 @@ namespace torsio {
 /// Throws Error{kFileUnreadable} (M02, M04, M05) or Error{kBadMesh} (M06, M08).
 void requirePlausibleFile(const std::filesystem::path& file, std::string_view extension);
 
-/// Check a whole file of one format; `where` names the file.
+/// Checks a whole PLY file; `where` names it. Throws as requirePlausibleFile.
 void requirePlausiblePly(std::string_view bytes, const std::string& where);
+/// Checks a whole OFF file; `where` names it. Throws as requirePlausibleFile.
 void requirePlausibleOff(std::string_view bytes, const std::string& where);
 
 /// Checks the first bytes of a file of `size` bytes: STL, GLB, glTF, COLLADA, OBJ.
 void requirePlausibleHead(std::string_view head, std::uint64_t size, std::string_view extension,
                           const std::string& where);
 
-/// Refuse a file: the content is not of the format; the file is shorter than its header promises; a line or
-/// row is broken; a face uses a vertex that is not there.
+/// Refuses a file whose content is not of the format.
 [[noreturn]] void refuseFormat(const std::string& where, std::string_view format, const Text& why);
+/// Refuses a file that is shorter than its header promises.
 [[noreturn]] void refuseShort(const std::string& where, const std::string& promised, std::uint64_t size);
+/// Refuses a file with a broken line or row.
 [[noreturn]] void refuseRow(const std::string& where, const std::string& row, const Text& why);
+/// Refuses a file in which a face uses a vertex that is not there.
 [[noreturn]] void refuseIndex(const std::string& where, const std::string& row, std::int64_t index,
                               std::uint64_t vertices);
 

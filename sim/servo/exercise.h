@@ -49,13 +49,15 @@ inline constexpr double kSlipWay_m = 0.020;
 /// Height above the surface at which a contact ends, so that tremor does not end it; the force ends at the
 /// surface.
 inline constexpr double kContactHysteresis_m = 0.0005;
-/// Closure above which the jaw counts as closed, and below which it counts as open.
+/// Closure above which the jaw counts as closed.
 inline constexpr double kJawCloses = 0.5;
+/// Closure below which the jaw counts as open.
 inline constexpr double kJawOpens = 0.4;
 /// Distance from the axis within which the tangential drive holds its angle.
 inline constexpr double kNearAxis_m = 0.002;
-/// Time constant of the elastic return after a release, and the angle below which the organ is at rest.
+/// Time constant of the elastic return after a release.
 inline constexpr double kReturnTime_s = 0.12;
+/// Angle below which the organ is at rest.
 inline constexpr double kAtRest_rad = 1e-3;
 
 struct ExerciseOptions {

@@ -94,8 +94,9 @@ class TorsionTable {
   /// Returns the share phi(x) / phi(g) with its slope blended over `width` about g, so that quantities that
   /// follow the slope do not jump there.
   [[nodiscard]] ValueSlope blendedShare(double x, double g, double width) const noexcept;
-  /// Returns the factor A(x); falling() returns B(x).
+  /// Returns the factor A(x).
   [[nodiscard]] ValueSlope rising(double x) const noexcept { return rising_.at(x); }
+  /// Returns the factor B(x).
   [[nodiscard]] ValueSlope falling(double x) const noexcept { return falling_.at(x); }
   /// Returns where a grasp at `g` acts: off the held ends.
   [[nodiscard]] double graspAt(double g) const noexcept;

@@ -45,8 +45,9 @@ class SolvedSections {
   [[nodiscard]] double sag_m2(double arc_m) const;
   [[nodiscard]] double maxShear_m(double arc_m) const;
   [[nodiscard]] std::array<double, 2> shearCentre_m(double arc_m) const;
-  /// Returns psi on kAngles ridge angles at an arc length; the function below |tau|.
+  /// Returns psi on kAngles ridge angles at an arc length.
   [[nodiscard]] std::vector<double> warping_m2(double arc_m) const;
+  /// Returns |tau| on kAngles ridge angles at an arc length.
   [[nodiscard]] std::vector<double> shear_m(double arc_m) const;
 
  private:
