@@ -27,7 +27,8 @@ struct TTest {
 /// Compares two means with pooled variance by Student's t test. Undefined as welchT.
 [[nodiscard]] Outcome<TTest> studentT(std::span<const double> x, std::span<const double> y,
                                       double confidence = kUsualConfidence);
-/// Compares paired values by the t test of their differences. Undefined without variation.
+/// Compares paired values by the t test of their differences. Undefined for fewer than two pairs or
+/// differences that do not vary.
 [[nodiscard]] Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y,
                                      double confidence = kUsualConfidence);
 
