@@ -16,6 +16,7 @@
 #include "app/gui/screenshot.h"
 #include "app/gui/shell/all_pages.h"
 #include "app/gui/shell/shell_window.h"
+#include "app/report/typeface.h"
 #include "app/session/assets.h"
 #include "app/session/build_info.h"
 #include "app/session/trial_store.h"
@@ -254,6 +255,7 @@ int runWindow(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("torsio"));
   QApplication::setApplicationVersion(QString::fromStdString(softwareVersion()));
   QApplication application(argc, argv);
+  useTypeface(application);
   const WindowOptions options = parse(QApplication::arguments());
   return options.simulator ? runSimulator(options) : runShell(options);
 }

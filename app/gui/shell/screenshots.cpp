@@ -20,6 +20,7 @@
 #include "app/gui/shell/lock_panel.h"
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/sign_in_panel.h"
+#include "app/report/typeface.h"
 #include "app/session/access/first_run.h"
 #include "app/session/assets.h"
 #include "sim/base/error.h"
@@ -304,6 +305,7 @@ int runScreenshots(int argc, char** argv) {
   }
   SceneView::prepareGraphics();
   QApplication application(argc, argv);
+  useTypeface(application);
   ScreenshotsRequest request = parse(QApplication::arguments());
   request.progress = [](const Progress& progress) {
     std::fprintf(stderr, "torsio: %s\n", progress.step.str().c_str());
