@@ -15,7 +15,8 @@
 
 namespace torsio {
 
-/// The instrument as the collision sees it: a sphere at the tip of a shaft.
+/// The instrument of an exercise, from its file (assets/instruments/<id>.json). Its shape in the tick:
+/// ToolShape.
 struct Instrument {
   std::string id = "grasper";
   double tipRadius_m = 0.0025;

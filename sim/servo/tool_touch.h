@@ -13,7 +13,8 @@
 
 namespace torsio {
 
-/// The jaw of assets/instruments/grasper.json: hinge behind the tip, turn of each blade when it is open.
+/// The jaw of assets/instruments/grasper.json: hinge behind the tip, turn of each blade when it is open. A
+/// test compares them with the file (ToolTouch, TheJawOfTheTickIsThatOfTheShippedGrasper).
 inline constexpr double kJawLength_m = 0.020;
 inline constexpr double kJawOpening_rad = 25.0 * kDegree;
 /// A blade is thinner than the closed jaw: share of the tip's radius.
