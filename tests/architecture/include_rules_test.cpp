@@ -78,7 +78,10 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"app/session",
        {"sim/base", "sim/geometry", "sim/tissue", "sim/device", "sim/record", "sim/scene", "sim/servo",
         "assessment/scoring", "assessment/statistics", "assessment/metrics", "assessment/study",
-        "assessment/report", "db/connection", "db/migrations", "db/repository", "app/report"}},
+        "assessment/report", "db/connection", "db/migrations", "db/repository", "app/recording",
+        "app/report"}},
+      {"app/recording",
+       {"sim/base", "sim/device", "sim/record", "sim/scene", "sim/servo", "db/repository", "app/session"}},
       {"app/report", {"sim/base", "assessment/report"}},
       {"app/cli",
        {"sim/base", "sim/geometry", "sim/tissue", "sim/record", "sim/scene", "assessment/scoring",
@@ -86,8 +89,8 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "app/report"}},
       {"app/gui",
        {"sim/base", "sim/geometry", "sim/tissue", "sim/device", "sim/record", "sim/scene", "sim/servo",
-        "assessment/scoring", "assessment/metrics", "assessment/study", "assessment/report", "app/session",
-        "app/report"}},
+        "assessment/scoring", "assessment/metrics", "assessment/study", "assessment/report", "app/recording",
+        "app/session", "app/report"}},
       {"app/main.cpp", {"app/cli", "app/gui", "app/session"}},
   };
   return kAllowed;

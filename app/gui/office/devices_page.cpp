@@ -69,7 +69,7 @@ void DevicesPage::check() {
       },
       [this, result] {
         result_ = *result;
-        if (StationLine* line = shell().line(); line != nullptr)
+        if (StationWriter* line = shell().line(); line != nullptr)
           line->showDevice(stationDevice(hapticReadiness(*result), shell().workplace().now_us()));
         show();
       });

@@ -85,11 +85,11 @@ void ShellWindow::settle() {
 }
 
 void ShellWindow::startLine() {
-  line_ = std::make_unique<StationLine>(key(), setup_.linePatience);
+  line_ = std::make_unique<StationWriter>(key(), setup_.linePatience);
   answered_ = true;
   settleDue_ = false;
   if (desk_ != nullptr) desk_->context().setLine(line_.get());
-  beat();
+  heartbeat();
 }
 
 /// After the database was away: recordings of the meantime wait in files.

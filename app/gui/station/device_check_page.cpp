@@ -107,7 +107,7 @@ void DeviceCheckPage::check() {
 
 void DeviceCheckPage::found(const DeviceReadiness& readiness) {
   StationDesk::of(shell()).readiness = readiness;
-  if (StationLine* line = shell().line(); line != nullptr)
+  if (StationWriter* line = shell().line(); line != nullptr)
     line->showDevice(stationDevice(readiness, shell().workplace().now_us()));
 }
 

@@ -39,7 +39,7 @@ using torsio::testing::TrainingCentre;
 TEST(Station, WhatTheDeviceCheckFoundStandsOnTheBoardOfTheDay) {
   TrainingCentre centre;
   Station station(centre);
-  StationLine line({centre.locator(), "station 1", centre.workplace().actor()});
+  StationWriter line({centre.locator(), "station 1", centre.workplace().actor()});
   station.shell().setLine(&line);
   station.light = Light::kRed;
 
