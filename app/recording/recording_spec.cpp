@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recording/recording_spec.h"
 
-#include "app/session/build_info.h"
+#include "app/base/build_info.h"
 #include "sim/servo/servo_loop.h"
 
 namespace torsio {

@@ -6,12 +6,12 @@
 #include <cstdio>
 #include <ctime>
 
+#include "app/recording/expert_run.h"
 #include "app/recording/recorded_run.h"
-#include "app/session/training/attempts.h"
-#include "app/session/training/debrief.h"
-#include "app/session/training/expert_run.h"
+#include "app/training/attempts.h"
+#include "app/training/debrief.h"
 #include "sim/base/tick_period.h"
-#include "sim/device/scripted_hand.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/sample_codec.h"
 #include "sim/servo/hand_task.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the simulator may do at each stage, and what comes of it.
-#include "app/gui/simulation_stage.h"
+#include "app/gui/simulator/simulation_stage.h"
 
 #include <functional>
 #include <memory>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/gui/simulation_controller.h"
+#include "app/gui/simulator/simulation_controller.h"
 #include "sim/record/memory_trial_sink.h"
 #include "tests/app/gui/bar_view.h"
 

@@ -7,12 +7,12 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
-#include "app/gui/scripted_twist.h"
-#include "app/gui/trial_playback.h"
-#include "app/gui/trial_recording.h"
+#include "app/gui/simulator/scripted_twist.h"
+#include "app/gui/simulator/trial_playback.h"
+#include "app/gui/simulator/trial_recording.h"
 #include "app/recording/recorded_run.h"
 #include "sim/base/error.h"
-#include "sim/device/pointer_device.h"
+#include "sim/device/virtual/pointer_device.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/sample_codec.h"
 #include "sim/servo/replay_trial.h"

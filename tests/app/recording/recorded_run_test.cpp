@@ -8,13 +8,13 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/build_info.h"
-#include "app/session/pipeline.h"
-#include "app/session/training/expert_run.h"
+#include "app/base/build_info.h"
+#include "app/recording/expert_run.h"
+#include "app/recording/pipeline.h"
 #include "sim/base/error.h"
 #include "sim/base/tick_period.h"
-#include "sim/device/pointer_device.h"
-#include "sim/device/scripted_hand.h"
+#include "sim/device/virtual/pointer_device.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/sample_codec.h"

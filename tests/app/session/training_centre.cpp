@@ -3,14 +3,14 @@
 
 #include <utility>
 
+#include "app/base/build_info.h"
 #include "app/recording/recorded_run.h"
-#include "app/session/build_info.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/access_repository.h"
 #include "db/repository/people_repository.h"
 #include "db/repository/trial_repository.h"
 #include "sim/base/tick_period.h"
-#include "sim/device/scripted_hand.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "tests/sim/servo/bar_scene.h"
 

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "app/recording/recorded_run.h"
-#include "app/session/training/run_session.h"
+#include "app/training/run_session.h"
 #include "sim/base/tick_period.h"
-#include "sim/device/scripted_hand.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "tests/app/session/training_centre.h"
 

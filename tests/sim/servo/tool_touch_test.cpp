@@ -17,7 +17,7 @@
 
 #include "sim/base/file_io.h"
 #include "sim/base/random.h"
-#include "sim/geometry/mesh_import.h"
+#include "sim/geometry/mesh/mesh_import.h"
 #include "tests/sim/servo/bar_scene.h"
 
 namespace torsio {
