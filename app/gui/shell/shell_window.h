@@ -19,7 +19,7 @@
 #include "app/gui/shell/desk.h"
 #include "app/gui/shell/first_run_panel.h"
 #include "app/gui/shell/preferences.h"
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 
 class QLabel;
 class QStackedWidget;

@@ -16,8 +16,8 @@
 #include "app/gui/shell/shell_window.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
-#include "app/recording/station_line.h"
 #include "app/recording/station_start.h"
+#include "app/recording/station_writer.h"
 
 namespace torsio::gui {
 

@@ -16,7 +16,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 #include "app/training/run_session.h"
 
 namespace torsio::gui {

@@ -24,7 +24,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/level_bar.h"
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {

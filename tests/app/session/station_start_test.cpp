@@ -10,7 +10,7 @@
 
 #include "app/base/build_info.h"
 #include "app/recording/recording_host.h"
-#include "app/recording/station_pulse.h"
+#include "app/recording/station_heartbeat.h"
 #include "app/recording/trial_store.h"
 #include "app/training/run_session.h"
 #include "db/repository/audit_repository.h"

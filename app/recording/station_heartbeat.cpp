@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/recording/station_pulse.h"
+#include "app/recording/station_heartbeat.h"
 
 #include "app/base/build_info.h"
 #include "db/repository/station_repository.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A database that hangs: nobody who looks at a window may wait for it, and nothing that was recorded is lost.
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 
 #include <condition_variable>
 #include <mutex>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 
 #include <condition_variable>
 #include <deque>
@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "app/recording/station_pulse.h"
+#include "app/recording/station_heartbeat.h"
 #include "sim/base/error.h"
 
 namespace torsio {
