@@ -128,6 +128,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"assessment/metrics", {"assessment/statistics", "sim/base"}},
       {"assessment/report", {"assessment/scoring", "assessment/statistics", "sim/base"}},
       {"assessment/scoring", {"sim/base"}},
+      {"assessment/rating", {"sim/base", "assessment/scoring"}},
       {"assessment/statistics", {"sim/base"}},
       {"assessment/study", {"assessment/scoring", "sim/base"}},
       {"db/connection", {"sim/base"}},
