@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/geometry/mesh/rounded_end.h"
+#include "sim/geometry/lattice/rounded_end.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "sim/base/portable_math.h"
-#include "sim/geometry/mesh/level_loops.h"
+#include "sim/geometry/lattice/level_loops.h"
 
 namespace torsio {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/geometry/mesh/end_caps.h"
+#include "sim/geometry/lattice/end_caps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
 #include "sim/geometry/mesh/flat_faces.h"
-#include "sim/geometry/mesh/rounded_end.h"
+#include "sim/geometry/lattice/rounded_end.h"
 
 namespace torsio {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/geometry/mesh/level_loops.h"
+#include "sim/geometry/lattice/level_loops.h"
 
 #include <algorithm>
 
