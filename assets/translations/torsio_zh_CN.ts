@@ -816,12 +816,24 @@
 <context>
     <name>Services</name>
     <message>
+        <source>Choose another name</source>
+        <translation>请另选名称</translation>
+    </message>
+    <message>
         <source>Effectiveness</source>
         <translation>有效性</translation>
     </message>
     <message>
         <source>Force feedback</source>
         <translation>力反馈</translation>
+    </message>
+    <message>
+        <source>Give every occasion another code</source>
+        <translation>请为每个评分时点指定不同的代码</translation>
+    </message>
+    <message>
+        <source>Occasion of scoring added</source>
+        <translation>已添加评分时点</translation>
     </message>
     <message>
         <source>Real-time performance</source>
@@ -850,6 +862,14 @@
     <message>
         <source>Texture</source>
         <translation>纹理质感</translation>
+    </message>
+    <message>
+        <source>an occasion has no code of its own</source>
+        <translation>某个评分时点没有自己的代码</translation>
+    </message>
+    <message>
+        <source>another occasion has this name</source>
+        <translation>另一评分时点已使用此名称</translation>
     </message>
     <message>
         <source>interns</source>
@@ -3780,6 +3800,10 @@
         <translation>无法读取步骤编号或 compatible_from</translation>
     </message>
     <message>
+        <source>occasion</source>
+        <translation>评分时点</translation>
+    </message>
+    <message>
         <source>on target every time, held steadily, gentle throughout</source>
         <translation>每次都达到目标，保持稳定，始终轻柔</translation>
     </message>
@@ -4366,6 +4390,10 @@
     <message>
         <source>the number %1 stands on line %2 already</source>
         <translation>编号 %1 已在第 %2 行出现</translation>
+    </message>
+    <message>
+        <source>the occasion has no name</source>
+        <translation>评分时点没有名称</translation>
     </message>
     <message>
         <source>the organ has no longest direction: its two largest extents are as %1 to 1, at least 1.2 is needed</source>
@@ -10111,6 +10139,18 @@ MSM = 质点弹簧</translation>
         <source>No curriculum yet. Begin with the template of the paper&apos;s three arms.</source>
         <translation>尚无课程。可从论文的三组方案模板开始。</translation>
     </message>
+    <message>
+        <source>Add an occasion</source>
+        <translation>添加评分时点</translation>
+    </message>
+    <message>
+        <source>It comes after all others, for every curriculum from now on, and is never taken away. What is it called?</source>
+        <translation>它排在所有其他评分时点之后，今后的所有课程均可使用，且不会被移除。它叫什么名称？</translation>
+    </message>
+    <message>
+        <source>Occasion added: %1</source>
+        <translation>已添加评分时点：%1</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::CurriculumEditor</name>
@@ -10163,6 +10203,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>What is still to mend</source>
         <translation>尚待修正</translation>
+    </message>
+    <message>
+        <source>&amp;Add an occasion…</source>
+        <translation>添加评分时点(&amp;A)…</translation>
     </message>
 </context>
 <context>
