@@ -38,6 +38,7 @@ const Words& peopleWords() {
       {"consent.own", Text("Decided about their own consent")},
       {"transcript.make", Text("Training transcript made")},
       {"retention.rule", Text("Rule for keeping records changed")},
+      {"retention.remove_rule", Text("Rule for keeping records taken away")},
       {"retention.lock", Text("Record locked against erasing")},
       {"retention.extend", Text("Record kept longer")},
       {"retention.release", Text("Record released for erasing")},

@@ -180,7 +180,7 @@ void CurriculumEditor::retranslate() {
   pointsText_->setText(
       tr("When the raters score everybody, counted in minutes of training (rest does not "
          "count). The paper scores before, after 20 and after 40 minutes."));
-  addOccasion_->setText(tr("&Add an occasion\u2026"));
+  addOccasion_->setText(tr("Add an &occasion\u2026"));
   namePoints();
   exercises_->retranslate();
   groups_->retranslate();

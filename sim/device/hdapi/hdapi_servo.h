@@ -20,8 +20,7 @@
 namespace torsio {
 
 /// Called once a tick in the vendor's servo thread, between the reading and the sending of a frame. noexcept
-/// by contract; no allocation, no lock. A ServoCallback is driven by
-/// `{[](void* self, std::int64_t) { (void)ServoCallback::invoke(self); }, &callback}`.
+/// by contract; no allocation, no lock.
 struct HdapiTick {
   void (*run)(void* context, std::int64_t time_us) = nullptr;
   void* context = nullptr;

@@ -137,6 +137,8 @@ std::vector<ServiceCall> officeCalls() {
       {O::kRetentionManage, "eraseDue, on trial",
        [](Workplace& w, Path) { (void)eraseDue(w, {}, "", true); }},
       {O::kRetentionManage, "retentionRules", [](Workplace& w, Path) { (void)retentionRules(w); }},
+      {O::kRetentionManage, "removeRetentionRule",
+       [](Workplace& w, Path) { removeRetentionRule(w, kNoSuch); }},
       {O::kRetentionManage, "setRetentionRule",
        [](Workplace& w, Path) { setRetentionRule(w, kNoSuch, 30, "law"); }},
       {O::kRetentionManage, "extendRecord", [](Workplace& w, Path) { extendRecord(w, kNoSuch, 0, "why"); }},
