@@ -20,9 +20,13 @@ struct ScoreScale {
 /// 1e6.
 void validateScale(const ScoreScale& scale);
 
-/// Converts a decimal number in points ("7.5") to steps. Throws Error{kBadData} with `where` when the text
-/// is no plain decimal (a decimal comma, "nan", an exponent), lies between two steps, or lies outside the
-/// scale.
+/// Says whether a scale has a score of so many steps.
+[[nodiscard]] constexpr bool isOnScale(std::int64_t steps, const ScoreScale& scale) noexcept {
+  return steps >= scale.lo && steps <= scale.hi;
+}
+
+/// A decimal number in points ("7.5") as steps. Throws Error{kBadData} with `where` when the text is no plain
+/// decimal (a decimal comma, "nan", an exponent), lies between two steps, or lies outside the scale.
 [[nodiscard]] std::int64_t stepsFromText(std::string_view text, const ScoreScale& scale,
                                          const std::string& where);
 

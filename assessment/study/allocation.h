@@ -23,6 +23,11 @@ enum class AllocationMethod {
   kMinimisation,      ///< Pocock and Simon 1975: the arm that leaves the margins most even, with chance
 };
 
+/// Says whether a method balances by factors: strata, or margins of minimisation.
+[[nodiscard]] bool usesFactors(AllocationMethod method) noexcept;
+/// Says whether a method draws block by block and so needs block sizes.
+[[nodiscard]] bool usesBlocks(AllocationMethod method) noexcept;
+
 enum class Imbalance { kRange, kVariance };
 
 /// Something known of a person before allocation: sex, experience.

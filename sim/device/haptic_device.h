@@ -18,6 +18,8 @@ struct DeviceCapabilities {
   Vec3 workspaceMax_m{10.0, 10.0, 10.0};
   bool rendersForce = false;  ///< false: force is shown, not felt
   bool realTime = true;       ///< false: may be driven faster than the wall clock
+  /// How its motion becomes the twist. Not every device can be led round an organ.
+  TwistDrive drive = TwistDrive::kTangential;
 };
 
 /// A hand-held device with up to six sensed degrees of freedom and a three-axis force. Vendor types never

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/base/live_types.h"
+#include "sim/base/tick_period.h"
 
 namespace torsio {
 
@@ -38,9 +39,10 @@ struct TrialHeader {
   TwistDrive drive = TwistDrive::kTangential;
   double targetAngle_rad = 0.0;
   double forceScale = 1.0;
-  std::int64_t tickPeriod_us = 1000;
+  std::int64_t tickPeriod_us = kTickPeriod_us;
   std::int64_t startedUtc_us = 0;
   bool demonstration = false;  ///< simulated people: shown as such everywhere
+  friend bool operator==(const TrialHeader&, const TrialHeader&) = default;
 };
 
 /// One second of samples, encoded (sample_codec.h). Immutable once made.

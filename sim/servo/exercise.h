@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "sim/base/live_types.h"
+#include "sim/base/tick_period.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/contact_coupling.h"
 #include "sim/servo/tool_touch.h"
@@ -62,9 +63,9 @@ inline constexpr double kAtRest_rad = 1e-3;
 
 struct ExerciseOptions {
   TwistDrive drive = TwistDrive::kTangential;
-  double maxStiffness_N_per_m = 500.0;  ///< of the device; > 0
-  std::int64_t tickPeriod_us = 1000;    ///< > 0
-  std::uint32_t rules = kServoRules;    ///< 1 .. kServoRules: older ones replay older trials
+  double maxStiffness_N_per_m = 500.0;          ///< of the device; > 0
+  std::int64_t tickPeriod_us = kTickPeriod_us;  ///< > 0
+  std::uint32_t rules = kServoRules;            ///< 1 .. kServoRules: older ones replay older trials
 };
 
 /// Answer of the exercise in one tick.

@@ -7,6 +7,7 @@
 #include "sim/base/latest_value.h"
 #include "sim/base/live_types.h"
 #include "sim/base/spsc_ring.h"
+#include "sim/base/tick_period.h"
 #include "sim/device/haptic_device.h"
 #include "sim/device/safety/force_governor.h"
 #include "sim/device/safety/passivity.h"
@@ -20,11 +21,14 @@ struct ServoOptions {
   TwistDrive drive = TwistDrive::kTangential;
   double targetAngle_rad = 0.0;
   double forceScale = 1.0;  ///< 0..1, shown; the material is never rescaled
-  std::int64_t tickPeriod_us = 1000;
+  std::int64_t tickPeriod_us = kTickPeriod_us;
   std::uint32_t rules = kServoRules;  ///< 1 .. kServoRules; older ones replay older trials
 };
 
-/// Returns the part of the device's capabilities that a trial must remember (TrialHeader::deviceLimits).
+/// Gives the options with which a trial of this header runs, when it is recorded and when it is replayed.
+[[nodiscard]] ServoOptions servoOptions(const TrialHeader& header) noexcept;
+
+/// The part of the device's capabilities that a trial must remember (TrialHeader::deviceLimits).
 [[nodiscard]] DeviceLimits deviceLimits(const DeviceCapabilities& capabilities) noexcept;
 
 /// One exercise at 1 kHz. The loop has no thread: ServoThread calls tick() on deadlines, replay and tests

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "sim/base/live_types.h"
+#include "sim/base/tick_period.h"
 
 namespace torsio {
 
@@ -23,7 +24,7 @@ struct GovernorLimits {
   double continuousForce_N = 0.88;           ///< may be held for ever; 0 < continuous <= maximum
   Vec3 workspaceMin_m{-10.0, -10.0, -10.0};  ///< usable box, world frame
   Vec3 workspaceMax_m{10.0, 10.0, 10.0};
-  std::int64_t tickPeriod_us = 1000;  ///< > 0
+  std::int64_t tickPeriod_us = kTickPeriod_us;  ///< > 0
 };
 
 /// Longest gap between ticks after which force is still let through; after a longer one the coupling starts

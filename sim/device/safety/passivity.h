@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "sim/base/live_types.h"
+#include "sim/base/tick_period.h"
 
 namespace torsio {
 
@@ -15,7 +16,7 @@ namespace torsio {
 inline constexpr double kLargestDamping_Ns_per_m = 4.0;
 
 struct PassivityOptions {
-  std::int64_t tickPeriod_us = 1000;  ///< > 0
+  std::int64_t tickPeriod_us = kTickPeriod_us;  ///< > 0
   /// Ticks between the tick that computes a force and the way of the hand that it acts on; 0: at once. At
   /// most kLongestLatency_ticks.
   int latency_ticks = 0;
