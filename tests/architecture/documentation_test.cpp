@@ -123,40 +123,4 @@ TEST(Documentation, EveryLinkLeadsToAFile) {
   EXPECT_GT(links, 40U);  // the guide alone has more: the expression finds them
 }
 
-/// Paths of the project that stand between code marks, `sim/base/text.h`, outside code blocks. Patterns and
-/// places to fill in (`NNNN_<name>.sql`) are none.
-std::vector<std::string> namedPaths(std::istream& document) {
-  static const std::regex kPath(R"(`((app|assessment|assets|db|docs|sim|tests|tools)/[A-Za-z0-9_./-]*)`)");
-  std::vector<std::string> paths;
-  bool fenced = false;
-  for (std::string line; std::getline(document, line);) {
-    if (line.find("```") != std::string::npos) {
-      fenced = !fenced;
-    }
-    if (fenced) {
-      continue;
-    }
-    for (std::sregex_iterator path(line.begin(), line.end(), kPath); path != std::sregex_iterator(); ++path) {
-      if ((*path)[1].str().find("NNNN") == std::string::npos) {
-        paths.push_back((*path)[1]);
-      }
-    }
-  }
-  return paths;
-}
-
-TEST(Documentation, EveryPathBetweenCodeMarksExists) {
-  const fs::path root = TORSIO_SOURCE_DIR;
-  std::size_t paths = 0;
-  for (const fs::path& document : documents()) {
-    std::ifstream in(document);
-    for (const std::string& path : namedPaths(in)) {
-      ++paths;
-      EXPECT_TRUE(fs::exists(root / path))
-          << document.string() << " names " << path << ", which is not there";
-    }
-  }
-  EXPECT_GT(paths, 100U);  // the table of folders and the glossary alone have more: the expression finds them
-}
-
 }  // namespace
