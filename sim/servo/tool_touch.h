@@ -14,7 +14,7 @@
 namespace torsio {
 
 /// Distance of the jaw's hinge behind the tip: `jaws.pivot_mm` of assets/instruments/grasper.json, as
-/// tests/sim/servo/shipped_scenes_test.cpp checks.
+/// tests/sim/servo/tool_touch_test.cpp checks.
 inline constexpr double kJawLength_m = 0.020;
 /// Turn of each blade when the jaw is open: `jaws.opening_deg` of the same file.
 inline constexpr double kJawOpening_rad = 25.0 * kDegree;
