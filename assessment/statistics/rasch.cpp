@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <set>
+#include <tuple>
 
 #include <Eigen/Dense>
 
+#include "assessment/statistics/cone.h"
 #include "sim/base/error.h"
 #include "sim/base/text.h"
 
@@ -19,7 +23,6 @@ using Eigen::Index;
 
 constexpr int kMaxIterations = 200;
 constexpr double kConverged = 1e-12;  // largest Newton step, logits
-constexpr double kAtInfinity = 40.0;  // no rating scale reaches this many logits
 
 /// Probabilities of the categories at location ability - severity.
 struct Category {
@@ -216,7 +219,104 @@ class JointModel {
   std::vector<std::size_t> raters_;
 };
 
-/// Newton with step halving; the log-likelihood is concave. Empty when the maximum lies at infinity.
+/// Two marks of one person bound the severities of the two raters and the thresholds: see boundsOn().
+struct Bound {
+  std::size_t rater;
+  int from;  ///< threshold that the mark of `rater` has passed
+  std::size_t other;
+  int to;  ///< threshold that the mark of `other` has not passed
+
+  friend auto operator<=>(const Bound&, const Bound&) = default;
+};
+
+/// Every pair of marks of one person, the harshest bounds only.
+std::set<Bound> tightestBounds(const Plan& plan, const JointModel& model) {
+  std::map<std::tuple<std::size_t, std::size_t, int>, int> lowest;  // rater, other, from -> to
+  for (const std::size_t n : model.persons()) {
+    for (std::size_t j = 0; j < model.raters().size(); ++j) {
+      for (std::size_t k = 0; k < model.raters().size(); ++k) {
+        if (!plan.used(n, model.raters()[j]) || !plan.used(n, model.raters()[k])) {
+          continue;
+        }
+        const int from = *plan.ratings_[n][model.raters()[j]];
+        const int to = *plan.ratings_[n][model.raters()[k]] + 1;
+        if (from >= 1 && to <= plan.highest_) {
+          const auto [found, isNew] = lowest.emplace(std::tuple{j, k, from}, to);
+          found->second = std::min(found->second, to);
+        }
+      }
+    }
+  }
+  std::set<Bound> bounds;
+  for (const auto& [key, to] : lowest) {
+    const auto& [rater, other, from] = key;
+    bounds.insert({rater, from, other, to});
+  }
+  return bounds;
+}
+
+/// Where the likelihood keeps rising for ever, if it does: severities, then thresholds, the first of each
+/// held at 0. Every category is used and nobody is extreme.
+///
+/// The likelihood rises or stays level along a change of abilities a, severities b and thresholds t exactly
+/// when no rating becomes less likely far out: t_m <= a_n - b_r <= t_(m+1) for every mark m of a rater r on a
+/// person n (for m = 0 only the right, for the highest only the left side). Some a_n fits between the bounds
+/// of person n exactly when b_r + t_m <= b_s + t_(l+1) for any two of the marks m and l, of raters r and s.
+/// The maximum exists and is the only one when b = 0, t = 0 alone satisfies these.
+std::optional<std::vector<double>> endlessRise(const Plan& plan, const JointModel& model) {
+  const std::size_t raters = model.raters().size();
+  std::vector<SparseRow> rows;
+  for (const Bound& bound : tightestBounds(plan, model)) {
+    std::map<std::size_t, int> row;
+    const auto add = [&](std::size_t unknown, int coefficient) {
+      if (unknown > 0) {
+        row[unknown - 1] += coefficient;
+      }
+    };
+    const auto threshold = [&](int which) {
+      return which == 1 ? 0 : raters + static_cast<std::size_t>(which) - 2;
+    };
+    add(bound.rater, 1);
+    add(bound.other, -1);
+    add(threshold(bound.from), 1);
+    add(threshold(bound.to), -1);
+    std::erase_if(row, [](const auto& entry) { return entry.second == 0; });
+    if (!row.empty()) {
+      rows.emplace_back(row.begin(), row.end());
+    }
+  }
+  return directionWithin(rows, raters + static_cast<std::size_t>(plan.highest_) - 2);
+}
+
+/// "rater 3 and the thresholds": the raters that leave the others behind, and whether thresholds part.
+std::string endlessNames(const std::vector<double>& direction, const JointModel& model) {
+  const std::size_t raters = model.raters().size();
+  std::vector<double> severities{0.0};
+  severities.insert(severities.end(), direction.begin(), direction.begin() + std::ssize(model.raters()) - 1);
+  const auto alike = [&](double severity) {
+    return std::count(severities.begin(), severities.end(), severity);
+  };
+  const double usual = *std::max_element(severities.begin(), severities.end(),
+                                         [&](double a, double b) { return alike(a) < alike(b); });
+  std::vector<std::string> names;
+  for (std::size_t j = 0; j < raters; ++j) {
+    if (severities[j] != usual) {
+      names.push_back("rater " + std::to_string(model.raters()[j] + 1));
+    }
+  }
+  if (std::any_of(direction.begin() + std::ssize(model.raters()) - 1, direction.end(),
+                  [](double threshold) { return threshold != 0.0; })) {
+    names.emplace_back("the thresholds");
+  }
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  }
+  return out;
+}
+
+/// Newton with step halving; the log-likelihood is concave and has one maximum. Empty when rounding keeps the
+/// iteration from settling.
 std::optional<int> maximise(const JointModel& model, Eigen::VectorXd& x) {
   Eigen::VectorXd gradient;
   Eigen::MatrixXd information;
@@ -232,7 +332,6 @@ std::optional<int> maximise(const JointModel& model, Eigen::VectorXd& x) {
       next = model.evaluate(x + step, nullptr, nullptr);
     }
     x += step;
-    if (x.cwiseAbs().maxCoeff() > kAtInfinity) return std::nullopt;
     value = model.evaluate(x, &gradient, &information);
     if (step.cwiseAbs().maxCoeff() < kConverged) return iteration;
   }
@@ -311,10 +410,16 @@ Outcome<RaschResult> manyFacetRasch(const Ratings& ratings, int highest) {
     if (!seen[k])
       return Undefined::undefined(
           filledIn("category %1 is never used: collapse categories first", {std::to_string(k)}));
+  if (const auto direction = endlessRise(plan, model)) {
+    return Undefined::undefined(
+        filledIn("the likelihood has no finite maximum: nothing in the ratings bounds %1",
+                 {endlessNames(*direction, model)}));
+  }
   Eigen::VectorXd x = Eigen::VectorXd::Zero(model.size());
   const std::optional<int> iterations = maximise(model, x);
-  if (!iterations)
-    return Undefined::undefined("the likelihood has no finite maximum: the data are too orderly");
+  if (!iterations) {
+    return Undefined::undefined("the estimates lie too far apart to be computed");
+  }
   RaschResult out;
   out.iterations = *iterations;
   for (const RaschStatus status : plan.persons) {
