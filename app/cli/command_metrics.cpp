@@ -13,8 +13,8 @@
 #include "app/session/replay_service.h"
 #include "app/session/trial_trace.h"
 #include "assessment/metrics/metric_cards.h"
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
-#include "sim/base/portable_math.h"
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial_file.h"
 #include "sim/scene/scene.h"
@@ -97,7 +97,7 @@ Scene sceneOf(const MetricsArguments& arguments, const TrialHeader& header) {
 void runMetrics(MetricsArguments arguments) {
   const Trial trial = loadTrial(arguments);
   const std::vector<Sample> samples = decodeTrial(trial);
-  arguments.options.tolerance_rad = arguments.tolerance_deg * kDegree;
+  arguments.options.tolerance_rad = radians(arguments.tolerance_deg);
   std::optional<Scene> scene;
   if (arguments.scene || arguments.options.shearLimit_Pa) scene = sceneOf(arguments, trial.header);
   const MeasuredTrial measured =

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "sim/base/angle.h"
 #include "sim/base/portable_math.h"
 
 namespace torsio {
 
 /// The gimbal's third joint turns by this much to either side of neutral (published for the Omni and Touch).
-inline constexpr double kRollRange_rad = 150.0 * kDegree;
+inline constexpr double kRollRange_rad = radians(150.0);
 /// The joint counts as being at its stop within this angle of it: noise of a potentiometer and calibration.
-inline constexpr double kRollStopMargin_rad = 2.0 * kDegree;
+inline constexpr double kRollStopMargin_rad = radians(2.0);
 
 /// Turn of the stylus about its own axis from gimbal angle 3: unwrapped, right-handed about the stylus's z
 /// axis (hence minus the clockwise gimbal angle), counted from the docked reference once there is one. Servo

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "sim/base/angle.h"
 #include "sim/base/device_sample.h"
 #include "sim/geometry/segment.h"
 #include "sim/geometry/surface_point.h"
@@ -15,7 +16,7 @@ namespace torsio {
 
 /// The jaw of assets/instruments/grasper.json: hinge behind the tip, turn of each blade when it is open.
 inline constexpr double kJawLength_m = 0.020;
-inline constexpr double kJawOpening_rad = 25.0 * kDegree;
+inline constexpr double kJawOpening_rad = radians(25.0);
 /// A blade is thinner than the closed jaw: share of the tip's radius.
 inline constexpr double kBladeShare = 0.6;
 /// Surfaces farther from blade and shaft than this are not looked for.

@@ -8,6 +8,7 @@
 #include "assets/organs/generate/arm_shape.h"
 #include "assets/organs/generate/marching_tetrahedra.h"
 #include "assets/organs/generate/remesh.h"
+#include "sim/base/angle.h"
 #include "sim/base/portable_math.h"
 #include "sim/geometry/collision_mesh.h"
 
@@ -68,7 +69,7 @@ double edgeLength_mm(const Vec3& p, double wristZ, double websZ) {
 
 // The point of the skin that a ray from the axis meets, at height `z` and direction `angle_deg`.
 Vec3 skinAt(const ArmShape& shape, double z, double angle_deg) {
-  const SinCos a = portableSinCos(angle_deg * kDegree);
+  const SinCos a = portableSinCos(radians(angle_deg));
   double inside = 0.0;
   double outside = 80.0;
   for (int i = 0; i < 60; ++i) {
