@@ -41,8 +41,10 @@ void buildProgram(CLI::App& program) {
   addEvaluate(program);
   addLearning(program);
   addMetrics(program);
+  addPower(program);
   addReplay(program);
   addSection(program);
+  addStandardSetting(program);
   addTwist(program);
 }
 

@@ -13,6 +13,7 @@
 #include "app/session/csv_table.h"
 #include "assessment/statistics/curve_fit.h"
 #include "assessment/statistics/cusum.h"
+#include "assessment/statistics/standard_setting.h"
 #include "sim/base/error.h"
 
 namespace torsio::cli {
@@ -32,6 +33,10 @@ struct LearningArguments {
   std::optional<double> target;
   std::optional<double> sigma;
   double h = 5.0;
+  std::optional<double> threshold;
+  std::string better = "lower";
+  std::size_t consecutive = 2;
+  std::size_t further = 0;
 };
 
 constexpr std::int64_t kMostAttempts = 100'000;
@@ -118,6 +123,14 @@ Json tabularJson(const LearningArguments& arguments, const std::vector<double>& 
   return out;
 }
 
+/// The attempt with which the trainee has shown proficiency: so many in a row, and so many more after these.
+Json proficiencyJson(const LearningArguments& arguments, const std::vector<double>& t,
+                     const std::vector<double>& y) {
+  const Better better = arguments.better == "lower" ? Better::kLower : Better::kHigher;
+  const auto at = proficientAt(y, *arguments.threshold, better, arguments.consecutive, arguments.further);
+  return at ? Json(static_cast<std::int64_t>(t[*at - 1])) : undefinedJson("proficiency was not reached");
+}
+
 Json valuesJson(const LearningArguments& arguments, const CsvTable& table,
                 const std::vector<Attempts>& subjects) {
   Json list = Json::array();
@@ -143,7 +156,12 @@ Json valuesJson(const LearningArguments& arguments, const CsvTable& table,
                   {"rate_per_doubling", line.ratePerDoubling},
                   {"r_squared", line.rSquared}};
     });
-    if (arguments.target) entry["cusum"] = tabularJson(arguments, y);
+    if (arguments.target) {
+      entry["cusum"] = tabularJson(arguments, y);
+    }
+    if (arguments.threshold) {
+      entry["proficient_at"] = proficiencyJson(arguments, t, y);
+    }
     list.push_back(std::move(entry));
   }
   return {{"kind", "values"}, {"subjects", list}};
@@ -236,6 +254,22 @@ void runLearning(const LearningArguments& arguments) {
                                  : valuesJson(arguments, table, subjects));
 }
 
+void addProficiency(CLI::App& command, LearningArguments& arguments) {
+  command.add_option("--threshold", arguments.threshold, "Values: standard that a proficient trainee meets");
+  command
+      .add_option("--better", arguments.better, "Values: whether lower or higher values meet the standard")
+      ->check(CLI::IsMember({"lower", "higher"}))
+      ->capture_default_str();
+  command
+      .add_option("--consecutive", arguments.consecutive, "Values: attempts in a row that meet the standard")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command
+      .add_option("--further", arguments.further, "Values: attempts after these that meet it, not in a row")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void addLearning(CLI::App& program) {
@@ -270,7 +304,16 @@ void addLearning(CLI::App& program) {
   command->add_option("--cusum-limit", arguments->h, "Values: limit of the CUSUM in sigma")
       ->check(CLI::Range(0.1, 100.0))
       ->capture_default_str();
-  command->callback([arguments] { runLearning(*arguments); });
+  addProficiency(*command, *arguments);
+  command->callback([arguments, command] {
+    for (const char* name : {"--better", "--consecutive", "--further"}) {
+      if (command->count(name) > 0 && !arguments->threshold) {
+        throw Error(ErrorCode::kUsage, std::string(name) + " belongs to a threshold", "learning",
+                    "Give --threshold too");
+      }
+    }
+    runLearning(*arguments);
+  });
 }
 
 }  // namespace torsio::cli

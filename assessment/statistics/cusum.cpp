@@ -80,15 +80,6 @@ double averageRunLengthTwoSided(double k, double h, double shift) {
   return 1.0 / (1.0 / averageRunLengthOneSided(k, h, shift) + 1.0 / averageRunLengthOneSided(k, h, -shift));
 }
 
-double averageRunLengthSiegmund(double k, double h, double shift) {
-  const auto oneSided = [&](double drift) {
-    const double b = h + 1.166;
-    if (drift == 0.0) return b * b;
-    return (std::exp(-2.0 * drift * b) + 2.0 * drift * b - 1.0) / (2.0 * drift * drift);
-  };
-  return 1.0 / (1.0 / oneSided(shift - k) + 1.0 / oneSided(-shift - k));
-}
-
 BinaryCusum binaryCusum(const std::vector<bool>& failed, double acceptable, double unacceptable, double alpha,
                         double beta) {
   TORSIO_EXPECTS(acceptable > 0.0 && acceptable < unacceptable && unacceptable < 1.0);
@@ -174,11 +165,6 @@ RelapseWatch watchForRelapse(const std::vector<bool>& failed, const LcCusumDesig
     if (!out.alarmAt && sum >= design.limit - kRounding) out.alarmAt = out.sums.size();
   }
   return out;
-}
-
-double riskAdjustedWeight(bool failed, double predictedRisk, double oddsRatio) {
-  TORSIO_EXPECTS(predictedRisk >= 0.0 && predictedRisk <= 1.0 && oddsRatio > 0.0);
-  return (failed ? std::log(oddsRatio) : 0.0) - std::log(1.0 - predictedRisk + oddsRatio * predictedRisk);
 }
 
 }  // namespace torsio

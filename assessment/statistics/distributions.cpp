@@ -4,15 +4,11 @@
 #include <cmath>
 #include <cstdint>
 
-#include <boost/math/distributions/beta.hpp>
-#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
-#include <boost/math/distributions/hypergeometric.hpp>
 #include <boost/math/distributions/non_central_f.hpp>
 #include <boost/math/distributions/non_central_t.hpp>
 #include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/poisson.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -31,7 +27,6 @@ using Normal = bm::normal_distribution<double, Policy>;
 using StudentT = bm::students_t_distribution<double, Policy>;
 using FisherF = bm::fisher_f_distribution<double, Policy>;
 using ChiSquared = bm::chi_squared_distribution<double, Policy>;
-using Beta = bm::beta_distribution<double, Policy>;
 using NoncentralT = bm::non_central_t_distribution<double, Policy>;
 using NoncentralF = bm::non_central_f_distribution<double, Policy>;
 
@@ -85,9 +80,6 @@ double normalTwoSided(double z) {
   return 2.0 * normalUpper(std::abs(z));
 }
 
-double tCdf(double t, double df) {
-  return bm::cdf(StudentT(df), t);
-}
 double tQuantile(double p, double df) {
   TORSIO_EXPECTS(p > 0.0 && p < 1.0);
   return bm::quantile(StudentT(df), p);
@@ -96,9 +88,6 @@ double tTwoSided(double t, double df) {
   return 2.0 * bm::cdf(bm::complement(StudentT(df), std::abs(t)));
 }
 
-double fCdf(double f, double df1, double df2) {
-  return bm::cdf(FisherF(df1, df2), f);
-}
 double fUpper(double f, double df1, double df2) {
   return bm::cdf(bm::complement(FisherF(df1, df2), f));
 }
@@ -109,17 +98,6 @@ double fQuantile(double p, double df1, double df2) {
 double chiSquaredUpper(double x, double df) {
   return bm::cdf(bm::complement(ChiSquared(df), x));
 }
-double chiSquaredQuantile(double p, double df) {
-  return bm::quantile(ChiSquared(df), p);
-}
-
-double betaCdf(double x, double a, double b) {
-  return bm::cdf(Beta(a, b), x);
-}
-double betaQuantile(double p, double a, double b) {
-  return bm::quantile(Beta(a, b), p);
-}
-
 double noncentralTCdf(double t, double df, double noncentrality) {
   return bm::cdf(NoncentralT(df, noncentrality), t);
 }
@@ -145,19 +123,6 @@ double noncentralityOfT(double t, double df, double p) {
   const auto [a, b] =
       bm::tools::toms748_solve(excess, low, high, bm::tools::eps_tolerance<double>(50), iterations);
   return 0.5 * (a + b);
-}
-
-double binomialCdf(int successes, int trials, double p) {
-  return bm::cdf(bm::binomial_distribution<double, Policy>(trials, p), successes);
-}
-double poissonCdf(int events, double mean) {
-  return bm::cdf(bm::poisson_distribution<double, Policy>(mean), events);
-}
-double hypergeometricCdf(int k, int white, int black, int drawn) {
-  using Hypergeometric = bm::hypergeometric_distribution<double, Policy>;
-  return bm::cdf(Hypergeometric(static_cast<unsigned>(white), static_cast<unsigned>(drawn),
-                                static_cast<unsigned>(white + black)),
-                 static_cast<unsigned>(k));
 }
 
 double studentizedRangeUpper(double q, int groups, double df) {

@@ -86,16 +86,6 @@ std::optional<double> quantile(std::span<const double> values, double p, Quantil
   return quantileOfSorted(sorted(values), p, rule);
 }
 
-std::optional<std::array<double, 5>> tukeyFiveNumbers(std::span<const double> values) {
-  if (values.empty()) return std::nullopt;
-  const std::vector<double> x = sorted(values);
-  const double n = static_cast<double>(x.size());
-  const double depth = std::floor((n + 3.0) / 2.0) / 2.0;
-  const auto half = [&x](double d) { return 0.5 * (at(x, std::floor(d)) + at(x, std::ceil(d))); };
-  return std::array<double, 5>{x.front(), half(depth), half((n + 1.0) / 2.0), half(n + 1.0 - depth),
-                               x.back()};
-}
-
 std::optional<BoxNumbers> boxNumbers(std::span<const double> values, QuantileRule rule) {
   if (values.empty()) return std::nullopt;
   const std::vector<double> x = sorted(values);
