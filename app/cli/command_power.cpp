@@ -69,9 +69,10 @@ void requireTwoOfThree(const PowerArguments& arguments) {
   }
 }
 
-/// A size and the whole number of trainees that it takes.
-Json sizeJson(double size) {
-  return {{"exact", size}, {"needed", static_cast<std::int64_t>(std::ceil(size))}};
+/// Adds a size as computed, and the whole number of trainees that it takes.
+void addSize(Json& out, const std::string& name, double size) {
+  out[name] = size;
+  out[name + "_needed"] = static_cast<std::int64_t>(std::ceil(size));
 }
 
 Json questionJson(const PowerArguments& arguments) {
@@ -82,7 +83,11 @@ Json questionJson(const PowerArguments& arguments) {
   const double effect = arguments.effect ? *arguments.effect : design.detectable(n, *arguments.power);
   const double power = arguments.power ? *arguments.power : design.power(n, effect);
   Json out{{"test", arguments.test}, {"wanted", wanted}};
-  out["n"] = arguments.n ? Json(n) : sizeJson(n);
+  if (arguments.n) {
+    out["n"] = n;
+  } else {
+    addSize(out, "n", n);
+  }
   out["effect"] = {{"name", design.effectName}, {"value", effect}};
   out["power"] = power;
   out["alpha"] = arguments.alpha;
@@ -90,7 +95,7 @@ Json questionJson(const PowerArguments& arguments) {
     out["groups"] = arguments.groups;
   }
   if (arguments.correlation) {
-    out["n_with_covariate"] = sizeJson(sizeWithCovariate(n, *arguments.correlation));
+    addSize(out, "n_with_covariate", sizeWithCovariate(n, *arguments.correlation));
   }
   return out;
 }
@@ -101,13 +106,13 @@ Json intraclassJson(const PowerArguments& arguments) {
                 "the size of a study of agreement needs the ICC and the width of its interval",
                 "power --test icc", "Give --icc and --width");
   }
-  return {{"test", "icc"},
-          {"wanted", "targets"},
-          {"targets", sizeJson(sizeIccWidth(*arguments.icc, arguments.raters, *arguments.width))},
-          {"icc", *arguments.icc},
-          {"raters", arguments.raters},
-          {"width", *arguments.width},
-          {"confidence", kUsualConfidence}};
+  Json out{{"test", "icc"}, {"wanted", "targets"}};
+  addSize(out, "targets", sizeIccWidth(*arguments.icc, arguments.raters, *arguments.width));
+  out["icc"] = *arguments.icc;
+  out["raters"] = arguments.raters;
+  out["width"] = *arguments.width;
+  out["confidence"] = kUsualConfidence;
+  return out;
 }
 
 /// Options that would be ignored in silence.
