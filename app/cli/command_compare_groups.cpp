@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/base/csv_table.h"
 #include "app/cli/commands.h"
 #include "app/cli/comparison_methods.h"
 #include "app/cli/json_output.h"

@@ -7,10 +7,10 @@
 
 #include "sim/base/angle.h"
 #include "sim/base/device_sample.h"
-#include "sim/geometry/segment.h"
-#include "sim/geometry/surface_point.h"
+#include "sim/geometry/mesh/segment.h"
+#include "sim/geometry/query/surface_point.h"
 #include "sim/scene/scene.h"
-#include "sim/tissue/twist_model.h"
+#include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {
 

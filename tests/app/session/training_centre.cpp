@@ -3,13 +3,13 @@
 
 #include <utility>
 
-#include "app/session/build_info.h"
+#include "app/base/build_info.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/access_repository.h"
 #include "db/repository/people_repository.h"
 #include "db/repository/trial_repository.h"
 #include "sim/base/angle.h"
-#include "sim/device/scripted_hand.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/recorder.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/servo_loop.h"
