@@ -9,9 +9,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/base/csv_table.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "app/session/csv_table.h"
 #include "assessment/statistics/standard_setting.h"
 #include "sim/base/error.h"
 

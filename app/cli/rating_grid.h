@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/csv_table.h"
+#include "app/base/csv_table.h"
 #include "assessment/statistics/categorical_agreement.h"
 #include "assessment/statistics/values.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/csv_table.h"
+#include "app/base/csv_table.h"
 #include "assessment/statistics/mean_tests.h"
 
 namespace torsio::cli {
