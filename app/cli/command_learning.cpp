@@ -55,33 +55,42 @@ std::vector<Attempts> readAttempts(const CsvTable& table) {
     const std::int64_t attempt = table.whole(row, "attempt", 1, kMostAttempts);
     auto found =
         std::find_if(list.begin(), list.end(), [&](const Attempts& other) { return other.subject == name; });
-    if (found == list.end()) found = list.insert(list.end(), Attempts{name, {}});
+    if (found == list.end()) {
+      found = list.insert(list.end(), Attempts{name, {}});
+    }
     const auto [first, isNew] = found->rowOf.emplace(attempt, row);
-    if (!isNew)
+    if (!isNew) {
       table.refuse(row,
                    "attempt " + std::to_string(attempt) + " of subject \"" + name +
                        "\" is given a second time, first in " + table.where(first->second),
                    "Keep one value for each subject and attempt");
+    }
   }
   return list;
 }
 
 std::optional<bool> failedAt(const CsvTable& table, std::size_t row) {
   const std::string& text = table.cell(row, "value");
-  if (text == "pass") return false;
-  if (text == "fail") return true;
+  if (text == "pass") {
+    return false;
+  }
+  if (text == "fail") {
+    return true;
+  }
   return std::nullopt;
 }
 
 /// Whether the table holds pass and fail; both kinds together are refused.
 bool holdsOutcomes(const CsvTable& table) {
   const bool outcomes = failedAt(table, 0).has_value();
-  for (std::size_t row = 1; row < table.rows(); ++row)
-    if (failedAt(table, row).has_value() != outcomes)
+  for (std::size_t row = 1; row < table.rows(); ++row) {
+    if (failedAt(table, row).has_value() != outcomes) {
       table.refuse(row,
                    "value \"" + table.cell(row, "value") + "\" stands among " +
                        (outcomes ? "pass and fail" : "numbers"),
                    "Give either numbers or pass and fail in the whole column");
+    }
+  }
   return outcomes;
 }
 
@@ -171,11 +180,12 @@ Json valuesJson(const LearningArguments& arguments, const CsvTable& table,
 std::vector<bool> outcomesOf(const CsvTable& table, const Attempts& subject) {
   std::vector<bool> failed;
   for (const auto& [attempt, row] : subject.rowOf) {
-    if (attempt != std::ssize(failed) + 1)
+    if (attempt != std::ssize(failed) + 1) {
       table.refuse(row,
                    "subject \"" + subject.subject + "\" has attempt " + std::to_string(attempt) +
                        " but no attempt " + std::to_string(failed.size() + 1),
                    "Number the attempts 1, 2, 3 ... without gaps");
+    }
     failed.push_back(failedAt(table, row).value_or(false));
   }
   return failed;
@@ -220,11 +230,12 @@ Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
       arguments.limit
           ? arguments.limit
           : chooseLcCusumLimit(arguments.adequate, arguments.inadequate, longest, arguments.falsePass);
-  if (!limit)
+  if (!limit) {
     throw Error(ErrorCode::kBadData,
                 "no limit keeps the false pass rate below " + std::to_string(arguments.falsePass) +
                     " in so few attempts",
                 table.name(), "Record more attempts, or give --limit or a larger --false-pass");
+  }
   const LcCusumDesign design{arguments.adequate, arguments.inadequate, *limit};
   Json out{{"kind", "pass/fail"}};
   out["design"] = {{"adequate", design.adequate},
@@ -235,18 +246,21 @@ Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
                    {"pass_if_adequate", lcCusumProbability(design, design.adequate, longest)},
                    {"pass_if_inadequate", lcCusumProbability(design, design.inadequate, longest)}};
   out["subjects"] = Json::array();
-  for (std::size_t i = 0; i < subjects.size(); ++i)
+  for (std::size_t i = 0; i < subjects.size(); ++i) {
     out["subjects"].push_back(outcomeSubjectJson(arguments, design, subjects[i].subject, failed[i]));
+  }
   return out;
 }
 
 void runLearning(const LearningArguments& arguments) {
-  if (!(arguments.adequate < arguments.inadequate))
+  if (!(arguments.adequate < arguments.inadequate)) {
     throw Error(ErrorCode::kBadParameter, "the adequate failure rate must be below the inadequate one",
                 "--adequate " + std::to_string(arguments.adequate), "Give for example 0.1 and 0.2");
-  if (arguments.target.has_value() != arguments.sigma.has_value())
+  }
+  if (arguments.target.has_value() != arguments.sigma.has_value()) {
     throw Error(ErrorCode::kUsage, "a CUSUM of values needs both --target and --sigma", "learning",
                 "Give both or none");
+  }
   const CsvTable table = CsvTable::read(arguments.file, {"subject", "attempt", "value"});
   noteIgnoredColumns(table);
   const std::vector<Attempts> subjects = readAttempts(table);

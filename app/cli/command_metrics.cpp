@@ -74,7 +74,9 @@ Json cardsJson() {
 
 /// A trial file when there is one of this name, else a trial of the database.
 Trial loadTrial(const MetricsArguments& arguments) {
-  if (std::filesystem::is_regular_file(arguments.trial)) return readTrialFile(arguments.trial);
+  if (std::filesystem::is_regular_file(arguments.trial)) {
+    return readTrialFile(arguments.trial);
+  }
   return loadStoredTrial(arguments.database, arguments.trial);
 }
 
@@ -88,9 +90,10 @@ Scene sceneOf(const MetricsArguments& arguments, const TrialHeader& header) {
   wanted.organFile = chosen.organFile;
   wanted.organScale_m = chosen.organScale_m;
   Scene scene = loadScene(wanted);
-  if (scene.organHash != header.organHash)
+  if (scene.organHash != header.organHash) {
     throw Error(ErrorCode::kBadData, "this is not the organ on which the trial was recorded",
                 "trial " + header.trialId, "Give the mesh file of the recording with --organ");
+  }
   return scene;
 }
 
@@ -99,7 +102,9 @@ void runMetrics(MetricsArguments arguments) {
   const std::vector<Sample> samples = decodeTrial(trial);
   arguments.options.tolerance_rad = radians(arguments.tolerance_deg);
   std::optional<Scene> scene;
-  if (arguments.scene || arguments.options.shearLimit_Pa) scene = sceneOf(arguments, trial.header);
+  if (arguments.scene || arguments.options.shearLimit_Pa) {
+    scene = sceneOf(arguments, trial.header);
+  }
   const MeasuredTrial measured =
       measureRecordedTrial(trial.header, samples, arguments.options, scene ? &*scene : nullptr);
   Json out;
@@ -129,7 +134,9 @@ void runMetrics(MetricsArguments arguments) {
     entry["metrics"] = metricsJson(twist.metrics);
     out["twists"].push_back(std::move(entry));
   }
-  if (arguments.cards) out["cards"] = cardsJson();
+  if (arguments.cards) {
+    out["cards"] = cardsJson();
+  }
   printJson(out);
 }
 

@@ -67,7 +67,9 @@ void runTwist(const TwistArguments& arguments) {
   scene.model.deform(state, twisted.vertices_m);
   const double deform_ms = millisecondsSince(deforming);
   const TwistSummary summary = scene.model.summary(state);
-  if (!arguments.out.empty()) writePly(arguments.out, twisted);
+  if (!arguments.out.empty()) {
+    writePly(arguments.out, twisted);
+  }
 
   nlohmann::ordered_json result;
   result["organ"] = arguments.organ.organ;
@@ -87,14 +89,18 @@ void runTwist(const TwistArguments& arguments) {
   result["peak_shear_pa"] = summary.peakShear_Pa;
   result["set_up_ms"] = setUp_ms;
   result["deform_ms"] = deform_ms;
-  if (!arguments.out.empty()) result["out"] = arguments.out;
+  if (!arguments.out.empty()) {
+    result["out"] = arguments.out;
+  }
   result["profile"] = angleProfile(scene.model, state);
   if (arguments.json) {
     std::cout << result.dump(2) << '\n';
     return;
   }
   for (const auto& [key, value] : result.items()) {
-    if (!value.is_array()) std::cout << key << " = " << value.dump() << '\n';
+    if (!value.is_array()) {
+      std::cout << key << " = " << value.dump() << '\n';
+    }
   }
 }
 

@@ -76,8 +76,9 @@ Json permutationJson(const Pair& pair) {
   std::vector<double> all(pair.x.begin(), pair.x.end());
   all.insert(all.end(), pair.y.begin(), pair.y.end());
   const auto whole = asWholeNumbers(all);
-  if (!whole)
+  if (!whole) {
     return undefinedJson("the scores have more than six decimals, so they cannot be counted exactly");
+  }
   const std::span<const std::int64_t> counts(*whole);
   return outcomeJson(permutationTest(counts.first(pair.x.size()), counts.subspan(pair.x.size())),
                      [&](const PermutationTest& test) {
@@ -124,24 +125,34 @@ class Comparison {
  private:
   /// Two groups: the test itself. More: one entry a pair, with p adjusted by Holm over the pairs.
   Json pairs(const PairTest& test) const {
-    if (groups_.size() < 2) return undefinedJson("there is only one group");
-    if (groups_.size() == 2) return labelled(0, 1, test({groups_[0], groups_[1]}));
+    if (groups_.size() < 2) {
+      return undefinedJson("there is only one group");
+    }
+    if (groups_.size() == 2) {
+      return labelled(0, 1, test({groups_[0], groups_[1]}));
+    }
     Json list = Json::array();
     std::vector<double> p;
-    for (std::size_t i = 0; i < groups_.size(); ++i)
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
       for (std::size_t j = i + 1; j < groups_.size(); ++j) {
         list.push_back(labelled(i, j, test({groups_[i], groups_[j]})));
-        if (list.back().contains("p")) p.push_back(list.back()["p"].get<double>());
+        if (list.back().contains("p")) {
+          p.push_back(list.back()["p"].get<double>());
+        }
       }
+    }
     const std::vector<double> holm = adjustHolm(p);
     const std::vector<double> chosen = adjusted(adjustment_, p);
     std::size_t at = 0;
-    for (Json& entry : list)
+    for (Json& entry : list) {
       if (entry.contains("p")) {
         entry["p_holm"] = holm[at];
-        if (adjustment_ != Adjustment::kHolm) entry["p_adjusted"] = chosen[at];
+        if (adjustment_ != Adjustment::kHolm) {
+          entry["p_adjusted"] = chosen[at];
+        }
         ++at;
       }
+    }
     return {{"pairs", list}};
   }
 
@@ -184,14 +195,17 @@ class Comparison {
     return outcomeJson(kruskalWallis(groups_), [&](const KruskalWallis& test) {
       Json out =
           testJson(test.h, test.df, test.p, namedValue("epsilon_squared", test.epsilonSquared), noInterval());
-      if (test.pExact) out["p_exact"] = *test.pExact;
+      if (test.pExact) {
+        out["p_exact"] = *test.pExact;
+      }
       Json pairs = Json::array();
-      for (const DunnPair& pair : test.pairs)
+      for (const DunnPair& pair : test.pairs) {
         pairs.push_back({{"groups", {names_[pair.first], names_[pair.second]}},
                          {"statistic", pair.z},
                          {"p", pair.p},
                          {"p_holm", pair.pHolm},
                          {"mean_rank_difference", pair.difference}});
+      }
       out["dunn"] = std::move(pairs);
       return out;
     });
@@ -216,12 +230,18 @@ class Comparison {
 };
 
 Json effectJson(const std::optional<AnovaEffect>& effect) {
-  if (!effect) return undefinedJson("there is only one group");
+  if (!effect) {
+    return undefinedJson("there is only one group");
+  }
   Json out = testJson(effect->f, {effect->df, effect->dfError}, effect->p,
                       namedValue("generalised_eta_squared", effect->generalizedEtaSquared), noInterval());
   out["partial_eta_squared"] = effect->partialEtaSquared;
-  if (effect->pGreenhouseGeisser) out["p_greenhouse_geisser"] = *effect->pGreenhouseGeisser;
-  if (effect->pHuynhFeldt) out["p_huynh_feldt"] = *effect->pHuynhFeldt;
+  if (effect->pGreenhouseGeisser) {
+    out["p_greenhouse_geisser"] = *effect->pGreenhouseGeisser;
+  }
+  if (effect->pHuynhFeldt) {
+    out["p_huynh_feldt"] = *effect->pHuynhFeldt;
+  }
   return out;
 }
 
@@ -254,12 +274,13 @@ Json ancovaJson(const Study& study) {
     out["slope"] = result.slope;
     out["slope_error"] = result.slopeError;
     out["adjusted_means"] = Json::array();
-    for (std::size_t g = 0; g < result.adjusted.size(); ++g)
+    for (std::size_t g = 0; g < result.adjusted.size(); ++g) {
       out["adjusted_means"].push_back({{"group", study.groups[g]},
                                        {"mean", result.adjusted[g].mean},
                                        {"interval", intervalJson(result.adjusted[g].interval)}});
+    }
     out["pairs"] = Json::array();
-    for (const AdjustedDifference& pair : result.pairs)
+    for (const AdjustedDifference& pair : result.pairs) {
       out["pairs"].push_back({{"groups", {study.groups[pair.first], study.groups[pair.second]}},
                               {"statistic", pair.t},
                               {"df", result.residualDf},
@@ -267,6 +288,7 @@ Json ancovaJson(const Study& study) {
                               {"p_holm", pair.pHolm},
                               {"difference", pair.difference},
                               {"interval", intervalJson(pair.interval)}});
+    }
     out["equal_slopes"] = outcomeJson(result.equalSlopes, [](const FTest& test) {
       return Json{{"statistic", test.f}, {"df", {test.df1, test.df2}}, {"p", test.p}};
     });

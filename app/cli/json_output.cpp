@@ -43,7 +43,9 @@ void write(std::string& out, const Json& value, const std::string& indent) {
   for (const auto& [key, child] : value.items()) {
     out += first ? "\n" : ",\n";
     out += inner;
-    if (object) out += Json(key).dump() + ": ";
+    if (object) {
+      out += Json(key).dump() + ": ";
+    }
     write(out, child, inner);
     first = false;
   }
@@ -59,8 +61,9 @@ void printJson(const Json& value) {
 }
 
 void noteIgnoredColumns(const CsvTable& table) {
-  for (const std::string& column : table.ignored())
+  for (const std::string& column : table.ignored()) {
     std::cerr << "torsio: " << table.name() << ": the column \"" << column << "\" is not used\n";
+  }
 }
 
 Json undefinedJson(const std::string& reason) {

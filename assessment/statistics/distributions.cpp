@@ -38,22 +38,27 @@ template <class Function>
 double integrate(const Function& f, double from, double to, int panels) {
   const double width = (to - from) / panels;
   double sum = 0.0;
-  for (int i = 0; i < panels; ++i)
+  for (int i = 0; i < panels; ++i) {
     sum += bm::quadrature::gauss<double, 20>::integrate(f, from + width * i, from + width * (i + 1));
+  }
   return sum;
 }
 
 /// P(range of k standard normal values > w) = k integral phi(z) [Phi(z)^(k-1) - (Phi(z) - Phi(z - w))^(k-1)]
 /// dz: the complement under the integral keeps small tails accurate.
 double rangeUpper(double w, int groups) {
-  if (w <= 0.0) return 1.0;
+  if (w <= 0.0) {
+    return 1.0;
+  }
   const auto integrand = [&](double z) {
     const double upper = normalCdf(z);
     const double lower = normalCdf(z - w);
     // a^(k-1) - b^(k-1) = (a - b) sum a^i b^(k-2-i), with a - b = Phi(z - w)
     double sum = 0.0;
     const double inside = upper - lower;
-    for (int i = 0; i <= groups - 2; ++i) sum += std::pow(upper, i) * std::pow(inside, groups - 2 - i);
+    for (int i = 0; i <= groups - 2; ++i) {
+      sum += std::pow(upper, i) * std::pow(inside, groups - 2 - i);
+    }
     return normalDensity(z) * lower * sum;
   };
   constexpr double kReach = 8.5;
@@ -117,8 +122,12 @@ double noncentralityOfT(double t, double df, double p) {
   const auto excess = [&](double d) { return noncentralTCdf(t, df, d) - p; };
   double low = t - 2.0;
   double high = t + 2.0;
-  for (double step = 2.0; excess(low) < 0.0; step *= 1.5) low -= step;
-  for (double step = 2.0; excess(high) > 0.0; step *= 1.5) high += step;
+  for (double step = 2.0; excess(low) < 0.0; step *= 1.5) {
+    low -= step;
+  }
+  for (double step = 2.0; excess(high) > 0.0; step *= 1.5) {
+    high += step;
+  }
   std::uintmax_t iterations = 200;
   const auto [a, b] =
       bm::tools::toms748_solve(excess, low, high, bm::tools::eps_tolerance<double>(50), iterations);
@@ -127,9 +136,13 @@ double noncentralityOfT(double t, double df, double p) {
 
 double studentizedRangeUpper(double q, int groups, double df) {
   TORSIO_EXPECTS(groups >= 2 && df >= 1.0);
-  if (q <= 0.0) return 1.0;
+  if (q <= 0.0) {
+    return 1.0;
+  }
   constexpr double kAsGoodAsKnown = 1e6;  // the scale no longer matters in double precision
-  if (df > kAsGoodAsKnown) return rangeUpper(q, groups);
+  if (df > kAsGoodAsKnown) {
+    return rangeUpper(q, groups);
+  }
   const double logScale = std::log(2.0) + 0.5 * df * std::log(0.5 * df) - std::lgamma(0.5 * df);
   const auto integrand = [&](double s) {
     const double logDensity = logScale + (df - 1.0) * std::log(s) - 0.5 * df * s * s;
@@ -144,7 +157,9 @@ double studentizedRangeQuantile(double p, int groups, double df) {
   TORSIO_EXPECTS(p > 0.0 && p < 1.0);
   const auto excess = [&](double q) { return studentizedRangeUpper(q, groups, df) - (1.0 - p); };
   double high = 4.0;
-  while (excess(high) > 0.0) high *= 2.0;
+  while (excess(high) > 0.0) {
+    high *= 2.0;
+  }
   std::uintmax_t iterations = 100;
   const auto [a, b] =
       bm::tools::toms748_solve(excess, 1e-6, high, bm::tools::eps_tolerance<double>(44), iterations);
