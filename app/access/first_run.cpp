@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/access/first_run.h"
 
-#include <algorithm>
 #include <string_view>
 
 #include <QRandomGenerator>
 
 #include "app/base/build_info.h"
-#include "app/demonstration/demonstration.h"
-#include "app/demonstration/demonstration_desk.h"
-#include "app/demonstration/demonstration_station.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/people_repository.h"
 #include "db/repository/setting_repository.h"
 #include "db/repository/study_repository.h"
 #include "sim/base/contracts.h"
@@ -23,58 +18,6 @@ namespace {
 constexpr std::string_view kLegible = "abcdefghijkmnpqrstuvwxyz23456789";  // no l and 1, no o and 0
 constexpr int kGroups = 4;
 constexpr int kLettersInGroup = 5;
-constexpr double kDesksAt = 0.97;  // of the whole work
-
-/// Whose accounts are worth signing in with: their pages hold something.
-struct DemonstrationUsers {
-  std::string traineeId;
-  std::string raterId;
-};
-
-DemonstrationUsers fillWithPeople(Workplace& workplace, const std::filesystem::path& assets,
-                                  const ProgressCallback& progress) {
-  DemonstrationOptions options;
-  options.training.assets = assets;
-  options.training.id = "arm";
-  options.example.assets = assets;
-  options.example.id = "stomach";
-  options.progress = progress;
-  static_cast<void>(fillDemonstration(options, workplace.connection()));
-  // What the trainee and the physician of the demonstration find when they sign in.
-  if (progress) progress({"Laying out the desks", kDesksAt, -1.0});
-  const DemonstrationStation station =
-      storeDemonstrationStation(workplace.connection(), workplace.ids(), assets, workplace.now_us());
-  const DemonstrationDesk desk =
-      storeDemonstrationDesk(workplace.connection(), workplace.ids(), loadScene(options.training),
-                             {.seed = options.seed, .utc_us = workplace.now_us()});
-  return {station.personId, desk.raterIds.front()};
-}
-
-StartAccount account(Workplace& workplace, const std::string& login, const std::string& role,
-                     const StoredPerson& person) {
-  StartAccount made{login, role, person.code, randomStartPassword()};
-  addUser(workplace, {.login = login,
-                      .personId = person.id,
-                      .roles = {role},
-                      .startPassword = made.startPassword,
-                      .demonstration = true});
-  return made;
-}
-
-std::vector<StartAccount> demonstrationAccounts(Workplace& workplace, const DemonstrationUsers& users) {
-  PeopleRepository people(workplace.connection());
-  const std::vector<StoredTrainee> trainees = people.trainees();
-  const std::vector<StoredRater> raters = people.raters();
-  const auto trainee = std::find_if(trainees.begin(), trainees.end(), [&](const StoredTrainee& candidate) {
-    return candidate.person.id == users.traineeId;
-  });
-  const auto rater = std::find_if(raters.begin(), raters.end(), [&](const StoredRater& candidate) {
-    return candidate.person.id == users.raterId;
-  });
-  TORSIO_EXPECTS(trainee != trainees.end() && rater != raters.end());
-  return {account(workplace, "demo.trainee", "trainee", trainee->person),
-          account(workplace, "demo.physician", "rater", rater->person)};
-}
 
 }  // namespace
 
@@ -104,8 +47,7 @@ std::string randomStartPassword() {
 }
 
 std::vector<StartAccount> performFirstRun(Workplace& workplace, const FirstRun& first,
-                                          const std::filesystem::path& assets,
-                                          const ProgressCallback& progress) {
+                                          const AddPeople& addPeople) {
   std::vector<StartAccount> accounts;
   Transaction transaction(workplace.connection());
   try {
@@ -113,7 +55,7 @@ std::vector<StartAccount> performFirstRun(Workplace& workplace, const FirstRun& 
     const SignInAnswer answer = signIn(workplace, first.login, first.password);
     TORSIO_EXPECTS(answer.outcome == SignIn::kOk);
     if (first.demonstration) {
-      accounts = demonstrationAccounts(workplace, fillWithPeople(workplace, assets, progress));
+      accounts = addPeople(workplace);
     }
     transaction.commit();
   } catch (...) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "app/access/access_service.h"
-#include "app/base/progress.h"
 
 namespace torsio {
 
@@ -30,12 +29,14 @@ struct StartAccount {
   std::string startPassword{};
 };
 
-/// Everything that the first-run wizard decides, all or nothing: centre, first administrator (who is signed
-/// in afterwards) and, when wanted, the demonstration cohort with one account for each role. `assets`: where
-/// the organs are. Throws what setUpCentre throws, and whatever `progress` throws.
+/// Fills the record with people who are not real, and makes an account for each role.
+using AddPeople = std::function<std::vector<StartAccount>(Workplace&)>;
+
+/// Carries out what the first-run wizard decided, all or nothing: the centre, the first administrator (who is
+/// signed in afterwards) and, where `first.demonstration` is set, `addPeople` (app/demonstration has one).
+/// Throws what setUpCentre and `addPeople` throw.
 std::vector<StartAccount> performFirstRun(Workplace& workplace, const FirstRun& first,
-                                          const std::filesystem::path& assets,
-                                          const ProgressCallback& progress);
+                                          const AddPeople& addPeople);
 
 /// Twenty characters in groups that can be read aloud; from the system's random source.
 [[nodiscard]] std::string randomStartPassword();

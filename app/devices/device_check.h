@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/base/text.h"
-#include "sim/device/device_driver.h"
+#include "sim/device/drivers/device_driver.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "sim/base/error.h"
-#include "sim/device/hdapi_device.h"
+#include "sim/device/hdapi/hdapi_device.h"
 #include "sim/servo/hand_task.h"
 
 namespace torsio {

@@ -148,13 +148,6 @@ FrozenRow rowOf(const StoredFreeze& stored, const std::string& createdBy) {
   return row;
 }
 
-StoredCohort cohortOf(Workplace& workplace, const std::string& cohortId) {
-  for (StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts()) {
-    if (cohort.id == cohortId) return cohort;
-  }
-  refuseParameter("there is no such cohort", cohortId, "Choose one from the list");
-}
-
 std::optional<StoredFreeze> findFreeze(Workplace& workplace, const std::string& frozenId) {
   FreezeRepository repository(workplace.connection());
   for (const StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts()) {
@@ -196,7 +189,7 @@ FrozenRow freezeData(Workplace& workplace, const std::string& cohortId, const st
     refuseParameter("another data set has this name", name,
                     "Choose another name; frozen data stay as they are");
   }
-  const StoredCohort cohort = cohortOf(workplace, cohortId);
+  const StoredCohort cohort = StudyRepository(workplace.connection()).cohort(cohortId);
   StoredFreeze freeze;
   freeze.id = workplace.ids().newUuid();
   freeze.cohortId = cohortId;

@@ -95,14 +95,6 @@ Attempt measured(TrialRepository& trials, const TrialListing& listing, const Sto
 
 }  // namespace
 
-std::string metricTitle(const std::string& metric) {
-  if (metric == kOnTargetMetric) return "Twists on target";
-  if (metric == kTargetsReachedMetric) return "Targets reached";
-  for (const MetricCard& card : metricCards())
-    if (card.id == metric) return std::string(card.name);
-  return metric;
-}
-
 bool cutOff(const MeasuredTwist& twist, std::span<const Sample> samples) {
   return twist.firstSample + twist.samples == samples.size() &&
          samples.back().phase == ExercisePhase::kTwisting;

@@ -17,14 +17,6 @@
 
 namespace torsio {
 
-/// Besides the metric cards: share of the twists that were let go within the tolerance of the target, 0..1.
-inline constexpr const char* kOnTargetMetric = "twist.on_target";
-/// The number of such twists.
-inline constexpr const char* kTargetsReachedMetric = "twist.targets_reached";
-
-/// Name of a metric in English: of its card, or of the two above; the id itself when there is none.
-[[nodiscard]] std::string metricTitle(const std::string& metric);
-
 /// One recorded try at a module, with what it is judged by.
 struct Attempt {
   std::string trialId{};

@@ -50,6 +50,7 @@ class CurriculaPage : public Page {
   [[nodiscard]] QString draftText(const CurriculumRow& row) const;
   [[nodiscard]] QString versionText(const CurriculumRow& row, const CurriculumVersionRow& version) const;
   void askNew();
+  void askOccasion();
   void askPublish();
   void askClose();
   [[nodiscard]] const CurriculumRow* current() const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/office_pages.h"
 
+#include <QCoreApplication>
+
 #include "app/gui/administrator/allocation_page.h"
 #include "app/gui/administrator/audit_page.h"
 #include "app/gui/administrator/campaigns_page.h"

@@ -78,11 +78,11 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
   table->selectAll(atWork);
   dialog.column->addWidget(table, 1);
   std::vector<std::pair<std::string, QCheckBox*>> points;
-  for (const char* code : {"pre", "mid", "post"}) {
-    auto* box = new QCheckBox(scoringPointName(code), &dialog);
+  for (const Occasion& occasion : matrix.occasions) {
+    auto* box = new QCheckBox(occasionName(occasion), &dialog);
     box->setChecked(true);
     dialog.column->addWidget(box);
-    points.emplace_back(code, box);
+    points.emplace_back(occasion.code, box);
   }
   QPushButton* ask = dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Ask")));
   const auto showAsk = [ask, table] { ask->setEnabled(!table->selectedIds().isEmpty()); };
@@ -100,13 +100,13 @@ std::optional<SheetMoved> askReassignment(QWidget* parent, const ScoringMatrix& 
                                           const ScoringMatrix::Line& line) {
   Question dialog(parent, translated(QT_TRANSLATE_NOOP("Scoring", "Reassign a sheet")),
                   translated(QT_TRANSLATE_NOOP("Scoring", "%1, %2"))
-                      .arg(toQString(line.traineeCode), scoringPointName(line.scoringPoint)));
+                      .arg(toQString(line.traineeCode), occasionName(line.occasion)));
   auto* from = new QComboBox(&dialog);
   auto* to = new QComboBox(&dialog);
   to->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "nobody: take it back only")), QString());
   for (std::size_t r = 0; r < matrix.raters.size(); ++r) {
     const ScoringCell& cell = line.cells[r];
-    const bool open = cell.state == SheetState::kOpen || cell.state == SheetState::kDraft;
+    const bool open = isOutstanding(cell.state);
     if (!cell.assignmentId.empty() && open)
       from->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "%1 (%2)"))
                         .arg(toQString(matrix.raters[r].code), sheetStateName(cell.state)),
@@ -138,10 +138,10 @@ std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<Relea
     point->addItem(
         translated(state.released ? QT_TRANSLATE_NOOP("Scoring", "%1: released, take back")
                                   : QT_TRANSLATE_NOOP("Scoring", "%1: release, %2 of %3 sheets missing"))
-            .arg(scoringPointName(state.scoringPoint))
+            .arg(occasionName(state.occasion))
             .arg(state.missing)
             .arg(state.sheets),
-        toQString(state.scoringPoint));
+        toQString(state.occasion.code));
   auto* reason = new QLineEdit(&dialog);
   auto* form = new QFormLayout;
   form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&Scoring point")), point);
@@ -158,7 +158,7 @@ std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<Relea
   check();
   if (dialog.exec() != QDialog::Accepted) return std::nullopt;
   const ReleaseState& chosen = states[static_cast<std::size_t>(point->currentIndex())];
-  return ReleaseChange{chosen.scoringPoint, !chosen.released, reason->text().trimmed().toStdString()};
+  return ReleaseChange{chosen.occasion.code, !chosen.released, reason->text().trimmed().toStdString()};
 }
 
 namespace {
@@ -168,11 +168,11 @@ Row rowOf(const ThirdRequest& request) {
   QStringList reasons;
   for (const std::string& code : request.askedBy) by << toQString(code);
   for (const std::string& reason : request.reasons) reasons << toQString(reason);
-  const QString point = scoringPointName(request.scoringPoint);
+  const QString point = occasionName(request.occasion);
   return {toQString(request.assignmentId),
           {{toQString(request.traineeCode)},
            {request.live ? translated(QT_TRANSLATE_NOOP("Scoring", "%1, live")).arg(point) : point,
-            toQString(request.scoringPoint)},
+            toQString(request.occasion.code)},
            {by.join(QStringLiteral(", "))},
            {reasons.join(QStringLiteral(" \u00B7 ")), {}, reasons.join(QLatin1Char('\n'))},
            timeCell(request.askedUtc_us)}};

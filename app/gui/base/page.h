@@ -9,6 +9,7 @@
 #include <QVariant>
 #include <QWidget>
 
+#include "app/access/operation.h"
 #include "app/gui/base/page_id.h"
 
 namespace torsio {

@@ -16,6 +16,7 @@
 #include "app/gui/physician/comparison_bars.h"
 #include "app/gui/physician/review_words.h"
 #include "app/gui/physician/sheet_editor_panel.h"
+#include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"

@@ -6,6 +6,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/review/alignment.h"
+#include "app/review/sheet_editor.h"
 
 class QLabel;
 class QLineEdit;

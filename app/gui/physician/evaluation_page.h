@@ -5,6 +5,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/review/evaluation_form.h"
+#include "app/review/sheet_editor.h"
 
 class QButtonGroup;
 class QComboBox;

@@ -11,6 +11,7 @@
 #include "app/gui/base/page.h"
 #include "app/review/case_sheet.h"
 #include "app/review/review_queue.h"
+#include "app/review/sheet_editor.h"
 
 class QButtonGroup;
 class QLabel;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/physician/review_pages.h"
 
+#include <QCoreApplication>
+
 #include "app/gui/physician/alignment_page.h"
 #include "app/gui/physician/case_page.h"
 #include "app/gui/physician/evaluation_page.h"

@@ -18,6 +18,7 @@
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/review_words.h"
 #include "app/gui/physician/sheet_editor_panel.h"
+#include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
 #include "app/gui/base/page.h"
+#include "app/review/sheet_editor.h"
 #include "app/review/warm_up.h"
 
 class QButtonGroup;

@@ -15,6 +15,7 @@
 
 #include "app/access/first_run.h"
 #include "app/base/assets.h"
+#include "app/demonstration/demonstration_accounts.h"
 #include "app/gui/program/all_pages.h"
 #include "app/gui/program/option_refusal.h"
 #include "app/gui/scene/scene_view.h"
@@ -23,6 +24,7 @@
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/widgets/picture.h"
+#include "app/report/typeface.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 
@@ -121,7 +123,8 @@ class Cast {
     first.login = kAdministrator;
     first.password = randomStartPassword();
     first.demonstration = true;
-    const std::vector<StartAccount> accounts = performFirstRun(workplace, first, assets, progress);
+    const std::vector<StartAccount> accounts = performFirstRun(
+        workplace, first, [&](Workplace& own) { return addDemonstration(own, assets, progress); });
     actors_["administrator"] = workplace.actor();
     for (const StartAccount& account : accounts) {
       const SignInAnswer answer =
@@ -305,6 +308,7 @@ int runScreenshots(int argc, char** argv) {
   }
   SceneView::prepareGraphics();
   QApplication application(argc, argv);
+  useTypeface(application);
   ScreenshotsRequest request = parse(QApplication::arguments());
   request.progress = [](const Progress& progress) {
     std::fprintf(stderr, "torsio: %s\n", progress.step.str().c_str());

@@ -9,7 +9,7 @@
 
 #include "app/gui/simulator/pointer_keys.h"
 #include "sim/base/pose.h"
-#include "sim/device/pointer_device.h"
+#include "sim/device/virtual/pointer_device.h"
 
 class QKeyEvent;
 class QMouseEvent;

@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "app/devices/haptic_station.h"
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 
 namespace torsio::gui {
 
-void StationDesk::announce(StationLine* line) {
+void StationDesk::announce(StationWriter* line) {
   if (line == nullptr || std::exchange(announced_, true)) return;
   line->showDevice(uncheckedDevice(probe != nullptr));
 }

@@ -6,13 +6,15 @@
 #include <optional>
 #include <string>
 
+#include <QObject>
+
 #include "app/devices/device_readiness.h"
 #include "app/gui/simulator/simulation_controller.h"
 #include "sim/base/clock.h"
 #include "sim/device/haptic_device.h"
 
 namespace torsio {
-class StationLine;
+class StationWriter;
 }
 
 namespace torsio::gui {
@@ -41,7 +43,7 @@ class StationDesk {
 
   /// Tells the board of the day, once, that a device stands here which nobody has checked yet. `line` may be
   /// null.
-  void announce(StationLine* line);
+  void announce(StationWriter* line);
 
  private:
   bool announced_ = false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/trainee/station_pages.h"
 
+#include <QCoreApplication>
+
 #include "app/gui/base/shell_context.h"
 #include "app/gui/trainee/briefing_page.h"
 #include "app/gui/trainee/consent_page.h"

@@ -16,7 +16,7 @@
 #include "app/gui/trainee/station_pages.h"
 #include "app/gui/trainee/trend_page.h"
 #include "app/gui/widgets/child.h"
-#include "sim/device/scripted_hand.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 
 namespace torsio::gui {

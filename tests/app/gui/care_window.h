@@ -151,7 +151,7 @@ class CarePages : public ::testing::Test {
 
   void showsOtherStation() {
     StationState other{.station = "room 2", .heartbeatUtc_us = window_->workplace()->now_us()};
-    StationRepository(window_->workplace()->connection()).beat(other);
+    StationRepository(window_->workplace()->connection()).heartbeat(other);
   }
 
   [[nodiscard]] int filesBeside() const {

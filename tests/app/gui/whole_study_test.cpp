@@ -178,14 +178,14 @@ void runTheDay(Office& office, const std::string& cohortId) {
   DeviceReadiness unfit{.device = Text("Touch"), .haptic = true};
   unfit.findings = {{"connected", Light::kRed, Text("no device answers"), ""}};
   storeDevice(stationDevice(unfit, now_us), room);
-  StationRepository(office.centre.connection()).beat(room);
+  StationRepository(office.centre.connection()).heartbeat(room);
   StationState yesterday{.station = "room 3", .heartbeatUtc_us = now_us};
   storeDevice(stationDevice(pointerReadiness(true), now_us - 86'400'000'000), yesterday);
-  StationRepository(office.centre.connection()).beat(yesterday);
+  StationRepository(office.centre.connection()).heartbeat(yesterday);
   auto page = office.open<RunDayPage>("administrator", toQString(cohortId));
-  EXPECT_EQ(child<DataTable>(*page, "table").visibleRows(), static_cast<int>(kTrainees));
-  ASSERT_EQ(child<DataTable>(*page, "stations").visibleRows(), 2);
-  const QString stations = child<DataTable>(*page, "stations").asText();
+  EXPECT_EQ(page->table().visibleRows(), static_cast<int>(kTrainees));
+  ASSERT_EQ(page->stations().visibleRows(), 2);
+  const QString stations = page->stations().asText();
   const QString time =
       page->locale().toString(QDateTime::fromMSecsSinceEpoch(now_us / 1000).time(), QLocale::ShortFormat);
   EXPECT_TRUE(stations.contains(QStringLiteral("Touch\t\u2717 not fit at %1: no device answers").arg(time)))

@@ -269,7 +269,7 @@ TEST(RunDayBoard, ShowsPhaseExposureRestAndMissingSheets) {
   EXPECT_EQ(row->phaseLabel, arm.phases[1].label);
   EXPECT_EQ(row->progress.virtual_us + row->progress.real_us, 20 * kMinute_us);
   EXPECT_EQ(row->progress.restUsed_us, 2 * kMinute_us);
-  EXPECT_EQ(row->scoringPointDue, "mid");
+  EXPECT_EQ(row->occasionDue.code, "mid");
   EXPECT_EQ(row->sheetsMissing, 3U);
   EXPECT_EQ(row->deviations, 1U);
   EXPECT_TRUE(row->runningTrialId.empty());
@@ -288,7 +288,7 @@ TEST(RunDayBoard, ShowsWhoRunsAtWhichStation) {
   TrialRepository(study.centre.connection(), {.station = "station 2", .enrolmentId = study.enrolmentIds[0]})
       .begin(header);
   StationRepository(study.centre.connection())
-      .beat({.station = "station 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
+      .heartbeat({.station = "station 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
 
   const RunDayBoard board = runDayBoard(workplace, study.cohortId);
 
@@ -317,8 +317,8 @@ TEST(RunDayBoard, WarnsOfSilentStationsFirstThenOfWhatIsMissing) {
   TrialRepository(study.centre.connection(), {.station = "room 2", .enrolmentId = study.enrolmentIds[0]})
       .begin(header);
   StationRepository stations(study.centre.connection());
-  stations.beat({.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us});
-  stations.beat({.station = "room 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
+  stations.heartbeat({.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us});
+  stations.heartbeat({.station = "room 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
 
   RunDayBoard board = runDayBoard(workplace, study.cohortId);
   board.asOfUtc_us = testing::kOfficeTime_us + kStationSilence_us;
@@ -346,7 +346,7 @@ TEST(RunDayBoard, TellsOfADeviceThatIsNotFitWhileItsStationAnswers) {
                    {"rate", Light::kRed, Text("%1; below %2 Hz", "700 Hz", 800), ""}}};
   StationState state{.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us};
   storeDevice(stationDevice(unfit, testing::kOfficeTime_us - 1), state);
-  StationRepository(study.centre.connection()).beat(state);
+  StationRepository(study.centre.connection()).heartbeat(state);
 
   RunDayBoard board = runDayBoard(workplace, study.cohortId);
   board.asOfUtc_us = testing::kOfficeTime_us;
