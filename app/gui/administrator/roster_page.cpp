@@ -262,13 +262,11 @@ void RosterPage::askErasePerson() {
                    "that statistics remain right. This cannot be taken back.")
                     .arg(toQString(person->row.person.code)));
   if (!reason) return;
-  try {
+  attempt(shell(), [&] {
     erasePersonRecord(shell().workplace(), person->row.person.id, *reason);
     read();
     shell().notify(tr("The record is erased"));
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void RosterPage::exportList() {

@@ -16,6 +16,7 @@
 #include "app/gui/administrator/roster_page.h"
 #include "app/gui/administrator/scoring_page.h"
 #include "app/gui/base/spoken.h"
+#include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/maintenance/retention.h"
 #include "app/people/people_service.h"
@@ -123,7 +124,7 @@ TEST(AllocationPage, MovesATraineeByHandBesideTheDrawnRecord) {
   allocateAll(office.centre.as("allocator"), cohort);
   const StoredAllocation drawn = allocations(office.centre.as("allocator"), design).front();
   auto page = office.open<AllocationPage>("allocator");
-  page->records().select(toQString(drawn.id));
+  child<DataTable>(*page, "records").select(toQString(drawn.id));
   std::string to;
   answer([&to](QDialog& dialog) {
     to = dialog.findChild<QComboBox*>(QStringLiteral("group"))->currentData().toString().toStdString();

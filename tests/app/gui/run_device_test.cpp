@@ -50,8 +50,8 @@ class Wired final : public HapticDevice {
 /// The device is unplugged, and everybody gets to know.
 void unplug(Station& station, Wire& wire) {
   wire.unplugged = true;
-  station.run().scene().controller().run()->step(20);
-  station.run().scene().frame(0.016);
+  child<LiveScene>(station.run(), "scene").controller().run()->step(20);
+  child<LiveScene>(station.run(), "scene").frame(0.016);
 }
 
 /// Outcomes of what is stored, in any order.

@@ -111,7 +111,8 @@ class Station {
   void train(std::int64_t span_us) {
     ASSERT_TRUE(soon([&] { return !run().fetchesDevice(); }));
     for (std::int64_t t = 0; t < span_us; t += torsio::testing::kSecond_us) {
-      if (RecordedRun* live = run().scene().controller().run(); live != nullptr && live->recorded()) {
+      if (RecordedRun* live = child<LiveScene>(run(), "scene").controller().run();
+          live != nullptr && live->recorded()) {
         live->step(ticksIn(1.0));
       }
       clock->advance_us(torsio::testing::kSecond_us);

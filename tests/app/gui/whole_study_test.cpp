@@ -183,9 +183,9 @@ void runTheDay(Office& office, const std::string& cohortId) {
   storeDevice(stationDevice(pointerReadiness(true), now_us - 86'400'000'000), yesterday);
   StationRepository(office.centre.connection()).heartbeat(yesterday);
   auto page = office.open<RunDayPage>("administrator", toQString(cohortId));
-  EXPECT_EQ(page->table().visibleRows(), static_cast<int>(kTrainees));
-  ASSERT_EQ(page->stations().visibleRows(), 2);
-  const QString stations = page->stations().asText();
+  EXPECT_EQ(child<DataTable>(*page, "table").visibleRows(), static_cast<int>(kTrainees));
+  ASSERT_EQ(child<DataTable>(*page, "stations").visibleRows(), 2);
+  const QString stations = child<DataTable>(*page, "stations").asText();
   const QString time =
       page->locale().toString(QDateTime::fromMSecsSinceEpoch(now_us / 1000).time(), QLocale::ShortFormat);
   EXPECT_TRUE(stations.contains(QStringLiteral("Touch\t\u2717 not fit at %1: no device answers").arg(time)))
