@@ -8,8 +8,8 @@
 
 #include "app/session/build_info.h"
 #include "assessment/study/allocation.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

@@ -58,15 +58,6 @@ Statements appendOnly(Engine engine, const std::string& table, bool gated) {
   return triggers;
 }
 
-/// Takes off what {{append_only}} or {{immutable}} put on a table.
-Statements thawed(Engine engine, const std::string& table) {
-  if (engine == Engine::kPostgresql) {
-    return {"DROP TRIGGER " + table + "_append_only ON " + table,
-            "DROP TRIGGER " + table + "_no_truncate ON " + table};
-  }
-  return {"DROP TRIGGER " + table + "_no_UPDATE", "DROP TRIGGER " + table + "_no_DELETE"};
-}
-
 Statements frozen(Engine engine, const std::string& table, const std::string& column) {
   const std::string head =
       "CREATE TRIGGER " + table + "_" + column + "_frozen BEFORE UPDATE OF " + column + " ON " + table;
@@ -83,7 +74,6 @@ Statements macro(Engine engine, const std::string& token, const std::string& whe
   if (words.size() == 1 && words[0] == "append_only_support") return appendOnlySupport(engine);
   if (words.size() == 2 && words[0] == "append_only") return appendOnly(engine, words[1], true);
   if (words.size() == 2 && words[0] == "immutable") return appendOnly(engine, words[1], false);
-  if (words.size() == 2 && words[0] == "thaw") return thawed(engine, words[1]);
   if (words.size() == 3 && words[0] == "frozen") return frozen(engine, words[1], words[2]);
   bad(Text("unknown token {{%1}}", token), where);
 }

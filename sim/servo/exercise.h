@@ -36,8 +36,8 @@ struct ExerciseMoment {
 };
 static_assert(std::is_trivially_copyable_v<ExerciseMoment>);
 
-/// Stiffness that a steady push meets, softer than any device's limit; the device's own limit caps it. By
-/// rules 1 that of a plain spring, by rules 2 that of the coupling (contact_coupling.h).
+/// Stiffness that a steady push meets through the coupling (contact_coupling.h), softer than any device's
+/// limit; the device's own limit caps it.
 inline constexpr double kContactStiffness_N_per_m = 400.0;
 static_assert(kSurfaceStiffness_N_per_m * kCouplingRatio / (1.0 + kCouplingRatio) ==
               kContactStiffness_N_per_m);
@@ -61,7 +61,6 @@ struct ExerciseOptions {
   TwistDrive drive = TwistDrive::kTangential;
   double maxStiffness_N_per_m = 500.0;  ///< of the device; > 0
   std::int64_t tickPeriod_us = 1000;    ///< > 0
-  std::uint32_t rules = kServoRules;    ///< 1 .. kServoRules: older ones replay older trials
 };
 
 /// Answer of one tick.
@@ -100,11 +99,6 @@ class Exercise {
 
  private:
   [[nodiscard]] bool updateJaw(const ToolState& tool) noexcept;
-  /// By rules 1: a sphere at the tip, taken back to the organ at rest.
-  [[nodiscard]] ToolTouch touchWithTip(const Vec3& tip_m, const Scene& scene) const noexcept;
-  /// The surface point that a closing jaw would hold.
-  [[nodiscard]] std::optional<SurfacePoint> graspable(const ToolShape& shape, const ToolState& tool,
-                                                      const ToolTouch& at, const Scene& scene) const noexcept;
   [[nodiscard]] bool grip(const Vec3& held_m, const ToolState& tool, const Scene& scene) noexcept;
   [[nodiscard]] double driveAngle(const ToolState& tool) const noexcept;
   /// Turns the organ with the tool. False when the jaw slipped off.
@@ -123,7 +117,6 @@ class Exercise {
                                          std::array<ContactPatch, 2>& patches) noexcept;
 
   ExerciseOptions options_;
-  double contactStiffness_N_per_m_;  // rules 1
   ContactCoupling jaw_;
   ContactCoupling shaft_;
   bool shaftTouched_ = false;

@@ -26,7 +26,7 @@ void requireSameScene(const Scene& scene, const TrialHeader& header) {
 }
 
 void requireKnownRules(const std::vector<Sample>& recorded, const TrialHeader& header) {
-  const auto known = [](const Sample& sample) { return sample.rules >= 1 && sample.rules <= kServoRules; };
+  const auto known = [](const Sample& sample) { return sample.rules == kServoRules; };
   if (std::all_of(recorded.begin(), recorded.end(), known)) return;
   throw Error(ErrorCode::kVerifyFailed, "the trial was recorded by rules that this version does not know",
               Text("trial %1", header.trialId),
@@ -81,8 +81,7 @@ class Rerun {
               {.drive = header.drive,
                .targetAngle_rad = header.targetAngle_rad,
                .forceScale = header.forceScale,
-               .tickPeriod_us = header.tickPeriod_us,
-               .rules = recorded.empty() ? kServoRules : recorded.front().rules}) {}
+               .tickPeriod_us = header.tickPeriod_us}) {}
 
   const Sample& next(const Sample& recorded) {
     if (recorded.command.kind != ServoCommand::Kind::kNone) (void)commands_.push(recorded.command);

@@ -21,7 +21,6 @@ struct ServoOptions {
   double targetAngle_rad = 0.0;
   double forceScale = 1.0;  ///< 0..1, shown; the material is never rescaled
   std::int64_t tickPeriod_us = 1000;
-  std::uint32_t rules = kServoRules;  ///< 1 .. kServoRules; older ones replay older trials
 };
 
 /// The part of the device's capabilities that a trial must remember (TrialHeader::deviceLimits).

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 
 #include <thread>
 
-#include "db/repository/curriculum_repository.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"

@@ -11,9 +11,9 @@
 #include "app/session/review/demonstration_desk.h"
 #include "app/session/training/demonstration_station.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/setting_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/base/contracts.h"
 
 namespace torsio {

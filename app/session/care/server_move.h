@@ -8,7 +8,7 @@
 #include "app/session/access/workplace.h"
 #include "app/session/care/unstored_trials.h"
 #include "app/session/progress.h"
-#include "db/repository/record_copy.h"
+#include "db/repository/system/record_copy.h"
 
 namespace torsio {
 

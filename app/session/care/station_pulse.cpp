@@ -2,8 +2,8 @@
 #include "app/session/care/station_pulse.h"
 
 #include "app/session/build_info.h"
-#include "db/repository/station_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/station_repository.h"
+#include "db/repository/trial/trial_repository.h"
 
 namespace torsio {
 
@@ -43,7 +43,7 @@ void StationPulse::beat() {
                        .softwareVersion = softwareVersion(),
                        .heartbeatUtc_us = now_us};
     storeDevice(device_, state);
-    StationRepository(connection).beat(state);
+    StationRepository(connection).recordHeartbeat(state);
     shownTrial_ = trial;
     if (there) next_us_ = now_us + kPulse_us;
     answered_ = true;

@@ -9,7 +9,7 @@
 
 #include "app/session/assets.h"
 #include "app/session/reporting/kept_digests.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/sample_codec.h"
 

@@ -9,7 +9,7 @@
 #include "app/session/access/workplace.h"
 #include "app/session/review/blinded_case.h"
 #include "app/session/review/watch_log.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "db/repository/sheet_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 

@@ -12,7 +12,7 @@
 #include "app/session/build_info.h"
 #include "app/session/study/allocation_design.h"
 #include "app/session/study/drawn_seed.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "db/repository/curriculum_repository.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "db/repository/curriculum_repository.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "sim/base/text.h"
 
 namespace torsio {

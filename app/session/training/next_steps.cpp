@@ -7,7 +7,7 @@
 #include "app/session/study/run_day.h"
 #include "app/session/training/remarks.h"
 #include "app/session/training/trainee_record.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

@@ -14,7 +14,7 @@
 #include "app/session/training/device_readiness.h"
 #include "app/session/training/next_steps.h"
 #include "app/session/training/training_run.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

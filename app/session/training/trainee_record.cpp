@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

@@ -19,7 +19,7 @@
 #include "app/gui/station/ask_card.h"
 #include "app/session/assets.h"
 #include "app/session/training/questions.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "tests/app/session/training_centre.h"
 
 namespace torsio::gui {

@@ -19,7 +19,7 @@
 #include "app/gui/review/warm_up_page.h"
 #include "app/session/review/alignment.h"
 #include "app/session/review/warm_up.h"
-#include "db/repository/evaluation_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
 #include "tests/app/gui/desk_of.h"
 #include "tests/app/gui/visible_words.h"
 

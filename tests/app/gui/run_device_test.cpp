@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/gui/trainee_station.h"
 

@@ -20,8 +20,8 @@
 #include "app/session/review/case_sheet.h"
 #include "app/session/review/review_queue.h"
 #include "app/session/review/warm_up.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "tests/app/session/review_centre.h"
 
 namespace torsio::gui {

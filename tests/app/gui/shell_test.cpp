@@ -29,8 +29,8 @@
 #include "app/session/access/first_run.h"
 #include "app/session/access/settings_service.h"
 #include "app/session/build_info.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 

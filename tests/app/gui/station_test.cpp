@@ -24,7 +24,7 @@
 #include "app/gui/station/transcript_page.h"
 #include "app/gui/station/trend_page.h"
 #include "app/session/care/station_line.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "tests/app/gui/trainee_station.h"
 #include "tests/app/session/training_centre.h"
 

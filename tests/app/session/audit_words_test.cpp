@@ -98,7 +98,7 @@ Noted noted() {
   }
   // seals.h: what the repositories seal themselves.
   for (const std::string& kind :
-       found(readFile(kRoot / "db/repository/seals.h"), "kSealed[A-Za-z]+ = \"([a-z_]+)\""))
+       found(readFile(kRoot / "db/repository/base/seals.h"), "kSealed[A-Za-z]+ = \"([a-z_]+)\""))
     all.kinds.insert(kind);
   return all;
 }

@@ -13,8 +13,9 @@
 #include "app/session/care/station_pulse.h"
 #include "app/session/training/run_session.h"
 #include "app/session/trial_store.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -152,7 +153,7 @@ TEST_F(StationStartTest, ARecordingFromAFileCountsAsItWouldHaveWithoutTheFailure
   EXPECT_NO_THROW(verifyContent(stored));
   EXPECT_FALSE(fs::exists(*result->spillFile));
   EXPECT_TRUE(note("trial.import").has_value());
-  EXPECT_TRUE(AuditRepository(centre_.connection()).verify().empty());
+  EXPECT_TRUE(verifyAuditTrail(centre_.connection()).empty());
 }
 
 TEST_F(StationStartTest, TheFileIsStoredBeforeTheTrialCouldBeClosedAsInterrupted) {

@@ -18,8 +18,9 @@
 #include "app/session/study/frozen_data.h"
 #include "app/session/study/run_day.h"
 #include "app/session/study/scoring_plan.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/system/audit_verification.h"
 #include "sim/base/error.h"
 #include "tests/app/session/office_centre.h"
 
@@ -288,7 +289,8 @@ TEST(RunDayBoard, ShowsWhoRunsAtWhichStation) {
   TrialRepository(study.centre.connection(), {.station = "station 2", .enrolmentId = study.enrolmentIds[0]})
       .begin(header);
   StationRepository(study.centre.connection())
-      .beat({.station = "station 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
+      .recordHeartbeat(
+          {.station = "station 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
 
   const RunDayBoard board = runDayBoard(workplace, study.cohortId);
 
@@ -317,8 +319,9 @@ TEST(RunDayBoard, WarnsOfSilentStationsFirstThenOfWhatIsMissing) {
   TrialRepository(study.centre.connection(), {.station = "room 2", .enrolmentId = study.enrolmentIds[0]})
       .begin(header);
   StationRepository stations(study.centre.connection());
-  stations.beat({.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us});
-  stations.beat({.station = "room 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
+  stations.recordHeartbeat({.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us});
+  stations.recordHeartbeat(
+      {.station = "room 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
 
   RunDayBoard board = runDayBoard(workplace, study.cohortId);
   board.asOfUtc_us = testing::kOfficeTime_us + kStationSilence_us;
@@ -346,7 +349,7 @@ TEST(RunDayBoard, TellsOfADeviceThatIsNotFitWhileItsStationAnswers) {
                    {"rate", Light::kRed, Text("%1; below %2 Hz", "700 Hz", 800), ""}}};
   StationState state{.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us};
   storeDevice(stationDevice(unfit, testing::kOfficeTime_us - 1), state);
-  StationRepository(study.centre.connection()).beat(state);
+  StationRepository(study.centre.connection()).recordHeartbeat(state);
 
   RunDayBoard board = runDayBoard(workplace, study.cohortId);
   board.asOfUtc_us = testing::kOfficeTime_us;
@@ -469,7 +472,7 @@ TEST(Audit, AWholeStudyLeavesAnEntryForEveryChangeAndVerifies) {
   revealSeed(study.centre.as("allocator"),
              allocationDesigns(study.centre.as("allocator"), study.cohortId).at(0).stored.id);
 
-  EXPECT_TRUE(AuditRepository(study.centre.connection()).verify().empty());
+  EXPECT_TRUE(verifyAuditTrail(study.centre.connection()).empty());
   const std::map<std::string, std::int64_t> expected{{"person.add", 9},
                                                      {"rubric.add", 1},
                                                      {"curriculum.add", 1},

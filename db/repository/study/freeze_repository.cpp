@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/study/freeze_repository.h"
+
+#include <array>
+
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/base/insert_idempotent.h"
+
+namespace torsio {
+
+namespace {
+
+const std::string kFreezes =
+    "SELECT id, cohort_id, name, content_hash, manifest_json, created_by, created_utc_us, demonstration"
+    " FROM frozen_dataset";
+
+std::vector<StoredFreeze> freezesOf(Statement& row) {
+  std::vector<StoredFreeze> freezes;
+  while (row.step()) {
+    freezes.push_back({.id = row.text(0),
+                       .cohortId = row.text(1),
+                       .name = row.text(2),
+                       .contentHash = row.text(3),
+                       .manifestJson = row.text(4),
+                       .createdBy = row.text(5),
+                       .createdUtc_us = row.int64(6),
+                       .demonstration = row.boolean(7)});
+  }
+  return freezes;
+}
+
+}  // namespace
+
+void FreezeRepository::add(const StoredFreeze& freeze) {
+  using Kind = IdempotentColumn::Kind;
+  Transaction transaction(connection_);
+  const std::array<IdempotentColumn, 8> columns{{{"id", freeze.id, Kind::kKey},
+                                                 {"cohort_id", freeze.cohortId},
+                                                 {"name", freeze.name},
+                                                 {"content_hash", freeze.contentHash},
+                                                 {"manifest_json", freeze.manifestJson},
+                                                 {"created_by", freeze.createdBy},
+                                                 {"created_utc_us", freeze.createdUtc_us, Kind::kIgnored},
+                                                 {"demonstration", freeze.demonstration}}};
+  if (insertIdempotent(connection_, "frozen_dataset", columns, "this frozen data set") == Inserted::kNew) {
+    AuditEntry entry;
+    entry.atUtc_us = freeze.createdUtc_us;
+    entry.actor = freeze.createdBy;
+    entry.station = station_;
+    entry.action = "dataset.freeze";
+    entry.objectKind = "frozen_dataset";
+    entry.objectId = freeze.id;
+    entry.objectHash = freeze.contentHash;
+    AuditRepository(connection_).append(entry);
+  }
+  transaction.commit();
+}
+
+std::optional<StoredFreeze> FreezeRepository::findByName(const std::string& name) {
+  Statement row = connection_.prepare(kFreezes + " WHERE name = ?");
+  row.execute({name});
+  std::vector<StoredFreeze> found = freezesOf(row);
+  return found.empty() ? std::nullopt : std::optional(found.front());
+}
+
+std::vector<StoredFreeze> FreezeRepository::list(const std::string& cohortId) {
+  Statement row = connection_.prepare(kFreezes + " WHERE cohort_id = ? ORDER BY created_utc_us, id");
+  row.execute({cohortId});
+  return freezesOf(row);
+}
+
+}  // namespace torsio
