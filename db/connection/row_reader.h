@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -14,10 +15,10 @@
 
 namespace torsio {
 
-/// Reads the current row of a Statement from left to right: each call takes the next column, so that a list of
-/// columns and its reader follow the same order and no column has a number. A null reads as 0, false or empty;
-/// the maybe form keeps it. Lives for one row, in the connection's thread. Taking more columns than there are is
-/// a broken contract.
+/// Reads the current row of a Statement from left to right: each call takes the next column, so that a list
+/// of columns and its reader follow the same order and no column has a number. A null reads as 0, false or
+/// empty; the maybe form keeps it. Lives for one row, in the connection's thread. Taking more columns than
+/// there are is a broken contract.
 class RowReader {
  public:
   explicit RowReader(const Statement& row) : row_(row) {}
@@ -64,7 +65,8 @@ template <typename Read>
   return made;
 }
 
-/// Steps an executed statement to its end and returns what `read(RowReader&)` makes of each row. Throws DbError.
+/// Steps an executed statement to its end and returns what `read(RowReader&)` makes of each row. Throws
+/// DbError.
 template <typename Read>
 [[nodiscard]] std::vector<RowOf<Read>> readRows(Statement& statement, Read&& read) {
   std::vector<RowOf<Read>> rows;
@@ -74,8 +76,8 @@ template <typename Read>
   return rows;
 }
 
-/// Steps an executed statement once and returns what `read(RowReader&)` makes of that row; empty: no row. Throws
-/// DbError.
+/// Steps an executed statement once and returns what `read(RowReader&)` makes of that row; empty: no row.
+/// Throws DbError.
 template <typename Read>
 [[nodiscard]] std::optional<RowOf<Read>> readFirst(Statement& statement, Read&& read) {
   if (!statement.step()) {
@@ -86,11 +88,18 @@ template <typename Read>
 
 /// Runs one SELECT with its values and returns what `read(RowReader&)` makes of each row. Throws DbError.
 template <typename Read>
-[[nodiscard]] auto selectAll(Connection& connection, std::string_view sql,
-                             std::initializer_list<Value> values, Read&& read) {
+[[nodiscard]] auto selectAll(Connection& connection, std::string_view sql, std::span<const Value> values,
+                             Read&& read) {
   Statement statement = connection.prepare(sql);
   statement.execute(values);
   return readRows(statement, read);
+}
+
+/// Runs one SELECT with its values and returns what `read(RowReader&)` makes of each row. Throws DbError.
+template <typename Read>
+[[nodiscard]] auto selectAll(Connection& connection, std::string_view sql,
+                             std::initializer_list<Value> values, Read&& read) {
+  return selectAll(connection, sql, std::span(values.begin(), values.size()), read);
 }
 
 /// Runs one SELECT with its values and returns what `read(RowReader&)` makes of its first row; empty: no row.
@@ -111,6 +120,11 @@ template <typename Read>
 /// Reads a row of one whole number.
 [[nodiscard]] inline std::int64_t readInt64(RowReader& row) {
   return row.int64();
+}
+
+/// Reads a row of one truth value.
+[[nodiscard]] inline bool readBoolean(RowReader& row) {
+  return row.boolean();
 }
 
 /// The text of an INSERT with a placeholder for each column. `columns`: their names, divided by commas.

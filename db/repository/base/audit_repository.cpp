@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/base/audit_repository.h"
 
+#include "db/connection/row_reader.h"
 #include "db/repository/base/field_digest.h"
 
 namespace torsio {
@@ -12,27 +13,26 @@ constexpr const char* kColumns =
     " object_hash, previous_hash, entry_hash";
 constexpr const char* kInTime = " WHERE at_utc_us >= ? AND at_utc_us <= ?";
 
-AuditEntry entryOf(const Statement& row) {
-  return {.sequence = row.int64(0),
-          .atUtc_us = row.int64(1),
-          .actor = row.text(2),
-          .station = row.text(3),
-          .action = row.text(4),
-          .objectKind = row.text(5),
-          .objectId = row.text(6),
-          .oldJson = row.text(7),
-          .newJson = row.text(8),
-          .reason = row.text(9),
-          .objectHash = row.text(10),
-          .previousHash = row.text(11),
-          .entryHash = row.text(12)};
+AuditEntry entryOf(RowReader& row) {
+  return {.sequence = row.int64(),
+          .atUtc_us = row.int64(),
+          .actor = row.text(),
+          .station = row.text(),
+          .action = row.text(),
+          .objectKind = row.text(),
+          .objectId = row.text(),
+          .oldJson = row.text(),
+          .newJson = row.text(),
+          .reason = row.text(),
+          .objectHash = row.text(),
+          .previousHash = row.text(),
+          .entryHash = row.text()};
 }
 
 bool moreThanLimit(Connection& connection, const AuditFilter& filter) {
-  Statement next =
-      connection.prepare(std::string("SELECT 1 FROM audit_entry") + kInTime + " LIMIT 1 OFFSET ?");
-  next.execute({filter.fromUtc_us, filter.toUtc_us, filter.limit});
-  return next.step();
+  return selectFirst(connection, std::string("SELECT 1 FROM audit_entry") + kInTime + " LIMIT 1 OFFSET ?",
+                     {filter.fromUtc_us, filter.toUtc_us, filter.limit}, readInt64)
+      .has_value();
 }
 
 }  // namespace
@@ -51,17 +51,14 @@ void AuditRepository::append(std::span<const AuditEntry> entries) {
     // SQLite holds its one write lock already.
     connection_.executeVerbatim("LOCK TABLE audit_entry IN SHARE ROW EXCLUSIVE MODE");
   }
-  std::int64_t sequence = 0;
-  std::string previous;
-  Statement last =
-      connection_.prepare("SELECT sequence, entry_hash FROM audit_entry ORDER BY sequence DESC LIMIT 1");
-  last.execute();
-  while (last.step()) {
-    sequence = last.int64(0);
-    previous = last.text(1);
-  }
-  Statement insert = connection_.prepare(std::string("INSERT INTO audit_entry (") + kColumns +
-                                         ") VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  auto [sequence, previous] =
+      selectFirst(connection_, "SELECT sequence, entry_hash FROM audit_entry ORDER BY sequence DESC LIMIT 1",
+                  {},
+                  [](RowReader& row) {
+                    return std::pair<std::int64_t, std::string>{row.int64(), row.text()};
+                  })
+          .value_or(std::pair<std::int64_t, std::string>{});
+  Statement insert = connection_.prepare(insertInto("audit_entry", kColumns));
   for (AuditEntry entry : entries) {
     entry.sequence = ++sequence;
     entry.previousHash = previous;
@@ -90,24 +87,29 @@ std::vector<AuditEntry> AuditRepository::entries(const AuditFilter& filter) {
     values.emplace_back(filter.objectId);
   }
   values.emplace_back(filter.limit);
-  std::vector<AuditEntry> entries;
-  Statement row = connection_.prepare(std::string("SELECT ") + kColumns + " FROM audit_entry" + where +
-                                      " ORDER BY sequence DESC LIMIT ?");
-  row.execute(values);
-  while (row.step()) entries.push_back(entryOf(row));
-  return entries;
+  return selectAll(
+      connection_,
+      std::string("SELECT ") + kColumns + " FROM audit_entry" + where + " ORDER BY sequence DESC LIMIT ?",
+      values, entryOf);
 }
 
-std::int64_t AuditRepository::count(std::int64_t fromUtc_us, std::int64_t toUtc_us) {
-  Statement row = connection_.prepare(std::string("SELECT count(*) FROM audit_entry") + kInTime);
-  row.execute({fromUtc_us, toUtc_us});
-  return row.step() ? row.int64(0) : 0;
+void AuditRepository::forEach(const std::function<void(const AuditEntry&)>& take) const {
+  Statement entries =
+      connection_.prepare(std::string("SELECT ") + kColumns + " FROM audit_entry ORDER BY sequence");
+  entries.execute();
+  while (entries.step()) {
+    take(readRow(entries, entryOf));
+  }
 }
 
-std::int64_t AuditRepository::length() {
-  Statement row = connection_.prepare("SELECT count(*) FROM audit_entry");
-  row.execute();
-  return row.step() ? row.int64(0) : 0;
+std::int64_t AuditRepository::count(std::int64_t fromUtc_us, std::int64_t toUtc_us) const {
+  return selectFirst(connection_, std::string("SELECT count(*) FROM audit_entry") + kInTime,
+                     {fromUtc_us, toUtc_us}, readInt64)
+      .value_or(0);
+}
+
+std::int64_t AuditRepository::length() const {
+  return selectFirst(connection_, "SELECT count(*) FROM audit_entry", {}, readInt64).value_or(0);
 }
 
 }  // namespace torsio

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -50,10 +51,12 @@ class AuditRepository {
   void append(const AuditEntry& entry) { append(std::span(&entry, 1)); }
   [[nodiscard]] std::vector<AuditEntry> entries(const AuditFilter& filter = {});
   /// Entries of a time, both ends included.
-  [[nodiscard]] std::int64_t count(std::int64_t fromUtc_us, std::int64_t toUtc_us = INT64_MAX);
+  [[nodiscard]] std::int64_t count(std::int64_t fromUtc_us, std::int64_t toUtc_us = INT64_MAX) const;
 
+  /// Gives every entry of the chain to `take`, oldest first, one at a time.
+  void forEach(const std::function<void(const AuditEntry&)>& take) const;
   /// Entries in the chain.
-  [[nodiscard]] std::int64_t length();
+  [[nodiscard]] std::int64_t length() const;
 
  private:
   Connection& connection_;

@@ -21,7 +21,9 @@ std::string uuidText(Bytes bytes) {
   bytes[6] = static_cast<std::uint8_t>((bytes[6] & 0x0FU) | 0x40U);  // version 4
   bytes[8] = static_cast<std::uint8_t>((bytes[8] & 0x3FU) | 0x80U);  // variant 10
   std::string text = toHex(bytes);
-  for (const std::size_t position : kDashes) text.insert(position, 1, '-');
+  for (const std::size_t position : kDashes) {
+    text.insert(position, 1, '-');
+  }
   return text;
 }
 
@@ -38,18 +40,24 @@ std::string SeededIdSource::newUuid() {
   Bytes bytes{};
   for (std::size_t half = 0; half < 2; ++half) {
     const std::uint64_t word = random_.next();
-    for (std::size_t i = 0; i < 8; ++i) bytes[8 * half + i] = static_cast<std::uint8_t>(word >> (8 * i));
+    for (std::size_t i = 0; i < 8; ++i) {
+      bytes[8 * half + i] = static_cast<std::uint8_t>(word >> (8 * i));
+    }
   }
   return uuidText(bytes);
 }
 
 bool isUuid(const std::string& text) noexcept {
-  if (text.size() != 36) return false;
+  if (text.size() != 36) {
+    return false;
+  }
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool dash = i == 8 || i == 13 || i == 18 || i == 23;
     const char c = text[i];
     const bool hex = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
-    if (dash ? c != '-' : !hex) return false;
+    if (dash ? c != '-' : !hex) {
+      return false;
+    }
   }
   return true;
 }

@@ -8,7 +8,9 @@ namespace torsio {
 namespace {
 
 void appendListed(std::string& text, std::string_view item) {
-  if (!text.empty()) text += ", ";
+  if (!text.empty()) {
+    text += ", ";
+  }
   text += item;
 }
 
@@ -18,18 +20,28 @@ bool isThere(Connection& connection, std::string_view table, std::span<const Ide
   std::string where;
   std::vector<Value> key;
   for (const IdempotentColumn& column : columns) {
-    if (column.kind == IdempotentColumn::Kind::kContent) appendListed(select, column.name);
-    if (column.kind != IdempotentColumn::Kind::kKey) continue;
+    if (column.kind == IdempotentColumn::Kind::kContent) {
+      appendListed(select, column.name);
+    }
+    if (column.kind != IdempotentColumn::Kind::kKey) {
+      continue;
+    }
     where += (where.empty() ? "" : " AND ") + std::string(column.name) + " = ?";
     key.push_back(column.value);
   }
   Statement row = connection.prepare("SELECT " + select + " FROM " + std::string(table) + " WHERE " + where);
   row.execute(key);
-  if (!row.step()) return false;
+  if (!row.step()) {
+    return false;
+  }
   int position = 0;
   for (const IdempotentColumn& column : columns) {
-    if (column.kind != IdempotentColumn::Kind::kContent) continue;
-    if (!sameStored(column.value, row.value(position++))) return false;
+    if (column.kind != IdempotentColumn::Kind::kContent) {
+      continue;
+    }
+    if (!sameStored(column.value, row.value(position++))) {
+      return false;
+    }
   }
   return true;
 }
@@ -39,7 +51,9 @@ bool isThere(Connection& connection, std::string_view table, std::span<const Ide
 bool sameStored(const Value& given, const Value& read) {
   const auto* flag = std::get_if<bool>(&given.storage());
   const auto* number = std::get_if<std::int64_t>(&read.storage());
-  if (flag != nullptr && number != nullptr) return *number == (*flag ? 1 : 0);
+  if (flag != nullptr && number != nullptr) {
+    return *number == (*flag ? 1 : 0);
+  }
   return given.storage() == read.storage();
 }
 
@@ -58,14 +72,20 @@ Inserted insertIdempotent(Connection& connection, std::string_view table,
   for (const IdempotentColumn& column : columns) {
     appendListed(names, column.name);
     appendListed(marks, "?");
-    if (column.kind == IdempotentColumn::Kind::kKey) appendListed(key, column.name);
+    if (column.kind == IdempotentColumn::Kind::kKey) {
+      appendListed(key, column.name);
+    }
     values.push_back(column.value);
   }
   Statement insert = connection.prepare("INSERT INTO " + std::string(table) + " (" + names + ") VALUES (" +
                                         marks + ") ON CONFLICT (" + key + ") DO NOTHING");
   insert.execute(values);
-  if (insert.affectedRows() == 1) return Inserted::kNew;
-  if (!isThere(connection, table, columns)) refuseOtherContent(connection, table, what);
+  if (insert.affectedRows() == 1) {
+    return Inserted::kNew;
+  }
+  if (!isThere(connection, table, columns)) {
+    refuseOtherContent(connection, table, what);
+  }
   return Inserted::kThereAlready;
 }
 

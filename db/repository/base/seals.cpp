@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "db/connection/row_reader.h"
 #include "db/repository/base/field_digest.h"
 
 namespace torsio {
@@ -20,17 +21,31 @@ void forEachRow(Connection& connection, const std::string& sql, const std::strin
   do {
     const std::span<const std::string> batch = ids.subspan(done, std::min(kBatch, ids.size() - done));
     std::string where;
-    for (std::size_t i = 0; i < batch.size(); ++i) where += i == 0 ? "?" : ", ?";
-    if (!where.empty()) where = " WHERE " + column + " IN (" + where + ")";
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      where += i == 0 ? "?" : ", ?";
+    }
+    if (!where.empty()) {
+      where = " WHERE " + column + " IN (" + where + ")";
+    }
     Statement row = connection.prepare(sql + where + " ORDER BY " + order);
     row.execute(std::vector<Value>(batch.begin(), batch.end()));
-    while (row.step()) read(row);
+    while (row.step()) {
+      RowReader reader(row);
+      read(reader);
+    }
     done += batch.size();
   } while (done < ids.size());
 }
 
 void addMaybe(FieldDigest& digest, const std::optional<std::int64_t>& number) {
   digest.add(number ? 1 : 0).add(number.value_or(0));
+}
+
+/// Adds the three columns of a scale: its ends and its steps a point.
+void addScale(FieldDigest& digest, RowReader& row) {
+  for (int part = 0; part < 3; ++part) {
+    digest.add(row.int64());
+  }
 }
 
 }  // namespace
@@ -45,27 +60,40 @@ std::map<std::string, std::string> markHashes(Connection& connection, std::span<
       "SELECT id, enrolment_id, rater_id, scoring_point, version, trial_id, score_steps, scale_lo_steps,"
       " scale_hi_steps, steps_per_point, not_assessable_reason, comment_hash, amend_reason, submitted_utc_us,"
       " demonstration, assignment_id FROM training_mark";
-  forEachRow(connection, marks, "id", ids, "id", [&](const Statement& mark) {
+  forEachRow(connection, marks, "id", ids, "id", [&](RowReader& mark) {
     FieldDigest digest("torsio training mark 1");
-    for (int column = 0; column <= 3; ++column) digest.add(mark.text(column));
-    digest.add(mark.int64(4)).add(mark.text(5));
-    addMaybe(digest, mark.maybeInt64(6));
-    for (int column = 7; column <= 9; ++column) digest.add(mark.int64(column));
-    for (int column = 10; column <= 12; ++column) digest.add(mark.text(column));
-    digest.add(mark.int64(13)).add(mark.boolean(14)).add(mark.text(15));
-    digests.emplace(mark.text(0), digest);
+    const std::string id = mark.text();
+    digest.add(id).add(mark.text());  // enrolment
+    digest.add(mark.text());          // rater
+    digest.add(mark.text());          // scoring point
+    digest.add(mark.int64());         // version
+    digest.add(mark.text());          // trial
+    addMaybe(digest, mark.maybeInt64());
+    addScale(digest, mark);
+    digest.add(mark.text());  // why it is not assessable
+    digest.add(mark.text());  // hash of the comment
+    digest.add(mark.text());  // why it was amended
+    digest.add(mark.int64());
+    digest.add(mark.boolean());
+    digest.add(mark.text());  // assignment
+    digests.emplace(id, digest);
   });
   const std::string rows =
       "SELECT mark_id, revision_id, row_code, score_steps, not_assessable_reason FROM training_mark_row";
-  forEachRow(connection, rows, "mark_id", ids, "mark_id, row_code", [&](const Statement& row) {
-    const auto found = digests.find(row.text(0));
-    if (found == digests.end()) return;
-    found->second.add(row.text(1)).add(row.text(2));
-    addMaybe(found->second, row.maybeInt64(3));
-    found->second.add(row.text(4));
+  forEachRow(connection, rows, "mark_id", ids, "mark_id, row_code", [&](RowReader& row) {
+    const auto found = digests.find(row.text());
+    if (found == digests.end()) {
+      return;
+    }
+    found->second.add(row.text());  // revision of the rubric
+    found->second.add(row.text());  // row of the rubric
+    addMaybe(found->second, row.maybeInt64());
+    found->second.add(row.text());  // why it is not assessable
   });
   std::map<std::string, std::string> hashes;
-  for (const auto& [id, digest] : digests) hashes[id] = digest.hex();
+  for (const auto& [id, digest] : digests) {
+    hashes[id] = digest.hex();
+  }
   return hashes;
 }
 
@@ -75,12 +103,19 @@ std::map<std::string, std::string> evaluationMarkHashes(Connection& connection,
   const std::string marks =
       "SELECT id, campaign_id, rater_id, model_code, index_number, version, score_steps, amend_reason,"
       " submitted_utc_us, demonstration FROM evaluation_mark";
-  forEachRow(connection, marks, "id", ids, "id", [&](const Statement& mark) {
+  forEachRow(connection, marks, "id", ids, "id", [&](RowReader& mark) {
     FieldDigest digest("torsio evaluation mark 1");
-    for (int column = 0; column <= 3; ++column) digest.add(mark.text(column));
-    for (int column = 4; column <= 6; ++column) digest.add(mark.int64(column));
-    digest.add(mark.text(7)).add(mark.int64(8)).add(mark.boolean(9));
-    hashes[mark.text(0)] = digest.hex();
+    const std::string id = mark.text();
+    digest.add(id).add(mark.text());  // campaign
+    digest.add(mark.text());          // rater
+    digest.add(mark.text());          // model
+    digest.add(mark.int64());         // index
+    digest.add(mark.int64());         // version
+    digest.add(mark.int64());         // score
+    digest.add(mark.text());          // why it was amended
+    digest.add(mark.int64());
+    digest.add(mark.boolean());
+    hashes[id] = digest.hex();
   });
   return hashes;
 }
@@ -90,11 +125,16 @@ std::map<std::string, std::string> trialHashes(Connection& connection, std::span
   const std::string trials =
       "SELECT trial_id, sample_count, refused_samples, late_ticks, outcome, content_hash, ended_utc_us"
       " FROM trial_end";
-  forEachRow(connection, trials, "trial_id", ids, "trial_id", [&](const Statement& trial) {
+  forEachRow(connection, trials, "trial_id", ids, "trial_id", [&](RowReader& trial) {
     FieldDigest digest("torsio trial end 1");
-    digest.add(trial.text(0)).add(trial.int64(1)).add(trial.int64(2)).add(trial.int64(3));
-    digest.add(trial.text(4)).add(trial.text(5)).add(trial.int64(6));
-    hashes[trial.text(0)] = digest.hex();
+    const std::string id = trial.text();
+    digest.add(id).add(trial.int64());  // samples
+    digest.add(trial.int64());          // refused samples
+    digest.add(trial.int64());          // late ticks
+    digest.add(trial.text());           // outcome
+    digest.add(trial.text());           // content hash
+    digest.add(trial.int64());
+    hashes[id] = digest.hex();
   });
   return hashes;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "db/connection/row_reader.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -10,16 +11,14 @@ namespace torsio {
 namespace {
 
 std::vector<std::string> textsFrom(Connection& connection, const char* sql) {
-  std::vector<std::string> texts;
-  Statement row = connection.prepare(sql);
-  row.execute();
-  while (row.step()) texts.push_back(row.text(0));
-  return texts;
+  return selectAll(connection, sql, {}, readText);
 }
 
 void insertRoles(Connection& connection, const std::string& userId, const std::vector<std::string>& roles) {
-  Statement insert = connection.prepare("INSERT INTO user_role (user_id, role_code) VALUES (?, ?)");
-  for (const std::string& role : roles) insert.execute({userId, role});
+  Statement insert = connection.prepare(insertInto("user_role", "user_id, role_code"));
+  for (const std::string& role : roles) {
+    insert.execute({userId, role});
+  }
 }
 
 }  // namespace
@@ -34,29 +33,30 @@ struct AccessRepository::Account {
   std::int64_t lockedUntilUtc_us = 0;
 };
 
-std::set<std::pair<std::string, std::string>> AccessRepository::permissions() {
-  std::set<std::pair<std::string, std::string>> pairs;
-  Statement row = connection_.prepare("SELECT role_code, operation_code FROM role_operation");
-  row.execute();
-  while (row.step()) pairs.emplace(row.text(0), row.text(1));
-  return pairs;
+std::set<std::pair<std::string, std::string>> AccessRepository::permissions() const {
+  using Permission = std::pair<std::string, std::string>;
+  const std::vector<Permission> all =
+      selectAll(connection_, "SELECT role_code, operation_code FROM role_operation", {}, [](RowReader& row) {
+        return Permission{row.text(), row.text()};
+      });
+  return {all.begin(), all.end()};
 }
 
-std::vector<std::string> AccessRepository::roles() {
+std::vector<std::string> AccessRepository::roles() const {
   return textsFrom(connection_, "SELECT code FROM role ORDER BY code");
 }
 
-std::vector<std::string> AccessRepository::operations() {
+std::vector<std::string> AccessRepository::operations() const {
   return textsFrom(connection_, "SELECT code FROM operation ORDER BY code");
 }
 
-bool AccessRepository::allowed(const std::string& userId, const std::string& operation) {
-  Statement row = connection_.prepare(
-      "SELECT count(*) FROM app_user u JOIN user_role r ON r.user_id = u.id"
-      " JOIN role_operation o ON o.role_code = r.role_code"
-      " WHERE u.id = ? AND u.state = 'active' AND o.operation_code = ?");
-  row.execute({userId, operation});
-  return row.step() && row.int64(0) > 0;
+bool AccessRepository::allowed(const std::string& userId, const std::string& operation) const {
+  return selectFirst(connection_,
+                     "SELECT count(*) FROM app_user u JOIN user_role r ON r.user_id = u.id"
+                     " JOIN role_operation o ON o.role_code = r.role_code"
+                     " WHERE u.id = ? AND u.state = 'active' AND o.operation_code = ?",
+                     {userId, operation}, readInt64)
+             .value_or(0) > 0;
 }
 
 SealedSecret AccessRepository::sealPassword(const std::string& login, const std::string& password) const {
@@ -65,7 +65,9 @@ SealedSecret AccessRepository::sealPassword(const std::string& login, const std:
 }
 
 SealedSecret AccessRepository::sealPin(const std::string& pin) const {
-  if (pin.empty()) return {};
+  if (pin.empty()) {
+    return {};
+  }
   if (pin.size() < static_cast<std::size_t>(kShortestPin)) {
     throw Error(ErrorCode::kBadParameter, Text("the PIN is shorter than %1 digits", kShortestPin), "PIN",
                 "Take a longer one");
@@ -84,25 +86,30 @@ void AccessRepository::addUser(const StoredUser& user, const SealedSecret& passw
   transaction.commit();
 }
 
-std::vector<StoredUser> AccessRepository::users() {
-  std::vector<StoredUser> users;
-  Statement row = connection_.prepare(
+std::vector<StoredUser> AccessRepository::users() const {
+  Statement statement = connection_.prepare(
       "SELECT u.id, u.login, u.person_id, u.must_change_password, u.state, u.pin_hash, u.created_utc_us,"
       " u.demonstration, r.role_code FROM app_user u LEFT JOIN user_role r ON r.user_id = u.id"
       " ORDER BY u.login, r.role_code");
-  row.execute();
-  while (row.step()) {
-    if (users.empty() || users.back().id != row.text(0)) {
-      users.push_back({.id = row.text(0),
-                       .login = row.text(1),
-                       .personId = row.text(2),
-                       .mustChangePassword = row.boolean(3),
-                       .active = row.text(4) == "active",
-                       .hasPin = !row.isNull(5),
-                       .createdUtc_us = row.int64(6),
-                       .demonstration = row.boolean(7)});
+  statement.execute();
+  std::vector<StoredUser> users;
+  while (statement.step()) {  // one row a role
+    RowReader row(statement);
+    StoredUser user{.id = row.text(),
+                    .login = row.text(),
+                    .personId = row.text(),
+                    .mustChangePassword = row.boolean(),
+                    .active = row.text() == "active",
+                    .hasPin = row.hasValue(),
+                    .createdUtc_us = row.int64(),
+                    .demonstration = row.boolean()};
+    const std::optional<std::string> role = row.maybeText();
+    if (users.empty() || users.back().id != user.id) {
+      users.push_back(std::move(user));
     }
-    if (!row.isNull(8)) users.back().roles.push_back(row.text(8));
+    if (role) {
+      users.back().roles.push_back(*role);
+    }
   }
   return users;
 }
@@ -118,14 +125,15 @@ void AccessRepository::setActive(const std::string& userId, bool active) {
   connection_.execute("UPDATE app_user SET state = ? WHERE id = ?", {active ? "active" : "disabled", userId});
 }
 
-std::optional<AccessRepository::Account> AccessRepository::account(const std::string& login) {
-  Statement row = connection_.prepare(
+std::optional<AccessRepository::Account> AccessRepository::account(const std::string& login) const {
+  return selectFirst(
+      connection_,
       "SELECT id, password_hash, pin_hash, must_change_password, state, failed_count, locked_until_utc_us"
-      " FROM app_user WHERE login = ?");
-  row.execute({login});
-  if (!row.step()) return std::nullopt;
-  return Account{row.text(0),  row.text(1), row.text(2), row.boolean(3), row.text(4) == "active",
-                 row.int64(5), row.int64(6)};
+      " FROM app_user WHERE login = ?",
+      {login}, [](RowReader& row) {
+        return Account{row.text(),  row.text(), row.text(), row.boolean(), row.text() == "active",
+                       row.int64(), row.int64()};
+      });
 }
 
 void AccessRepository::noteFailure(const std::string& userId, std::int64_t failures, std::int64_t now_us) {
@@ -148,13 +156,19 @@ SignInResult AccessRepository::check(const std::string& login, const std::string
     (void)hashPassword(secret, cost_);
     return {SignIn::kWrong};
   }
-  if (now_us < found->lockedUntilUtc_us) return {SignIn::kWait, "", found->lockedUntilUtc_us};
+  if (now_us < found->lockedUntilUtc_us) {
+    return {SignIn::kWait, "", found->lockedUntilUtc_us};
+  }
   if (!passwordMatches(hash, secret)) {
     noteFailure(found->id, found->failures + 1, now_us);
     return {SignIn::kWrong};
   }
-  if (!found->active) return {SignIn::kDisabled};
-  if (found->failures > 0) noteFailure(found->id, 0, 0);
+  if (!found->active) {
+    return {SignIn::kDisabled};
+  }
+  if (found->failures > 0) {
+    noteFailure(found->id, 0, 0);
+  }
   return {found->mustChange && !pin ? SignIn::kMustChange : SignIn::kOk, found->id};
 }
 

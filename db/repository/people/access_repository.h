@@ -56,11 +56,11 @@ class AccessRepository {
       : connection_(connection), cost_(cost) {}
 
   /// Every pair that is allowed.
-  [[nodiscard]] std::set<std::pair<std::string, std::string>> permissions();
-  [[nodiscard]] std::vector<std::string> roles();
-  [[nodiscard]] std::vector<std::string> operations();
+  [[nodiscard]] std::set<std::pair<std::string, std::string>> permissions() const;
+  [[nodiscard]] std::vector<std::string> roles() const;
+  [[nodiscard]] std::vector<std::string> operations() const;
   /// Whether one of the user's roles has the operation; unknown and disabled users may nothing.
-  [[nodiscard]] bool allowed(const std::string& userId, const std::string& operation);
+  [[nodiscard]] bool allowed(const std::string& userId, const std::string& operation) const;
 
   /// Sealing takes about a second on purpose: do it before a transaction begins, or everybody else waits for
   /// the database meanwhile. Throw Error (kBadParameter) for a weak secret; an empty PIN is none.
@@ -72,7 +72,7 @@ class AccessRepository {
   void addUser(const StoredUser& user, const std::string& password) {
     addUser(user, sealPassword(user.login, password));
   }
-  [[nodiscard]] std::vector<StoredUser> users();
+  [[nodiscard]] std::vector<StoredUser> users() const;
   void setRoles(const std::string& userId, const std::vector<std::string>& roles);
   void setActive(const std::string& userId, bool active);
 
@@ -88,7 +88,7 @@ class AccessRepository {
 
  private:
   struct Account;
-  [[nodiscard]] std::optional<Account> account(const std::string& login);
+  [[nodiscard]] std::optional<Account> account(const std::string& login) const;
   [[nodiscard]] SignInResult check(const std::string& login, const std::string& secret, bool pin,
                                    std::int64_t now_us);
   void noteFailure(const std::string& userId, std::int64_t failures, std::int64_t now_us);

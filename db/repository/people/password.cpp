@@ -48,8 +48,12 @@ bool repeats(const std::string& text) {
   constexpr std::size_t kPiece = 5;
   for (std::size_t piece = 1; piece <= kPiece; ++piece) {
     bool same = true;
-    for (std::size_t i = piece; i < text.size() && same; ++i) same = text[i] == text[i - piece];
-    if (same) return true;
+    for (std::size_t i = piece; i < text.size() && same; ++i) {
+      same = text[i] == text[i - piece];
+    }
+    if (same) {
+      return true;
+    }
   }
   return false;
 }
@@ -74,12 +78,14 @@ void checkPassword(const std::string& password, const std::string& login) {
     refuse(Text("the password is shorter than %1 characters", kShortestPassword),
            "Take a sentence: spaces and any letters are welcome");
   }
-  if (password.size() > static_cast<std::size_t>(kLongestPassword))
+  if (password.size() > static_cast<std::size_t>(kLongestPassword)) {
     refuse("the password is too long", "Shorten it");
+  }
   const std::string plain = lowered(password);
   const std::string name = lowered(login);
-  if (repeats(plain) || isRun(plain))
+  if (repeats(plain) || isRun(plain)) {
     refuse("the password is a simple pattern", "Take a sentence of your own");
+  }
   if (name.size() >= 3 && plain.size() < name.size() + 8 && plain.find(name) != std::string::npos) {
     refuse("the password is little more than the login name", "Take a sentence of your own");
   }

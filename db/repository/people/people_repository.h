@@ -66,7 +66,7 @@ class PeopleRepository {
   explicit PeopleRepository(Connection& connection) : connection_(connection) {}
 
   void addRaterClasses(std::span<const StoredRaterClass> classes);
-  [[nodiscard]] std::vector<StoredRaterClass> raterClasses();
+  [[nodiscard]] std::vector<StoredRaterClass> raterClasses() const;
 
   void addTrainees(std::span<const StoredTrainee> trainees);
   void addRaters(std::span<const StoredRater> raters);
@@ -81,34 +81,34 @@ class PeopleRepository {
   void setHandedness(const std::string& personId, const std::string& handedness);
   void setRaterClass(const std::string& personId, const std::string& classCode);
   /// Whatever parts the person has; erased ones too.
-  [[nodiscard]] std::optional<StoredPerson> find(const std::string& personId);
+  [[nodiscard]] std::optional<StoredPerson> find(const std::string& personId) const;
   /// Codes of all people, erased ones included: a code is never given twice.
-  [[nodiscard]] std::vector<std::string> codes();
+  [[nodiscard]] std::vector<std::string> codes() const;
 
   /// Ordered by code.
-  [[nodiscard]] std::vector<StoredTrainee> trainees();
+  [[nodiscard]] std::vector<StoredTrainee> trainees() const;
   /// Ordered by class position, then code.
-  [[nodiscard]] std::vector<StoredRater> raters();
-  [[nodiscard]] std::optional<StoredTrainee> findTrainee(const std::string& code);
-  [[nodiscard]] std::optional<StoredRater> findRater(const std::string& code);
+  [[nodiscard]] std::vector<StoredRater> raters() const;
+  [[nodiscard]] std::optional<StoredTrainee> findTrainee(const std::string& code) const;
+  [[nodiscard]] std::optional<StoredRater> findRater(const std::string& code) const;
 
   void addIdentities(std::span<const StoredIdentity> identities);
-  [[nodiscard]] std::optional<StoredIdentity> identity(const std::string& personId);
+  [[nodiscard]] std::optional<StoredIdentity> identity(const std::string& personId) const;
 
   /// Adds the identity, or replaces the one that is there.
   void setIdentity(const StoredIdentity& identity);
   /// Whose staff or student number this is.
-  [[nodiscard]] std::optional<StoredIdentity> identityByExternalId(const std::string& externalId);
+  [[nodiscard]] std::optional<StoredIdentity> identityByExternalId(const std::string& externalId) const;
   /// Of everybody who has one, in no order.
-  [[nodiscard]] std::vector<StoredIdentity> identities();
+  [[nodiscard]] std::vector<StoredIdentity> identities() const;
 
   void recordConsent(const StoredConsent& consent);
   /// Every decision, oldest first.
-  [[nodiscard]] std::vector<StoredConsent> consents(const std::string& personId);
+  [[nodiscard]] std::vector<StoredConsent> consents(const std::string& personId) const;
   /// The newest decision of every person about every purpose, by person and purpose.
-  [[nodiscard]] std::vector<StoredConsent> newestConsents();
+  [[nodiscard]] std::vector<StoredConsent> newestConsents() const;
   /// Whether the newest decision grants it; without one: false.
-  [[nodiscard]] bool hasConsent(const std::string& personId, const std::string& purpose);
+  [[nodiscard]] bool hasConsent(const std::string& personId, const std::string& purpose) const;
 
  private:
   Connection& connection_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "sim/base/error.h"
 
@@ -125,7 +126,9 @@ std::vector<Value> valuesFor(const PersonRule& rule, const std::string& personId
 }
 
 void applyRule(Connection& connection, const PersonRule& rule, const std::string& personId) {
-  if (rule.condition.empty() || rule.onErase == OnErase::kKeep) return;
+  if (rule.condition.empty() || rule.onErase == OnErase::kKeep) {
+    return;
+  }
   const std::string table(rule.table);
   const std::string act = rule.onErase == OnErase::kDelete
                               ? "DELETE FROM " + table
@@ -142,7 +145,9 @@ std::span<const PersonRule> personRules() {
 std::vector<PersonTable> exportPerson(Connection& connection, const std::string& personId) {
   std::vector<PersonTable> tables;
   for (const PersonRule& rule : kRules) {
-    if (rule.condition.empty()) continue;
+    if (rule.condition.empty()) {
+      continue;
+    }
     PersonTable table{std::string(rule.table), {}, {}};
     Statement row = connection.prepare("SELECT " + std::string(rule.columns) + " FROM " + table.table +
                                        " WHERE " + std::string(rule.condition));
@@ -150,12 +155,16 @@ std::vector<PersonTable> exportPerson(Connection& connection, const std::string&
     while (row.step()) {
       std::vector<Value> values;
       for (int column = 0; column < row.columnCount(); ++column) {
-        if (table.rows.empty()) table.columns.push_back(row.columnName(column));
+        if (table.rows.empty()) {
+          table.columns.push_back(row.columnName(column));
+        }
         values.push_back(row.value(column));
       }
       table.rows.push_back(std::move(values));
     }
-    if (!table.rows.empty()) tables.push_back(std::move(table));
+    if (!table.rows.empty()) {
+      tables.push_back(std::move(table));
+    }
   }
   return tables;
 }
@@ -168,13 +177,13 @@ void erasePerson(Connection& connection, const std::string& personId, const std:
     throw Error(ErrorCode::kBadData, "there is no such person, or they were erased already", "erase",
                 "Check the code");
   }
-  connection.execute("INSERT INTO erasure_gate (id, reason, opened_utc_us) VALUES (?, ?, ?)",
-                     {personId, reason, utc_us});
-  for (const PersonRule& rule : kRules) applyRule(connection, rule, personId);
+  connection.execute(insertInto("erasure_gate", "id, reason, opened_utc_us"), {personId, reason, utc_us});
+  for (const PersonRule& rule : kRules) {
+    applyRule(connection, rule, personId);
+  }
   connection.execute("DELETE FROM erasure_gate WHERE id = ?", {personId});
-  connection.execute(
-      "INSERT INTO erasure (person_id, requested_by, reason, erased_utc_us) VALUES (?, ?, ?, ?)",
-      {personId, requestedBy, reason, utc_us});
+  connection.execute(insertInto("erasure", "person_id, requested_by, reason, erased_utc_us"),
+                     {personId, requestedBy, reason, utc_us});
   AuditEntry entry;
   entry.atUtc_us = utc_us;
   entry.actor = requestedBy;

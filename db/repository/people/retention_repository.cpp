@@ -6,6 +6,7 @@
 #include <map>
 #include <string_view>
 
+#include "db/connection/row_reader.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -17,6 +18,9 @@ constexpr std::array<std::string_view, 4> kCategories{kRetainTrainee, kRetainRat
 constexpr std::int64_t kDay_us = 86'400'000'000;
 constexpr std::int64_t kLongest_days = 36'500;
 
+/// State and creation; whether trainee and rater; kActivityTimes times of what they did; since when consent
+/// to the record is withdrawn.
+constexpr int kActivityTimes = 6;
 constexpr const char* kPeople =
     "SELECT p.id, p.code, p.state, p.created_utc_us,"
     " (SELECT count(*) FROM trainee t WHERE t.person_id = p.id),"
@@ -39,46 +43,52 @@ constexpr const char* kHolds =
 
 /// What kPeople gives for one person.
 struct Activity {
+  std::string personId;
+  std::string code;
   bool left = false;
+  std::int64_t last_us = 0;
   bool trainee = false;
   bool rater = false;
-  std::int64_t last_us = 0;
   std::optional<std::int64_t> withdrawn_us{};
 };
 
-Activity activityOf(const Statement& row) {
-  constexpr int kFirstTime = 6;
-  constexpr int kWithdrawn = 12;
-  Activity activity{.left = row.text(2) == "left",
-                    .trainee = row.int64(4) > 0,
-                    .rater = row.int64(5) > 0,
-                    .last_us = row.int64(3),
-                    .withdrawn_us = row.maybeInt64(kWithdrawn)};
-  for (int column = kFirstTime; column < kWithdrawn; ++column) {
-    activity.last_us = std::max(activity.last_us, row.int64(column));
+Activity activityOf(RowReader& row) {
+  Activity activity{.personId = row.text(),
+                    .code = row.text(),
+                    .left = row.text() == "left",
+                    .last_us = row.int64(),
+                    .trainee = row.int64() > 0,
+                    .rater = row.int64() > 0};
+  for (int time = 0; time < kActivityTimes; ++time) {
+    activity.last_us = std::max(activity.last_us, row.int64());
   }
+  activity.withdrawn_us = row.maybeInt64();
   return activity;
 }
 
 /// Since when `category` counts for a person; empty: not at all.
 std::optional<std::int64_t> since(const Activity& activity, std::string_view category) {
-  if (category == kRetainWithdrawn) return activity.withdrawn_us;
+  if (category == kRetainWithdrawn) {
+    return activity.withdrawn_us;
+  }
   const bool counts = (category == kRetainTrainee && activity.trainee) ||
                       (category == kRetainRater && activity.rater) ||
                       (category == kRetainLeft && activity.left);
   return counts ? std::optional(activity.last_us) : std::nullopt;
 }
 
-RetentionHold holdOf(const Statement& row) {
-  return {row.text(0), row.text(1), row.maybeInt64(2), row.text(3), row.text(4), row.int64(5)};
+RetentionHold holdOf(RowReader& row) {
+  return {row.text(), row.text(), row.maybeInt64(), row.text(), row.text(), row.int64()};
 }
 
 /// The newest decision about each person about whom there is one.
 std::map<std::string, RetentionHold> newestHolds(Connection& connection) {
   std::map<std::string, RetentionHold> newest;
-  Statement row = connection.prepare(std::string(kHolds) + " ORDER BY person_id, sequence");
-  row.execute();
-  while (row.step()) newest.insert_or_assign(row.text(0), holdOf(row));
+  for (RetentionHold& hold :
+       selectAll(connection, std::string(kHolds) + " ORDER BY person_id, sequence", {}, holdOf)) {
+    std::string personId = hold.personId;
+    newest.insert_or_assign(std::move(personId), std::move(hold));
+  }
   return newest;
 }
 
@@ -97,24 +107,22 @@ void RetentionRepository::setRule(const RetentionRule& rule) {
     throw Error(ErrorCode::kBadParameter, "records are kept for one day at least and a hundred years at most",
                 Text("%1: %2 days", rule.category, rule.keep_days), "Enter 1 to 36500");
   }
-  connection_.execute(
-      "INSERT INTO retention_rule (category, keep_days, basis, changed_utc_us) VALUES (?, ?, ?, ?)"
-      " ON CONFLICT (category) DO UPDATE SET keep_days = excluded.keep_days, basis = excluded.basis,"
-      " changed_utc_us = excluded.changed_utc_us",
-      {rule.category, rule.keep_days, rule.basis, rule.changedUtc_us});
+  connection_.execute(insertInto("retention_rule", "category, keep_days, basis, changed_utc_us") +
+                          " ON CONFLICT (category) DO UPDATE SET keep_days = excluded.keep_days, basis ="
+                          " excluded.basis, changed_utc_us = excluded.changed_utc_us",
+                      {rule.category, rule.keep_days, rule.basis, rule.changedUtc_us});
 }
 
 void RetentionRepository::removeRule(const std::string& category) {
   connection_.execute("DELETE FROM retention_rule WHERE category = ?", {category});
 }
 
-std::vector<RetentionRule> RetentionRepository::rules() {
-  std::vector<RetentionRule> rules;
-  Statement row = connection_.prepare(
-      "SELECT category, keep_days, basis, changed_utc_us FROM retention_rule ORDER BY category");
-  row.execute();
-  while (row.step()) rules.push_back({row.text(0), row.int64(1), row.text(2), row.int64(3)});
-  return rules;
+std::vector<RetentionRule> RetentionRepository::rules() const {
+  return selectAll(connection_,
+                   "SELECT category, keep_days, basis, changed_utc_us FROM retention_rule ORDER BY category",
+                   {}, [](RowReader& row) {
+                     return RetentionRule{row.text(), row.int64(), row.text(), row.int64()};
+                   });
 }
 
 void RetentionRepository::addHold(const RetentionHold& hold) {
@@ -127,41 +135,45 @@ void RetentionRepository::addHold(const RetentionHold& hold) {
        hold.decidedUtc_us});
 }
 
-std::vector<RetentionHold> RetentionRepository::holds(const std::string& personId) {
-  std::vector<RetentionHold> holds;
-  Statement row = connection_.prepare(std::string(kHolds) + " WHERE person_id = ? ORDER BY sequence");
-  row.execute({personId});
-  while (row.step()) holds.push_back(holdOf(row));
-  return holds;
+std::vector<RetentionHold> RetentionRepository::holds(const std::string& personId) const {
+  return selectAll(connection_, std::string(kHolds) + " WHERE person_id = ? ORDER BY sequence", {personId},
+                   holdOf);
 }
 
-std::vector<RetentionItem> RetentionRepository::due(std::int64_t utc_us) {
+std::vector<RetentionItem> RetentionRepository::due(std::int64_t utc_us) const {
   const std::vector<RetentionRule> all = rules();
   std::vector<RetentionItem> items;
-  if (all.empty()) return items;
-  Statement row = connection_.prepare(kPeople);
-  row.execute();
-  while (row.step()) {
-    const Activity activity = activityOf(row);
+  if (all.empty()) {
+    return items;
+  }
+  for (const Activity& activity : selectAll(connection_, kPeople, {}, activityOf)) {
     std::optional<RetentionItem> item;
     for (const RetentionRule& rule : all) {
       const std::optional<std::int64_t> from_us = since(activity, rule.category);
-      if (!from_us) continue;
+      if (!from_us) {
+        continue;
+      }
       const std::int64_t due_us = *from_us + rule.keep_days * kDay_us;
-      if (due_us > utc_us || (item && item->dueUtc_us <= due_us)) continue;
-      item = {.personId = row.text(0),
-              .code = row.text(1),
+      if (due_us > utc_us || (item && item->dueUtc_us <= due_us)) {
+        continue;
+      }
+      item = {.personId = activity.personId,
+              .code = activity.code,
               .category = rule.category,
               .basis = rule.basis,
               .sinceUtc_us = *from_us,
               .dueUtc_us = due_us};
     }
-    if (item) items.push_back(std::move(*item));
+    if (item) {
+      items.push_back(std::move(*item));
+    }
   }
   const std::map<std::string, RetentionHold> decided = newestHolds(connection_);
   for (RetentionItem& item : items) {
     const auto newest = decided.find(item.personId);
-    if (newest == decided.end()) continue;
+    if (newest == decided.end()) {
+      continue;
+    }
     item.hold = newest->second;
     item.held = holdsAt(newest->second, utc_us);
   }

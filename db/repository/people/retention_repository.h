@@ -56,16 +56,16 @@ class RetentionRepository {
   /// than one day or more than a hundred years.
   void setRule(const RetentionRule& rule);
   void removeRule(const std::string& category);
-  [[nodiscard]] std::vector<RetentionRule> rules();
+  [[nodiscard]] std::vector<RetentionRule> rules() const;
 
   /// Throws DbError: kForeignKey (no such person), kCheck (unknown kind, or "extend" without its end).
   void addHold(const RetentionHold& hold);
   /// Oldest first.
-  [[nodiscard]] std::vector<RetentionHold> holds(const std::string& personId);
+  [[nodiscard]] std::vector<RetentionHold> holds(const std::string& personId) const;
 
   /// Everybody whose record is due at `utc_us` by some rule, those who are held among them; longest due
   /// first.
-  [[nodiscard]] std::vector<RetentionItem> due(std::int64_t utc_us);
+  [[nodiscard]] std::vector<RetentionItem> due(std::int64_t utc_us) const;
 
  private:
   Connection& connection_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/repository/rating/alignment_repository.h"
 
+#include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 
 namespace torsio {
@@ -11,12 +12,8 @@ const std::string kDecisions =
     "SELECT d.assignment_id, d.sequence, d.decision, d.reason, d.decided_by, d.decided_utc_us"
     " FROM alignment_decision d";
 
-std::vector<AlignmentDecision> decisionsOf(Statement& row) {
-  std::vector<AlignmentDecision> decisions;
-  while (row.step()) {
-    decisions.push_back({row.text(0), row.int64(1), row.text(2), row.text(3), row.text(4), row.int64(5)});
-  }
-  return decisions;
+AlignmentDecision decisionOf(RowReader& row) {
+  return {row.text(), row.int64(), row.text(), row.text(), row.text(), row.int64()};
 }
 
 }  // namespace
@@ -25,11 +22,10 @@ std::int64_t AlignmentRepository::add(const AlignmentDecision& decision) {
   Transaction transaction(connection_);
   const std::optional<AlignmentDecision> before = latest(decision.assignmentId);
   const std::int64_t sequence = before ? before->sequence + 1 : 1;
-  connection_.execute(
-      "INSERT INTO alignment_decision (assignment_id, sequence, decision, reason, decided_by, decided_utc_us)"
-      " VALUES (?, ?, ?, ?, ?, ?)",
-      {decision.assignmentId, sequence, decision.decision, decision.reason, decision.decidedBy,
-       decision.decidedUtc_us});
+  connection_.execute(insertInto("alignment_decision",
+                                 "assignment_id, sequence, decision, reason, decided_by, decided_utc_us"),
+                      {decision.assignmentId, sequence, decision.decision, decision.reason,
+                       decision.decidedBy, decision.decidedUtc_us});
   AuditEntry entry;
   entry.atUtc_us = decision.decidedUtc_us;
   entry.actor = decision.decidedBy;
@@ -43,37 +39,36 @@ std::int64_t AlignmentRepository::add(const AlignmentDecision& decision) {
   return sequence;
 }
 
-std::vector<AlignmentDecision> AlignmentRepository::history(const std::string& assignmentId) {
-  Statement row = connection_.prepare(kDecisions + " WHERE d.assignment_id = ? ORDER BY d.sequence");
-  row.execute({assignmentId});
-  return decisionsOf(row);
+std::vector<AlignmentDecision> AlignmentRepository::history(const std::string& assignmentId) const {
+  return selectAll(connection_, kDecisions + " WHERE d.assignment_id = ? ORDER BY d.sequence", {assignmentId},
+                   decisionOf);
 }
 
-std::optional<AlignmentDecision> AlignmentRepository::latest(const std::string& assignmentId) {
+std::optional<AlignmentDecision> AlignmentRepository::latest(const std::string& assignmentId) const {
   const std::vector<AlignmentDecision> all = history(assignmentId);
   return all.empty() ? std::nullopt : std::optional(all.back());
 }
 
 std::vector<AlignmentDecision> AlignmentRepository::ofCase(const std::string& enrolmentId,
-                                                           const std::string& scoringPoint) {
-  Statement row = connection_.prepare(
+                                                           const std::string& scoringPoint) const {
+  return selectAll(
+      connection_,
       kDecisions +
-      " JOIN assignment a ON a.id = d.assignment_id WHERE a.enrolment_id = ? AND a.scoring_point = ?"
-      " AND NOT EXISTS (SELECT 1 FROM alignment_decision n WHERE n.assignment_id = d.assignment_id"
-      " AND n.sequence > d.sequence) ORDER BY a.position, d.assignment_id");
-  row.execute({enrolmentId, scoringPoint});
-  return decisionsOf(row);
+          " JOIN assignment a ON a.id = d.assignment_id WHERE a.enrolment_id = ? AND a.scoring_point = ?"
+          " AND NOT EXISTS (SELECT 1 FROM alignment_decision n WHERE n.assignment_id = d.assignment_id"
+          " AND n.sequence > d.sequence) ORDER BY a.position, d.assignment_id",
+      {enrolmentId, scoringPoint}, decisionOf);
 }
 
-std::vector<AlignmentDecision> AlignmentRepository::ofCohort(const std::string& cohortId) {
-  Statement row = connection_.prepare(
+std::vector<AlignmentDecision> AlignmentRepository::ofCohort(const std::string& cohortId) const {
+  return selectAll(
+      connection_,
       kDecisions +
-      " JOIN assignment a ON a.id = d.assignment_id JOIN enrolment e ON e.id = a.enrolment_id"
-      " WHERE e.cohort_id = ?"
-      " AND NOT EXISTS (SELECT 1 FROM alignment_decision n WHERE n.assignment_id = d.assignment_id"
-      " AND n.sequence > d.sequence) ORDER BY d.decided_utc_us, d.assignment_id");
-  row.execute({cohortId});
-  return decisionsOf(row);
+          " JOIN assignment a ON a.id = d.assignment_id JOIN enrolment e ON e.id = a.enrolment_id"
+          " WHERE e.cohort_id = ?"
+          " AND NOT EXISTS (SELECT 1 FROM alignment_decision n WHERE n.assignment_id = d.assignment_id"
+          " AND n.sequence > d.sequence) ORDER BY d.decided_utc_us, d.assignment_id",
+      {cohortId}, decisionOf);
 }
 
 }  // namespace torsio

@@ -33,13 +33,13 @@ class AlignmentRepository {
   /// decision).
   std::int64_t add(const AlignmentDecision& decision);
   /// Oldest first.
-  [[nodiscard]] std::vector<AlignmentDecision> history(const std::string& assignmentId);
-  [[nodiscard]] std::optional<AlignmentDecision> latest(const std::string& assignmentId);
+  [[nodiscard]] std::vector<AlignmentDecision> history(const std::string& assignmentId) const;
+  [[nodiscard]] std::optional<AlignmentDecision> latest(const std::string& assignmentId) const;
   /// The newest of every assignment about one trainee at one scoring point.
   [[nodiscard]] std::vector<AlignmentDecision> ofCase(const std::string& enrolmentId,
-                                                      const std::string& scoringPoint);
+                                                      const std::string& scoringPoint) const;
   /// The newest of every assignment of a cohort, oldest first.
-  [[nodiscard]] std::vector<AlignmentDecision> ofCohort(const std::string& cohortId);
+  [[nodiscard]] std::vector<AlignmentDecision> ofCohort(const std::string& cohortId) const;
 
  private:
   Connection& connection_;

@@ -64,50 +64,51 @@ class DeskRepository {
  public:
   explicit DeskRepository(Connection& connection) : connection_(connection) {}
 
-  [[nodiscard]] std::optional<StoredAssignment> assignment(const std::string& assignmentId);
-  [[nodiscard]] bool isWithdrawn(const std::string& assignmentId);
+  [[nodiscard]] std::optional<StoredAssignment> assignment(const std::string& assignmentId) const;
+  [[nodiscard]] bool isWithdrawn(const std::string& assignmentId) const;
   /// Everybody's newest mark about one trainee at one scoring point, ordered by rater.
   [[nodiscard]] std::vector<CaseMark> marksOfCase(const std::string& enrolmentId,
-                                                  const std::string& scoringPoint);
+                                                  const std::string& scoringPoint) const;
   /// The rater's assignments about cases on which everybody has committed and more than one was asked, in the
   /// rater's own order.
-  [[nodiscard]] std::vector<StoredAssignment> committed(const std::string& raterId);
+  [[nodiscard]] std::vector<StoredAssignment> committed(const std::string& raterId) const;
   /// Length of a trial that has ended, microseconds; empty: unknown trial or still open.
-  [[nodiscard]] std::optional<std::int64_t> trialLength_us(const std::string& trialId);
+  [[nodiscard]] std::optional<std::int64_t> trialLength_us(const std::string& trialId) const;
   /// Id of the newest version of the mark that answers the assignment; empty: not submitted.
-  [[nodiscard]] std::string newestMark(const std::string& assignmentId);
+  [[nodiscard]] std::string newestMark(const std::string& assignmentId) const;
 
   void saveDraftViewing(const std::string& assignmentId, const StoredViewing& viewing);
-  [[nodiscard]] std::optional<StoredViewing> draftViewing(const std::string& assignmentId);
+  [[nodiscard]] std::optional<StoredViewing> draftViewing(const std::string& assignmentId) const;
   /// Seals it with the mark and removes the draft's.
   void sealViewing(const std::string& assignmentId, const std::string& markId, const StoredViewing& viewing);
-  [[nodiscard]] std::optional<StoredViewing> viewing(const std::string& markId);
+  [[nodiscard]] std::optional<StoredViewing> viewing(const std::string& markId) const;
   /// Working times of a rater's first versions, newest first, at most `limit`.
-  [[nodiscard]] std::vector<std::int64_t> workingTimes_us(const std::string& raterId, std::int64_t limit);
+  [[nodiscard]] std::vector<std::int64_t> workingTimes_us(const std::string& raterId,
+                                                          std::int64_t limit) const;
 
   /// Recordings that somebody is or was asked to score, each once.
-  [[nodiscard]] std::vector<std::string> assignedTrials();
+  [[nodiscard]] std::vector<std::string> assignedTrials() const;
 
   void addReferenceRuns(std::span<const StoredReferenceRun> runs);
   /// Those that raters are given, by position.
-  [[nodiscard]] std::vector<StoredReferenceRun> referenceRuns();
+  [[nodiscard]] std::vector<StoredReferenceRun> referenceRuns() const;
   /// With those that were withdrawn, by position.
-  [[nodiscard]] std::vector<StoredReferenceRun> allReferenceRuns();
+  [[nodiscard]] std::vector<StoredReferenceRun> allReferenceRuns() const;
   /// Once a run. Throws Error{kDatabase} for a run that is none or is withdrawn already.
   void withdrawReferenceRun(const StoredReferenceWithdrawal& withdrawal);
-  [[nodiscard]] std::vector<StoredReferenceWithdrawal> referenceWithdrawals();
+  [[nodiscard]] std::vector<StoredReferenceWithdrawal> referenceWithdrawals() const;
 
   /// Empty score: removes the mark from the draft.
   void saveEvaluationDraft(const std::string& campaignId, const std::string& raterId,
                            const std::string& modelCode, std::int64_t indexNumber,
                            std::optional<std::int64_t> score_steps, std::int64_t utc_us);
   [[nodiscard]] std::vector<EvaluationDraftMark> evaluationDraft(const std::string& campaignId,
-                                                                 const std::string& raterId);
+                                                                 const std::string& raterId) const;
   void removeEvaluationDraft(const std::string& campaignId, const std::string& raterId,
                              const std::string& modelCode);
 
  private:
-  [[nodiscard]] std::vector<StoredReferenceRun> referenceRunsWhere(const char* condition);
+  [[nodiscard]] std::vector<StoredReferenceRun> referenceRunsWhere(const char* condition) const;
 
   Connection& connection_;
 };

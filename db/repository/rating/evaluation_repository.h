@@ -97,20 +97,20 @@ class EvaluationRepository {
   /// Throws Error (kBadParameter) when the instrument breaks its rules (weights that do not sum to 1).
   void addCampaign(const StoredCampaign& campaign);
   /// Id and name, oldest first.
-  [[nodiscard]] std::vector<std::pair<std::string, std::string>> campaigns();
-  [[nodiscard]] std::optional<StoredCampaign> campaign(const std::string& campaignId);
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> campaigns() const;
+  [[nodiscard]] std::optional<StoredCampaign> campaign(const std::string& campaignId) const;
 
   /// Seals marks, each with an entry in the audit trail. Throws Error (kBadData) naming rater, model and
   /// index when a score lies outside the campaign's scale, DbError when a mark exists already or belongs to
   /// no rater, model or index of the campaign.
   void submit(const std::string& campaignId, std::span<const StoredEvaluationMark> marks);
   /// The newest version of every mark, ordered by model, class, rater code, index.
-  [[nodiscard]] std::vector<StoredEvaluationMark> marks(const std::string& campaignId);
+  [[nodiscard]] std::vector<StoredEvaluationMark> marks(const std::string& campaignId) const;
   /// Whether anybody has submitted a mark.
-  [[nodiscard]] bool hasMarks(const std::string& campaignId);
+  [[nodiscard]] bool hasMarks(const std::string& campaignId) const;
 
   void storeRun(const std::string& campaignId, const StoredEvaluationRun& run);
-  [[nodiscard]] std::optional<StoredEvaluationRun> latestRun(const std::string& campaignId);
+  [[nodiscard]] std::optional<StoredEvaluationRun> latestRun(const std::string& campaignId) const;
 
  private:
   Connection& connection_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
 #include "db/repository/base/seals.h"
@@ -12,64 +13,57 @@ namespace torsio {
 
 namespace {
 
-constexpr const char* kMarkColumns =
+const std::string kMarks =
     "SELECT m.id, m.enrolment_id, m.rater_id, m.scoring_point, m.version, m.trial_id, m.score_steps,"
-    " m.scale_lo_steps, m.scale_hi_steps, m.steps_per_point, m.not_assessable_reason, m.comment, "
-    "m.amend_reason,"
-    " m.submitted_utc_us, m.demonstration, t.code, r.code, g.code, e.number_in_group, m.assignment_id"
+    " m.scale_lo_steps, m.scale_hi_steps, m.steps_per_point, m.not_assessable_reason, m.comment,"
+    " m.assignment_id, m.amend_reason, m.submitted_utc_us, m.demonstration, t.code, r.code, g.code,"
+    " e.number_in_group"
     " FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id JOIN person t ON t.id = e.trainee_id"
     " JOIN person r ON r.id = m.rater_id JOIN scoring_point s ON s.code = m.scoring_point"
     " LEFT JOIN training_group g ON g.id = e.group_id";
 
-std::vector<StoredTrainingMark> marksOf(Statement& row) {
-  std::vector<StoredTrainingMark> marks;
-  while (row.step()) {
-    marks.push_back({.id = row.text(0),
-                     .enrolmentId = row.text(1),
-                     .raterId = row.text(2),
-                     .scoringPoint = row.text(3),
-                     .version = row.int64(4),
-                     .trialId = row.text(5),
-                     .score_steps = row.maybeInt64(6),
-                     .scale = {row.int64(7), row.int64(8), row.int64(9)},
-                     .notAssessableReason = row.text(10),
-                     .comment = row.text(11),
-                     .assignmentId = row.text(19),
-                     .amendReason = row.text(12),
-                     .submittedUtc_us = row.int64(13),
-                     .demonstration = row.boolean(14),
-                     .traineeCode = row.text(15),
-                     .raterCode = row.text(16),
-                     .groupCode = row.text(17),
-                     .numberInGroup = row.int64(18)});
-  }
-  return marks;
+StoredTrainingMark markOf(RowReader& row) {
+  return {.id = row.text(),
+          .enrolmentId = row.text(),
+          .raterId = row.text(),
+          .scoringPoint = row.text(),
+          .version = row.int64(),
+          .trialId = row.text(),
+          .score_steps = row.maybeInt64(),
+          .scale = {row.int64(), row.int64(), row.int64()},
+          .notAssessableReason = row.text(),
+          .comment = row.text(),
+          .assignmentId = row.text(),
+          .rows = {},
+          .amendReason = row.text(),
+          .submittedUtc_us = row.int64(),
+          .demonstration = row.boolean(),
+          .traineeCode = row.text(),
+          .raterCode = row.text(),
+          .groupCode = row.text(),
+          .numberInGroup = row.int64()};
 }
 
 std::vector<StoredTrainingResult> traineeResults(Connection& connection, const std::string& runId) {
-  std::vector<StoredTrainingResult> results;
-  Statement row = connection.prepare(
+  return selectAll(
+      connection,
       "SELECT enrolment_id, scoring_point, mean, variance, rater_count, missing_count, flags"
-      " FROM training_result WHERE run_id = ? ORDER BY enrolment_id, scoring_point");
-  row.execute({runId});
-  while (row.step()) {
-    results.push_back({row.text(0), row.text(1), row.real(2), row.real(3), row.int64(4), row.int64(5),
-                       splitFlags(row.text(6))});
-  }
-  return results;
+      " FROM training_result WHERE run_id = ? ORDER BY enrolment_id, scoring_point",
+      {runId}, [](RowReader& row) {
+        return StoredTrainingResult{
+            row.text(), row.text(), row.real(), row.real(), row.int64(), row.int64(), splitFlags(row.text())};
+      });
 }
 
 std::vector<StoredGroupResult> groupResults(Connection& connection, const std::string& runId) {
-  std::vector<StoredGroupResult> results;
-  Statement row = connection.prepare(
+  return selectAll(
+      connection,
       "SELECT group_id, scoring_point, trainee_count, mean, variance_n, variance_n_minus_1, flags"
-      " FROM training_group_result WHERE run_id = ? ORDER BY group_id, scoring_point");
-  row.execute({runId});
-  while (row.step()) {
-    results.push_back({row.text(0), row.text(1), row.int64(2), row.real(3), row.real(4), row.maybeReal(5),
-                       splitFlags(row.text(6))});
-  }
-  return results;
+      " FROM training_group_result WHERE run_id = ? ORDER BY group_id, scoring_point",
+      {runId}, [](RowReader& row) {
+        return StoredGroupResult{row.text(), row.text(),      row.int64(),           row.real(),
+                                 row.real(), row.maybeReal(), splitFlags(row.text())};
+      });
 }
 
 /// Of a mark that is stored already: refuses another one under its id. When it was submitted does not count,
@@ -94,21 +88,15 @@ void requireSameMark(Connection& connection, const StoredTrainingMark& mark) {
        {"assignment_id", textOrNull(mark.assignmentId)},
        {"comment_hash", textOrNull(textHash(mark.comment))}}};
   insertIdempotent(connection, "training_mark", columns, "this mark");
-  Statement row = connection.prepare(
-      "SELECT row_code, revision_id, score_steps, not_assessable_reason FROM training_mark_row"
-      " WHERE mark_id = ?");
-  row.execute({mark.id});
-  std::size_t same = 0;
-  std::size_t stored = 0;
-  while (row.step()) {
-    ++stored;
-    same += static_cast<std::size_t>(
-        std::count_if(mark.rows.begin(), mark.rows.end(), [&](const StoredMarkRow& given) {
-          return given.rowCode == row.text(0) && given.rubricRevisionId == row.text(1) &&
-                 given.score_steps == row.maybeInt64(2) && given.notAssessableReason == row.text(3);
-        }));
-  }
-  if (same != mark.rows.size() || stored != mark.rows.size()) {
+  const std::vector<StoredMarkRow> stored =
+      selectAll(connection,
+                "SELECT revision_id, row_code, score_steps, not_assessable_reason FROM training_mark_row"
+                " WHERE mark_id = ?",
+                {mark.id}, [](RowReader& row) {
+                  return StoredMarkRow{row.text(), row.text(), row.maybeInt64(), row.text()};
+                });
+  const bool same = std::is_permutation(stored.begin(), stored.end(), mark.rows.begin(), mark.rows.end());
+  if (!same) {
     refuseOtherContent(connection, "training_mark_row", "this mark");
   }
 }
@@ -119,9 +107,7 @@ std::vector<StoredTrainingMark> newMarks(Connection& connection, std::span<const
   Statement stored = connection.prepare("SELECT id FROM training_mark WHERE id = ?");
   for (const StoredTrainingMark& mark : marks) {
     stored.execute({mark.id});
-    bool there = false;
-    while (stored.step()) there = true;
-    if (there) {
+    if (!readRows(stored, readText).empty()) {
       requireSameMark(connection, mark);
     } else {
       missing.push_back(mark);
@@ -140,14 +126,12 @@ void RatingRepository::submit(std::span<const StoredTrainingMark> marks) {
     return;
   }
   Statement insert = connection_.prepare(
-      "INSERT INTO training_mark (id, enrolment_id, rater_id, scoring_point, version, trial_id, score_steps,"
-      " scale_lo_steps, scale_hi_steps, steps_per_point, not_assessable_reason, comment, amend_reason,"
-      " submitted_utc_us, demonstration, assignment_id, comment_hash) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-      "?, ?, ?, ?, ?, "
-      "?, ?)");
+      insertInto("training_mark",
+                 "id, enrolment_id, rater_id, scoring_point, version, trial_id, score_steps,"
+                 " scale_lo_steps, scale_hi_steps, steps_per_point, not_assessable_reason, comment,"
+                 " amend_reason, submitted_utc_us, demonstration, assignment_id, comment_hash"));
   Statement insertRow = connection_.prepare(
-      "INSERT INTO training_mark_row (mark_id, revision_id, row_code, score_steps, not_assessable_reason)"
-      " VALUES (?, ?, ?, ?, ?)");
+      insertInto("training_mark_row", "mark_id, revision_id, row_code, score_steps, not_assessable_reason"));
   for (const StoredTrainingMark& mark : added) {
     insert.execute({mark.id, mark.enrolmentId, mark.raterId, mark.scoringPoint, mark.version,
                     textOrNull(mark.trialId), mark.score_steps, mark.scale.lo, mark.scale.hi,
@@ -161,7 +145,9 @@ void RatingRepository::submit(std::span<const StoredTrainingMark> marks) {
   }
   std::vector<std::string> ids;
   ids.reserve(added.size());
-  for (const StoredTrainingMark& mark : added) ids.push_back(mark.id);
+  for (const StoredTrainingMark& mark : added) {
+    ids.push_back(mark.id);
+  }
   const std::map<std::string, std::string> hashes = markHashes(connection_, ids);
   std::vector<AuditEntry> seals;
   for (const StoredTrainingMark& mark : added) {
@@ -180,40 +166,40 @@ void RatingRepository::submit(std::span<const StoredTrainingMark> marks) {
   transaction.commit();
 }
 
-std::vector<StoredTrainingMark> RatingRepository::marks(const std::string& cohortId) {
-  Statement row = connection_.prepare(
-      std::string(kMarkColumns) +
-      " WHERE e.cohort_id = ? AND NOT EXISTS (SELECT 1 FROM training_mark n"
-      "  WHERE n.enrolment_id = m.enrolment_id AND n.rater_id = m.rater_id"
-      "  AND n.scoring_point = m.scoring_point AND n.version > m.version)"
-      " ORDER BY s.position, COALESCE(g.number, 0), COALESCE(e.number_in_group, 0), t.code, r.code");
-  row.execute({cohortId});
-  return marksOf(row);
+std::vector<StoredTrainingMark> RatingRepository::marks(const std::string& cohortId) const {
+  return selectAll(
+      connection_,
+      kMarks +
+          " WHERE e.cohort_id = ? AND NOT EXISTS (SELECT 1 FROM training_mark n"
+          "  WHERE n.enrolment_id = m.enrolment_id AND n.rater_id = m.rater_id"
+          "  AND n.scoring_point = m.scoring_point AND n.version > m.version)"
+          " ORDER BY s.position, COALESCE(g.number, 0), COALESCE(e.number_in_group, 0), t.code, r.code",
+      {cohortId}, markOf);
 }
 
 std::vector<StoredTrainingMark> RatingRepository::history(const std::string& enrolmentId,
                                                           const std::string& raterId,
-                                                          const std::string& scoringPoint) {
-  Statement row = connection_.prepare(
-      std::string(kMarkColumns) +
-      " WHERE m.enrolment_id = ? AND m.rater_id = ? AND m.scoring_point = ? ORDER BY m.version");
-  row.execute({enrolmentId, raterId, scoringPoint});
-  return marksOf(row);
+                                                          const std::string& scoringPoint) const {
+  return selectAll(
+      connection_,
+      kMarks + " WHERE m.enrolment_id = ? AND m.rater_id = ? AND m.scoring_point = ? ORDER BY m.version",
+      {enrolmentId, raterId, scoringPoint}, markOf);
 }
 
 void RatingRepository::storeRun(const std::string& cohortId, const StoredTrainingRun& run) {
   Transaction transaction(connection_);
   insertRun(connection_, RunOwner::kCohort, cohortId, run.run);
   Statement trainee = connection_.prepare(
-      "INSERT INTO training_result (run_id, enrolment_id, scoring_point, mean, variance, rater_count,"
-      " missing_count, flags) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+      insertInto("training_result",
+                 "run_id, enrolment_id, scoring_point, mean, variance, rater_count, missing_count, flags"));
   for (const StoredTrainingResult& result : run.trainees) {
     trainee.execute({run.run.id, result.enrolmentId, result.scoringPoint, result.mean, result.variance,
                      result.raterCount, result.missingCount, joinFlags(result.flags)});
   }
   Statement group = connection_.prepare(
-      "INSERT INTO training_group_result (run_id, group_id, scoring_point, trainee_count, mean, variance_n,"
-      " variance_n_minus_1, flags) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+      insertInto("training_group_result",
+                 "run_id, group_id, scoring_point, trainee_count, mean, variance_n, variance_n_minus_1,"
+                 " flags"));
   for (const StoredGroupResult& result : run.groups) {
     group.execute({run.run.id, result.groupId, result.scoringPoint, result.traineeCount, result.mean,
                    result.varianceN, result.varianceNMinus1, joinFlags(result.flags)});
@@ -221,9 +207,11 @@ void RatingRepository::storeRun(const std::string& cohortId, const StoredTrainin
   transaction.commit();
 }
 
-std::optional<StoredTrainingRun> RatingRepository::latestRun(const std::string& cohortId) {
+std::optional<StoredTrainingRun> RatingRepository::latestRun(const std::string& cohortId) const {
   const std::optional<AssessmentRun> run = findLatestRun(connection_, RunOwner::kCohort, cohortId);
-  if (!run) return std::nullopt;
+  if (!run) {
+    return std::nullopt;
+  }
   return StoredTrainingRun{*run, traineeResults(connection_, run->id), groupResults(connection_, run->id)};
 }
 

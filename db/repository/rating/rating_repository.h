@@ -20,6 +20,7 @@ struct StoredMarkRow {
   std::string rowCode{};
   std::optional<std::int64_t> score_steps{};
   std::string notAssessableReason{};
+  friend bool operator==(const StoredMarkRow&, const StoredMarkRow&) = default;
 };
 
 /// One submitted mark of the training study: one rater, one trainee, one scoring point. Sealed by the
@@ -87,14 +88,14 @@ class RatingRepository {
   /// other content, kCheck for a score outside its scale.
   void submit(std::span<const StoredTrainingMark> marks);
   /// The newest version of every mark of a cohort, ordered by scoring point, group, number, rater code.
-  [[nodiscard]] std::vector<StoredTrainingMark> marks(const std::string& cohortId);
+  [[nodiscard]] std::vector<StoredTrainingMark> marks(const std::string& cohortId) const;
   /// All versions of one mark, oldest first.
   [[nodiscard]] std::vector<StoredTrainingMark> history(const std::string& enrolmentId,
                                                         const std::string& raterId,
-                                                        const std::string& scoringPoint);
+                                                        const std::string& scoringPoint) const;
 
   void storeRun(const std::string& cohortId, const StoredTrainingRun& run);
-  [[nodiscard]] std::optional<StoredTrainingRun> latestRun(const std::string& cohortId);
+  [[nodiscard]] std::optional<StoredTrainingRun> latestRun(const std::string& cohortId) const;
 
  private:
   Connection& connection_;

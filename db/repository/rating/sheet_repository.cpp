@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "db/connection/row_reader.h"
+#include "db/repository/rating/assignment_rows.h"
 #include "db/repository/rating/rating_repository.h"
 #include "sim/base/error.h"
 
@@ -10,74 +12,65 @@ namespace torsio {
 
 namespace {
 
+/// One row a row of the rubric and an anchor of it.
 std::vector<StoredRubricRow> rowsOf(Connection& connection, const std::string& revisionId) {
-  std::vector<StoredRubricRow> rows;
-  Statement row = connection.prepare(
-      "SELECT r.row_code, r.label, r.scale_lo_steps, r.scale_hi_steps, r.steps_per_point, a.score_steps, "
-      "a.meaning"
-      " FROM rubric_row r LEFT JOIN rubric_anchor a ON a.revision_id = r.revision_id AND a.row_code = "
-      "r.row_code"
+  Statement statement = connection.prepare(
+      "SELECT r.row_code, r.label, r.scale_lo_steps, r.scale_hi_steps, r.steps_per_point, a.score_steps,"
+      " a.meaning FROM rubric_row r"
+      " LEFT JOIN rubric_anchor a ON a.revision_id = r.revision_id AND a.row_code = r.row_code"
       " WHERE r.revision_id = ? ORDER BY r.position, a.score_steps");
-  row.execute({revisionId});
-  while (row.step()) {
-    if (rows.empty() || rows.back().code != row.text(0)) {
-      rows.push_back({row.text(0), row.text(1), {row.int64(2), row.int64(3), row.int64(4)}, {}});
+  statement.execute({revisionId});
+  std::vector<StoredRubricRow> rows;
+  while (statement.step()) {
+    RowReader row(statement);
+    StoredRubricRow line{row.text(), row.text(), {row.int64(), row.int64(), row.int64()}, {}};
+    if (rows.empty() || rows.back().code != line.code) {
+      rows.push_back(std::move(line));
     }
-    if (!row.isNull(5)) rows.back().anchors.push_back({row.int64(5), row.text(6)});
+    if (!row.nextIsNull()) {
+      rows.back().anchors.push_back({row.int64(), row.text()});
+    }
   }
   return rows;
 }
 
-constexpr const char* kAssignmentColumns =
-    "a.id, a.rater_id, a.enrolment_id, a.scoring_point, a.trial_id, a.rubric_revision_id, a.case_label,"
-    " a.position, a.due_utc_us, a.assigned_by, a.assigned_utc_us, a.demonstration";
-constexpr int kAssignmentColumnCount = 12;
-
-StoredAssignment assignmentFrom(const Statement& row) {
-  return {.id = row.text(0),
-          .raterId = row.text(1),
-          .enrolmentId = row.text(2),
-          .scoringPoint = row.text(3),
-          .trialId = row.text(4),
-          .rubricRevisionId = row.text(5),
-          .caseLabel = row.text(6),
-          .position = row.int64(7),
-          .dueUtc_us = row.maybeInt64(8),
-          .assignedBy = row.text(9),
-          .assignedUtc_us = row.int64(10),
-          .demonstration = row.boolean(11)};
-}
-
 StoredAssignment assignmentOf(Connection& connection, const std::string& assignmentId) {
-  Statement row =
-      connection.prepare(std::string("SELECT ") + kAssignmentColumns + " FROM assignment a WHERE a.id = ?");
-  row.execute({assignmentId});
-  if (!row.step()) {
+  std::optional<StoredAssignment> found =
+      selectFirst(connection, selectAssignments() + " WHERE a.id = ?", {assignmentId}, readAssignment);
+  if (!found) {
     throw Error(ErrorCode::kBadData, "no such assignment", assignmentId, "Read the queue again");
   }
-  return assignmentFrom(row);
+  return std::move(*found);
 }
 
-/// The beginning of a query for statusFrom().
-const std::string& statusSelect() {
-  static const std::string kSelect =
-      std::string("SELECT ") + kAssignmentColumns +
+/// The beginning of a query for statusOf().
+std::string selectStatus() {
+  return selectAssignments(
       ", (SELECT count(*) FROM assignment_withdrawal w WHERE w.assignment_id = a.id),"
       " (SELECT MAX(m.submitted_utc_us) FROM training_mark m WHERE m.assignment_id = a.id),"
-      " (SELECT d.changed_utc_us FROM mark_draft d WHERE d.assignment_id = a.id) FROM assignment a";
-  return kSelect;
+      " (SELECT d.changed_utc_us FROM mark_draft d WHERE d.assignment_id = a.id)");
 }
 
-AssignmentStatus statusFrom(const Statement& row) {
-  AssignmentStatus status{assignmentFrom(row)};
-  const auto submitted = row.maybeInt64(kAssignmentColumnCount + 1);
-  const auto drafted = row.maybeInt64(kAssignmentColumnCount + 2);
-  status.state = row.int64(kAssignmentColumnCount) > 0 ? SheetState::kWithdrawn
-                 : submitted                           ? SheetState::kSubmitted
-                 : drafted                             ? SheetState::kDraft
-                                                       : SheetState::kOpen;
-  status.changedUtc_us = submitted ? *submitted : drafted.value_or(0);
+AssignmentStatus statusOf(RowReader& row) {
+  AssignmentStatus status{readAssignment(row)};
+  const bool withdrawn = row.int64() > 0;
+  const std::optional<std::int64_t> submitted_us = row.maybeInt64();
+  const std::optional<std::int64_t> drafted_us = row.maybeInt64();
+  status.state = withdrawn      ? SheetState::kWithdrawn
+                 : submitted_us ? SheetState::kSubmitted
+                 : drafted_us   ? SheetState::kDraft
+                                : SheetState::kOpen;
+  status.changedUtc_us = submitted_us ? *submitted_us : drafted_us.value_or(0);
   return status;
+}
+
+QueueEntry queueEntryOf(RowReader& row) {
+  QueueEntry entry{row.text(), row.text(), row.text(), row.text(), row.maybeInt64()};
+  const std::optional<std::int64_t> submitted_us = row.maybeInt64();
+  const bool drafted = row.int64() > 0;
+  entry.state = submitted_us ? SheetState::kSubmitted : drafted ? SheetState::kDraft : SheetState::kOpen;
+  entry.submittedUtc_us = submitted_us.value_or(0);
+  return entry;
 }
 
 void checkAnswer(const std::optional<std::int64_t>& score_steps, const std::string& reason,
@@ -116,50 +109,41 @@ void checkComplete(const Sheet& sheet, const StoredRubricRevision& rubric, const
 
 /// Of a mark that is stored already.
 std::optional<std::int64_t> versionOf(Connection& connection, const std::string& markId) {
-  Statement row = connection.prepare("SELECT version FROM training_mark WHERE id = ?");
-  row.execute({markId});
-  return row.step() ? std::optional(row.int64(0)) : std::nullopt;
-}
-
-std::vector<SheetRow> sheetRows(Statement row, const std::string& key) {
-  std::vector<SheetRow> rows;
-  row.execute({key});
-  while (row.step()) rows.push_back({row.text(0), row.maybeInt64(1), row.text(2)});
-  return rows;
+  return selectFirst(connection, "SELECT version FROM training_mark WHERE id = ?", {markId}, readInt64);
 }
 
 }  // namespace
 
 void SheetRepository::addRubric(const std::string& id, const std::string& name, std::int64_t createdUtc_us,
                                 bool demonstration) {
-  connection_.execute("INSERT INTO rubric (id, name, created_utc_us, demonstration) VALUES (?, ?, ?, ?)",
+  connection_.execute(insertInto("rubric", "id, name, created_utc_us, demonstration"),
                       {id, name, createdUtc_us, demonstration});
 }
 
-std::vector<StoredRubric> SheetRepository::rubrics() {
-  std::vector<StoredRubric> list;
-  Statement row =
-      connection_.prepare("SELECT id, name, created_utc_us, demonstration FROM rubric ORDER BY name");
-  row.execute();
-  while (row.step()) list.push_back({row.text(0), row.text(1), row.int64(2), row.boolean(3)});
-  return list;
+std::vector<StoredRubric> SheetRepository::rubrics() const {
+  return selectAll(connection_, "SELECT id, name, created_utc_us, demonstration FROM rubric ORDER BY name",
+                   {}, [](RowReader& row) {
+                     return StoredRubric{row.text(), row.text(), row.int64(), row.boolean()};
+                   });
 }
 
 void SheetRepository::addRevision(const StoredRubricRevision& revision) {
   validateScale(revision.overall);
-  for (const StoredRubricRow& row : revision.rows) validateScale(row.scale);
+  for (const StoredRubricRow& row : revision.rows) {
+    validateScale(row.scale);
+  }
   Transaction transaction(connection_);
   connection_.execute(
-      "INSERT INTO rubric_revision (id, rubric_id, number, note, scale_lo_steps, scale_hi_steps, "
-      "steps_per_point,"
-      " created_by, created_utc_us) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      insertInto("rubric_revision",
+                 "id, rubric_id, number, note, scale_lo_steps, scale_hi_steps, steps_per_point, created_by,"
+                 " created_utc_us"),
       {revision.id, revision.rubricId, revision.number, revision.note, revision.overall.lo,
        revision.overall.hi, revision.overall.stepsPerPoint, revision.createdBy, revision.createdUtc_us});
   Statement insert = connection_.prepare(
-      "INSERT INTO rubric_row (revision_id, row_code, position, label, scale_lo_steps, scale_hi_steps,"
-      " steps_per_point) VALUES (?, ?, ?, ?, ?, ?, ?)");
-  Statement anchor = connection_.prepare(
-      "INSERT INTO rubric_anchor (revision_id, row_code, score_steps, meaning) VALUES (?, ?, ?, ?)");
+      insertInto("rubric_row",
+                 "revision_id, row_code, position, label, scale_lo_steps, scale_hi_steps, steps_per_point"));
+  Statement anchor =
+      connection_.prepare(insertInto("rubric_anchor", "revision_id, row_code, score_steps, meaning"));
   std::int64_t position = 0;
   for (const StoredRubricRow& row : revision.rows) {
     insert.execute(
@@ -171,37 +155,34 @@ void SheetRepository::addRevision(const StoredRubricRevision& revision) {
   transaction.commit();
 }
 
-std::optional<StoredRubricRevision> SheetRepository::revision(const std::string& revisionId) {
-  Statement row = connection_.prepare(
+std::optional<StoredRubricRevision> SheetRepository::revision(const std::string& revisionId) const {
+  return selectFirst(
+      connection_,
       "SELECT id, rubric_id, number, note, scale_lo_steps, scale_hi_steps, steps_per_point, created_by,"
-      " created_utc_us FROM rubric_revision WHERE id = ?");
-  row.execute({revisionId});
-  if (!row.step()) return std::nullopt;
-  return StoredRubricRevision{.id = row.text(0),
-                              .rubricId = row.text(1),
-                              .number = row.int64(2),
-                              .note = row.text(3),
-                              .overall = {row.int64(4), row.int64(5), row.int64(6)},
-                              .rows = rowsOf(connection_, revisionId),
-                              .createdBy = row.text(7),
-                              .createdUtc_us = row.int64(8)};
+      " created_utc_us FROM rubric_revision WHERE id = ?",
+      {revisionId}, [&](RowReader& row) {
+        return StoredRubricRevision{.id = row.text(),
+                                    .rubricId = row.text(),
+                                    .number = row.int64(),
+                                    .note = row.text(),
+                                    .overall = {row.int64(), row.int64(), row.int64()},
+                                    .rows = rowsOf(connection_, revisionId),
+                                    .createdBy = row.text(),
+                                    .createdUtc_us = row.int64()};
+      });
 }
 
-std::vector<std::string> SheetRepository::revisionIds(const std::string& rubricId) {
-  std::vector<std::string> ids;
-  Statement row = connection_.prepare("SELECT id FROM rubric_revision WHERE rubric_id = ? ORDER BY number");
-  row.execute({rubricId});
-  while (row.step()) ids.push_back(row.text(0));
-  return ids;
+std::vector<std::string> SheetRepository::revisionIds(const std::string& rubricId) const {
+  return selectAll(connection_, "SELECT id FROM rubric_revision WHERE rubric_id = ? ORDER BY number",
+                   {rubricId}, readText);
 }
 
 void SheetRepository::assign(std::span<const StoredAssignment> assignments) {
   Transaction transaction(connection_);
   Statement insert = connection_.prepare(
-      "INSERT INTO assignment (id, rater_id, enrolment_id, scoring_point, trial_id, rubric_revision_id, "
-      "case_label,"
-      " position, due_utc_us, assigned_by, assigned_utc_us, demonstration)"
-      " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      insertInto("assignment",
+                 "id, rater_id, enrolment_id, scoring_point, trial_id, rubric_revision_id, case_label,"
+                 " position, due_utc_us, assigned_by, assigned_utc_us, demonstration"));
   for (const StoredAssignment& part : assignments) {
     insert.execute({part.id, part.raterId, part.enrolmentId, part.scoringPoint, textOrNull(part.trialId),
                     part.rubricRevisionId, part.caseLabel, part.position, part.dueUtc_us, part.assignedBy,
@@ -210,32 +191,23 @@ void SheetRepository::assign(std::span<const StoredAssignment> assignments) {
   transaction.commit();
 }
 
-std::vector<AssignmentStatus> SheetRepository::assignments(const std::string& cohortId) {
-  std::vector<AssignmentStatus> list;
-  Statement row = connection_.prepare(
-      statusSelect() +
-      " JOIN enrolment e ON e.id = a.enrolment_id JOIN scoring_point s ON s.code = a.scoring_point"
-      " JOIN person p ON p.id = e.trainee_id JOIN person r ON r.id = a.rater_id WHERE e.cohort_id = ?"
-      " ORDER BY s.position, p.code, r.code");
-  row.execute({cohortId});
-  while (row.step()) list.push_back(statusFrom(row));
-  return list;
+std::vector<AssignmentStatus> SheetRepository::assignments(const std::string& cohortId) const {
+  return selectAll(
+      connection_,
+      selectStatus() +
+          " JOIN enrolment e ON e.id = a.enrolment_id JOIN scoring_point s ON s.code = a.scoring_point"
+          " JOIN person p ON p.id = e.trainee_id JOIN person r ON r.id = a.rater_id WHERE e.cohort_id = ?"
+          " ORDER BY s.position, p.code, r.code",
+      {cohortId}, statusOf);
 }
 
-std::vector<StoredAssignment> SheetRepository::assignmentsOf(const std::string& raterId) {
-  std::vector<StoredAssignment> list;
-  Statement row = connection_.prepare(std::string("SELECT ") + kAssignmentColumns +
-                                      " FROM assignment a WHERE a.rater_id = ? ORDER BY a.position");
-  row.execute({raterId});
-  while (row.step()) list.push_back(assignmentFrom(row));
-  return list;
+std::vector<StoredAssignment> SheetRepository::assignmentsOf(const std::string& raterId) const {
+  return selectAll(connection_, selectAssignments() + " WHERE a.rater_id = ? ORDER BY a.position", {raterId},
+                   readAssignment);
 }
 
-std::optional<AssignmentStatus> SheetRepository::findAssignment(const std::string& assignmentId) {
-  Statement row = connection_.prepare(statusSelect() + " WHERE a.id = ?");
-  row.execute({assignmentId});
-  if (!row.step()) return std::nullopt;
-  return statusFrom(row);
+std::optional<AssignmentStatus> SheetRepository::findAssignment(const std::string& assignmentId) const {
+  return selectFirst(connection_, selectStatus() + " WHERE a.id = ?", {assignmentId}, statusOf);
 }
 
 void SheetRepository::withdraw(const std::string& assignmentId, const std::string& reason,
@@ -246,44 +218,27 @@ void SheetRepository::withdraw(const std::string& assignmentId, const std::strin
                 "Submitted marks stay; amend the mark instead");
   }
   connection_.execute(
-      "INSERT INTO assignment_withdrawal (assignment_id, reason, withdrawn_by, withdrawn_utc_us)"
-      " VALUES (?, ?, ?, ?)",
+      insertInto("assignment_withdrawal", "assignment_id, reason, withdrawn_by, withdrawn_utc_us"),
       {assignmentId, reason, withdrawnBy, utc_us});
   transaction.commit();
 }
 
-std::vector<QueueEntry> SheetRepository::queue(const std::string& raterId) {
-  std::vector<QueueEntry> entries;
-  Statement row = connection_.prepare(
-      "SELECT a.id, a.case_label, a.trial_id, a.rubric_revision_id, a.due_utc_us,"
-      " (SELECT MAX(m.submitted_utc_us) FROM training_mark m WHERE m.assignment_id = a.id),"
-      " (SELECT count(*) FROM mark_draft d WHERE d.assignment_id = a.id) FROM assignment a"
-      " WHERE a.rater_id = ? AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = "
-      "a.id)"
-      " ORDER BY a.position, a.case_label");
-  row.execute({raterId});
-  while (row.step()) {
-    const std::optional<std::int64_t> submitted = row.maybeInt64(5);
-    const SheetState state = submitted          ? SheetState::kSubmitted
-                             : row.int64(6) > 0 ? SheetState::kDraft
-                                                : SheetState::kOpen;
-    entries.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.maybeInt64(4), state,
-                       submitted.value_or(0)});
-  }
-  return entries;
+std::vector<QueueEntry> SheetRepository::queue(const std::string& raterId) const {
+  return selectAll(connection_,
+                   "SELECT a.id, a.case_label, a.trial_id, a.rubric_revision_id, a.due_utc_us,"
+                   " (SELECT MAX(m.submitted_utc_us) FROM training_mark m WHERE m.assignment_id = a.id),"
+                   " (SELECT count(*) FROM mark_draft d WHERE d.assignment_id = a.id) FROM assignment a"
+                   " WHERE a.rater_id = ? AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w"
+                   " WHERE w.assignment_id = a.id) ORDER BY a.position, a.case_label",
+                   {raterId}, queueEntryOf);
 }
 
-SheetState SheetRepository::stateOf(const std::string& assignmentId) {
-  Statement row = connection_.prepare(
-      "SELECT (SELECT count(*) FROM assignment_withdrawal w WHERE w.assignment_id = a.id),"
-      " (SELECT count(*) FROM training_mark m WHERE m.assignment_id = a.id),"
-      " (SELECT count(*) FROM mark_draft d WHERE d.assignment_id = a.id) FROM assignment a WHERE a.id = ?");
-  row.execute({assignmentId});
-  if (!row.step())
+SheetState SheetRepository::stateOf(const std::string& assignmentId) const {
+  const std::optional<AssignmentStatus> status = findAssignment(assignmentId);
+  if (!status) {
     throw Error(ErrorCode::kBadData, "no such assignment", assignmentId, "Read the queue again");
-  if (row.int64(0) > 0) return SheetState::kWithdrawn;
-  if (row.int64(1) > 0) return SheetState::kSubmitted;
-  return row.int64(2) > 0 ? SheetState::kDraft : SheetState::kOpen;
+  }
+  return status->state;
 }
 
 std::int64_t SheetRepository::saveDraft(const std::string& assignmentId, const Sheet& sheet) {
@@ -299,9 +254,10 @@ std::int64_t SheetRepository::saveDraft(const std::string& assignmentId, const S
   const std::int64_t changed =
       sheet.revision == 0
           ? connection_.execute(
-                "INSERT INTO mark_draft (assignment_id, revision, overall_steps, not_assessable_reason, "
-                "comment,"
-                " changed_utc_us) VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT (assignment_id) DO NOTHING",
+                insertInto("mark_draft",
+                           "assignment_id, revision, overall_steps, not_assessable_reason, comment, "
+                           "changed_utc_us") +
+                    " ON CONFLICT (assignment_id) DO NOTHING",
                 {assignmentId, next, sheet.overall_steps, textOrNull(sheet.notAssessableReason),
                  textOrNull(sheet.comment), sheet.changedUtc_us})
           : connection_.execute(
@@ -317,8 +273,7 @@ std::int64_t SheetRepository::saveDraft(const std::string& assignmentId, const S
   }
   connection_.execute("DELETE FROM mark_draft_row WHERE assignment_id = ?", {assignmentId});
   Statement insert = connection_.prepare(
-      "INSERT INTO mark_draft_row (assignment_id, row_code, score_steps, not_assessable_reason)"
-      " VALUES (?, ?, ?, ?)");
+      insertInto("mark_draft_row", "assignment_id, row_code, score_steps, not_assessable_reason"));
   for (const SheetRow& row : sheet.rows) {
     insert.execute({assignmentId, row.code, row.score_steps, textOrNull(row.notAssessableReason)});
   }
@@ -326,17 +281,17 @@ std::int64_t SheetRepository::saveDraft(const std::string& assignmentId, const S
   return next;
 }
 
-std::optional<Sheet> SheetRepository::draft(const std::string& assignmentId) {
-  Statement row = connection_.prepare(
+std::optional<Sheet> SheetRepository::draft(const std::string& assignmentId) const {
+  std::optional<Sheet> sheet = selectFirst(
+      connection_,
       "SELECT revision, overall_steps, not_assessable_reason, comment, changed_utc_us FROM mark_draft"
-      " WHERE assignment_id = ?");
-  row.execute({assignmentId});
-  if (!row.step()) return std::nullopt;
-  Sheet sheet{row.int64(0), row.maybeInt64(1), row.text(2), row.text(3), {}, row.int64(4)};
-  sheet.rows =
-      sheetRows(connection_.prepare("SELECT row_code, score_steps, not_assessable_reason FROM mark_draft_row"
-                                    " WHERE assignment_id = ? ORDER BY row_code"),
-                assignmentId);
+      " WHERE assignment_id = ?",
+      {assignmentId}, [](RowReader& row) {
+        return Sheet{row.int64(), row.maybeInt64(), row.text(), row.text(), {}, row.int64()};
+      });
+  if (sheet) {
+    sheet->rows = draftRows(connection_, assignmentId);
+  }
   return sheet;
 }
 
@@ -380,36 +335,39 @@ void SheetRepository::submit(const std::string& assignmentId, const std::string&
   transaction.commit();
 }
 
-std::optional<Sheet> SheetRepository::submitted(const std::string& assignmentId) {
-  Statement row = connection_.prepare(
+std::optional<Sheet> SheetRepository::submitted(const std::string& assignmentId) const {
+  std::string markId;
+  std::optional<Sheet> sheet = selectFirst(
+      connection_,
       "SELECT id, score_steps, not_assessable_reason, comment, submitted_utc_us FROM training_mark"
-      " WHERE assignment_id = ? ORDER BY version DESC LIMIT 1");
-  row.execute({assignmentId});
-  if (!row.step()) return std::nullopt;
-  Sheet sheet{0, row.maybeInt64(1), row.text(2), row.text(3), {}, row.int64(4)};
-  sheet.rows = sheetRows(
-      connection_.prepare("SELECT row_code, score_steps, not_assessable_reason FROM training_mark_row"
-                          " WHERE mark_id = ? ORDER BY row_code"),
-      row.text(0));
+      " WHERE assignment_id = ? ORDER BY version DESC LIMIT 1",
+      {assignmentId}, [&markId](RowReader& row) {
+        markId = row.text();
+        return Sheet{0, row.maybeInt64(), row.text(), row.text(), {}, row.int64()};
+      });
+  if (sheet) {
+    sheet->rows = markRows(connection_, markId);
+  }
   return sheet;
 }
 
-bool SheetRepository::allSubmitted(const std::string& enrolmentId, const std::string& scoringPoint) {
-  Statement row = connection_.prepare(
-      "SELECT count(*) FROM assignment a WHERE a.enrolment_id = ? AND a.scoring_point = ?"
-      " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
-      " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id)");
-  row.execute({enrolmentId, scoringPoint});
-  return row.step() && row.int64(0) == 0;
+bool SheetRepository::allSubmitted(const std::string& enrolmentId, const std::string& scoringPoint) const {
+  return selectFirst(connection_,
+                     "SELECT count(*) FROM assignment a WHERE a.enrolment_id = ? AND a.scoring_point = ?"
+                     " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
+                     " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id)",
+                     {enrolmentId, scoringPoint}, readInt64)
+             .value_or(1) == 0;
 }
 
-std::int64_t SheetRepository::openAssignments(const std::string& cohortId) {
-  Statement row = connection_.prepare(
-      "SELECT count(*) FROM enrolment e JOIN assignment a ON a.enrolment_id = e.id WHERE e.cohort_id = ?"
-      " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
-      " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id)");
-  row.execute({cohortId});
-  return row.step() ? row.int64(0) : 0;
+std::int64_t SheetRepository::openAssignments(const std::string& cohortId) const {
+  return selectFirst(connection_,
+                     "SELECT count(*) FROM enrolment e JOIN assignment a ON a.enrolment_id = e.id WHERE "
+                     "e.cohort_id = ?"
+                     " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
+                     " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id)",
+                     {cohortId}, readInt64)
+      .value_or(0);
 }
 
 void SheetRepository::setReleased(const std::string& cohortId, const std::string& scoringPoint, bool released,
@@ -423,12 +381,12 @@ void SheetRepository::setReleased(const std::string& cohortId, const std::string
       {cohortId, scoringPoint, cohortId, scoringPoint, released, reason, decidedBy, utc_us});
 }
 
-bool SheetRepository::isReleased(const std::string& cohortId, const std::string& scoringPoint) {
-  Statement row = connection_.prepare(
-      "SELECT released FROM mark_release WHERE cohort_id = ? AND scoring_point = ?"
-      " ORDER BY sequence DESC LIMIT 1");
-  row.execute({cohortId, scoringPoint});
-  return row.step() && row.boolean(0);
+bool SheetRepository::isReleased(const std::string& cohortId, const std::string& scoringPoint) const {
+  return selectFirst(connection_,
+                     "SELECT released FROM mark_release WHERE cohort_id = ? AND scoring_point = ?"
+                     " ORDER BY sequence DESC LIMIT 1",
+                     {cohortId, scoringPoint}, readBoolean)
+      .value_or(false);
 }
 
 }  // namespace torsio

@@ -108,28 +108,28 @@ class SheetRepository {
   void addRubric(const std::string& id, const std::string& name, std::int64_t createdUtc_us,
                  bool demonstration);
   /// By name.
-  [[nodiscard]] std::vector<StoredRubric> rubrics();
+  [[nodiscard]] std::vector<StoredRubric> rubrics() const;
   void addRevision(const StoredRubricRevision& revision);
-  [[nodiscard]] std::optional<StoredRubricRevision> revision(const std::string& revisionId);
+  [[nodiscard]] std::optional<StoredRubricRevision> revision(const std::string& revisionId) const;
   /// Ids of a rubric's revisions, oldest first.
-  [[nodiscard]] std::vector<std::string> revisionIds(const std::string& rubricId);
+  [[nodiscard]] std::vector<std::string> revisionIds(const std::string& rubricId) const;
 
   void assign(std::span<const StoredAssignment> assignments);
   /// Of a cohort, withdrawn ones too, by scoring point, trainee, rater.
-  [[nodiscard]] std::vector<AssignmentStatus> assignments(const std::string& cohortId);
+  [[nodiscard]] std::vector<AssignmentStatus> assignments(const std::string& cohortId) const;
   /// Of one rater in any cohort, withdrawn ones too.
-  [[nodiscard]] std::vector<StoredAssignment> assignmentsOf(const std::string& raterId);
-  [[nodiscard]] std::optional<AssignmentStatus> findAssignment(const std::string& assignmentId);
+  [[nodiscard]] std::vector<StoredAssignment> assignmentsOf(const std::string& raterId) const;
+  [[nodiscard]] std::optional<AssignmentStatus> findAssignment(const std::string& assignmentId) const;
   /// Throws Error (kBadData) when the sheet was submitted already.
   void withdraw(const std::string& assignmentId, const std::string& reason, const std::string& withdrawnBy,
                 std::int64_t utc_us);
   /// In the rater's own order, without the withdrawn ones.
-  [[nodiscard]] std::vector<QueueEntry> queue(const std::string& raterId);
+  [[nodiscard]] std::vector<QueueEntry> queue(const std::string& raterId) const;
 
   /// `sheet.revision` is the one that was read. Returns the new one. Throws DbError (kConflict) when the
   /// draft was saved elsewhere in between, Error (kBadData) when the sheet was submitted or withdrawn.
   std::int64_t saveDraft(const std::string& assignmentId, const Sheet& sheet);
-  [[nodiscard]] std::optional<Sheet> draft(const std::string& assignmentId);
+  [[nodiscard]] std::optional<Sheet> draft(const std::string& assignmentId) const;
 
   /// Seals the first version, or with `amendReason` the next one, as mark `markId` with its rows, and removes
   /// the draft. Throws Error (kBadData) when a row of the rubric is missing or unknown, or a score lies
@@ -137,21 +137,21 @@ class SheetRepository {
   void submit(const std::string& assignmentId, const std::string& markId, const Sheet& sheet,
               const std::string& amendReason, std::int64_t submittedUtc_us);
   /// The newest sealed version; empty: not submitted.
-  [[nodiscard]] std::optional<Sheet> submitted(const std::string& assignmentId);
+  [[nodiscard]] std::optional<Sheet> submitted(const std::string& assignmentId) const;
 
   /// Whether every rater who is asked about this case has submitted: until then each sees only their own
   /// sheet.
-  [[nodiscard]] bool allSubmitted(const std::string& enrolmentId, const std::string& scoringPoint);
+  [[nodiscard]] bool allSubmitted(const std::string& enrolmentId, const std::string& scoringPoint) const;
 
   /// Sheets of a cohort that somebody is asked for and has not submitted.
-  [[nodiscard]] std::int64_t openAssignments(const std::string& cohortId);
+  [[nodiscard]] std::int64_t openAssignments(const std::string& cohortId) const;
 
   void setReleased(const std::string& cohortId, const std::string& scoringPoint, bool released,
                    const std::string& reason, const std::string& decidedBy, std::int64_t utc_us);
-  [[nodiscard]] bool isReleased(const std::string& cohortId, const std::string& scoringPoint);
+  [[nodiscard]] bool isReleased(const std::string& cohortId, const std::string& scoringPoint) const;
 
  private:
-  [[nodiscard]] SheetState stateOf(const std::string& assignmentId);
+  [[nodiscard]] SheetState stateOf(const std::string& assignmentId) const;
   Connection& connection_;
 };
 

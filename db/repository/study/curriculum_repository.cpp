@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "db/connection/row_reader.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -43,9 +44,9 @@ void checkPrerequisites(const StoredCurriculumVersion& version) {
 
 void insertModules(Connection& connection, const StoredCurriculumVersion& version) {
   Statement insert = connection.prepare(
-      "INSERT INTO module (id, version_id, position, code, title, scene_id, pattern_id, exercise_kind, mode,"
-      " target_angle_rad, tolerance_rad, hold_us, max_force_n, max_torque_nm, attempt_limit)"
-      " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+      insertInto("module",
+                 "id, version_id, position, code, title, scene_id, pattern_id, exercise_kind, mode,"
+                 " target_angle_rad, tolerance_rad, hold_us, max_force_n, max_torque_nm, attempt_limit"));
   std::int64_t position = 0;
   for (const StoredModule& module : version.modules) {
     insert.execute({module.id, version.id, ++position, module.code, module.title, module.sceneId,
@@ -54,12 +55,13 @@ void insertModules(Connection& connection, const StoredCurriculumVersion& versio
                     module.attemptLimit});
   }
   Statement prerequisite =
-      connection.prepare("INSERT INTO module_prerequisite (module_id, requires_module_id) VALUES (?, ?)");
+      connection.prepare(insertInto("module_prerequisite", "module_id, requires_module_id"));
   Statement mastery = connection.prepare(
-      "INSERT INTO mastery_rule (module_id, metric, comparison, threshold, unit, consecutive)"
-      " VALUES (?, ?, ?, ?, ?, ?)");
+      insertInto("mastery_rule", "module_id, metric, comparison, threshold, unit, consecutive"));
   for (const StoredModule& module : version.modules) {
-    for (const std::string& id : module.requires_) prerequisite.execute({module.id, id});
+    for (const std::string& id : module.requires_) {
+      prerequisite.execute({module.id, id});
+    }
     for (const StoredMasteryRule& rule : module.mastery) {
       mastery.execute({module.id, rule.metric, rule.comparison, rule.threshold, rule.unit, rule.consecutive});
     }
@@ -67,12 +69,10 @@ void insertModules(Connection& connection, const StoredCurriculumVersion& versio
 }
 
 void insertArms(Connection& connection, const StoredCurriculumVersion& version) {
-  Statement arm = connection.prepare(
-      "INSERT INTO curriculum_arm (id, version_id, number, code, label, rest_allowance_us, rest_splittable)"
-      " VALUES (?, ?, ?, ?, ?, ?, ?)");
+  Statement arm = connection.prepare(insertInto(
+      "curriculum_arm", "id, version_id, number, code, label, rest_allowance_us, rest_splittable"));
   Statement phase = connection.prepare(
-      "INSERT INTO curriculum_phase (id, arm_id, position, kind, label, duration_us, module_id)"
-      " VALUES (?, ?, ?, ?, ?, ?, ?)");
+      insertInto("curriculum_phase", "id, arm_id, position, kind, label, duration_us, module_id"));
   std::int64_t number = 0;
   for (const StoredArm& part : version.arms) {
     arm.execute(
@@ -84,98 +84,103 @@ void insertArms(Connection& connection, const StoredCurriculumVersion& version) 
     }
   }
   Statement point = connection.prepare(
-      "INSERT INTO curriculum_scoring_point (version_id, scoring_point, after_exposure_us) VALUES (?, ?, ?)");
+      insertInto("curriculum_scoring_point", "version_id, scoring_point, after_exposure_us"));
   for (const StoredScoringPoint& part : version.scoringPoints) {
     point.execute({version.id, part.code, part.afterExposure_us});
   }
 }
 
+StoredModule moduleOf(RowReader& row) {
+  return {.id = row.text(),
+          .code = row.text(),
+          .title = row.text(),
+          .sceneId = row.text(),
+          .patternId = row.text(),
+          .exerciseKind = row.text(),
+          .mode = row.text(),
+          .targetAngle_rad = row.real(),
+          .tolerance_rad = row.real(),
+          .hold_us = row.int64(),
+          .maxForce_N = row.maybeReal(),
+          .maxTorque_Nm = row.maybeReal(),
+          .attemptLimit = row.maybeInt64(),
+          .requires_ = {},
+          .mastery = {}};
+}
+
+StoredMasteryRule masteryRuleOf(RowReader& row) {
+  return {row.text(), row.text(), row.real(), row.text(), row.int64()};
+}
+
 std::vector<StoredModule> modulesOf(Connection& connection, const std::string& versionId) {
-  std::vector<StoredModule> modules;
-  std::map<std::string, std::size_t> at;
-  Statement row = connection.prepare(
+  std::vector<StoredModule> modules = selectAll(
+      connection,
       "SELECT id, code, title, scene_id, pattern_id, exercise_kind, mode, target_angle_rad, tolerance_rad,"
-      " hold_us, max_force_n, max_torque_nm, attempt_limit FROM module WHERE version_id = ? ORDER BY "
-      "position");
-  row.execute({versionId});
-  while (row.step()) {
-    at[row.text(0)] = modules.size();
-    modules.push_back({.id = row.text(0),
-                       .code = row.text(1),
-                       .title = row.text(2),
-                       .sceneId = row.text(3),
-                       .patternId = row.text(4),
-                       .exerciseKind = row.text(5),
-                       .mode = row.text(6),
-                       .targetAngle_rad = row.real(7),
-                       .tolerance_rad = row.real(8),
-                       .hold_us = row.int64(9),
-                       .maxForce_N = row.maybeReal(10),
-                       .maxTorque_Nm = row.maybeReal(11),
-                       .attemptLimit = row.maybeInt64(12)});
-  }
-  Statement prerequisite = connection.prepare(
-      "SELECT p.module_id, p.requires_module_id FROM module_prerequisite p JOIN module m ON m.id = "
-      "p.module_id"
-      " JOIN module r ON r.id = p.requires_module_id WHERE m.version_id = ? ORDER BY r.position");
-  prerequisite.execute({versionId});
-  while (prerequisite.step()) modules[at[prerequisite.text(0)]].requires_.push_back(prerequisite.text(1));
+      " hold_us, max_force_n, max_torque_nm, attempt_limit FROM module WHERE version_id = ?"
+      " ORDER BY position",
+      {versionId}, moduleOf);
+  Statement prerequisites = connection.prepare(
+      "SELECT p.requires_module_id FROM module_prerequisite p JOIN module r ON r.id = p.requires_module_id"
+      " WHERE p.module_id = ? ORDER BY r.position");
   Statement mastery = connection.prepare(
-      "SELECT r.module_id, r.metric, r.comparison, r.threshold, r.unit, r.consecutive FROM mastery_rule r"
-      " JOIN module m ON m.id = r.module_id WHERE m.version_id = ? ORDER BY r.metric");
-  mastery.execute({versionId});
-  while (mastery.step()) {
-    modules[at[mastery.text(0)]].mastery.push_back(
-        {mastery.text(1), mastery.text(2), mastery.real(3), mastery.text(4), mastery.int64(5)});
+      "SELECT metric, comparison, threshold, unit, consecutive FROM mastery_rule WHERE module_id = ?"
+      " ORDER BY metric");
+  for (StoredModule& module : modules) {
+    prerequisites.execute({module.id});
+    module.requires_ = readRows(prerequisites, readText);
+    mastery.execute({module.id});
+    module.mastery = readRows(mastery, masteryRuleOf);
   }
   return modules;
 }
 
+StoredPhase phaseOf(RowReader& row) {
+  return {row.text(), row.text(), row.text(), row.int64(), row.text()};
+}
+
 std::vector<StoredArm> armsOf(Connection& connection, const std::string& versionId) {
-  std::vector<StoredArm> arms;
-  Statement row = connection.prepare(
-      "SELECT a.id, a.code, a.label, a.rest_allowance_us, a.rest_splittable, p.id, p.kind, p.label,"
-      " p.duration_us, p.module_id FROM curriculum_arm a LEFT JOIN curriculum_phase p ON p.arm_id = a.id"
-      " WHERE a.version_id = ? ORDER BY a.number, p.position");
-  row.execute({versionId});
-  while (row.step()) {
-    if (arms.empty() || arms.back().id != row.text(0)) {
-      arms.push_back({row.text(0), row.text(1), row.text(2), row.int64(3), row.boolean(4), {}});
-    }
-    if (row.isNull(5)) continue;
-    arms.back().phases.push_back({row.text(5), row.text(6), row.text(7), row.int64(8), row.text(9)});
+  std::vector<StoredArm> arms = selectAll(
+      connection,
+      "SELECT id, code, label, rest_allowance_us, rest_splittable FROM curriculum_arm WHERE version_id = ?"
+      " ORDER BY number",
+      {versionId}, [](RowReader& row) {
+        return StoredArm{row.text(), row.text(), row.text(), row.int64(), row.boolean(), {}};
+      });
+  Statement phases = connection.prepare(
+      "SELECT id, kind, label, duration_us, module_id FROM curriculum_phase WHERE arm_id = ?"
+      " ORDER BY position");
+  for (StoredArm& arm : arms) {
+    phases.execute({arm.id});
+    arm.phases = readRows(phases, phaseOf);
   }
   return arms;
 }
 
 std::vector<StoredScoringPoint> scoringPointsOf(Connection& connection, const std::string& versionId) {
-  std::vector<StoredScoringPoint> points;
-  Statement row = connection.prepare(
+  return selectAll(
+      connection,
       "SELECT scoring_point, after_exposure_us FROM curriculum_scoring_point WHERE version_id = ?"
-      " ORDER BY after_exposure_us, scoring_point");
-  row.execute({versionId});
-  while (row.step()) points.push_back({row.text(0), row.int64(1)});
-  return points;
+      " ORDER BY after_exposure_us, scoring_point",
+      {versionId}, [](RowReader& row) {
+        return StoredScoringPoint{row.text(), row.int64()};
+      });
 }
 
 }  // namespace
 
 void CurriculumRepository::addCurriculum(const StoredCurriculum& curriculum) {
-  connection_.execute(
-      "INSERT INTO curriculum (id, name, description, created_utc_us, demonstration) VALUES (?, ?, ?, ?, ?)",
-      {curriculum.id, curriculum.name, curriculum.description, curriculum.createdUtc_us,
-       curriculum.demonstration});
+  connection_.execute(insertInto("curriculum", "id, name, description, created_utc_us, demonstration"),
+                      {curriculum.id, curriculum.name, curriculum.description, curriculum.createdUtc_us,
+                       curriculum.demonstration});
 }
 
-std::vector<StoredCurriculum> CurriculumRepository::curricula() {
-  std::vector<StoredCurriculum> curricula;
-  Statement row = connection_.prepare(
-      "SELECT id, name, description, created_utc_us, demonstration FROM curriculum ORDER BY name");
-  row.execute();
-  while (row.step()) {
-    curricula.push_back({row.text(0), row.text(1), row.text(2), row.int64(3), row.boolean(4)});
-  }
-  return curricula;
+std::vector<StoredCurriculum> CurriculumRepository::curricula() const {
+  return selectAll(
+      connection_,
+      "SELECT id, name, description, created_utc_us, demonstration FROM curriculum ORDER BY name", {},
+      [](RowReader& row) {
+        return StoredCurriculum{row.text(), row.text(), row.text(), row.int64(), row.boolean()};
+      });
 }
 
 std::int64_t CurriculumRepository::saveDraft(const std::string& curriculumId, const StoredDraft& draft) {
@@ -186,8 +191,9 @@ std::int64_t CurriculumRepository::saveDraft(const std::string& curriculumId, co
   const std::int64_t changed =
       draft.revision == 0
           ? connection_.execute(
-                "INSERT INTO curriculum_draft (curriculum_id, revision, content_json, changed_by,"
-                " changed_utc_us) VALUES (?, ?, ?, ?, ?) ON CONFLICT (curriculum_id) DO NOTHING",
+                insertInto("curriculum_draft",
+                           "curriculum_id, revision, content_json, changed_by, changed_utc_us") +
+                    " ON CONFLICT (curriculum_id) DO NOTHING",
                 {curriculumId, next, draft.contentJson, draft.changedBy, draft.changedUtc_us})
           : connection_.execute(
                 "UPDATE curriculum_draft SET revision = ?, content_json = ?, changed_by = ?,"
@@ -202,21 +208,20 @@ std::int64_t CurriculumRepository::saveDraft(const std::string& curriculumId, co
   return next;
 }
 
-std::optional<StoredDraft> CurriculumRepository::draft(const std::string& curriculumId) {
-  Statement row = connection_.prepare(
-      "SELECT revision, content_json, changed_by, changed_utc_us FROM curriculum_draft"
-      " WHERE curriculum_id = ?");
-  row.execute({curriculumId});
-  if (!row.step()) return std::nullopt;
-  return StoredDraft{row.int64(0), row.text(1), row.text(2), row.int64(3)};
+std::optional<StoredDraft> CurriculumRepository::draft(const std::string& curriculumId) const {
+  return selectFirst(connection_,
+                     "SELECT revision, content_json, changed_by, changed_utc_us FROM curriculum_draft"
+                     " WHERE curriculum_id = ?",
+                     {curriculumId}, [](RowReader& row) {
+                       return StoredDraft{row.int64(), row.text(), row.text(), row.int64()};
+                     });
 }
 
 void CurriculumRepository::addVersion(const StoredCurriculumVersion& version, const std::string& createdBy) {
   checkPrerequisites(version);
   Transaction transaction(connection_);
   connection_.execute(
-      "INSERT INTO curriculum_version (id, curriculum_id, number, note, created_utc_us) VALUES (?, ?, ?, ?, "
-      "?)",
+      insertInto("curriculum_version", "id, curriculum_id, number, note, created_utc_us"),
       {version.id, version.curriculumId, version.number, version.note, version.createdUtc_us});
   insertModules(connection_, version);
   insertArms(connection_, version);
@@ -227,36 +232,33 @@ void CurriculumRepository::addVersion(const StoredCurriculumVersion& version, co
   transaction.commit();
 }
 
-std::optional<StoredCurriculumVersion> CurriculumRepository::version(const std::string& versionId) {
-  Statement row = connection_.prepare(
-      "SELECT id, curriculum_id, number, note, created_utc_us FROM curriculum_version WHERE id = ?");
-  row.execute({versionId});
-  if (!row.step()) return std::nullopt;
-  return StoredCurriculumVersion{.id = row.text(0),
-                                 .curriculumId = row.text(1),
-                                 .number = row.int64(2),
-                                 .note = row.text(3),
-                                 .createdUtc_us = row.int64(4),
-                                 .modules = modulesOf(connection_, versionId),
-                                 .arms = armsOf(connection_, versionId),
-                                 .scoringPoints = scoringPointsOf(connection_, versionId),
-                                 .state = stateOf(versionId)};
+std::optional<StoredCurriculumVersion> CurriculumRepository::version(const std::string& versionId) const {
+  return selectFirst(
+      connection_,
+      "SELECT id, curriculum_id, number, note, created_utc_us FROM curriculum_version WHERE id = ?",
+      {versionId}, [&](RowReader& row) {
+        return StoredCurriculumVersion{.id = row.text(),
+                                       .curriculumId = row.text(),
+                                       .number = row.int64(),
+                                       .note = row.text(),
+                                       .createdUtc_us = row.int64(),
+                                       .modules = modulesOf(connection_, versionId),
+                                       .arms = armsOf(connection_, versionId),
+                                       .scoringPoints = scoringPointsOf(connection_, versionId),
+                                       .state = stateOf(versionId)};
+      });
 }
 
-std::vector<std::string> CurriculumRepository::versionIds(const std::string& curriculumId) {
-  std::vector<std::string> ids;
-  Statement row =
-      connection_.prepare("SELECT id FROM curriculum_version WHERE curriculum_id = ? ORDER BY number");
-  row.execute({curriculumId});
-  while (row.step()) ids.push_back(row.text(0));
-  return ids;
+std::vector<std::string> CurriculumRepository::versionIds(const std::string& curriculumId) const {
+  return selectAll(connection_, "SELECT id FROM curriculum_version WHERE curriculum_id = ? ORDER BY number",
+                   {curriculumId}, readText);
 }
 
-std::string CurriculumRepository::stateOf(const std::string& versionId) {
-  Statement row = connection_.prepare(
-      "SELECT state FROM curriculum_state WHERE version_id = ? ORDER BY sequence DESC LIMIT 1");
-  row.execute({versionId});
-  return row.step() ? row.text(0) : "";
+std::string CurriculumRepository::stateOf(const std::string& versionId) const {
+  return selectFirst(connection_,
+                     "SELECT state FROM curriculum_state WHERE version_id = ? ORDER BY sequence DESC LIMIT 1",
+                     {versionId}, readText)
+      .value_or("");
 }
 
 void CurriculumRepository::moveTo(const std::string& versionId, const std::string& state,
@@ -273,8 +275,7 @@ void CurriculumRepository::moveTo(const std::string& versionId, const std::strin
                 versionId, "Draft becomes running, running becomes closed");
   }
   connection_.execute(
-      "INSERT INTO curriculum_state (version_id, sequence, state, changed_by, changed_utc_us)"
-      " VALUES (?, ?, ?, ?, ?)",
+      insertInto("curriculum_state", "version_id, sequence, state, changed_by, changed_utc_us"),
       {versionId, next->second.second, state, changedBy, changedUtc_us});
   transaction.commit();
 }
@@ -290,11 +291,11 @@ void CurriculumRepository::assign(const std::string& cohortId, const std::string
       "UPDATE training_group SET arm_id = (SELECT a.id FROM curriculum_arm a WHERE a.version_id = ?"
       " AND a.number = training_group.number) WHERE cohort_id = ?",
       {versionId, cohortId});
-  Statement missing =
-      connection_.prepare("SELECT code FROM training_group WHERE cohort_id = ? AND arm_id IS NULL");
-  missing.execute({cohortId});
-  if (missing.step()) {
-    throw Error(ErrorCode::kBadData, "the curriculum has no arm for this group", missing.text(0),
+  const std::optional<std::string> missing =
+      selectFirst(connection_, "SELECT code FROM training_group WHERE cohort_id = ? AND arm_id IS NULL",
+                  {cohortId}, readText);
+  if (missing) {
+    throw Error(ErrorCode::kBadData, "the curriculum has no arm for this group", *missing,
                 "Give the curriculum as many arms as the cohort has groups");
   }
   transaction.commit();

@@ -97,19 +97,19 @@ class CurriculumRepository {
   explicit CurriculumRepository(Connection& connection) : connection_(connection) {}
 
   void addCurriculum(const StoredCurriculum& curriculum);
-  [[nodiscard]] std::vector<StoredCurriculum> curricula();
+  [[nodiscard]] std::vector<StoredCurriculum> curricula() const;
 
   /// `draft.revision` is the one that was read. Returns the new revision. Throws DbError (kConflict) when
   /// somebody saved in between: nothing is overwritten.
   std::int64_t saveDraft(const std::string& curriculumId, const StoredDraft& draft);
-  [[nodiscard]] std::optional<StoredDraft> draft(const std::string& curriculumId);
+  [[nodiscard]] std::optional<StoredDraft> draft(const std::string& curriculumId) const;
 
   /// Stores a version in state "draft". Throws Error (kBadData) when a prerequisite is no module of the
   /// version or when prerequisites run in a circle.
   void addVersion(const StoredCurriculumVersion& version, const std::string& createdBy);
-  [[nodiscard]] std::optional<StoredCurriculumVersion> version(const std::string& versionId);
+  [[nodiscard]] std::optional<StoredCurriculumVersion> version(const std::string& versionId) const;
   /// Ids, oldest version first.
-  [[nodiscard]] std::vector<std::string> versionIds(const std::string& curriculumId);
+  [[nodiscard]] std::vector<std::string> versionIds(const std::string& curriculumId) const;
   /// draft -> running -> closed; throws Error (kBadData) for any other step.
   void moveTo(const std::string& versionId, const std::string& state, const std::string& changedBy,
               std::int64_t changedUtc_us);
@@ -119,7 +119,7 @@ class CurriculumRepository {
   void assign(const std::string& cohortId, const std::string& versionId);
 
  private:
-  [[nodiscard]] std::string stateOf(const std::string& versionId);
+  [[nodiscard]] std::string stateOf(const std::string& versionId) const;
   Connection& connection_;
 };
 

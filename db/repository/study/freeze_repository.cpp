@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
 
@@ -14,19 +15,15 @@ const std::string kFreezes =
     "SELECT id, cohort_id, name, content_hash, manifest_json, created_by, created_utc_us, demonstration"
     " FROM frozen_dataset";
 
-std::vector<StoredFreeze> freezesOf(Statement& row) {
-  std::vector<StoredFreeze> freezes;
-  while (row.step()) {
-    freezes.push_back({.id = row.text(0),
-                       .cohortId = row.text(1),
-                       .name = row.text(2),
-                       .contentHash = row.text(3),
-                       .manifestJson = row.text(4),
-                       .createdBy = row.text(5),
-                       .createdUtc_us = row.int64(6),
-                       .demonstration = row.boolean(7)});
-  }
-  return freezes;
+StoredFreeze freezeOf(RowReader& row) {
+  return {.id = row.text(),
+          .cohortId = row.text(),
+          .name = row.text(),
+          .contentHash = row.text(),
+          .manifestJson = row.text(),
+          .createdBy = row.text(),
+          .createdUtc_us = row.int64(),
+          .demonstration = row.boolean()};
 }
 
 }  // namespace
@@ -56,17 +53,13 @@ void FreezeRepository::add(const StoredFreeze& freeze) {
   transaction.commit();
 }
 
-std::optional<StoredFreeze> FreezeRepository::findByName(const std::string& name) {
-  Statement row = connection_.prepare(kFreezes + " WHERE name = ?");
-  row.execute({name});
-  std::vector<StoredFreeze> found = freezesOf(row);
-  return found.empty() ? std::nullopt : std::optional(found.front());
+std::optional<StoredFreeze> FreezeRepository::findByName(const std::string& name) const {
+  return selectFirst(connection_, kFreezes + " WHERE name = ?", {name}, freezeOf);
 }
 
-std::vector<StoredFreeze> FreezeRepository::list(const std::string& cohortId) {
-  Statement row = connection_.prepare(kFreezes + " WHERE cohort_id = ? ORDER BY created_utc_us, id");
-  row.execute({cohortId});
-  return freezesOf(row);
+std::vector<StoredFreeze> FreezeRepository::list(const std::string& cohortId) const {
+  return selectAll(connection_, kFreezes + " WHERE cohort_id = ? ORDER BY created_utc_us, id", {cohortId},
+                   freezeOf);
 }
 
 }  // namespace torsio

@@ -33,9 +33,9 @@ class FreezeRepository {
   /// The same once more is no error. Throws DbError (kUnique) when the name is taken or the id has other
   /// content.
   void add(const StoredFreeze& freeze);
-  [[nodiscard]] std::optional<StoredFreeze> findByName(const std::string& name);
+  [[nodiscard]] std::optional<StoredFreeze> findByName(const std::string& name) const;
   /// Of one cohort, oldest first.
-  [[nodiscard]] std::vector<StoredFreeze> list(const std::string& cohortId);
+  [[nodiscard]] std::vector<StoredFreeze> list(const std::string& cohortId) const;
 
  private:
   Connection& connection_;

@@ -128,15 +128,15 @@ class StudyRepository {
   explicit StudyRepository(Connection& connection) : connection_(connection) {}
 
   void setCentre(const StoredCentre& centre);
-  [[nodiscard]] std::optional<StoredCentre> centre();
+  [[nodiscard]] std::optional<StoredCentre> centre() const;
 
   void addCohort(const StoredCohort& cohort, std::span<const StoredGroup> groups);
-  [[nodiscard]] std::vector<StoredCohort> cohorts();
-  [[nodiscard]] std::vector<StoredGroup> groups(const std::string& cohortId);
+  [[nodiscard]] std::vector<StoredCohort> cohorts() const;
+  [[nodiscard]] std::vector<StoredGroup> groups(const std::string& cohortId) const;
 
   void enrol(std::span<const StoredEnrolment> enrolments);
   /// Ordered by group, number in the group, trainee code; those without a group come first.
-  [[nodiscard]] std::vector<StoredEnrolment> enrolments(const std::string& cohortId);
+  [[nodiscard]] std::vector<StoredEnrolment> enrolments(const std::string& cohortId) const;
 
   /// "enrolled", "completed", "withdrawn".
   void setEnrolmentState(const std::string& enrolmentId, const std::string& state);
@@ -144,28 +144,28 @@ class StudyRepository {
   void lockDesign(const StoredAllocationDesign& design);
   void revealSeed(const std::string& designId, std::int64_t utc_us);
   /// The seed whether it was revealed or not: for drawing the next arm and for nothing else.
-  [[nodiscard]] std::string sealedSeed(const std::string& designId);
-  [[nodiscard]] std::vector<StoredAllocationDesign> designs(const std::string& cohortId);
+  [[nodiscard]] std::string sealedSeed(const std::string& designId) const;
+  [[nodiscard]] std::vector<StoredAllocationDesign> designs(const std::string& cohortId) const;
 
   /// Appends the records, chains their hashes, and moves the enrolments. Returns them as stored. Throws Error
   /// (kBadData) when a sequence number does not follow the last one.
   std::vector<StoredAllocation> allocate(std::span<const StoredAllocation> records);
-  [[nodiscard]] std::vector<StoredAllocation> allocations(const std::string& designId);
+  [[nodiscard]] std::vector<StoredAllocation> allocations(const std::string& designId) const;
   /// The sequence number of the first record whose hash does not fit; empty: the chain is whole.
-  [[nodiscard]] std::optional<std::int64_t> firstBrokenAllocation(const std::string& designId);
+  [[nodiscard]] std::optional<std::int64_t> firstBrokenAllocation(const std::string& designId) const;
 
   void addExposures(std::span<const StoredExposure> exposures);
   /// Of one cohort, by enrolment and time.
-  [[nodiscard]] std::vector<StoredExposure> exposures(const std::string& cohortId);
+  [[nodiscard]] std::vector<StoredExposure> exposures(const std::string& cohortId) const;
 
   /// Trials of all enrolments, ended or not, by their start.
-  [[nodiscard]] std::vector<std::string> trialIds(const std::string& cohortId);
+  [[nodiscard]] std::vector<std::string> trialIds(const std::string& cohortId) const;
   /// Newest first.
-  [[nodiscard]] std::vector<RunningTrial> runningTrials(const std::string& cohortId);
+  [[nodiscard]] std::vector<RunningTrial> runningTrials(const std::string& cohortId) const;
 
   void addDeviation(const StoredDeviation& deviation);
   /// Oldest first.
-  [[nodiscard]] std::vector<StoredDeviation> deviations(const std::string& cohortId);
+  [[nodiscard]] std::vector<StoredDeviation> deviations(const std::string& cohortId) const;
 
  private:
   Connection& connection_;

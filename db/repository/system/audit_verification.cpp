@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/seals.h"
 #include "db/repository/trial/trial_repository.h"
@@ -20,34 +21,38 @@ using Hashes = std::map<std::string, std::string>;
 
 /// Ids of trials whose samples were erased with their trainee.
 std::set<std::string> erasedTrials(Connection& connection) {
-  std::set<std::string> trials;
-  Statement row = connection.prepare("SELECT t.id FROM trial t JOIN erasure e ON e.person_id = t.trainee_id");
-  row.execute();
-  while (row.step()) trials.insert(row.text(0));
-  return trials;
+  const std::vector<std::string> trials = selectAll(
+      connection, "SELECT t.id FROM trial t JOIN erasure e ON e.person_id = t.trainee_id", {}, readText);
+  return {trials.begin(), trials.end()};
 }
 
 void checkChain(Connection& connection, std::map<std::string, Hashes>& sealed,
                 std::vector<AuditFinding>& findings) {
-  Statement row =
-      connection.prepare(std::string("SELECT ") + kColumns + " FROM audit_entry ORDER BY sequence");
-  row.execute();
   std::string previous;
   std::int64_t expected = 0;
-  while (row.step()) {
-    const AuditEntry entry = entryOf(row);
+  AuditRepository(connection).forEach([&](const AuditEntry& entry) {
     const auto report = [&](const char* what) {
       findings.push_back({entry.sequence, entry.objectKind, entry.objectId, what});
     };
     ++expected;
-    if (entry.sequence != expected) report("entries before this one are missing");
-    if (entry.previousHash != previous) report("does not follow the entry before it");
-    if (entry.entryHash != auditHash(entry)) report("the entry itself was changed");
+    if (entry.sequence != expected) {
+      report("entries before this one are missing");
+    }
+    if (entry.previousHash != previous) {
+      report("does not follow the entry before it");
+    }
+    if (entry.entryHash != auditHash(entry)) {
+      report("the entry itself was changed");
+    }
     expected = entry.sequence;
     previous = entry.entryHash;
-    if (!entry.objectHash.empty()) sealed[entry.objectKind][entry.objectId] = entry.objectHash;
-    if (entry.action == kDemonstrationRemoved) sealed[entry.objectKind].erase(entry.objectId);
-  }
+    if (!entry.objectHash.empty()) {
+      sealed[entry.objectKind][entry.objectId] = entry.objectHash;
+    }
+    if (entry.action == kDemonstrationRemoved) {
+      sealed[entry.objectKind].erase(entry.objectId);
+    }
+  });
 }
 
 void compare(const std::string& kind, const Hashes& sealed, const Hashes& now,
@@ -61,7 +66,9 @@ void compare(const std::string& kind, const Hashes& sealed, const Hashes& now,
     }
   }
   for (const auto& [id, hash] : now) {
-    if (!sealed.contains(id)) findings.push_back({0, kind, id, "is there, but was never recorded"});
+    if (!sealed.contains(id)) {
+      findings.push_back({0, kind, id, "is there, but was never recorded"});
+    }
   }
 }
 
@@ -71,25 +78,34 @@ void checkTrials(Connection& connection, const Hashes& trials, std::vector<Audit
   TrialRepository repository(connection);
   std::int64_t done = 0;
   for (const auto& [id, hash] : trials) {
-    if (progress && done % kProgressEvery == 0) progress(done, static_cast<std::int64_t>(trials.size()));
+    if (progress && done % kProgressEvery == 0) {
+      progress(done, static_cast<std::int64_t>(trials.size()));
+    }
     ++done;
-    if (erased.contains(id)) continue;
+    if (erased.contains(id)) {
+      continue;
+    }
     try {
       verifyContent(repository.load(id));
     } catch (const Error& error) {
-      if (error.code() != ErrorCode::kVerifyFailed) throw;
+      if (error.code() != ErrorCode::kVerifyFailed) {
+        throw;
+      }
       findings.push_back({0, kSealedTrial, id, error.happened()});
     }
   }
 }
 
 void checkComments(Connection& connection, std::vector<AuditFinding>& findings) {
-  Statement row =
+  Statement comments =
       connection.prepare("SELECT id, comment, comment_hash FROM training_mark WHERE comment IS NOT NULL");
-  row.execute();
-  while (row.step()) {
-    if (textHash(row.text(1)) != row.text(2)) {
-      findings.push_back({0, kSealedMark, row.text(0), "its comment differs from what was recorded"});
+  comments.execute();
+  while (comments.step()) {
+    RowReader row(comments);
+    const std::string id = row.text();
+    const std::string hash = textHash(row.text());
+    if (hash != row.text()) {
+      findings.push_back({0, kSealedMark, id, "its comment differs from what was recorded"});
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/seals.h"
 #include "db/repository/system/schema_tables.h"
@@ -22,7 +23,9 @@ using Conditions = std::map<std::string, std::string>;
 
 std::string listOf(const std::vector<std::string>& columns) {
   std::string list;
-  for (const std::string& column : columns) list.append(list.empty() ? "" : ", ").append(column);
+  for (const std::string& column : columns) {
+    list.append(list.empty() ? "" : ", ").append(column);
+  }
   return "(" + list + ")";
 }
 
@@ -42,7 +45,9 @@ Conditions conditionsOf(const std::vector<SchemaTable>& tables) {
     } else if (!table.references.empty() && table.name != kStations) {
       const TableReference& owner = table.references.front();
       const std::string& parent = conditions.at(owner.parent);
-      if (parent != kNone) condition = refersTo(owner, parent);
+      if (parent != kNone) {
+        condition = refersTo(owner, parent);
+      }
     }
     conditions[table.name] = condition;
   }
@@ -50,24 +55,31 @@ Conditions conditionsOf(const std::vector<SchemaTable>& tables) {
 }
 
 std::int64_t countOf(Connection& connection, const std::string& table, const std::string& condition) {
-  if (condition == kNone) return 0;
-  Statement row = connection.prepare("SELECT count(*) FROM " + table + " WHERE " + condition);
-  row.execute();
-  return row.step() ? row.int64(0) : 0;
+  if (condition == kNone) {
+    return 0;
+  }
+  return selectFirst(connection, "SELECT count(*) FROM " + table + " WHERE " + condition, {}, readInt64)
+      .value_or(0);
 }
 
 std::vector<DemonstrationUse> usesOf(Connection& connection, const std::vector<SchemaTable>& tables,
                                      const Conditions& conditions) {
   std::vector<DemonstrationUse> uses;
   for (const SchemaTable& table : tables) {
-    if (table.name == kStations) continue;
+    if (table.name == kStations) {
+      continue;
+    }
     for (const TableReference& reference : table.references) {
       const std::string& parent = conditions.at(reference.parent);
-      if (parent == kNone) continue;
+      if (parent == kNone) {
+        continue;
+      }
       const std::int64_t rows =
           countOf(connection, table.name,
                   "NOT (" + conditions.at(table.name) + ") AND " + refersTo(reference, parent));
-      if (rows > 0) uses.push_back({table.name, reference.parent, rows});
+      if (rows > 0) {
+        uses.push_back({table.name, reference.parent, rows});
+      }
     }
   }
   return uses;
@@ -86,13 +98,12 @@ std::vector<AuditEntry> farewells(Connection& connection, const Conditions& cond
                                            {kSealedTrial, "trial_end", "trial_id"}}};
   std::vector<AuditEntry> entries;
   for (const Sealed& sealed : kSealed) {
-    Statement row = connection.prepare(std::string("SELECT ") + sealed.id + " FROM " + sealed.table +
-                                       " WHERE " + conditions.at(sealed.table) + " ORDER BY " + sealed.id);
-    row.execute();
-    while (row.step()) {
+    const std::string select = std::string("SELECT ") + sealed.id + " FROM " + sealed.table + " WHERE " +
+                               conditions.at(sealed.table) + " ORDER BY " + sealed.id;
+    for (const std::string& id : selectAll(connection, select, {}, readText)) {
       AuditEntry entry = pattern;
       entry.objectKind = sealed.kind;
-      entry.objectId = row.text(0);
+      entry.objectId = id;
       entries.push_back(entry);
     }
   }
@@ -100,7 +111,9 @@ std::vector<AuditEntry> farewells(Connection& connection, const Conditions& cond
 }
 
 void refuseUses(Connection& connection, const std::vector<DemonstrationUse>& uses) {
-  if (uses.empty()) return;
+  if (uses.empty()) {
+    return;
+  }
   const DemonstrationUse& use = uses.front();
   throw Error(ErrorCode::kBadData,
               Text("real data use the demonstration: %1 rows of %2 refer to simulated rows of %3", use.rows,
@@ -142,8 +155,7 @@ std::vector<DemonstrationRows> removeDemonstration(Connection& connection, const
   std::vector<AuditEntry> entries = farewells(connection, conditions, entry);
 
   constexpr const char* kGate = "demonstration";
-  connection.execute("INSERT INTO erasure_gate (id, reason, opened_utc_us) VALUES (?, ?, ?)",
-                     {kGate, reason, utc_us});
+  connection.execute(insertInto("erasure_gate", "id, reason, opened_utc_us"), {kGate, reason, utc_us});
   connection.execute(
       "UPDATE station_state SET trial_id = NULL WHERE trial_id IN (SELECT id FROM trial WHERE " +
       conditions.at("trial") + ")");
@@ -151,9 +163,13 @@ std::vector<DemonstrationRows> removeDemonstration(Connection& connection, const
   std::int64_t all = 0;
   for (auto table = tables.rbegin(); table != tables.rend(); ++table) {
     const std::string& condition = conditions.at(table->name);
-    if (condition == kNone) continue;
+    if (condition == kNone) {
+      continue;
+    }
     const std::int64_t rows = connection.execute("DELETE FROM " + table->name + " WHERE " + condition);
-    if (rows > 0) removed.push_back({table->name, condition, rows});
+    if (rows > 0) {
+      removed.push_back({table->name, condition, rows});
+    }
     all += rows;
   }
   connection.execute("DELETE FROM erasure_gate WHERE id = ?", {kGate});

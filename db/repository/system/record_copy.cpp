@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"
 #include "sim/base/error.h"
@@ -21,23 +22,20 @@ bool isSeeded(const std::string& table) {
 }
 
 std::int64_t countOf(Connection& connection, const std::string& table) {
-  Statement row = connection.prepare("SELECT count(*) FROM " + table);
-  row.execute();
-  return row.step() ? row.int64(0) : 0;
+  return selectFirst(connection, "SELECT count(*) FROM " + table, {}, readInt64).value_or(0);
 }
 
 std::vector<std::string> schemaSteps(Connection& connection) {
-  std::vector<std::string> steps;
-  Statement row = connection.prepare("SELECT checksum FROM schema_migration ORDER BY version");
-  row.execute();
-  while (row.step()) steps.push_back(row.text(0));
-  return steps;
+  return selectAll(connection, "SELECT checksum FROM schema_migration ORDER BY version", {}, readText);
 }
 
 /// A table with rows of a used record; empty: none.
 std::string usedTable(Connection& connection, const std::vector<SchemaTable>& tables) {
-  for (const SchemaTable& table : tables)
-    if (!isSeeded(table.name) && countOf(connection, table.name) > 0) return table.name;
+  for (const SchemaTable& table : tables) {
+    if (!isSeeded(table.name) && countOf(connection, table.name) > 0) {
+      return table.name;
+    }
+  }
   return {};
 }
 
@@ -46,21 +44,26 @@ void requireFit(Connection& from, Connection& to, const std::vector<SchemaTable>
     throw Error(ErrorCode::kBadData, "the two databases have different schemas", to.location(),
                 "Open both with this version of Torsio first");
   }
-  if (const std::string used = usedTable(to, tables); !used.empty())
+  if (const std::string used = usedTable(to, tables); !used.empty()) {
     throw Error(ErrorCode::kBadData, Text("the target is not empty: it has rows in the table %1", used),
                 to.location(), "Name a new file, or an empty database");
+  }
 }
 
 void clearSeeds(Connection& to, const std::vector<SchemaTable>& tables) {
   for (auto table = tables.rbegin(); table != tables.rend(); ++table) {
-    if (isSeeded(table->name)) to.execute("DELETE FROM " + table->name);
+    if (isSeeded(table->name)) {
+      to.execute("DELETE FROM " + table->name);
+    }
   }
 }
 
 void copyTable(Connection& from, Connection& to, const SchemaTable& table,
                const std::function<void()>& step) {
   std::string marks;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) marks += i == 0 ? "?" : ", ?";
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    marks += i == 0 ? "?" : ", ?";
+  }
   Statement insert =
       to.prepare("INSERT INTO " + table.name + " (" + table.columnList() + ") VALUES (" + marks + ")");
   std::vector<Value> values(table.columns.size());
@@ -68,7 +71,9 @@ void copyTable(Connection& from, Connection& to, const SchemaTable& table,
     for (std::size_t column = 0; column < values.size(); ++column) {
       values[column] = row.value(static_cast<int>(column));
       const auto* number = std::get_if<std::int64_t>(&values[column].storage());
-      if (table.columns[column].boolean && number != nullptr) values[column] = *number != 0;
+      if (table.columns[column].boolean && number != nullptr) {
+        values[column] = *number != 0;
+      }
     }
     insert.execute(values);
     step();
@@ -76,7 +81,9 @@ void copyTable(Connection& from, Connection& to, const SchemaTable& table,
 }
 
 void requireSame(Connection& to, const TableDigest& original, const TableDigest& copy) {
-  if (original == copy) return;
+  if (original == copy) {
+    return;
+  }
   throw Error(ErrorCode::kVerifyFailed,
               Text("the table %1 differs after copying (%2 rows before, %3 after); nothing was kept",
                    original.table, original.rows, copy.rows),
@@ -84,7 +91,9 @@ void requireSame(Connection& to, const TableDigest& original, const TableDigest&
 }
 
 VerifyProgress verifyProgress(const CopyProgress& progress, CopyPhase phase) {
-  if (!progress) return {};
+  if (!progress) {
+    return {};
+  }
   return [&progress, phase](std::int64_t done, std::int64_t all) { progress({phase, {}, done, all}); };
 }
 
@@ -94,8 +103,9 @@ void compareTables(Connection& from, Connection& to, const std::vector<SchemaTab
   std::int64_t done = 0;
   for (const SchemaTable& table : tables) {
     const auto step = [&] {
-      if (++done % kProgressEvery == 0 && progress)
+      if (++done % kProgressEvery == 0 && progress) {
         progress({CopyPhase::kComparing, table.name, done, 2 * rows});
+      }
     };
     report.tables.push_back(digestOf(from, table, {}, step));
     requireSame(to, report.tables.back(), digestOf(to, table, {}, step));
@@ -122,7 +132,9 @@ CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& prog
                 from.location(), "Run torsio audit verify on it and restore a backup");
   }
   std::int64_t all = 0;
-  for (const SchemaTable& table : tables) all += countOf(from, table.name);
+  for (const SchemaTable& table : tables) {
+    all += countOf(from, table.name);
+  }
 
   Transaction writing(to);
   requireFit(from, to, tables);  // again, now that nobody else can write in between
@@ -130,8 +142,9 @@ CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& prog
   CopyReport report;
   for (const SchemaTable& table : tables) {
     copyTable(from, to, table, [&] {
-      if (++report.rows % kProgressEvery == 0 && progress)
+      if (++report.rows % kProgressEvery == 0 && progress) {
         progress({CopyPhase::kCopying, table.name, report.rows, all});
+      }
     });
   }
   compareTables(from, to, tables, all, report, progress);

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "db/connection/row_reader.h"
 #include "db/repository/base/field_digest.h"
 #include "sim/base/contracts.h"
 
@@ -50,19 +51,23 @@ std::size_t positionOf(const SchemaTable& table, const std::string& column) {
 
 SchemaTable describe(Connection& connection, const std::string& name) {
   SchemaTable table{name, {}, {}};
-  Statement column = connection.prepare(onSqlite(connection) ? kSqliteColumns : kPostgresqlColumns);
-  column.execute({name});
-  while (column.step()) table.columns.push_back({column.text(0), column.boolean(1)});
+  table.columns = selectAll(connection, onSqlite(connection) ? kSqliteColumns : kPostgresqlColumns, {name},
+                            [](RowReader& row) {
+                              return TableColumn{row.text(), row.boolean()};
+                            });
   std::map<std::int64_t, TableReference> references;
   Statement part = connection.prepare(onSqlite(connection) ? kSqliteReferences : kPostgresqlReferences);
   part.execute({name});
   while (part.step()) {
-    TableReference& reference = references[part.int64(0)];
-    reference.columns.push_back(part.text(1));
-    reference.parent = part.text(2);
-    reference.parentColumns.push_back(part.text(3));
+    RowReader row(part);
+    TableReference& reference = references[row.int64()];
+    reference.columns.push_back(row.text());
+    reference.parent = row.text();
+    reference.parentColumns.push_back(row.text());
   }
-  for (auto& [id, reference] : references) table.references.push_back(std::move(reference));
+  for (auto& [id, reference] : references) {
+    table.references.push_back(std::move(reference));
+  }
   std::stable_sort(table.references.begin(), table.references.end(),
                    [&](const TableReference& a, const TableReference& b) {
                      return positionOf(table, a.columns.front()) < positionOf(table, b.columns.front());
@@ -121,20 +126,21 @@ bool SchemaTable::has(const std::string& column) const {
 
 std::string SchemaTable::columnList() const {
   std::string list;
-  for (const TableColumn& column : columns) list.append(list.empty() ? "" : ", ").append(column.name);
+  for (const TableColumn& column : columns) {
+    list.append(list.empty() ? "" : ", ").append(column.name);
+  }
   return list;
 }
 
 std::vector<SchemaTable> tablesInReferenceOrder(Connection& connection) {
-  std::vector<std::string> names;
-  Statement row = connection.prepare(onSqlite(connection) ? kSqliteTables : kPostgresqlTables);
-  row.execute();
-  while (row.step()) {
-    if (row.text(0) != kBookkeeping) names.push_back(row.text(0));
-  }
+  std::vector<std::string> names =
+      selectAll(connection, onSqlite(connection) ? kSqliteTables : kPostgresqlTables, {}, readText);
+  std::erase(names, kBookkeeping);
   std::vector<SchemaTable> waiting;
   waiting.reserve(names.size());
-  for (const std::string& name : names) waiting.push_back(describe(connection, name));
+  for (const std::string& name : names) {
+    waiting.push_back(describe(connection, name));
+  }
 
   std::vector<SchemaTable> ordered;
   std::set<std::string> placed;
@@ -159,7 +165,9 @@ void forEachRow(Connection& connection, const SchemaTable& table, const std::str
   if (onSqlite(connection)) {
     Statement row = connection.prepare(select);
     row.execute();
-    while (row.step()) read(row);
+    while (row.step()) {
+      read(row);
+    }
     return;
   }
   // The driver would fetch the whole table at once.
@@ -186,7 +194,9 @@ TableDigest digestOf(Connection& connection, const SchemaTable& table, const std
     }
     addTo(sum, digest.value());
     ++result.rows;
-    if (step) step();
+    if (step) {
+      step();
+    }
   });
   result.hash = toHex(sum);
   return result;

@@ -15,9 +15,9 @@ class SettingRepository {
  public:
   explicit SettingRepository(Connection& connection) : connection_(connection) {}
 
-  [[nodiscard]] std::optional<std::string> value(const std::string& name);
+  [[nodiscard]] std::optional<std::string> value(const std::string& name) const;
   /// All of them, by name.
-  [[nodiscard]] std::map<std::string, std::string> values();
+  [[nodiscard]] std::map<std::string, std::string> values() const;
   void set(const std::string& name, const std::string& value, std::int64_t changedUtc_us);
 
  private:

@@ -4,6 +4,7 @@
 #include <bit>
 #include <limits>
 
+#include "db/connection/row_reader.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -45,9 +46,9 @@ std::vector<std::pair<double, bool>> unpacked(const Blob& bytes, const std::stri
 void DigestRepository::add(std::span<const StoredTrialDigest> digests) {
   Transaction transaction(connection_);
   Statement insert = connection_.prepare(
-      "INSERT INTO trial_digest (trial_id, formula_version, tolerance_rad, content_hash, model, minutes,"
-      " mean_absolute_error_deg, peak_torque_nm, peak_force_n, attempts, computed_utc_us)"
-      " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"
+      insertInto("trial_digest",
+                 "trial_id, formula_version, tolerance_rad, content_hash, model, minutes,"
+                 " mean_absolute_error_deg, peak_torque_nm, peak_force_n, attempts, computed_utc_us") +
       " ON CONFLICT (trial_id, formula_version, tolerance_rad) DO NOTHING");
   for (const StoredTrialDigest& digest : digests) {
     insert.execute({digest.trialId, digest.formulaVersion, digest.tolerance_rad, digest.contentHash,
@@ -57,8 +58,8 @@ void DigestRepository::add(std::span<const StoredTrialDigest> digests) {
   transaction.commit();
 }
 
-std::multimap<std::string, StoredTrialDigest> DigestRepository::ofCohort(const std::string& cohortId,
-                                                                         const std::string& formulaVersion) {
+std::multimap<std::string, StoredTrialDigest> DigestRepository::ofCohort(
+    const std::string& cohortId, const std::string& formulaVersion) const {
   Statement row = connection_.prepare(
       "SELECT d.trial_id, d.formula_version, d.tolerance_rad, d.content_hash, d.model, d.minutes,"
       " d.mean_absolute_error_deg, d.peak_torque_nm, d.peak_force_n, d.attempts, d.computed_utc_us"
@@ -84,7 +85,7 @@ std::multimap<std::string, StoredTrialDigest> DigestRepository::ofCohort(const s
   return digests;
 }
 
-std::string DigestRepository::cohortOf(const std::string& enrolmentId) {
+std::string DigestRepository::cohortOf(const std::string& enrolmentId) const {
   Statement row = connection_.prepare("SELECT cohort_id FROM enrolment WHERE id = ?");
   row.execute({enrolmentId});
   std::string cohortId;

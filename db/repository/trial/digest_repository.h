@@ -39,11 +39,11 @@ class DigestRepository {
   /// Throws DbError (kForeignKey) when there is no such trial.
   void add(std::span<const StoredTrialDigest> digests);
   /// Of the trials of a cohort, with this version of the formula, by trial; several where tolerances differ.
-  [[nodiscard]] std::multimap<std::string, StoredTrialDigest> ofCohort(const std::string& cohortId,
-                                                                       const std::string& formulaVersion);
+  [[nodiscard]] std::multimap<std::string, StoredTrialDigest> ofCohort(
+      const std::string& cohortId, const std::string& formulaVersion) const;
 
   /// The cohort for which an enrolment counts; empty: there is no such enrolment.
-  [[nodiscard]] std::string cohortOf(const std::string& enrolmentId);
+  [[nodiscard]] std::string cohortOf(const std::string& enrolmentId) const;
 
  private:
   Connection& connection_;

@@ -21,7 +21,9 @@ struct OwnConnectionTrialSink::Open {
             openDatabase(locator, OpenMode::kReadWrite,
                          parseLocator(locator).engine == Engine::kSqlite ? kBusyTimeout_ms : kPatience_ms)),
         repository(connection, context) {
-    if (connection.engine() == Engine::kPostgresql) connection.executeVerbatim(kStatementLimit);
+    if (connection.engine() == Engine::kPostgresql) {
+      connection.executeVerbatim(kStatementLimit);
+    }
   }
   Connection connection;
   TrialRepository repository;
@@ -34,20 +36,28 @@ OwnConnectionTrialSink::~OwnConnectionTrialSink() = default;
 
 void OwnConnectionTrialSink::open() {
   open_ = std::make_unique<Open>(locator_, context_);
-  if (!trialId_.empty()) open_->repository.resume(trialId_);
+  if (!trialId_.empty()) {
+    open_->repository.resume(trialId_);
+  }
 }
 
 void OwnConnectionTrialSink::store(const std::function<void(TrialRepository&)>& act) {
   const bool connected = open_ != nullptr;
   for (bool last = !connected;; last = true) {
-    if (!open_) open();
+    if (!open_) {
+      open();
+    }
     try {
       act(open_->repository);
       return;
     } catch (const DbError& error) {
-      if (error.fault() != DbFault::kUnreachable) throw;
+      if (error.fault() != DbFault::kUnreachable) {
+        throw;
+      }
       open_.reset();
-      if (last) throw;
+      if (last) {
+        throw;
+      }
     }
   }
 }

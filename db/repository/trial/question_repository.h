@@ -31,19 +31,20 @@ class QuestionRepository {
 
   /// The bookmark must be stored. Throws DbError: kForeignKey, kUnique when it was sent before.
   void add(const StoredQuestion& question);
-  [[nodiscard]] std::optional<StoredQuestion> find(const std::string& remarkId);
+  [[nodiscard]] std::optional<StoredQuestion> find(const std::string& remarkId) const;
   /// By moment.
-  [[nodiscard]] std::vector<StoredQuestion> ofTrial(const std::string& trialId);
+  [[nodiscard]] std::vector<StoredQuestion> ofTrial(const std::string& trialId) const;
   /// What waits first, oldest first; then what was answered, newest first.
-  [[nodiscard]] std::vector<StoredQuestion> toRater(const std::string& raterId);
+  [[nodiscard]] std::vector<StoredQuestion> toRater(const std::string& raterId) const;
   /// Whom this person asked last; empty: nobody yet.
-  [[nodiscard]] std::string lastAsked(const std::string& personId);
+  [[nodiscard]] std::string lastAsked(const std::string& personId) const;
   /// Whether the trial is or was given to raters to be scored, or is their reference: then names are kept
   /// out.
-  [[nodiscard]] bool isScored(const std::string& trialId);
+  [[nodiscard]] bool isScored(const std::string& trialId) const;
 
  private:
-  [[nodiscard]] std::vector<StoredQuestion> read(const std::string& condition, const std::string& value);
+  [[nodiscard]] std::vector<StoredQuestion> read(const std::string& condition,
+                                                 const std::string& value) const;
   Connection& connection_;
 };
 

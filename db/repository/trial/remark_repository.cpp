@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "db/connection/row_reader.h"
 #include "db/repository/base/insert_idempotent.h"
 
 namespace torsio {
@@ -19,32 +20,27 @@ const std::string kNotReadBy =
     " AND m.author <> ? AND NOT EXISTS (SELECT 1 FROM remark_receipt c WHERE c.remark_id = m.id"
     " AND c.reader = ?) ORDER BY m.created_utc_us, m.id";
 
-std::vector<StoredRemark> remarksOf(Statement& row) {
-  std::vector<StoredRemark> remarks;
-  while (row.step()) {
-    remarks.push_back({.id = row.text(0),
-                       .trialId = row.text(1),
-                       .author = row.text(2),
-                       .authorPersonId = row.text(3),
-                       .purpose = row.text(4),
-                       .replyTo = row.text(5),
-                       .tick = row.int64(6),
-                       .time_us = row.int64(7),
-                       .text = row.text(8),
-                       .createdUtc_us = row.int64(9),
-                       .demonstration = row.boolean(10)});
-  }
-  return remarks;
+StoredRemark remarkOf(RowReader& row) {
+  return {.id = row.text(),
+          .trialId = row.text(),
+          .author = row.text(),
+          .authorPersonId = row.text(),
+          .purpose = row.text(),
+          .replyTo = row.text(),
+          .tick = row.int64(),
+          .time_us = row.int64(),
+          .text = row.text(),
+          .createdUtc_us = row.int64(),
+          .demonstration = row.boolean()};
 }
 
 std::vector<StoredSelfScoreRow> selfScoreRows(Connection& connection, const std::string& selfScoreId) {
-  std::vector<StoredSelfScoreRow> rows;
-  Statement row = connection.prepare(
-      "SELECT revision_id, row_code, score_steps FROM self_score_row WHERE self_score_id = ?"
-      " ORDER BY row_code");
-  row.execute({selfScoreId});
-  while (row.step()) rows.push_back({row.text(0), row.text(1), row.int64(2)});
-  return rows;
+  return selectAll(connection,
+                   "SELECT revision_id, row_code, score_steps FROM self_score_row WHERE self_score_id = ?"
+                   " ORDER BY row_code",
+                   {selfScoreId}, [](RowReader& row) {
+                     return StoredSelfScoreRow{row.text(), row.text(), row.int64()};
+                   });
 }
 
 }  // namespace
@@ -66,52 +62,46 @@ void RemarkRepository::add(const StoredRemark& remark) {
   transaction.commit();
 }
 
-std::optional<StoredRemark> RemarkRepository::find(const std::string& remarkId) {
-  Statement row = connection_.prepare(kRemarks + " WHERE m.id = ?");
-  row.execute({remarkId});
-  std::vector<StoredRemark> found = remarksOf(row);
-  return found.empty() ? std::nullopt : std::optional(found.front());
+std::optional<StoredRemark> RemarkRepository::find(const std::string& remarkId) const {
+  return selectFirst(connection_, kRemarks + " WHERE m.id = ?", {remarkId}, remarkOf);
 }
 
-std::vector<StoredRemark> RemarkRepository::remarks(const std::string& trialId) {
-  Statement row =
-      connection_.prepare(kRemarks + " WHERE m.trial_id = ? ORDER BY m.time_us, m.created_utc_us, m.id");
-  row.execute({trialId});
-  return remarksOf(row);
+std::vector<StoredRemark> RemarkRepository::remarks(const std::string& trialId) const {
+  return selectAll(connection_, kRemarks + " WHERE m.trial_id = ? ORDER BY m.time_us, m.created_utc_us, m.id",
+                   {trialId}, remarkOf);
 }
 
 void RemarkRepository::markRead(const StoredReceipt& receipt) {
   connection_.execute(
-      "INSERT INTO remark_receipt (remark_id, reader, reader_person_id, read_utc_us) VALUES (?, ?, ?, ?)"
-      " ON CONFLICT (remark_id, reader) DO NOTHING",
+      insertInto("remark_receipt", "remark_id, reader, reader_person_id, read_utc_us") +
+          " ON CONFLICT (remark_id, reader) DO NOTHING",
       {receipt.remarkId, receipt.reader, textOrNull(receipt.readerPersonId), receipt.readUtc_us});
 }
 
-std::vector<StoredReceipt> RemarkRepository::receipts(const std::string& trialId) {
-  std::vector<StoredReceipt> receipts;
-  Statement row = connection_.prepare(
+std::vector<StoredReceipt> RemarkRepository::receipts(const std::string& trialId) const {
+  return selectAll(
+      connection_,
       "SELECT c.remark_id, c.reader, c.reader_person_id, c.read_utc_us FROM trial_remark m"
       " JOIN remark_receipt c ON c.remark_id = m.id WHERE m.trial_id = ? ORDER BY c.read_utc_us, c.remark_id,"
-      " c.reader");
-  row.execute({trialId});
-  while (row.step()) receipts.push_back({row.text(0), row.text(1), row.text(2), row.int64(3)});
-  return receipts;
+      " c.reader",
+      {trialId}, [](RowReader& row) {
+        return StoredReceipt{row.text(), row.text(), row.text(), row.int64()};
+      });
 }
 
 std::vector<StoredRemark> RemarkRepository::unreadOnTrialsOf(const std::string& traineeId,
-                                                             const std::string& reader) {
-  Statement row = connection_.prepare(
+                                                             const std::string& reader) const {
+  return selectAll(
+      connection_,
       kRemarks + " JOIN trial t ON t.id = m.trial_id WHERE t.trainee_id = ? AND m.purpose <> 'bookmark'" +
-      kNotReadBy);
-  row.execute({traineeId, reader, reader});
-  return remarksOf(row);
+          kNotReadBy,
+      {traineeId, reader, reader}, remarkOf);
 }
 
-std::vector<StoredRemark> RemarkRepository::unreadReplies(const std::string& author) {
-  Statement row = connection_.prepare(
-      kRemarks + " JOIN trial_remark o ON o.id = m.reply_to WHERE o.author = ?" + kNotReadBy);
-  row.execute({author, author, author});
-  return remarksOf(row);
+std::vector<StoredRemark> RemarkRepository::unreadReplies(const std::string& author) const {
+  return selectAll(connection_,
+                   kRemarks + " JOIN trial_remark o ON o.id = m.reply_to WHERE o.author = ?" + kNotReadBy,
+                   {author, author, author}, remarkOf);
 }
 
 void RemarkRepository::addSelfScore(const StoredSelfScore& score) {
@@ -129,7 +119,7 @@ void RemarkRepository::addSelfScore(const StoredSelfScore& score) {
                                                   {"demonstration", score.demonstration}}};
   if (insertIdempotent(connection_, "self_score", columns, "this self-score") == Inserted::kNew) {
     Statement insert = connection_.prepare(
-        "INSERT INTO self_score_row (self_score_id, revision_id, row_code, score_steps) VALUES (?, ?, ?, ?)");
+        insertInto("self_score_row", "self_score_id, revision_id, row_code, score_steps"));
     for (const StoredSelfScoreRow& row : score.rows) {
       insert.execute({score.id, row.rubricRevisionId, row.rowCode, row.score_steps});
     }
@@ -140,26 +130,27 @@ void RemarkRepository::addSelfScore(const StoredSelfScore& score) {
   transaction.commit();
 }
 
-std::vector<StoredSelfScore> RemarkRepository::selfScores(const std::string& trialId) {
-  std::vector<StoredSelfScore> scores;
-  Statement row = connection_.prepare(
+std::vector<StoredSelfScore> RemarkRepository::selfScores(const std::string& trialId) const {
+  std::vector<StoredSelfScore> scores = selectAll(
+      connection_,
       "SELECT id, trial_id, trainee_id, version, rubric_revision_id, score_steps, scale_lo_steps,"
       " scale_hi_steps, steps_per_point, created_utc_us, demonstration FROM self_score WHERE trial_id = ?"
-      " ORDER BY trainee_id, version");
-  row.execute({trialId});
-  while (row.step()) {
-    scores.push_back({.id = row.text(0),
-                      .trialId = row.text(1),
-                      .traineeId = row.text(2),
-                      .version = row.int64(3),
-                      .rubricRevisionId = row.text(4),
-                      .score_steps = row.int64(5),
-                      .scale = {row.int64(6), row.int64(7), row.int64(8)},
-                      .rows = {},
-                      .createdUtc_us = row.int64(9),
-                      .demonstration = row.boolean(10)});
+      " ORDER BY trainee_id, version",
+      {trialId}, [](RowReader& row) {
+        return StoredSelfScore{.id = row.text(),
+                               .trialId = row.text(),
+                               .traineeId = row.text(),
+                               .version = row.int64(),
+                               .rubricRevisionId = row.text(),
+                               .score_steps = row.int64(),
+                               .scale = {row.int64(), row.int64(), row.int64()},
+                               .rows = {},
+                               .createdUtc_us = row.int64(),
+                               .demonstration = row.boolean()};
+      });
+  for (StoredSelfScore& score : scores) {
+    score.rows = selfScoreRows(connection_, score.id);
   }
-  for (StoredSelfScore& score : scores) score.rows = selfScoreRows(connection_, score.id);
   return scores;
 }
 
@@ -180,25 +171,23 @@ void RemarkRepository::addWarmup(const StoredWarmup& warmup) {
   transaction.commit();
 }
 
-std::vector<StoredWarmup> RemarkRepository::warmups(const std::string& raterId) {
-  std::vector<StoredWarmup> warmups;
-  Statement row = connection_.prepare(
+std::vector<StoredWarmup> RemarkRepository::warmups(const std::string& raterId) const {
+  return selectAll(
+      connection_,
       "SELECT id, rater_id, reference_trial_id, rubric_revision_id, score_steps, scale_lo_steps,"
       " scale_hi_steps, steps_per_point, panel_offset_steps, created_utc_us, demonstration FROM rater_warmup"
-      " WHERE rater_id = ? ORDER BY created_utc_us, id");
-  row.execute({raterId});
-  while (row.step()) {
-    warmups.push_back({.id = row.text(0),
-                       .raterId = row.text(1),
-                       .referenceTrialId = row.text(2),
-                       .rubricRevisionId = row.text(3),
-                       .score_steps = row.int64(4),
-                       .scale = {row.int64(5), row.int64(6), row.int64(7)},
-                       .panelOffset_steps = row.real(8),
-                       .createdUtc_us = row.int64(9),
-                       .demonstration = row.boolean(10)});
-  }
-  return warmups;
+      " WHERE rater_id = ? ORDER BY created_utc_us, id",
+      {raterId}, [](RowReader& row) {
+        return StoredWarmup{.id = row.text(),
+                            .raterId = row.text(),
+                            .referenceTrialId = row.text(),
+                            .rubricRevisionId = row.text(),
+                            .score_steps = row.int64(),
+                            .scale = {row.int64(), row.int64(), row.int64()},
+                            .panelOffset_steps = row.real(),
+                            .createdUtc_us = row.int64(),
+                            .demonstration = row.boolean()};
+      });
 }
 
 }  // namespace torsio

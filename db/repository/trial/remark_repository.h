@@ -79,25 +79,25 @@ class RemarkRepository {
   /// Throws DbError: kForeignKey when the trial or the remark that is answered does not exist, kCheck when
   /// only one of purpose "reply" and replyTo is given.
   void add(const StoredRemark& remark);
-  [[nodiscard]] std::optional<StoredRemark> find(const std::string& remarkId);
+  [[nodiscard]] std::optional<StoredRemark> find(const std::string& remarkId) const;
   /// By time in the trial, then by when they were written.
-  [[nodiscard]] std::vector<StoredRemark> remarks(const std::string& trialId);
+  [[nodiscard]] std::vector<StoredRemark> remarks(const std::string& trialId) const;
   /// The first reading counts; later ones change nothing.
   void markRead(const StoredReceipt& receipt);
-  [[nodiscard]] std::vector<StoredReceipt> receipts(const std::string& trialId);
+  [[nodiscard]] std::vector<StoredReceipt> receipts(const std::string& trialId) const;
   /// Remarks and replies of others on this trainee's trials that `reader` has not read, oldest first.
   [[nodiscard]] std::vector<StoredRemark> unreadOnTrialsOf(const std::string& traineeId,
-                                                           const std::string& reader);
+                                                           const std::string& reader) const;
   /// Replies of others to remarks of `author` that `author` has not read, oldest first.
-  [[nodiscard]] std::vector<StoredRemark> unreadReplies(const std::string& author);
+  [[nodiscard]] std::vector<StoredRemark> unreadReplies(const std::string& author) const;
 
   void addSelfScore(const StoredSelfScore& score);
   /// All versions for a trial, oldest first.
-  [[nodiscard]] std::vector<StoredSelfScore> selfScores(const std::string& trialId);
+  [[nodiscard]] std::vector<StoredSelfScore> selfScores(const std::string& trialId) const;
 
   void addWarmup(const StoredWarmup& warmup);
   /// Of one rater, oldest first.
-  [[nodiscard]] std::vector<StoredWarmup> warmups(const std::string& raterId);
+  [[nodiscard]] std::vector<StoredWarmup> warmups(const std::string& raterId) const;
 
  private:
   Connection& connection_;

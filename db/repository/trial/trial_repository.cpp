@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
 #include "db/repository/base/seals.h"
@@ -17,85 +18,100 @@ namespace torsio {
 
 namespace {
 
-constexpr const char* kSelectTrial =
-    "SELECT t.id, p.code, t.scene_id, t.pattern_id, t.organ_hash, t.parameter_hash, t.parameters_json,"
-    " t.device_model, t.device_max_force_n, t.device_continuous_force_n, t.device_max_stiffness_n_per_m,"
-    " t.workspace_min_x_m, t.workspace_min_y_m, t.workspace_min_z_m, t.workspace_max_x_m, "
-    "t.workspace_max_y_m,"
-    " t.workspace_max_z_m, t.software_version, t.phase_label, t.drive, t.target_angle_rad, t.force_scale,"
-    " t.tick_period_us, t.started_utc_us, t.demonstration"
-    " FROM trial t LEFT JOIN person p ON p.id = t.trainee_id WHERE t.id = ?";
-constexpr const char* kListing =
-    "SELECT t.id, p.code, t.enrolment_id, t.station, t.scene_id, t.pattern_id, t.phase_label, "
-    "t.started_utc_us,"
-    " t.demonstration, e.sample_count, e.refused_samples, e.late_ticks, e.outcome, e.content_hash, "
-    "t.module_id,"
-    " t.phase_id, t.attempt_mode"
-    " FROM trial t LEFT JOIN person p ON p.id = t.trainee_id LEFT JOIN trial_end e ON e.trial_id = t.id";
-
 using Kind = IdempotentColumn::Kind;
 
 constexpr const char* kCompleted = "completed";
 constexpr const char* kInterrupted = "interrupted";
 
-TrialSummary summaryOf(const Statement& row, int first) {
-  return {
-      .samples = row.int64(first),
-      .refusedSamples = row.int64(first + 1),
-      .lateTicks = row.int64(first + 2),
-      .outcome = row.text(first + 3) == kCompleted ? TrialOutcome::kCompleted : TrialOutcome::kInterrupted,
-      .contentHash = row.text(first + 4)};
+constexpr const char* kSelectHeader =
+    "SELECT t.id, p.code, t.scene_id, t.pattern_id, t.organ_hash, t.parameter_hash, t.parameters_json,"
+    " t.device_model, t.device_max_force_n, t.device_continuous_force_n, t.device_max_stiffness_n_per_m,"
+    " t.workspace_min_x_m, t.workspace_min_y_m, t.workspace_min_z_m,"
+    " t.workspace_max_x_m, t.workspace_max_y_m, t.workspace_max_z_m,"
+    " t.software_version, t.phase_label, t.drive, t.target_angle_rad, t.force_scale, t.tick_period_us,"
+    " t.started_utc_us, t.demonstration"
+    " FROM trial t LEFT JOIN person p ON p.id = t.trainee_id WHERE t.id = ?";
+
+DeviceLimits deviceLimitsOf(RowReader& row) {
+  return {.maxForce_N = row.real(),
+          .continuousForce_N = row.real(),
+          .maxStiffness_N_per_m = row.real(),
+          .workspaceMin_m = {row.real(), row.real(), row.real()},
+          .workspaceMax_m = {row.real(), row.real(), row.real()}};
 }
 
-std::vector<TrialListing> listingsOf(Statement& row) {
-  constexpr int kSummaryColumn = 9;
-  std::vector<TrialListing> listings;
-  while (row.step()) {
-    TrialListing listing{.trialId = row.text(0),
-                         .traineeCode = row.text(1),
-                         .enrolmentId = row.text(2),
-                         .station = row.text(3),
-                         .sceneId = row.text(4),
-                         .patternId = row.text(5),
-                         .phaseLabel = row.text(6),
-                         .startedUtc_us = row.int64(7),
-                         .demonstration = row.boolean(8),
-                         .summary = std::nullopt,
-                         .moduleId = row.text(kSummaryColumn + 5),
-                         .phaseId = row.text(kSummaryColumn + 6),
-                         .attemptMode = row.text(kSummaryColumn + 7)};
-    if (!row.isNull(kSummaryColumn)) listing.summary = summaryOf(row, kSummaryColumn);
-    listings.push_back(std::move(listing));
+TrialHeader headerOf(RowReader& row) {
+  return {.trialId = row.text(),
+          .traineeCode = row.text(),
+          .sceneId = row.text(),
+          .patternId = row.text(),
+          .organHash = row.text(),
+          .parameterHash = row.text(),
+          .parametersJson = row.text(),
+          .deviceModel = row.text(),
+          .deviceLimits = deviceLimitsOf(row),
+          .softwareVersion = row.text(),
+          .phaseLabel = row.text(),
+          .drive = static_cast<TwistDrive>(row.int64()),
+          .targetAngle_rad = row.real(),
+          .forceScale = row.real(),
+          .tickPeriod_us = row.int64(),
+          .startedUtc_us = row.int64(),
+          .demonstration = row.boolean()};
+}
+
+/// The closing row `e` of a trial, as summaryOf() reads it.
+const std::string kSummaryColumns =
+    "e.sample_count, e.refused_samples, e.late_ticks, e.outcome, e.content_hash";
+constexpr int kSummaryColumnCount = 5;
+
+TrialSummary summaryOf(RowReader& row) {
+  return {.samples = row.int64(),
+          .refusedSamples = row.int64(),
+          .lateTicks = row.int64(),
+          .outcome = row.text() == kCompleted ? TrialOutcome::kCompleted : TrialOutcome::kInterrupted,
+          .contentHash = row.text()};
+}
+
+/// Empty for a trial without its closing row.
+std::optional<TrialSummary> maybeSummaryOf(RowReader& row) {
+  if (row.nextIsNull()) {
+    row.skip(kSummaryColumnCount);
+    return std::nullopt;
   }
-  return listings;
+  return summaryOf(row);
 }
 
-DeviceLimits deviceLimitsOf(const Statement& row, int first) {
-  return {.maxForce_N = row.real(first),
-          .continuousForce_N = row.real(first + 1),
-          .maxStiffness_N_per_m = row.real(first + 2),
-          .workspaceMin_m = {row.real(first + 3), row.real(first + 4), row.real(first + 5)},
-          .workspaceMax_m = {row.real(first + 6), row.real(first + 7), row.real(first + 8)}};
+const std::string kSelectListing =
+    "SELECT t.id, p.code, t.enrolment_id, t.station, t.scene_id, t.pattern_id, t.phase_label,"
+    " t.started_utc_us, t.demonstration, " +
+    kSummaryColumns +
+    ", t.module_id, t.phase_id, t.attempt_mode"
+    " FROM trial t LEFT JOIN person p ON p.id = t.trainee_id LEFT JOIN trial_end e ON e.trial_id = t.id";
+
+TrialListing listingOf(RowReader& row) {
+  return {.trialId = row.text(),
+          .traineeCode = row.text(),
+          .enrolmentId = row.text(),
+          .station = row.text(),
+          .sceneId = row.text(),
+          .patternId = row.text(),
+          .phaseLabel = row.text(),
+          .startedUtc_us = row.int64(),
+          .demonstration = row.boolean(),
+          .summary = maybeSummaryOf(row),
+          .moduleId = row.text(),
+          .phaseId = row.text(),
+          .attemptMode = row.text()};
 }
 
-TrialHeader headerOf(const Statement& row) {
-  return {.trialId = row.text(0),
-          .traineeCode = row.text(1),
-          .sceneId = row.text(2),
-          .patternId = row.text(3),
-          .organHash = row.text(4),
-          .parameterHash = row.text(5),
-          .parametersJson = row.text(6),
-          .deviceModel = row.text(7),
-          .deviceLimits = deviceLimitsOf(row, 8),
-          .softwareVersion = row.text(17),
-          .phaseLabel = row.text(18),
-          .drive = static_cast<TwistDrive>(row.int64(19)),
-          .targetAngle_rad = row.real(20),
-          .forceScale = row.real(21),
-          .tickPeriod_us = row.int64(22),
-          .startedUtc_us = row.int64(23),
-          .demonstration = row.boolean(24)};
+TrialChunk chunkOf(RowReader& row) {
+  return {.index = row.int64(),
+          .firstTick = row.int64(),
+          .samples = row.int64(),
+          .bytes = row.blob(),
+          .digest = row.text(),
+          .outputDigest = row.text()};
 }
 
 void insertChunk(Connection& connection, const std::string& trialId, const TrialChunk& chunk) {
@@ -153,11 +169,15 @@ std::vector<IdempotentColumn> contextColumns(const TrialContext& context, Kind k
 }
 
 Value traineeId(Connection& connection, const std::string& code) {
-  if (code.empty()) return {};
-  Statement row = connection.prepare(
-      "SELECT t.person_id FROM trainee t JOIN person p ON p.id = t.person_id WHERE p.code = ?");
-  row.execute({code});
-  if (row.step()) return row.text(0);
+  if (code.empty()) {
+    return {};
+  }
+  const std::optional<std::string> id = selectFirst(
+      connection, "SELECT t.person_id FROM trainee t JOIN person p ON p.id = t.person_id WHERE p.code = ?",
+      {code}, readText);
+  if (id) {
+    return *id;
+  }
   throw Error(ErrorCode::kBadData, Text("no trainee has the code %1", code), "trial",
               "Enter the trainee first");
 }
@@ -198,7 +218,9 @@ void TrialRepository::import(const Trial& trial) {
   verifyContent(trial);
   Transaction transaction(connection_);
   insertTrial(trial.header, false);  // a file does not know for what it was recorded
-  for (const TrialChunk& chunk : trial.chunks) insertChunk(connection_, trial.header.trialId, chunk);
+  for (const TrialChunk& chunk : trial.chunks) {
+    insertChunk(connection_, trial.header.trialId, chunk);
+  }
   end(trial.header.trialId, context_.station, trial.summary);
   transaction.commit();
 }
@@ -234,9 +256,8 @@ void TrialRepository::end(const std::string& trialId, const std::string& station
 
 void TrialRepository::addEvents(const std::string& trialId, std::span<const StoredTrialEvent> events) {
   Transaction transaction(connection_);
-  Statement insert = connection_.prepare(
-      "INSERT INTO trial_event (trial_id, sequence, tick, time_us, kind, label, value)"
-      " VALUES (?, ?, ?, ?, ?, ?, ?)");
+  Statement insert =
+      connection_.prepare(insertInto("trial_event", "trial_id, sequence, tick, time_us, kind, label, value"));
   for (const StoredTrialEvent& event : events) {
     insert.execute(
         {trialId, event.sequence, event.tick, event.time_us, event.kind, event.label, event.value});
@@ -244,23 +265,24 @@ void TrialRepository::addEvents(const std::string& trialId, std::span<const Stor
   transaction.commit();
 }
 
-std::vector<StoredTrialEvent> TrialRepository::events(const std::string& trialId) {
-  std::vector<StoredTrialEvent> events;
-  Statement row = connection_.prepare(
+std::vector<StoredTrialEvent> TrialRepository::events(const std::string& trialId) const {
+  return selectAll(
+      connection_,
       "SELECT sequence, tick, time_us, kind, label, value FROM trial_event WHERE trial_id = ? ORDER BY "
-      "sequence");
-  row.execute({trialId});
-  while (row.step()) {
-    events.push_back({row.int64(0), row.int64(1), row.int64(2), row.text(3), row.text(4), row.maybeReal(5)});
-  }
-  return events;
+      "sequence",
+      {trialId}, [](RowReader& row) {
+        return StoredTrialEvent{row.int64(), row.int64(), row.int64(),
+                                row.text(),  row.text(),  row.maybeReal()};
+      });
 }
 
 std::vector<TrialListing> TrialRepository::list(const TrialFilter& filter) {
   std::string where;
   std::vector<Value> values;
   const auto restrict = [&](const char* column, const std::string& value) {
-    if (value.empty()) return;
+    if (value.empty()) {
+      return;
+    }
     where += (where.empty() ? " WHERE " : " AND ") + std::string(column) + " = ?";
     values.emplace_back(value);
   };
@@ -270,64 +292,62 @@ std::vector<TrialListing> TrialRepository::list(const TrialFilter& filter) {
   restrict("t.module_id", filter.moduleId);
   values.emplace_back(filter.limit);
   values.emplace_back(filter.offset);
-  Statement row =
-      connection_.prepare(kListing + where + " ORDER BY t.started_utc_us DESC, t.id DESC LIMIT ? OFFSET ?");
-  row.execute(values);
-  return listingsOf(row);
+  return selectAll(connection_,
+                   kSelectListing + where + " ORDER BY t.started_utc_us DESC, t.id DESC LIMIT ? OFFSET ?",
+                   values, listingOf);
 }
 
-std::optional<TrialHeader> TrialRepository::find(const std::string& trialId) {
-  Statement row = connection_.prepare(kSelectTrial);
-  row.execute({trialId});
-  if (!row.step()) return std::nullopt;
-  return headerOf(row);
+std::optional<TrialHeader> TrialRepository::find(const std::string& trialId) const {
+  return selectFirst(connection_, kSelectHeader, {trialId}, headerOf);
 }
 
-std::optional<TrialContext> TrialRepository::context(const std::string& trialId) {
-  Statement row = connection_.prepare(
+std::optional<TrialContext> TrialRepository::context(const std::string& trialId) const {
+  return selectFirst(
+      connection_,
       "SELECT station, enrolment_id, module_id, phase_id, attempt_mode, host_name, host_os, host_cpu, "
       "host_gpu"
-      " FROM trial WHERE id = ?");
-  row.execute({trialId});
-  if (!row.step()) return std::nullopt;
-  return TrialContext{
-      .station = row.text(0),
-      .enrolmentId = row.text(1),
-      .moduleId = row.text(2),
-      .phaseId = row.text(3),
-      .attemptMode = row.text(4),
-      .host = {.name = row.text(5), .os = row.text(6), .cpu = row.text(7), .gpu = row.text(8)}};
+      " FROM trial WHERE id = ?",
+      {trialId}, [](RowReader& row) {
+        return TrialContext{
+            .station = row.text(),
+            .enrolmentId = row.text(),
+            .moduleId = row.text(),
+            .phaseId = row.text(),
+            .attemptMode = row.text(),
+            .host = {.name = row.text(), .os = row.text(), .cpu = row.text(), .gpu = row.text()}};
+      });
 }
 
-Trial TrialRepository::load(const std::string& trialId) {
+Trial TrialRepository::load(const std::string& trialId) const {
   const std::optional<TrialHeader> header = find(trialId);
   if (!header) {
     throw Error(ErrorCode::kBadData, "no such trial", trialId, "List the trials to find its id");
   }
   Trial trial{.header = *header, .chunks = {}, .summary = {}};
-  Statement chunk = connection_.prepare(
-      "SELECT chunk_index, first_tick, sample_count, bytes, digest, output_digest FROM trial_chunk"
-      " WHERE trial_id = ? ORDER BY chunk_index");
-  chunk.execute({trialId});
-  while (chunk.step()) {
-    trial.chunks.push_back(
-        {chunk.int64(0), chunk.int64(1), chunk.int64(2), chunk.blob(3), chunk.text(4), chunk.text(5)});
-    trial.summary.samples += trial.chunks.back().samples;
+  trial.chunks =
+      selectAll(connection_,
+                "SELECT chunk_index, first_tick, sample_count, bytes, digest, output_digest FROM trial_chunk"
+                " WHERE trial_id = ? ORDER BY chunk_index",
+                {trialId}, chunkOf);
+  const std::optional<TrialSummary> closing =
+      selectFirst(connection_, "SELECT " + kSummaryColumns + " FROM trial_end e WHERE e.trial_id = ?",
+                  {trialId}, summaryOf);
+  if (closing) {
+    trial.summary = *closing;
+    return trial;
   }
   trial.summary.outcome = TrialOutcome::kInterrupted;
-  Statement closing = connection_.prepare(
-      "SELECT sample_count, refused_samples, late_ticks, outcome, content_hash FROM trial_end"
-      " WHERE trial_id = ?");
-  closing.execute({trialId});
-  if (closing.step()) trial.summary = summaryOf(closing, 0);
+  for (const TrialChunk& chunk : trial.chunks) {
+    trial.summary.samples += chunk.samples;
+  }
   return trial;
 }
 
-std::vector<TrialListing> TrialRepository::unfinished(const std::string& station) {
-  Statement row = connection_.prepare(
-      std::string(kListing) + " WHERE e.trial_id IS NULL AND t.station = ? ORDER BY t.started_utc_us, t.id");
-  row.execute({station});
-  return listingsOf(row);
+std::vector<TrialListing> TrialRepository::unfinished(const std::string& station) const {
+  return selectAll(
+      connection_,
+      kSelectListing + " WHERE e.trial_id IS NULL AND t.station = ? ORDER BY t.started_utc_us, t.id",
+      {station}, listingOf);
 }
 
 std::vector<TrialListing> TrialRepository::closeInterrupted(const std::string& station,
@@ -337,8 +357,12 @@ std::vector<TrialListing> TrialRepository::closeInterrupted(const std::string& s
   for (TrialListing& listing : unfinished(station)) {
     last.execute({listing.trialId});
     std::int64_t lastSign_us = listing.startedUtc_us;
-    while (last.step()) lastSign_us = std::max(lastSign_us, last.int64(0));
-    if (lastSign_us > quietSinceUtc_us) continue;
+    for (const std::int64_t stored_us : readRows(last, readInt64)) {
+      lastSign_us = std::max(lastSign_us, stored_us);
+    }
+    if (lastSign_us > quietSinceUtc_us) {
+      continue;
+    }
     Trial trial = load(listing.trialId);
     trial.summary.contentHash = contentHash(trial);
     end(listing.trialId, station, trial.summary);

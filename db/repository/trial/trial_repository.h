@@ -91,18 +91,18 @@ class TrialRepository final : public TrialSink {
   void finish(const TrialSummary& summary) override;
 
   void addEvents(const std::string& trialId, std::span<const StoredTrialEvent> events);
-  [[nodiscard]] std::vector<StoredTrialEvent> events(const std::string& trialId);
+  [[nodiscard]] std::vector<StoredTrialEvent> events(const std::string& trialId) const;
 
   [[nodiscard]] std::vector<TrialListing> list(const TrialFilter& filter = {});
-  [[nodiscard]] std::optional<TrialHeader> find(const std::string& trialId);
+  [[nodiscard]] std::optional<TrialHeader> find(const std::string& trialId) const;
   /// Where and for what a trial was recorded; empty: no such trial.
-  [[nodiscard]] std::optional<TrialContext> context(const std::string& trialId);
+  [[nodiscard]] std::optional<TrialContext> context(const std::string& trialId) const;
   /// Header, all chunks and the summary; an unfinished trial has a summary counted from its chunks, without
   /// content hash, with the outcome kInterrupted. Throws Error (kBadData) when there is no such trial.
-  [[nodiscard]] Trial load(const std::string& trialId);
+  [[nodiscard]] Trial load(const std::string& trialId) const;
 
   /// Trials of `station` without a closing row: at program start, the interrupted ones. Oldest first.
-  [[nodiscard]] std::vector<TrialListing> unfinished(const std::string& station);
+  [[nodiscard]] std::vector<TrialListing> unfinished(const std::string& station) const;
   /// Closes those of `station` that have shown no sign of life after `quietSinceUtc_us` (another window of
   /// the same machine may be recording), with the content hash of what is there. Returns them with their
   /// summaries.
