@@ -154,7 +154,7 @@ class Demonstration {
       context.enrolmentId = trainee->enrolmentId;
       context.moduleId = place.moduleId;
       context.phaseId = place.phaseId;
-      context.attemptMode = "practice";
+      context.attemptMode = AttemptMode::kPractice;
     }
     TrialRepository repository(connection_, context);
     recordScriptedTrial(scene, trial, repository);

@@ -170,7 +170,7 @@ void addCurriculum(Connection& connection, const std::string& prefix, bool demon
   StoredArm arm;
   arm.id = prefix + " arm";
   arm.code = "A";
-  arm.phases = {{prefix + " phase", "virtual", "first", 60, version.modules[0].id}};
+  arm.phases = {{prefix + " phase", PhaseKind::kVirtual, "first", 60, version.modules[0].id}};
   version.arms = {arm};
   version.scoringPoints = {{"pre", 0}};
   curricula.addVersion(version, "admin");

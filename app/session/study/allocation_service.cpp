@@ -59,7 +59,8 @@ Field readField(Workplace& workplace, const std::string& cohortId) {
   if (field.cohort.id.empty()) refuse("there is no such cohort", cohortId, "Choose one from the list");
   field.groups = study.groups(cohortId);
   field.enrolments = study.enrolments(cohortId);
-  std::erase_if(field.enrolments, [](const StoredEnrolment& e) { return e.state == "withdrawn"; });
+  std::erase_if(field.enrolments,
+                [](const StoredEnrolment& e) { return e.state == EnrolmentState::kWithdrawn; });
   for (StoredTrainee& trainee : PeopleRepository(workplace.connection()).trainees()) {
     field.trainees[trainee.person.id] = std::move(trainee);
   }

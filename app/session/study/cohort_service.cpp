@@ -89,7 +89,7 @@ std::vector<CohortRow> cohorts(Workplace& workplace) {
     CohortRow row;
     row.groups = study.groups(cohort.id);
     for (const StoredEnrolment& enrolment : study.enrolments(cohort.id)) {
-      if (enrolment.state == "withdrawn") {
+      if (enrolment.state == EnrolmentState::kWithdrawn) {
         ++row.withdrawn;
         continue;
       }
@@ -206,12 +206,9 @@ std::vector<std::string> enrolTrainees(Workplace& workplace, const std::string& 
 }
 
 void setEnrolmentState(Workplace& workplace, const std::string& cohortId, const std::string& enrolmentId,
-                       const std::string& state, const std::string& reason) {
+                       EnrolmentState state, const std::string& reason) {
   workplace.require(Operation::kStudyEnrol);
-  if (state != "enrolled" && state != "completed" && state != "withdrawn") {
-    refuse("this is no state of an enrolment", state, "Choose enrolled, completed or withdrawn");
-  }
-  if (state == "withdrawn" && reason.empty()) {
+  if (state == EnrolmentState::kWithdrawn && reason.empty()) {
     refuse("a withdrawal needs a reason", enrolmentId, "Say in a few words why");
   }
   Transaction transaction(workplace.connection());
@@ -221,8 +218,8 @@ void setEnrolmentState(Workplace& workplace, const std::string& cohortId, const 
   workplace.note({.action = "enrolment.set_state",
                   .objectKind = "enrolment",
                   .objectId = enrolmentId,
-                  .oldJson = nlohmann::json{{"state", before.state}}.dump(),
-                  .newJson = nlohmann::json{{"state", state}}.dump(),
+                  .oldJson = nlohmann::json{{"state", storedText(before.state)}}.dump(),
+                  .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
                   .reason = reason});
   transaction.commit();
 }
@@ -281,7 +278,7 @@ std::string recordExposure(Workplace& workplace, const NewExposure& exposure) {
   if (!workplace.may(Operation::kStudySetup)) {
     workplace.requireOwn(Operation::kTrialRecordOwn, enrolment.traineeId);
   }
-  if (enrolment.state == "withdrawn") {
+  if (enrolment.state == EnrolmentState::kWithdrawn) {
     refuse("has withdrawn from the study", enrolment.traineeCode, "Nothing is recorded any more");
   }
   checkPhase(workplace, cohort, enrolment, exposure);

@@ -189,7 +189,7 @@ std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
   std::size_t withoutGroup = 0;
   std::map<std::string, std::size_t> sheets;
   for (const RunDayRow& row : board.rows) {
-    if (row.state == "withdrawn") continue;
+    if (row.state == EnrolmentState::kWithdrawn) continue;
     if (row.groupCode.empty()) ++withoutGroup;
     if (row.sheetsMissing > 0) sheets[row.scoringPointDue] += row.sheetsMissing;
     if (!row.done && row.progress.restUsed_us > row.restAllowance_us)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/session/access/workplace.h"
+#include "assessment/study/protocol_terms.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/station_repository.h"
@@ -34,7 +35,7 @@ struct RunDayRow {
   std::string enrolmentId{};
   std::string traineeId{};
   std::string traineeCode{};
-  std::string state{};      ///< of the enrolment
+  EnrolmentState state = EnrolmentState::kEnrolled;
   std::string groupCode{};  ///< empty: not allocated
   std::string armLabel{};
   std::string phaseLabel{};  ///< empty: no curriculum, or all done

@@ -54,7 +54,7 @@ std::vector<StoredEnrolment> chosenEnrolments(StudyRepository& study, const Scor
   std::vector<StoredEnrolment> chosen;
   for (StoredEnrolment& enrolment : study.enrolments(plan.cohortId)) {
     const bool wanted = plan.enrolmentIds.empty()
-                            ? enrolment.state != "withdrawn"
+                            ? enrolment.state != EnrolmentState::kWithdrawn
                             : std::find(plan.enrolmentIds.begin(), plan.enrolmentIds.end(), enrolment.id) !=
                                   plan.enrolmentIds.end();
     if (wanted) chosen.push_back(std::move(enrolment));

@@ -10,6 +10,7 @@
 
 #include "app/session/access/workplace.h"
 #include "app/session/trial_trace.h"
+#include "assessment/study/protocol_terms.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/live_types.h"
@@ -30,7 +31,7 @@ struct Attempt {
   std::string trialId{};
   std::string moduleId{};
   std::string phaseId{};
-  std::string mode{};  ///< "practice", "graded"
+  std::optional<AttemptMode> mode{};  ///< empty: free practice
   std::int64_t startedUtc_us = 0;
   double duration_s = 0.0;
   bool ended = true;         ///< false: running, or interrupted and not closed yet

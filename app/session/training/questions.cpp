@@ -30,7 +30,7 @@ double secondsOf(std::int64_t time_us) {
 
 /// Practice, and never in the hands of raters.
 bool namesMayBeShown(Workplace& workplace, const TrialListing& trial) {
-  return trial.attemptMode == "practice" &&
+  return trial.attemptMode == AttemptMode::kPractice &&
          !QuestionRepository(workplace.connection()).isScored(trial.trialId);
 }
 

@@ -105,6 +105,10 @@ void RunSession::show(const std::string& trialId) {
   }
 }
 
+AttemptMode RunSession::mode() const noexcept {
+  return graded_ ? AttemptMode::kGraded : AttemptMode::kPractice;
+}
+
 void RunSession::beat() {
   if (line_ == nullptr) pulse_.beat();
 }
@@ -112,7 +116,7 @@ void RunSession::beat() {
 void RunSession::start() {
   run_.start();
   utcOffset_us_ = workplace_.now_us() - clock_->now_us();
-  const nlohmann::json what{{"module", step_.module.id}, {"mode", graded_ ? "graded" : "practice"}};
+  const nlohmann::json what{{"module", step_.module.id}, {"mode", storedText(mode())}};
   write([note = AuditNote{.action = "run.start",
                           .objectKind = "enrolment",
                           .objectId = steps_.enrolmentId,
@@ -216,7 +220,7 @@ TrialOrder RunSession::newTrial() {
                    .enrolmentId = steps_.enrolmentId,
                    .moduleId = practised.id,
                    .phaseId = phase.phaseId,
-                   .attemptMode = graded_ ? "graded" : "practice",
+                   .attemptMode = mode(),
                    .host = thisHost()};
   trials_.push_back(order.header.trialId);
   show(order.header.trialId);

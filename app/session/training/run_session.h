@@ -14,6 +14,7 @@
 #include "app/session/training/device_readiness.h"
 #include "app/session/training/next_steps.h"
 #include "app/session/training/training_run.h"
+#include "assessment/study/protocol_terms.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/record/trial.h"
 
@@ -72,6 +73,7 @@ class RunSession {
   void log(bool all);
   void write(StationLine::Write write);
   void show(const std::string& trialId);
+  [[nodiscard]] AttemptMode mode() const noexcept;
   void beat();
 
   Workplace& workplace_;

@@ -21,7 +21,7 @@ void findEnrolment(Connection& connection, TraineeRecord& record) {
       continue;
     }
     for (const StoredEnrolment& enrolment : studies.enrolments(cohort.id)) {
-      if (enrolment.traineeId != record.personId || enrolment.state != "enrolled") continue;
+      if (enrolment.traineeId != record.personId || enrolment.state != EnrolmentState::kEnrolled) continue;
       record.enrolment = enrolment;
       record.cohort = cohort;
     }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "db/connection/row_reader.h"
+#include "db/repository/base/stored_term.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -50,7 +51,7 @@ void insertModules(Connection& connection, const StoredCurriculumVersion& versio
   std::int64_t position = 0;
   for (const StoredModule& module : version.modules) {
     insert.execute({module.id, version.id, ++position, module.code, module.title, module.sceneId,
-                    module.patternId, module.exerciseKind, module.mode, module.targetAngle_rad,
+                    module.patternId, module.exerciseKind, storedText(module.mode), module.targetAngle_rad,
                     module.tolerance_rad, module.hold_us, module.maxForce_N, module.maxTorque_Nm,
                     module.attemptLimit});
   }
@@ -79,8 +80,8 @@ void insertArms(Connection& connection, const StoredCurriculumVersion& version) 
         {part.id, version.id, ++number, part.code, part.label, part.restAllowance_us, part.restSplittable});
     std::int64_t position = 0;
     for (const StoredPhase& step : part.phases) {
-      phase.execute(
-          {step.id, part.id, ++position, step.kind, step.label, step.duration_us, textOrNull(step.moduleId)});
+      phase.execute({step.id, part.id, ++position, storedText(step.kind), step.label, step.duration_us,
+                     textOrNull(step.moduleId)});
     }
   }
   Statement point = connection.prepare(
@@ -97,7 +98,7 @@ StoredModule moduleOf(RowReader& row) {
           .sceneId = row.text(),
           .patternId = row.text(),
           .exerciseKind = row.text(),
-          .mode = row.text(),
+          .mode = readTerm<AttemptMode>(row, "mode"),
           .targetAngle_rad = row.real(),
           .tolerance_rad = row.real(),
           .hold_us = row.int64(),
@@ -135,7 +136,7 @@ std::vector<StoredModule> modulesOf(Connection& connection, const std::string& v
 }
 
 StoredPhase phaseOf(RowReader& row) {
-  return {row.text(), row.text(), row.text(), row.int64(), row.text()};
+  return {row.text(), readTerm<PhaseKind>(row, "kind"), row.text(), row.int64(), row.text()};
 }
 
 std::vector<StoredArm> armsOf(Connection& connection, const std::string& versionId) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/study/protocol_terms.h"
 #include "db/connection/connection.h"
 
 namespace torsio {
@@ -26,8 +27,8 @@ struct StoredModule {
   std::string title{};
   std::string sceneId{};
   std::string patternId{};
-  std::string exerciseKind{};     ///< "twist to target", "hold", "follow" ...
-  std::string mode = "practice";  ///< "practice", "graded"
+  std::string exerciseKind{};  ///< "twist to target", "hold", "follow" ...
+  AttemptMode mode = AttemptMode::kPractice;
   double targetAngle_rad = 0.0;
   double tolerance_rad = 0.1;
   std::int64_t hold_us = 0;
@@ -41,7 +42,7 @@ struct StoredModule {
 /// A stretch of training on the virtual or the real arm.
 struct StoredPhase {
   std::string id{};
-  std::string kind = "virtual";  ///< "virtual", "real"
+  PhaseKind kind = PhaseKind::kVirtual;
   std::string label{};
   std::int64_t duration_us = 0;
   std::string moduleId{};  ///< empty: any module

@@ -3,6 +3,7 @@
 
 #include "db/connection/row_reader.h"
 #include "db/repository/base/field_digest.h"
+#include "db/repository/base/stored_term.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -111,8 +112,8 @@ void StudyRepository::enrol(std::span<const StoredEnrolment> enrolments) {
                  " demonstration"));
   for (const StoredEnrolment& enrolment : enrolments) {
     insert.execute({enrolment.id, enrolment.cohortId, enrolment.traineeId, textOrNull(enrolment.groupId),
-                    enrolment.numberInGroup == 0 ? Value() : Value(enrolment.numberInGroup), enrolment.state,
-                    enrolment.enrolledUtc_us, enrolment.demonstration});
+                    enrolment.numberInGroup == 0 ? Value() : Value(enrolment.numberInGroup),
+                    storedText(enrolment.state), enrolment.enrolledUtc_us, enrolment.demonstration});
   }
   transaction.commit();
 }
@@ -130,7 +131,7 @@ std::vector<StoredEnrolment> StudyRepository::enrolments(const std::string& coho
                                .traineeId = row.text(),
                                .groupId = row.text(),
                                .numberInGroup = row.int64(),
-                               .state = row.text(),
+                               .state = readTerm<EnrolmentState>(row, "state"),
                                .enrolledUtc_us = row.int64(),
                                .demonstration = row.boolean(),
                                .traineeCode = row.text(),
@@ -138,8 +139,8 @@ std::vector<StoredEnrolment> StudyRepository::enrolments(const std::string& coho
       });
 }
 
-void StudyRepository::setEnrolmentState(const std::string& enrolmentId, const std::string& state) {
-  connection_.execute("UPDATE enrolment SET state = ? WHERE id = ?", {state, enrolmentId});
+void StudyRepository::setEnrolmentState(const std::string& enrolmentId, EnrolmentState state) {
+  connection_.execute("UPDATE enrolment SET state = ? WHERE id = ?", {storedText(state), enrolmentId});
 }
 
 void StudyRepository::lockDesign(const StoredAllocationDesign& design) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/study/protocol_terms.h"
 #include "db/connection/connection.h"
 
 namespace torsio {
@@ -44,7 +45,7 @@ struct StoredEnrolment {
   std::string traineeId{};
   std::string groupId{};           ///< empty before allocation
   std::int64_t numberInGroup = 0;  ///< 1 ..; 0 before allocation
-  std::string state = "enrolled";  ///< "enrolled", "completed", "withdrawn"
+  EnrolmentState state = EnrolmentState::kEnrolled;
   std::int64_t enrolledUtc_us = 0;
   bool demonstration = false;
   std::string traineeCode{};  ///< filled when read
@@ -138,8 +139,8 @@ class StudyRepository {
   /// Ordered by group, number in the group, trainee code; those without a group come first.
   [[nodiscard]] std::vector<StoredEnrolment> enrolments(const std::string& cohortId) const;
 
-  /// "enrolled", "completed", "withdrawn".
-  void setEnrolmentState(const std::string& enrolmentId, const std::string& state);
+  /// Moves an enrolment on. Throws DbError.
+  void setEnrolmentState(const std::string& enrolmentId, EnrolmentState state);
 
   void lockDesign(const StoredAllocationDesign& design);
   void revealSeed(const std::string& designId, std::int64_t utc_us);

@@ -9,6 +9,7 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/base/insert_idempotent.h"
 #include "db/repository/base/seals.h"
+#include "db/repository/base/stored_term.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
@@ -102,7 +103,7 @@ TrialListing listingOf(RowReader& row) {
           .summary = maybeSummaryOf(row),
           .moduleId = row.text(),
           .phaseId = row.text(),
-          .attemptMode = row.text()};
+          .attemptMode = readMaybeTerm<AttemptMode>(row, "attempt_mode")};
 }
 
 TrialChunk chunkOf(RowReader& row) {
@@ -161,7 +162,7 @@ std::vector<IdempotentColumn> contextColumns(const TrialContext& context, Kind k
           {"enrolment_id", textOrNull(context.enrolmentId), kind},
           {"module_id", textOrNull(context.moduleId), kind},
           {"phase_id", textOrNull(context.phaseId), kind},
-          {"attempt_mode", textOrNull(context.attemptMode), kind},
+          {"attempt_mode", termOrNull(context.attemptMode), kind},
           {"host_name", textOrNull(context.host.name), kind},
           {"host_os", textOrNull(context.host.os), kind},
           {"host_cpu", textOrNull(context.host.cpu), kind},
@@ -313,7 +314,7 @@ std::optional<TrialContext> TrialRepository::context(const std::string& trialId)
             .enrolmentId = row.text(),
             .moduleId = row.text(),
             .phaseId = row.text(),
-            .attemptMode = row.text(),
+            .attemptMode = readMaybeTerm<AttemptMode>(row, "attempt_mode"),
             .host = {.name = row.text(), .os = row.text(), .cpu = row.text(), .gpu = row.text()}};
       });
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/study/protocol_terms.h"
 #include "db/connection/connection.h"
 #include "sim/record/trial.h"
 
@@ -29,7 +30,7 @@ struct TrialContext {
   std::string enrolmentId{};  ///< the cohort for which the trial counts; empty for free practice
   std::string moduleId{};     ///< of the curriculum version that was running; empty for free practice
   std::string phaseId{};      ///< empty: outside any phase
-  std::string attemptMode{};  ///< "practice", "graded" as it counted then; empty for free practice
+  std::optional<AttemptMode> attemptMode{};  ///< as it counted then; empty for free practice
   RecordingHost host{};
   friend bool operator==(const TrialContext&, const TrialContext&) = default;
 };
@@ -58,7 +59,7 @@ struct TrialListing {
   std::optional<TrialSummary> summary{};  ///< empty: running, or interrupted and not closed yet
   std::string moduleId{};
   std::string phaseId{};
-  std::string attemptMode{};  ///< "practice", "graded"; empty: free practice
+  std::optional<AttemptMode> attemptMode{};  ///< empty: free practice
 };
 
 /// Which trials to list, newest first. Empty texts do not restrict.

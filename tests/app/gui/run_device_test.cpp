@@ -113,7 +113,7 @@ TEST(RunDevice, PracticeThatLosesItsDeviceGoesOnWithTheMouse) {
 
 TEST(RunDevice, TheClockWaitsForTheDeviceAndTheWindowDoesNot) {
   TrainingCentre::Setup setup;
-  setup.phases = {{.kind = "virtual", .label = "virtual 1 min", .duration_us = kMinute_us}};
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}};
   setup.restAllowance_us = 30 * kSecond_us;
   TrainingCentre centre(setup);
   Station station(centre);

@@ -199,7 +199,7 @@ TEST(StationLine, EndsInTimeThoughTheServerNeverAnswers) {
 
 TEST(StationLine, ARunGoesOnWhileTheServerHangsAndItsTimeIsLoggedAfterwards) {
   TrainingCentre::Setup setup;
-  setup.phases = {{.kind = "virtual", .label = "virtual", .duration_us = 120 * kSecond_us}};
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual", .duration_us = 120 * kSecond_us}};
   TrainingCentre centre(setup);
   const WorkplaceKey key = keyOf(centre, centre.workplace().actor());
   Gate gate;

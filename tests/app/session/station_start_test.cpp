@@ -63,7 +63,7 @@ class StationStartTest : public ::testing::Test {
 
   static TrainingCentre::Setup setup() {
     TrainingCentre::Setup setup;
-    setup.phases = {{.kind = "virtual", .label = "virtual 10 min", .duration_us = 10 * kMinute_us}};
+    setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 10 min", .duration_us = 10 * kMinute_us}};
     return setup;
   }
 

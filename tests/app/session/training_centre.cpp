@@ -29,7 +29,7 @@ StoredModule moduleOf(const std::string& id, const std::string& code, const std:
   module.sceneId = setup.sceneId;
   module.patternId = setup.patternId;
   module.exerciseKind = "twist to target";
-  module.mode = mode;
+  module.mode = fromStoredText<AttemptMode>(mode).value();
   module.targetAngle_rad = trainingBar().pattern.targetAngle_rad;
   module.tolerance_rad = 5.0 * kDegree;
   module.maxForce_N = 4.0;  // the scripted hand presses until the device saturates at 3.3 N
@@ -217,7 +217,7 @@ std::string TrainingCentre::attempt(const std::string& moduleCode, const std::st
                                       .enrolmentId = enrolment(header.traineeCode),
                                       .moduleId = module(moduleCode),
                                       .phaseId = phaseId,
-                                      .attemptMode = mode});
+                                      .attemptMode = fromStoredText<AttemptMode>(mode)});
   SpscRing<Sample> ring(kRecordingRing);
   Recorder recorder(ring, sink, header);
   ServoLoop servo({.device = &device, .scene = &scene, .recording = &ring},

@@ -28,8 +28,8 @@ ErrorCode codeOf(const std::function<void()>& act) {
 
 TrainingCentre::Setup twoPhases() {
   TrainingCentre::Setup setup;
-  setup.phases = {{.kind = "virtual", .label = "virtual 1 min", .duration_us = kMinute_us},
-                  {.kind = "real", .label = "real 1 min", .duration_us = kMinute_us}};
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us},
+                  {.kind = PhaseKind::kReal, .label = "real 1 min", .duration_us = kMinute_us}};
   setup.restAllowance_us = 30 * kSecond_us;
   return setup;
 }
@@ -177,7 +177,7 @@ TEST(RunSession, ATrialSaysWhatItBelongsTo) {
   EXPECT_EQ(order.header.sceneId, "bar");
   EXPECT_EQ(order.context.moduleId, centre.module("first"));
   EXPECT_EQ(order.context.phaseId, session.run().phase().phaseId);
-  EXPECT_EQ(order.context.attemptMode, "graded");
+  EXPECT_EQ(order.context.attemptMode, AttemptMode::kGraded);
   EXPECT_EQ(order.context.enrolmentId, centre.enrolment());
   EXPECT_FALSE(order.context.host.name.empty());
   EXPECT_EQ(session.trials(), std::vector<std::string>{order.header.trialId});

@@ -233,8 +233,8 @@ TEST(CampaignService, RefusesAClassWithAWeightAndNobodyInIt) {
 
 TEST(PhaseProgress, CountsNamedUnnamedAndRestTime) {
   const StoredArm arm{.restAllowance_us = 5 * kMinute_us,
-                      .phases = {{"p1", "virtual", "first", 20 * kMinute_us, ""},
-                                 {"p2", "real", "second", 20 * kMinute_us, ""}}};
+                      .phases = {{"p1", PhaseKind::kVirtual, "first", 20 * kMinute_us, ""},
+                                 {"p2", PhaseKind::kReal, "second", 20 * kMinute_us, ""}}};
   const auto spent = [](const char* kind, const char* phase, std::int64_t minutes) {
     return StoredExposure{.phaseId = phase, .kind = kind, .duration_us = minutes * kMinute_us};
   };
@@ -405,7 +405,7 @@ TEST(CohortService, RefusesTimeInAPhaseOfAnotherArmOrKind) {
   Workplace& workplace = study.centre.as("administrator");
   const std::string id = study.enrolmentIds[0];
   const StoredArm arm = study.armOf(id);
-  const char* other = arm.phases[0].kind == "virtual" ? "real" : "virtual";
+  const char* other = arm.phases[0].kind == PhaseKind::kVirtual ? "real" : "virtual";
 
   EXPECT_THROW(recordExposure(workplace, {study.cohortId, id, arm.phases[0].id, other, 0, kMinute_us}),
                Error);
@@ -459,7 +459,7 @@ TEST(Audit, AWholeStudyLeavesAnEntryForEveryChangeAndVerifies) {
     for (const StoredPhase& phase : study.armOf(enrolment).phases) {
       recordExposure(workplace, {study.cohortId, enrolment, phase.id, phase.kind, 0, phase.duration_us});
     }
-    setEnrolmentState(workplace, study.cohortId, enrolment, "completed", "");
+    setEnrolmentState(workplace, study.cohortId, enrolment, EnrolmentState::kCompleted, "");
   }
   reportDeviation(workplace, {.cohortId = study.cohortId, .kind = "other", .description = "power cut"});
   for (const char* point : {"pre", "mid", "post"}) {
