@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "sim/base/live_types.h"
-#include "sim/geometry/collision_mesh.h"
-#include "sim/geometry/section_lattice.h"
-#include "sim/geometry/triangle_mesh.h"
-#include "sim/tissue/twist_model.h"
-#include "sim/tissue/twist_operation.h"
+#include "sim/geometry/lattice/section_lattice.h"
+#include "sim/geometry/mesh/triangle_mesh.h"
+#include "sim/geometry/query/collision_mesh.h"
+#include "sim/tissue/twist/twist_model.h"
+#include "sim/tissue/twist/twist_operation.h"
 
 namespace torsio {
 

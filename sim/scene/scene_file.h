@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "sim/base/error.h"
-#include "sim/geometry/section_lattice.h"
+#include "sim/geometry/lattice/section_lattice.h"
 #include "sim/scene/scene.h"
-#include "sim/tissue/material.h"
+#include "sim/tissue/twist/material.h"
 
 namespace torsio {
 

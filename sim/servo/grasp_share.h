@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sim/tissue/twist_model.h"
+#include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {
 

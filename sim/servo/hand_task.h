@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sim/device/scripted_hand.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/base/error.h"
-#include "sim/device/replay_device.h"
+#include "sim/device/virtual/replay_device.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "sim/servo/servo_loop.h"

@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "sim/base/device_sample.h"
-#include "sim/geometry/segment.h"
-#include "sim/geometry/surface_point.h"
+#include "sim/geometry/mesh/segment.h"
+#include "sim/geometry/query/surface_point.h"
 #include "sim/scene/scene.h"
-#include "sim/tissue/twist_model.h"
+#include "sim/tissue/twist/twist_model.h"
 
 namespace torsio {
 

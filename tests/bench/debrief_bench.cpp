@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <ctime>
 
-#include "app/session/training/attempts.h"
-#include "app/session/training/debrief.h"
-#include "app/session/training/expert_run.h"
-#include "sim/device/scripted_hand.h"
+#include "app/recording/expert_run.h"
+#include "app/training/attempts.h"
+#include "app/training/debrief.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"
 #include "sim/record/sample_codec.h"

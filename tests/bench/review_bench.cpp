@@ -22,8 +22,8 @@
 #include <QApplication>
 #include <QSize>
 
-#include "app/gui/review/replay_panel.h"
-#include "app/session/pipeline.h"
+#include "app/gui/physician/replay_panel.h"
+#include "app/recording/pipeline.h"
 #include "sim/base/random.h"
 #include "sim/record/memory_trial_sink.h"
 

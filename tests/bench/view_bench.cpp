@@ -17,12 +17,12 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
-#include "app/gui/live_run.h"
-#include "app/gui/look/theme.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/scene/scene_view.h"
+#include "app/gui/simulator/live_run.h"
+#include "app/gui/widgets/theme.h"
 #include "sim/base/error.h"
-#include "sim/device/scripted_hand.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "tests/sim/servo/bar_scene.h"
 

@@ -21,7 +21,7 @@
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
-#include "app/session/care/station_line.h"
+#include "app/recording/station_line.h"
 
 namespace torsio::gui {
 

@@ -12,14 +12,14 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "app/gui/shell/background.h"
+#include "app/access/access_service.h"
+#include "app/access/idle_guard.h"
+#include "app/gui/base/background.h"
+#include "app/gui/base/language.h"
 #include "app/gui/shell/desk.h"
 #include "app/gui/shell/first_run_panel.h"
-#include "app/gui/shell/language.h"
 #include "app/gui/shell/preferences.h"
-#include "app/session/access/access_service.h"
-#include "app/session/access/idle_guard.h"
-#include "app/session/care/station_line.h"
+#include "app/recording/station_line.h"
 
 class QLabel;
 class QStackedWidget;

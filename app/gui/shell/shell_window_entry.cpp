@@ -4,19 +4,20 @@
 
 #include <QUrl>
 
+#include "app/access/first_run.h"
+#include "app/demonstration/demonstration_accounts.h"
+#include "app/gui/base/problem_words.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/shell/credentials_dialog.h"
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/shell/lock_panel.h"
 #include "app/gui/shell/password_panel.h"
-#include "app/gui/shell/problem_words.h"
 #include "app/gui/shell/shell_window.h"
 #include "app/gui/shell/sign_in_panel.h"
-#include "app/gui/shell/spoken.h"
 #include "app/gui/shell/trouble_panel.h"
-#include "app/session/access/first_run.h"
-#include "app/session/care/station_line.h"
-#include "app/session/care/station_start.h"
+#include "app/recording/station_line.h"
+#include "app/recording/station_start.h"
 
 namespace torsio::gui {
 
@@ -157,13 +158,14 @@ void ShellWindow::setUp(const FirstRunChoice& choice) {
             openDatabase();
           };
         }
-        const auto accounts =
-            performFirstRun(own, choice.first, setup_.assets, [this](const Progress& progress) {
-              if (setUpCancelled_->load()) throw Cancelled{};
-              QMetaObject::invokeMethod(this, [this, progress] {
-                firstRun_->job().move(spoken(progress.step), progress.fraction, progress.remaining_s);
-              });
+        const auto accounts = performFirstRun(own, choice.first, [this](Workplace& workplace) {
+          return addDemonstration(workplace, setup_.assets, [this](const Progress& progress) {
+            if (setUpCancelled_->load()) throw Cancelled{};
+            QMetaObject::invokeMethod(this, [this, progress] {
+              firstRun_->job().move(spoken(progress.step), progress.fraction, progress.remaining_s);
             });
+          });
+        });
         return [this, actor = own.actor(), choice, accounts] {
           firstRun_->job().end();
           workplace_ = std::make_unique<Workplace>(this->key());

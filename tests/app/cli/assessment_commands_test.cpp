@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/session/assets.h"
-#include "app/session/pipeline.h"
+#include "app/base/assets.h"
+#include "app/recording/pipeline.h"
 #include "sim/base/error.h"
 #include "sim/record/trial_file.h"
 #include "tests/app/cli/program.h"

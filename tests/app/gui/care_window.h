@@ -14,12 +14,12 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/gui/office/care_page.h"
-#include "app/gui/office/office_pages.h"
+#include "app/gui/administrator/care_page.h"
+#include "app/gui/administrator/office_pages.h"
 #include "app/gui/shell/shell_window.h"
-#include "app/session/people/people_service.h"
-#include "db/repository/base/audit_repository.h"
-#include "db/repository/trial/station_repository.h"
+#include "app/people/people_service.h"
+#include "db/repository/audit_repository.h"
+#include "db/repository/station_repository.h"
 
 namespace torsio::gui {
 

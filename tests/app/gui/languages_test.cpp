@@ -20,10 +20,10 @@
 #include <QTranslator>
 #include <gtest/gtest.h>
 
-#include "app/gui/office/report_preview.h"
-#include "app/gui/shell/language.h"
-#include "app/gui/shell/screenshots.h"
-#include "app/gui/shell/spoken.h"
+#include "app/gui/administrator/report_preview.h"
+#include "app/gui/base/language.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/program/screenshots.h"
 #include "tests/support/service_texts.h"
 
 namespace torsio::gui {

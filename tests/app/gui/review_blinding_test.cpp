@@ -9,17 +9,17 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/gui/look/data_table.h"
-#include "app/gui/review/alignment_page.h"
-#include "app/gui/review/evaluation_page.h"
-#include "app/gui/review/live_page.h"
-#include "app/gui/review/queue_page.h"
-#include "app/gui/review/review_pages.h"
-#include "app/gui/review/severity_page.h"
-#include "app/gui/review/warm_up_page.h"
-#include "app/session/review/alignment.h"
-#include "app/session/review/warm_up.h"
-#include "db/repository/rating/evaluation_repository.h"
+#include "app/gui/physician/alignment_page.h"
+#include "app/gui/physician/evaluation_page.h"
+#include "app/gui/physician/live_page.h"
+#include "app/gui/physician/queue_page.h"
+#include "app/gui/physician/review_pages.h"
+#include "app/gui/physician/severity_page.h"
+#include "app/gui/physician/warm_up_page.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/review/alignment.h"
+#include "app/review/warm_up.h"
+#include "db/repository/evaluation_repository.h"
 #include "tests/app/gui/desk_of.h"
 #include "tests/app/gui/visible_words.h"
 

@@ -9,8 +9,8 @@
 #include <QProcess>
 #include <gtest/gtest.h>
 
-#include "app/gui/review/sheet_panel.h"
-#include "app/session/review/case_sheet.h"
+#include "app/gui/physician/sheet_panel.h"
+#include "app/review/case_sheet.h"
 #include "tests/app/gui/desk_of.h"
 
 namespace torsio::gui {

@@ -17,20 +17,20 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
+#include "app/access/first_run.h"
+#include "app/access/settings_service.h"
+#include "app/base/build_info.h"
+#include "app/gui/base/language.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/shell/about_box.h"
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/job_panel.h"
-#include "app/gui/shell/language.h"
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/shell_window.h"
 #include "app/gui/shell/sign_in_panel.h"
-#include "app/gui/shell/spoken.h"
-#include "app/session/access/first_run.h"
-#include "app/session/access/settings_service.h"
-#include "app/session/build_info.h"
-#include "db/repository/people/people_repository.h"
-#include "db/repository/trial/station_repository.h"
+#include "db/repository/people_repository.h"
+#include "db/repository/station_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/look/theme.h"
+#include "app/gui/widgets/theme.h"
 
 #include <gtest/gtest.h>
 
-#include "app/gui/look/icons.h"
-#include "app/gui/look/level_bar.h"
+#include "app/gui/widgets/icons.h"
+#include "app/gui/widgets/level_bar.h"
 
 namespace torsio::gui {
 namespace {

@@ -11,13 +11,13 @@
 #include <QStringList>
 #include <gtest/gtest.h>
 
-#include "app/gui/shell/shell_context.h"
-#include "app/gui/station/live_scene.h"
-#include "app/gui/station/run_page.h"
-#include "app/gui/station/station_desk.h"
-#include "app/gui/station/station_pages.h"
-#include "app/session/assets.h"
-#include "sim/device/scripted_hand.h"
+#include "app/base/assets.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/trainee/live_scene.h"
+#include "app/gui/trainee/run_page.h"
+#include "app/gui/trainee/station_desk.h"
+#include "app/gui/trainee/station_pages.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "tests/app/gui/bar_view.h"
 #include "tests/app/session/training_centre.h"

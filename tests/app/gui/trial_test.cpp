@@ -7,10 +7,10 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
-#include "app/gui/live_run.h"
-#include "app/gui/scripted_twist.h"
-#include "app/gui/trial_playback.h"
-#include "app/gui/trial_recording.h"
+#include "app/gui/simulator/live_run.h"
+#include "app/gui/simulator/scripted_twist.h"
+#include "app/gui/simulator/trial_playback.h"
+#include "app/gui/simulator/trial_recording.h"
 #include "sim/base/error.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/sample_codec.h"

@@ -6,13 +6,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/session/care/database_care.h"
-#include "app/session/care/database_copy.h"
-#include "app/session/care/demonstration_removal.h"
-#include "app/session/care/others_at_work.h"
-#include "app/session/care/person_package.h"
-#include "app/session/care/record_restore.h"
-#include "app/session/care/retention.h"
+#include "app/maintenance/database_copy.h"
+#include "app/maintenance/database_maintenance.h"
+#include "app/maintenance/demonstration_removal.h"
+#include "app/maintenance/others_at_work.h"
+#include "app/maintenance/person_package.h"
+#include "app/maintenance/record_restore.h"
+#include "app/maintenance/retention.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/people/people_repository.h"

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/assets.h"
-#include "app/session/care/unstored_trials.h"
-#include "app/session/pipeline.h"
+#include "app/base/assets.h"
+#include "app/recording/pipeline.h"
+#include "app/recording/unstored_trials.h"
 #include "sim/scene/scene.h"
 #include "tests/app/session/training_centre.h"
 

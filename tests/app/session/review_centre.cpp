@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/session/build_info.h"
-#include "app/session/pipeline.h"
+#include "app/base/build_info.h"
+#include "app/recording/pipeline.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/session/access/workplace.h"
-#include "db/repository/rating/sheet_repository.h"
+#include "app/access/workplace.h"
+#include "db/repository/sheet_repository.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::testing {

@@ -6,14 +6,14 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/review/case_sheet.h"
-#include "app/session/review/range_pyramid.h"
-#include "app/session/review/review_queue.h"
-#include "app/session/review/sheet_editor.h"
-#include "db/repository/rating/desk_repository.h"
-#include "db/repository/rating/rating_repository.h"
-#include "db/repository/system/audit_verification.h"
-#include "db/repository/system/setting_repository.h"
+#include "app/review/case_sheet.h"
+#include "app/review/range_pyramid.h"
+#include "app/review/review_queue.h"
+#include "app/review/sheet_editor.h"
+#include "db/repository/audit_repository.h"
+#include "db/repository/desk_repository.h"
+#include "db/repository/rating_repository.h"
+#include "db/repository/setting_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"
 #include "tests/app/session/review_centre.h"

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A database that hangs: nobody who looks at a window may wait for it, and nothing that was recorded is lost.
-#include "app/session/care/station_line.h"
+#include "app/recording/station_line.h"
 
 #include <condition_variable>
 #include <mutex>
 
 #include <gtest/gtest.h>
 
-#include "app/session/care/timed_sink.h"
-#include "app/session/training/run_session.h"
-#include "db/repository/trial/station_repository.h"
+#include "app/recording/timed_sink.h"
+#include "app/training/run_session.h"
+#include "db/repository/station_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The database is away, the recorder writes files; at the next start of the station they come into the record
 // before anything is closed as interrupted.
-#include "app/session/care/station_start.h"
+#include "app/recording/station_start.h"
 
 #include <fstream>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "app/session/build_info.h"
-#include "app/session/care/recording_host.h"
-#include "app/session/care/station_pulse.h"
-#include "app/session/training/run_session.h"
-#include "app/session/trial_store.h"
-#include "db/repository/base/audit_repository.h"
-#include "db/repository/system/audit_verification.h"
-#include "db/repository/trial/station_repository.h"
+#include "app/base/build_info.h"
+#include "app/recording/recording_host.h"
+#include "app/recording/station_pulse.h"
+#include "app/recording/trial_store.h"
+#include "app/training/run_session.h"
+#include "db/repository/audit_repository.h"
+#include "db/repository/station_repository.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
-#include "sim/device/scripted_hand.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/recorder.h"
 #include "sim/record/trial_file.h"

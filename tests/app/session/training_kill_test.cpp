@@ -8,8 +8,8 @@
 #include <QProcess>
 #include <gtest/gtest.h>
 
-#include "app/session/training/run_session.h"
-#include "sim/device/scripted_hand.h"
+#include "app/training/run_session.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/recorder.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/servo_loop.h"

@@ -3,14 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/training/debrief.h"
-#include "app/session/training/remarks.h"
-#include "app/session/training/run_session.h"
-#include "app/session/training/transcript.h"
-#include "db/repository/people/people_repository.h"
-#include "db/repository/rating/sheet_repository.h"
-#include "db/repository/system/audit_verification.h"
-#include "db/repository/trial/remark_repository.h"
+#include "app/training/debrief.h"
+#include "app/training/remarks.h"
+#include "app/training/run_session.h"
+#include "app/training/transcript.h"
+#include "db/repository/people_repository.h"
+#include "db/repository/remark_repository.h"
+#include "db/repository/sheet_repository.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 #include "tests/app/session/audit_entries.h"

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "sim/tissue/view/cpu_isa.h"
+
+namespace torsio {
+
+/// The widest set that this processor and operating system can run and this binary was built with.
+[[nodiscard]] Isa bestIsa() noexcept;
+/// All sets usable here, narrowest first; never empty.
+[[nodiscard]] std::span<const Isa> usableIsas() noexcept;
+/// "portable", "avx2", "avx512": in benchmark results.
+[[nodiscard]] std::string_view isaName(Isa isa) noexcept;
+
+}  // namespace torsio
