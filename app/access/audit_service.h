@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "db/repository/audit_repository.h"
+#include "db/repository/base/audit_repository.h"
 
 namespace torsio {
 

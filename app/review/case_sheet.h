@@ -9,7 +9,7 @@
 #include "app/access/workplace.h"
 #include "app/review/blinded_case.h"
 #include "app/review/watch_log.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 

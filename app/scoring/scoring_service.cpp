@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/base/build_info.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/contracts.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"

@@ -12,7 +12,7 @@
 #include "app/base/build_info.h"
 #include "app/study/allocation_design.h"
 #include "app/study/drawn_seed.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

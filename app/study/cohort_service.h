@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/study_repository.h"
 
 namespace torsio {
 

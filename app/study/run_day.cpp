@@ -7,7 +7,7 @@
 
 #include "app/devices/station_device.h"
 #include "app/study/cohort_service.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "db/repository/curriculum_repository.h"
-#include "db/repository/station_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/text.h"
 
 namespace torsio {

@@ -11,9 +11,9 @@
 #include "app/scoring/scoring_service.h"
 #include "app/study/case_order.h"
 #include "app/study/drawn_seed.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/question_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/question_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

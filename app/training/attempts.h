@@ -10,8 +10,8 @@
 
 #include "app/access/workplace.h"
 #include "app/recording/trial_trace.h"
-#include "db/repository/curriculum_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/live_types.h"
 #include "sim/record/trial.h"
 

@@ -7,7 +7,7 @@
 #include "app/study/run_day.h"
 #include "app/training/remarks.h"
 #include "app/training/trainee_record.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

@@ -10,8 +10,8 @@
 #include "app/recording/recording_host.h"
 #include "app/study/cohort_service.h"
 #include "app/training/trainee_record.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/setting_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

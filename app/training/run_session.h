@@ -14,7 +14,7 @@
 #include "app/recording/station_start.h"
 #include "app/training/next_steps.h"
 #include "app/training/training_run.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

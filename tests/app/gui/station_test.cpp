@@ -24,7 +24,7 @@
 #include "app/gui/trainee/trend_page.h"
 #include "app/gui/widgets/theme.h"
 #include "app/recording/station_line.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "tests/app/gui/trainee_station.h"
 #include "tests/app/session/training_centre.h"
 

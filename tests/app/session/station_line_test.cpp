@@ -9,7 +9,7 @@
 
 #include "app/recording/timed_sink.h"
 #include "app/training/run_session.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"

@@ -5,9 +5,9 @@
 
 #include "app/base/build_info.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/access_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/recorder.h"
 #include "sim/servo/hand_task.h"

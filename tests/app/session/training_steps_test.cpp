@@ -3,8 +3,8 @@
 
 #include "app/training/next_steps.h"
 #include "app/training/run_session.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/setting_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/session/training_centre.h"
 

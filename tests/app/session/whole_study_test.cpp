@@ -18,8 +18,8 @@
 #include "app/study/frozen_data.h"
 #include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/session/office_centre.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/base/portable_math.h"
-#include "sim/device/scripted_hand.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "sim/servo/hand_task.h"
