@@ -7,6 +7,7 @@
 
 #include "app/access/workplace.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/system/audit_verification.h"
 
 namespace torsio {
 

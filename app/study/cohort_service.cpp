@@ -70,8 +70,9 @@ void checkPhase(Workplace& workplace, const StoredCohort& cohort, const StoredEn
     if (arm.id != armId) continue;
     const StoredPhase* phase = phaseOf(arm, exposure.phaseId);
     if (phase == nullptr) break;
-    if (exposure.kind == "rest" || phase->kind == exposure.kind) return;
-    refuse(Text("the phase is %1, the time is %2", phase->kind, exposure.kind), enrolment.traineeCode,
+    const std::string kind(storedText(phase->kind));
+    if (exposure.kind == "rest" || kind == exposure.kind) return;
+    refuse(Text("the phase is %1, the time is %2", kind, exposure.kind), enrolment.traineeCode,
            "Record it for the phase that it was spent in");
   }
   refuse("this phase belongs to another arm", enrolment.traineeCode,

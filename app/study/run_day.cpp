@@ -15,7 +15,7 @@ namespace torsio {
 namespace {
 
 /// Fills the phases of one kind in order with time that names no phase.
-void fillInOrder(const StoredArm& arm, const std::string& kind, std::int64_t time_us,
+void fillInOrder(const StoredArm& arm, PhaseKind kind, std::int64_t time_us,
                  std::vector<std::int64_t>& spent_us) {
   for (std::size_t i = 0; i < arm.phases.size() && time_us > 0; ++i) {
     if (arm.phases[i].kind != kind) continue;
@@ -72,7 +72,10 @@ PhaseProgress phaseProgress(const StoredArm& arm, std::span<const StoredExposure
       spent_us[static_cast<std::size_t>(phase - arm.phases.begin())] += exposure.duration_us;
     }
   }
-  for (const auto& [kind, time_us] : unnamed_us) fillInOrder(arm, kind, time_us, spent_us);
+  for (const auto& [kind, time_us] : unnamed_us) {
+    const std::optional<PhaseKind> spentOn = fromStoredText<PhaseKind>(kind);  // empty: rest
+    if (spentOn) fillInOrder(arm, *spentOn, time_us, spent_us);
+  }
   while (progress.phase < arm.phases.size() &&
          spent_us[progress.phase] >= arm.phases[progress.phase].duration_us) {
     ++progress.phase;
