@@ -41,7 +41,7 @@ void fillTraining(RunDayRow& row, const StoredArm& arm, const std::vector<Stored
   row.done = !arm.phases.empty() && row.progress.phase == arm.phases.size();
   if (!row.done && !arm.phases.empty()) {
     row.phaseLabel = arm.phases[row.progress.phase].label;
-    row.phaseKind = arm.phases[row.progress.phase].kind;
+    row.phaseKind = storedText(arm.phases[row.progress.phase].kind);
   }
   for (const StoredScoringPoint& point : points) {
     if (row.progress.virtual_us + row.progress.real_us >= point.afterExposure_us) {

@@ -4,6 +4,7 @@
 
 #include "app/gui/administrator/move_page.h"
 #include "app/gui/administrator/restore_page.h"
+#include "db/repository/system/audit_verification.h"
 #include "tests/app/gui/care_window.h"
 
 namespace torsio::gui {

@@ -16,6 +16,7 @@
 #include "app/review/warm_up.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/remark_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"

@@ -13,6 +13,7 @@
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/rating_repository.h"
+#include "db/repository/system/audit_verification.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"

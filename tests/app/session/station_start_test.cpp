@@ -14,6 +14,7 @@
 #include "app/recording/trial_store.h"
 #include "app/training/run_session.h"
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/station_repository.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"

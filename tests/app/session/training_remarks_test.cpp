@@ -9,6 +9,7 @@
 #include "app/training/transcript.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "db/repository/system/audit_verification.h"
 #include "db/repository/trial/remark_repository.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"

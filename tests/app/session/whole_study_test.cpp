@@ -20,6 +20,7 @@
 #include "app/study/scoring_plan.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/sheet_repository.h"
+#include "db/repository/system/audit_verification.h"
 #include "sim/base/error.h"
 #include "tests/app/session/office_centre.h"
 
@@ -257,7 +258,8 @@ TEST(RunDayBoard, ShowsPhaseExposureRestAndMissingSheets) {
   createAssignments(workplace, study.plan());
   const std::string id = study.enrolmentIds[0];
   const StoredArm arm = study.armOf(id);
-  recordExposure(workplace, {study.cohortId, id, arm.phases[0].id, arm.phases[0].kind, 0, 20 * kMinute_us});
+  recordExposure(workplace, {study.cohortId, id, arm.phases[0].id,
+                             std::string(storedText(arm.phases[0].kind)), 0, 20 * kMinute_us});
   recordExposure(workplace, {study.cohortId, id, "", "rest", 0, 2 * kMinute_us});
   reportDeviation(workplace, {.cohortId = study.cohortId, .enrolmentId = id, .kind = "late"});
 
@@ -456,7 +458,8 @@ TEST(Audit, AWholeStudyLeavesAnEntryForEveryChangeAndVerifies) {
   createAssignments(workplace, study.plan());
   for (const std::string& enrolment : study.enrolmentIds) {
     for (const StoredPhase& phase : study.armOf(enrolment).phases) {
-      recordExposure(workplace, {study.cohortId, enrolment, phase.id, phase.kind, 0, phase.duration_us});
+      recordExposure(workplace, {study.cohortId, enrolment, phase.id, std::string(storedText(phase.kind)), 0,
+                                 phase.duration_us});
     }
     setEnrolmentState(workplace, study.cohortId, enrolment, EnrolmentState::kCompleted, "");
   }
