@@ -117,7 +117,7 @@ void scoreReferenceRun(Workplace& workplace, std::size_t number, std::int64_t sc
   const StoredReferenceRun run = runNumber(workplace.connection(), number);
   const StoredRubricRevision rubric =
       SheetRepository(workplace.connection()).revision(run.rubricRevisionId).value();
-  if (score_steps < rubric.overall.lo || score_steps > rubric.overall.hi) {
+  if (!isOnScale(score_steps, rubric.overall)) {
     throw Error(ErrorCode::kBadData, "the score lies outside the scale", Text("reference %1", number),
                 "Correct the score");
   }

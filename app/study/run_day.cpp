@@ -109,7 +109,7 @@ Today readToday(Workplace& workplace, const std::string& cohortId) {
   for (const StoredDeviation& deviation : study.deviations(cohortId))
     ++today.deviations[deviation.enrolmentId];
   for (const AssignmentStatus& status : SheetRepository(workplace.connection()).assignments(cohortId)) {
-    if (status.state == SheetState::kOpen || status.state == SheetState::kDraft) {
+    if (isOutstanding(status.state)) {
       ++today.missing[{status.assignment.enrolmentId, status.assignment.scoringPoint}];
     }
   }

@@ -249,7 +249,7 @@ ScoringMatrix scoringMatrix(Workplace& workplace, const std::string& cohortId) {
     }
     const std::size_t at = column.at(one.raterId);
     matrix.lines.back().cells[at] = cellOf(status);
-    const bool missing = status.state == SheetState::kOpen || status.state == SheetState::kDraft;
+    const bool missing = isOutstanding(status.state);
     matrix.lines.back().missing += missing ? 1 : 0;
     matrix.raters[at].open += missing ? 1 : 0;
     matrix.raters[at].submitted += status.state == SheetState::kSubmitted ? 1 : 0;

@@ -77,11 +77,7 @@ class Rerun {
  public:
   Rerun(const Scene& scene, const TrialHeader& header, const std::vector<Sample>& recorded)
       : device_(deviceSamples(recorded), capabilitiesOf(header)),
-        loop_({.device = &device_, .scene = &scene, .commands = &commands_},
-              {.drive = header.drive,
-               .targetAngle_rad = header.targetAngle_rad,
-               .forceScale = header.forceScale,
-               .tickPeriod_us = header.tickPeriod_us}) {}
+        loop_({.device = &device_, .scene = &scene, .commands = &commands_}, optionsOf(header, recorded)) {}
 
   const Sample& next(const Sample& recorded) {
     if (recorded.command.kind != ServoCommand::Kind::kNone) (void)commands_.push(recorded.command);
@@ -90,6 +86,11 @@ class Rerun {
   }
 
  private:
+  static ServoOptions optionsOf(const TrialHeader& header, const std::vector<Sample>& recorded) {
+    ServoOptions options = servoOptions(header);
+    if (!recorded.empty()) options.rules = recorded.front().rules;
+    return options;
+  }
   static std::vector<DeviceSample> deviceSamples(const std::vector<Sample>& recorded) {
     std::vector<DeviceSample> samples;
     samples.reserve(recorded.size());

@@ -32,14 +32,6 @@ constexpr AllocationMethod kMethods[] = {AllocationMethod::kCompletePermutation,
                                          AllocationMethod::kStratifiedBlocks,
                                          AllocationMethod::kPermutedBlocks, AllocationMethod::kMinimisation};
 
-bool usesFactors(AllocationMethod method) {
-  return method == AllocationMethod::kStratifiedBlocks || method == AllocationMethod::kMinimisation;
-}
-
-bool usesBlocks(AllocationMethod method) {
-  return method == AllocationMethod::kStratifiedBlocks || method == AllocationMethod::kPermutedBlocks;
-}
-
 }  // namespace
 
 AllocationPage::AllocationPage(ShellContext& shell)

@@ -11,6 +11,7 @@
 #include <QPdfWriter>
 
 #include "app/gui/administrator/office_parts.h"
+#include "app/report/typeface.h"
 #include "sim/base/file_io.h"
 
 namespace torsio::gui {
@@ -40,7 +41,7 @@ struct PrintedCard {
 
 void drawHalf(QPainter& painter, const QRectF& half, const std::array<CardLine, 3>& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    QFont font = painter.font();
+    QFont font = typeface();
     font.setPointSizeF(lines[i].points);
     font.setBold(lines[i].bold);
     painter.setFont(font);

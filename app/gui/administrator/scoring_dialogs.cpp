@@ -105,7 +105,7 @@ std::optional<SheetMoved> askReassignment(QWidget* parent, const ScoringMatrix& 
   to->addItem(words(QT_TRANSLATE_NOOP("Scoring", "nobody: take it back only")), QString());
   for (std::size_t r = 0; r < matrix.raters.size(); ++r) {
     const ScoringCell& cell = line.cells[r];
-    const bool open = cell.state == SheetState::kOpen || cell.state == SheetState::kDraft;
+    const bool open = isOutstanding(cell.state);
     if (!cell.assignmentId.empty() && open)
       from->addItem(words(QT_TRANSLATE_NOOP("Scoring", "%1 (%2)"))
                         .arg(shown(matrix.raters[r].code), sheetStateName(cell.state)),

@@ -23,6 +23,7 @@
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/widgets/picture.h"
+#include "app/report/typeface.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 
@@ -306,6 +307,7 @@ int runScreenshots(int argc, char** argv) {
   }
   SceneView::prepareGraphics();
   QApplication application(argc, argv);
+  useTypeface(application);
   ScreenshotsRequest request = parse(QApplication::arguments());
   request.progress = [](const Progress& progress) {
     std::fprintf(stderr, "torsio: %s\n", progress.step.str().c_str());

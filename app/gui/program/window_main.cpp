@@ -19,6 +19,7 @@
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/shell_window.h"
 #include "app/recording/trial_store.h"
+#include "app/report/typeface.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -254,6 +255,7 @@ int runWindow(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("torsio"));
   QApplication::setApplicationVersion(QString::fromStdString(softwareVersion()));
   QApplication application(argc, argv);
+  useTypeface(application);
   const WindowOptions options = parse(QApplication::arguments());
   return options.simulator ? runSimulator(options) : runShell(options);
 }

@@ -9,6 +9,7 @@
 #include <QPainter>
 
 #include "app/gui/scene/scene_view.h"
+#include "app/report/typeface.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio::gui {
@@ -28,7 +29,7 @@ QImage filmStrip(const std::vector<std::vector<StripFrame>>& rows) {
   if (rows.empty() || rows.front().empty() || rows.front().front().picture.isNull()) return {};
   const QSize first = rows.front().front().picture.size();
   const QSize cell(kFrameWidth, kFrameWidth * first.height() / first.width());
-  QFont font;
+  QFont font = typeface();
   font.setPixelSize(18);
   const int caption = QFontMetrics(font).height() + kGap;
   const auto columns = static_cast<int>(rows.front().size());

@@ -6,9 +6,10 @@
 
 #include <QApplication>
 #include <QFont>
-#include <QFontInfo>
 #include <QPalette>
 #include <QStyleFactory>
+
+#include "app/report/typeface.h"
 
 namespace torsio::gui {
 
@@ -265,15 +266,8 @@ double contrast(const QColor& a, const QColor& b) {
 
 void applyTheme(QApplication& application, const Theme& chosen) {
   application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-  QFont font = application.font();
+  QFont font = typeface();
   font.setPointSizeF(kBodyText_pt);
-  // Chinese characters in their simplified shapes, whatever else the machine has.
-  // An alias such as "Sans" would lose against a family that exists: one word in one typeface, the next in
-  // another.
-  QStringList families{QFontInfo(font).family()};
-  for (const char* family : {"Noto Sans CJK SC", "Microsoft YaHei", "PingFang SC"})
-    families << QLatin1String(family);
-  font.setFamilies(families);
   application.setFont(font);
   application.setPalette(paletteOf(chosen));
   application.setStyleSheet(styleSheetOf(chosen));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "assessment/rating/sheet_check.h"
 #include "db/connection/row_reader.h"
 #include "db/repository/rating/assignment_rows.h"
 #include "db/repository/rating/rating_repository.h"
@@ -56,10 +57,7 @@ AssignmentStatus statusOf(RowReader& row) {
   const bool withdrawn = row.int64() > 0;
   const std::optional<std::int64_t> submitted_us = row.maybeInt64();
   const std::optional<std::int64_t> drafted_us = row.maybeInt64();
-  status.state = withdrawn      ? SheetState::kWithdrawn
-                 : submitted_us ? SheetState::kSubmitted
-                 : drafted_us   ? SheetState::kDraft
-                                : SheetState::kOpen;
+  status.state = sheetStateOf(withdrawn, submitted_us.has_value(), drafted_us.has_value());
   status.changedUtc_us = submitted_us ? *submitted_us : drafted_us.value_or(0);
   return status;
 }
@@ -68,18 +66,19 @@ QueueEntry queueEntryOf(RowReader& row) {
   QueueEntry entry{row.text(), row.text(), row.text(), row.text(), row.maybeInt64()};
   const std::optional<std::int64_t> submitted_us = row.maybeInt64();
   const bool drafted = row.int64() > 0;
-  entry.state = submitted_us ? SheetState::kSubmitted : drafted ? SheetState::kDraft : SheetState::kOpen;
+  entry.state = sheetStateOf(false, submitted_us.has_value(), drafted);
   entry.submittedUtc_us = submitted_us.value_or(0);
   return entry;
 }
 
 void checkAnswer(const std::optional<std::int64_t>& score_steps, const std::string& reason,
                  const ScoreScale& scale, const std::string& where) {
-  if (score_steps.has_value() != reason.empty()) {
+  const AnswerFault fault = faultOf({score_steps, reason}, scale);
+  if (fault == AnswerFault::kMissing || fault == AnswerFault::kContradicts) {
     throw Error(ErrorCode::kBadData, "needs either a score or a reason why there is none", where,
                 "Fill it in");
   }
-  if (score_steps && (*score_steps < scale.lo || *score_steps > scale.hi)) {
+  if (fault == AnswerFault::kOutsideScale) {
     throw Error(ErrorCode::kBadData, Text("score of %1 steps lies outside its scale", *score_steps), where,
                 "Correct the score");
   }

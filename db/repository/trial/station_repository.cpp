@@ -33,7 +33,7 @@ StationState stateOf(RowReader& row) {
 
 }  // namespace
 
-void StationRepository::recordHeartbeat(const StationState& state) {
+void StationRepository::heartbeat(const StationState& state) {
   connection_.execute(
       insertInto("station_state",
                  "station, trial_id, user_id, software_version, heartbeat_utc_us, device_json,"

@@ -10,14 +10,14 @@
 
 namespace torsio {
 
-/// Where a vertex of the mesh belongs.
+/// Part of the organ that a vertex of the mesh belongs to.
 enum class LatticePart : std::uint8_t {
   kSide,      ///< between the end sections
   kFixedCap,  ///< at or beyond the fixed end: arc 0
   kFreeCap,   ///< at or beyond the free end: arc = length
 };
 
-/// How an end of the organ was asked for. See LatticeOptions for the meaning.
+/// Request for the ends of the organ; LatticeOptions says what the fields mean.
 struct CapRequest {
   Vec3 fixedEnd_m;
   Vec3 freeEnd_m;
@@ -25,7 +25,7 @@ struct CapRequest {
   Vec3 freeCut;
   double capRadius_m = 0.0;
 
-  /// Both end points equal: the caps are to be found.
+  /// Tells whether the caps are to be found: both end points are equal.
   [[nodiscard]] bool automatic() const noexcept { return fixedEnd_m == freeEnd_m; }
 };
 
@@ -40,16 +40,16 @@ struct EndCaps {
   bool freeFlat = false;
 };
 
-/// Flat faces where the organ has them at its ends, cuts where asked for, discs of the given radius, else the
-/// rounded tips (roundedEnd). Throws
-/// Error{kBadMesh, kBadParameter}: caps that touch, a cut beyond which nothing lies, an end not finite.
+/// Finds the two ends: flat faces where the organ has them, cuts where asked for, discs of the given
+/// radius, else the rounded tips (roundedEnd). Throws Error{kBadMesh, kBadParameter}: caps that touch, a
+/// cut beyond which nothing lies, an end not finite.
 [[nodiscard]] EndCaps findEndCaps(const TriangleMesh& mesh, const SurfaceTopology& topology,
                                   const CapRequest& request);
 
-/// True when `a` is below `b`: smaller z, then y, then x, each compared to a millionth of `scale_m`.
+/// Tells whether `a` is below `b`: smaller z, then y, then x, each compared to a millionth of `scale_m`.
 [[nodiscard]] bool isLower(const Vec3& a, const Vec3& b, double scale_m) noexcept;
 
-/// Throws Error{kBadParameter} when an end point, cut or radius cannot be used.
+/// Checks a request. Throws Error{kBadParameter} when an end point, cut or radius cannot be used.
 void checkCapRequest(const CapRequest& request);
 
 }  // namespace torsio

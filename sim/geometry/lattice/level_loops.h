@@ -34,15 +34,15 @@ struct LevelLoop {
 /// Traces level lines of a scalar field on the surface.
 class LevelTracer {
  public:
-  /// All four outlive the tracer. `field.level` has one finite value a vertex.
+  /// Makes a tracer; mesh, topology and field outlive it. `field.level` has one finite value a vertex.
   LevelTracer(const TriangleMesh& mesh, const SurfaceTopology& topology, const HarmonicField& field);
 
-  /// All loops of one level, longest first. `fromBelow`: vertices on the level count as above it (for the
-  /// free end), else as below.
+  /// Traces all loops of one level, longest first. `fromBelow`: vertices on the level count as above it
+  /// (for the free end), else as below.
   [[nodiscard]] std::vector<LevelLoop> trace(double level, bool fromBelow = false) const;
 
-  /// The same for many levels, ascending, each passed to `use` with its index; much faster than one by one.
-  /// Of the last level vertices on it count as above.
+  /// Traces many ascending levels and passes the loops of each to `use` with the index of the level; much
+  /// faster than one trace a level. Vertices on the last level count as above it.
   void traceAll(std::span<const double> levels,
                 const std::function<void(std::size_t, std::vector<LevelLoop>)>& use) const;
 

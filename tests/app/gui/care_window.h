@@ -148,7 +148,7 @@ class CarePages : public ::testing::Test {
 
   void showsOtherStation() {
     StationState other{.station = "room 2", .heartbeatUtc_us = window_->workplace()->now_us()};
-    StationRepository(window_->workplace()->connection()).recordHeartbeat(other);
+    StationRepository(window_->workplace()->connection()).heartbeat(other);
   }
 
   [[nodiscard]] int filesBeside() const {

@@ -23,7 +23,7 @@
 #include "app/gui/trainee/transcript_page.h"
 #include "app/gui/trainee/trend_page.h"
 #include "app/gui/widgets/theme.h"
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 #include "db/repository/trial/station_repository.h"
 #include "tests/app/gui/trainee_station.h"
 #include "tests/app/session/training_centre.h"
@@ -39,7 +39,7 @@ using torsio::testing::TrainingCentre;
 TEST(Station, WhatTheDeviceCheckFoundStandsOnTheBoardOfTheDay) {
   TrainingCentre centre;
   Station station(centre);
-  StationLine line({centre.locator(), "station 1", centre.workplace().actor()});
+  StationWriter line({centre.locator(), "station 1", centre.workplace().actor()});
   station.shell().setLine(&line);
   station.light = Light::kRed;
 

@@ -175,10 +175,10 @@ void runTheDay(Office& office, const std::string& cohortId) {
   DeviceReadiness unfit{.device = Text("Touch"), .haptic = true};
   unfit.findings = {{"connected", Light::kRed, Text("no device answers"), ""}};
   storeDevice(stationDevice(unfit, now_us), room);
-  StationRepository(office.centre.connection()).recordHeartbeat(room);
+  StationRepository(office.centre.connection()).heartbeat(room);
   StationState yesterday{.station = "room 3", .heartbeatUtc_us = now_us};
   storeDevice(stationDevice(pointerReadiness(true), now_us - 86'400'000'000), yesterday);
-  StationRepository(office.centre.connection()).recordHeartbeat(yesterday);
+  StationRepository(office.centre.connection()).heartbeat(yesterday);
   auto page = office.open<RunDayPage>("administrator", QString::fromStdString(cohortId));
   EXPECT_EQ(page->table().visibleRows(), static_cast<int>(kTrainees));
   ASSERT_EQ(page->stations().visibleRows(), 2);

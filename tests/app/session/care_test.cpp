@@ -162,16 +162,16 @@ TEST_F(CareTest, ARecordThatSomebodyHasOpenIsNotReplaced) {
 TEST_F(CareTest, NothingIsReplacedWhileARunGoesOnOrAnotherStationIsConnected) {
   Workplace office = workplaceOf("administrator");
   StationRepository stations(connection_);
-  stations.recordHeartbeat({.station = "room 2", .heartbeatUtc_us = now_us_});
+  stations.heartbeat({.station = "room 2", .heartbeatUtc_us = now_us_});
   const std::int64_t longAgo_us = now_us_ - 2 * kStationSilence_us;
-  stations.recordHeartbeat({.station = "room 3", .heartbeatUtc_us = longAgo_us});
+  stations.heartbeat({.station = "room 3", .heartbeatUtc_us = longAgo_us});
 
   EXPECT_EQ(othersAtWork(office), std::vector<Text>{"the station room 2 is connected"});
   EXPECT_EQ(refusalFrom([&] { (void)planRestore(office, in("backup.sqlite")); }).code, ErrorCode::kDatabase);
   stations.leave("room 2");
   TrialHeader header = sampleHeader("a trial that runs", "");
   TrialRepository(connection_, {.station = "room 1"}).begin(header);
-  stations.recordHeartbeat({.station = "room 1", .trialId = header.trialId, .heartbeatUtc_us = now_us_});
+  stations.heartbeat({.station = "room 1", .trialId = header.trialId, .heartbeatUtc_us = now_us_});
 
   EXPECT_EQ(othersAtWork(office), std::vector<Text>{"a run is going on at the station room 1"});
 }

@@ -170,17 +170,16 @@ TEST(RunSession, ATrialSaysWhatItBelongsTo) {
   RunSession session(centre.workplace(), {centre.module("first"), true, deviceWith(Light::kGreen)}, clock);
   session.start();
 
-  const TrialOrder order = session.newTrial();
+  const RecordingSpec recording = session.newTrial();
 
-  EXPECT_EQ(order.header.traineeCode, "T-01");
-  EXPECT_EQ(order.header.phaseLabel, "virtual 1 min");
-  EXPECT_EQ(order.header.sceneId, "bar");
-  EXPECT_EQ(order.context.moduleId, centre.module("first"));
-  EXPECT_EQ(order.context.phaseId, session.run().phase().phaseId);
-  EXPECT_EQ(order.context.attemptMode, AttemptMode::kGraded);
-  EXPECT_EQ(order.context.enrolmentId, centre.enrolment());
-  EXPECT_FALSE(order.context.host.name.empty());
-  EXPECT_EQ(session.trials(), std::vector<std::string>{order.header.trialId});
+  EXPECT_EQ(recording.traineeCode, "T-01");
+  EXPECT_EQ(recording.phaseLabel, "virtual 1 min");
+  EXPECT_EQ(recording.context.moduleId, centre.module("first"));
+  EXPECT_EQ(recording.context.phaseId, session.run().phase().phaseId);
+  EXPECT_EQ(recording.context.attemptMode, "graded");
+  EXPECT_EQ(recording.context.enrolmentId, centre.enrolment());
+  EXPECT_FALSE(recording.context.host.name.empty());
+  EXPECT_EQ(session.trials(), std::vector<std::string>{recording.trialId});
 }
 
 TEST(RunSession, LogsTheDoseOfEveryPhaseAndTheRest) {

@@ -290,8 +290,7 @@ TEST(RunDayBoard, ShowsWhoRunsAtWhichStation) {
   TrialRepository(study.centre.connection(), {.station = "station 2", .enrolmentId = study.enrolmentIds[0]})
       .begin(header);
   StationRepository(study.centre.connection())
-      .recordHeartbeat(
-          {.station = "station 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
+      .heartbeat({.station = "station 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
 
   const RunDayBoard board = runDayBoard(workplace, study.cohortId);
 
@@ -320,9 +319,8 @@ TEST(RunDayBoard, WarnsOfSilentStationsFirstThenOfWhatIsMissing) {
   TrialRepository(study.centre.connection(), {.station = "room 2", .enrolmentId = study.enrolmentIds[0]})
       .begin(header);
   StationRepository stations(study.centre.connection());
-  stations.recordHeartbeat({.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us});
-  stations.recordHeartbeat(
-      {.station = "room 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
+  stations.heartbeat({.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us});
+  stations.heartbeat({.station = "room 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
 
   RunDayBoard board = runDayBoard(workplace, study.cohortId);
   board.asOfUtc_us = testing::kOfficeTime_us + kStationSilence_us;
@@ -350,7 +348,7 @@ TEST(RunDayBoard, TellsOfADeviceThatIsNotFitWhileItsStationAnswers) {
                    {"rate", Light::kRed, Text("%1; below %2 Hz", "700 Hz", 800), ""}}};
   StationState state{.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us};
   storeDevice(stationDevice(unfit, testing::kOfficeTime_us - 1), state);
-  StationRepository(study.centre.connection()).recordHeartbeat(state);
+  StationRepository(study.centre.connection()).heartbeat(state);
 
   RunDayBoard board = runDayBoard(workplace, study.cohortId);
   board.asOfUtc_us = testing::kOfficeTime_us;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/recording/station_pulse.h"
+#include "app/recording/station_heartbeat.h"
 
 #include "app/base/build_info.h"
 #include "db/repository/trial/station_repository.h"
@@ -14,18 +14,18 @@ constexpr std::int64_t kAgain_us = 1'000'000;
 
 }  // namespace
 
-void StationPulse::show(const std::string& trialId) {
+void StationHeartbeat::show(const std::string& trialId) {
   changed_ = changed_ || trialId != trialId_;
   trialId_ = trialId;
 }
 
-void StationPulse::showDevice(const StationDevice& device) {
+void StationHeartbeat::showDevice(const StationDevice& device) {
   if (device == device_) return;
   changed_ = true;
   device_ = device;
 }
 
-void StationPulse::beat() {
+void StationHeartbeat::send() {
   const std::int64_t now_us = workplace_->now_us();
   changed_ = changed_ || workplace_->actor().userId != shownUser_;
   if (!changed_ && now_us < next_us_) return;
@@ -43,18 +43,18 @@ void StationPulse::beat() {
                        .softwareVersion = softwareVersion(),
                        .heartbeatUtc_us = now_us};
     storeDevice(device_, state);
-    StationRepository(connection).recordHeartbeat(state);
+    StationRepository(connection).heartbeat(state);
     shownTrial_ = trial;
-    if (there) next_us_ = now_us + kPulse_us;
+    if (there) next_us_ = now_us + kHeartbeat_us;
     answered_ = true;
   } catch (const DbError& error) {
     answered_ = error.fault() != DbFault::kUnreachable;
     shownTrial_.clear();
-    next_us_ = now_us + kPulse_us;  // each attempt may cost seconds while the server is away
+    next_us_ = now_us + kHeartbeat_us;  // each attempt may cost seconds while the server is away
   }
 }
 
-void StationPulse::leave() {
+void StationHeartbeat::leave() {
   try {
     StationRepository(workplace_->connection()).leave(workplace_->station());
   } catch (const DbError& error) {

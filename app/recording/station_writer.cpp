@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 
 #include <condition_variable>
 #include <deque>
@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "app/recording/station_pulse.h"
+#include "app/recording/station_heartbeat.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -22,15 +22,15 @@ bool isAway(const std::exception& problem) {
   return database != nullptr && database->retryable();
 }
 
-/// The line's own workplace with its pulse.
+/// The line's own workplace with its heartbeat.
 struct Desk {
   std::unique_ptr<Workplace> workplace;
-  std::optional<StationPulse> pulse;
+  std::optional<StationHeartbeat> heartbeat;
 };
 
 }  // namespace
 
-struct StationLine::State {
+struct StationWriter::State {
   struct Waiting {
     Actor actor;
     Write write;
@@ -56,7 +56,7 @@ struct StationLine::State {
   void serve(Desk& desk) {
     if (!desk.workplace) {
       desk.workplace = open();
-      desk.pulse.emplace(*desk.workplace);
+      desk.heartbeat.emplace(*desk.workplace);
     }
     while (std::optional<Waiting> next = front()) {
       desk.workplace->setActor(next->actor);
@@ -64,14 +64,14 @@ struct StationLine::State {
     }
     const auto [who, trial, tool, leaves] = shown();
     desk.workplace->setActor(who);
-    desk.pulse->show(trial);
-    desk.pulse->showDevice(tool);
+    desk.heartbeat->show(trial);
+    desk.heartbeat->showDevice(tool);
     if (leaves) {
-      desk.pulse->leave();
+      desk.heartbeat->leave();
     } else {
-      desk.pulse->beat();
+      desk.heartbeat->send();
     }
-    if (!desk.pulse->answered()) {
+    if (!desk.heartbeat->answered()) {
       throw DbError(DbFault::kUnreachable, "", "the database does not answer", desk.workplace->station(), "");
     }
   }
@@ -100,28 +100,28 @@ struct StationLine::State {
   }
 };
 
-StationLine::StationLine(const WorkplaceKey& key, const LinePatience& patience)
-    : StationLine([key] { return std::make_unique<Workplace>(key); }, patience) {
+StationWriter::StationWriter(const WorkplaceKey& key, const LinePatience& patience)
+    : StationWriter([key] { return std::make_unique<Workplace>(key); }, patience) {
   signIn(key.actor);
 }
 
-StationLine::StationLine(Open open, const LinePatience& patience) : state_(std::make_shared<State>()) {
+StationWriter::StationWriter(Open open, const LinePatience& patience) : state_(std::make_shared<State>()) {
   state_->open = std::move(open);
   state_->patience = patience;
   thread_ = std::thread([state = state_] { run(state); });
 }
 
-StationLine::~StationLine() {
+StationWriter::~StationWriter() {
   end(false);
 }
 
-void StationLine::run(const std::shared_ptr<State>& state) {
+void StationWriter::run(const std::shared_ptr<State>& state) {
   Desk desk;
   for (;;) {
     bool last = false;
     {
       std::unique_lock lock(state->mutex);
-      const auto pause = state->failed ? state->patience.again : state->patience.pulse;
+      const auto pause = state->failed ? state->patience.again : state->patience.heartbeat;
       state->changed.wait_for(lock, pause, [&] { return state->stop || (state->fresh && !state->failed); });
       last = state->stop;
       state->fresh = false;
@@ -143,7 +143,7 @@ void StationLine::run(const std::shared_ptr<State>& state) {
   }
 }
 
-void StationLine::signIn(const Actor& actor) {
+void StationWriter::signIn(const Actor& actor) {
   const std::lock_guard lock(state_->mutex);
   if (state_->actor.userId == actor.userId && state_->actor.practiceOnly == actor.practiceOnly) return;
   state_->actor = actor;
@@ -151,7 +151,7 @@ void StationLine::signIn(const Actor& actor) {
   state_->changed.notify_all();
 }
 
-void StationLine::show(const std::string& trialId) {
+void StationWriter::show(const std::string& trialId) {
   const std::lock_guard lock(state_->mutex);
   if (state_->trialId == trialId) return;
   state_->trialId = trialId;
@@ -159,7 +159,7 @@ void StationLine::show(const std::string& trialId) {
   state_->changed.notify_all();
 }
 
-void StationLine::showDevice(const StationDevice& device) {
+void StationWriter::showDevice(const StationDevice& device) {
   const std::lock_guard lock(state_->mutex);
   const bool known = state_->device.light && state_->device.haptic == device.haptic;
   if (state_->device == device || (known && !device.light)) return;
@@ -168,41 +168,41 @@ void StationLine::showDevice(const StationDevice& device) {
   state_->changed.notify_all();
 }
 
-void StationLine::write(Write write) {
+void StationWriter::write(Write write) {
   const std::lock_guard lock(state_->mutex);
   state_->writes.push_back({state_->actor, std::move(write)});
   state_->fresh = true;
   state_->changed.notify_all();
 }
 
-bool StationLine::answers() const {
+bool StationWriter::answers() const {
   const std::lock_guard lock(state_->mutex);
   if (state_->since && Steady::now() - *state_->since > state_->patience.silence) return false;
   return !state_->failed;
 }
 
-std::size_t StationLine::waiting() const {
+std::size_t StationWriter::waiting() const {
   const std::lock_guard lock(state_->mutex);
   return state_->writes.size();
 }
 
-std::size_t StationLine::refused() const {
+std::size_t StationWriter::refused() const {
   const std::lock_guard lock(state_->mutex);
   return state_->refused;
 }
 
-bool StationLine::settled(std::chrono::milliseconds limit) const {
+bool StationWriter::settled(std::chrono::milliseconds limit) const {
   std::unique_lock lock(state_->mutex);
   return state_->changed.wait_for(lock, limit, [&] {
     return state_->ended || (state_->writes.empty() && !state_->fresh && !state_->since && !state_->failed);
   });
 }
 
-void StationLine::leave() {
+void StationWriter::leave() {
   end(true);
 }
 
-void StationLine::end(bool leaveBoard) {
+void StationWriter::end(bool leaveBoard) {
   if (!thread_.joinable()) return;
   bool ended = false;
   {

@@ -10,23 +10,23 @@
 namespace torsio {
 
 /// Between two signs of life: three fit into kStationSilence_us.
-inline constexpr std::int64_t kPulse_us = 10'000'000;
+inline constexpr std::int64_t kHeartbeat_us = 10'000'000;
 
 /// The signs of life of this station (StationRepository): who is signed in, which trial runs, which version,
 /// which device.
 /// Belongs to the thread of its workplace. A database that is away is no error here: the board then shows
 /// that the station is silent.
-class StationPulse {
+class StationHeartbeat {
  public:
-  explicit StationPulse(Workplace& workplace) : workplace_(&workplace) {}
+  explicit StationHeartbeat(Workplace& workplace) : workplace_(&workplace) {}
 
-  /// What runs from now on; empty: nothing. Shown with the next beat that finds it in the database.
+  /// What runs from now on; empty: nothing. Shown with the next heartbeat that finds it in the database.
   void show(const std::string& trialId);
   /// Which device this station has, and what its last check found.
   void showDevice(const StationDevice& device);
-  /// Call it often: it writes when something changed or kPulse_us have passed.
-  void beat();
-  /// False when the database was away at the last beat.
+  /// Call it often: it writes when something changed or kHeartbeat_us have passed.
+  void send();
+  /// False when the database was away at the last heartbeat.
   [[nodiscard]] bool answered() const noexcept { return answered_; }
   /// The station is closed down in good order.
   void leave();

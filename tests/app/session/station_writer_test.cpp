@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A database that hangs: nobody who looks at a window may wait for it, and nothing that was recorded is lost.
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 
 #include <condition_variable>
 #include <mutex>
@@ -13,6 +13,7 @@
 #include "sim/base/error.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"
+#include "sim/record/trial_file.h"
 #include "tests/app/session/training_centre.h"
 #include "tests/db/test_database.h"
 
@@ -25,7 +26,7 @@ using testing::kSecond_us;
 using testing::TrainingCentre;
 
 constexpr auto kLong = 20s;  // far more than a busy machine needs
-constexpr LinePatience kQuick{.again = 20ms, .pulse = 20ms, .silence = 30ms, .farewell = 50ms};
+constexpr LinePatience kQuick{.again = 20ms, .heartbeat = 20ms, .silence = 30ms, .farewell = 50ms};
 
 /// A server that stops answering, and answers again.
 class Gate {
@@ -59,11 +60,11 @@ WorkplaceKey keyOf(const TrainingCentre& centre, const Actor& actor) {
   return {centre.locator(), "line", actor};
 }
 
-TEST(StationLine, ShowsWhoIsHereAndWritesInOrder) {
+TEST(StationWriter, ShowsWhoIsHereAndWritesInOrder) {
   TrainingCentre centre;
   const Actor trainee = centre.workplace().actor();
   std::vector<int> order;
-  StationLine line(keyOf(centre, trainee), kQuick);
+  StationWriter line(keyOf(centre, trainee), kQuick);
 
   for (int i = 0; i < 3; ++i) line.write([&order, i](Workplace&) { order.push_back(i); });
 
@@ -75,9 +76,9 @@ TEST(StationLine, ShowsWhoIsHereAndWritesInOrder) {
   EXPECT_FALSE(StationRepository(centre.connection()).find("line").has_value());
 }
 
-TEST(StationLine, ShowsTheDeviceAndKeepsItsCheckWhenTheNextOneSignsIn) {
+TEST(StationWriter, ShowsTheDeviceAndKeepsItsCheckWhenTheNextOneSignsIn) {
   TrainingCentre centre;
-  StationLine line(keyOf(centre, centre.workplace().actor()), kQuick);
+  StationWriter line(keyOf(centre, centre.workplace().actor()), kQuick);
   const auto shown = [&] {
     EXPECT_TRUE(line.settled(kLong));
     return storedDevice(StationRepository(centre.connection()).find("line").value());
@@ -111,11 +112,11 @@ TEST(StationDevice, WhatCannotBeReadSaysNothing) {
   EXPECT_FALSE(storedDevice(state).light.has_value());
 }
 
-TEST(StationLine, EachWriteIsDoneAsWhoeverWasSignedInWhenItWasGiven) {
+TEST(StationWriter, EachWriteIsDoneAsWhoeverWasSignedInWhenItWasGiven) {
   TrainingCentre centre;
   const Actor trainee = centre.workplace().actor();
   std::string who;
-  StationLine line(keyOf(centre, trainee), kQuick);
+  StationWriter line(keyOf(centre, trainee), kQuick);
 
   line.write([&who](Workplace& own) { who = own.actor().userId; });
   line.signIn({});
@@ -124,14 +125,14 @@ TEST(StationLine, EachWriteIsDoneAsWhoeverWasSignedInWhenItWasGiven) {
   EXPECT_EQ(who, trainee.userId);
 }
 
-TEST(StationLine, AServerThatHangsHoldsUpNobodyAndWhatWaitsIsWrittenLater) {
+TEST(StationWriter, AServerThatHangsHoldsUpNobodyAndWhatWaitsIsWrittenLater) {
   TrainingCentre centre;
   const WorkplaceKey key = keyOf(centre, centre.workplace().actor());
   Gate gate;
   gate.close();
   std::atomic<int> written{0};
   {
-    StationLine line(
+    StationWriter line(
         [&gate, key] {
           gate.pass();
           return std::make_unique<Workplace>(key);
@@ -150,12 +151,12 @@ TEST(StationLine, AServerThatHangsHoldsUpNobodyAndWhatWaitsIsWrittenLater) {
   }
 }
 
-TEST(StationLine, AServerThatIsAwayIsAskedAgainAndARefusedWriteIsGivenUp) {
+TEST(StationWriter, AServerThatIsAwayIsAskedAgainAndARefusedWriteIsGivenUp) {
   TrainingCentre centre;
   const WorkplaceKey key = keyOf(centre, centre.workplace().actor());
   std::atomic<bool> away{true};
   std::atomic<int> tries{0};
-  StationLine line(
+  StationWriter line(
       [&away, &tries, key] {
         ++tries;
         if (away) throw DbError(DbFault::kUnreachable, "", "away", "server", "");
@@ -174,7 +175,7 @@ TEST(StationLine, AServerThatIsAwayIsAskedAgainAndARefusedWriteIsGivenUp) {
   EXPECT_TRUE(second);
 }
 
-TEST(StationLine, EndsInTimeThoughTheServerNeverAnswers) {
+TEST(StationWriter, EndsInTimeThoughTheServerNeverAnswers) {
   TrainingCentre centre;
   const WorkplaceKey key = keyOf(centre, centre.workplace().actor());
   const auto gate = std::make_shared<Gate>();
@@ -182,7 +183,7 @@ TEST(StationLine, EndsInTimeThoughTheServerNeverAnswers) {
   const auto ended = std::make_shared<std::atomic<bool>>(false);
   const auto begun = std::chrono::steady_clock::now();
   {
-    StationLine line(
+    StationWriter line(
         [gate, ended]() -> std::unique_ptr<Workplace> {
           gate->pass();
           *ended = true;
@@ -197,14 +198,14 @@ TEST(StationLine, EndsInTimeThoughTheServerNeverAnswers) {
   EXPECT_TRUE(soon([&] { return ended->load(); }));
 }
 
-TEST(StationLine, ARunGoesOnWhileTheServerHangsAndItsTimeIsLoggedAfterwards) {
+TEST(StationWriter, ARunGoesOnWhileTheServerHangsAndItsTimeIsLoggedAfterwards) {
   TrainingCentre::Setup setup;
   setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual", .duration_us = 120 * kSecond_us}};
   TrainingCentre centre(setup);
   const WorkplaceKey key = keyOf(centre, centre.workplace().actor());
   Gate gate;
   gate.close();
-  StationLine line(
+  StationWriter line(
       [&gate, key] {
         gate.pass();
         return std::make_unique<Workplace>(key);
@@ -260,7 +261,7 @@ TrialHeader headerOf(const std::string& trialId) {
 
 TEST(TimedTrialSink, PassesOnWhatASinkTakesInTime) {
   const auto kept = std::make_shared<MemoryTrialSink>();
-  TimedTrialSink sink(std::make_unique<GatedSink>(std::make_shared<Gate>(), kept), kLong);
+  TimedTrialSink sink(std::make_unique<GatedSink>(std::make_shared<Gate>(), kept), {}, kLong);
 
   sink.begin(headerOf("one"));
   sink.finish(TrialSummary{});
@@ -272,10 +273,10 @@ TEST(TimedTrialSink, ARecordingWhoseDatabaseHangsGoesToAFileWithEverySample) {
   const auto gate = std::make_shared<Gate>();
   gate->close();
   const auto kept = std::make_shared<MemoryTrialSink>();
-  TimedTrialSink sink(std::make_unique<GatedSink>(gate, kept), 30ms);
   const TemporaryFolder folder;
+  TimedTrialSink sink(std::make_unique<GatedSink>(gate, kept), {folder.path(), "whose"}, 30ms);
   SpscRing<Sample> ring(kRecordingRing);
-  Recorder recorder(ring, sink, headerOf("hung"), {.samplesPerChunk = 1000, .spillFolder = folder.path()});
+  Recorder recorder(ring, sink, headerOf("hung"));
 
   constexpr std::int64_t kSamples = 5'000;
   for (std::int64_t tick = 0; tick < kSamples; ++tick) {
@@ -287,7 +288,8 @@ TEST(TimedTrialSink, ARecordingWhoseDatabaseHangsGoesToAFileWithEverySample) {
   const RecordingResult result = recorder.finish(TrialOutcome::kCompleted, 0);
 
   ASSERT_TRUE(result.spillFile.has_value());
-  EXPECT_TRUE(std::filesystem::exists(*result.spillFile));
+  EXPECT_EQ(result.spillFile->parent_path(), folder.path());
+  EXPECT_EQ(openTrialFile(*result.spillFile).context, "whose");
   EXPECT_EQ(result.summary.samples, kSamples);
   EXPECT_EQ(result.summary.refusedSamples, 0);
   gate->open();  // lets the thread that was left to itself end

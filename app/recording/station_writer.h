@@ -13,30 +13,30 @@
 
 namespace torsio {
 
-/// How patient a StationLine is. Tests use shorter times.
+/// How patient a StationWriter is. Tests use shorter times.
 struct LinePatience {
-  std::chrono::milliseconds again{3'000};     ///< between two tries while the database is away
-  std::chrono::milliseconds pulse{1'000};     ///< between two looks whether a sign of life is due
-  std::chrono::milliseconds silence{3'000};   ///< an answer that takes longer is none
-  std::chrono::milliseconds farewell{2'000};  ///< for what is still to be written when the line ends
+  std::chrono::milliseconds again{3'000};      ///< between two tries while the database is away
+  std::chrono::milliseconds heartbeat{1'000};  ///< between two looks whether a sign of life is due
+  std::chrono::milliseconds silence{3'000};    ///< an answer that takes longer is none
+  std::chrono::milliseconds farewell{2'000};   ///< for what is still to be written when the line ends
 };
 
 /// The line of one station to its database, on a thread and a connection of its own, so that nobody who looks
-/// at a window waits for a server: signs of life (StationPulse), and small writes that need no answer. Writes
-/// keep their order and are tried again while the database is away. A server that neither answers nor
+/// at a window waits for a server: signs of life (StationHeartbeat), and small writes that need no answer.
+/// Writes keep their order and are tried again while the database is away. A server that neither answers nor
 /// refuses holds up this thread and nothing else.
-class StationLine {
+class StationWriter {
  public:
   /// Opens the database; throws Error, DbError. Called in the line's thread.
   using Open = std::function<std::unique_ptr<Workplace>()>;
   using Write = std::function<void(Workplace&)>;
 
-  explicit StationLine(const WorkplaceKey& key, const LinePatience& patience = {});
-  StationLine(Open open, const LinePatience& patience);
+  explicit StationWriter(const WorkplaceKey& key, const LinePatience& patience = {});
+  StationWriter(Open open, const LinePatience& patience);
   /// Waits `farewell` at most.
-  ~StationLine();
-  StationLine(const StationLine&) = delete;
-  StationLine& operator=(const StationLine&) = delete;
+  ~StationWriter();
+  StationWriter(const StationWriter&) = delete;
+  StationWriter& operator=(const StationWriter&) = delete;
 
   /// Who sits at the station from now on: shown on the board, and the actor of the writes that follow.
   void signIn(const Actor& actor);
