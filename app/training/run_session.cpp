@@ -211,7 +211,7 @@ RecordingSpec RunSession::newTrial() {
                                       .enrolmentId = steps_.enrolmentId,
                                       .moduleId = practised.id,
                                       .phaseId = phase.phaseId,
-                                      .attemptMode = graded_ ? "graded" : "practice",
+                                      .attemptMode = mode(),
                                       .host = thisHost()}};
   trials_.push_back(recording.trialId);
   show(recording.trialId);

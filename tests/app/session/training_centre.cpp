@@ -207,7 +207,7 @@ std::string TrainingCentre::attempt(const std::string& moduleCode, const std::st
                                             .enrolmentId = enrolment(workplace_->actor().login),
                                             .moduleId = module(moduleCode),
                                             .phaseId = phaseId,
-                                            .attemptMode = mode}};
+                                            .attemptMode = fromStoredText<AttemptMode>(mode)}};
   RecordedRun run(borrowed(scene), std::make_unique<ScriptedHand>(hand), recording,
                   std::make_shared<TrialRepository>(*connection_, recording.context));
   run.step(ticksIn(duration_s));

@@ -176,7 +176,7 @@ TEST(RunSession, ATrialSaysWhatItBelongsTo) {
   EXPECT_EQ(recording.phaseLabel, "virtual 1 min");
   EXPECT_EQ(recording.context.moduleId, centre.module("first"));
   EXPECT_EQ(recording.context.phaseId, session.run().phase().phaseId);
-  EXPECT_EQ(recording.context.attemptMode, "graded");
+  EXPECT_EQ(recording.context.attemptMode, AttemptMode::kGraded);
   EXPECT_EQ(recording.context.enrolmentId, centre.enrolment());
   EXPECT_FALSE(recording.context.host.name.empty());
   EXPECT_EQ(session.trials(), std::vector<std::string>{recording.trialId});
