@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/access/workplace.h"
+#include "assessment/study/protocol_terms.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/station_repository.h"

@@ -10,6 +10,7 @@
 
 #include "app/access/workplace.h"
 #include "app/recording/trial_trace.h"
+#include "assessment/study/protocol_terms.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/live_types.h"

@@ -10,6 +10,7 @@
 
 #include "app/access/workplace.h"
 #include "app/training/attempts.h"
+#include "assessment/study/protocol_terms.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

@@ -104,6 +104,10 @@ void RunSession::show(const std::string& trialId) {
   }
 }
 
+AttemptMode RunSession::mode() const noexcept {
+  return graded_ ? AttemptMode::kGraded : AttemptMode::kPractice;
+}
+
 void RunSession::heartbeat() {
   if (line_ == nullptr) heartbeat_.send();
 }

@@ -9,6 +9,7 @@
 
 #include "app/access/workplace.h"
 #include "app/training/attempts.h"
+#include "assessment/study/protocol_terms.h"
 
 namespace torsio {
 
