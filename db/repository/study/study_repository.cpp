@@ -94,6 +94,15 @@ std::vector<StoredCohort> StudyRepository::cohorts() const {
       });
 }
 
+StoredCohort StudyRepository::cohort(const std::string& cohortId) const {
+  for (StoredCohort& one : cohorts()) {
+    if (one.id == cohortId) {
+      return std::move(one);
+    }
+  }
+  throw Error(ErrorCode::kBadData, "there is no such cohort", cohortId, "Choose one from the list");
+}
+
 std::vector<StoredGroup> StudyRepository::groups(const std::string& cohortId) const {
   return selectAll(connection_,
                    "SELECT id, cohort_id, number, code, label, arm_id FROM training_group WHERE cohort_id = ?"

@@ -133,6 +133,8 @@ class StudyRepository {
 
   void addCohort(const StoredCohort& cohort, std::span<const StoredGroup> groups);
   [[nodiscard]] std::vector<StoredCohort> cohorts() const;
+  /// Throws Error{kBadData} when there is no such cohort.
+  [[nodiscard]] StoredCohort cohort(const std::string& cohortId) const;
   [[nodiscard]] std::vector<StoredGroup> groups(const std::string& cohortId) const;
 
   void enrol(std::span<const StoredEnrolment> enrolments);
