@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/access/first_run.h"
+#include "app/base/progress.h"
 #include "app/people/people_service.h"
 
 namespace torsio {
