@@ -33,8 +33,8 @@ struct HdapiSetup {
   DevicePlacement placement;
   GimbalProfile gimbal;
   double maxForce_N = 3.3;
-  bool hasTemperature = true;    ///< the library answers when asked for it
-  bool hasInkwellSwitch = true;  ///< the same
+  bool hasTemperature = true;    ///< the library answers when asked for the temperature
+  bool hasInkwellSwitch = true;  ///< the library answers when asked for the inkwell switch
 };
 
 /// A force on its way to the device, numbered so that an old one is recognised.
