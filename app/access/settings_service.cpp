@@ -33,11 +33,6 @@ int minutesOf(const std::optional<std::string>& text) {
 
 }  // namespace
 
-std::map<std::string, std::string> centreSettings(Workplace& workplace) {
-  workplace.require(Operation::kSettingsEdit);
-  return SettingRepository(workplace.connection()).values();
-}
-
 void setCentreSetting(Workplace& workplace, const std::string& name, const std::string& value,
                       const std::string& reason) {
   workplace.require(Operation::kSettingsEdit);

@@ -43,19 +43,6 @@ std::vector<ConsentText> consentTexts(const std::filesystem::path& assets, const
   return texts;
 }
 
-std::vector<ConsentState> consentStates(Workplace& workplace, const std::string& personId) {
-  std::vector<ConsentState> states;
-  for (const char* purpose : kPurposes) states.push_back({purpose, false, {}});
-  for (const StoredConsent& consent : consentHistory(workplace, personId)) {
-    const auto state = std::find_if(states.begin(), states.end(),
-                                    [&](const ConsentState& s) { return s.purpose == consent.purpose; });
-    if (state == states.end()) continue;
-    state->decided = true;
-    state->newest = consent;  // oldest first: the last one stays
-  }
-  return states;
-}
-
 std::vector<StoredConsent> consentHistory(Workplace& workplace, const std::string& personId) {
   workplace.require(Operation::kPersonViewCoded);
   return PeopleRepository(workplace.connection()).consents(personId);
@@ -84,24 +71,6 @@ void recordConsent(Workplace& workplace, const std::string& personId, const std:
                   .objectId = personId,
                   .newJson = nlohmann::json{{"purpose", purpose}, {"text", textVersion}}.dump()});
   transaction.commit();
-}
-
-std::vector<StoredConsent> withdrawnConsents(Workplace& workplace) {
-  workplace.require(Operation::kPersonViewCoded);
-  PeopleRepository repository(workplace.connection());
-  std::vector<StoredConsent> withdrawn;
-  for (const StoredConsent& newest : repository.newestConsents()) {
-    if (newest.granted) continue;
-    const std::vector<StoredConsent> all = repository.consents(newest.personId);
-    const bool grantedBefore = std::any_of(all.begin(), all.end(), [&](const StoredConsent& consent) {
-      return consent.purpose == newest.purpose && consent.granted;
-    });
-    if (grantedBefore) withdrawn.push_back(newest);
-  }
-  std::stable_sort(withdrawn.begin(), withdrawn.end(), [](const StoredConsent& a, const StoredConsent& b) {
-    return a.decidedUtc_us > b.decidedUtc_us;
-  });
-  return withdrawn;
 }
 
 }  // namespace torsio

@@ -23,14 +23,6 @@ struct ConsentText {
 [[nodiscard]] std::vector<ConsentText> consentTexts(const std::filesystem::path& assets,
                                                     const std::string& language = "en");
 
-/// One purpose of one person.
-struct ConsentState {
-  std::string purpose{};
-  bool decided = false;
-  StoredConsent newest{};  ///< when decided
-};
-/// All five purposes, in the order of asking. kPersonViewCoded.
-[[nodiscard]] std::vector<ConsentState> consentStates(Workplace& workplace, const std::string& personId);
 /// Every decision, oldest first. kPersonViewCoded.
 [[nodiscard]] std::vector<StoredConsent> consentHistory(Workplace& workplace, const std::string& personId);
 
@@ -38,9 +30,5 @@ struct ConsentState {
 /// purpose or person, or an empty version.
 void recordConsent(Workplace& workplace, const std::string& personId, const std::string& purpose,
                    bool granted, const std::string& textVersion);
-
-/// People who withdrew a purpose that they had granted: their records are to be reviewed. Newest first.
-/// kPersonViewCoded.
-[[nodiscard]] std::vector<StoredConsent> withdrawnConsents(Workplace& workplace);
 
 }  // namespace torsio

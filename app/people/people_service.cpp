@@ -190,11 +190,6 @@ std::vector<NamedPersonRow> namedPeople(Workplace& workplace) {
   return list;
 }
 
-std::optional<StoredIdentity> identityOf(Workplace& workplace, const std::string& personId) {
-  workplace.require(Operation::kPersonViewIdentity);
-  return PeopleRepository(workplace.connection()).identity(personId);
-}
-
 std::string addPerson(Workplace& workplace, const PersonEntry& entry) {
   workplace.require(Operation::kPersonEdit);
   Transaction transaction(workplace.connection());

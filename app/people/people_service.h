@@ -32,8 +32,6 @@ struct NamedPersonRow {
 [[nodiscard]] std::vector<PersonRow> people(Workplace& workplace);
 /// The same with names. kPersonViewIdentity.
 [[nodiscard]] std::vector<NamedPersonRow> namedPeople(Workplace& workplace);
-/// The name behind a code, for a title or a tooltip. kPersonViewIdentity.
-[[nodiscard]] std::optional<StoredIdentity> identityOf(Workplace& workplace, const std::string& personId);
 
 /// One person to enter by hand. Empty texts mean "not known".
 struct PersonEntry {

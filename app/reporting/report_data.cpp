@@ -92,14 +92,6 @@ void nameTrainees(Workplace& workplace, CohortInputs& inputs) {
 
 }  // namespace
 
-std::vector<ReportableCohort> reportableCohorts(Workplace& workplace) {
-  workplace.require(Operation::kResultsCompute);
-  std::vector<ReportableCohort> out;
-  for (const StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts())
-    out.push_back({cohort.id, cohort.name, cohort.demonstration});
-  return out;
-}
-
 std::vector<ReportableCampaign> reportableCampaigns(Workplace& workplace) {
   workplace.require(Operation::kResultsCompute);
   EvaluationRepository repository(workplace.connection());

@@ -10,14 +10,7 @@
 
 namespace torsio {
 
-/// What can be reported.
-struct ReportableCohort {
-  std::string id{};
-  std::string name{};
-  bool demonstration = false;
-};
-/// Oldest first. kResultsCompute.
-[[nodiscard]] std::vector<ReportableCohort> reportableCohorts(Workplace& workplace);
+/// A campaign that can be reported.
 struct ReportableCampaign {
   std::string id{};
   std::string name{};

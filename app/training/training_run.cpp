@@ -170,12 +170,6 @@ std::int64_t TrainingRun::remainingInPhase_us() const {
   return std::max<std::int64_t>(0, left_us(phase()));
 }
 
-std::int64_t TrainingRun::remaining_us() const {
-  std::int64_t sum_us = 0;
-  for (const RunPhase& phase : plan_.phases) sum_us += std::max<std::int64_t>(0, left_us(phase));
-  return sum_us;
-}
-
 std::int64_t TrainingRun::restLeft_us() const noexcept {
   const bool spent = !plan_.restSplittable && restUsed_ && state_ != RunState::kResting;
   return spent ? 0 : std::max<std::int64_t>(0, plan_.restAllowance_us - plan_.restTaken_us);

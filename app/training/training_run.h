@@ -102,8 +102,6 @@ class TrainingRun {
   [[nodiscard]] std::size_t phaseIndex() const noexcept { return phase_; }
   [[nodiscard]] const RunPhase& phase() const;
   [[nodiscard]] std::int64_t remainingInPhase_us() const;
-  /// Of all phases together.
-  [[nodiscard]] std::int64_t remaining_us() const;
   [[nodiscard]] bool mayRest() const noexcept;
   /// Of the rest that goes on, or of the allowance.
   [[nodiscard]] std::int64_t restLeft_us() const noexcept;

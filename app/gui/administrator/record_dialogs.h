@@ -9,6 +9,7 @@
 
 #include "app/maintenance/retention.h"
 #include "db/repository/study/study_repository.h"
+#include "app/study/cohort_service.h"
 
 class QWidget;
 

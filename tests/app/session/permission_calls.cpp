@@ -68,9 +68,7 @@ std::vector<ServiceCall> officeCalls() {
   return {
       {O::kPractice, "setOwnPin", [](Workplace& w, Path) { setOwnPin(w, "1"); }},
       {O::kPersonViewCoded, "people", [](Workplace& w, Path) { (void)people(w); }},
-      {O::kPersonViewCoded, "consentStates", [](Workplace& w, Path) { (void)consentStates(w, kNoSuch); }},
       {O::kPersonViewIdentity, "namedPeople", [](Workplace& w, Path) { (void)namedPeople(w); }},
-      {O::kPersonViewIdentity, "identityOf", [](Workplace& w, Path) { (void)identityOf(w, kNoSuch); }},
       {O::kPersonEdit, "addPerson", [](Workplace& w, Path) { (void)addPerson(w, {}); }},
       {O::kPersonEdit, "changePerson", [](Workplace& w, Path) { changePerson(w, kNoSuch, {}, ""); }},
       {O::kPersonEdit, "setPersonState", [](Workplace& w, Path) { setPersonState(w, kNoSuch, "left", ""); }},
@@ -114,7 +112,6 @@ std::vector<ServiceCall> officeCalls() {
       {O::kDatabaseRestore, "switchToServer", [](Workplace& w, Path) { (void)switchToServer(w, {}, {}); }},
       {O::kRetentionManage, "retentionQueue", [](Workplace& w, Path) { (void)retentionQueue(w); }},
       {O::kRetentionManage, "lockRecord", [](Workplace& w, Path) { lockRecord(w, kNoSuch, ""); }},
-      {O::kSettingsEdit, "centreSettings", [](Workplace& w, Path) { (void)centreSettings(w); }},
       {O::kSettingsEdit, "setCentreSetting", [](Workplace& w, Path) { setCentreSetting(w, "", ""); }},
       {O::kSettingsEdit, "setCentreName", [](Workplace& w, Path) { setCentreName(w, ""); }},
       {O::kSettingsEdit, "setCentreIdleLimits", [](Workplace& w, Path) { setCentreIdleLimits(w, 0, 0); }},
@@ -122,7 +119,6 @@ std::vector<ServiceCall> officeCalls() {
       {O::kUserManage, "setUserRoles", [](Workplace& w, Path) { setUserRoles(w, kNoSuch, {}, ""); }},
       {O::kAuditView, "auditActors", [](Workplace& w, Path) { (void)auditActors(w); }},
       {O::kPersonViewCoded, "consentHistory", [](Workplace& w, Path) { (void)consentHistory(w, kNoSuch); }},
-      {O::kPersonViewCoded, "withdrawnConsents", [](Workplace& w, Path) { (void)withdrawnConsents(w); }},
       {O::kPersonViewCoded, "raterClasses", [](Workplace& w, Path) { (void)raterClasses(w); }},
       {O::kPersonEdit, "personEntry", [](Workplace& w, Path) { (void)personEntry(w, kNoSuch); }},
       {O::kPersonEdit, "ensureRaterClasses", [](Workplace& w, Path) { ensureRaterClasses(w); }},
@@ -207,7 +203,6 @@ std::vector<ServiceCall> studyCalls() {
 
 std::vector<ServiceCall> reportingCalls() {
   return {
-      {O::kResultsCompute, "reportableCohorts", [](Workplace& w, Path) { (void)reportableCohorts(w); }},
       {O::kResultsCompute, "reportableCampaigns", [](Workplace& w, Path) { (void)reportableCampaigns(w); }},
       {O::kResultsCompute, "ofCohort",
        [](Workplace& w, Path folder) { (void)TrialDigests(folder).ofCohort(w, kNoSuch); }},

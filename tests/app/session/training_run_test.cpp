@@ -63,7 +63,7 @@ TEST_F(TrainingRunTest, HandsOverFromTheVirtualToTheRealArmAndStopsHardAtTheEnd)
 
   pass(20 * kMinute_us);
   EXPECT_EQ(run_.state(), RunState::kFinished);
-  EXPECT_EQ(run_.remaining_us(), 0);
+  EXPECT_EQ(run_.remainingInPhase_us(), 0);
   EXPECT_EQ(kinds(), (std::vector<Kind>{Kind::kPhaseBegan, Kind::kPhaseEnded, Kind::kHandOver,
                                         Kind::kPhaseBegan, Kind::kPhaseEnded, Kind::kFinished}));
 }
