@@ -14,7 +14,6 @@
 #include "app/session/pipeline.h"
 #include "app/session/reporting/kept_digests.h"
 #include "app/session/scoring_service.h"
-#include "app/session/trial_summary.h"
 #include "assessment/report/cohort_csv.h"
 #include "assessment/report/cohort_report.h"
 #include "db/migrations/migrations.h"
@@ -91,7 +90,11 @@ class TemporaryDatabase {
 class Demonstration {
  public:
   Demonstration(const DemonstrationOptions& options, Connection& connection)
-      : options_(options), connection_(connection), ids_(options.seed), meter_(options.progress) {}
+      : options_(options),
+        connection_(connection),
+        ids_(options.seed),
+        rules_(options.training.assets),
+        meter_(options.progress) {}
 
   CohortInputs run() {
     meter_.show("Loading the organs", 0.0);
@@ -160,18 +163,23 @@ class Demonstration {
     recordScriptedTrial(scene, trial, repository);
 
     const Trial stored = repository.load(trial.trialId);
-    TrialDigest digest = trialDigest(stored, decodeTrial(stored), scene.pattern.tolerance_rad);
-    summary_.samples += digest.samples;
-    summary_.recorded_min += digest.minutes;
+    const AttemptRules rules = rules_.of(connection_, scene.id, scene.pattern.id, context.moduleId);
+    const StoredTrialDigest digest = keptDigest(
+        stored, measureAttempt(stored.header, decodeTrial(stored), rules), rules, options_.simulatedUtc_us);
+    TrialSummaryRow row = summaryRow({.trialId = trial.trialId,
+                                      .traineeCode = trial.traineeCode,
+                                      .phaseLabel = trial.phaseLabel,
+                                      .summary = stored.summary},
+                                     digest);
+    summary_.samples += row.samples;
+    summary_.recorded_min += row.minutes;
     ++summary_.trials;
     if (trainee == nullptr) return;
     if (summary_.firstTrialId.empty()) summary_.firstTrialId = trial.trialId;
-    digest.group = trainee->group;
-    digest.model = scene.model.options().formulation == Formulation::kPaper ? "paper" : "Saint-Venant";
-    summary_.twists += digest.twists;
-    const StoredTrialDigest kept = keptDigest(digest, scene.pattern.tolerance_rad, options_.simulatedUtc_us);
-    DigestRepository(connection_).add({&kept, 1});
-    digests_.push_back(std::move(digest));
+    row.group = trainee->group;
+    summary_.twists += row.twists;
+    DigestRepository(connection_).add({&digest, 1});
+    digests_.push_back(std::move(row));
   }
 
   CohortInputs assess(const Scene& training, const Scene& example) {
@@ -203,10 +211,11 @@ class Demonstration {
   const DemonstrationOptions& options_;
   Connection& connection_;
   SeededIdSource ids_;
+  ExerciseRules rules_;
   ProgressMeter meter_;
   DemonstrationStudy study_;
   StoredCurriculumVersion curriculum_;
-  std::vector<TrialDigest> digests_;
+  std::vector<TrialSummaryRow> digests_;
   DemonstrationSummary summary_;
 };
 

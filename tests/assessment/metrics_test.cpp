@@ -318,6 +318,53 @@ TEST(MeasureTrial, GivesEveryMetricThatAppliesAndLeavesTheOthersUndefined) {
   EXPECT_EQ(got.poseCutoff_Hz, kPoseCutoff_Hz);
 }
 
+/// A twist that is let go while 15 samples are missing, with stamps that jitter by up to 0.3 ms: twisting until
+/// 999 ms, releasing from 1015 ms on. Nobody held anything.
+TrialTrace letGoInAGap() {
+  TrialTrace trace;
+  for (int i = 0; i < 1500; ++i) {
+    if (i > 999 && i < 1015) continue;
+    trace.times_us.push_back(1000 * i + 300 * ((i * 7) % 3 - 1));
+    trace.phase.push_back(i < 1000 ? TracePhase::kTwisting : TracePhase::kReleasing);
+    trace.angle_rad.push_back(i < 1000 ? 0.001 * i : std::exp(-0.01 * (i - 1000)));
+  }
+  return trace;
+}
+
+TEST(MeasureTrial, APhaseIsHeldFromTheSampleBeforeAndNeverInterpolated) {
+  TrialTargets targets;
+  targets.target_rad = 1.0;
+
+  const TrialMetrics got = measureTrial(letGoInAGap(), targets);
+
+  EXPECT_EQ(got.lostSamples, 15U);
+  EXPECT_FALSE(got.at("twist.hold_steadiness")) << "between twisting and releasing lies no hold";
+}
+
+TEST(MeasureTrial, NoContactComesBetweenFreeAndTwisting) {
+  TrialTrace trace = letGoInAGap();
+  for (std::size_t i = 0; i < trace.phase.size(); ++i) {
+    trace.phase[i] = i < 1000 ? TracePhase::kFree : TracePhase::kHolding;
+  }
+
+  TrialTargets targets;
+  targets.target_rad = 1.0;
+
+  const TrialMetrics got = measureTrial(trace, targets);
+
+  // Held from the first sample after the gap on, 485 samples; interpolated it would begin within the gap.
+  ASSERT_TRUE(got.at("twist.hold_steadiness"));
+  EXPECT_NEAR(*got.at("twist.time_to_target"), 0.0, 1e-9) << "the angle is 0.86 at 1015 ms and falls";
+}
+
+TEST(SamplesInForce, AreTheLastOnesAtOrBeforeEachPointOfTheGrid) {
+  // Grid at 0, 1, 2, 3, 4 ms; samples at 0, 0.7, 1.0, 3.4 and 4.0 ms.
+  const std::vector<std::size_t> got =
+      samplesInForce(std::vector<std::int64_t>{0, 700, 1000, 3400, 4000});
+
+  EXPECT_EQ(got, (std::vector<std::size_t>{0, 2, 2, 2, 4}));
+}
+
 TEST(MeasureTrial, RefusesListsThatDifferAndValuesThatAreNoNumbers) {
   TrialTrace trace = twistTrial();
   trace.force_N.pop_back();

@@ -10,6 +10,7 @@
 #include "app/session/study/campaign_service.h"
 #include "app/session/study/cohort_service.h"
 #include "app/session/study/frozen_data.h"
+#include "assessment/metrics/metric_cards.h"
 #include "assessment/report/cohort_report.h"
 #include "db/repository/audit_repository.h"
 #include "db/repository/evaluation_repository.h"
@@ -179,9 +180,9 @@ TEST(TrialDigests, AreMeasuredOnceAndAreTheSameToTheLastBitAfterwards) {
   record(study, "second", 70);
   Workplace& workplace = study.centre.as("statistician");
 
-  const std::vector<TrialDigest> measured = study.digests.ofCohort(workplace, study.request.cohortId);
+  const std::vector<TrialSummaryRow> measured = study.digests.ofCohort(workplace, study.request.cohortId);
   TrialDigests later(study.centre.assets());
-  const std::vector<TrialDigest> kept = later.ofCohort(workplace, study.request.cohortId);
+  const std::vector<TrialSummaryRow> kept = later.ofCohort(workplace, study.request.cohortId);
 
   EXPECT_EQ(study.digests.measured(), 2U);
   EXPECT_EQ(later.measured(), 0U);
@@ -208,23 +209,23 @@ TEST(TrialDigests, OfAnotherFormulaAreLeftWhereTheyAreAndMeasuredAnew) {
   SmallStudy study;
   record(study, "first", 100);
   StoredTrialDigest older{
-      .trialId = "first", .formulaVersion = "twist-digest 0", .contentHash = "hash of first"};
+      .trialId = "first", .formulaVersion = kMetricsVersion - 1, .contentHash = "hash of first"};
   DigestRepository(study.centre.connection()).add({&older, 1});
 
   const auto digests = study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId);
 
   EXPECT_EQ(study.digests.measured(), 1U);
   EXPECT_EQ(digests.at(0).twists, 1);
-  EXPECT_EQ(
-      DigestRepository(study.centre.connection()).ofCohort(study.request.cohortId, "twist-digest 0").size(),
-      1U);
+  EXPECT_EQ(DigestRepository(study.centre.connection())
+                .ofCohort(study.request.cohortId, kMetricsVersion - 1)
+                .size(),
+            1U);
 }
 
 TEST(TrialDigests, OfARecordingWithOtherContentAreNotBelieved) {
   SmallStudy study;
   record(study, "first", 100);
-  StoredTrialDigest other{
-      .trialId = "first", .formulaVersion = kTrialDigestVersion, .contentHash = "of another"};
+  StoredTrialDigest other{.trialId = "first", .formulaVersion = kMetricsVersion, .contentHash = "of another"};
   other.tolerance_rad = 1.0;
   DigestRepository(study.centre.connection()).add({&other, 1});
 
