@@ -202,7 +202,8 @@ TEST(MeasuredTrial, AStayThatIsTooShortIsNoHold) {
 }
 
 TEST(MeasuredTrial, AGapLeavesTheMetricsOfItsTwistUndefinedAndStillCountsIt) {
-  const Recording run = std::move(Recording().held(100, 60.0).missing(40).held(200, 60.0).released(50).free(50));
+  const Recording run =
+      std::move(Recording().held(100, 60.0).missing(40).held(200, 60.0).released(50).free(50));
 
   const MeasuredTrial trial = run.trial();
 
@@ -245,10 +246,8 @@ TEST(PassRule, ChecksTheAngleAlwaysAndWhatElseIsAskedFor) {
   const MeasuredTrial run = Recording().twist(60.0).twist(58.0).trial();
 
   const std::vector<TargetCheck> angle = targetChecks(run, {.tolerance_rad = kTolerance_rad});
-  const std::vector<TargetCheck> all = targetChecks(run, {.tolerance_rad = kTolerance_rad,
-                                                          .forceLimit_N = 1.1,
-                                                          .torqueLimit_Nm = 0.7,
-                                                          .hold_s = 0.25});
+  const std::vector<TargetCheck> all = targetChecks(
+      run, {.tolerance_rad = kTolerance_rad, .forceLimit_N = 1.1, .torqueLimit_Nm = 0.7, .hold_s = 0.25});
 
   ASSERT_EQ(angle.size(), 1U);
   EXPECT_TRUE(angle[0].passed);
@@ -295,7 +294,7 @@ TEST(Merit, IsTheLogarithmOfHowMuchBetterThanTheExpert) {
   const MeritCriterion economy{"twist.economy", 0.1};
 
   EXPECT_DOUBLE_EQ(merit(settling, 2.0, 2.0), 0.0);
-  EXPECT_NEAR(merit(settling, 1.5, 3.5), std::log(4.0 / 2.0), 1e-12);        // lower is better
+  EXPECT_NEAR(merit(settling, 1.5, 3.5), std::log(4.0 / 2.0), 1e-12);      // lower is better
   EXPECT_NEAR(merit(smoothness, -3.0, -1.5), 2.0 * std::log(0.5), 1e-12);  // nearer 0 is better
   EXPECT_NEAR(merit(economy, 0.9, 0.4), std::log(1.0 / 0.5), 1e-12);       // higher is better
 }
@@ -306,8 +305,8 @@ TEST(Merit, NamesTheBestAndTheWorstTwistOfEveryCriterionAndLeavesTheUnfinishedOu
 
   const std::vector<CriterionMerit> all = meritsAgainst(own, expert);
 
-  const auto force = std::find_if(all.begin(), all.end(),
-                                  [](const CriterionMerit& m) { return m.metric == "force.peak"; });
+  const auto force =
+      std::find_if(all.begin(), all.end(), [](const CriterionMerit& m) { return m.metric == "force.peak"; });
   ASSERT_NE(force, all.end());
   EXPECT_EQ(force->best.twist, 1U);
   EXPECT_EQ(force->worst.twist, 0U);

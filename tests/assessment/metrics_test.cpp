@@ -318,8 +318,8 @@ TEST(MeasureTrial, GivesEveryMetricThatAppliesAndLeavesTheOthersUndefined) {
   EXPECT_EQ(got.poseCutoff_Hz, kPoseCutoff_Hz);
 }
 
-/// A twist that is let go while 15 samples are missing, with stamps that jitter by up to 0.3 ms: twisting until
-/// 999 ms, releasing from 1015 ms on. Nobody held anything.
+/// A twist that is let go while 15 samples are missing, with stamps that jitter by up to 0.3 ms: twisting
+/// until 999 ms, releasing from 1015 ms on. Nobody held anything.
 TrialTrace letGoInAGap() {
   TrialTrace trace;
   for (int i = 0; i < 1500; ++i) {
@@ -359,8 +359,7 @@ TEST(MeasureTrial, NoContactComesBetweenFreeAndTwisting) {
 
 TEST(SamplesInForce, AreTheLastOnesAtOrBeforeEachPointOfTheGrid) {
   // Grid at 0, 1, 2, 3, 4 ms; samples at 0, 0.7, 1.0, 3.4 and 4.0 ms.
-  const std::vector<std::size_t> got =
-      samplesInForce(std::vector<std::int64_t>{0, 700, 1000, 3400, 4000});
+  const std::vector<std::size_t> got = samplesInForce(std::vector<std::int64_t>{0, 700, 1000, 3400, 4000});
 
   EXPECT_EQ(got, (std::vector<std::size_t>{0, 2, 2, 2, 4}));
 }
