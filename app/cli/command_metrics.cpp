@@ -11,6 +11,7 @@
 #include "app/cli/json_output.h"
 #include "app/cli/organ_option.h"
 #include "app/session/replay_service.h"
+#include "app/session/reporting/kept_digests.h"
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/metrics/metric_cards.h"
 #include "sim/base/error.h"
@@ -76,11 +77,18 @@ Json cardsJson() {
   return out;
 }
 
-/// A trial file when there is one of this name, judged by the usual tolerance; else a trial of the database,
-/// judged by the rules of its exercise. Options override the rules.
+/// Reads a trial file and finds the rules of its pattern.
+StoredRun readRunFile(const std::filesystem::path& file) {
+  StoredRun run{readTrialFile(file), {}};
+  run.rules = ExerciseRules().ofPattern(run.trial.header.sceneId, run.trial.header.patternId);
+  return run;
+}
+
+/// A trial file when there is one of this name, else a trial of the database, judged by the rules of its
+/// exercise. Options override the rules.
 StoredRun loadRun(const MetricsArguments& arguments) {
   StoredRun run = std::filesystem::is_regular_file(arguments.trial)
-                      ? StoredRun{readTrialFile(arguments.trial), {}}
+                      ? readRunFile(arguments.trial)
                       : loadStoredRun(arguments.database, arguments.trial);
   if (arguments.tolerance_deg) {
     run.rules.tolerance_rad = *arguments.tolerance_deg * kDegree;

@@ -32,10 +32,16 @@ AttemptRules ExerciseRules::of(Connection& connection, const std::string& sceneI
       return modules_.emplace(moduleId, rules).first->second;
     }
   }
-  return {.tolerance_rad = ofPattern(sceneId, patternId)};
+  return ofPattern(sceneId, patternId);
 }
 
-double ExerciseRules::ofPattern(const std::string& sceneId, const std::string& patternId) {
+AttemptRules ExerciseRules::ofPattern(const std::string& sceneId, const std::string& patternId) {
+  AttemptRules rules;
+  rules.tolerance_rad = patternTolerance_rad(sceneId, patternId);
+  return rules;
+}
+
+double ExerciseRules::patternTolerance_rad(const std::string& sceneId, const std::string& patternId) {
   const auto [known, isNew] = patterns_.try_emplace({sceneId, patternId}, kUsualTolerance_rad);
   if (!isNew) {
     return known->second;

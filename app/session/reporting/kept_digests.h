@@ -30,8 +30,11 @@ class ExerciseRules {
   [[nodiscard]] AttemptRules of(Connection& connection, const std::string& sceneId,
                                 const std::string& patternId, const std::string& moduleId);
 
+  /// Finds the rules of a recording that belongs to no module.
+  [[nodiscard]] AttemptRules ofPattern(const std::string& sceneId, const std::string& patternId);
+
  private:
-  [[nodiscard]] double ofPattern(const std::string& sceneId, const std::string& patternId);
+  [[nodiscard]] double patternTolerance_rad(const std::string& sceneId, const std::string& patternId);
 
   std::filesystem::path assets_;
   std::map<std::string, AttemptRules> modules_;                     // by id; they never change
