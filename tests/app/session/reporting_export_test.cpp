@@ -2,6 +2,7 @@
 // What a report is made from, who may take it out, and what is kept about it.
 #include <algorithm>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/session/people/people_service.h"
@@ -220,6 +221,28 @@ TEST(TrialDigests, OfAnotherFormulaAreLeftWhereTheyAreAndMeasuredAnew) {
                 .ofCohort(study.request.cohortId, kMetricsVersion - 1)
                 .size(),
             1U);
+}
+
+TEST(TrialDigests, ComeBackToTheLastBitWithTheirRules) {
+  SmallStudy study;
+  record(study, "first", 100);
+  DigestRepository repository(study.centre.connection());
+  StoredTrialDigest free;
+  free.trialId = "first";
+  free.formulaVersion = kMetricsVersion;
+  free.tolerance_rad = 0.1;
+  free.contentHash = "hash of first";
+  free.attempts = {{1.0 / 3.0, true}, {20.0, false}};
+  free.measures = {{"force.peak", 0.1 + 0.2}, {"twist.sparc", -1.4}};
+  StoredTrialDigest limited = free;
+  limited.forceLimit_N = 0.0;  // a limit of nothing is not the same as none
+  limited.torqueLimit_Nm = 0.5;
+  const std::vector<StoredTrialDigest> both{free, limited};
+
+  repository.add(both);
+  repository.add(both);
+
+  EXPECT_THAT(repository.ofTrial("first", kMetricsVersion), ::testing::UnorderedElementsAreArray(both));
 }
 
 TEST(TrialDigests, OfARecordingWithOtherContentAreNotBelieved) {
