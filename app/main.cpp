@@ -2,8 +2,8 @@
 #include <string_view>
 
 #include "app/cli/cli.h"
-#include "app/gui/shell/screenshots.h"
-#include "app/gui/window_main.h"
+#include "app/gui/program/screenshots.h"
+#include "app/gui/program/window_main.h"
 
 int main(int argc, char** argv) {
   // The one command that draws the program's own windows.

@@ -43,6 +43,26 @@ ensure_packages() {
   rm -f "$log"
 }
 
+# show_progress: reads what ninja says, passes all of it on, and tells on standard error how far it is: in one line that
+# is written over and over on a terminal, in a line every fifteen seconds elsewhere. Silent where nothing is built.
+show_progress() {
+  local line told=0 done_steps=0 all_steps=0 overwrite=0
+  if [ -t 2 ]; then overwrite=1; fi
+  while IFS= read -r line; do
+    printf '%s\n' "$line"
+    [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]] || continue
+    done_steps=${BASH_REMATCH[1]} all_steps=${BASH_REMATCH[2]}
+    if ((overwrite)); then
+      printf '\rtorsio: building %d of %d\033[K' "$done_steps" "$all_steps" >&2
+    elif ((EPOCHSECONDS - told >= 15)); then
+      say "building $done_steps of $all_steps"
+      told=$EPOCHSECONDS
+    fi
+  done
+  if ((overwrite && all_steps)); then printf '\r\033[K' >&2; fi
+  if ((all_steps && done_steps == all_steps)); then say "built"; fi
+}
+
 # build_targets TARGET...: configures when needed and builds; the log is shown only when it fails.
 build_targets() {
   mkdir -p "$build" 2>/dev/null && [ -w "$build" ] ||
@@ -52,12 +72,10 @@ build_targets() {
   if [ ! -f "$build/build.ninja" ]; then
     say "configuring"
     (cd "$root" && cmake --preset release) >"$log" 2>&1 || { tail -n 25 "$log" >&2; fail "configuration failed (whole log: $log)"; }
+    say "building; the README says how long the first time takes (log: $log)"
   fi
-  if ! ninja -C "$build" -n "$@" 2>/dev/null | grep -q 'no work to do'; then
-    say "building (the first time takes several minutes; log: $log)"
-    ninja -C "$build" -j "$cores" "$@" >"$log" 2>&1 || {
-      grep -n -A 12 -E 'FAILED|error:' "$log" | head -n 60 >&2
-      fail "the build failed (whole log: $log)"
-    }
-  fi
+  NINJA_STATUS='[%f/%t] ' ninja -C "$build" -j "$cores" "$@" 2>&1 | show_progress >"$log" || {
+    grep -n -A 12 -E 'FAILED|error:' "$log" | head -n 60 >&2
+    fail "the build failed (whole log: $log)"
+  }
 }

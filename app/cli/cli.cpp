@@ -9,9 +9,9 @@
 #include <CLI/CLI.hpp>
 #include <QCoreApplication>
 
+#include "app/base/build_info.h"
 #include "app/cli/commands.h"
 #include "app/report/graphics_application.h"
-#include "app/session/build_info.h"
 #include "sim/base/error.h"
 
 namespace torsio::cli {

@@ -8,9 +8,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/base/csv_table.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "app/session/csv_table.h"
 #include "assessment/statistics/categorical_agreement.h"
 #include "assessment/statistics/reliability.h"
 

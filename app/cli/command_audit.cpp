@@ -7,7 +7,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "app/session/care/database_care.h"
+#include "app/maintenance/database_maintenance.h"
 #include "sim/base/error.h"
 
 namespace torsio::cli {

@@ -7,7 +7,7 @@
 
 #include "app/cli/commands.h"
 #include "assessment/report/number_format.h"
-#include "sim/tissue/twist_bench.h"
+#include "sim/tissue/twist/twist_bench.h"
 
 namespace torsio::cli {
 

@@ -10,9 +10,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/base/csv_table.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "app/session/csv_table.h"
 #include "assessment/statistics/ancova.h"
 #include "assessment/statistics/descriptive.h"
 #include "assessment/statistics/mean_tests.h"

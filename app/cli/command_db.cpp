@@ -8,8 +8,8 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/progress_line.h"
-#include "app/session/care/database_care.h"
-#include "app/session/care/database_copy.h"
+#include "app/maintenance/database_copy.h"
+#include "app/maintenance/database_maintenance.h"
 #include "sim/base/error.h"
 
 namespace torsio::cli {

@@ -6,12 +6,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/base/assets.h"
 #include "app/cli/commands.h"
 #include "app/cli/organ_option.h"
 #include "app/cli/progress_line.h"
+#include "app/demonstration/demonstration.h"
 #include "app/report/wording.h"
-#include "app/session/assets.h"
-#include "app/session/demonstration.h"
 #include "assessment/report/number_format.h"
 #include "sim/base/clock.h"
 

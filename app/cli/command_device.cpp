@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "app/session/device_check.h"
+#include "app/devices/device_check.h"
 #include "assessment/report/number_format.h"
 #include "sim/base/error.h"
 

@@ -11,9 +11,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/base/csv_table.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "app/session/csv_table.h"
 #include "assessment/scoring/evaluation.h"
 #include "sim/base/error.h"
 

@@ -8,9 +8,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/base/csv_table.h"
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
-#include "app/session/csv_table.h"
 #include "assessment/statistics/curve_fit.h"
 #include "assessment/statistics/cusum.h"
 #include "sim/base/error.h"

@@ -8,7 +8,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/organ_option.h"
-#include "app/session/replay_service.h"
+#include "app/recording/replay_service.h"
 #include "sim/base/error.h"
 
 namespace torsio::cli {

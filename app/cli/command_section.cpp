@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
-#include "sim/tissue/outline_file.h"
-#include "sim/tissue/section_solver.h"
+#include "sim/tissue/section/outline_file.h"
+#include "sim/tissue/section/section_solver.h"
 
 namespace torsio::cli {
 

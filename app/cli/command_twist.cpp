@@ -13,7 +13,7 @@
 #include "app/cli/organ_option.h"
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
-#include "sim/geometry/mesh_export.h"
+#include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::cli {

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/session/assets.h"
+#include "app/base/assets.h"
 #include "sim/base/error.h"
 
 namespace torsio::cli {

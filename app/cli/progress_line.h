@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/session/progress.h"
+#include "app/base/progress.h"
 
 namespace torsio::cli {
 

@@ -24,6 +24,7 @@
 
 #include "app/report/category_labels.h"
 #include "app/report/heat_map_item.h"
+#include "app/report/typeface.h"
 #include "app/report/upright_title.h"
 #include "sim/base/contracts.h"
 
@@ -97,7 +98,7 @@ class Builder {
 
  private:
   [[nodiscard]] QFont font(int pixels) const {
-    QFont out = reportFont();
+    QFont out = typeface();
     out.setPixelSize(pixels);
     return out;
   }

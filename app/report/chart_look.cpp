@@ -18,14 +18,6 @@ QColor between(const QColor& a, const QColor& b, double at) {
 
 }  // namespace
 
-QFont reportFont() {
-  QFont font;
-  // Named one by one: left to itself a machine may take Japanese forms of the characters.
-  font.setFamilies({QStringLiteral("DejaVu Sans"), QStringLiteral("Noto Sans CJK SC"),
-                    QStringLiteral("Microsoft YaHei"), QStringLiteral("PingFang SC")});
-  return font;
-}
-
 QColor seriesColour(std::size_t i, const ChartLook& look) {
   static const std::array<QColor, 6> kOnWhite{QColor(0x00, 0x5B, 0x96), QColor(0xD9, 0x8A, 0x00),
                                               QColor(0x2E, 0x9B, 0x78), QColor(0xB3, 0x3A, 0x3A),

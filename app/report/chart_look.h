@@ -5,7 +5,6 @@
 
 #include <QBrush>
 #include <QColor>
-#include <QFont>
 
 namespace torsio {
 
@@ -17,10 +16,6 @@ struct ChartLook {
   bool dark = false;
   int label_px = 13;  ///< print: charts are laid out at 96 pixels an inch and scaled as a whole
 };
-
-/// The letters of reports and charts, on paper and on the screen: digits of one width, and Chinese where a
-/// text has it. The caller sets the size.
-[[nodiscard]] QFont reportFont();
 
 /// Colour of series `i`: told apart by colour-blind readers (after Okabe and Ito). Pattern, dash and marker
 /// tell the series apart in grey.

@@ -5,6 +5,8 @@
 
 #include <QApplication>
 
+#include "app/report/typeface.h"
+
 namespace torsio {
 
 namespace {
@@ -19,7 +21,9 @@ void onlyFailures(QtMsgType type, const QMessageLogContext&, const QString& mess
 std::unique_ptr<QCoreApplication> makeHeadlessGraphicsApplication(int& argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   qInstallMessageHandler(onlyFailures);
-  return std::make_unique<QApplication>(argc, argv);
+  auto application = std::make_unique<QApplication>(argc, argv);
+  useTypeface(*application);
+  return application;
 }
 
 }  // namespace torsio

@@ -10,6 +10,7 @@
 #include <QPainter>
 
 #include "app/report/text_fit.h"
+#include "app/report/typeface.h"
 
 namespace torsio {
 
@@ -38,7 +39,7 @@ HeatMapItem::HeatMapItem(const ReportFigure& figure, const ChartLook& look, cons
 }
 
 QFont HeatMapItem::font(int pixels) const {
-  QFont out = reportFont();
+  QFont out = typeface();
   out.setPixelSize(std::max(5, pixels));
   return out;
 }

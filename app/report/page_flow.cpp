@@ -10,6 +10,7 @@
 #include <QPdfWriter>
 
 #include "app/report/chart_look.h"
+#include "app/report/typeface.h"
 
 namespace torsio {
 
@@ -40,7 +41,7 @@ double PageFlow::bottom_mm() const {
 }
 
 QFont PageFlow::font(double points, bool bold) const {
-  QFont f = reportFont();
+  QFont f = typeface();
   f.setPointSizeF(points);
   f.setBold(bold);
   return f;

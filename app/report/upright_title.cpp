@@ -7,6 +7,7 @@
 #include <QPainter>
 
 #include "app/report/text_fit.h"
+#include "app/report/typeface.h"
 
 namespace torsio {
 
@@ -30,7 +31,7 @@ UprightTitle::UprightTitle(QString words, const ChartLook& look, QGraphicsItem* 
 }
 
 QFont UprightTitle::font(int pixels) const {
-  QFont font = reportFont();
+  QFont font = typeface();
   font.setPixelSize(pixels);
   return font;
 }

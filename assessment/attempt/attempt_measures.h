@@ -9,13 +9,9 @@
 #include <vector>
 
 #include "assessment/attempt/measured_trial.h"
+#include "assessment/metrics/metric_cards.h"
 
 namespace torsio {
-
-/// Besides the metric cards: share of the completed twists that were let go on target, 0..1.
-inline constexpr const char* kOnTargetMetric = "twist.on_target";
-/// The number of such twists.
-inline constexpr const char* kTargetsReachedMetric = "twist.targets_reached";
 
 /// One completed twist, judged.
 struct JudgedTwist {

@@ -105,4 +105,19 @@ const MetricCard& metricCard(std::string_view id) {
   return *found;
 }
 
+std::string metricTitle(const std::string& metric) {
+  if (metric == kOnTargetMetric) {
+    return "Twists on target";
+  }
+  if (metric == kTargetsReachedMetric) {
+    return "Targets reached";
+  }
+  for (const MetricCard& card : metricCards()) {
+    if (card.id == metric) {
+      return std::string(card.name);
+    }
+  }
+  return metric;
+}
+
 }  // namespace torsio

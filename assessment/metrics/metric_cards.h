@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace torsio {
@@ -26,8 +27,18 @@ struct MetricCard {
   std::int64_t version = kMetricsVersion;
 };
 
+/// Lists the cards of all metrics.
 [[nodiscard]] std::span<const MetricCard> metricCards();
-/// The card of an id; our own bug when there is none.
+/// Returns the card of an id; a missing one is a bug of Torsio.
 [[nodiscard]] const MetricCard& metricCard(std::string_view id);
+
+/// Share of the twists that were let go within the tolerance of the target, 0..1. A metric of a whole
+/// attempt, without a card.
+inline constexpr const char* kOnTargetMetric = "twist.on_target";
+/// Number of the twists that were let go within the tolerance of the target. Without a card, too.
+inline constexpr const char* kTargetsReachedMetric = "twist.targets_reached";
+
+/// Name of a metric in English: of its card, or of the two above; the id itself when there is none.
+[[nodiscard]] std::string metricTitle(const std::string& metric);
 
 }  // namespace torsio

@@ -184,7 +184,7 @@ void EvaluationRepository::submit(const std::string& campaignId,
   std::vector<std::string> ids;
   std::vector<const StoredEvaluationMark*> added;
   for (const StoredEvaluationMark& mark : marks) {
-    if (mark.score_steps < scale.lo || mark.score_steps > scale.hi) {
+    if (!isOnScale(mark.score_steps, scale)) {
       throw Error(ErrorCode::kBadData,
                   Text("score of %1 steps lies outside %2 .. %3", mark.score_steps, scale.lo, scale.hi),
                   Text("rater %1, model %2, index %3", mark.raterId, mark.modelCode, mark.indexNumber),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "assessment/rating/sheet_check.h"
 #include "db/repository/rating_repository.h"
 #include "sim/base/error.h"
 
@@ -72,21 +73,20 @@ AssignmentStatus statusFrom(const Statement& row) {
   AssignmentStatus status{assignmentFrom(row)};
   const auto submitted = row.maybeInt64(kAssignmentColumnCount + 1);
   const auto drafted = row.maybeInt64(kAssignmentColumnCount + 2);
-  status.state = row.int64(kAssignmentColumnCount) > 0 ? SheetState::kWithdrawn
-                 : submitted                           ? SheetState::kSubmitted
-                 : drafted                             ? SheetState::kDraft
-                                                       : SheetState::kOpen;
+  status.state =
+      sheetStateOf(row.int64(kAssignmentColumnCount) > 0, submitted.has_value(), drafted.has_value());
   status.changedUtc_us = submitted ? *submitted : drafted.value_or(0);
   return status;
 }
 
 void checkAnswer(const std::optional<std::int64_t>& score_steps, const std::string& reason,
                  const ScoreScale& scale, const std::string& where) {
-  if (score_steps.has_value() != reason.empty()) {
+  const AnswerFault fault = faultOf({score_steps, reason}, scale);
+  if (fault == AnswerFault::kMissing || fault == AnswerFault::kContradicts) {
     throw Error(ErrorCode::kBadData, "needs either a score or a reason why there is none", where,
                 "Fill it in");
   }
-  if (score_steps && (*score_steps < scale.lo || *score_steps > scale.hi)) {
+  if (fault == AnswerFault::kOutsideScale) {
     throw Error(ErrorCode::kBadData, Text("score of %1 steps lies outside its scale", *score_steps), where,
                 "Correct the score");
   }
@@ -264,9 +264,7 @@ std::vector<QueueEntry> SheetRepository::queue(const std::string& raterId) {
   row.execute({raterId});
   while (row.step()) {
     const std::optional<std::int64_t> submitted = row.maybeInt64(5);
-    const SheetState state = submitted          ? SheetState::kSubmitted
-                             : row.int64(6) > 0 ? SheetState::kDraft
-                                                : SheetState::kOpen;
+    const SheetState state = sheetStateOf(false, submitted.has_value(), row.int64(6) > 0);
     entries.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.maybeInt64(4), state,
                        submitted.value_or(0)});
   }
@@ -281,9 +279,7 @@ SheetState SheetRepository::stateOf(const std::string& assignmentId) {
   row.execute({assignmentId});
   if (!row.step())
     throw Error(ErrorCode::kBadData, "no such assignment", assignmentId, "Read the queue again");
-  if (row.int64(0) > 0) return SheetState::kWithdrawn;
-  if (row.int64(1) > 0) return SheetState::kSubmitted;
-  return row.int64(2) > 0 ? SheetState::kDraft : SheetState::kOpen;
+  return sheetStateOf(row.int64(0) > 0, row.int64(1) > 0, row.int64(2) > 0);
 }
 
 std::int64_t SheetRepository::saveDraft(const std::string& assignmentId, const Sheet& sheet) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/rating/sheet_state.h"
 #include "assessment/scoring/instrument.h"
 #include "db/connection/connection.h"
 
@@ -53,8 +54,6 @@ struct StoredAssignment {
   std::int64_t assignedUtc_us = 0;
   bool demonstration = false;
 };
-
-enum class SheetState { kOpen, kDraft, kSubmitted, kWithdrawn };
 
 /// One line of a rater's queue: nothing in it tells who, which group or which stage.
 struct QueueEntry {

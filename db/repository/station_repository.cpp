@@ -35,7 +35,7 @@ std::vector<StationState> statesOf(Statement& row) {
 
 }  // namespace
 
-void StationRepository::beat(const StationState& state) {
+void StationRepository::heartbeat(const StationState& state) {
   connection_.execute(
       "INSERT INTO station_state (station, trial_id, user_id, software_version, heartbeat_utc_us, "
       "device_json,"

@@ -38,7 +38,7 @@ class StationRepository {
   explicit StationRepository(Connection& connection) : connection_(connection) {}
 
   /// Writes or overwrites the row of one station. Throws DbError (kForeignKey) when there is no such trial.
-  void beat(const StationState& state);
+  void heartbeat(const StationState& state);
   /// The station is closed down in good order.
   void leave(const std::string& station);
   [[nodiscard]] std::optional<StationState> find(const std::string& station);

@@ -39,7 +39,7 @@ struct TwistResponse {
   friend constexpr bool operator==(const TwistResponse&, const TwistResponse&) = default;
 };
 
-/// A force for the device, already limited. The only thing that flows back.
+/// A force for the device, already limited: the only thing that flows back to it.
 struct ForceCommand {
   Vec3 force_N;
   std::uint32_t limits = 0;  ///< ForceLimit bits: what the governor did
@@ -118,7 +118,7 @@ struct Sample {
   friend bool operator==(const Sample&, const Sample&) = default;
 };
 
-/// Snapshot for views; may be overwritten before anyone looked.
+/// Snapshot of a tick for views; it may be overwritten before a view reads it.
 struct LiveState {
   std::int64_t time_us = 0;
   std::int64_t tick = 0;
@@ -134,10 +134,11 @@ struct LiveState {
   std::int64_t lateTicks = 0;
   std::uint32_t deviceStatus = kDeviceOk;  ///< DeviceStatus bits of the last reading
   std::uint32_t contact = kContactNone;    ///< ToolContact bits
-  /// Under the jaw and under the shaft.
+  /// Where the surface gives way under the jaw and under the shaft.
   std::array<ContactPatch, 2> patches{};
   ExerciseTimes times;
-  /// Energy that the hand has put into the rendered force since it was last zero; below 0 it got more back.
+  /// Energy that the hand has put into the rendered force since that force was last zero; below 0 the hand
+  /// got more back.
   double portEnergy_J = 0.0;
 };
 

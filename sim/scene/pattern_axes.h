@@ -3,9 +3,9 @@
 
 #include <span>
 
-#include "sim/geometry/section_lattice.h"
+#include "sim/geometry/lattice/section_lattice.h"
 #include "sim/scene/scene_file.h"
-#include "sim/tissue/twist_operation.h"
+#include "sim/tissue/twist/twist_operation.h"
 
 namespace torsio {
 

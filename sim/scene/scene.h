@@ -7,15 +7,16 @@
 #include <vector>
 
 #include "sim/base/live_types.h"
-#include "sim/geometry/collision_mesh.h"
-#include "sim/geometry/section_lattice.h"
-#include "sim/geometry/triangle_mesh.h"
-#include "sim/tissue/twist_model.h"
-#include "sim/tissue/twist_operation.h"
+#include "sim/geometry/lattice/section_lattice.h"
+#include "sim/geometry/mesh/triangle_mesh.h"
+#include "sim/geometry/query/collision_mesh.h"
+#include "sim/tissue/twist/twist_model.h"
+#include "sim/tissue/twist/twist_operation.h"
 
 namespace torsio {
 
-/// The instrument as the collision sees it: a sphere at the tip of a shaft.
+/// What collision and grip need of an instrument's file. ToolShape (sim/servo/tool_touch.h) makes tip, blades
+/// and shaft of it.
 struct Instrument {
   std::string id = "grasper";
   double tipRadius_m = 0.0025;
@@ -38,13 +39,14 @@ struct TwistPattern {
   std::vector<TwistOperation> operations;
 };
 
-/// What to load: a scene file of assets/scenes, possibly with another organ.
+/// Request for a scene: a scene file of assets/scenes, possibly with another organ.
 struct SceneRequest {
   std::filesystem::path assets;                    ///< the assets folder
   std::string id = "arm";                          ///< assets/scenes/<id>.json
   std::optional<std::filesystem::path> organFile;  ///< the user's mesh instead (--organ FILE)
   double organScale_m = 0.001;                     ///< one file unit of organFile in metres
-  /// Empty: the scene's first. With organFile a pattern of any scene will do; the scene is then that one.
+  /// Id of the pattern; empty: the first of the scene. With organFile it may be a pattern of any scene,
+  /// which then is the scene.
   std::string pattern;
   std::optional<Formulation> formulation;
   std::optional<int> ridges;
@@ -73,21 +75,22 @@ struct Scene {
   [[nodiscard]] const SectionLattice& lattice() const noexcept { return model.lattice(); }
 };
 
-/// Scene ids in assets/scenes, sorted.
+/// Lists the ids of the scenes in assets/scenes, sorted.
 [[nodiscard]] std::vector<std::string> sceneIds(const std::filesystem::path& assets);
 
-/// Ids of the patterns of a scene, in its order. Throws as loadScene, without building anything.
+/// Lists the ids of the patterns of a scene, in its order. Throws as loadScene, without building anything.
 [[nodiscard]] std::vector<std::string> patternIds(const std::filesystem::path& assets, const std::string& id);
 
-/// The request that rebuilds the model of a recorded trial from its TrialHeader::parametersJson; the caller
-/// adds assets, scene id and, if it was a user's mesh, the organ file. Throws Error{kBadData}.
+/// Returns the request that rebuilds the model of a recorded trial from its TrialHeader::parametersJson;
+/// the caller adds assets, scene id and, if it was a user's mesh, the organ file. Throws Error{kBadData}.
 [[nodiscard]] SceneRequest sceneRequestFor(const std::string& parametersJson);
 
-/// Loads, checks and builds everything; takes as long as the organ's lattice and sections. A user's mesh is
-/// cut by planes when it is a straight bar, else by its harmonic field between ends that are found; straight
-/// axes of its patterns are put through its own ends or across its own bend. Throws Error naming file, field,
-/// value and what there is to choose from: {kFileMissing} scene or organ, {kFileUnreadable}, {kBadData} scene
-/// file, {kBadParameter} unknown pattern or material, number out of range, {kBadMesh} organ.
+/// Loads a scene, checks it and builds its model; takes as long as the organ's lattice and sections. A
+/// user's mesh is cut by planes when it is a straight bar, else by its harmonic field between ends that are
+/// found; straight axes of its patterns are put through its own ends or across its own bend. Throws Error
+/// naming file, field, value and what there is to choose from: {kFileMissing} scene or organ,
+/// {kFileUnreadable}, {kBadData} scene file, {kBadParameter} unknown pattern or material, number out of
+/// range, {kBadMesh} organ.
 [[nodiscard]] Scene loadScene(const SceneRequest& request);
 
 }  // namespace torsio

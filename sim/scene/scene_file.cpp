@@ -6,7 +6,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "sim/base/portable_math.h"
-#include "sim/geometry/mesh_import.h"
+#include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/json_fields.h"
 
 namespace torsio {

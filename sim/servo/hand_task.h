@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sim/device/scripted_hand.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
 
-/// The task of the scene's twist pattern for a scripted hand: grasps the section at pattern.graspArc where
-/// the surface faces away from the axis of the twist and the way to it is free, and turns by the target.
-/// Throws Error{kBadParameter} when no point of that section can be reached.
+/// Makes the task of the scene's twist pattern for a scripted hand, which grasps the section at
+/// pattern.graspArc where the surface faces away from the axis of the twist and the way to it is free, and
+/// turns by the target. Throws Error{kBadParameter} when no point of that section can be reached.
 [[nodiscard]] HandTask handTask(const Scene& scene);
 
 }  // namespace torsio

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/base/error.h"
-#include "sim/device/replay_device.h"
+#include "sim/device/virtual/replay_device.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "sim/servo/servo_loop.h"
@@ -77,12 +77,7 @@ class Rerun {
  public:
   Rerun(const Scene& scene, const TrialHeader& header, const std::vector<Sample>& recorded)
       : device_(deviceSamples(recorded), capabilitiesOf(header)),
-        loop_({.device = &device_, .scene = &scene, .commands = &commands_},
-              {.drive = header.drive,
-               .targetAngle_rad = header.targetAngle_rad,
-               .forceScale = header.forceScale,
-               .tickPeriod_us = header.tickPeriod_us,
-               .rules = recorded.empty() ? kServoRules : recorded.front().rules}) {}
+        loop_({.device = &device_, .scene = &scene, .commands = &commands_}, optionsOf(header, recorded)) {}
 
   const Sample& next(const Sample& recorded) {
     if (recorded.command.kind != ServoCommand::Kind::kNone) (void)commands_.push(recorded.command);
@@ -91,6 +86,11 @@ class Rerun {
   }
 
  private:
+  static ServoOptions optionsOf(const TrialHeader& header, const std::vector<Sample>& recorded) {
+    ServoOptions options = servoOptions(header);
+    if (!recorded.empty()) options.rules = recorded.front().rules;
+    return options;
+  }
   static std::vector<DeviceSample> deviceSamples(const std::vector<Sample>& recorded) {
     std::vector<DeviceSample> samples;
     samples.reserve(recorded.size());

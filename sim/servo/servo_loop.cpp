@@ -46,6 +46,13 @@ bool inUnitRange(double value) noexcept {
 
 }  // namespace
 
+ServoOptions servoOptions(const TrialHeader& header) noexcept {
+  return {.drive = header.drive,
+          .targetAngle_rad = header.targetAngle_rad,
+          .forceScale = header.forceScale,
+          .tickPeriod_us = header.tickPeriod_us};
+}
+
 DeviceLimits deviceLimits(const DeviceCapabilities& capabilities) noexcept {
   return {.maxForce_N = capabilities.maxForce_N,
           .continuousForce_N = capabilities.continuousForce_N,

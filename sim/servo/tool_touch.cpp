@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "sim/base/portable_math.h"
-#include "sim/geometry/deformed_surface.h"
-#include "sim/tissue/twist_model_map.h"
+#include "sim/geometry/query/deformed_surface.h"
+#include "sim/tissue/twist/twist_model_map.h"
 
 namespace torsio {
 

@@ -22,8 +22,8 @@
 #include <QApplication>
 #include <QSize>
 
-#include "app/gui/review/replay_panel.h"
-#include "app/session/pipeline.h"
+#include "app/gui/physician/replay_panel.h"
+#include "app/recording/pipeline.h"
 #include "sim/base/random.h"
 #include "sim/record/memory_trial_sink.h"
 
@@ -82,8 +82,7 @@ Trial recorded(const std::filesystem::path& assets, double duration_s) {
   request.assets = assets;
   request.id = "arm";
   ScriptedTrial script;
-  script.trialId = "bench";
-  script.phaseLabel = "bench";
+  script.recording = {.trialId = "bench", .phaseLabel = "bench"};
   script.duration_s = duration_s;
   MemoryTrialSink sink;
   recordScriptedTrial(loadScene(request), script, sink);

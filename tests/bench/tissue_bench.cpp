@@ -9,10 +9,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "sim/tissue/cpu_features.h"
-#include "sim/tissue/twist_bench.h"
-#include "sim/tissue/twist_kernels.h"
-#include "sim/tissue/twist_kernels_buffer.h"
+#include "sim/tissue/twist/twist_bench.h"
+#include "sim/tissue/view/cpu_features.h"
+#include "sim/tissue/view/twist_kernels.h"
+#include "sim/tissue/view/twist_kernels_buffer.h"
 
 namespace torsio {
 namespace {

@@ -120,7 +120,7 @@ TEST_F(DemonstrationDataTest, ASimulatedPersonWhoWasErasedGoesToo) {
 TEST_F(DemonstrationDataTest, AStationThatShowsASimulatedTrialShowsNone) {
   Connection connection = openWithSchema();
   const FullRecord simulated(connection, "demo", true);
-  StationRepository(connection).beat({.station = "room 2", .trialId = simulated.trialId, .userId = "u"});
+  StationRepository(connection).heartbeat({.station = "room 2", .trialId = simulated.trialId, .userId = "u"});
 
   remove(connection);
 

@@ -13,7 +13,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
-#include "sim/geometry/mesh_import.h"
+#include "sim/geometry/mesh/mesh_import.h"
 
 namespace torsio::gui {
 

@@ -7,7 +7,7 @@
 #include <QQuick3DGeometry>
 #include <QVector3D>
 
-#include "sim/geometry/triangle_mesh.h"
+#include "sim/geometry/mesh/triangle_mesh.h"
 
 namespace torsio::gui {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/base/vec3.h"
-#include "sim/geometry/triangle_mesh.h"
+#include "sim/geometry/mesh/triangle_mesh.h"
 
 namespace torsio::gui {
 

@@ -16,11 +16,11 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
-#include "app/gui/look/theme.h"
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/scene/organ_geometry.h"
 #include "app/gui/scene/stress_legend.h"
 #include "app/gui/scene/view_frame.h"
+#include "app/gui/widgets/theme.h"
 #include "sim/servo/indentation.h"
 
 /// The linker drops resources of a static library that nothing names.

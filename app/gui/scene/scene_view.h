@@ -25,7 +25,7 @@
 #include "app/gui/scene/tissue_skin.h"
 #include "sim/base/live_types.h"
 #include "sim/base/pose.h"
-#include "sim/tissue/twist_model.h"
+#include "sim/tissue/twist/twist_model.h"
 
 class QQuickItem;
 class QQuickWidget;

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "app/gui/look/theme.h"
+#include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/gui/scene/tissue_look.h"
-#include "sim/geometry/section_lattice.h"
-#include "sim/geometry/triangle_mesh.h"
+#include "sim/geometry/lattice/section_lattice.h"
+#include "sim/geometry/mesh/triangle_mesh.h"
 
 namespace torsio::gui {
 

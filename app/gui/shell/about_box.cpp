@@ -5,7 +5,7 @@
 #include <QMessageBox>
 #include <QSysInfo>
 
-#include "app/session/build_info.h"
+#include "app/base/build_info.h"
 
 namespace torsio::gui {
 

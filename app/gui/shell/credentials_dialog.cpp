@@ -6,7 +6,7 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 
-#include "app/gui/look/form.h"
+#include "app/gui/widgets/form.h"
 
 namespace torsio::gui {
 

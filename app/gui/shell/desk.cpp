@@ -13,12 +13,12 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "app/gui/look/icons.h"
+#include "app/access/access_service.h"
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/toast.h"
-#include "app/session/access/access_service.h"
+#include "app/gui/widgets/icons.h"
 
 namespace torsio::gui {
 

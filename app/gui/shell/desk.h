@@ -9,9 +9,9 @@
 #include <QVariant>
 #include <QWidget>
 
-#include "app/gui/shell/language.h"
-#include "app/gui/shell/page.h"
-#include "app/gui/shell/shell_context.h"
+#include "app/gui/base/language.h"
+#include "app/gui/base/page.h"
+#include "app/gui/base/shell_context.h"
 
 class QLabel;
 class QMenu;

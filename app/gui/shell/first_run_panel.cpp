@@ -15,11 +15,11 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "app/gui/look/form.h"
-#include "app/gui/look/theme.h"
-#include "app/gui/shell/background.h"
+#include "app/gui/base/background.h"
+#include "app/gui/base/problem_words.h"
 #include "app/gui/shell/job_panel.h"
-#include "app/gui/shell/problem_words.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 

@@ -6,8 +6,8 @@
 #include <QString>
 #include <QWidget>
 
-#include "app/gui/shell/language.h"
-#include "app/session/access/first_run.h"
+#include "app/access/first_run.h"
+#include "app/gui/base/language.h"
 
 class QCheckBox;
 class QComboBox;

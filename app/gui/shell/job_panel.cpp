@@ -12,7 +12,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 
-#include "app/gui/look/theme.h"
+#include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 

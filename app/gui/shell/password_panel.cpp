@@ -8,10 +8,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/gui/look/form.h"
-#include "app/gui/look/theme.h"
-#include "app/gui/shell/spoken.h"
-#include "app/session/access/access_service.h"
+#include "app/access/access_service.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {

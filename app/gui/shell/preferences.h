@@ -6,8 +6,8 @@
 #include <QString>
 #include <QVariant>
 
-#include "app/gui/look/theme.h"
-#include "app/gui/shell/language.h"
+#include "app/gui/base/language.h"
+#include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 

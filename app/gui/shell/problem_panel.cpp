@@ -9,8 +9,8 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 
-#include "app/gui/look/icons.h"
-#include "app/gui/look/theme.h"
+#include "app/gui/widgets/icons.h"
+#include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 

@@ -4,7 +4,7 @@
 #include <QFrame>
 #include <QString>
 
-#include "app/gui/shell/problem.h"
+#include "app/gui/base/problem.h"
 
 class QLabel;
 class QPlainTextEdit;

@@ -8,8 +8,8 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "app/gui/look/icons.h"
-#include "app/gui/look/theme.h"
+#include "app/gui/widgets/icons.h"
+#include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 

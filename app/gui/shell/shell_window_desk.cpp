@@ -8,6 +8,8 @@
 #include <QThread>
 #include <QTimer>
 
+#include "app/access/settings_service.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/shell/about_box.h"
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/lock_panel.h"
@@ -16,10 +18,8 @@
 #include "app/gui/shell/shell_window.h"
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
-#include "app/gui/shell/spoken.h"
-#include "app/session/access/settings_service.h"
-#include "app/session/care/demonstration_removal.h"
-#include "app/session/care/station_line.h"
+#include "app/maintenance/demonstration_removal.h"
+#include "app/recording/station_writer.h"
 
 namespace torsio::gui {
 

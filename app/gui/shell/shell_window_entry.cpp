@@ -4,19 +4,20 @@
 
 #include <QUrl>
 
+#include "app/access/first_run.h"
+#include "app/demonstration/demonstration_accounts.h"
+#include "app/gui/base/problem_words.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/shell/credentials_dialog.h"
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/shell/lock_panel.h"
 #include "app/gui/shell/password_panel.h"
-#include "app/gui/shell/problem_words.h"
 #include "app/gui/shell/shell_window.h"
 #include "app/gui/shell/sign_in_panel.h"
-#include "app/gui/shell/spoken.h"
 #include "app/gui/shell/trouble_panel.h"
-#include "app/session/access/first_run.h"
-#include "app/session/care/station_line.h"
-#include "app/session/care/station_start.h"
+#include "app/recording/station_start.h"
+#include "app/recording/station_writer.h"
 
 namespace torsio::gui {
 
@@ -85,11 +86,11 @@ void ShellWindow::settle() {
 }
 
 void ShellWindow::startLine() {
-  line_ = std::make_unique<StationLine>(key(), setup_.linePatience);
+  line_ = std::make_unique<StationWriter>(key(), setup_.linePatience);
   answered_ = true;
   settleDue_ = false;
   if (desk_ != nullptr) desk_->context().setLine(line_.get());
-  beat();
+  heartbeat();
 }
 
 /// After the database was away: recordings of the meantime wait in files.
@@ -157,13 +158,14 @@ void ShellWindow::setUp(const FirstRunChoice& choice) {
             openDatabase();
           };
         }
-        const auto accounts =
-            performFirstRun(own, choice.first, setup_.assets, [this](const Progress& progress) {
-              if (setUpCancelled_->load()) throw Cancelled{};
-              QMetaObject::invokeMethod(this, [this, progress] {
-                firstRun_->job().move(spoken(progress.step), progress.fraction, progress.remaining_s);
-              });
+        const auto accounts = performFirstRun(own, choice.first, [this](Workplace& workplace) {
+          return addDemonstration(workplace, setup_.assets, [this](const Progress& progress) {
+            if (setUpCancelled_->load()) throw Cancelled{};
+            QMetaObject::invokeMethod(this, [this, progress] {
+              firstRun_->job().move(spoken(progress.step), progress.fraction, progress.remaining_s);
             });
+          });
+        });
         return [this, actor = own.actor(), choice, accounts] {
           firstRun_->job().end();
           workplace_ = std::make_unique<Workplace>(this->key());

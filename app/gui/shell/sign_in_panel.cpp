@@ -9,8 +9,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/gui/look/form.h"
-#include "app/gui/look/theme.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 

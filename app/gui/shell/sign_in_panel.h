@@ -7,7 +7,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "app/gui/shell/language.h"
+#include "app/gui/base/language.h"
 
 class QLabel;
 class QLineEdit;

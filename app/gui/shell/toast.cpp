@@ -6,7 +6,7 @@
 #include <QAccessible>
 #include <QEvent>
 
-#include "app/gui/look/theme.h"
+#include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 

@@ -6,9 +6,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/gui/look/form.h"
-#include "app/gui/look/theme.h"
 #include "app/gui/shell/problem_panel.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 

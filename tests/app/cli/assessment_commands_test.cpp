@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/session/assets.h"
-#include "app/session/pipeline.h"
+#include "app/base/assets.h"
+#include "app/recording/pipeline.h"
 #include "sim/base/error.h"
 #include "sim/record/trial_file.h"
 #include "tests/app/cli/program.h"
@@ -411,12 +411,12 @@ TEST_F(AssessmentCommands, MetricsMeasureEveryTwistOfATrialFile) {
   const fs::path file = folder_ / "trial.bin";
   TrialFileSink sink(file);
   ScriptedTrial trial;
-  trial.trialId = "00000000-0000-4000-8000-000000000006";
+  trial.recording.trialId = "00000000-0000-4000-8000-000000000006";
   trial.duration_s = 20.0;
   const TrialSummary summary = recordScriptedTrial(scene, trial, sink);
 
   const json out = answer("metrics --cards --scene --force-limit 0.01 " + file.string());
-  EXPECT_EQ(out["trial"], trial.trialId);
+  EXPECT_EQ(out["trial"], trial.recording.trialId);
   EXPECT_EQ(out["samples"], summary.samples);
   EXPECT_NEAR(out["whole"]["time.total"]["value"].get<double>(), 20.0, 0.01);
   ASSERT_GE(out["twists"].size(), 1U);

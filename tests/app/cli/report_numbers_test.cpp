@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/session/csv_table.h"
-#include "app/session/scoring_service.h"
+#include "app/base/csv_table.h"
+#include "app/scoring/scoring_service.h"
 #include "assessment/report/number_format.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/study_repository.h"

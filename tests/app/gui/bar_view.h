@@ -7,7 +7,7 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 
-#include "app/gui/simulation_controller.h"
+#include "app/gui/simulator/simulation_controller.h"
 #include "tests/sim/servo/bar_scene.h"
 
 namespace torsio::gui::testing {

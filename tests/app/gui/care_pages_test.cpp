@@ -2,8 +2,8 @@
 // Restoring a backup through the program's window, as an administrator does it.
 #include <fstream>
 
-#include "app/gui/office/move_page.h"
-#include "app/gui/office/restore_page.h"
+#include "app/gui/administrator/move_page.h"
+#include "app/gui/administrator/restore_page.h"
 #include "tests/app/gui/care_window.h"
 
 namespace torsio::gui {

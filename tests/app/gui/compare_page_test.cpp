@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two tissue models side by side, on the shipped stomach.
-#include "app/gui/compare_page.h"
+#include "app/gui/practice/compare_page.h"
 
 #include <cmath>
 

@@ -10,9 +10,9 @@
 #include <QWheelEvent>
 #include <gtest/gtest.h>
 
-#include "app/gui/pointer_controls.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
+#include "app/gui/simulator/pointer_controls.h"
 
 namespace torsio::gui {
 namespace {

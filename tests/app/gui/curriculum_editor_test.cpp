@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The curriculum editor through its real widgets: nothing is lost, everything can be set, published versions
 // stay as they are.
-#include "app/gui/office/curriculum_editor.h"
+#include "app/gui/administrator/curriculum_editor.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -13,10 +13,10 @@
 #include <QTableWidget>
 #include <QTest>
 
-#include "app/gui/look/data_table.h"
-#include "app/gui/office/curricula_page.h"
-#include "app/session/study/cohort_service.h"
-#include "app/session/study/curriculum_service.h"
+#include "app/gui/administrator/curricula_page.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/study/cohort_service.h"
+#include "app/study/curriculum_service.h"
 #include "tests/app/gui/office_desk.h"
 
 namespace torsio::gui {

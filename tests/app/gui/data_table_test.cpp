@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/look/data_table.h"
+#include "app/gui/widgets/data_table.h"
 
 #include <QAction>
 #include <QApplication>

@@ -9,9 +9,9 @@
 #include <QApplication>
 #include <QTest>
 
-#include "app/gui/review/case_page.h"
-#include "app/gui/review/replay_panel.h"
-#include "app/gui/shell/shell_context.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/physician/case_page.h"
+#include "app/gui/physician/replay_panel.h"
 #include "tests/app/session/review_centre.h"
 
 namespace torsio::gui {

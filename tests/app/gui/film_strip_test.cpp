@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/film_strip.h"
+#include "app/gui/simulator/film_strip.h"
 
 #include <cmath>
 #include <numbers>

@@ -6,8 +6,10 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QFont>
 #include <QGroupBox>
 #include <QHeaderView>
 #include <QLabel>
@@ -20,10 +22,11 @@
 #include <QTranslator>
 #include <gtest/gtest.h>
 
-#include "app/gui/office/report_preview.h"
-#include "app/gui/shell/language.h"
-#include "app/gui/shell/screenshots.h"
-#include "app/gui/shell/spoken.h"
+#include "app/gui/administrator/report_preview.h"
+#include "app/gui/base/language.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/program/screenshots.h"
+#include "app/report/typeface.h"
 #include "tests/support/service_texts.h"
 
 namespace torsio::gui {
@@ -164,7 +167,25 @@ void retranslated() {
 
 using Findings = std::map<QString, std::set<QString>>;
 
-/// One walk over all screens: each opened in English, then switched to Chinese and to the pseudo language.
+/// The typeface of the program, and two that stand for what a machine puts in its place: another drawing, and
+/// letters that are a tenth wider.
+struct Face {
+  QString name;
+  QFont font;
+};
+
+std::vector<Face> faces() {
+  QFont serif = QApplication::font();
+  serif.setFamilies({QStringLiteral("DejaVu Serif")});
+  QFont wide = QApplication::font();
+  wide.setLetterSpacing(QFont::PercentageSpacing, 110.0);
+  return {{QLatin1String(kTypeface), QApplication::font()},
+          {QStringLiteral("serif"), serif},
+          {QStringLiteral("wide"), wide}};
+}
+
+/// One walk over all screens: each opened in English, then switched to Chinese and to the pseudo language,
+/// the latter in all faces.
 class Walk {
  public:
   Findings switched;  // texts that a Chinese reader meets
@@ -202,9 +223,16 @@ class Walk {
     }
     PseudoTranslator pseudo;
     QCoreApplication::installTranslator(&pseudo);
-    // A layout hands its new height to the layout above it in the next round.
-    for (int round = 0; round < 6; ++round) retranslated();
-    for (const QString& text : cutTexts(window)) cut[name].insert(text);
+    const QFont usual = QApplication::font();
+    for (const Face& face : faces()) {
+      QApplication::setFont(face.font);
+      // A layout hands its new height to the layout above it in the next round.
+      for (int round = 0; round < 6; ++round) retranslated();
+      for (const QString& text : cutTexts(window)) {
+        cut[QStringLiteral("%1 (%2)").arg(name, face.name)].insert(text);
+      }
+    }
+    QApplication::setFont(usual);
     QCoreApplication::removeTranslator(&pseudo);
     retranslated();
   }

@@ -15,8 +15,8 @@
 #include <QVariant>
 #include <gtest/gtest.h>
 
-#include "app/gui/shell/page.h"
-#include "app/gui/shell/shell_context.h"
+#include "app/gui/base/page.h"
+#include "app/gui/base/shell_context.h"
 #include "tests/app/session/office_centre.h"
 
 namespace torsio::gui::testing {

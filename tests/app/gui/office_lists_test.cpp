@@ -8,11 +8,11 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "app/gui/look/data_table.h"
-#include "app/gui/office/audit_page.h"
-#include "app/gui/office/care_page.h"
-#include "app/session/care/retention.h"
-#include "app/session/people/people_service.h"
+#include "app/gui/administrator/audit_page.h"
+#include "app/gui/administrator/care_page.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/maintenance/retention.h"
+#include "app/people/people_service.h"
 #include "tests/app/gui/office_desk.h"
 
 namespace torsio::gui {

@@ -3,9 +3,12 @@
 #include <QApplication>
 #include <gtest/gtest.h>
 
+#include "app/report/typeface.h"
+
 int main(int argc, char** argv) {
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication application(argc, argv);
+  torsio::useTypeface(application);
   QApplication::setOrganizationName("torsio-tests");
   ::testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();

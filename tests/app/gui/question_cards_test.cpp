@@ -13,12 +13,12 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
-#include "app/gui/look/theme.h"
-#include "app/gui/review/questions_card.h"
-#include "app/gui/shell/shell_context.h"
-#include "app/gui/station/ask_card.h"
-#include "app/session/assets.h"
-#include "app/session/training/questions.h"
+#include "app/base/assets.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/physician/questions_card.h"
+#include "app/gui/trainee/ask_card.h"
+#include "app/gui/widgets/theme.h"
+#include "app/training/questions.h"
 #include "db/repository/people_repository.h"
 #include "tests/app/session/training_centre.h"
 

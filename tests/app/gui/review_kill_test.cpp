@@ -9,8 +9,9 @@
 #include <QProcess>
 #include <gtest/gtest.h>
 
-#include "app/gui/review/sheet_panel.h"
-#include "app/session/review/case_sheet.h"
+#include "app/gui/physician/sheet_panel.h"
+#include "app/report/typeface.h"
+#include "app/review/case_sheet.h"
 #include "tests/app/gui/desk_of.h"
 
 namespace torsio::gui {
@@ -70,7 +71,8 @@ TEST(KilledCasePage, LosesAtMostOneKeystroke) {
 
 int run(int argc, char** argv) {
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-  const QApplication application(argc, argv);
+  QApplication application(argc, argv);
+  useTypeface(application);
   if (argc == 3 && std::strcmp(argv[1], kScore) == 0) pressForever(argv[2]);
   ::testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();

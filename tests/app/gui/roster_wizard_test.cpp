@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The roster wizard through its real buttons, from the file to the people in the record.
-#include "app/gui/office/roster_wizard.h"
+#include "app/gui/administrator/roster_wizard.h"
 
 #include <chrono>
 #include <filesystem>
@@ -11,9 +11,9 @@
 #include <QLabel>
 #include <QRadioButton>
 
-#include "app/gui/look/data_table.h"
-#include "app/gui/office/roster_page.h"
-#include "app/session/people/people_service.h"
+#include "app/gui/administrator/roster_page.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/people/people_service.h"
 #include "sim/base/file_io.h"
 #include "tests/app/gui/office_desk.h"
 

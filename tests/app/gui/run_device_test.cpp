@@ -49,10 +49,7 @@ class Wired final : public HapticDevice {
 /// The device is unplugged, and everybody gets to know.
 void unplug(Station& station, Wire& wire) {
   wire.unplugged = true;
-  LiveRun* live = station.run().scene().controller().run();
-  const std::int64_t first = live->loop().ticks();
-  for (std::int64_t tick = 0; tick < 20; ++tick) live->loop().tick((first + tick) * 1000);
-  live->pump();
+  station.run().scene().controller().run()->step(20);
   station.run().scene().frame(0.016);
 }
 

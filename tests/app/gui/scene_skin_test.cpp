@@ -11,7 +11,6 @@
 #include <QQmlListReference>
 #include <gtest/gtest.h>
 
-#include "app/gui/look/theme.h"
 #include "app/gui/scene/organ_geometry.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/shear_map.h"
@@ -19,6 +18,7 @@
 #include "app/gui/scene/surface_walk.h"
 #include "app/gui/scene/tissue_skin.h"
 #include "app/gui/scene/vessels.h"
+#include "app/gui/widgets/theme.h"
 #include "tests/app/gui/bar_view.h"
 
 namespace torsio::gui {

@@ -12,14 +12,14 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
-#include "app/gui/look/data_table.h"
-#include "app/gui/office/scoring_page.h"
-#include "app/gui/office/warm_up_dialog.h"
-#include "app/gui/shell/shell_context.h"
-#include "app/session/review/alignment.h"
-#include "app/session/review/case_sheet.h"
-#include "app/session/review/review_queue.h"
-#include "app/session/review/warm_up.h"
+#include "app/gui/administrator/scoring_page.h"
+#include "app/gui/administrator/warm_up_dialog.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/review/alignment.h"
+#include "app/review/case_sheet.h"
+#include "app/review/review_queue.h"
+#include "app/review/warm_up.h"
 #include "db/repository/people_repository.h"
 #include "db/repository/trial_repository.h"
 #include "tests/app/session/review_centre.h"

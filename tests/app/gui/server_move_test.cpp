@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/gui/office/move_page.h"
+#include "app/gui/administrator/move_page.h"
 #include "db/migrations/migrations.h"
 #include "tests/app/gui/care_window.h"
 

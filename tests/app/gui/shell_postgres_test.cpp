@@ -13,8 +13,8 @@
 #include <QUrlQuery>
 #include <gtest/gtest.h>
 
+#include "app/access/first_run.h"
 #include "app/gui/shell/shell_window.h"
-#include "app/session/access/first_run.h"
 #include "tests/db/test_database.h"
 
 namespace torsio::gui {

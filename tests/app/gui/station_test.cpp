@@ -15,15 +15,15 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
-#include "app/gui/look/theme.h"
-#include "app/gui/station/debrief_page.h"
-#include "app/gui/station/debrief_plot.h"
-#include "app/gui/station/run_page.h"
-#include "app/gui/station/station_desk.h"
-#include "app/gui/station/station_words.h"
-#include "app/gui/station/transcript_page.h"
-#include "app/gui/station/trend_page.h"
-#include "app/session/care/station_line.h"
+#include "app/gui/trainee/debrief_page.h"
+#include "app/gui/trainee/debrief_plot.h"
+#include "app/gui/trainee/run_page.h"
+#include "app/gui/trainee/station_desk.h"
+#include "app/gui/trainee/station_words.h"
+#include "app/gui/trainee/transcript_page.h"
+#include "app/gui/trainee/trend_page.h"
+#include "app/gui/widgets/theme.h"
+#include "app/recording/station_writer.h"
 #include "db/repository/station_repository.h"
 #include "tests/app/gui/trainee_station.h"
 #include "tests/app/session/training_centre.h"
@@ -39,7 +39,7 @@ using torsio::testing::TrainingCentre;
 TEST(Station, WhatTheDeviceCheckFoundStandsOnTheBoardOfTheDay) {
   TrainingCentre centre;
   Station station(centre);
-  StationLine line({centre.locator(), "station 1", centre.workplace().actor()});
+  StationWriter line({centre.locator(), "station 1", centre.workplace().actor()});
   station.shell().setLine(&line);
   station.light = Light::kRed;
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/look/theme.h"
+#include "app/gui/widgets/theme.h"
 
+#include <QDir>
 #include <gtest/gtest.h>
 
-#include "app/gui/look/icons.h"
-#include "app/gui/look/level_bar.h"
+#include "app/gui/widgets/icons.h"
+#include "app/gui/widgets/level_bar.h"
 
 namespace torsio::gui {
 namespace {
@@ -59,6 +60,16 @@ TEST(Icons, EveryIconOfTheWindowIsThereInBothThemes) {
       EXPECT_GT(drawn, 10) << name;
     }
   }
+}
+
+TEST(Icons, EveryDrawingOfTheFolderIsInTheProgram) {
+  const QStringList drawings =
+      QDir(QStringLiteral(TORSIO_SOURCE_DIR "/assets/icons")).entryList({QStringLiteral("*.svg")});
+
+  const QStringList compiled = QDir(QStringLiteral(":/torsio/icons")).entryList();
+
+  ASSERT_FALSE(drawings.isEmpty());
+  EXPECT_EQ(compiled, drawings) << "list it in app/gui/widgets/CMakeLists.txt";
 }
 
 TEST(LevelBar, SaysInWordsThatTheLimitIsReached) {

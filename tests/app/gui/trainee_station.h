@@ -11,13 +11,13 @@
 #include <QStringList>
 #include <gtest/gtest.h>
 
-#include "app/gui/shell/shell_context.h"
-#include "app/gui/station/live_scene.h"
-#include "app/gui/station/run_page.h"
-#include "app/gui/station/station_desk.h"
-#include "app/gui/station/station_pages.h"
-#include "app/session/assets.h"
-#include "sim/device/scripted_hand.h"
+#include "app/base/assets.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/trainee/live_scene.h"
+#include "app/gui/trainee/run_page.h"
+#include "app/gui/trainee/station_desk.h"
+#include "app/gui/trainee/station_pages.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "tests/app/gui/bar_view.h"
 #include "tests/app/session/training_centre.h"
@@ -110,10 +110,8 @@ class Station {
   void train(std::int64_t span_us) {
     ASSERT_TRUE(soon([&] { return !run().fetchesDevice(); }));
     for (std::int64_t t = 0; t < span_us; t += torsio::testing::kSecond_us) {
-      if (LiveRun* live = run().scene().controller().run(); live != nullptr && live->recorded()) {
-        const std::int64_t first = live->loop().ticks();
-        for (std::int64_t tick = 0; tick < 1000; ++tick) live->loop().tick((first + tick) * 1000);
-        live->pump();
+      if (RecordedRun* live = run().scene().controller().run(); live != nullptr && live->recorded()) {
+        live->step(ticksIn(1.0));
       }
       clock->advance_us(torsio::testing::kSecond_us);
       centre_.passTime_us(torsio::testing::kSecond_us);

@@ -11,8 +11,8 @@
 #include <QXmlStreamReader>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/language.h"
 #include "app/gui/shell/first_run_panel.h"
-#include "app/gui/shell/language.h"
 #include "app/gui/shell/sign_in_panel.h"
 
 namespace torsio::gui {

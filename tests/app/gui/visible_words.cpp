@@ -15,7 +15,7 @@
 #include <QPlainTextEdit>
 #include <QWidget>
 
-#include "app/gui/look/data_table.h"
+#include "app/gui/widgets/data_table.h"
 
 namespace torsio::gui {
 

@@ -14,25 +14,25 @@
 #include <QTableView>
 #include <nlohmann/json.hpp>
 
-#include "app/gui/charts/figure_canvas.h"
-#include "app/gui/charts/figure_card.h"
-#include "app/gui/look/data_table.h"
-#include "app/gui/office/allocation_page.h"
-#include "app/gui/office/campaigns_page.h"
-#include "app/gui/office/cohorts_page.h"
-#include "app/gui/office/curricula_page.h"
-#include "app/gui/office/curriculum_editor.h"
-#include "app/gui/office/reports_page.h"
-#include "app/gui/office/results_page.h"
-#include "app/gui/office/roster_wizard.h"
-#include "app/gui/office/run_day_page.h"
-#include "app/gui/office/scoring_page.h"
-#include "app/session/care/station_device.h"
-#include "app/session/csv_table.h"
-#include "app/session/people/people_service.h"
-#include "app/session/reporting/report_export.h"
-#include "app/session/study/campaign_service.h"
-#include "app/session/study/cohort_service.h"
+#include "app/base/csv_table.h"
+#include "app/devices/station_device.h"
+#include "app/gui/administrator/allocation_page.h"
+#include "app/gui/administrator/campaigns_page.h"
+#include "app/gui/administrator/cohorts_page.h"
+#include "app/gui/administrator/curricula_page.h"
+#include "app/gui/administrator/curriculum_editor.h"
+#include "app/gui/administrator/reports_page.h"
+#include "app/gui/administrator/results_page.h"
+#include "app/gui/administrator/roster_wizard.h"
+#include "app/gui/administrator/run_day_page.h"
+#include "app/gui/administrator/scoring_page.h"
+#include "app/gui/base/figure_canvas.h"
+#include "app/gui/base/figure_card.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/people/people_service.h"
+#include "app/reporting/report_export.h"
+#include "app/study/campaign_service.h"
+#include "app/study/cohort_service.h"
 #include "assessment/study/demonstration_marks.h"
 #include "db/repository/evaluation_repository.h"
 #include "db/repository/sheet_repository.h"
@@ -175,10 +175,10 @@ void runTheDay(Office& office, const std::string& cohortId) {
   DeviceReadiness unfit{.device = Text("Touch"), .haptic = true};
   unfit.findings = {{"connected", Light::kRed, Text("no device answers"), ""}};
   storeDevice(stationDevice(unfit, now_us), room);
-  StationRepository(office.centre.connection()).beat(room);
+  StationRepository(office.centre.connection()).heartbeat(room);
   StationState yesterday{.station = "room 3", .heartbeatUtc_us = now_us};
   storeDevice(stationDevice(pointerReadiness(true), now_us - 86'400'000'000), yesterday);
-  StationRepository(office.centre.connection()).beat(yesterday);
+  StationRepository(office.centre.connection()).heartbeat(yesterday);
   auto page = office.open<RunDayPage>("administrator", QString::fromStdString(cohortId));
   EXPECT_EQ(page->table().visibleRows(), static_cast<int>(kTrainees));
   ASSERT_EQ(page->stations().visibleRows(), 2);

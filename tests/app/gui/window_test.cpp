@@ -12,13 +12,13 @@
 #include <QToolButton>
 #include <gtest/gtest.h>
 
-#include "app/gui/exercise_panel.h"
-#include "app/gui/look/angle_dial.h"
-#include "app/gui/look/level_bar.h"
-#include "app/gui/main_window.h"
-#include "app/gui/picture.h"
-#include "app/gui/readout_panel.h"
-#include "app/gui/screenshot.h"
+#include "app/gui/practice/main_window.h"
+#include "app/gui/program/screenshot.h"
+#include "app/gui/simulator/exercise_panel.h"
+#include "app/gui/simulator/readout_panel.h"
+#include "app/gui/widgets/angle_dial.h"
+#include "app/gui/widgets/level_bar.h"
+#include "app/gui/widgets/picture.h"
 #include "sim/base/error.h"
 #include "tests/app/gui/bar_view.h"
 

@@ -9,6 +9,7 @@
 
 #include "app/report/chart_look.h"
 #include "app/report/table_layout.h"
+#include "app/report/typeface.h"
 #include "app/report/upright_title.h"
 
 namespace torsio {
@@ -17,7 +18,7 @@ namespace {
 constexpr double kUnit = 600.0 / 25.4;  // device units in a millimetre at 600 dots an inch
 
 QFont fontOf(double points, bool bold) {
-  QFont font = reportFont();
+  QFont font = typeface();
   font.setPointSizeF(points);
   font.setBold(bold);
   return font;
@@ -49,7 +50,7 @@ TEST(TextFit, BreaksBetweenWordsAfterHyphensAndBetweenChineseCharacters) {
 }
 
 TEST(TextFit, FillsLinesUpToTheirWidth) {
-  QFont font = reportFont();
+  QFont font = typeface();
   font.setPixelSize(12);
   const QFontMetricsF metrics(font);
   const QString title = QStringLiteral("mean of own mark and the others' mean (points)");

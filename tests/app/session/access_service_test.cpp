@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/session/access/access_service.h"
+#include "app/access/access_service.h"
 
 #include <gtest/gtest.h>
 
-#include "app/session/access/first_run.h"
-#include "app/session/access/settings_service.h"
+#include "app/access/first_run.h"
+#include "app/access/settings_service.h"
 #include "db/repository/audit_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/session/office_centre.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/session/study/allocation_service.h"
+#include "app/study/allocation_service.h"
 
 #include <algorithm>
 #include <map>
 
 #include <gtest/gtest.h>
 
-#include "app/session/demonstration_people.h"
-#include "app/session/people/people_service.h"
-#include "app/session/study/cohort_service.h"
+#include "app/demonstration/demonstration_people.h"
+#include "app/people/people_service.h"
+#include "app/study/cohort_service.h"
 #include "sim/base/error.h"
 #include "tests/app/session/office_centre.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever the sources note in the audit trail has plain words: found in the sources, so that a new action
 // cannot be forgotten.
-#include "app/session/access/audit_words.h"
+#include "app/access/audit_words.h"
 
 #include <filesystem>
 #include <map>

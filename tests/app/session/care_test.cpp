@@ -6,13 +6,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/session/care/database_care.h"
-#include "app/session/care/database_copy.h"
-#include "app/session/care/demonstration_removal.h"
-#include "app/session/care/others_at_work.h"
-#include "app/session/care/person_package.h"
-#include "app/session/care/record_restore.h"
-#include "app/session/care/retention.h"
+#include "app/maintenance/database_copy.h"
+#include "app/maintenance/database_maintenance.h"
+#include "app/maintenance/demonstration_removal.h"
+#include "app/maintenance/others_at_work.h"
+#include "app/maintenance/person_package.h"
+#include "app/maintenance/record_restore.h"
+#include "app/maintenance/retention.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/audit_repository.h"
 #include "db/repository/people_repository.h"
@@ -161,16 +161,16 @@ TEST_F(CareTest, ARecordThatSomebodyHasOpenIsNotReplaced) {
 TEST_F(CareTest, NothingIsReplacedWhileARunGoesOnOrAnotherStationIsConnected) {
   Workplace office = workplaceOf("administrator");
   StationRepository stations(connection_);
-  stations.beat({.station = "room 2", .heartbeatUtc_us = now_us_});
+  stations.heartbeat({.station = "room 2", .heartbeatUtc_us = now_us_});
   const std::int64_t longAgo_us = now_us_ - 2 * kStationSilence_us;
-  stations.beat({.station = "room 3", .heartbeatUtc_us = longAgo_us});
+  stations.heartbeat({.station = "room 3", .heartbeatUtc_us = longAgo_us});
 
   EXPECT_EQ(othersAtWork(office), std::vector<Text>{"the station room 2 is connected"});
   EXPECT_EQ(refusalFrom([&] { (void)planRestore(office, in("backup.sqlite")); }).code, ErrorCode::kDatabase);
   stations.leave("room 2");
   TrialHeader header = sampleHeader("a trial that runs", "");
   TrialRepository(connection_, {.station = "room 1"}).begin(header);
-  stations.beat({.station = "room 1", .trialId = header.trialId, .heartbeatUtc_us = now_us_});
+  stations.heartbeat({.station = "room 1", .trialId = header.trialId, .heartbeatUtc_us = now_us_});
 
   EXPECT_EQ(othersAtWork(office), std::vector<Text>{"a run is going on at the station room 1"});
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/session/study/case_order.h"
+#include "app/study/case_order.h"
 
 #include <algorithm>
 #include <map>

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/study/cohort_service.h"
-#include "app/session/study/curriculum_service.h"
-#include "app/session/study/rubric_service.h"
+#include "app/study/cohort_service.h"
+#include "app/study/curriculum_service.h"
+#include "app/study/rubric_service.h"
 #include "db/connection/db_error.h"
 #include "sim/base/error.h"
 #include "tests/app/session/office_centre.h"

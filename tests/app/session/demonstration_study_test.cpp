@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/access/first_run.h"
-#include "app/session/access/settings_service.h"
-#include "app/session/demonstration.h"
-#include "app/session/study/cohort_service.h"
-#include "app/session/study/curriculum_service.h"
-#include "app/session/study/run_day.h"
+#include "app/access/first_run.h"
+#include "app/access/settings_service.h"
+#include "app/demonstration/demonstration.h"
+#include "app/study/cohort_service.h"
+#include "app/study/curriculum_service.h"
+#include "app/study/run_day.h"
 #include "db/repository/trial_repository.h"
 #include "tests/app/session/office_centre.h"
 

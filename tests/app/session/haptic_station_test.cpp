@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A trainee's station with the fake vendor library in place of a Touch.
-#include "app/session/training/haptic_station.h"
+#include "app/devices/haptic_station.h"
 
 #include <gtest/gtest.h>
 
-#include "app/session/assets.h"
+#include "app/base/assets.h"
 #include "sim/base/error.h"
 #include "sim/servo/hand_task.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/session/access/idle_guard.h"
+#include "app/access/idle_guard.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 
 #include <QTemporaryDir>
 
-#include "app/session/people/people_service.h"
-#include "app/session/study/curriculum_service.h"
-#include "app/session/study/rubric_service.h"
+#include "app/people/people_service.h"
+#include "app/study/curriculum_service.h"
+#include "app/study/rubric_service.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/access_repository.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/access/workplace.h"
+#include "app/access/workplace.h"
 #include "db/connection/connection.h"
 #include "db/repository/id_source.h"
 

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/replay_service.h"
-#include "app/session/reporting/report_data.h"
-#include "app/session/training/debrief.h"
-#include "app/session/training/transcript.h"
-#include "app/session/training/trend.h"
+#include "app/recording/replay_service.h"
+#include "app/reporting/report_data.h"
+#include "app/training/debrief.h"
+#include "app/training/transcript.h"
+#include "app/training/trend.h"
 #include "assessment/report/cohort_csv.h"
 #include "db/repository/access_repository.h"
 #include "db/repository/trial_repository.h"

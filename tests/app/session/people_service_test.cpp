@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/session/people/people_service.h"
+#include "app/people/people_service.h"
 
 #include <gtest/gtest.h>
 
-#include "app/session/people/consent_service.h"
-#include "app/session/people/roster_accounts.h"
+#include "app/people/consent_service.h"
+#include "app/people/roster_accounts.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "tests/app/session/office_centre.h"

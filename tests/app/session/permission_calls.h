@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/session/access/workplace.h"
+#include "app/access/workplace.h"
 
 namespace torsio::testing {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A trainee asks a named chief physician about a moment of a practice run.
-#include "app/session/training/questions.h"
+#include "app/training/questions.h"
 
 #include <cmath>
 #include <functional>
 
 #include <gtest/gtest.h>
 
-#include "app/session/training/remarks.h"
+#include "app/training/remarks.h"
 #include "db/repository/people_repository.h"
 #include "db/repository/sheet_repository.h"
 #include "sim/base/error.h"

@@ -5,12 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "app/session/people/people_service.h"
-#include "app/session/reporting/report_export.h"
-#include "app/session/study/allocation_service.h"
-#include "app/session/study/campaign_service.h"
-#include "app/session/study/cohort_service.h"
-#include "app/session/study/frozen_data.h"
+#include "app/people/people_service.h"
+#include "app/reporting/report_export.h"
+#include "app/study/allocation_service.h"
+#include "app/study/campaign_service.h"
+#include "app/study/cohort_service.h"
+#include "app/study/frozen_data.h"
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/report/cohort_report.h"
 #include "db/repository/audit_repository.h"

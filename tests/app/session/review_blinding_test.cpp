@@ -6,14 +6,14 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/review/alignment.h"
-#include "app/session/review/blinded_case.h"
-#include "app/session/review/case_remarks.h"
-#include "app/session/review/case_sheet.h"
-#include "app/session/review/evaluation_form.h"
-#include "app/session/review/own_severity.h"
-#include "app/session/review/review_queue.h"
-#include "app/session/review/warm_up.h"
+#include "app/review/alignment.h"
+#include "app/review/blinded_case.h"
+#include "app/review/case_remarks.h"
+#include "app/review/case_sheet.h"
+#include "app/review/evaluation_form.h"
+#include "app/review/own_severity.h"
+#include "app/review/review_queue.h"
+#include "app/review/warm_up.h"
 #include "db/repository/desk_repository.h"
 #include "db/repository/evaluation_repository.h"
 #include "db/repository/remark_repository.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/session/build_info.h"
-#include "app/session/pipeline.h"
+#include "app/base/build_info.h"
+#include "app/recording/pipeline.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/access_repository.h"
 #include "db/repository/desk_repository.h"
@@ -124,16 +124,17 @@ void ReviewCentre::addTrials(const Setup& setup) {
   const Scene& scene = setup.scene != nullptr ? *setup.scene : bar();
   for (std::size_t i = 0; i < enrolmentIds_.size(); ++i) {
     ScriptedTrial trial;
-    trial.trialId = ids_->newUuid();
-    trial.traineeCode = traineeCodes_[i];
-    trial.phaseLabel = kPhase;
+    trial.recording = {.trialId = ids_->newUuid(),
+                       .traineeCode = traineeCodes_[i],
+                       .phaseLabel = kPhase,
+                       .startedUtc_us = kReviewTime_us,
+                       .context = {.station = "station-7", .enrolmentId = enrolmentIds_[i]}};
     trial.personSeed = 40 + i;
     trial.trialSeed = 40 + i;
     trial.duration_s = setup.trial_s;
-    trial.startedUtc_us = kReviewTime_us;
-    TrialRepository repository(*connection_, {.station = "station-7", .enrolmentId = enrolmentIds_[i]});
+    TrialRepository repository(*connection_, trial.recording.context);
     recordScriptedTrial(scene, trial, repository);
-    trialIds_.push_back(trial.trialId);
+    trialIds_.push_back(trial.recording.trialId);
   }
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session/access/workplace.h"
+#include "app/access/workplace.h"
 #include "db/repository/sheet_repository.h"
 #include "sim/scene/scene.h"
 

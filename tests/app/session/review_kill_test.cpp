@@ -8,8 +8,8 @@
 #include <QProcess>
 #include <gtest/gtest.h>
 
-#include "app/session/review/case_sheet.h"
-#include "app/session/review/sheet_editor.h"
+#include "app/review/case_sheet.h"
+#include "app/review/sheet_editor.h"
 #include "tests/app/session/review_centre.h"
 
 namespace torsio {

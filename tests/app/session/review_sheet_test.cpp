@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/review/case_sheet.h"
-#include "app/session/review/range_pyramid.h"
-#include "app/session/review/review_queue.h"
-#include "app/session/review/sheet_editor.h"
+#include "app/review/case_sheet.h"
+#include "app/review/range_pyramid.h"
+#include "app/review/review_queue.h"
+#include "app/review/sheet_editor.h"
 #include "db/repository/audit_repository.h"
 #include "db/repository/desk_repository.h"
 #include "db/repository/rating_repository.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/session/people/roster_import.h"
+#include "app/people/roster_import.h"
 
 #include <gtest/gtest.h>
 
-#include "app/session/people/people_service.h"
+#include "app/people/people_service.h"
 #include "db/repository/audit_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/session/office_centre.h"

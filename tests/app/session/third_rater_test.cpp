@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the office does when physicians cannot agree, and before they begin: a third rater, and the reference
 // runs of the warm-up.
-#include "app/session/review/third_rater.h"
+#include "app/review/third_rater.h"
 
 #include <gtest/gtest.h>
 
-#include "app/session/review/alignment.h"
-#include "app/session/review/case_sheet.h"
-#include "app/session/review/review_queue.h"
-#include "app/session/review/warm_up.h"
-#include "app/session/study/scoring_plan.h"
+#include "app/review/alignment.h"
+#include "app/review/case_sheet.h"
+#include "app/review/review_queue.h"
+#include "app/review/warm_up.h"
+#include "app/study/scoring_plan.h"
 #include "db/repository/desk_repository.h"
 #include "db/repository/people_repository.h"
 #include "db/repository/study_repository.h"

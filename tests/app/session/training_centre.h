@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "app/session/access/workplace.h"
-#include "app/session/training/device_readiness.h"
+#include "app/access/workplace.h"
+#include "app/devices/device_readiness.h"
 #include "db/repository/curriculum_repository.h"
 #include "db/repository/study_repository.h"
 #include "sim/scene/scene.h"

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/training/debrief.h"
-#include "app/session/training/expert_run.h"
-#include "app/session/training/trend.h"
+#include "app/recording/expert_run.h"
+#include "app/training/debrief.h"
+#include "app/training/trend.h"
 #include "sim/base/error.h"
 #include "sim/record/sample_codec.h"
 #include "sim/servo/replay_trial.h"

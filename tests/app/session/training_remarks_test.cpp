@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/training/debrief.h"
-#include "app/session/training/remarks.h"
-#include "app/session/training/run_session.h"
-#include "app/session/training/transcript.h"
+#include "app/training/debrief.h"
+#include "app/training/remarks.h"
+#include "app/training/run_session.h"
+#include "app/training/transcript.h"
 #include "db/repository/people_repository.h"
 #include "db/repository/remark_repository.h"
 #include "db/repository/sheet_repository.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/session/training/training_run.h"
+#include "app/training/training_run.h"
 
 #include <vector>
 

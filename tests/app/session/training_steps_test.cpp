@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "app/session/training/next_steps.h"
-#include "app/session/training/run_session.h"
+#include "app/training/next_steps.h"
+#include "app/training/run_session.h"
 #include "assessment/metrics/metric_cards.h"
 #include "db/repository/audit_repository.h"
 #include "db/repository/digest_repository.h"
@@ -173,17 +173,16 @@ TEST(RunSession, ATrialSaysWhatItBelongsTo) {
   RunSession session(centre.workplace(), {centre.module("first"), true, deviceWith(Light::kGreen)}, clock);
   session.start();
 
-  const TrialOrder order = session.newTrial();
+  const RecordingSpec recording = session.newTrial();
 
-  EXPECT_EQ(order.header.traineeCode, "T-01");
-  EXPECT_EQ(order.header.phaseLabel, "virtual 1 min");
-  EXPECT_EQ(order.header.sceneId, "bar");
-  EXPECT_EQ(order.context.moduleId, centre.module("first"));
-  EXPECT_EQ(order.context.phaseId, session.run().phase().phaseId);
-  EXPECT_EQ(order.context.attemptMode, "graded");
-  EXPECT_EQ(order.context.enrolmentId, centre.enrolment());
-  EXPECT_FALSE(order.context.host.name.empty());
-  EXPECT_EQ(session.trials(), std::vector<std::string>{order.header.trialId});
+  EXPECT_EQ(recording.traineeCode, "T-01");
+  EXPECT_EQ(recording.phaseLabel, "virtual 1 min");
+  EXPECT_EQ(recording.context.moduleId, centre.module("first"));
+  EXPECT_EQ(recording.context.phaseId, session.run().phase().phaseId);
+  EXPECT_EQ(recording.context.attemptMode, "graded");
+  EXPECT_EQ(recording.context.enrolmentId, centre.enrolment());
+  EXPECT_FALSE(recording.context.host.name.empty());
+  EXPECT_EQ(session.trials(), std::vector<std::string>{recording.trialId});
 }
 
 TEST(RunSession, LogsTheDoseOfEveryPhaseAndTheRest) {

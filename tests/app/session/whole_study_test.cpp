@@ -6,18 +6,18 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/access/access_service.h"
-#include "app/session/care/station_device.h"
-#include "app/session/people/consent_service.h"
-#include "app/session/people/people_service.h"
-#include "app/session/study/allocation_service.h"
-#include "app/session/study/campaign_service.h"
-#include "app/session/study/coded_records.h"
-#include "app/session/study/cohort_service.h"
-#include "app/session/study/curriculum_service.h"
-#include "app/session/study/frozen_data.h"
-#include "app/session/study/run_day.h"
-#include "app/session/study/scoring_plan.h"
+#include "app/access/access_service.h"
+#include "app/devices/station_device.h"
+#include "app/people/consent_service.h"
+#include "app/people/people_service.h"
+#include "app/study/allocation_service.h"
+#include "app/study/campaign_service.h"
+#include "app/study/coded_records.h"
+#include "app/study/cohort_service.h"
+#include "app/study/curriculum_service.h"
+#include "app/study/frozen_data.h"
+#include "app/study/run_day.h"
+#include "app/study/scoring_plan.h"
 #include "db/repository/audit_repository.h"
 #include "db/repository/sheet_repository.h"
 #include "sim/base/error.h"
@@ -288,7 +288,7 @@ TEST(RunDayBoard, ShowsWhoRunsAtWhichStation) {
   TrialRepository(study.centre.connection(), {.station = "station 2", .enrolmentId = study.enrolmentIds[0]})
       .begin(header);
   StationRepository(study.centre.connection())
-      .beat({.station = "station 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
+      .heartbeat({.station = "station 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
 
   const RunDayBoard board = runDayBoard(workplace, study.cohortId);
 
@@ -317,8 +317,8 @@ TEST(RunDayBoard, WarnsOfSilentStationsFirstThenOfWhatIsMissing) {
   TrialRepository(study.centre.connection(), {.station = "room 2", .enrolmentId = study.enrolmentIds[0]})
       .begin(header);
   StationRepository stations(study.centre.connection());
-  stations.beat({.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us});
-  stations.beat({.station = "room 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
+  stations.heartbeat({.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us});
+  stations.heartbeat({.station = "room 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
 
   RunDayBoard board = runDayBoard(workplace, study.cohortId);
   board.asOfUtc_us = testing::kOfficeTime_us + kStationSilence_us;
@@ -346,7 +346,7 @@ TEST(RunDayBoard, TellsOfADeviceThatIsNotFitWhileItsStationAnswers) {
                    {"rate", Light::kRed, Text("%1; below %2 Hz", "700 Hz", 800), ""}}};
   StationState state{.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us};
   storeDevice(stationDevice(unfit, testing::kOfficeTime_us - 1), state);
-  StationRepository(study.centre.connection()).beat(state);
+  StationRepository(study.centre.connection()).heartbeat(state);
 
   RunDayBoard board = runDayBoard(workplace, study.cohortId);
   board.asOfUtc_us = testing::kOfficeTime_us;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/device/device_driver.h"
+#include "sim/device/drivers/device_driver.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The names of the cases (F1 to F7) are those of the haptics plan: what a force must never do.
-#include "sim/device/force_governor.h"
+#include "sim/device/safety/force_governor.h"
 
 #include <cmath>
 #include <limits>

@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/device/force_governor.h"
-#include "sim/device/hdapi_device.h"
-#include "sim/device/hdapi_library.h"
+#include "sim/device/hdapi/hdapi_device.h"
+#include "sim/device/hdapi/hdapi_library.h"
+#include "sim/device/safety/force_governor.h"
 #include "tests/support/fakehd/fakehd_control.h"
 
 namespace torsio::testing {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "sim/device/passivity.h"
+#include "sim/device/safety/passivity.h"
 #include "sim/servo/servo_watchdog.h"
 #include "tests/sim/device/hdapi_bench.h"
 

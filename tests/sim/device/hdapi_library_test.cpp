@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cases L1 to L4 of the haptics plan: looking for the vendor's library.
-#include "sim/device/hdapi_library.h"
+#include "sim/device/hdapi/hdapi_library.h"
 
 #include <algorithm>
 #include <cstdlib>
 
 #include <gtest/gtest.h>
 
-#include "sim/device/dynamic_library.h"
-#include "sim/device/hdapi_device.h"
+#include "sim/device/hdapi/dynamic_library.h"
+#include "sim/device/hdapi/hdapi_device.h"
 #include "tests/sim/device/hdapi_bench.h"
 
 namespace torsio {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The energy test: a mass on a stiff wall that is rendered with delay. The physics of the hand is integrated
 // in steps of 10 us, the wall answers once a millisecond.
-#include "sim/device/passivity.h"
+#include "sim/device/safety/passivity.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/device/scripted_hand.h"
+#include "sim/device/virtual/scripted_hand.h"
 
 #include <cmath>
 #include <complex>

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/device/idle_device.h"
-#include "sim/device/pointer_device.h"
-#include "sim/device/replay_device.h"
+#include "sim/device/virtual/idle_device.h"
+#include "sim/device/virtual/pointer_device.h"
+#include "sim/device/virtual/replay_device.h"
 
 namespace torsio {
 namespace {

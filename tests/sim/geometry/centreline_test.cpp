@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/geometry/centreline.h"
+#include "sim/geometry/lattice/centreline.h"
 
 #include <cmath>
 

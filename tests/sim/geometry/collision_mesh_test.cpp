@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/geometry/collision_mesh.h"
+#include "sim/geometry/query/collision_mesh.h"
 
 #include <algorithm>
 #include <cmath>

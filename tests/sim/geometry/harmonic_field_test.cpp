@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/geometry/harmonic_field.h"
+#include "sim/geometry/lattice/harmonic_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "sim/base/portable_math.h"
 #include "sim/base/random.h"
-#include "sim/geometry/level_loops.h"
+#include "sim/geometry/lattice/level_loops.h"
 #include "tests/support/procedural_mesh.h"
 
 namespace torsio {

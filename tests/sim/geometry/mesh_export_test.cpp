@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/geometry/mesh_export.h"
+#include "sim/geometry/mesh/mesh_export.h"
 
 #include <filesystem>
 

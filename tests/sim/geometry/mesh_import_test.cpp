@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/geometry/mesh_import.h"
+#include "sim/geometry/mesh/mesh_import.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -14,8 +14,8 @@
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "sim/base/random.h"
-#include "sim/geometry/mesh_check.h"
-#include "sim/geometry/mesh_export.h"
+#include "sim/geometry/mesh/mesh_check.h"
+#include "sim/geometry/mesh/mesh_export.h"
 #include "tests/sim/geometry/shapes.h"
 
 namespace torsio {

@@ -8,12 +8,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "assets/organs/generate/shipped_files.h"
 #include "sim/base/file_io.h"
 #include "sim/base/portable_math.h"
-#include "sim/geometry/collision_mesh.h"
-#include "sim/geometry/mesh_check.h"
-#include "sim/geometry/mesh_import.h"
+#include "sim/geometry/mesh/mesh_check.h"
+#include "sim/geometry/mesh/mesh_import.h"
+#include "sim/geometry/query/collision_mesh.h"
+#include "tools/organs/shipped_files.h"
 
 namespace torsio {
 namespace {

@@ -4,17 +4,17 @@
 
 #include <gtest/gtest.h>
 
-#include "assets/organs/generate/arm.h"
-#include "assets/organs/generate/curves.h"
-#include "assets/organs/generate/marching_tetrahedra.h"
-#include "assets/organs/generate/remesh.h"
-#include "assets/organs/generate/stomach.h"
-#include "assets/organs/generate/tube.h"
 #include "sim/base/portable_math.h"
 #include "sim/base/random.h"
-#include "sim/geometry/collision_mesh.h"
-#include "sim/geometry/mesh_check.h"
+#include "sim/geometry/mesh/mesh_check.h"
+#include "sim/geometry/query/collision_mesh.h"
 #include "tests/sim/geometry/shapes.h"
+#include "tools/organs/arm.h"
+#include "tools/organs/curves.h"
+#include "tools/organs/marching_tetrahedra.h"
+#include "tools/organs/remesh.h"
+#include "tools/organs/stomach.h"
+#include "tools/organs/tube.h"
 
 namespace torsio {
 namespace {

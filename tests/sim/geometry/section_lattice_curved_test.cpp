@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/portable_math.h"
-#include "sim/geometry/mesh_import.h"
-#include "sim/geometry/nearest_on_triangle.h"
-#include "sim/geometry/section_lattice.h"
+#include "sim/geometry/lattice/section_lattice.h"
+#include "sim/geometry/mesh/mesh_import.h"
+#include "sim/geometry/mesh/nearest_on_triangle.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/procedural_mesh.h"
 

@@ -10,7 +10,7 @@
 
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
-#include "sim/geometry/section_lattice.h"
+#include "sim/geometry/lattice/section_lattice.h"
 #include "tests/support/procedural_mesh.h"
 
 namespace torsio {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Straight bars, whose lattice is known in closed form.
-#include "sim/geometry/section_lattice.h"
+#include "sim/geometry/lattice/section_lattice.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "sim/base/portable_math.h"
-#include "sim/geometry/triangle_mesh.h"
+#include "sim/geometry/mesh/triangle_mesh.h"
 
 namespace torsio::testing {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/geometry/surface_patches.h"
+#include "sim/geometry/mesh/surface_patches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/random.h"
-#include "sim/geometry/collision_mesh.h"
-#include "sim/geometry/deformed_surface.h"
+#include "sim/geometry/query/collision_mesh.h"
+#include "sim/geometry/query/deformed_surface.h"
 #include "tests/sim/geometry/shapes.h"
 #include "tests/support/allocation_count.h"
 

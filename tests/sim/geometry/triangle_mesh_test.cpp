@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/geometry/triangle_mesh.h"
+#include "sim/geometry/mesh/triangle_mesh.h"
 
 #include <cmath>
 

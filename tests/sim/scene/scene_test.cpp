@@ -12,7 +12,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
-#include "sim/geometry/mesh_export.h"
+#include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_parameters.h"
 #include "tests/support/procedural_mesh.h"

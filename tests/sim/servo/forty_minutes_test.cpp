@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/device/scripted_hand.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/recorder.h"
 #include "sim/servo/hand_task.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/device/idle_device.h"
+#include "sim/device/virtual/idle_device.h"
 #include "tests/sim/servo/bar_scene.h"
 
 namespace torsio {

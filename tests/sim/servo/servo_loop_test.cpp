@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
-#include "sim/device/idle_device.h"
-#include "sim/device/scripted_hand.h"
+#include "sim/device/virtual/idle_device.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"
 #include "sim/servo/hand_task.h"

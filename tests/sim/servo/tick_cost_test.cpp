@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/device/scripted_hand.h"
+#include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "sim/servo/servo_loop.h"
 #include "tests/sim/servo/bar_scene.h"

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/tissue/cpu_features.h"
-#include "sim/tissue/twist_bench.h"
+#include "sim/tissue/twist/twist_bench.h"
+#include "sim/tissue/view/cpu_features.h"
 
 namespace torsio {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "sim/base/portable_math.h"
 #include "sim/base/random.h"
-#include "sim/tissue/cpu_features.h"
-#include "sim/tissue/twist_kernels.h"
-#include "sim/tissue/twist_kernels_buffer.h"
+#include "sim/tissue/view/cpu_features.h"
+#include "sim/tissue/view/twist_kernels.h"
+#include "sim/tissue/view/twist_kernels_buffer.h"
 
 namespace torsio {
 namespace {

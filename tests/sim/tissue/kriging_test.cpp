@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/tissue/kriging.h"
+#include "sim/tissue/twist/kriging.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
-#include "sim/tissue/section_solver.h"
+#include "sim/tissue/section/section_solver.h"
 #include "tests/sim/tissue/section_shapes.h"
 
 namespace torsio {

@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/tissue/plane_mesh.h"
-#include "sim/tissue/polar_mesh.h"
-#include "sim/tissue/polygon.h"
-#include "sim/tissue/polygon_mesh.h"
-#include "sim/tissue/section_outline.h"
+#include "sim/tissue/section/plane_mesh.h"
+#include "sim/tissue/section/polar_mesh.h"
+#include "sim/tissue/section/polygon.h"
+#include "sim/tissue/section/polygon_mesh.h"
+#include "sim/tissue/section/section_outline.h"
 #include "tests/sim/tissue/section_shapes.h"
 
 namespace torsio {

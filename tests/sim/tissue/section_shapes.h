@@ -6,7 +6,7 @@
 
 #include "sim/base/portable_math.h"
 #include "sim/base/random.h"
-#include "sim/tissue/polygon.h"
+#include "sim/tissue/section/polygon.h"
 
 namespace torsio::shapes {
 

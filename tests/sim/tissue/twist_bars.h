@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim/base/portable_math.h"
-#include "sim/tissue/twist_model.h"
+#include "sim/tissue/twist/twist_model.h"
 #include "tests/support/procedural_mesh.h"
 
 namespace torsio {

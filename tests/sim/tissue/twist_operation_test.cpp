@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/tissue/twist_operation.h"
+#include "sim/tissue/twist/twist_operation.h"
 
 #include <array>
 #include <cmath>

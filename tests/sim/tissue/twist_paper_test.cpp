@@ -7,7 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
-#include "sim/tissue/paper_formulation.h"
+#include "sim/tissue/reference/paper_formulation.h"
 
 namespace torsio {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
-#include "sim/tissue/saint_venant.h"
+#include "sim/tissue/twist/saint_venant.h"
 
 namespace torsio {
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/pose.h"
-#include "sim/tissue/twist_model_view.h"
+#include "sim/tissue/twist/twist_model_view.h"
 #include "tests/sim/tissue/twist_bars.h"
 #include "tests/support/allocation_count.h"
 

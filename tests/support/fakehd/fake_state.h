@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "sim/device/hdapi_abi.h"
+#include "sim/device/hdapi/hdapi_abi.h"
 #include "tests/support/fakehd/fakehd.h"
 
 /// The inside of the fake vendor library: its state, its servo thread and the bookkeeping of its calls. State

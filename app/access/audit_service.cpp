@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/access/audit_service.h"
+
+#include "db/repository/access_repository.h"
+#include "db/repository/people_repository.h"
+
+namespace torsio {
+
+std::vector<AuditEntry> auditEntries(Workplace& workplace, const AuditFilter& filter) {
+  workplace.require(Operation::kAuditView);
+  return AuditRepository(workplace.connection()).entries(filter);
+}
+
+std::int64_t auditEntryCount(Workplace& workplace, std::int64_t fromUtc_us) {
+  workplace.require(Operation::kAuditView);
+  return AuditRepository(workplace.connection()).count(fromUtc_us);
+}
+
+std::map<std::string, std::string> auditActors(Workplace& workplace) {
+  workplace.require(Operation::kAuditView);
+  std::map<std::string, std::string> logins;
+  for (const StoredUser& user : AccessRepository(workplace.connection()).users()) {
+    logins.emplace(user.id, user.login);
+  }
+  // Simulated raters have no account: their marks stand under the person.
+  for (const StoredRater& rater : PeopleRepository(workplace.connection()).raters()) {
+    logins.emplace(rater.person.id, rater.person.code);
+  }
+  return logins;
+}
+
+std::vector<AuditFinding> verifyAudit(Workplace& workplace) {
+  workplace.require(Operation::kAuditView);
+  std::vector<AuditFinding> findings = AuditRepository(workplace.connection()).verify();
+  workplace.note({.action = "audit.verify",
+                  .objectKind = "audit_entry",
+                  .newJson = R"({"findings":)" + std::to_string(findings.size()) + "}"});
+  return findings;
+}
+
+}  // namespace torsio

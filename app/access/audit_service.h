@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "db/repository/audit_repository.h"
+
+namespace torsio {
+
+/// Newest first. kAuditView.
+[[nodiscard]] std::vector<AuditEntry> auditEntries(Workplace& workplace, const AuditFilter& filter = {});
+/// How many there are since `fromUtc_us`. kAuditView.
+[[nodiscard]] std::int64_t auditEntryCount(Workplace& workplace, std::int64_t fromUtc_us);
+/// Sign-in names by the ids that stand in the entries. kAuditView.
+[[nodiscard]] std::map<std::string, std::string> auditActors(Workplace& workplace);
+/// Walks the whole chain and compares every sealed mark and trial with its row. That somebody looked, and
+/// what was found, is audited. Takes seconds with many trials. kAuditView.
+[[nodiscard]] std::vector<AuditFinding> verifyAudit(Workplace& workplace);
+
+}  // namespace torsio

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/access/access_service.h"
+
+namespace torsio {
+
+/// What anybody at the station may know before signing in.
+struct CentreSign {
+  std::string name{};      ///< empty before the first run
+  std::string language{};  ///< "en", "zh_CN"; empty: none was chosen
+};
+[[nodiscard]] CentreSign centreSign(Connection& connection);
+
+/// Whether a record can be kept at `locator`: opens it, makes an SQLite file when it is missing, and says
+/// whether a centre lives there already. Throws Error, DbError with what is wrong.
+[[nodiscard]] bool recordHasUsers(const std::string& locator);
+
+/// An account of the demonstration. The password was drawn at random, must be changed at the first sign-in,
+/// and is told once: only its hash is stored.
+struct StartAccount {
+  std::string login{};
+  std::string role{};
+  std::string personCode{};
+  std::string startPassword{};
+};
+
+/// Fills the record with people who are not real, and makes an account for each role.
+using AddPeople = std::function<std::vector<StartAccount>(Workplace&)>;
+
+/// Carries out what the first-run wizard decided, all or nothing: the centre, the first administrator (who is
+/// signed in afterwards) and, where `first.demonstration` is set, `addPeople` (app/demonstration has one).
+/// Throws what setUpCentre and `addPeople` throw.
+std::vector<StartAccount> performFirstRun(Workplace& workplace, const FirstRun& first,
+                                          const AddPeople& addPeople);
+
+/// Twenty characters in groups that can be read aloud; from the system's random source.
+[[nodiscard]] std::string randomStartPassword();
+
+}  // namespace torsio

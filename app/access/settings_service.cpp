@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/access/settings_service.h"
+
+#include <charconv>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "db/repository/setting_repository.h"
+#include "db/repository/study_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::size_t kLongestValue = 4000;
+constexpr const char* kIdleWarn = "idle_warn_minutes";
+constexpr const char* kIdleLock = "idle_lock_minutes";
+constexpr std::int64_t kMinute_us = 60'000'000;
+
+bool sensible(int warn_min, int lock_min) {
+  return warn_min >= 1 && warn_min < lock_min && lock_min >= kShortestIdleLock_min &&
+         lock_min <= kLongestIdleLock_min;
+}
+
+/// 0 for what is no small number.
+int minutesOf(const std::optional<std::string>& text) {
+  int minutes = 0;
+  if (text) std::from_chars(text->data(), text->data() + text->size(), minutes);
+  return minutes;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> centreSettings(Workplace& workplace) {
+  workplace.require(Operation::kSettingsEdit);
+  return SettingRepository(workplace.connection()).values();
+}
+
+void setCentreSetting(Workplace& workplace, const std::string& name, const std::string& value,
+                      const std::string& reason) {
+  workplace.require(Operation::kSettingsEdit);
+  if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
+    throw Error(ErrorCode::kBadParameter, "this is no name of a setting", name, "Choose one from the list");
+  }
+  if (value.size() > kLongestValue) {
+    throw Error(ErrorCode::kBadParameter, "the value is too long", name, "Shorten it");
+  }
+  Transaction transaction(workplace.connection());
+  SettingRepository settings(workplace.connection());
+  const std::string before = settings.value(name).value_or("");
+  settings.set(name, value, workplace.now_us());
+  workplace.note({.action = "setting.change",
+                  .objectKind = "setting",
+                  .objectId = name,
+                  .oldJson = nlohmann::json{{"value", before}}.dump(),
+                  .newJson = nlohmann::json{{"value", value}}.dump(),
+                  .reason = reason});
+  transaction.commit();
+}
+
+void setCentreName(Workplace& workplace, const std::string& name) {
+  workplace.require(Operation::kSettingsEdit);
+  if (name.empty()) {
+    throw Error(ErrorCode::kBadParameter, "the centre has no name", "centre",
+                "Enter the name of your centre");
+  }
+  Transaction transaction(workplace.connection());
+  StudyRepository studies(workplace.connection());
+  const std::optional<StoredCentre> before = studies.centre();
+  if (before && before->name == name) return;
+  StoredCentre centre = before.value_or(StoredCentre{.id = workplace.ids().newUuid()});
+  centre.name = name;
+  centre.demonstration = false;
+  if (!before) centre.createdUtc_us = workplace.now_us();
+  studies.setCentre(centre);
+  workplace.note({.action = "centre.rename",
+                  .objectKind = "centre",
+                  .objectId = centre.id,
+                  .oldJson = nlohmann::json{{"name", before ? before->name : ""}}.dump(),
+                  .newJson = nlohmann::json{{"name", name}}.dump()});
+  transaction.commit();
+}
+
+IdleLimits centreIdleLimits(Connection& connection) {
+  SettingRepository settings(connection);
+  const int warn_min = minutesOf(settings.value(kIdleWarn));
+  const int lock_min = minutesOf(settings.value(kIdleLock));
+  if (!sensible(warn_min, lock_min)) return {};
+  return {.warn_us = warn_min * kMinute_us, .lock_us = lock_min * kMinute_us};
+}
+
+void setCentreIdleLimits(Workplace& workplace, int warn_min, int lock_min) {
+  workplace.require(Operation::kSettingsEdit);
+  if (!sensible(warn_min, lock_min)) {
+    throw Error(ErrorCode::kBadParameter, "these minutes make no sense", "idle lock",
+                Text("Lock after %1 to %2 minutes, and warn at least one minute before",
+                     kShortestIdleLock_min, kLongestIdleLock_min));
+  }
+  Transaction transaction(workplace.connection());
+  setCentreSetting(workplace, kIdleWarn, std::to_string(warn_min));
+  setCentreSetting(workplace, kIdleLock, std::to_string(lock_min));
+  transaction.commit();
+}
+
+void setGradedWithMouse(Workplace& workplace, bool graded) {
+  setCentreSetting(workplace, "graded_with_mouse", graded ? "yes" : "no");
+}
+
+}  // namespace torsio

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/access/workplace.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QString>
+#include <QSysInfo>
+
+#include "app/base/build_info.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/access_repository.h"
+#include "db/repository/audit_repository.h"
+#include "sim/base/clock.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+Connection openUpToDate(const std::string& locator) {
+  MigrationOptions options;
+  options.softwareVersion = softwareVersion();
+  return openRecord(locator, OpenMode::kCreate, options);
+}
+
+struct Workplace::Owned {
+  explicit Owned(const std::string& locator) : connection(openUpToDate(locator)) {}
+  Connection connection;
+  SystemIdSource ids;
+};
+
+bool Actor::hasRole(const std::string& role) const {
+  return std::find(roles.begin(), roles.end(), role) != roles.end();
+}
+
+Workplace::Workplace(const WorkplaceKey& key)
+    : owned_(std::make_unique<Owned>(key.locator)),
+      connection_(&owned_->connection),
+      ids_(&owned_->ids),
+      key_(key),
+      now_(utcNow_us) {}
+
+Workplace::Workplace(Connection& connection, IdSource& ids, WorkplaceKey key, UtcClock now)
+    : connection_(&connection), ids_(&ids), key_(std::move(key)), now_(std::move(now)) {}
+
+Workplace::~Workplace() = default;
+Workplace::Workplace(Workplace&&) noexcept = default;
+
+void Workplace::reconnect() {
+  if (owned_) owned_->connection = openUpToDate(key_.locator);
+}
+
+bool Workplace::may(Operation operation) const {
+  if (key_.actor.userId.empty()) return false;
+  if (key_.actor.practiceOnly && operation != Operation::kPractice) return false;
+  return AccessRepository(*connection_).allowed(key_.actor.userId, std::string(operationCode(operation)));
+}
+
+void Workplace::require(Operation operation) const {
+  if (may(operation)) return;
+  const std::string code(operationCode(operation));
+  if (key_.actor.userId.empty()) {
+    throw Error(ErrorCode::kPermission, "nobody is signed in", code, "Sign in first");
+  }
+  throw Error(ErrorCode::kPermission, Text("you are signed in as %1, who may not do this", key_.actor.login),
+              code, "Ask an administrator, or sign in as somebody who may");
+}
+
+void Workplace::requireOwn(Operation operation, const std::string& personId) const {
+  require(operation);
+  if (!key_.actor.personId.empty() && key_.actor.personId == personId) return;
+  throw Error(ErrorCode::kPermission, "this belongs to somebody else", std::string(operationCode(operation)),
+              "Open your own record");
+}
+
+void Workplace::note(const AuditNote& note) const {
+  AuditRepository(*connection_)
+      .append({.atUtc_us = now_us(),
+               .actor = key_.actor.userId.empty() ? "torsio" : key_.actor.userId,
+               .station = key_.station,
+               .action = note.action,
+               .objectKind = note.objectKind,
+               .objectId = note.objectId,
+               .oldJson = note.oldJson,
+               .newJson = note.newJson,
+               .reason = note.reason});
+}
+
+std::string stationName() {
+  return QSysInfo::machineHostName().toStdString();
+}
+
+}  // namespace torsio

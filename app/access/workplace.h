@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/access/operation.h"
+#include "db/connection/connection.h"
+#include "db/repository/id_source.h"
+#include "db/repository/password.h"
+
+namespace torsio {
+
+/// Somebody who has signed in (access_service.h is the only place that makes one from a password).
+struct Actor {
+  std::string userId{};
+  std::string login{};
+  std::string personId{};  ///< empty: nobody of the record (an administrator, say)
+  std::vector<std::string> roles{};
+  /// Came in with a station PIN: practice without a record and nothing else, whatever the roles say.
+  bool practiceOnly = false;
+
+  [[nodiscard]] bool hasRole(const std::string& role) const;
+};
+
+/// Wall-clock time, microseconds since 1970 UTC.
+using UtcClock = std::function<std::int64_t()>;
+
+/// What a worker thread needs to work for the same person on a connection of its own.
+struct WorkplaceKey {
+  std::string locator{};
+  std::string station{};
+  Actor actor{};
+};
+
+/// What a change leaves in the audit trail. Ids and codes only, never a name.
+struct AuditNote {
+  std::string action{};      ///< "user.add", "roster.import" ...
+  std::string objectKind{};  ///< table of the object
+  std::string objectId{};
+  std::string oldJson{};
+  std::string newJson{};
+  std::string reason{};
+};
+
+/// One signed-in person at one station with one database: what every service of the application works
+/// through. Each service function begins with require(): the matrix role x operation is read from the
+/// database each time, so a right that was taken away is gone at once. Default deny. Belongs to the thread
+/// that made it.
+class Workplace {
+ public:
+  /// Opens (or makes) the database of `key` and brings its schema up to date. Throws Error, DbError.
+  explicit Workplace(const WorkplaceKey& key);
+  /// Tests and the demonstration: an open connection, ids and time of their own. Both outlive the workplace.
+  Workplace(Connection& connection, IdSource& ids, WorkplaceKey key, UtcClock now);
+  ~Workplace();
+  Workplace(Workplace&&) noexcept;
+  Workplace& operator=(Workplace&&) = delete;
+
+  [[nodiscard]] Connection& connection() const noexcept { return *connection_; }
+  [[nodiscard]] IdSource& ids() const noexcept { return *ids_; }
+  [[nodiscard]] const Actor& actor() const noexcept { return key_.actor; }
+  [[nodiscard]] const std::string& station() const noexcept { return key_.station; }
+  [[nodiscard]] const WorkplaceKey& key() const noexcept { return key_; }
+  [[nodiscard]] std::int64_t now_us() const { return now_(); }
+  /// Of every password that is set from now on; tests use a cheap one.
+  [[nodiscard]] PasswordCost passwordCost() const noexcept { return passwordCost_; }
+  void setPasswordCost(PasswordCost cost) noexcept { passwordCost_ = cost; }
+  /// Opens a connection of its own anew, after the server was away. Only between two services; does nothing
+  /// for a borrowed connection. Throws Error, DbError, and then keeps the old one.
+  void reconnect();
+  /// After signing in or out, on the same connection.
+  void setActor(Actor actor) { key_.actor = std::move(actor); }
+
+  [[nodiscard]] bool may(Operation operation) const;
+  /// Throws Error{kPermission} that names the operation in words.
+  void require(Operation operation) const;
+  /// For "own" operations: the record must also belong to the actor's person.
+  void requireOwn(Operation operation, const std::string& personId) const;
+
+  /// Adds an entry to the audit trail; call it inside the transaction of the change.
+  void note(const AuditNote& note) const;
+
+ private:
+  struct Owned;
+  std::unique_ptr<Owned> owned_;  // null when connection and ids are borrowed
+  Connection* connection_;
+  IdSource* ids_;
+  WorkplaceKey key_;
+  UtcClock now_;
+  PasswordCost passwordCost_ = PasswordCost::kModerate;
+};
+
+/// Opens (or makes) a database and brings its schema up to date. Throws Error, DbError.
+[[nodiscard]] Connection openUpToDate(const std::string& locator);
+
+/// Name of this machine as it stands on trials and audit entries.
+[[nodiscard]] std::string stationName();
+
+}  // namespace torsio

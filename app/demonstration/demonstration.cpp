@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/demonstration/demonstration.h"
+
+#include <array>
+#include <chrono>
+#include <system_error>
+#include <utility>
+
+#include "app/base/build_info.h"
+#include "app/demonstration/demonstration_curriculum.h"
+#include "app/demonstration/demonstration_people.h"
+#include "app/recording/expert_run.h"
+#include "app/recording/kept_digests.h"
+#include "app/recording/pipeline.h"
+#include "app/report/pdf_report.h"
+#include "app/scoring/cohort_inputs.h"
+#include "app/scoring/scoring_service.h"
+#include "assessment/report/cohort_csv.h"
+#include "assessment/report/cohort_report.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/trial_repository.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+#include "sim/record/sample_codec.h"
+
+namespace torsio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kPhaseLength_min = 20.0;
+
+/// Phases on the simulator, by group; the other phases happen on a real arm and leave marks only.
+struct VirtualPhase {
+  std::size_t group;
+  const char* label;
+  double practisedBefore_min;
+};
+constexpr std::array<VirtualPhase, 3> kVirtualPhases{
+    {{0, "virtual 0-20 min", 0.0}, {0, "virtual 20-40 min", kPhaseLength_min}, {1, "virtual 0-20 min", 0.0}}};
+
+/// Steps with their share of the whole work, and the time left as far as the past tells.
+class ProgressMeter {
+ public:
+  explicit ProgressMeter(const ProgressCallback& callback) : callback_(callback) {}
+
+  void show(const std::string& step, double fraction) {
+    if (!callback_) return;
+    const double elapsed_s =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+    callback_({step, fraction, fraction > 0.05 ? elapsed_s * (1.0 - fraction) / fraction : -1.0});
+  }
+
+ private:
+  const ProgressCallback& callback_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+/// A database that exists only under its temporary name until it is complete.
+class TemporaryDatabase {
+ public:
+  explicit TemporaryDatabase(const fs::path& file) : file_(file), temporary_(temporaryBeside(file)) {
+    discard();
+  }
+  ~TemporaryDatabase() { discard(); }
+  TemporaryDatabase(const TemporaryDatabase&) = delete;
+  TemporaryDatabase& operator=(const TemporaryDatabase&) = delete;
+
+  [[nodiscard]] std::string locator() const { return temporary_.string(); }
+  void keep() {
+    std::error_code failed;
+    for (const char* companion : {"-wal", "-shm"}) fs::remove(file_.string() + companion, failed);
+    fs::rename(temporary_, file_, failed);
+    if (failed) {
+      throw Error(ErrorCode::kFileUnwritable, "cannot be written", file_.string(),
+                  "Close other programs that use it");
+    }
+  }
+
+ private:
+  void discard() const {
+    std::error_code ignored;
+    for (const char* ending : {"", "-wal", "-shm"}) fs::remove(temporary_.string() + ending, ignored);
+  }
+  fs::path file_;
+  fs::path temporary_;
+};
+
+/// One run of the demonstration: what its steps hand to each other.
+class Demonstration {
+ public:
+  Demonstration(const DemonstrationOptions& options, Connection& connection)
+      : options_(options),
+        connection_(connection),
+        ids_(options.seed),
+        rules_(options.training.assets),
+        meter_(options.progress) {}
+
+  CohortInputs run() {
+    meter_.show("Loading the organs", 0.0);
+    const Scene training = loadScene(options_.training);
+    const Scene example = loadScene(options_.example);
+    meter_.show("Enrolling simulated trainees and raters", 0.03);
+    study_ = storeDemonstrationPeople(connection_, ids_, options_.seed, options_.simulatedUtc_us);
+    curriculum_ = storeDemonstrationCurriculum(connection_, study_, training, options_.training.assets,
+                                               options_.seed, options_.simulatedUtc_us);
+    recordAll(training, example);
+    storeDemonstrationExposures(connection_, study_, curriculum_, options_.seed, options_.simulatedUtc_us);
+    meter_.show("Submitting simulated marks", 0.88);
+    submitDemonstrationMarks(connection_, study_, ids_, options_.seed, options_.simulatedUtc_us);
+    meter_.show("Computing the evaluation", 0.92);
+    return assess(training, example);
+  }
+
+  [[nodiscard]] DemonstrationSummary summary() const { return summary_; }
+
+ private:
+  void recordAll(const Scene& training, const Scene& example) {
+    const double phase_s = kPhaseLength_min * 60.0 / static_cast<double>(options_.shortening);
+    ScriptedTrial show;
+    show.personSeed = options_.seed;
+    show.trialSeed = options_.seed;
+    show.duration_s = std::min(phase_s, 20.0);
+    show.practisedBefore_min = 60.0;
+    show.recording.phaseLabel = kExpertPhase;
+    record(example, show, {}, 0.04);
+
+    std::size_t total = 0;
+    for (const VirtualPhase& phase : kVirtualPhases) total += study_.people.groups.at(phase.group).size();
+    std::size_t done = 0;
+    for (const VirtualPhase& phase : kVirtualPhases) {
+      for (const DemonstrationTrainee& trainee : study_.trainees) {
+        if (trainee.group != phase.group) continue;
+        ScriptedTrial trial;
+        trial.personSeed = options_.seed + 1000 * (trainee.group * 10 + trainee.number);
+        trial.trialSeed = trial.personSeed + static_cast<std::uint64_t>(phase.practisedBefore_min);
+        trial.duration_s = phase_s;
+        trial.practisedBefore_min = phase.practisedBefore_min;
+        trial.practiceScale = static_cast<double>(options_.shortening);
+        trial.recording.phaseLabel = phase.label;
+        const double fraction = 0.05 + 0.83 * static_cast<double>(done++) / static_cast<double>(total);
+        record(training, trial, &trainee, fraction);
+      }
+    }
+  }
+
+  void record(const Scene& scene, ScriptedTrial trial, const DemonstrationTrainee* trainee, double fraction) {
+    RecordingSpec& recording = trial.recording;
+    meter_.show(
+        "Recording " + (trainee != nullptr ? trainee->code : "the example") + ", " + recording.phaseLabel,
+        fraction);
+    recording.trialId = ids_.newUuid();
+    recording.traineeCode = trainee != nullptr ? trainee->code : "";
+    recording.startedUtc_us = options_.simulatedUtc_us;
+    recording.demonstration = true;
+    TrialContext& context = recording.context;
+    context.station = "demonstration";
+    if (trainee != nullptr) {
+      const DemonstrationPlace place = demonstrationPlace(curriculum_, trainee->group, recording.phaseLabel);
+      context.enrolmentId = trainee->enrolmentId;
+      context.moduleId = place.moduleId;
+      context.phaseId = place.phaseId;
+      context.attemptMode = "practice";
+    }
+    TrialRepository repository(connection_, context);
+    recordScriptedTrial(scene, trial, repository);
+
+    const Trial stored = repository.load(recording.trialId);
+    const AttemptRules rules = rules_.of(connection_, scene.id, scene.pattern.id, context.moduleId);
+    const StoredTrialDigest digest = keptDigest(
+        stored, measureAttempt(stored.header, decodeTrial(stored), rules), rules, options_.simulatedUtc_us);
+    TrialSummaryRow row = summaryRow({.trialId = recording.trialId,
+                                      .traineeCode = recording.traineeCode,
+                                      .phaseLabel = recording.phaseLabel,
+                                      .summary = stored.summary},
+                                     digest);
+    summary_.samples += row.samples;
+    summary_.recorded_min += row.minutes;
+    ++summary_.trials;
+    if (trainee == nullptr) return;
+    if (summary_.firstTrialId.empty()) summary_.firstTrialId = recording.trialId;
+    row.group = trainee->group;
+    summary_.twists += row.twists;
+    DigestRepository(connection_).add({&digest, 1});
+    digests_.push_back(std::move(row));
+  }
+
+  CohortInputs assess(const Scene& training, const Scene& example) {
+    const ScoringStamp stamp{options_.simulatedUtc_us, true};
+    const CampaignResult campaign = evaluateCampaign(connection_, study_.campaignId, ids_, stamp);
+    const TrainingResult marks = scoreTraining(connection_, study_.cohortId, ids_, stamp);
+    CohortInputs inputs = cohortInputs(connection_, study_.cohortId, campaign, marks);
+    inputs.title = Text("Twist training: cohort report");
+    inputs.createdUtc_us = options_.createdUtc_us;
+    inputs.demonstration = true;
+    inputs.trainingTimeDivisor = options_.shortening;
+    inputs.simulated = {
+        Text("The trainees' movements come from a scripted hand with a seed; the simulator, the recorder and "
+             "every computation are the real ones."),
+        demonstrationTimeRule(), demonstrationTrainingRule(), demonstrationEvaluationRule()};
+    inputs.facts = {
+        {"Organ of the training", Text("%1 (%2)", Text(training.title), Text(training.provenance))},
+        {"Second organ", Text("%1 (%2)", Text(example.title), Text(example.provenance))},
+        {"Seed", std::to_string(options_.seed)},
+        {"Simulated date", Text("%1, the same in every run", "2026-01-05 08:00 UTC")}};
+    inputs.trials = digests_;
+    for (const Scene* scene : {&training, &example}) {
+      inputs.provenance.emplace_back(Text("organ %1", scene->id), scene->organHash);
+      inputs.provenance.emplace_back(Text("model parameters %1", scene->id), scene->parameterHash);
+    }
+    return inputs;
+  }
+
+  const DemonstrationOptions& options_;
+  Connection& connection_;
+  SeededIdSource ids_;
+  ExerciseRules rules_;
+  ProgressMeter meter_;
+  DemonstrationStudy study_;
+  StoredCurriculumVersion curriculum_;
+  std::vector<TrialSummaryRow> digests_;
+  DemonstrationSummary summary_;
+};
+
+void requireShortening(const DemonstrationOptions& options) {
+  if (options.shortening >= 1 && options.shortening <= 600) return;
+  throw Error(ErrorCode::kBadParameter, "the shortening must lie between 1 and 600",
+              std::to_string(options.shortening), "Give 60 for twenty seconds a phase");
+}
+
+}  // namespace
+
+DemonstrationSummary fillDemonstration(const DemonstrationOptions& options, Connection& connection) {
+  requireShortening(options);
+  Transaction transaction(connection);
+  Demonstration demonstration(options, connection);
+  static_cast<void>(demonstration.run());
+  transaction.commit();
+  return demonstration.summary();
+}
+
+DemonstrationSummary runDemonstration(const DemonstrationOptions& options) {
+  requireShortening(options);
+  const Wording wording = wordingIn(options.language);
+  ensureFolder(options.out);
+  DemonstrationSummary summary;
+  TemporaryDatabase database(options.out / "torsio.sqlite");
+  {
+    MigrationOptions migration;
+    migration.softwareVersion = softwareVersion();
+    migration.now_us = options.simulatedUtc_us;
+    Connection connection = openRecord(database.locator(), OpenMode::kCreate, migration);
+    Demonstration demonstration(options, connection);
+    const CohortInputs inputs = demonstration.run();
+    summary = demonstration.summary();
+    if (options.progress) options.progress({"Writing the report", 0.95, -1.0});
+    summary.report = options.out / "cohort.pdf";
+    summary.table = options.out / "cohort.csv";
+    summary.database = options.out / "torsio.sqlite";
+    writePdfReport(cohortReport(inputs), summary.report, wording);
+    writeFileAtomically(summary.table, cohortCsvText(cohortCsvRows(inputs)));
+  }
+  database.keep();
+  if (options.progress) options.progress({"Done", 1.0, 0.0});
+  return summary;
+}
+
+}  // namespace torsio

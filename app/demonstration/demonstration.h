@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "app/base/progress.h"
+#include "db/connection/connection.h"
+#include "sim/scene/scene.h"
+
+namespace torsio {
+
+struct DemonstrationOptions {
+  std::filesystem::path out;  ///< folder; made if missing
+  std::uint64_t seed = 1;
+  /// One second of a simulated trial stands for this many seconds of training; 1: full length.
+  std::int64_t shortening = 60;
+  SceneRequest training;  ///< what the trainees twist
+  SceneRequest example;   ///< a second organ, twisted once before the training
+  /// Stamped on every row: a stated, invented date (2026-01-05 08:00 UTC), so that the same seed gives the
+  /// same record, content hashes included.
+  std::int64_t simulatedUtc_us = 1'767'600'000'000'000;
+  std::int64_t createdUtc_us = 0;  ///< printed on the report
+  std::string language = "en";     ///< of the report: one of reportLanguages()
+  ProgressCallback progress;       ///< may be empty
+};
+
+/// What was written, for the last lines on the screen.
+struct DemonstrationSummary {
+  std::filesystem::path report;    ///< cohort.pdf
+  std::filesystem::path table;     ///< cohort.csv
+  std::filesystem::path database;  ///< torsio.sqlite
+  std::int64_t trials = 0;
+  std::int64_t samples = 0;
+  std::int64_t twists = 0;
+  double recorded_min = 0.0;  ///< simulated time
+  std::string firstTrialId;   ///< to try `torsio replay` with
+};
+
+/// The main job, end to end, through the same code as the real thing but on a manual clock: load the organs,
+/// let simulated trainees twist them, record every tick, submit simulated marks, compute and store the
+/// evaluation, write report and table. Same options, same numbers. Needs a QApplication (charts). Throws
+/// Error (kUsage: unknown language); then none of the three files has been replaced.
+DemonstrationSummary runDemonstration(const DemonstrationOptions& options);
+
+/// The same people, trials and marks into a record that exists: a centre that wants something to try things
+/// out on. `options.out` is not used; no report is written. All or nothing. Throws Error, DbError.
+DemonstrationSummary fillDemonstration(const DemonstrationOptions& options, Connection& connection);
+
+}  // namespace torsio

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/demonstration/demonstration_accounts.h"
+
+#include <algorithm>
+#include <string>
+
+#include "app/demonstration/demonstration.h"
+#include "app/demonstration/demonstration_desk.h"
+#include "app/demonstration/demonstration_station.h"
+#include "db/repository/people_repository.h"
+#include "sim/base/contracts.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr double kDesksAt = 0.97;  // of the whole work
+
+/// Whose accounts are worth signing in with: their pages hold something.
+struct DemonstrationUsers {
+  std::string traineeId;
+  std::string raterId;
+};
+
+DemonstrationUsers fillWithPeople(Workplace& workplace, const std::filesystem::path& assets,
+                                  const ProgressCallback& progress) {
+  DemonstrationOptions options;
+  options.training.assets = assets;
+  options.training.id = "arm";
+  options.example.assets = assets;
+  options.example.id = "stomach";
+  options.progress = progress;
+  static_cast<void>(fillDemonstration(options, workplace.connection()));
+  // What the trainee and the physician of the demonstration find when they sign in.
+  if (progress) progress({"Laying out the desks", kDesksAt, -1.0});
+  const DemonstrationStation station =
+      storeDemonstrationStation(workplace.connection(), workplace.ids(), assets, workplace.now_us());
+  const DemonstrationDesk desk =
+      storeDemonstrationDesk(workplace.connection(), workplace.ids(), loadScene(options.training),
+                             {.seed = options.seed, .utc_us = workplace.now_us()});
+  return {station.personId, desk.raterIds.front()};
+}
+
+StartAccount account(Workplace& workplace, const std::string& login, const std::string& role,
+                     const StoredPerson& person) {
+  StartAccount made{login, role, person.code, randomStartPassword()};
+  addUser(workplace, {.login = login,
+                      .personId = person.id,
+                      .roles = {role},
+                      .startPassword = made.startPassword,
+                      .demonstration = true});
+  return made;
+}
+
+std::vector<StartAccount> accountsOf(Workplace& workplace, const DemonstrationUsers& users) {
+  PeopleRepository people(workplace.connection());
+  const std::vector<StoredTrainee> trainees = people.trainees();
+  const std::vector<StoredRater> raters = people.raters();
+  const auto trainee = std::find_if(trainees.begin(), trainees.end(), [&](const StoredTrainee& candidate) {
+    return candidate.person.id == users.traineeId;
+  });
+  const auto rater = std::find_if(raters.begin(), raters.end(), [&](const StoredRater& candidate) {
+    return candidate.person.id == users.raterId;
+  });
+  TORSIO_EXPECTS(trainee != trainees.end() && rater != raters.end());
+  return {account(workplace, "demo.trainee", "trainee", trainee->person),
+          account(workplace, "demo.physician", "rater", rater->person)};
+}
+
+}  // namespace
+
+std::vector<StartAccount> addDemonstration(Workplace& workplace, const std::filesystem::path& assets,
+                                           const ProgressCallback& progress) {
+  return accountsOf(workplace, fillWithPeople(workplace, assets, progress));
+}
+
+}  // namespace torsio

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/demonstration/demonstration_curriculum.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "app/study/curriculum_content.h"
+#include "db/repository/study_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr const char* kTemplate = "paper-three-arms";
+constexpr const char* kBy = "demonstration";
+constexpr std::uint64_t kCurriculumStream = 0x63'7572'7269'6375ULL;
+constexpr std::uint64_t kExposureStream = 0x65'7870'6f73'75ULL;
+
+CurriculumTemplate paperTemplate(const std::filesystem::path& assets) {
+  for (CurriculumTemplate& found : curriculumTemplates(assets))
+    if (found.id == kTemplate) return std::move(found);
+  throw Error(ErrorCode::kFileMissing, "there is no such curriculum", kTemplate, "Repair the installation");
+}
+
+/// What the simulated trainees twist, in place of the template's own exercise.
+void fitTo(StoredModule& module, const Scene& training) {
+  module.title = training.title + ": " + training.pattern.title;
+  module.sceneId = training.id;
+  module.patternId = training.pattern.id;
+  module.targetAngle_rad = training.pattern.targetAngle_rad;
+  module.tolerance_rad = training.pattern.tolerance_rad;
+  module.maxForce_N = training.pattern.forceLimit_N;
+  module.maxTorque_Nm = training.pattern.torqueLimit_Nm;
+}
+
+/// Codes become ids: a template carries codes where a stored version has ids.
+void giveIds(StoredCurriculumVersion& version, IdSource& ids) {
+  std::map<std::string, std::string> idOf;
+  for (StoredModule& module : version.modules) idOf[module.code] = module.id = ids.newUuid();
+  for (StoredModule& module : version.modules)
+    for (std::string& required : module.requires_) required = idOf.at(required);
+  for (StoredArm& arm : version.arms) {
+    arm.id = ids.newUuid();
+    for (StoredPhase& phase : arm.phases) {
+      phase.id = ids.newUuid();
+      if (!phase.moduleId.empty()) phase.moduleId = idOf.at(phase.moduleId);
+    }
+  }
+}
+
+}  // namespace
+
+StoredCurriculumVersion storeDemonstrationCurriculum(Connection& connection, const DemonstrationStudy& study,
+                                                     const Scene& training,
+                                                     const std::filesystem::path& assets, std::uint64_t seed,
+                                                     std::int64_t utc_us) {
+  SeededIdSource ids(seed ^ kCurriculumStream);
+  const CurriculumTemplate paper = paperTemplate(assets);
+  const std::string id = ids.newUuid();
+  CurriculumRepository curricula(connection);
+  curricula.addCurriculum({id, paper.title + " (demonstration)", paper.description, utc_us, true});
+  StoredCurriculumVersion version = paper.content;
+  version.id = ids.newUuid();
+  version.curriculumId = id;
+  version.note = "as the demonstration followed it";
+  version.createdUtc_us = utc_us;
+  fitTo(version.modules.front(), training);
+  giveIds(version, ids);
+  curricula.addVersion(version, kBy);
+  curricula.moveTo(version.id, "running", kBy, utc_us);
+  curricula.assign(study.cohortId, version.id);
+  return version;
+}
+
+DemonstrationPlace demonstrationPlace(const StoredCurriculumVersion& curriculum, std::size_t group,
+                                      const std::string& phaseLabel) {
+  for (const StoredPhase& phase : curriculum.arms.at(group).phases)
+    if (phase.label == phaseLabel) return {phase.moduleId, phase.id};
+  return {};
+}
+
+void storeDemonstrationExposures(Connection& connection, const DemonstrationStudy& study,
+                                 const StoredCurriculumVersion& curriculum, std::uint64_t seed,
+                                 std::int64_t utc_us) {
+  SeededIdSource ids(seed ^ kExposureStream);
+  std::vector<StoredExposure> exposures;
+  for (const DemonstrationTrainee& trainee : study.trainees) {
+    const StoredArm& arm = curriculum.arms.at(trainee.group);
+    std::int64_t at_us = utc_us;
+    const auto spend = [&](const std::string& phaseId, const std::string& kind, std::int64_t duration_us) {
+      exposures.push_back({ids.newUuid(), trainee.enrolmentId, phaseId, kind, at_us, duration_us, kBy, true});
+      at_us += duration_us;
+    };
+    for (std::size_t i = 0; i < arm.phases.size(); ++i) {
+      if (i == 1 && trainee.number % 2 == 0 && arm.restAllowance_us > 0)
+        spend("", "rest", arm.restAllowance_us);
+      spend(arm.phases[i].id, arm.phases[i].kind, arm.phases[i].duration_us);
+    }
+  }
+  StudyRepository(connection).addExposures(exposures);
+}
+
+Text demonstrationTimeRule() {
+  return Text(
+      "The times of training are those of the protocol, in full; every second trainee of a group takes the "
+      "whole rest between the two halves.");
+}
+
+}  // namespace torsio

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/demonstration/demonstration_station.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "app/recording/pipeline.h"
+#include "app/study/curriculum_content.h"
+#include "db/repository/people_repository.h"
+#include "db/repository/remark_repository.h"
+#include "db/repository/study_repository.h"
+#include "db/repository/trial_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr const char* kCohort = "First steps (demonstration)";
+constexpr const char* kTemplate = "first-steps";
+constexpr const char* kBy = "demonstration";
+constexpr double kAttempt_s = 20.0;
+constexpr std::int64_t kBetween_us = 600'000'000;
+constexpr std::size_t kFirstAttempts = 10;
+constexpr std::size_t kSecondAttempts = 4;
+constexpr double kPractisedPerAttempt_min = 2.0;
+constexpr std::uint64_t kPersonSeed = 4;
+
+/// Codes become ids: a template carries codes where a stored version has ids.
+StoredCurriculumVersion versionFrom(const StoredCurriculumVersion& content, IdSource& ids,
+                                    const std::string& curriculumId, std::int64_t utc_us) {
+  StoredCurriculumVersion version = content;
+  version.id = ids.newUuid();
+  version.curriculumId = curriculumId;
+  version.createdUtc_us = utc_us;
+  version.arms.clear();
+  version.scoringPoints.clear();
+  std::map<std::string, std::string> idOf;
+  for (StoredModule& module : version.modules) idOf[module.code] = module.id = ids.newUuid();
+  for (StoredModule& module : version.modules)
+    for (std::string& required : module.requires_) required = idOf.at(required);
+  return version;
+}
+
+StoredCurriculumVersion storeCurriculum(Connection& connection, IdSource& ids,
+                                        const std::filesystem::path& assets, std::int64_t utc_us) {
+  for (const CurriculumTemplate& found : curriculumTemplates(assets)) {
+    if (found.id != kTemplate) continue;
+    CurriculumRepository curricula(connection);
+    const std::string id = ids.newUuid();
+    curricula.addCurriculum({id, found.title + " (demonstration)", found.description, utc_us, true});
+    const StoredCurriculumVersion version = versionFrom(found.content, ids, id, utc_us);
+    curricula.addVersion(version, kBy);
+    curricula.moveTo(version.id, "running", kBy, utc_us);
+    return version;
+  }
+  throw Error(ErrorCode::kFileMissing, "there is no such curriculum", kTemplate, "Repair the installation");
+}
+
+/// Simulated attempts at one module; returns the last trial.
+std::string recordAttempts(Connection& connection, IdSource& ids, const std::filesystem::path& assets,
+                           const StoredModule& module, const std::string& enrolmentId,
+                           const std::string& traineeCode, std::size_t count, double practised_min,
+                           std::int64_t& utc_us) {
+  SceneRequest request;
+  request.assets = assets;
+  request.id = module.sceneId;
+  request.pattern = module.patternId;
+  const Scene scene = loadScene(request);
+  std::string last;
+  std::vector<StoredExposure> exposures;
+  for (std::size_t i = 0; i < count; ++i) {
+    ScriptedTrial trial;
+    last = ids.newUuid();
+    trial.recording = {
+        .trialId = last,
+        .traineeCode = traineeCode,
+        .phaseLabel = module.title,
+        .startedUtc_us = utc_us,
+        .demonstration = true,
+        .context = {
+            .station = kBy, .enrolmentId = enrolmentId, .moduleId = module.id, .attemptMode = module.mode}};
+    trial.personSeed = kPersonSeed;
+    trial.trialSeed = kPersonSeed + 17 * i + static_cast<std::uint64_t>(practised_min);
+    trial.duration_s = kAttempt_s;
+    trial.practisedBefore_min = practised_min + kPractisedPerAttempt_min * static_cast<double>(i);
+    TrialRepository sink(connection, trial.recording.context);
+    recordScriptedTrial(scene, trial, sink);
+    exposures.push_back({.id = ids.newUuid(),
+                         .enrolmentId = enrolmentId,
+                         .kind = "virtual",
+                         .startedUtc_us = utc_us,
+                         .duration_us = std::llround(kAttempt_s * 1e6),
+                         .recordedBy = kBy,
+                         .demonstration = true});
+    utc_us += kBetween_us;
+  }
+  StudyRepository(connection).addExposures(exposures);
+  return last;
+}
+
+void addRemark(Connection& connection, IdSource& ids, const std::string& trialId, std::int64_t utc_us) {
+  const std::vector<StoredRater> raters = PeopleRepository(connection).raters();
+  const auto chief =
+      std::find_if(raters.begin(), raters.end(), [](const StoredRater& r) { return r.classCode == "chief"; });
+  if (chief == raters.end()) return;
+  RemarkRepository(connection)
+      .add({.id = ids.newUuid(),
+            .trialId = trialId,
+            .author = chief->person.id,
+            .authorPersonId = chief->person.id,
+            .purpose = "remark",
+            .tick = 4'500,
+            .time_us = 4'500'000,
+            .text = "Good grip. Slow down in the last ten degrees, then you need no correction.",
+            .createdUtc_us = utc_us,
+            .demonstration = true});
+}
+
+}  // namespace
+
+DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource& ids,
+                                               const std::filesystem::path& assets, std::int64_t utc_us) {
+  DemonstrationStation station;
+  StudyRepository studies(connection);
+  PeopleRepository people(connection);
+  std::vector<StoredTrainee> trainees = people.trainees();
+  std::erase_if(trainees, [](const StoredTrainee& t) { return !t.person.demonstration; });
+  if (trainees.empty()) {
+    throw Error(ErrorCode::kBadData, "there are no simulated trainees", "demonstration",
+                "Make the demonstration people first");
+  }
+  const StoredPerson& person = trainees.front().person;
+  station.personId = person.id;
+  for (const StoredCohort& cohort : studies.cohorts()) {
+    if (cohort.name != kCohort) continue;
+    station.cohortId = cohort.id;
+    const auto version = CurriculumRepository(connection).version(cohort.curriculumVersionId);
+    if (version && !version->modules.empty()) station.firstModuleId = version->modules.front().id;
+    for (const TrialListing& trial : TrialRepository(connection).list({.traineeCode = person.code})) {
+      const bool own = trial.station == kBy && !trial.moduleId.empty();
+      if (own && station.newestTrialId.empty()) station.newestTrialId = trial.trialId;
+    }
+    return station;
+  }
+  Transaction transaction(connection);
+  const StoredCurriculumVersion version = storeCurriculum(connection, ids, assets, utc_us);
+  station.cohortId = ids.newUuid();
+  station.firstModuleId = version.modules.front().id;
+  // After the other cohorts of the demonstration, whatever time they carry.
+  std::int64_t newest_us = utc_us;
+  for (const StoredCohort& cohort : studies.cohorts())
+    newest_us = std::max(newest_us, cohort.createdUtc_us + 1);
+  studies.addCohort(
+      {station.cohortId, kCohort, "A simulated trainee on the way through the first steps", newest_us, true},
+      {});
+  CurriculumRepository(connection).assign(station.cohortId, version.id);
+  const StoredEnrolment enrolment{.id = ids.newUuid(),
+                                  .cohortId = station.cohortId,
+                                  .traineeId = person.id,
+                                  .enrolledUtc_us = utc_us,
+                                  .demonstration = true};
+  studies.enrol({&enrolment, 1});
+  people.recordConsent({.personId = person.id,
+                        .purpose = "training_record",
+                        .granted = true,
+                        .textVersion = kBy,
+                        .decidedUtc_us = utc_us,
+                        .recordedBy = kBy,
+                        .demonstration = true});
+  std::int64_t at_us = utc_us - static_cast<std::int64_t>(kFirstAttempts + kSecondAttempts + 1) * kBetween_us;
+  station.newestTrialId = recordAttempts(connection, ids, assets, version.modules.front(), enrolment.id,
+                                         person.code, kFirstAttempts, 0.0, at_us);
+  if (version.modules.size() > 1) {
+    station.newestTrialId =
+        recordAttempts(connection, ids, assets, version.modules[1], enrolment.id, person.code,
+                       kSecondAttempts, kPractisedPerAttempt_min * kFirstAttempts, at_us);
+  }
+  addRemark(connection, ids, station.newestTrialId, at_us);
+  transaction.commit();
+  return station;
+}
+
+}  // namespace torsio

@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/devices/device_check.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "assessment/report/number_format.h"
+#include "sim/base/error.h"
+#include "sim/device/hdapi/hdapi_library.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr double kPollEvery_s = 0.01;
+constexpr double kWriteEvery_s = 0.001;
+// The vendor asks for 1000 Hz and discourages 500 Hz.
+constexpr double kGoodRate_Hz = 950.0;
+constexpr double kGoodRegularShare = 0.95;
+constexpr double kGeometryTolerance_m = 0.005;
+constexpr double kRollNoise_deg = 2.0;
+// For taking the stylus out of the inkwell before the force test.
+constexpr double kUndockWait_s = 15.0;
+
+void pause_s(double seconds) {
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+}
+
+void requireTime(double seconds, double longest, const char* what) {
+  if (seconds > 0.0 && seconds <= longest) return;
+  throw Error(ErrorCode::kBadParameter,
+              Text("%1 must lie above 0 s and not above %2 s, got %3", std::string(what),
+                   formatFixed(longest, 0), formatFixed(seconds, 2)),
+              "device", "Give another number of seconds");
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text.append(text.empty() ? "" : ", ").append(part);
+  return text;
+}
+
+Text orNotReported(const std::string& value) {
+  return value.empty() ? Text("not reported") : Text(value);
+}
+
+/// One check, step by step; every step returns false when the next ones make no sense.
+class Check {
+ public:
+  explicit Check(const DeviceCheckRequest& request) : request_(request) {}
+
+  DeviceCheckResult run() {
+    if (openDevice() && startServo()) {
+      if (waitForCalibration() && measure()) {
+        judgeServo();
+        judgeStylus();
+        if (request_.forceTest) testForce();
+      }
+      close();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void add(FindingGrade grade, const char* subject, const Text& sentence, const Text& remedy = "") {
+    result_.findings.push_back({subject, grade, sentence, remedy});
+  }
+  void say(const Text& sentence) const {
+    if (request_.say) request_.say(sentence);
+  }
+  [[nodiscard]] bool cancelled() const { return request_.cancelled && request_.cancelled(); }
+  [[nodiscard]] double elapsed_s(std::int64_t from_us) const {
+    return 1e-6 * static_cast<double>(clock_.now_us() - from_us);
+  }
+
+  bool openDevice() {
+    const HdapiLibrary library = loadHdapi(request_.choice.library);
+    if (library.status != HdapiLoadStatus::kLoaded) {
+      add(FindingGrade::kBad, "Library", library.sentence, library.remedy);
+      return false;
+    }
+    add(FindingGrade::kGood, "Library", library.sentence);
+    if (!library.absentOptionals.empty()) {
+      add(FindingGrade::kNote, "Library",
+          Text("it lacks %1, which Torsio can do without", joined(library.absentOptionals)));
+    }
+    HdapiOptions options;
+    options.deviceName = request_.choice.name;
+    try {
+      device_ = std::make_unique<HdapiDevice>(library.api, options);
+    } catch (const Error& error) {
+      add(FindingGrade::kBad, "Device", error.happenedText(), error.remedyText());
+      return false;
+    }
+    describeDevice();
+    return true;
+  }
+
+  void describeDevice() {
+    result_.capabilities = device_->capabilities();
+    result_.identity = device_->identity();
+    const HdapiIdentity& id = result_.identity;
+    add(FindingGrade::kGood, "Device",
+        Text("%1, serial number %2, driver %3, library %4, opened as %5", result_.capabilities.model,
+             orNotReported(id.serial), orNotReported(id.driverVersion), orNotReported(id.libraryVersion),
+             id.openedAs));
+    add(FindingGrade::kGood, "Licence", "the library works on this computer");
+    for (const Text& note : id.notes) add(FindingGrade::kNote, "Device", note);
+    if (!id.assumed.empty()) {
+      add(FindingGrade::kNote, "Device",
+          Text("not reported in a form that makes sense, so a cautious value is assumed: %1",
+               joined(id.assumed)));
+    }
+    add(FindingGrade::kGood, "Limits",
+        Text("force up to %1 N, sustained %2 N, three axes, no torque about the stylus",
+             formatFixed(result_.capabilities.maxForce_N, 2),
+             formatFixed(result_.capabilities.continuousForce_N, 2)));
+  }
+
+  bool startServo() {
+    try {
+      device_->start();
+    } catch (const Error& error) {
+      add(FindingGrade::kBad, "Servo", error.happenedText(), error.remedyText());
+      device_.reset();
+      return false;
+    }
+    begun_us_ = clock_.now_us();
+    return true;
+  }
+
+  /// False, with a finding, when the device was lost or the user gave up.
+  bool stillThere(const HdapiSnapshot& now) {
+    if (now.state == HdapiState::kLost) {
+      add(FindingGrade::kBad, "Connection",
+          Text("%1 after %2 s", hdapiErrorText(now.lostBecause), formatFixed(elapsed_s(begun_us_), 1)),
+          "Check cable and power, then plug the device in again and repeat the check");
+      return false;
+    }
+    if (cancelled()) {
+      add(FindingGrade::kBad, "Check", "stopped before its end", "Repeat the check");
+      return false;
+    }
+    return true;
+  }
+
+  bool waitForCalibration() {
+    const std::int64_t from_us = clock_.now_us();
+    bool asked = false;
+    for (;;) {
+      const HdapiSnapshot now = device_->snapshot();
+      if (!stillThere(now)) return false;
+      if (now.timing.ticks > 0 && now.calibration == CalibrationState::kCalibrated) break;
+      if (now.calibration == CalibrationState::kFailed) {
+        add(FindingGrade::kBad, "Calibration", "the device refused to be calibrated several times",
+            "Put the stylus firmly into the inkwell and repeat the check");
+        return false;
+      }
+      if (now.calibration == CalibrationState::kDockStylus && !asked) {
+        say("Put the stylus into the inkwell and leave it there");
+        asked = true;
+      }
+      if (elapsed_s(from_us) > request_.calibrationWait_s) {
+        noteNoCalibration(now);
+        return false;
+      }
+      pause_s(kPollEvery_s);
+    }
+    result_.calibrated = true;
+    add(FindingGrade::kGood, "Calibration",
+        asked ? Text("done in the inkwell") : Text("the device is calibrated"));
+    return true;
+  }
+
+  void noteNoCalibration(const HdapiSnapshot& now) {
+    if (now.timing.ticks == 0) {
+      add(FindingGrade::kBad, "Servo", "the library's servo loop never called",
+          "Close every other program that uses the device; restart the computer");
+    } else {
+      add(FindingGrade::kBad, "Calibration",
+          "the device is not calibrated; its position would be wrong and its force stays off",
+          "Put the stylus into the inkwell and repeat the check");
+    }
+  }
+
+  bool measure() {
+    say(Text("Measuring the servo for %1 s", formatFixed(request_.seconds, 1)));
+    const HdapiSnapshot first = device_->snapshot();
+    const std::int64_t from_us = clock_.now_us();
+    bool docked = true;
+    double lowest_rad = 1e9;
+    double highest_rad = -1e9;
+    HdapiSnapshot now = first;
+    while (elapsed_s(from_us) < request_.seconds) {
+      pause_s(kPollEvery_s);
+      now = device_->snapshot();
+      if (!stillThere(now)) return false;
+      const double roll_rad = toolState(now.sample).roll_rad;
+      docked = docked && now.docked;
+      lowest_rad = std::min(lowest_rad, roll_rad);
+      highest_rad = std::max(highest_rad, roll_rad);
+    }
+    last_ = now;
+    const double time_s = elapsed_s(from_us);
+    const auto ticks = static_cast<double>(now.timing.ticks - first.timing.ticks);
+    const std::size_t regular = timingClass(kServoPeriod_us);
+    result_.rate_Hz = ticks / time_s;
+    result_.regularShare =
+        ticks > 0.0
+            ? static_cast<double>(now.timing.intervals[regular] - first.timing.intervals[regular]) / ticks
+            : 0.0;
+    result_.timing = now.timing;
+    lateTicks_ = now.timing.late - first.timing.late;
+    gaps_ = now.timing.gaps - first.timing.gaps;
+    if (docked && highest_rad >= lowest_rad) rollNoise_deg_ = (highest_rad - lowest_rad) / kDegree;
+    return true;
+  }
+
+  void judgeServo() {
+    const std::string rate = formatFixed(result_.rate_Hz, 0) + " Hz";
+    const Text slowRemedy(
+        "Close other programs; on Linux allow real-time scheduling for this user (docs/devices.md)");
+    if (result_.rate_Hz < kLowestRate_Hz) {
+      add(FindingGrade::kBad, "Rate",
+          Text("%1; below %2 Hz no force is rendered", rate, formatFixed(kLowestRate_Hz, 0)), slowRemedy);
+    } else if (result_.rate_Hz < kGoodRate_Hz) {
+      add(FindingGrade::kNote, "Rate", Text("%1; 1000 Hz are wanted", rate), slowRemedy);
+    } else {
+      add(FindingGrade::kGood, "Rate", rate);
+    }
+    const Text jitter(
+        "%1 % of the ticks came within 0.1 ms of their time, %2 late, %3 after a pause of more than 5 ms "
+        "(the "
+        "force is cut then)",
+        formatFixed(100.0 * result_.regularShare, 1), lateTicks_, gaps_);
+    const bool calm = result_.regularShare >= kGoodRegularShare && gaps_ == 0;
+    add(calm ? FindingGrade::kGood : FindingGrade::kNote, "Jitter", jitter, calm ? Text() : slowRemedy);
+  }
+
+  void judgeStylus() {
+    result_.rollReferenced = last_.rollReferenced;
+    if (!last_.rollReferenced) {
+      add(FindingGrade::kNote, "Roll", "the turn of the stylus has no reference yet",
+          "Rest the stylus in the inkwell for a moment before training");
+    } else if (rollNoise_deg_ && *rollNoise_deg_ > kRollNoise_deg) {
+      add(FindingGrade::kNote, "Roll",
+          Text("the turn of the resting stylus wanders by %1 degrees", formatFixed(*rollNoise_deg_, 1)),
+          "Angles are not known better than that on this device; have it serviced");
+    } else {
+      add(FindingGrade::kGood, "Roll",
+          rollNoise_deg_ ? Text("the resting stylus wanders by %1 degrees", formatFixed(*rollNoise_deg_, 2))
+                         : Text("the docked reference is taken"));
+    }
+    if (last_.geometryError_m > kGeometryTolerance_m) {
+      add(FindingGrade::kNote, "Geometry",
+          Text("position and joint angles differ by %1 mm from what is published for a Touch",
+               formatFixed(1e3 * last_.geometryError_m, 1)),
+          "Calibrate again in the inkwell; on another model this is to be expected");
+    }
+    if (last_.warmest > kWarmAbove) {
+      add(FindingGrade::kNote, "Motors", "warm; the force is folded back", "Let the device rest for a while");
+    }
+  }
+
+  void testForce() {
+    if (!waitUntilUndocked()) return;
+    say(Text("Hold the stylus: it will push upwards with %1 N for %2 s", formatFixed(kSelfTestForce_N, 1),
+             formatFixed(kSelfTestTime_s, 0)));
+    device_->enableForce(true);
+    const HdapiSnapshot before = device_->snapshot();
+    const std::int64_t from_us = clock_.now_us();
+    HdapiSnapshot now = before;
+    bool everOn = false;
+    for (double t_s = 0.0; t_s < kSelfTestTime_s; t_s = elapsed_s(from_us)) {
+      const double swell = std::sin(kPi * t_s / kSelfTestTime_s);
+      device_->write({{0.0, 0.0, kSelfTestForce_N * swell * swell}, 0});
+      pause_s(kWriteEvery_s);
+      now = device_->snapshot();
+      everOn = everOn || now.forceOn;
+      if (!stillThere(now)) break;
+    }
+    device_->write({});
+    device_->enableForce(false);
+    if (now.state == HdapiState::kLost || cancelled()) return;
+    if (!everOn) {
+      add(FindingGrade::kBad, "Force", "the force output did not switch on",
+          "Check the device's power supply and repeat the check");
+    } else if (now.forceTrips > before.forceTrips) {
+      add(FindingGrade::kBad, "Force", "the device's own protection switched the force off",
+          "Let the device rest, calibrate it again and repeat the check");
+    } else {
+      add(FindingGrade::kGood, "Force",
+          Text("%1 N upwards were sent without complaint; only the hand can tell whether they were felt",
+               formatFixed(kSelfTestForce_N, 1)));
+    }
+  }
+
+  bool waitUntilUndocked() {
+    if (!device_->snapshot().docked) return true;
+    say("Take the stylus out of the inkwell and hold it in the middle of the workspace");
+    const std::int64_t from_us = clock_.now_us();
+    while (elapsed_s(from_us) < std::min(kUndockWait_s, request_.calibrationWait_s)) {
+      const HdapiSnapshot now = device_->snapshot();
+      if (!stillThere(now)) return false;
+      if (!now.docked) return true;
+      pause_s(kPollEvery_s);
+    }
+    add(FindingGrade::kNote, "Force", "not tested: the stylus stayed in the inkwell",
+        "Repeat the check and hold the stylus");
+    return false;
+  }
+
+  void close() {
+    if (!device_->close()) {
+      add(FindingGrade::kBad, "Shutdown", "the vendor's library does not let go of the device",
+          "Quit Torsio, plug the device in again and start anew");
+    }
+  }
+
+  const DeviceCheckRequest& request_;
+  MonotonicClock clock_;
+  DeviceCheckResult result_;
+  std::unique_ptr<HdapiDevice> device_;
+  HdapiSnapshot last_;
+  std::int64_t begun_us_ = 0;
+  std::int64_t lateTicks_ = 0;
+  std::int64_t gaps_ = 0;
+  std::optional<double> rollNoise_deg_;
+};
+
+DeviceReadout readout(const HdapiSnapshot& now, double time_s) {
+  const ToolState tool = toolState(now.sample);
+  DeviceReadout shown;
+  shown.time_s = time_s;
+  shown.state = deviceStateText(now);
+  shown.tip_mm = tool.pose.position_m * 1e3;
+  shown.roll_deg = tool.roll_rad / kDegree;
+  shown.rollAtStop = now.rollAtStop;
+  shown.grip = tool.grip;
+  shown.firstButton = (tool.buttons & kButtonGrip) != 0;
+  shown.secondButton = (tool.buttons & kButtonSecond) != 0;
+  shown.docked = now.docked;
+  shown.warmest = now.warmest;
+  shown.rate_Hz = now.timing.rate_Hz;
+  shown.lateTicks = now.timing.late;
+  return shown;
+}
+
+}  // namespace
+
+bool DeviceCheckResult::usable() const {
+  return worst() == nullptr;
+}
+
+const DeviceFinding* DeviceCheckResult::worst() const {
+  const auto bad = std::find_if(findings.begin(), findings.end(),
+                                [](const DeviceFinding& f) { return f.grade == FindingGrade::kBad; });
+  return bad != findings.end() ? &*bad : nullptr;
+}
+
+DeviceCheckResult checkDevice(const DeviceCheckRequest& request) {
+  requireTime(request.seconds, 600.0, "the time of the measurement");
+  requireTime(request.calibrationWait_s, 600.0, "the wait for the calibration");
+  return Check(request).run();
+}
+
+void monitorDevice(const DeviceMonitorRequest& request) {
+  requireTime(request.seconds, 86'400.0, "the time to watch");
+  requireTime(request.interval_s, 60.0, "the interval");
+  const HdapiLibrary library = loadHdapi(request.choice.library);
+  if (library.status != HdapiLoadStatus::kLoaded) {
+    throw Error(ErrorCode::kDevice, library.sentence, "haptic device", library.remedy);
+  }
+  HdapiOptions options;
+  options.deviceName = request.choice.name;
+  HdapiDevice device(library.api, options);
+  device.start();
+  const MonotonicClock clock;
+  const std::int64_t begun_us = clock.now_us();
+  for (double time_s = 0.0; time_s < request.seconds;
+       time_s = 1e-6 * static_cast<double>(clock.now_us() - begun_us)) {
+    pause_s(request.interval_s);
+    if (request.cancelled && request.cancelled()) return;
+    const HdapiSnapshot now = device.snapshot();
+    request.show(readout(now, 1e-6 * static_cast<double>(clock.now_us() - begun_us)));
+    if (now.state == HdapiState::kLost) {
+      throw Error(ErrorCode::kDevice, hdapiErrorText(now.lostBecause), device.capabilities().model,
+                  "Check cable and power, plug the device in again and start anew");
+    }
+  }
+}
+
+std::string deviceStateText(const HdapiSnapshot& snapshot) {
+  switch (snapshot.state) {
+    case HdapiState::kOpened:
+      return "starting";
+    case HdapiState::kNeedsCalibration:
+      if (snapshot.calibration == CalibrationState::kFailed) return "calibration failed";
+      if (snapshot.calibration == CalibrationState::kUpdating) return "being calibrated";
+      return "put the stylus into the inkwell";
+    case HdapiState::kReady:
+      return "ready, force off";
+    case HdapiState::kRunning:
+      return "ready, force on";
+    case HdapiState::kDegraded:
+      return (snapshot.sample.status & kDeviceWarm) != 0 ? "motors warm, force off"
+                                                         : "servo too slow, force off";
+    case HdapiState::kLost:
+      return "connection lost";
+    case HdapiState::kClosed:
+      return "closed";
+  }
+  return "";
+}
+
+}  // namespace torsio

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "app/devices/device_check.h"
+#include "app/devices/device_readiness.h"
+#include "sim/device/haptic_device.h"
+#include "sim/scene/scene.h"
+
+namespace torsio {
+
+/// Whether this station has the vendor's library, so that a haptic device may be asked for. Opens no device.
+[[nodiscard]] bool hapticLibraryInstalled(const DeviceChoice& choice = {});
+
+/// The device check as a trainee reads it: the findings of each subject as one light, the worst one counts.
+[[nodiscard]] DeviceReadiness hapticReadiness(const DeviceCheckResult& check);
+/// Runs the whole check without the force self-test (which wants consent: `torsio device check`).
+[[nodiscard]] DeviceProbe hapticProbe(const DeviceChoice& choice = {});
+
+/// The haptic device of this station, started with its force on, its workspace centred on the point of the
+/// scene that is to be grasped. Driven over mailboxes by the caller's servo. Takes up to seconds. Throws
+/// Error{kDevice}.
+[[nodiscard]] std::unique_ptr<HapticDevice> openHapticDevice(const Scene& scene,
+                                                             const DeviceChoice& choice = {});
+
+}  // namespace torsio

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <QDialog>
+
+#include "app/people/people_service.h"
+#include "app/study/campaign_service.h"
+
+class QDialogButtonBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+
+namespace torsio::gui {
+
+class DataTable;
+
+/// A new evaluation: name, models, the weights of indices and classes (the paper's to begin with), raters.
+class CampaignDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  CampaignDialog(const std::vector<PersonRow>& raters, QWidget* parent);
+
+  [[nodiscard]] CampaignPlan plan() const;
+
+ private:
+  QWidget* weightFields();
+  void check();
+
+  EvaluationInstrument instrument_;
+  QLineEdit* name_;
+  QPlainTextEdit* models_;
+  std::vector<QDoubleSpinBox*> indexWeights_;
+  std::vector<QDoubleSpinBox*> classWeights_;
+  QLabel* sums_;
+  std::map<QString, std::string> classOf_;  // of a rater's id
+  DataTable* raters_;
+  QDialogButtonBox* buttons_;
+};
+
+}  // namespace torsio::gui

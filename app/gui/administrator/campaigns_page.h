@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/gui/base/page.h"
+#include "app/study/campaign_service.h"
+
+class QLabel;
+class QPushButton;
+
+namespace torsio::gui {
+
+class DataTable;
+class PageHeading;
+
+/// Nine-index evaluations of tissue models: who was asked, and how far it has come.
+class CampaignsPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit CampaignsPage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+
+  bool add(const CampaignPlan& plan);
+  [[nodiscard]] DataTable& campaigns() const noexcept { return *table_; }
+
+ private:
+  void read();
+  void show();
+  void showRaters();
+  void askNew();
+
+  std::vector<CampaignRow> rows_;
+  PageHeading* heading_;
+  QPushButton* add_;
+  DataTable* table_;
+  QLabel* ratersTitle_;
+  DataTable* raters_;
+};
+
+}  // namespace torsio::gui

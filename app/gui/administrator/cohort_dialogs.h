@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QDialog>
+
+#include "app/people/people_service.h"
+#include "app/study/cohort_service.h"
+#include "app/study/curriculum_service.h"
+
+class QComboBox;
+class QDialogButtonBox;
+class QLabel;
+class QLineEdit;
+
+namespace torsio::gui {
+
+class DataTable;
+
+/// Asks for a new cohort: name, words, and the running curriculum whose arms become its groups; without one,
+/// the groups by name.
+class CohortDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  CohortDialog(const std::vector<CurriculumRow>& curricula, QWidget* parent);
+
+  [[nodiscard]] NewCohort cohort() const;
+  [[nodiscard]] QLineEdit& name() const noexcept { return *name_; }
+
+ private:
+  void check();
+
+  QLineEdit* name_;
+  QLineEdit* description_;
+  QComboBox* curriculum_;
+  QLineEdit* groups_;
+  QLabel* groupsLabel_;
+  QDialogButtonBox* buttons_;
+};
+
+/// Chooses people out of a list; all of them are chosen to begin with.
+class PeopleDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  PeopleDialog(const QString& title, const QString& question, const std::vector<PersonRow>& people,
+               QWidget* parent);
+
+  [[nodiscard]] std::vector<std::string> chosen() const;
+
+ private:
+  DataTable* table_;
+};
+
+/// Running versions, newest first: id and "Name, version 2".
+[[nodiscard]] std::vector<std::pair<std::string, QString>> runningVersions(
+    const std::vector<CurriculumRow>& curricula);
+/// Asks which running curriculum to follow. Empty: given up.
+[[nodiscard]] std::optional<std::string> askCurriculum(QWidget* parent,
+                                                       const std::vector<CurriculumRow>& curricula);
+
+}  // namespace torsio::gui

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+
+#include "app/devices/device_check.h"
+#include "app/gui/base/page.h"
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace torsio::gui {
+
+class DataTable;
+class PageHeading;
+class StationSettingsCard;
+
+/// Is the haptic device of this station fit for a scored run, and if not, what is to be done.
+class DevicesPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit DevicesPage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+
+  void check();
+  [[nodiscard]] const std::optional<DeviceCheckResult>& result() const noexcept { return result_; }
+  [[nodiscard]] DataTable& findings() const noexcept { return *table_; }
+
+ private:
+  void show();
+
+  std::optional<DeviceCheckResult> result_;
+  PageHeading* heading_;
+  QPushButton* check_;
+  QLabel* nameLabel_;
+  QLineEdit* name_;
+  QCheckBox* force_;
+  QLabel* verdict_;
+  DataTable* table_;
+  StationSettingsCard* settings_;
+};
+
+}  // namespace torsio::gui

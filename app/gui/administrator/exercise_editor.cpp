@@ -1,0 +1,491 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/exercise_editor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/study_words.h"
+#include "app/gui/base/asset_names.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/simulator/exercise_panel.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
+#include "sim/base/error.h"
+#include "sim/scene/scene.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kFirstTarget_deg = 60.0;
+constexpr double kFirstTolerance_deg = 5.0;
+constexpr int kMostAttempts = 1'000'000;
+constexpr int kFewRows = 2;
+
+enum RuleColumn { kMetric, kDirection, kThreshold, kInARow };
+
+std::vector<std::string> codesOf(const StoredCurriculumVersion& content) {
+  std::vector<std::string> codes;
+  for (const StoredModule& module : content.modules) codes.push_back(module.code);
+  return codes;
+}
+
+QString lineOf(const StoredModule& module) {
+  return QStringLiteral("%1  %2").arg(shown(module.code), spoken(module.title));
+}
+
+/// A scene or a pattern as people call it: "arm" is the forearm in every language.
+QString placeName(const std::string& id) {
+  return assetName(ExercisePanel::readable(id));
+}
+
+}  // namespace
+
+ExerciseEditor::ExerciseEditor(std::filesystem::path assets, StoredCurriculumVersion& content,
+                               QWidget* parent)
+    : QWidget(parent),
+      assets_(std::move(assets)),
+      content_(content),
+      list_(new QListWidget),
+      add_(new QPushButton),
+      remove_(new QPushButton),
+      up_(new QPushButton),
+      down_(new QPushButton),
+      code_(new QLineEdit),
+      codeProblem_(sentence(nullptr)),
+      title_(new QLineEdit),
+      scene_(new QComboBox),
+      pattern_(new QComboBox),
+      kind_(new QComboBox),
+      mode_(new QComboBox),
+      target_(numberField(-3600.0, 3600.0, 1)),
+      tolerance_(numberField(0.0, 3600.0, 1)),
+      hold_(numberField(0.0, 1e6, 1)),
+      force_(numberField(0.0, 1e6, 2)),
+      torque_(numberField(0.0, 1e6, 3)),
+      attempts_(new QSpinBox),
+      after_(new QListWidget),
+      mastery_(new QTableWidget(0, 4)),
+      addRule_(new QPushButton),
+      removeRule_(new QPushButton) {
+  list_->setObjectName(QStringLiteral("exercises"));
+  after_->setObjectName(QStringLiteral("prerequisites"));
+  after_->setProperty("checkable", true);  // the look: a check mark stands at the item's very edge
+  mastery_->setObjectName(QStringLiteral("mastery"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(listBeside(list_, {add_, remove_, up_, down_}, form()));
+  connectFields();
+  connectLists();
+}
+
+QWidget* ExerciseEditor::form() {
+  auto* fields = new QWidget;
+  auto* form = new QFormLayout(fields);
+  form->setSpacing(kSpace);
+  form->setContentsMargins(0, 0, kSpace, 0);
+  code_->setMaximumWidth(12 * kSpace);
+  codeProblem_->hide();
+  setLook(codeProblem_, "caution", true);
+  texts_.row(form, {{title_, QT_TR_NOOP("Title")}, {code_, QT_TR_NOOP("Code")}});
+  form->addRow(QString(), codeProblem_);
+  texts_.row(form, {{scene_, QT_TR_NOOP("Organ")}, {pattern_, QT_TR_NOOP("Twist")}});
+  texts_.row(form, {{kind_, QT_TR_NOOP("Task")}, {mode_, QT_TR_NOOP("Counts as")}});
+  texts_.row(form, {{target_, QT_TR_NOOP("Target angle")},
+                    {tolerance_, QT_TR_NOOP("Tolerance")},
+                    {hold_, QT_TR_NOOP("Hold for")}});
+  texts_.row(form, {{force_, QT_TR_NOOP("Force up to")},
+                    {torque_, QT_TR_NOOP("Torque up to")},
+                    {attempts_, QT_TR_NOOP("Attempts")}});
+  target_->setSuffix(QStringLiteral("\u00B0"));
+  tolerance_->setSuffix(QStringLiteral("\u00B0"));
+  hold_->setSuffix(QStringLiteral(" s"));
+  force_->setSuffix(QStringLiteral(" N"));
+  torque_->setSuffix(QStringLiteral(" N m"));
+  attempts_->setRange(0, kMostAttempts);
+  attempts_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  texts_.title(form, QT_TR_NOOP("Opens only after these are mastered"));
+  form->addRow(after_);
+  texts_.title(form, QT_TR_NOOP("Mastered when all of these are reached"));
+  prepareFieldTable(mastery_);
+  mastery_->horizontalHeader()->setSectionResizeMode(kMetric, QHeaderView::Stretch);
+  mastery_->setColumnWidth(kDirection, 15 * kSpace);
+  for (const int column : {kThreshold, kInARow}) mastery_->setColumnWidth(column, 10 * kSpace);
+  form->addRow(mastery_);
+  form->addRow(buttonRow({addRule_, removeRule_}));
+  return fields;
+}
+
+void ExerciseEditor::connectFields() {
+  connect(code_, &QLineEdit::editingFinished, this, &ExerciseEditor::takeCode);
+  connect(title_, &QLineEdit::textEdited, this, [this](const QString& text) {
+    take([&](StoredModule& module) { module.title = text.trimmed().toStdString(); });
+  });
+  connect(scene_, &QComboBox::activated, this, &ExerciseEditor::takeScene);
+  const auto choice = [this](QComboBox* box, std::string StoredModule::*field) {
+    connect(box, &QComboBox::activated, this,
+            [=, this] { take([=](StoredModule& module) { module.*field = chosenId(box); }); });
+  };
+  choice(pattern_, &StoredModule::patternId);
+  choice(kind_, &StoredModule::exerciseKind);
+  choice(mode_, &StoredModule::mode);
+  const auto angle = [this](QDoubleSpinBox* box, double StoredModule::*field) {
+    connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double value) {
+      take([=](StoredModule& module) { module.*field = value * kDegree; });
+    });
+  };
+  angle(target_, &StoredModule::targetAngle_rad);
+  angle(tolerance_, &StoredModule::tolerance_rad);
+  connect(hold_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    take([=](StoredModule& module) { module.hold_us = std::llround(value * kMicrosecondsOfSecond); });
+  });
+  const auto limit = [this](QDoubleSpinBox* box, std::optional<double> StoredModule::*field) {
+    connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double value) {
+      take([=](StoredModule& module) {
+        module.*field = value > 0.0 ? std::optional<double>(value) : std::nullopt;
+      });
+    });
+  };
+  limit(force_, &StoredModule::maxForce_N);
+  limit(torque_, &StoredModule::maxTorque_Nm);
+  connect(attempts_, &QSpinBox::valueChanged, this, [this](int value) {
+    take([=](StoredModule& module) {
+      module.attemptLimit = value > 0 ? std::optional<std::int64_t>(value) : std::nullopt;
+    });
+  });
+}
+
+void ExerciseEditor::connectLists() {
+  connect(list_, &QListWidget::currentRowChanged, this, &ExerciseEditor::show);
+  connect(add_, &QPushButton::clicked, this, &ExerciseEditor::add);
+  connect(remove_, &QPushButton::clicked, this, &ExerciseEditor::remove);
+  connect(up_, &QPushButton::clicked, this, [this] { move(-1); });
+  connect(down_, &QPushButton::clicked, this, [this] { move(+1); });
+  connect(after_, &QListWidget::itemChanged, this, &ExerciseEditor::takePrerequisite);
+  connect(addRule_, &QPushButton::clicked, this, &ExerciseEditor::addRule);
+  connect(removeRule_, &QPushButton::clicked, this, &ExerciseEditor::removeRule);
+}
+
+StoredModule* ExerciseEditor::exercise() {
+  const int row = list_->currentRow();
+  return row >= 0 && row < std::ssize(content_.modules) ? &content_.modules[static_cast<std::size_t>(row)]
+                                                        : nullptr;
+}
+
+void ExerciseEditor::fill() {
+  select(std::max(0, list_->currentRow()));
+}
+
+void ExerciseEditor::select(int row) {
+  filling_ = true;
+  list_->clear();
+  for (const StoredModule& module : content_.modules) {
+    list_->addItem(lineOf(module));
+    list_->item(list_->count() - 1)->setToolTip(lineOf(module));
+  }
+  list_->setCurrentRow(std::min(row, list_->count() - 1));
+  filling_ = false;
+  show();
+}
+
+void ExerciseEditor::show() {
+  if (filling_) return;
+  const StoredModule* module = exercise();
+  const int row = list_->currentRow();
+  const bool change = module != nullptr && !readOnly_;
+  add_->setEnabled(!readOnly_);
+  for (QPushButton* button : {remove_, addRule_}) button->setEnabled(change);
+  up_->setEnabled(change && row > 0);
+  down_->setEnabled(change && row + 1 < list_->count());
+  for (QWidget* field :
+       std::initializer_list<QWidget*>{title_, code_, scene_, pattern_, kind_, mode_, target_, tolerance_,
+                                       hold_, force_, torque_, attempts_, after_, mastery_})
+    field->setEnabled(change);
+  codeProblem_->hide();
+  if (module == nullptr) {
+    removeRule_->setEnabled(false);
+    return;
+  }
+  filling_ = true;
+  code_->setText(shown(module->code));
+  title_->setText(shown(module->title));
+  showPlaces(*module);
+  target_->setValue(module->targetAngle_rad / kDegree);
+  tolerance_->setValue(module->tolerance_rad / kDegree);
+  hold_->setValue(static_cast<double>(module->hold_us) / kMicrosecondsOfSecond);
+  force_->setValue(module->maxForce_N.value_or(0.0));
+  torque_->setValue(module->maxTorque_Nm.value_or(0.0));
+  attempts_->setValue(static_cast<int>(module->attemptLimit.value_or(0)));
+  showPrerequisites(*module);
+  showMastery(*module);
+  filling_ = false;
+}
+
+void ExerciseEditor::showPlaces(const StoredModule& module) {
+  scene_->clear();
+  for (const std::string& id : sceneIds(assets_)) scene_->addItem(placeName(id), shown(id));
+  chooseOrAdd(scene_, module.sceneId);
+  pattern_->clear();
+  try {
+    for (const std::string& id : patternIds(assets_, module.sceneId))
+      pattern_->addItem(placeName(id), shown(id));
+  } catch (const Error&) {
+    // The scene belongs to another installation: its own pattern is offered alone, the check says the rest.
+  }
+  chooseOrAdd(pattern_, module.patternId);
+  kind_->clear();
+  for (const std::string& kind : exerciseKinds()) kind_->addItem(exerciseKindName(kind), shown(kind));
+  chooseOrAdd(kind_, module.exerciseKind);
+  chooseOrAdd(mode_, module.mode);
+}
+
+void ExerciseEditor::showPrerequisites(const StoredModule& module) {
+  after_->clear();
+  const auto offer = [this](const QString& text, const std::string& code, bool required) {
+    auto* item = new QListWidgetItem(text, after_);
+    item->setData(Qt::UserRole, shown(code));
+    item->setFlags((item->flags() | Qt::ItemIsUserCheckable) & ~Qt::ItemIsSelectable);
+    item->setCheckState(required ? Qt::Checked : Qt::Unchecked);
+  };
+  const std::vector<std::string>& required = module.requires_;
+  for (const StoredModule& other : content_.modules)
+    if (&other != &module)
+      offer(lineOf(other), other.code,
+            std::find(required.begin(), required.end(), other.code) != required.end());
+  // One that was removed meanwhile stays in sight until somebody takes its mark away.
+  const std::vector<std::string> known = codesOf(content_);
+  for (const std::string& code : required)
+    if (code == module.code || std::find(known.begin(), known.end(), code) == known.end())
+      offer(tr("%1  (no such exercise any more)").arg(shown(code)), code, true);
+  constexpr int kMostRows = 3;  // in a low window; a high one shows more
+  const int rows = std::clamp(after_->count(), 1, kMostRows);
+  after_->setMinimumHeight(rows * std::max(after_->sizeHintForRow(0), 3 * kSpace) + 2 * kSpace);
+}
+
+void ExerciseEditor::showMastery(const StoredModule& module) {
+  for (int row = 0; row < mastery_->rowCount(); ++row)
+    for (int column = 0; column < mastery_->columnCount(); ++column)
+      if (QWidget* before = mastery_->cellWidget(row, column)) before->hide();  // it goes a moment later
+  mastery_->setRowCount(static_cast<int>(module.mastery.size()));
+  for (int row = 0; row < mastery_->rowCount(); ++row)
+    addMasteryRow(row, module.mastery[static_cast<std::size_t>(row)]);
+  fitRows(mastery_, kFewRows);
+  removeRule_->setEnabled(!readOnly_ && !module.mastery.empty());
+}
+
+void ExerciseEditor::addMasteryRow(int row, const StoredMasteryRule& rule) {
+  auto* metric = new QComboBox;
+  for (const auto& [id, name] : masteryMetrics()) metric->addItem(name, shown(id));
+  chooseOrAdd(metric, rule.metric);
+  auto* direction = new QComboBox;
+  direction->addItem(tr("at least"), QStringLiteral("at_least"));
+  direction->addItem(tr("at most"), QStringLiteral("at_most"));
+  chooseOrAdd(direction, rule.comparison);
+  QDoubleSpinBox* threshold = numberField(-1e9, 1e9, 4);
+  threshold->setValue(rule.threshold);
+  auto* inARow = new QSpinBox;
+  inARow->setRange(1, kMostAttempts);
+  inARow->setValue(static_cast<int>(rule.consecutive));
+  inARow->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  mastery_->setCellWidget(row, kMetric, metric);
+  mastery_->setCellWidget(row, kDirection, direction);
+  mastery_->setCellWidget(row, kThreshold, threshold);
+  mastery_->setCellWidget(row, kInARow, inARow);
+  metric->setAccessibleName(tr("What rule %1 is about").arg(row + 1));
+  direction->setAccessibleName(tr("Direction of rule %1").arg(row + 1));
+  threshold->setAccessibleName(tr("Threshold of rule %1").arg(row + 1));
+  inARow->setAccessibleName(tr("Attempts in a row of rule %1").arg(row + 1));
+  connect(metric, &QComboBox::activated, this, [this, metric] {
+    takeRule(metric, [metric](StoredMasteryRule& changed) {
+      if (changed.metric == chosenId(metric)) return;
+      changed.metric = chosenId(metric);
+      changed.comparison = metricBetter(changed.metric);
+      changed.unit = metricUnit(changed.metric);
+    });
+    if (const StoredModule* module = exercise()) {
+      filling_ = true;
+      showMastery(*module);
+      filling_ = false;
+    }
+  });
+  connect(direction, &QComboBox::activated, this, [this, direction] {
+    takeRule(direction,
+             [direction](StoredMasteryRule& changed) { changed.comparison = chosenId(direction); });
+  });
+  connect(threshold, &QDoubleSpinBox::valueChanged, this, [this, threshold](double value) {
+    takeRule(threshold, [value](StoredMasteryRule& changed) { changed.threshold = value; });
+  });
+  connect(inARow, &QSpinBox::valueChanged, this, [this, inARow](int value) {
+    takeRule(inARow, [value](StoredMasteryRule& changed) { changed.consecutive = value; });
+  });
+}
+
+void ExerciseEditor::take(const std::function<void(StoredModule&)>& change) {
+  StoredModule* module = exercise();
+  if (filling_ || module == nullptr) return;
+  change(*module);
+  list_->currentItem()->setText(lineOf(*module));
+  Q_EMIT edited();
+}
+
+void ExerciseEditor::takeRule(const QWidget* cell, const std::function<void(StoredMasteryRule&)>& change) {
+  const int row = rowOf(mastery_, cell);
+  take([&](StoredModule& module) {
+    if (row >= 0 && row < std::ssize(module.mastery)) change(module.mastery[static_cast<std::size_t>(row)]);
+  });
+}
+
+void ExerciseEditor::takeCode() {
+  const StoredModule* current = exercise();
+  if (filling_ || current == nullptr) return;
+  const std::string before = current->code;
+  const std::string code = code_->text().trimmed().toStdString();
+  const std::vector<std::string> taken = codesOf(content_);
+  const bool free = code == before || std::find(taken.begin(), taken.end(), code) == taken.end();
+  codeProblem_->setText(code.empty()
+                            ? tr("An exercise needs a code; it keeps %1.").arg(shown(before))
+                            : tr("Another exercise has this code; this one keeps %1.").arg(shown(before)));
+  codeProblem_->setVisible(code.empty() || !free);
+  if (code == before) return;
+  if (code.empty() || !free) {
+    code_->setText(shown(before));
+    return;
+  }
+  for (StoredModule& module : content_.modules)
+    std::replace(module.requires_.begin(), module.requires_.end(), before, code);
+  for (StoredArm& arm : content_.arms)
+    for (StoredPhase& phase : arm.phases)
+      if (phase.moduleId == before) phase.moduleId = code;
+  take([&](StoredModule& module) { module.code = module.id = code; });
+}
+
+void ExerciseEditor::takeScene() {
+  take([this](StoredModule& module) {
+    if (module.sceneId == chosenId(scene_)) return;
+    module.sceneId = chosenId(scene_);
+    const std::vector<std::string> patterns = patternIds(assets_, module.sceneId);
+    module.patternId = patterns.empty() ? std::string() : patterns.front();
+  });
+  show();
+}
+
+void ExerciseEditor::takePrerequisite(const QListWidgetItem* item) {
+  const std::string code = item->data(Qt::UserRole).toString().toStdString();
+  const bool wanted = item->checkState() == Qt::Checked;
+  take([&](StoredModule& module) {
+    std::erase(module.requires_, code);
+    if (wanted) module.requires_.push_back(code);
+  });
+}
+
+void ExerciseEditor::add() {
+  // The next exercise is most often like the one before it, but harder.
+  StoredModule module = exercise() != nullptr ? *exercise() : StoredModule{};
+  module.code = freeCode("V", codesOf(content_));
+  module.id = module.code;
+  module.title = tr("New exercise").toStdString();
+  module.requires_.clear();
+  if (module.sceneId.empty()) {
+    module.sceneId = sceneIds(assets_).front();
+    module.patternId = patternIds(assets_, module.sceneId).front();
+    module.exerciseKind = exerciseKinds().front();
+    module.targetAngle_rad = kFirstTarget_deg * kDegree;
+    module.tolerance_rad = kFirstTolerance_deg * kDegree;
+  }
+  content_.modules.push_back(std::move(module));
+  select(static_cast<int>(content_.modules.size()) - 1);
+  title_->setFocus();
+  title_->selectAll();
+  Q_EMIT edited();
+}
+
+void ExerciseEditor::remove() {
+  const int row = list_->currentRow();
+  if (row < 0) return;
+  content_.modules.erase(content_.modules.begin() + row);
+  select(row);
+  Q_EMIT edited();
+}
+
+void ExerciseEditor::move(int by) {
+  const int row = list_->currentRow();
+  const int to = moved(content_.modules, row, by);
+  if (to == row) return;
+  select(to);
+  Q_EMIT edited();
+}
+
+void ExerciseEditor::addRule() {
+  take([](StoredModule& module) {
+    StoredMasteryRule rule;
+    for (const auto& metric : masteryMetrics()) {
+      const bool used =
+          std::any_of(module.mastery.begin(), module.mastery.end(),
+                      [&](const StoredMasteryRule& known) { return known.metric == metric.first; });
+      if (used) continue;
+      rule.metric = metric.first;
+      break;
+    }
+    if (rule.metric.empty()) return;  // every metric has its rule
+    rule.comparison = metricBetter(rule.metric);
+    rule.unit = metricUnit(rule.metric);
+    module.mastery.push_back(rule);
+  });
+  show();
+  if (mastery_->rowCount() > 0) mastery_->cellWidget(mastery_->rowCount() - 1, kMetric)->setFocus();
+}
+
+void ExerciseEditor::removeRule() {
+  const int row = mastery_->currentRow() >= 0 ? mastery_->currentRow() : mastery_->rowCount() - 1;
+  take([row](StoredModule& module) {
+    if (row >= 0 && row < std::ssize(module.mastery)) module.mastery.erase(module.mastery.begin() + row);
+  });
+  show();
+}
+
+void ExerciseEditor::setReadOnly(bool readOnly) {
+  readOnly_ = readOnly;
+  show();
+}
+
+void ExerciseEditor::retranslate() {
+  texts_.retranslate(staticMetaObject.className());
+  for (QDoubleSpinBox* box : {force_, torque_}) box->setSpecialValueText(tr("no limit"));
+  attempts_->setSpecialValueText(tr("no limit"));
+  mode_->clear();
+  mode_->addItem(tr("practice"), QStringLiteral("practice"));
+  mode_->addItem(tr("graded"), QStringLiteral("graded"));
+  list_->setAccessibleName(tr("Exercises, in their order"));
+  after_->setAccessibleName(tr("Opens only after these are mastered"));
+  mastery_->setAccessibleName(tr("Rules of mastery"));
+  add_->setText(tr("Add"));
+  remove_->setText(tr("Remove"));
+  up_->setText(tr("Up"));
+  up_->setToolTip(tr("Moves the exercise before the one above it."));
+  down_->setText(tr("Down"));
+  down_->setToolTip(tr("Moves the exercise behind the one below it."));
+  addRule_->setText(tr("Add rule"));
+  removeRule_->setText(tr("Remove rule"));
+  mastery_->setHorizontalHeaderLabels({tr("Metric"), tr("is"), tr("Threshold"), tr("In a row")});
+  show();
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/gui/base/page.h"
+
+namespace torsio::gui {
+
+/// The pages of the administrator, allocator and statistician, in the order of the navigation; the first one
+/// is home.
+[[nodiscard]] std::vector<PageEntry> officePages();
+/// Their pictures for the user guide.
+[[nodiscard]] std::vector<ScreenEntry> officeScreens();
+
+}  // namespace torsio::gui

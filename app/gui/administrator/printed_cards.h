@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/access/first_run.h"
+#include "app/study/allocation_service.h"
+
+namespace torsio::gui {
+
+/// PDFs to print on A4 and to cut: in each strip on the left the label of an envelope (whose it is), on the
+/// right the card that goes into it. Throw Error{kFileUnwritable}.
+
+/// The card tells the group.
+void writeSealedCards(const std::vector<SealedCard>& cards, const std::string& cohort,
+                      const std::filesystem::path& file);
+/// The card tells sign-in name and start password.
+void writeAccountCards(const std::vector<StartAccount>& accounts, const std::string& centre,
+                       const std::filesystem::path& file);
+
+}  // namespace torsio::gui

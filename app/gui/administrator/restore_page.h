@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/gui/base/page.h"
+#include "app/maintenance/record_restore.h"
+
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace torsio::gui {
+
+class Card;
+class PageHeading;
+
+/// Puts a backup in the place of the record, in three steps one below the other: the file, which is verified;
+/// what is lost and what is kept, in numbers; a typed word. Then the program goes back to sign-in.
+class RestorePage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit RestorePage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+
+  [[nodiscard]] QLineEdit& file() const noexcept { return *file_; }
+  [[nodiscard]] QLineEdit& word() const noexcept { return *word_; }
+  [[nodiscard]] QPushButton& checkButton() const noexcept { return *check_; }
+  [[nodiscard]] QPushButton& restoreButton() const noexcept { return *restore_; }
+  [[nodiscard]] QLabel& lossText() const noexcept { return *loss_; }
+
+ private:
+  void layOut();
+  void choose();
+  void check();
+  void restore();
+  void fileChanged();
+  void showPlan();
+  void showButtons();
+
+  std::optional<RestorePlan> plan_;
+  PageHeading* heading_;
+  QPushButton* back_;
+  Card* backup_;
+  QLabel* backupText_;
+  QLabel* fileLabel_;
+  QLineEdit* file_;
+  QPushButton* choose_;
+  QPushButton* check_;
+  Card* compare_;
+  QGridLayout* numbers_ = nullptr;
+  QLabel* loss_;
+  Card* confirm_;
+  QLabel* confirmText_;
+  QLabel* wordLabel_;
+  QLineEdit* word_;
+  QPushButton* restore_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/gui/base/page.h"
+#include "app/reporting/report_data.h"
+#include "assessment/report/report_model.h"
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+
+namespace torsio::gui {
+
+class FigureCard;
+class PageHeading;
+
+/// Every figure and table of the cohort report on the screen, each with its values: what the report will say,
+/// before it is made.
+class ResultsPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit ResultsPage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+  void applyTheme(const Theme& theme) override;
+
+  [[nodiscard]] QListWidget& contents() const noexcept { return *contents_; }
+  [[nodiscard]] FigureCard& card() const noexcept { return *card_; }
+  /// Shows the figure or table with this id of the report ("figure-22").
+  void showItem(const QString& id);
+  /// Waits until what was chosen is computed: pictures and tests.
+  void settle();
+
+ private:
+  void compute();
+  void fill();
+  void showCurrent();
+
+  std::shared_ptr<TrialDigests> digests_;
+  std::shared_ptr<ReportModel> model_;
+  PageHeading* heading_;
+  QLabel* cohortLabel_;
+  QComboBox* cohort_;
+  QLabel* campaignLabel_;
+  QComboBox* campaign_;
+  QListWidget* contents_;
+  QLabel* empty_;
+  FigureCard* card_;
+};
+
+}  // namespace torsio::gui

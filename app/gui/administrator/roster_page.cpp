@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/roster_page.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <QCheckBox>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/person_dialog.h"
+#include "app/gui/administrator/roster_wizard.h"
+#include "app/gui/administrator/study_words.h"
+#include "app/gui/administrator/user_dialogs.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/page_heading.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr const char* kTrainingRecord = "training_record";
+
+QString orDash(const std::string& text) {
+  return text.empty() ? QStringLiteral("\u2013") : QString::fromStdString(text);
+}
+
+QPushButton* listButton(DataTable* table) {
+  auto* button = new QPushButton(table);
+  table->addTool(button);
+  return button;
+}
+
+}  // namespace
+
+RosterPage::RosterPage(ShellContext& shell)
+    : Page(shell),
+      heading_(new PageHeading(this)),
+      import_(new QPushButton(this)),
+      add_(new QPushButton(this)),
+      table_(new DataTable(QStringLiteral("roster"), this)),
+      names_(new QCheckBox(this)),
+      edit_(nullptr),
+      state_(nullptr),
+      export_(nullptr) {
+  table_->addTool(names_);
+  edit_ = listButton(table_);
+  state_ = listButton(table_);
+  export_ = listButton(table_);
+  import_->setProperty("primary", true);
+  heading_->addAction(add_);
+  heading_->addAction(import_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+  column->setSpacing(2 * kSpace);
+  column->addWidget(heading_);
+  column->addWidget(table_, 1);
+
+  connect(import_, &QPushButton::clicked, this, &RosterPage::import);
+  connect(add_, &QPushButton::clicked, this, &RosterPage::add);
+  connect(edit_, &QPushButton::clicked, this, &RosterPage::edit);
+  connect(state_, &QPushButton::clicked, this, &RosterPage::switchState);
+  connect(export_, &QPushButton::clicked, this, &RosterPage::exportList);
+  connect(names_, &QCheckBox::toggled, this, &RosterPage::read);
+  connect(table_, &DataTable::currentChanged, this, &RosterPage::showButtons);
+  connect(table_, &DataTable::activated, this, &RosterPage::edit);
+  retranslate();
+}
+
+void RosterPage::enter(const QVariant&) {
+  names_->setVisible(shell().workplace().may(Operation::kPersonViewIdentity));
+  for (QPushButton* button : {import_, add_, edit_, state_}) {
+    button->setVisible(shell().workplace().may(Operation::kPersonEdit));
+  }
+  read();
+}
+
+void RosterPage::retranslate() {
+  heading_->setTexts(tr("People"),
+                     tr("Who trains and who scores. Everything else in the record knows them by their "
+                        "code only."));
+  import_->setText(tr("&Import a roster\u2026"));
+  add_->setText(tr("&New person\u2026"));
+  names_->setText(tr("Show na&mes"));
+  edit_->setText(tr("&Change\u2026"));
+  export_->setText(tr("&Export\u2026"));
+  table_->setColumns({{tr("Code")},
+                      {tr("Name")},
+                      {tr("Number")},
+                      {tr("Trains")},
+                      {tr("Scores as")},
+                      {tr("Sex")},
+                      {tr("Level")},
+                      {tr("Experience")},
+                      {tr("Consent to the record")},
+                      {tr("State")}});
+  table_->setEmptyText(tr("Nobody yet. Import the roster of your centre, or add people by hand."));
+  show();
+}
+
+void RosterPage::read() {
+  try {
+    people_.clear();
+    if (names_->isChecked()) {
+      people_ = namedPeople(shell().workplace());
+    } else {
+      for (PersonRow& row : people(shell().workplace())) people_.push_back({std::move(row), {}});
+    }
+    show();
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void RosterPage::show() {
+  std::vector<Row> rows;
+  rows.reserve(people_.size());
+  for (const NamedPersonRow& named : people_) {
+    const PersonRow& row = named.row;
+    const bool consents =
+        std::find(row.consents.begin(), row.consents.end(), kTrainingRecord) != row.consents.end();
+    rows.push_back({QString::fromStdString(row.person.id),
+                    {{QString::fromStdString(row.person.code)},
+                     {orDash(named.identity.fullName)},
+                     {orDash(named.identity.externalId)},
+                     {row.trainee ? tr("yes") : QStringLiteral("\u2013")},
+                     {raterClassName(row.raterClass)},
+                     {row.person.sex.empty() ? orDash({}) : levelName(row.person.sex)},
+                     {orDash(row.person.level)},
+                     {orDash(row.person.experience)},
+                     {consents ? tr("given") : tr("not given")},
+                     {row.person.state == "active" ? tr("active") : tr("left")}}});
+  }
+  table_->setRows(std::move(rows));
+  for (const int column : {1, 2}) table_->setColumnHidden(column, !names_->isChecked());
+  showButtons();
+}
+
+void RosterPage::showButtons() {
+  const std::string id = table_->currentId().toStdString();
+  const auto person = std::find_if(people_.begin(), people_.end(),
+                                   [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
+  edit_->setEnabled(person != people_.end());
+  state_->setEnabled(person != people_.end());
+  const bool left = person != people_.end() && person->row.person.state != "active";
+  state_->setText(left ? tr("Came &back\u2026") : tr("Has &left\u2026"));
+}
+
+void RosterPage::import() {
+  RosterWizard wizard(shell(), this);
+  if (wizard.exec() != QDialog::Accepted || !wizard.outcome()) return;
+  shell().notify(
+      tr("%1 people added, %2 changed").arg(wizard.outcome()->added).arg(wizard.outcome()->changed));
+  read();
+}
+
+void RosterPage::add() {
+  try {
+    const std::optional<PersonEdit> edit =
+        askPerson(this, std::nullopt, ensureRaterClasses(shell().workplace()));
+    if (!edit) return;
+    const std::string id = addPerson(shell().workplace(), edit->entry);
+    read();
+    table_->select(QString::fromStdString(id));
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void RosterPage::edit() {
+  const std::string id = table_->currentId().toStdString();
+  if (id.empty() || !edit_->isVisible()) return;
+  try {
+    const std::optional<PersonEdit> edit =
+        askPerson(this, personEntry(shell().workplace(), id), ensureRaterClasses(shell().workplace()));
+    if (!edit) return;
+    changePerson(shell().workplace(), id, edit->entry, edit->reason);
+    read();
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void RosterPage::switchState() {
+  const std::string id = table_->currentId().toStdString();
+  const auto person = std::find_if(people_.begin(), people_.end(),
+                                   [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
+  if (person == people_.end()) return;
+  try {
+    const bool active = person->row.person.state == "active";
+    const QString code = QString::fromStdString(person->row.person.code);
+    const std::optional<std::string> reason =
+        active ? askReason(this, tr("Has left"),
+                           tr("%1 keeps the record and is offered nowhere any more.").arg(code))
+               : askReason(this, tr("Came back"), tr("%1 is offered again.").arg(code));
+    if (!reason) return;
+    setPersonState(shell().workplace(), id, active ? "left" : "active", *reason);
+    read();
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void RosterPage::exportList() {
+  const bool withNames = names_->isChecked();
+  const QString file = askFileToSave(
+      this, withNames ? tr("Export with names") : tr("Export under codes"),
+      withNames ? QStringLiteral("people-named.csv") : QStringLiteral("people.csv"), tr("Tables (*.csv)"));
+  if (file.isEmpty()) return;
+  const auto count = std::make_shared<std::size_t>(0);
+  shell().run(
+      tr("Exporting people"),
+      [file, withNames, count](Workplace& workplace, const ProgressCallback&) {
+        *count = exportPeople(workplace, std::filesystem::path(file.toStdString()), withNames);
+      },
+      [this, file, count] { shell().notify(tr("%1 people written to %2").arg(*count).arg(file)); });
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/run_day_dialogs.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+QString words(const char* text) {
+  return QCoreApplication::translate("RunDay", text);
+}
+
+/// A dialog with a form and OK / Cancel.
+class FormDialog : public QDialog {
+ public:
+  FormDialog(QWidget* parent, const QString& title, const QString& trainee) : QDialog(parent) {
+    setWindowTitle(title);
+    form = new QFormLayout(this);
+    form->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+    form->setSpacing(kSpace);
+    form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "Trainee")), new QLabel(trainee, this));
+  }
+
+  bool ask(const QString& ok) {
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    buttons->button(QDialogButtonBox::Ok)->setText(ok);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    form->addRow(buttons);
+    return exec() == QDialog::Accepted;
+  }
+
+  QFormLayout* form;
+};
+
+}  // namespace
+
+QString exposureName(const std::string& kind) {
+  if (kind == "virtual") return words(QT_TRANSLATE_NOOP("RunDay", "on the simulator"));
+  if (kind == "real") return words(QT_TRANSLATE_NOOP("RunDay", "on the real arm"));
+  if (kind == "rest") return words(QT_TRANSLATE_NOOP("RunDay", "rest"));
+  return QString::fromStdString(kind);
+}
+
+QString deviationName(const std::string& kind) {
+  static const std::pair<const char*, const char*> kNames[] = {
+      {"late", QT_TRANSLATE_NOOP("RunDay", "came late")},
+      {"absent", QT_TRANSLATE_NOOP("RunDay", "did not come")},
+      {"device failed", QT_TRANSLATE_NOOP("RunDay", "device failed")},
+      {"swapped", QT_TRANSLATE_NOOP("RunDay", "swapped with somebody")},
+      {"phase cut short", QT_TRANSLATE_NOOP("RunDay", "phase cut short")},
+      {"phase too long", QT_TRANSLATE_NOOP("RunDay", "phase too long")},
+      {"rest too long", QT_TRANSLATE_NOOP("RunDay", "rest too long")},
+      {"other", QT_TRANSLATE_NOOP("RunDay", "something else")},
+  };
+  for (const auto& [code, name] : kNames)
+    if (kind == code) return words(name);
+  return QString::fromStdString(kind);
+}
+
+std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee) {
+  FormDialog dialog(parent, words(QT_TRANSLATE_NOOP("RunDay", "Log time")), trainee);
+  auto* kind = new QComboBox(&dialog);
+  for (const char* code : {"real", "virtual", "rest"})
+    kind->addItem(exposureName(code), QString::fromLatin1(code));
+  auto* minutes = new QDoubleSpinBox(&dialog);
+  minutes->setRange(0.5, 240.0);
+  minutes->setDecimals(1);
+  minutes->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  minutes->setValue(20.0);
+  minutes->setSuffix(words(QT_TRANSLATE_NOOP("RunDay", " min")));
+  dialog.form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "&What")), kind);
+  dialog.form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "&How long")), minutes);
+  if (!dialog.ask(words(QT_TRANSLATE_NOOP("RunDay", "Log time")))) return std::nullopt;
+  NewExposure exposure;
+  exposure.kind = kind->currentData().toString().toStdString();
+  exposure.duration_us = static_cast<std::int64_t>(minutes->value() * 60e6);
+  return exposure;
+}
+
+std::optional<NewDeviation> askDeviation(QWidget* parent, const QString& trainee) {
+  FormDialog dialog(parent, words(QT_TRANSLATE_NOOP("RunDay", "Report a deviation")), trainee);
+  auto* kind = new QComboBox(&dialog);
+  for (const std::string& code : deviationKinds())
+    kind->addItem(deviationName(code), QString::fromStdString(code));
+  auto* text = new QPlainTextEdit(&dialog);
+  text->setTabChangesFocus(true);
+  text->setPlaceholderText(words(QT_TRANSLATE_NOOP("RunDay", "What happened, without names")));
+  dialog.form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "&Kind")), kind);
+  dialog.form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "&What happened")), text);
+  if (!dialog.ask(words(QT_TRANSLATE_NOOP("RunDay", "Report")))) return std::nullopt;
+  NewDeviation deviation;
+  deviation.kind = kind->currentData().toString().toStdString();
+  deviation.description = text->toPlainText().trimmed().toStdString();
+  return deviation;
+}
+
+std::optional<Swap> askSwap(QWidget* parent, const QString& trainee,
+                            const std::vector<std::pair<std::string, QString>>& others) {
+  FormDialog dialog(parent, words(QT_TRANSLATE_NOOP("RunDay", "Swap turns")), trainee);
+  auto* other = new QComboBox(&dialog);
+  for (const auto& [id, code] : others) other->addItem(code, QString::fromStdString(id));
+  auto* reason = new QLineEdit(&dialog);
+  reason->setPlaceholderText(words(QT_TRANSLATE_NOOP("RunDay", "Why, without names")));
+  dialog.form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "&With")), other);
+  dialog.form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "&Reason")), reason);
+  auto* note = new QLabel(words(QT_TRANSLATE_NOOP(
+      "RunDay", "Their groups stay as drawn; a deviation is noted for both and appears in the report.")));
+  note->setWordWrap(true);
+  note->setProperty("quiet", true);
+  dialog.form->addRow(note);
+  other->setFocus();
+  if (!dialog.ask(words(QT_TRANSLATE_NOOP("RunDay", "Swap")))) return std::nullopt;
+  return Swap{other->currentData().toString().toStdString(), reason->text().trimmed().toStdString()};
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/administrator/scoring_dialogs.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/study_words.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+QString words(const char* text) {
+  return QCoreApplication::translate("Scoring", text);
+}
+
+/// Content above, OK and Cancel below.
+class Question : public QDialog {
+ public:
+  Question(QWidget* parent, const QString& title, const QString& question) : QDialog(parent) {
+    setWindowTitle(title);
+    column = new QVBoxLayout(this);
+    column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
+    column->setSpacing(kSpace);
+    auto* text = new QLabel(question, this);
+    text->setWordWrap(true);
+    column->addWidget(text);
+  }
+
+  QPushButton* finish(const QString& ok) {
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    buttons->button(QDialogButtonBox::Ok)->setText(ok);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    column->addWidget(buttons);
+    return buttons->button(QDialogButtonBox::Ok);
+  }
+
+  QVBoxLayout* column;
+};
+
+}  // namespace
+
+std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<PersonRow>& raters,
+                                        const ScoringMatrix& matrix) {
+  Question dialog(parent, words(QT_TRANSLATE_NOOP("Scoring", "Ask raters")),
+                  words(QT_TRANSLATE_NOOP("Scoring",
+                                          "Every rater gets an order of their own and case labels that tell "
+                                          "neither name, group nor stage.")));
+  dialog.resize(620, 560);
+  auto* table = new DataTable(QString(), &dialog);
+  table->setColumns(
+      {{words(QT_TRANSLATE_NOOP("Scoring", "Rater"))}, {words(QT_TRANSLATE_NOOP("Scoring", "Class"))}});
+  std::vector<Row> rows;
+  for (const PersonRow& rater : raters)
+    rows.push_back(
+        {shown(rater.person.id), {{shown(rater.person.code)}, {raterClassName(rater.raterClass)}}});
+  table->setRows(std::move(rows));
+  table->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
+  QStringList atWork;
+  for (const ScoringMatrix::Rater& rater : matrix.raters)
+    if (rater.open > 0) atWork << shown(rater.id);
+  table->selectAll(atWork);
+  dialog.column->addWidget(table, 1);
+  std::vector<std::pair<std::string, QCheckBox*>> points;
+  for (const char* code : {"pre", "mid", "post"}) {
+    auto* box = new QCheckBox(scoringPointName(code), &dialog);
+    box->setChecked(true);
+    dialog.column->addWidget(box);
+    points.emplace_back(code, box);
+  }
+  QPushButton* ask = dialog.finish(words(QT_TRANSLATE_NOOP("Scoring", "Ask")));
+  const auto showAsk = [ask, table] { ask->setEnabled(!table->selectedIds().isEmpty()); };
+  QObject::connect(table, &DataTable::currentChanged, ask, showAsk);
+  showAsk();
+  if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+  RatersAsked asked;
+  for (const QString& id : table->selectedIds()) asked.raterIds.push_back(id.toStdString());
+  for (const auto& [code, box] : points)
+    if (box->isChecked()) asked.scoringPoints.push_back(code);
+  return asked;
+}
+
+std::optional<SheetMoved> askReassignment(QWidget* parent, const ScoringMatrix& matrix,
+                                          const ScoringMatrix::Line& line) {
+  Question dialog(parent, words(QT_TRANSLATE_NOOP("Scoring", "Reassign a sheet")),
+                  words(QT_TRANSLATE_NOOP("Scoring", "%1, %2"))
+                      .arg(shown(line.traineeCode), scoringPointName(line.scoringPoint)));
+  auto* from = new QComboBox(&dialog);
+  auto* to = new QComboBox(&dialog);
+  to->addItem(words(QT_TRANSLATE_NOOP("Scoring", "nobody: take it back only")), QString());
+  for (std::size_t r = 0; r < matrix.raters.size(); ++r) {
+    const ScoringCell& cell = line.cells[r];
+    const bool open = isOutstanding(cell.state);
+    if (!cell.assignmentId.empty() && open)
+      from->addItem(words(QT_TRANSLATE_NOOP("Scoring", "%1 (%2)"))
+                        .arg(shown(matrix.raters[r].code), sheetStateName(cell.state)),
+                    shown(cell.assignmentId));
+    if (cell.assignmentId.empty() || cell.state == SheetState::kWithdrawn)
+      to->addItem(shown(matrix.raters[r].code), shown(matrix.raters[r].id));
+  }
+  auto* reason = new QLineEdit(&dialog);
+  auto* form = new QFormLayout;
+  form->addRow(words(QT_TRANSLATE_NOOP("Scoring", "&From")), from);
+  form->addRow(words(QT_TRANSLATE_NOOP("Scoring", "&To")), to);
+  form->addRow(words(QT_TRANSLATE_NOOP("Scoring", "&Reason")), reason);
+  dialog.column->addLayout(form);
+  QPushButton* ok = dialog.finish(words(QT_TRANSLATE_NOOP("Scoring", "Reassign")));
+  ok->setEnabled(false);
+  QObject::connect(reason, &QLineEdit::textChanged, ok, [ok, from](const QString& text) {
+    ok->setEnabled(!text.trimmed().isEmpty() && from->count() > 0);
+  });
+  if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+  return SheetMoved{chosenId(from), chosenId(to), reason->text().trimmed().toStdString()};
+}
+
+std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<ReleaseState>& states) {
+  Question dialog(parent, words(QT_TRANSLATE_NOOP("Scoring", "Release marks")),
+                  words(QT_TRANSLATE_NOOP(
+                      "Scoring", "Trainees see their marks of a scoring point from the release on.")));
+  auto* point = new QComboBox(&dialog);
+  for (const ReleaseState& state : states)
+    point->addItem(
+        words(state.released ? QT_TRANSLATE_NOOP("Scoring", "%1: released, take back")
+                             : QT_TRANSLATE_NOOP("Scoring", "%1: release, %2 of %3 sheets missing"))
+            .arg(scoringPointName(state.scoringPoint))
+            .arg(state.missing)
+            .arg(state.sheets),
+        shown(state.scoringPoint));
+  auto* reason = new QLineEdit(&dialog);
+  auto* form = new QFormLayout;
+  form->addRow(words(QT_TRANSLATE_NOOP("Scoring", "&Scoring point")), point);
+  form->addRow(words(QT_TRANSLATE_NOOP("Scoring", "&Reason")), reason);
+  dialog.column->addLayout(form);
+  QPushButton* ok = dialog.finish(words(QT_TRANSLATE_NOOP("Scoring", "Do it")));
+  const auto check = [=, &states] {
+    const auto at = static_cast<std::size_t>(point->currentIndex());
+    const bool needed = at < states.size() && (states[at].released || states[at].missing > 0);
+    ok->setEnabled(at < states.size() && (!needed || !reason->text().trimmed().isEmpty()));
+  };
+  QObject::connect(reason, &QLineEdit::textChanged, ok, check);
+  QObject::connect(point, &QComboBox::currentIndexChanged, ok, check);
+  check();
+  if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+  const ReleaseState& chosen = states[static_cast<std::size_t>(point->currentIndex())];
+  return ReleaseChange{chosen.scoringPoint, !chosen.released, reason->text().trimmed().toStdString()};
+}
+
+namespace {
+
+Row rowOf(const ThirdRequest& request) {
+  QStringList by;
+  QStringList reasons;
+  for (const std::string& code : request.askedBy) by << shown(code);
+  for (const std::string& reason : request.reasons) reasons << shown(reason);
+  const QString point = scoringPointName(request.scoringPoint);
+  return {shown(request.assignmentId),
+          {{shown(request.traineeCode)},
+           {request.live ? words(QT_TRANSLATE_NOOP("Scoring", "%1, live")).arg(point) : point,
+            shown(request.scoringPoint)},
+           {by.join(QStringLiteral(", "))},
+           {reasons.join(QStringLiteral(" \u00B7 ")), {}, reasons.join(QLatin1Char('\n'))},
+           timeCell(request.askedUtc_us)}};
+}
+
+void fillThirds(QComboBox* box, const ThirdRequest& request) {
+  box->clear();
+  for (const ThirdRater& rater : request.free)
+    box->addItem(words(QT_TRANSLATE_NOOP("Scoring", "%1, %2: %3 sheets wait"))
+                     .arg(shown(rater.code), orDash(rater.classCode))
+                     .arg(rater.open),
+                 shown(rater.id));
+}
+
+}  // namespace
+
+std::optional<ThirdChosen> askThirdRater(QWidget* parent, const std::vector<ThirdRequest>& requests) {
+  Question dialog(
+      parent, words(QT_TRANSLATE_NOOP("Scoring", "Assign a third rater")),
+      words(QT_TRANSLATE_NOOP("Scoring",
+                              "Physicians could not agree about these cases and ask for one more. The freest "
+                              "one of the same class is suggested; nobody learns who asked.")));
+  dialog.resize(860, 460);
+  auto* table = new DataTable(QString(), &dialog);
+  table->setColumns({{words(QT_TRANSLATE_NOOP("Scoring", "Trainee"))},
+                     {words(QT_TRANSLATE_NOOP("Scoring", "Scoring point"))},
+                     {words(QT_TRANSLATE_NOOP("Scoring", "Asked by"))},
+                     {words(QT_TRANSLATE_NOOP("Scoring", "Why"))},
+                     {words(QT_TRANSLATE_NOOP("Scoring", "Since"))}});
+  table->view().setAccessibleName(words(QT_TRANSLATE_NOOP("Scoring", "Cases that need a third rater")));
+  std::vector<Row> rows;
+  for (const ThirdRequest& request : requests) rows.push_back(rowOf(request));
+  table->setRows(std::move(rows));
+  dialog.column->addWidget(table, 1);
+  auto* to = new QComboBox(&dialog);
+  auto* form = new QFormLayout;
+  form->addRow(words(QT_TRANSLATE_NOOP("Scoring", "&Rater")), to);
+  dialog.column->addLayout(form);
+  QPushButton* ok = dialog.finish(words(QT_TRANSLATE_NOOP("Scoring", "Assign")));
+  const auto choose = [&](const QString& id) {
+    to->clear();
+    for (const ThirdRequest& request : requests) {
+      if (shown(request.assignmentId) == id) fillThirds(to, request);
+    }
+    ok->setEnabled(to->count() > 0);
+  };
+  QObject::connect(table, &DataTable::currentChanged, &dialog, choose);
+  table->select(shown(requests.front().assignmentId));
+  choose(table->currentId());
+  ok->setFocus(Qt::OtherFocusReason);
+  if (dialog.exec() != QDialog::Accepted || to->count() == 0) return std::nullopt;
+  return ThirdChosen{table->currentId().toStdString(), chosenId(to)};
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/people/people_service.h"
+#include "app/review/third_rater.h"
+#include "app/study/scoring_plan.h"
+
+class QWidget;
+
+namespace torsio::gui {
+
+struct RatersAsked {
+  std::vector<std::string> raterIds{};
+  std::vector<std::string> scoringPoints{};
+};
+/// Who is asked, and for which scoring points. Chosen already: those of `matrix` who have open sheets; nobody
+/// when nothing is open. Empty: given up.
+[[nodiscard]] std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<PersonRow>& raters,
+                                                      const ScoringMatrix& matrix);
+
+struct SheetMoved {
+  std::string assignmentId{};
+  std::string newRaterId{};  ///< empty: taken back only
+  std::string reason{};
+};
+/// Which open sheet of a line goes to whom. Empty: given up.
+[[nodiscard]] std::optional<SheetMoved> askReassignment(QWidget* parent, const ScoringMatrix& matrix,
+                                                        const ScoringMatrix::Line& line);
+
+struct ReleaseChange {
+  std::string scoringPoint{};
+  bool release = true;  ///< false: taken back
+  std::string reason{};
+};
+[[nodiscard]] std::optional<ReleaseChange> askRelease(QWidget* parent,
+                                                      const std::vector<ReleaseState>& states);
+
+struct ThirdChosen {
+  std::string assignmentId{};
+  std::string raterId{};
+};
+/// Which of the cases goes to whom; the oldest request and the freest rater are chosen already. Empty: given
+/// up.
+[[nodiscard]] std::optional<ThirdChosen> askThirdRater(QWidget* parent,
+                                                       const std::vector<ThirdRequest>& requests);
+
+}  // namespace torsio::gui

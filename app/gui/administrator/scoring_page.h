@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/gui/base/page.h"
+#include "app/review/third_rater.h"
+#include "app/study/scoring_plan.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace torsio::gui {
+
+class DataTable;
+class PageHeading;
+
+/// Who scores whom and how far it has come: trainees and scoring points against raters. No marks are shown
+/// here.
+class ScoringPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit ScoringPage(ShellContext& shell);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+
+  [[nodiscard]] DataTable& matrix() const noexcept { return *table_; }
+  /// Asks the raters for every trainee of the cohort at these scoring points.
+  bool ask(const std::vector<std::string>& raterIds, const std::vector<std::string>& scoringPoints);
+
+ private:
+  void read();
+  void show();
+  void showButtons();
+  void askRaters();
+  void reassignSheet();
+  void release();
+  void assignThirdRater();
+  void showWarmUp();
+  [[nodiscard]] std::string rubricRevision();
+
+  std::optional<ScoringMatrix> matrix_;
+  std::vector<ReleaseState> releases_;
+  std::vector<ThirdRequest> thirds_;
+  PageHeading* heading_;
+  QPushButton* warmUp_;
+  QPushButton* ask_;
+  QLabel* cohortLabel_;
+  QComboBox* cohort_;
+  QLabel* summary_;
+  DataTable* table_;
+  QPushButton* reassign_;
+  QPushButton* release_;
+  QPushButton* third_;
+};
+
+}  // namespace torsio::gui

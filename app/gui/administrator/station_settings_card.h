@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/gui/widgets/card.h"
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace torsio::gui {
+
+class ShellContext;
+
+/// What holds at every station of the centre: its name, after how many minutes an empty place warns and
+/// locks, and whether runs with the mouse are graded. For those who may change settings.
+class StationSettingsCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit StationSettingsCard(ShellContext& shell, QWidget* parent = nullptr);
+
+  /// Reads the settings anew.
+  void read();
+  void retranslate();
+
+ private:
+  void keep();
+  void keepInBounds();
+
+  ShellContext& shell_;
+  QLabel* nameLabel_;
+  QLineEdit* name_;
+  QLabel* warnLabel_;
+  QSpinBox* warn_;
+  QLabel* lockLabel_;
+  QSpinBox* lock_;
+  QCheckBox* mouse_;
+  QLabel* note_;
+  QPushButton* keep_;
+};
+
+}  // namespace torsio::gui

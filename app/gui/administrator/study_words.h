@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <QString>
+
+#include "app/study/scoring_plan.h"
+#include "assessment/study/allocation.h"
+
+namespace torsio::gui {
+
+// Codes of the record in the user's language; an unknown code is shown as it is, an empty one as a dash.
+
+[[nodiscard]] QString scoringPointName(const std::string& code);
+[[nodiscard]] QString enrolmentStateName(const std::string& code);
+[[nodiscard]] QString factorName(const std::string& code);
+[[nodiscard]] QString raterClassName(const std::string& code);
+[[nodiscard]] QString levelName(const std::string& code);
+/// "chief physician"; classes of a centre's own keep their code.
+[[nodiscard]] QString raterClassName(const std::string& code);
+[[nodiscard]] QString methodName(AllocationMethod method);
+[[nodiscard]] QString sheetStateName(SheetState state);
+[[nodiscard]] QString versionStateName(const std::string& code);
+[[nodiscard]] QString phaseKindName(const std::string& code);
+[[nodiscard]] QString exerciseKindName(const std::string& code);
+
+/// What a mastery rule may be about: id and name.
+[[nodiscard]] std::vector<std::pair<std::string, QString>> masteryMetrics();
+/// "at_least" or "at_most", as it is better, and the unit of such a metric.
+[[nodiscard]] std::string metricBetter(const std::string& id);
+[[nodiscard]] std::string metricUnit(const std::string& id);
+
+}  // namespace torsio::gui

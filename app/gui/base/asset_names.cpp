@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/base/asset_names.h"
+
+#include <QCoreApplication>
+
+namespace torsio::gui {
+
+namespace {
+
+/// The asset files are data and know one language; these lines make their names known to the translators.
+[[maybe_unused]] const char* const kNames[] = {
+    QT_TRANSLATE_NOOP("Assets", "Arm"),
+    QT_TRANSLATE_NOOP("Assets", "Intestine"),
+    QT_TRANSLATE_NOOP("Assets", "Stomach"),
+    QT_TRANSLATE_NOOP("Assets", "Right forearm"),
+    QT_TRANSLATE_NOOP("Assets", "Pronation"),
+    QT_TRANSLATE_NOOP("Assets", "Supination"),
+    QT_TRANSLATE_NOOP("Assets", "Loop"),
+    QT_TRANSLATE_NOOP("Assets", "Organo-axial"),
+    QT_TRANSLATE_NOOP("Assets", "Mesentero-axial"),
+    QT_TRANSLATE_NOOP("Assets", "Combined"),
+    QT_TRANSLATE_NOOP("Assets", "Partial"),
+    QT_TRANSLATE_NOOP("Assets", "Small intestine, loop"),
+    QT_TRANSLATE_NOOP("Assets", "Pronation, 60 degrees"),
+    QT_TRANSLATE_NOOP("Assets", "Supination, 60 degrees"),
+    QT_TRANSLATE_NOOP("Assets", "Loop, 180 degrees"),
+    QT_TRANSLATE_NOOP("Assets", "Organo-axial, 180 degrees"),
+    QT_TRANSLATE_NOOP("Assets", "Mesentero-axial, 120 degrees"),
+    QT_TRANSLATE_NOOP("Assets", "Combined, 180 and 90 degrees"),
+    QT_TRANSLATE_NOOP("Assets", "Partial, antrum only, 90 degrees"),
+};
+
+}  // namespace
+
+QString assetName(const QString& english) {
+  return QCoreApplication::translate("Assets", english.toUtf8().constData());
+}
+
+}  // namespace torsio::gui

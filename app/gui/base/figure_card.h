@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <QFrame>
+
+#include "app/gui/widgets/theme.h"
+#include "assessment/report/report_model.h"
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+
+namespace torsio::gui {
+
+class DataTable;
+class FigureCanvas;
+
+/// A figure with its title, its notes and its twin, the table of the values drawn: the same content for eyes,
+/// screen readers and spreadsheets. Or a table of the report alone. In the language of the window.
+class FigureCard : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit FigureCard(QWidget* parent = nullptr);
+
+  void setFigure(const ReportFigure& figure);
+  /// A table without a picture.
+  void setTable(const ReportTable& table);
+  void setTheme(const Theme& theme);
+  void showTable(bool table);
+
+  [[nodiscard]] FigureCanvas& canvas() const noexcept { return *canvas_; }
+  [[nodiscard]] DataTable& table() const noexcept { return *table_; }
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void fillTable(const ReportTable& table);
+  void showNotes(const std::vector<Text>& notes, const Provenance& provenance);
+  void showWords();
+  void copy();
+  void retranslate();
+
+  std::optional<ReportFigure> figure_;  // what is shown: a figure or a table alone
+  std::optional<ReportTable> alone_;
+  QLabel* title_;
+  QLabel* notes_;
+  QPushButton* picture_;
+  QPushButton* values_;
+  QPushButton* copy_;
+  QStackedWidget* stack_;
+  FigureCanvas* canvas_;
+  DataTable* table_;
+};
+
+}  // namespace torsio::gui

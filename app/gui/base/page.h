@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include <QString>
+#include <QVariant>
+#include <QWidget>
+
+#include "app/access/operation.h"
+
+namespace torsio {
+class Workplace;
+}
+
+namespace torsio::gui {
+
+class ShellContext;
+struct Theme;
+
+/// One place of the navigation: a trainee's "Next step", a physician's "Queue", the office's "Roster". Pages
+/// hold no logic: they show what services of app/session give them, through ShellContext::workplace().
+/// Texts are set in retranslate(), colours that the style sheet does not give in applyTheme(); both are
+/// called after construction and whenever language or theme change.
+class Page : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Lists on the page keep their columns for each role: the property "role" says whose page it is.
+  explicit Page(ShellContext& shell, QWidget* parent = nullptr);
+
+  /// Shown, possibly again: reads anew what it shows. `argument`: what the caller of ShellContext::open gave.
+  virtual void enter(const QVariant& argument) { static_cast<void>(argument); }
+  /// About to be left or closed. False: something must be finished first (the page has said what).
+  [[nodiscard]] virtual bool leave() { return true; }
+  /// True while a scored run goes on: no idle lock, no sign-out, no other page.
+  [[nodiscard]] virtual bool busy() const { return false; }
+  /// Keys that are no commands of a menu or button, for the sheet on F1: what and how.
+  [[nodiscard]] virtual std::vector<std::pair<QString, QString>> keys() const { return {}; }
+  virtual void retranslate() = 0;
+  virtual void applyTheme(const Theme& theme) { static_cast<void>(theme); }
+
+ protected:
+  [[nodiscard]] ShellContext& shell() const noexcept { return shell_; }
+  void changeEvent(QEvent* event) override;
+
+ private:
+  ShellContext& shell_;
+};
+
+/// How the shell knows a page. Shown to an actor who may do every operation of `needs`.
+struct PageEntry {
+  QString id;                      ///< "station.next"; also for ShellContext::open
+  QString icon;                    ///< of assets/icons; empty: reached through other pages only
+  std::function<QString()> title;  ///< in the present language
+  std::vector<Operation> needs;
+  std::function<Page*(ShellContext&)> make;
+  bool needsDatabase = true;  ///< false: it can be opened while the database is away
+};
+
+/// One picture of the user guide: a page in a state that is worth showing, on the demonstration cohort.
+struct ScreenEntry {
+  QString name;  ///< of the file, without language, theme, size and ending: "station-debrief"
+  QString role;  ///< "trainee", "rater", "administrator": who is signed in
+  QString pageId;
+  std::function<QVariant(Workplace&)> argument;  ///< for Page::enter; may be empty
+  std::function<void(Page&)> prepare;            ///< after enter(); may be empty
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/base/shell_context.h"
+
+#include <memory>
+#include <utility>
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+
+#include "app/gui/base/spoken.h"
+#include "app/recording/station_writer.h"
+
+namespace torsio::gui {
+
+namespace {
+
+/// As fast as until now; not known (negative) before there is something to go by.
+double guessedRemaining_s(double elapsed_s, double fraction) {
+  constexpr double kSomething = 0.05;
+  constexpr double kLongEnough_s = 2.0;
+  if (fraction < kSomething || fraction > 1.0 || elapsed_s < kLongEnough_s) return -1.0;
+  return elapsed_s * (1.0 - fraction) / fraction;
+}
+
+}  // namespace
+
+ShellContext::ShellContext(Workplace& workplace, std::filesystem::path assets, ThemeKind theme)
+    : workplace_(workplace), assets_(std::move(assets)), theme_(theme) {
+  workers_.setMaxThreadCount(1);  // one long job after another: they share disk and database
+}
+
+ShellContext::~ShellContext() {
+  cancelled_.store(true);
+  workers_.waitForDone();
+}
+
+bool ShellContext::databaseAway() const {
+  return line_ != nullptr && !line_->answers();
+}
+
+void ShellContext::setThemeKind(ThemeKind kind) {
+  theme_ = kind;
+  Q_EMIT themeChanged(kind);
+}
+
+void ShellContext::report(const std::exception_ptr& thrown) {
+  tell(problemOf(thrown, {[] { return tr("Something unexpected happened"); },
+                          [] { return tr("Nothing was lost; please try again"); }}));
+}
+
+void ShellContext::tell(const Problem& problem) {
+  Q_EMIT problemMet(problem);
+  const SpokenError said = problem();
+  Q_EMIT failed(said.happened, said.remedy, said.details);
+}
+
+void ShellContext::run(const QString& title, Work work, std::function<void()> done) {
+  ++jobs_;
+  cancelled_.store(false);
+  Q_EMIT jobStarted(title);
+  const auto finish = [this](const std::exception_ptr& problem, const std::function<void()>& success) {
+    --jobs_;
+    Q_EMIT jobEnded();
+    if (problem) {
+      try {
+        std::rethrow_exception(problem);
+      } catch (const Cancelled&) {
+        notify(tr("Cancelled; nothing was changed"));
+      } catch (...) {
+        report(std::current_exception());
+      }
+    } else if (success) {
+      success();
+    }
+  };
+  workers_.start([this, key = workplace_.key(), work = std::move(work), done = std::move(done), finish] {
+    std::exception_ptr problem;
+    try {
+      Workplace own(key);
+      QElapsedTimer since;
+      since.start();
+      work(own, [this, since](const Progress& progress) {
+        if (cancelled_.load()) throw Cancelled{};
+        const double left_s =
+            progress.remaining_s >= 0.0
+                ? progress.remaining_s
+                : guessedRemaining_s(static_cast<double>(since.elapsed()) / 1000.0, progress.fraction);
+        QMetaObject::invokeMethod(this, [this, progress, left_s] {
+          Q_EMIT jobMoved(spoken(progress.step), progress.fraction, left_s);
+        });
+      });
+    } catch (...) {
+      problem = std::current_exception();
+    }
+    QMetaObject::invokeMethod(this, [finish, problem, done] { finish(problem, done); });
+  });
+}
+
+void ShellContext::waitForJobs() {
+  while (jobs_ > 0) {
+    workers_.waitForDone(10);
+    QCoreApplication::processEvents();
+  }
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <filesystem>
+#include <functional>
+
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+#include <QVariant>
+
+#include "app/access/workplace.h"
+#include "app/base/progress.h"
+#include "app/gui/base/problem.h"
+#include "app/gui/widgets/theme.h"
+
+namespace torsio {
+class StationWriter;
+}
+
+namespace torsio::gui {
+
+/// Thrown by a job's own progress call after the user pressed cancel; jobs let it pass.
+struct Cancelled {};
+
+/// The record of this station changes under everybody: it is replaced by a backup, or lies elsewhere from now
+/// on.
+struct RecordChange {
+  std::function<void()> swap{};  ///< while nobody has the record open; may throw, then nothing has changed
+  QString locator{};             ///< from now on; empty: as before
+  QString sentence{};            ///< said at the sign-in that follows
+};
+
+/// What pages need from round them. GUI thread.
+class ShellContext : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `workplace` outlives the context.
+  ShellContext(Workplace& workplace, std::filesystem::path assets, ThemeKind theme);
+  ~ShellContext() override;
+
+  [[nodiscard]] Workplace& workplace() const noexcept { return workplace_; }
+  [[nodiscard]] const std::filesystem::path& assets() const noexcept { return assets_; }
+  [[nodiscard]] ThemeKind themeKind() const noexcept { return theme_; }
+  void setThemeKind(ThemeKind kind);
+
+  /// For what nobody waits for (signs of life, training time); null: the workplace writes at once. It
+  /// outlives the context.
+  [[nodiscard]] StationWriter* line() const noexcept { return line_; }
+  void setLine(StationWriter* line) noexcept { line_ = line; }
+  /// Whether the database is known to be away: then the GUI thread must not ask it anything.
+  [[nodiscard]] bool databaseAway() const;
+
+  /// Goes to another page: `id` of its PageEntry.
+  void open(const QString& id, const QVariant& argument = {}) { Q_EMIT pageWanted(id, argument); }
+  /// A sentence that passes by at the lower edge.
+  void notify(const QString& sentence) { Q_EMIT noticed(sentence); }
+  /// Says in plain words what went wrong, what to do, details folded. Call it in a catch block.
+  void report(const std::exception_ptr& thrown);
+  /// The same for what no exception says.
+  void tell(const Problem& problem);
+
+  /// Work that takes time, off the GUI thread, on a connection of its own for the same actor. `work` gets
+  /// a workplace and a callback that it calls with its progress (which throws Cancelled when the user gave
+  /// up, so that work unwinds and leaves no half file); `done` runs in the GUI thread after success. Title
+  /// and progress are shown with time left and a cancel button. Failures are reported.
+  using Work = std::function<void(Workplace&, const ProgressCallback&)>;
+  void run(const QString& title, Work work, std::function<void()> done);
+  [[nodiscard]] bool working() const noexcept { return jobs_ > 0; }
+  /// Closes the desk and the record, carries out the change, and goes back to sign-in. The calling page dies
+  /// soon after.
+  void changeRecord(const RecordChange& change) { Q_EMIT recordChangeWanted(change); }
+  /// Waits for all jobs: tests, and the end of the program.
+  void waitForJobs();
+  void cancelJobs() noexcept { cancelled_.store(true); }
+
+ Q_SIGNALS:
+  void pageWanted(const QString& id, const QVariant& argument);
+  void noticed(const QString& sentence);
+  void problemMet(const torsio::gui::Problem& problem);
+  /// The same in the words of this moment.
+  void failed(const QString& happened, const QString& remedy, const QString& details);
+  void themeChanged(ThemeKind kind);
+  void recordChangeWanted(const torsio::gui::RecordChange& change);
+  void jobStarted(const QString& title);
+  void jobMoved(const QString& step, double fraction, double remaining_s);
+  void jobEnded();
+
+ private:
+  Workplace& workplace_;
+  std::filesystem::path assets_;
+  ThemeKind theme_;
+  StationWriter* line_ = nullptr;
+  QThreadPool workers_;
+  int jobs_ = 0;
+  std::atomic<bool> cancelled_{false};
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/physician/alignment_page.h"
+
+#include <cmath>
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/physician/comparison_bars.h"
+#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/sheet_panel.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+#include "app/review/case_sheet.h"
+
+namespace torsio::gui {
+
+AlignmentPage::AlignmentPage(ShellContext& shell, QWidget* parent)
+    : Page(shell, parent),
+      heading_(new PageHeading(this)),
+      table_(new DataTable(QStringLiteral("review.alignment"), this)),
+      right_(new QWidget(this)),
+      case_(new QLabel(this)),
+      state_(sentence(this)),
+      legend_(sentence(this)),
+      bars_(new ComparisonBars(this)),
+      sheet_(new SheetPanel(false, this)),
+      reason_(new QLineEdit(this)),
+      keep_(new QPushButton(this)),
+      move_(new QPushButton(this)),
+      third_(new QPushButton(this)),
+      replay_(linkButton(this)),
+      empty_(sentence(this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
+  column->setSpacing(2 * kSpace);
+  column->addWidget(heading_);
+  empty_->setAlignment(Qt::AlignCenter);
+  column->addWidget(empty_, 1);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(3 * kSpace);
+  row->addWidget(table_, 2);
+  row->addWidget(right_, 3);
+  column->addLayout(row, 1);
+  case_->setProperty("subheading", true);
+  reason_->setMaxLength(200);
+  auto* right = new QVBoxLayout(right_);
+  right->setContentsMargins(0, 0, 0, 0);
+  right->setSpacing(kSpace);
+  auto* head = new QHBoxLayout;
+  head->addWidget(case_);
+  head->addWidget(state_, 1);
+  head->addWidget(replay_);
+  right->addLayout(head);
+  right->addWidget(legend_);
+  right->addWidget(bars_);
+  right->addWidget(sheet_, 1);
+  right->addStretch(0);
+  right->addWidget(reason_);
+  auto* buttons = new QHBoxLayout;
+  for (QPushButton* button : {keep_, move_, third_}) buttons->addWidget(button);
+  buttons->addStretch(1);
+  right->addLayout(buttons);
+  right->addStretch(1);
+  connectAll();
+}
+
+void AlignmentPage::connectAll() {
+  connect(table_, &DataTable::currentChanged, this, [this](const QString& id) {
+    if (id.isEmpty() || id.toStdString() == chosen_) return;
+    chosen_ = id.toStdString();
+    stopMoving();
+    showCase();
+  });
+  connect(replay_, &QPushButton::clicked, this, [this] {
+    if (const AlignmentCase* one = current())
+      this->shell().open(QStringLiteral("review.case"), words(one->shown.assignmentId));
+  });
+  connect(keep_, &QPushButton::clicked, this, [this] {
+    if (editor_ != nullptr) {
+      stopMoving();
+      showCase();
+      return;
+    }
+    decide([](Workplace& w, const std::string& id, const std::string& why) { keepMark(w, id, why); },
+           tr("Your mark stays as it is"));
+  });
+  connect(move_, &QPushButton::clicked, this, &AlignmentPage::startMoving);
+  connect(third_, &QPushButton::clicked, this, [this] {
+    decide([](Workplace& w, const std::string& id, const std::string& why) { askForThird(w, id, why); },
+           tr("The office is asked for a third physician"));
+  });
+}
+
+AlignmentPage::~AlignmentPage() = default;
+
+void AlignmentPage::enter(const QVariant&) {
+  stopMoving();
+  read();
+  for (const AlignmentCase& one : cases_) {
+    if (!one.decision.empty()) continue;
+    chosen_ = one.shown.assignmentId;
+    break;
+  }
+  showCase();
+  showList();
+}
+
+void AlignmentPage::read() {
+  cases_ = alignmentCases(shell().workplace());
+  showList();
+}
+
+void AlignmentPage::showList() {
+  std::vector<Row> rows;
+  for (const AlignmentCase& one : cases_) {
+    const QString decision = one.decision == "keep"    ? tr("kept")
+                             : one.decision == "move"  ? tr("moved")
+                             : one.decision == "third" ? tr("third asked for")
+                                                       : tr("to be decided");
+    rows.push_back({words(one.shown.assignmentId),
+                    {{tr("Case %1").arg(words(one.shown.label)), static_cast<int>(rows.size())},
+                     {QLocale().toString(one.largest, 'f', 1), one.largest},
+                     {decision}}});
+  }
+  table_->setRows(std::move(rows));
+  if (const AlignmentCase* one = current()) table_->select(words(one->shown.assignmentId));
+}
+
+const AlignmentCase* AlignmentPage::current() const {
+  for (const AlignmentCase& one : cases_) {
+    if (one.shown.assignmentId == chosen_) return &one;
+  }
+  return cases_.empty() ? nullptr : &cases_.front();
+}
+
+void AlignmentPage::showCase() {
+  const AlignmentCase* one = current();
+  const bool moving = editor_ != nullptr;
+  empty_->setVisible(cases_.empty());
+  table_->setVisible(!cases_.empty());
+  right_->setVisible(one != nullptr);
+  if (one == nullptr) return;
+  case_->setText(tr("Case %1").arg(words(one->shown.label)));
+  state_->setText(one->decision.empty() ? QString()
+                  : one->reason.empty() ? tr("Decided. You may decide anew.")
+                                        : tr("Decided: %1").arg(words(one->reason)));
+  bars_->setRows(one->rows);
+  bars_->setVisible(!moving);
+  legend_->setVisible(!moving);
+  sheet_->setVisible(moving);
+  // The bars stand at the top; a sheet takes all the room there is.
+  auto* column = static_cast<QVBoxLayout*>(right_->layout());
+  column->setStretch(column->count() - 1, moving ? 0 : 1);
+  replay_->setVisible(!one->shown.live);
+  keep_->setText(moving ? tr("Leave it unchanged") : tr("&Keep my mark"));
+  move_->setText(moving ? tr("Seal the moved mark") : tr("&Move it \u2026"));
+  third_->setVisible(!moving);
+}
+
+void AlignmentPage::startMoving() {
+  const AlignmentCase* one = current();
+  if (one == nullptr) return;
+  if (editor_ != nullptr) {
+    const Sheet sheet = editor_->sheet();
+    decide([&sheet](Workplace& w, const std::string& id,
+                    const std::string& why) { moveMark(w, id, sheet, why); },
+           tr("The moved mark is sealed; the one before is kept"));
+    return;
+  }
+  try {
+    const OpenedSheet opened = openSheet(shell().workplace(), one->shown.assignmentId);
+    editor_ = std::make_unique<SheetEditor>(opened.rubric, opened.sheet);
+    sheet_->setEditor(editor_.get());
+    showCase();
+    sheet_->takeFocus();
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void AlignmentPage::stopMoving() {
+  sheet_->setEditor(nullptr);
+  editor_.reset();
+}
+
+template <typename Action>
+void AlignmentPage::decide(const Action& action, const QString& said) {
+  const AlignmentCase* one = current();
+  if (one == nullptr) return;
+  try {
+    action(shell().workplace(), one->shown.assignmentId, reason_->text().trimmed().toStdString());
+    reason_->clear();
+    stopMoving();
+    read();
+    showCase();
+    shell().notify(said);
+  } catch (...) {
+    shell().report(std::current_exception());
+    reason_->setFocus(Qt::OtherFocusReason);
+  }
+}
+
+void AlignmentPage::retranslate() {
+  heading_->setTexts(tr("Alignment"),
+                     tr("Only cases that all have submitted, and only where your mark lies apart. The "
+                        "others are not named; nor are you to them."));
+  empty_->setText(tr("No disagreement waits for you."));
+  table_->view().setAccessibleName(tr("Cases where your mark lies apart"));
+  table_->setColumns({{tr("Case")}, {tr("Apart by"), true}, {tr("Decision")}});
+  reason_->setPlaceholderText(tr("Reason (needed to move a mark or to ask for a third physician)"));
+  reason_->setAccessibleName(tr("Reason"));
+  third_->setText(tr("Ask for a &third"));
+  replay_->setText(tr("Look at it again"));
+  legend_->setText(tr("Diamond: you. Band: lowest to highest of the others. Line: their mean."));
+  bars_->retranslate();
+  sheet_->retranslate();
+  showList();
+  showCase();
+}
+
+std::vector<std::pair<QString, QString>> AlignmentPage::keys() const {
+  return sheetKeys();
+}
+
+void AlignmentPage::applyTheme(const Theme& theme) {
+  bars_->setTheme(theme);
+  sheet_->setTheme(theme);
+}
+
+void AlignmentPage::keyPressEvent(QKeyEvent* event) {
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (editor_ != nullptr) {
+    if (enter && (event->modifiers() & Qt::ControlModifier) != 0) return startMoving();  // seals
+    const bool undone = event->matches(QKeySequence::Undo) && editor_->undo();
+    const bool redone = event->matches(QKeySequence::Redo) && editor_->redo();
+    if (undone || redone) return sheet_->refresh();
+    if (sheet_->handleKey(event->key(), event->modifiers())) return;
+  }
+  Page::keyPressEvent(event);
+}
+
+}  // namespace torsio::gui

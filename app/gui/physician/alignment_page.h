@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/gui/base/page.h"
+#include "app/review/alignment.h"
+#include "app/review/sheet_editor.h"
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace torsio::gui {
+
+class ComparisonBars;
+class DataTable;
+class PageHeading;
+class SheetPanel;
+
+/// After all have submitted: own marks that lie apart, and what to do about each. Only disagreements; nobody
+/// is named.
+class AlignmentPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit AlignmentPage(ShellContext& shell, QWidget* parent = nullptr);
+  ~AlignmentPage() override;
+
+  void enter(const QVariant& argument) override;
+  [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
+  void retranslate() override;
+  void applyTheme(const Theme& theme) override;
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  [[nodiscard]] const AlignmentCase* current() const;
+  void connectAll();
+  void read();
+  void showList();
+  void showCase();
+  void startMoving();
+  void stopMoving();
+  template <typename Action>
+  void decide(const Action& action, const QString& said);
+
+  PageHeading* heading_;
+  DataTable* table_;
+  QWidget* right_;
+  QLabel* case_;
+  QLabel* state_;
+  QLabel* legend_;
+  ComparisonBars* bars_;
+  SheetPanel* sheet_;
+  QLineEdit* reason_;
+  QPushButton* keep_;
+  QPushButton* move_;
+  QPushButton* third_;
+  QPushButton* replay_;
+  QLabel* empty_;
+  std::vector<AlignmentCase> cases_;
+  std::string chosen_;  ///< assignment id
+  std::unique_ptr<SheetEditor> editor_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/physician/case_page.h"
+
+#include <algorithm>
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/physician/replay_panel.h"
+#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/sheet_panel.h"
+#include "app/gui/widgets/form.h"
+#include "app/review/review_queue.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr std::int64_t kLongestPause_us = 60'000'000;  // longer without a key or play is a coffee, not work
+constexpr std::int64_t kSaveWatchedEvery_us = 5'000'000;
+
+}  // namespace
+
+CasePage::CasePage(ShellContext& shell, QWidget* parent)
+    : Page(shell, parent),
+      title_(new QLabel(this)),
+      facts_(new QLabel(this)),
+      saved_(new QLabel(this)),
+      undo_(new QToolButton(this)),
+      redo_(new QToolButton(this)),
+      amend_(new QPushButton(this)),
+      submit_(primaryButton(this)),
+      halves_(new QSplitter(Qt::Horizontal, this)),
+      replay_(new ReplayPanel(shell.assets(), this)),
+      sheet_(new SheetPanel(false, this)),
+      remarks_(sentence(this)),
+      remarkField_(new QLineEdit(this)),
+      bookmark_(new QToolButton(this)),
+      remark_(new QToolButton(this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(2 * kSpace, kSpace + kSpace / 2, 2 * kSpace, kSpace + kSpace / 2);
+  column->setSpacing(kSpace);
+  createHead(column);
+  auto* left = new QWidget(this);
+  auto* leftColumn = new QVBoxLayout(left);
+  leftColumn->setContentsMargins(0, 0, kSpace, 0);
+  leftColumn->addWidget(replay_, 1);
+  auto* marks = new QHBoxLayout;
+  marks->addWidget(bookmark_);
+  marks->addWidget(remark_);
+  marks->addWidget(remarks_, 1);
+  leftColumn->addLayout(marks);
+  leftColumn->addWidget(remarkField_);
+  remarkField_->hide();
+  remarkField_->setMaxLength(400);
+  halves_->addWidget(left);
+  halves_->addWidget(sheet_);
+  halves_->setStretchFactor(0, 3);
+  halves_->setStretchFactor(1, 2);
+  halves_->setChildrenCollapsible(false);
+  halves_->setHandleWidth(kSpace);
+  column->addWidget(halves_, 1);
+  column->addWidget(createStrip());
+  // A sentence that wraps asks for the height of its narrowest shape; on a small screen the window would
+  // grow.
+  for (QLabel* text : {remarks_, stripText_}) text->setMinimumHeight(fontMetrics().height());
+  sheet_->commentField()->installEventFilter(this);
+  remarkField_->installEventFilter(this);
+  connect(sheet_, &SheetPanel::edited, this, &CasePage::edited);
+  // Success shows the recording right after; failure and cancelling end here.
+  connect(&shell, &ShellContext::jobEnded, this, [this] {
+    if (editor_ != nullptr && !opened_.shown.live && !replay_->ready())
+      replay_->showSentence(tr("The recording could not be opened."));
+  });
+  connect(bookmark_, &QToolButton::clicked, this, [this] { addBookmark(QString()); });
+  connect(remark_, &QToolButton::clicked, this, &CasePage::askRemark);
+  connect(replay_, &ReplayPanel::played, this, [this](qint64 from, qint64 to, double speed) {
+    watched_.played(from, to, speed);
+    noteWork();
+    replay_->setWatched(watched_.spans());
+    const bool crossed = from / kSaveWatchedEvery_us != to / kSaveWatchedEvery_us;
+    if (crossed && opened_.state != SheetState::kSubmitted) save();
+  });
+}
+
+CasePage::~CasePage() = default;
+
+void CasePage::createHead(QVBoxLayout* column) {
+  title_->setProperty("heading", true);
+  facts_->setProperty("quiet", true);
+  saved_->setProperty("quiet", true);
+  auto* head = new QHBoxLayout;
+  head->setSpacing(kSpace);
+  head->addWidget(title_);
+  head->addSpacing(kSpace);
+  head->addWidget(facts_, 1);
+  head->addWidget(saved_);
+  head->addWidget(undo_);
+  head->addWidget(redo_);
+  head->addWidget(amend_);
+  head->addWidget(submit_);
+  column->addLayout(head);
+  connect(undo_, &QToolButton::clicked, this, &CasePage::undo);
+  connect(redo_, &QToolButton::clicked, this, &CasePage::redo);
+  connect(amend_, &QPushButton::clicked, this, &CasePage::startAmending);
+  connect(submit_, &QPushButton::clicked, this, &CasePage::askSubmit);
+}
+
+QWidget* CasePage::createStrip() {
+  strip_ = new QFrame(this);
+  strip_->setObjectName(QStringLiteral("card"));
+  stripText_ = sentence(strip_, false);
+  stripReason_ = new QLineEdit(strip_);
+  stripReason_->setMaxLength(200);
+  stripGo_ = primaryButton(strip_);
+  stripBack_ = new QPushButton(strip_);
+  auto* row = new QHBoxLayout(strip_);
+  row->setContentsMargins(2 * kSpace, kSpace, 2 * kSpace, kSpace);
+  row->addWidget(stripText_, 2);
+  row->addWidget(stripReason_, 2);
+  row->addWidget(stripGo_);
+  row->addWidget(stripBack_);
+  strip_->hide();
+  connect(stripGo_, &QPushButton::clicked, this, [this] { amending_ ? finishAmending() : submit(); });
+  connect(stripBack_, &QPushButton::clicked, this, [this] {
+    asking_ = false;
+    if (amending_) {
+      amending_ = false;
+      editor_ = std::make_unique<SheetEditor>(opened_.rubric, opened_.sheet);
+      sheet_->setEditor(editor_.get());
+    }
+    showAll();
+    sheet_->takeFocus();
+  });
+  return strip_;
+}
+
+void CasePage::enter(const QVariant& argument) {
+  const std::string id = argument.toString().toStdString();
+  replay_->pause();
+  replay_->show(nullptr);
+  asking_ = false;
+  amending_ = false;
+  rules_ = viewingRules(shell().workplace());
+  opened_ = openSheet(shell().workplace(), id);
+  watched_ = opened_.watched;
+  caseRemarks_ = caseRemarks(shell().workplace(), id);
+  editor_ = std::make_unique<SheetEditor>(opened_.rubric, opened_.sheet);
+  sheet_->setEditor(editor_.get());
+  replay_->setSpeeds(rules_.speeds);
+  sinceKey_.start();
+  setLook(saved_, "caution", false);
+  saved_->setText(opened_.state == SheetState::kDraft ? tr("Draft found and opened") : QString());
+  showAll();
+  sheet_->takeFocus();
+  load();
+}
+
+void CasePage::load() {
+  const std::uint64_t ticket = ++loads_;
+  if (opened_.shown.live) {
+    replay_->showSentence(tr("This case is scored live; there is no recording."));
+    return;
+  }
+  replay_->showSentence(tr("The recording is being opened. You may score meanwhile."));
+  auto loaded = std::make_shared<std::shared_ptr<LoadedRecording>>();
+  const std::string id = opened_.shown.assignmentId;
+  const std::filesystem::path assets = shell().assets();
+  shell().run(
+      tr("Opening case %1").arg(words(opened_.shown.label)),
+      [loaded, id, assets](Workplace& own, const ProgressCallback&) {
+        *loaded = loadForShowing(loadBlindedRecording(own, id), assets);
+      },
+      [this, loaded, ticket] {
+        if (ticket != loads_) return;
+        replay_->show(*loaded);
+        replay_->setWatched(watched_.spans());
+        showRemarks();
+      });
+}
+
+bool CasePage::leave() {
+  replay_->pause();
+  if (editor_ != nullptr && opened_.state == SheetState::kDraft) save();
+  ++loads_;
+  replay_->show(nullptr);
+  return true;
+}
+
+void CasePage::noteWork() {
+  if (sinceKey_.isValid())
+    watched_.worked(std::min<std::int64_t>(sinceKey_.nsecsElapsed() / 1000, kLongestPause_us));
+  sinceKey_.start();
+}
+
+void CasePage::edited() {
+  noteWork();
+  asking_ = false;
+  if (!amending_) save();
+  showAll();
+}
+
+void CasePage::save() {
+  if (opened_.state == SheetState::kSubmitted) return;
+  try {
+    editor_->saved(saveSheet(shell().workplace(), opened_.shown.assignmentId, editor_->sheet(), watched_));
+    opened_.state = SheetState::kDraft;
+    setLook(saved_, "caution", false);
+    saved_->setText(tr("Saved"));
+  } catch (...) {
+    setLook(saved_, "caution", true);
+    saved_->setText(tr("Not saved"));
+    shell().report(std::current_exception());
+  }
+}
+
+void CasePage::undo() {
+  if (editor_ == nullptr || !editor_->undo()) return;
+  sheet_->refresh();
+  edited();
+}
+
+void CasePage::redo() {
+  if (editor_ == nullptr || !editor_->redo()) return;
+  sheet_->refresh();
+  edited();
+}
+
+void CasePage::addBookmark(const QString& text) {
+  if (!replay_->ready()) return;
+  try {
+    addCaseRemark(shell().workplace(), opened_.shown.assignmentId,
+                  {replay_->position_us(), text.toStdString()});
+    caseRemarks_ = caseRemarks(shell().workplace(), opened_.shown.assignmentId);
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+  showRemarks();
+}
+
+void CasePage::askRemark() {
+  if (!replay_->ready()) return;
+  replay_->pause();
+  remarkField_->show();
+  remarkField_->setFocus(Qt::OtherFocusReason);
+}
+
+void CasePage::askSubmit() {
+  if (editor_ == nullptr || opened_.state == SheetState::kSubmitted) return;
+  if (asking_) {
+    submit();
+    return;
+  }
+  asking_ = true;
+  replay_->pause();
+  showAll();
+}
+
+void CasePage::submit() {
+  const SheetCheck check = checkSheet(opened_.rubric, editor_->sheet(), opened_.shown.live, watched_, rules_);
+  if (!check.mayBeSubmitted()) {
+    if (!check.unanswered.empty()) sheet_->setCurrentRow(check.unanswered.front());
+    sheet_->takeFocus();
+    return;
+  }
+  try {
+    noteWork();
+    submitSheet(shell().workplace(), opened_.shown.assignmentId, editor_->sheet(), watched_);
+    shell().notify(tr("Case %1 is submitted and sealed").arg(words(opened_.shown.label)));
+    opened_.state = SheetState::kSubmitted;
+    const auto next = reviewQueue(shell().workplace()).next;
+    if (next) {
+      shell().open(QStringLiteral("review.case"), words(*next));
+    } else {
+      shell().open(QStringLiteral("review.queue"));
+    }
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void CasePage::startAmending() {
+  amending_ = true;
+  showAll();
+  sheet_->takeFocus();
+}
+
+void CasePage::finishAmending() {
+  try {
+    amendSheet(shell().workplace(), opened_.shown.assignmentId, editor_->sheet(),
+               stripReason_->text().trimmed().toStdString());
+    stripReason_->clear();
+    shell().notify(tr("The new version is sealed; the one before is kept"));
+    shell().open(QStringLiteral("review.case"), words(opened_.shown.assignmentId));
+  } catch (...) {
+    shell().report(std::current_exception());
+    stripReason_->setFocus(Qt::OtherFocusReason);
+  }
+}
+
+void CasePage::keyPressEvent(QKeyEvent* event) {
+  const Qt::KeyboardModifiers modifiers = event->modifiers();
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (event->matches(QKeySequence::Undo)) return undo();
+  if (event->matches(QKeySequence::Redo) || (event->key() == Qt::Key_Y && modifiers == Qt::ControlModifier))
+    return redo();
+  if (enter && (modifiers & Qt::ControlModifier) != 0) {
+    amending_ ? finishAmending() : askSubmit();
+    return;
+  }
+  if (event->key() == Qt::Key_Escape && asking_) {
+    asking_ = false;
+    showAll();
+    sheet_->takeFocus();
+    return;
+  }
+  const bool plain = (modifiers & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) == 0;
+  if (plain && event->key() == Qt::Key_B) return addBookmark(QString());
+  if (plain && event->key() == Qt::Key_R) return askRemark();
+  if (plain && replay_->handleKey(event->key())) return;
+  if (sheet_->handleKey(event->key(), modifiers)) return;
+  Page::keyPressEvent(event);
+}
+
+bool CasePage::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress) return Page::eventFilter(watched, event);
+  auto* key = static_cast<QKeyEvent*>(event);
+  const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
+  if (watched == sheet_->commentField()) {
+    // One history for the whole sheet: the text field keeps none of its own.
+    const bool ours = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) ||
+                      (enter && (key->modifiers() & Qt::ControlModifier) != 0);
+    if (ours) keyPressEvent(key);
+    const bool back = key->key() == Qt::Key_Escape;
+    if (back) sheet_->takeFocus();
+    return ours || back;
+  }
+  if (watched == remarkField_ && (enter || key->key() == Qt::Key_Escape)) {
+    const QString text = remarkField_->text().trimmed();
+    if (enter && !text.isEmpty()) addBookmark(text);
+    remarkField_->clear();
+    remarkField_->hide();
+    sheet_->takeFocus();
+    return true;
+  }
+  return Page::eventFilter(watched, event);
+}
+
+}  // namespace torsio::gui

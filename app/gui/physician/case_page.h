@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QElapsedTimer>
+
+#include "app/gui/base/page.h"
+#include "app/review/case_remarks.h"
+#include "app/review/case_sheet.h"
+#include "app/review/sheet_editor.h"
+
+class QFrame;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSplitter;
+class QToolButton;
+class QVBoxLayout;
+
+namespace torsio::gui {
+
+class ReplayPanel;
+class SheetPanel;
+
+/// One case: the recording at the left, the sheet at the right. Each keystroke is on the disk before the next
+/// one; submitting asks once more and then seals. Argument of enter(): the assignment id.
+class CasePage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit CasePage(ShellContext& shell, QWidget* parent = nullptr);
+  ~CasePage() override;
+
+  void enter(const QVariant& argument) override;
+  [[nodiscard]] bool leave() override;
+  [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
+  void retranslate() override;
+  void applyTheme(const Theme& theme) override;
+
+  [[nodiscard]] ReplayPanel& replay() noexcept { return *replay_; }
+  [[nodiscard]] SheetPanel& sheetPanel() noexcept { return *sheet_; }
+  [[nodiscard]] const SheetEditor* editor() const noexcept { return editor_.get(); }
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void createHead(QVBoxLayout* column);
+  QWidget* createStrip();
+  void load();
+  void edited();
+  void save();
+  void undo();
+  void redo();
+  void addBookmark(const QString& text);
+  void askRemark();
+  void askSubmit();
+  void submit();
+  void startAmending();
+  void finishAmending();
+  void showAll();
+  void showHistory();
+  void showRemarks();
+  [[nodiscard]] QString rowName(const std::string& row) const;
+  [[nodiscard]] QString stepName(const SheetChange& change) const;
+  [[nodiscard]] QString checkText(const SheetCheck& check) const;
+  void noteWork();
+
+  QLabel* title_;
+  QLabel* facts_;
+  QLabel* saved_;
+  QToolButton* undo_;
+  QToolButton* redo_;
+  QPushButton* amend_;
+  QPushButton* submit_;
+  QSplitter* halves_;
+  ReplayPanel* replay_;
+  SheetPanel* sheet_;
+  QLabel* remarks_;
+  QLineEdit* remarkField_;
+  QToolButton* bookmark_;
+  QToolButton* remark_;
+  QFrame* strip_;
+  QLabel* stripText_;
+  QLineEdit* stripReason_;
+  QPushButton* stripGo_;
+  QPushButton* stripBack_;
+
+  OpenedSheet opened_;
+  ViewingRules rules_;
+  std::unique_ptr<SheetEditor> editor_;
+  WatchLog watched_;
+  std::vector<CaseRemark> caseRemarks_;
+  QElapsedTimer sinceKey_;
+  std::uint64_t loads_ = 0;
+  bool amending_ = false;
+  bool asking_ = false;
+};
+
+}  // namespace torsio::gui

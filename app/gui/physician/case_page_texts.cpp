@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the case page says.
+#include <cmath>
+
+#include <QFrame>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "app/gui/base/spoken.h"
+#include "app/gui/physician/case_page.h"
+#include "app/gui/physician/replay_panel.h"
+#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/sheet_panel.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/icons.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr std::size_t kListedRemarks = 6;
+constexpr double kRounding = 0.1;  // percent: the last tick of a recording has no length
+
+}  // namespace
+
+void CasePage::retranslate() {
+  replay_->retranslate();
+  sheet_->retranslate();
+  undo_->setText(tr("Undo"));
+  redo_->setText(tr("Redo"));
+  amend_->setText(tr("&Amend \u2026"));
+  amend_->setToolTip(tr("Makes a new version with a reason; the submitted one is kept"));
+  submit_->setText(tr("Submit"));
+  submit_->setToolTip(tr("Checks the sheet and asks once more (Ctrl+Enter)"));
+  bookmark_->setText(tr("Bookmark"));
+  bookmark_->setToolTip(tr("Marks this moment for yourself (B)"));
+  remark_->setText(tr("Remark"));
+  remark_->setToolTip(tr("Writes to the trainee at this moment (R)"));
+  remarkField_->setPlaceholderText(
+      tr("Remark at this moment, for the trainee. Enter stores it, Esc leaves it"));
+  remarkField_->setAccessibleName(tr("Remark at this moment"));
+  stripReason_->setPlaceholderText(tr("Why is the mark changed?"));
+  stripReason_->setAccessibleName(tr("Why is the mark changed?"));
+  stripBack_->setText(tr("Back to the sheet"));
+  showAll();
+}
+
+std::vector<std::pair<QString, QString>> CasePage::keys() const {
+  std::vector<std::pair<QString, QString>> all = replayKeys();
+  all.emplace_back(tr("Bookmark this moment, for yourself"), QStringLiteral("B"));
+  all.emplace_back(tr("Remark at this moment, for the trainee"), QStringLiteral("R"));
+  for (auto& one : sheetKeys()) all.push_back(std::move(one));
+  all.emplace_back(tr("Not assessable: type why, Enter"), QStringLiteral("N"));
+  return all;
+}
+
+void CasePage::applyTheme(const Theme& theme) {
+  replay_->setTheme(theme);
+  sheet_->setTheme(theme);
+}
+
+QString CasePage::rowName(const std::string& row) const {
+  for (const StoredRubricRow& line : opened_.rubric.rows) {
+    if (line.code == row) return spoken(line.label);
+  }
+  return tr("Overall");
+}
+
+QString CasePage::stepName(const SheetChange& change) const {
+  switch (change.kind) {
+    case SheetChange::Kind::kScore:
+      return tr("score of %1").arg(rowName(change.row));
+    case SheetChange::Kind::kCleared:
+      return tr("clearing of %1").arg(rowName(change.row));
+    case SheetChange::Kind::kNotAssessable:
+      return tr("reason for %1").arg(rowName(change.row));
+    case SheetChange::Kind::kComment:
+      return tr("comment");
+    case SheetChange::Kind::kAllCleared:
+      return tr("clearing of the sheet");
+  }
+  return {};
+}
+
+QString CasePage::checkText(const SheetCheck& check) const {
+  QStringList parts;
+  if (!check.unanswered.empty()) {
+    QStringList rows;
+    for (const std::string& row : check.unanswered) rows << rowName(row);
+    parts << tr("Still open: %1.").arg(rows.join(tr(", ")));
+  }
+  if (!opened_.shown.live) {
+    const QString share = tr("%1 %").arg(std::floor(check.watchedShare * 100.0 + kRounding));
+    const QString least = tr("%1 %").arg(std::round(rules_.minimumWatched * 100.0));
+    parts << (check.watchedTooLittle ? tr("Watched %1 so far; at least %2 is asked.").arg(share, least)
+                                     : tr("Watched %1.").arg(share));
+  }
+  if (check.speedNotAllowed) parts << tr("It was played at a speed that is not allowed.");
+  if (check.allTheSame) parts << tr("All rows have the same score. Is that meant?");
+  if (check.farApart) parts << tr("The rows lie far apart. Is that meant?");
+  if (check.overallOutside) parts << tr("The overall mark lies outside the rows. Is that meant?");
+  if (check.mayBeSubmitted()) parts << tr("Submitting seals the sheet.");
+  return parts.join(QLatin1Char(' '));
+}
+
+void CasePage::showAll() {
+  if (editor_ == nullptr) return;
+  const bool sealed = opened_.state == SheetState::kSubmitted;
+  title_->setText(tr("Case %1").arg(words(opened_.shown.label)));
+  QStringList facts;
+  if (opened_.shown.length_us) facts << tr("%1 long").arg(clockTime(*opened_.shown.length_us));
+  if (sealed) facts << (amending_ ? tr("submitted, being amended") : tr("submitted and sealed"));
+  if (!sealed && opened_.shown.dueUtc_us) facts << tr("due %1").arg(dayText(*opened_.shown.dueUtc_us));
+  facts_->setText(facts.join(QStringLiteral("  \u00b7  ")));
+  sheet_->setReadOnly(sealed && !amending_);
+  amend_->setVisible(sealed && !amending_);
+  submit_->setVisible(!sealed);
+  strip_->setVisible(asking_ || amending_);
+  stripReason_->setVisible(amending_);
+  if (amending_) {
+    stripText_->setText(
+        tr("Change what must be changed, give the reason, seal the new version. Both versions are kept."));
+    stripGo_->setText(tr("Seal the new version"));
+    stripGo_->setEnabled(true);
+  } else if (asking_) {
+    const SheetCheck check =
+        checkSheet(opened_.rubric, editor_->sheet(), opened_.shown.live, watched_, rules_);
+    stripText_->setText(checkText(check));
+    setLook(stripText_, "caution", !check.mayBeSubmitted());
+    stripGo_->setText(tr("Submit and seal (Ctrl+Enter)"));
+    stripGo_->setEnabled(check.mayBeSubmitted());
+  }
+  showHistory();
+  showRemarks();
+}
+
+void CasePage::showHistory() {
+  const bool open = opened_.state != SheetState::kSubmitted || amending_;
+  undo_->setEnabled(open && editor_->canUndo());
+  redo_->setEnabled(open && editor_->canRedo());
+  const auto undoable = editor_->undoable();
+  const auto redoable = editor_->redoable();
+  undo_->setToolTip(undoable ? tr("Undo %1 (Ctrl+Z)").arg(stepName(*undoable)) : tr("Nothing to undo"));
+  redo_->setToolTip(redoable ? tr("Redo %1 (Ctrl+Y)").arg(stepName(*redoable)) : tr("Nothing to redo"));
+}
+
+void CasePage::showRemarks() {
+  bookmark_->setEnabled(replay_->ready());
+  remark_->setEnabled(replay_->ready());
+  std::vector<std::int64_t> times_us;
+  QStringList lines;
+  for (const CaseRemark& one : caseRemarks_) {
+    times_us.push_back(one.time_us);
+    if (one.text.empty() || static_cast<std::size_t>(lines.size()) >= kListedRemarks) continue;
+    lines << tr("%1 %2").arg(clockTime(one.time_us), words(one.text));
+  }
+  replay_->setBookmarks(std::move(times_us));
+  remarks_->setText(lines.isEmpty()
+                        ? tr("Bookmarks are yours; remarks reach the trainee when the marks are released.")
+                        : lines.join(QStringLiteral("   \u00b7   ")));
+}
+
+}  // namespace torsio::gui

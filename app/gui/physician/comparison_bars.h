@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QWidget>
+
+#include "app/gui/widgets/theme.h"
+#include "app/review/alignment.h"
+
+namespace torsio::gui {
+
+/// Own marks against the range and mean of the others, one bar a row: a band from lowest to highest, a line
+/// at the mean, a diamond at the own mark; rows that lie apart say so in words.
+class ComparisonBars : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ComparisonBars(QWidget* parent = nullptr);
+  void setTheme(const Theme& theme);
+  void setRows(std::vector<RowComparison> rows);
+  void retranslate() { describe(); }
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  [[nodiscard]] int rowHeight() const;
+  void drawRow(QPainter& painter, const RowComparison& row, const QRect& area) const;
+  [[nodiscard]] QString sentenceOf(const RowComparison& row) const;
+  void describe();
+
+  const Theme* theme_;
+  std::vector<RowComparison> rows_;
+};
+
+}  // namespace torsio::gui

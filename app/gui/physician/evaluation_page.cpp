@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/physician/evaluation_page.h"
+
+#include <algorithm>
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/sheet_panel.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+
+namespace torsio::gui {
+
+namespace {
+
+/// The indices as rows, so that the same panel and the same keys serve.
+StoredRubricRevision rubricOf(const EvaluationForm& form) {
+  StoredRubricRevision rubric;
+  rubric.overall = form.scale;
+  for (std::size_t i = 0; i < form.indices.size(); ++i) {
+    rubric.rows.push_back({std::to_string(i + 1), form.indices[i], form.scale, {}});
+  }
+  return rubric;
+}
+
+Sheet sheetOf(const EvaluationFormModel& model) {
+  Sheet sheet;
+  for (std::size_t i = 0; i < model.scores.size(); ++i) {
+    sheet.rows.push_back({std::to_string(i + 1), model.scores[i], {}});
+  }
+  return sheet;
+}
+
+}  // namespace
+
+EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
+    : Page(shell, parent),
+      heading_(new PageHeading(this)),
+      campaigns_(new QComboBox(this)),
+      choices_(new QHBoxLayout),
+      group_(new QButtonGroup(this)),
+      scaleText_(sentence(this)),
+      sheet_(new SheetPanel(false, this)),
+      said_(sentence(this)),
+      submit_(primaryButton(this)) {
+  sheet_->setScoresOnly();
+  heading_->addAction(campaigns_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
+  column->setSpacing(kSpace);
+  column->addWidget(heading_);
+  column->addLayout(choices_);
+  column->addWidget(scaleText_);
+  auto* middle = new QHBoxLayout;
+  sheet_->setMaximumWidth(110 * fontMetrics().averageCharWidth());
+  middle->addWidget(sheet_, 1);
+  middle->addStretch(0);
+  column->addLayout(middle, 1);
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(said_, 1);
+  foot->addWidget(submit_);
+  column->addLayout(foot);
+  connect(sheet_, &SheetPanel::edited, this, &EvaluationPage::edited);
+  connect(submit_, &QPushButton::clicked, this, &EvaluationPage::submit);
+  connect(campaigns_, &QComboBox::activated, this, [this](int at) {
+    campaign_ = static_cast<std::size_t>(at);
+    openFirst();
+  });
+}
+
+EvaluationPage::~EvaluationPage() = default;
+
+const EvaluationForm* EvaluationPage::form() const {
+  return campaign_ < forms_.size() ? &forms_[campaign_] : nullptr;
+}
+
+const EvaluationFormModel* EvaluationPage::model() const {
+  const EvaluationForm* one = form();
+  return one != nullptr && model_ < one->models.size() ? &one->models[model_] : nullptr;
+}
+
+void EvaluationPage::enter(const QVariant&) {
+  read();
+  campaign_ = 0;
+  while (campaign_ + 1 < forms_.size() && forms_[campaign_].complete()) ++campaign_;
+  openFirst();
+}
+
+void EvaluationPage::read() {
+  forms_ = evaluationForms(shell().workplace());
+  const QSignalBlocker quiet(campaigns_);
+  campaigns_->clear();
+  for (const EvaluationForm& one : forms_) campaigns_->addItem(words(one.title));
+}
+
+void EvaluationPage::openFirst() {
+  std::size_t at = 0;
+  const EvaluationForm* one = form();
+  while (one != nullptr && at + 1 < one->models.size() && one->models[at].submitted) ++at;
+  openModel(at);
+}
+
+void EvaluationPage::openModel(std::size_t at) {
+  model_ = at;
+  asking_ = false;
+  editor_.reset();
+  sheet_->setEditor(nullptr);
+  said_->clear();
+  if (const EvaluationFormModel* one = model()) {
+    editor_ = std::make_unique<SheetEditor>(rubricOf(*form()), sheetOf(*one), false);
+    sheet_->setEditor(editor_.get());
+    sheet_->takeFocus();
+  }
+  showModels();
+  showAll();
+}
+
+void EvaluationPage::edited() {
+  asking_ = false;
+  EvaluationFormModel& stored = forms_[campaign_].models[model_];
+  try {
+    for (std::size_t i = 0; i < stored.scores.size(); ++i) {
+      const auto score = editor_->sheet().rows[i].score_steps;
+      if (score == stored.scores[i]) continue;
+      saveEvaluationScore(shell().workplace(), form()->campaignId, stored.hiddenLabel, i, score);
+      stored.scores[i] = score;
+    }
+    setLook(said_, "caution", false);
+    said_->setText(tr("Saved"));
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+  showAll();
+}
+
+void EvaluationPage::undo() {
+  if (editor_ == nullptr || model()->submitted || !editor_->undo()) return;
+  sheet_->refresh();
+  edited();
+}
+
+void EvaluationPage::redo() {
+  if (editor_ == nullptr || model()->submitted || !editor_->redo()) return;
+  sheet_->refresh();
+  edited();
+}
+
+void EvaluationPage::submit() {
+  const EvaluationFormModel* one = model();
+  if (one == nullptr || one->submitted) return;
+  const auto open = std::find(one->scores.begin(), one->scores.end(), std::nullopt);
+  if (open != one->scores.end()) {
+    const auto left = static_cast<int>(std::count(one->scores.begin(), one->scores.end(), std::nullopt));
+    setLook(said_, "caution", true);
+    said_->setText(tr("Still open: %1 of %2").arg(left).arg(one->scores.size()));
+    sheet_->setCurrentRow(std::to_string(open - one->scores.begin() + 1));
+    sheet_->takeFocus();
+    return;
+  }
+  if (!asking_) {
+    asking_ = true;
+    setLook(said_, "caution", false);
+    said_->setText(tr("All nine are scored. Press again to seal them; sealed marks stay as they are."));
+    return;
+  }
+  try {
+    submitEvaluation(shell().workplace(), form()->campaignId, one->hiddenLabel);
+    shell().notify(tr("Model %1 is submitted and sealed").arg(words(one->hiddenLabel)));
+    read();
+    openFirst();
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void EvaluationPage::showModels() {
+  for (QAbstractButton* button : group_->buttons()) {
+    group_->removeButton(button);
+    button->hide();
+    button->deleteLater();
+  }
+  while (QLayoutItem* item = choices_->takeAt(0)) delete item;
+  const EvaluationForm* one = form();
+  const std::size_t count = one != nullptr ? one->models.size() : 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    auto* button = new QToolButton(this);
+    button->setCheckable(true);
+    button->setChecked(i == model_);
+    const QString label = words(one->models[i].hiddenLabel);
+    button->setText(one->models[i].submitted ? tr("%1. Model %2, submitted").arg(i + 1).arg(label)
+                                             : tr("%1. Model %2").arg(i + 1).arg(label));
+    group_->addButton(button);
+    choices_->addWidget(button);
+    button->show();
+    connect(button, &QToolButton::clicked, this, [this, i] { openModel(i); });
+  }
+  choices_->addStretch(1);
+}
+
+void EvaluationPage::showAll() {
+  const EvaluationForm* one = form();
+  const EvaluationFormModel* now = model();
+  campaigns_->setVisible(forms_.size() > 1);
+  {
+    const QSignalBlocker quiet(campaigns_);
+    campaigns_->setCurrentIndex(static_cast<int>(campaign_));
+  }
+  sheet_->setVisible(now != nullptr);
+  submit_->setVisible(now != nullptr && !now->submitted);
+  sheet_->setReadOnly(now == nullptr || now->submitted);
+  if (now == nullptr) {
+    scaleText_->setText(tr("No evaluation asks for you at present."));
+    return;
+  }
+  const ScoreScale& scale = one->scale;
+  scaleText_->setText(
+      tr("%1: %2 to %3; keys 0 to 9 score, arrows left and right fine-tune, with Shift in steps of %4.")
+          .arg(words(one->title), scoreText(scale.lo, scale), scoreText(scale.hi, scale),
+               pointsText(1.0 / static_cast<double>(scale.stepsPerPoint))));
+  if (now->submitted)
+    said_->setText(one->complete() ? tr("All models are submitted. Thank you.") : tr("Submitted and sealed"));
+}
+
+void EvaluationPage::retranslate() {
+  heading_->setTexts(tr("Evaluation"),
+                     tr("Nine indices for each model, after each trial. Which model stands behind a letter "
+                        "is hidden, and the order is your own."));
+  campaigns_->setAccessibleName(tr("Evaluation"));
+  submit_->setText(tr("Submit this model"));
+  submit_->setToolTip(tr("Ctrl+Enter"));
+  sheet_->retranslate();
+  showModels();
+  showAll();
+}
+
+std::vector<std::pair<QString, QString>> EvaluationPage::keys() const {
+  return sheetKeys();
+}
+
+void EvaluationPage::applyTheme(const Theme& theme) {
+  sheet_->setTheme(theme);
+}
+
+void EvaluationPage::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Undo)) return undo();
+  if (event->matches(QKeySequence::Redo) ||
+      (event->key() == Qt::Key_Y && event->modifiers() == Qt::ControlModifier))
+    return redo();
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (enter && (event->modifiers() & Qt::ControlModifier) != 0) return submit();
+  if (sheet_->handleKey(event->key(), event->modifiers())) return;
+  Page::keyPressEvent(event);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "app/gui/base/page.h"
+#include "app/review/evaluation_form.h"
+#include "app/review/sheet_editor.h"
+
+class QButtonGroup;
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+
+namespace torsio::gui {
+
+class PageHeading;
+class SheetPanel;
+
+/// The nine-index form: one model after the other in the order drawn for this rater, under hidden labels.
+class EvaluationPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit EvaluationPage(ShellContext& shell, QWidget* parent = nullptr);
+  ~EvaluationPage() override;
+
+  void enter(const QVariant& argument) override;
+  [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
+  void retranslate() override;
+  void applyTheme(const Theme& theme) override;
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  [[nodiscard]] const EvaluationForm* form() const;
+  [[nodiscard]] const EvaluationFormModel* model() const;
+  void read();
+  void openFirst();
+  void openModel(std::size_t at);
+  void edited();
+  void undo();
+  void redo();
+  void submit();
+  void showModels();
+  void showAll();
+
+  PageHeading* heading_;
+  QComboBox* campaigns_;
+  QHBoxLayout* choices_;
+  QButtonGroup* group_;
+  QLabel* scaleText_;
+  SheetPanel* sheet_;
+  QLabel* said_;
+  QPushButton* submit_;
+  std::vector<EvaluationForm> forms_;
+  std::size_t campaign_ = 0;
+  std::size_t model_ = 0;
+  std::unique_ptr<SheetEditor> editor_;
+  bool asking_ = false;
+};
+
+}  // namespace torsio::gui

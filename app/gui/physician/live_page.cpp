@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/physician/live_page.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/sheet_panel.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kTouch_px = 44;
+constexpr int kTick_ms = 100;
+constexpr std::int64_t kSitting_us = 12 * 3'600'000'000LL;  // sealed before that: another day's work
+
+}  // namespace
+
+LivePage::LivePage(ShellContext& shell, QWidget* parent)
+    : Page(shell, parent),
+      heading_(new PageHeading(this)),
+      group_(new QButtonGroup(this)),
+      case_(new QLabel(this)),
+      clock_(new QLabel(this)),
+      start_(primaryButton(this)),
+      write_(new QPushButton(this)),
+      submit_(primaryButton(this)),
+      amend_(new QPushButton(this)),
+      older_(new QPushButton(this)),
+      said_(sentence(this)),
+      sheet_(new SheetPanel(true, this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
+  column->setSpacing(kSpace);
+  column->addWidget(heading_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2 * kSpace);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* ground = new QWidget;
+  order_ = new QVBoxLayout(ground);
+  order_->setContentsMargins(0, 0, kSpace, 0);
+  scroll->setWidget(ground);
+  auto* left = new QVBoxLayout;
+  left->addWidget(scroll, 1);
+  left->addWidget(older_);
+  row->addLayout(left, 1);
+  auto* right = new QVBoxLayout;
+  createClock(right);
+  right->addWidget(sheet_, 1);
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(said_, 1);
+  foot->addWidget(amend_);
+  foot->addWidget(submit_);
+  right->addLayout(foot);
+  row->addLayout(right, 3);
+  column->addLayout(row, 1);
+  // The style sheet of the application decides the height of push buttons; a finger needs more.
+  const QString tall = QStringLiteral("QPushButton { min-height: %1px; }").arg(kTouch_px - 2 * kSpace + 2);
+  for (QPushButton* button : {start_, write_, submit_, amend_, older_}) button->setStyleSheet(tall);
+  group_->setExclusive(true);
+  sheet_->commentField()->installEventFilter(this);
+  connect(sheet_, &SheetPanel::edited, this, &LivePage::edited);
+  connect(submit_, &QPushButton::clicked, this, &LivePage::submit);
+  connect(amend_, &QPushButton::clicked, this, &LivePage::amend);
+  connect(older_, &QPushButton::clicked, this, [this] {
+    withOlder_ = !withOlder_;
+    showLines();
+  });
+  connect(&tick_, &QTimer::timeout, this, &LivePage::showClock);
+}
+
+LivePage::~LivePage() = default;
+
+void LivePage::createClock(QVBoxLayout* column) {
+  case_->setProperty("heading", true);
+  clock_->setProperty("figure", true);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2 * kSpace);
+  row->addWidget(case_, 1);
+  row->addWidget(clock_);
+  row->addWidget(start_);
+  row->addWidget(write_);
+  column->addLayout(row);
+  connect(start_, &QPushButton::clicked, this, &LivePage::toggleClock);
+  connect(write_, &QPushButton::clicked, this, &LivePage::writeTime);
+}
+
+void LivePage::enter(const QVariant&) {
+  keptAt_ = keptAt(shell().workplace());
+  withOlder_ = false;
+  retranslate();  // the heading says where things are kept
+  readLines();
+  for (const QueueLine& line : lines_) {
+    if (line.state == SheetState::kSubmitted) continue;
+    openLine(line.shown.assignmentId);
+    return;
+  }
+  if (lines_.empty()) {
+    editor_.reset();
+    sheet_->setEditor(nullptr);
+    showAll();
+  } else {
+    openLine(lines_.back().shown.assignmentId);
+  }
+}
+
+bool LivePage::leave() {
+  if (!tick_.isActive()) return true;
+  shell().notify(tr("The timer is running. Stop it first"));
+  return false;
+}
+
+void LivePage::readLines() {
+  lines_ = liveLines(shell().workplace());
+  showLines();
+}
+
+void LivePage::showLines() {
+  for (QAbstractButton* button : group_->buttons()) {
+    group_->removeButton(button);
+    button->hide();
+    button->deleteLater();
+  }
+  while (QLayoutItem* item = order_->takeAt(0)) delete item;
+  int number = 0;
+  int hidden = 0;
+  for (const QueueLine& line : lines_) {
+    if (isOlder(line)) {
+      ++hidden;
+      if (!withOlder_) continue;
+    }
+    auto* button = new QToolButton(this);
+    button->setCheckable(true);
+    button->setMinimumHeight(kTouch_px);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    const QString state = line.state == SheetState::kSubmitted ? tr("submitted")
+                          : line.state == SheetState::kDraft   ? tr("draft")
+                                                               : tr("waiting");
+    button->setText(tr("%1.  Case %2, %3").arg(++number).arg(words(line.shown.label), state));
+    button->setChecked(line.shown.assignmentId == opened_.shown.assignmentId);
+    group_->addButton(button);
+    order_->addWidget(button);
+    button->show();
+    const std::string id = line.shown.assignmentId;
+    connect(button, &QToolButton::clicked, this, [this, id] {
+      if (!leave()) return showLines();
+      try {
+        openLine(id);
+      } catch (...) {
+        this->shell().report(std::current_exception());
+      }
+    });
+  }
+  order_->addStretch(1);
+  older_->setVisible(hidden > 0);
+  older_->setText(withOlder_ ? tr("Hide earlier ones") : tr("Show earlier ones (%1)").arg(hidden));
+}
+
+bool LivePage::isOlder(const QueueLine& line) const {
+  return line.state == SheetState::kSubmitted &&
+         line.submittedUtc_us < shell().workplace().now_us() - kSitting_us;
+}
+
+QString LivePage::savedWords() const {
+  return keptAt_ == KeptAt::kThisMachine ? tr("Saved on this machine") : tr("Saved on the centre's server");
+}
+
+void LivePage::amend() {
+  if (editor_ != nullptr) shell().open(QStringLiteral("review.case"), words(opened_.shown.assignmentId));
+}
+
+void LivePage::openLine(const std::string& assignmentId) {
+  opened_ = openSheet(shell().workplace(), assignmentId);
+  editor_ = std::make_unique<SheetEditor>(opened_.rubric, opened_.sheet);
+  sheet_->setEditor(editor_.get());
+  clocked_us_ = 0;
+  asking_ = false;
+  said_->clear();
+  readLines();
+  showAll();
+  sheet_->takeFocus();
+}
+
+void LivePage::edited() {
+  asking_ = false;
+  try {
+    editor_->saved(
+        saveSheet(shell().workplace(), opened_.shown.assignmentId, editor_->sheet(), opened_.watched));
+    if (opened_.state == SheetState::kOpen) {
+      opened_.state = SheetState::kDraft;
+      readLines();
+    }
+    setLook(said_, "caution", false);
+    said_->setText(savedWords());
+  } catch (...) {
+    setLook(said_, "caution", true);
+    said_->setText(tr("Not saved"));
+    shell().report(std::current_exception());
+  }
+  showAll();
+}
+
+void LivePage::undo() {
+  if (editor_ == nullptr || opened_.state == SheetState::kSubmitted || !editor_->undo()) return;
+  sheet_->refresh();
+  edited();
+}
+
+void LivePage::redo() {
+  if (editor_ == nullptr || opened_.state == SheetState::kSubmitted || !editor_->redo()) return;
+  sheet_->refresh();
+  edited();
+}
+
+void LivePage::toggleClock() {
+  if (tick_.isActive()) {
+    clocked_us_ += running_.nsecsElapsed() / 1000;
+    tick_.stop();
+    opened_.watched.worked(clocked_us_);
+  } else {
+    running_.start();
+    tick_.start(kTick_ms);
+  }
+  showAll();
+}
+
+void LivePage::showClock() {
+  const std::int64_t now_us = clocked_us_ + (tick_.isActive() ? running_.nsecsElapsed() / 1000 : 0);
+  clock_->setText(clockTime(now_us));
+}
+
+void LivePage::writeTime() {
+  if (editor_ == nullptr) return;
+  QString text = words(editor_->sheet().comment);
+  if (!text.isEmpty() && !text.endsWith(QLatin1Char('\n'))) text += QLatin1Char('\n');
+  text += tr("Time taken: %1").arg(clockTime(clocked_us_));
+  if (editor_->setComment(text.toStdString())) {
+    sheet_->refresh();
+    edited();
+  }
+}
+
+void LivePage::submit() {
+  if (editor_ == nullptr || opened_.state == SheetState::kSubmitted) return;
+  const SheetCheck check = checkSheet(opened_.rubric, editor_->sheet(), true, opened_.watched, {});
+  if (!check.mayBeSubmitted()) {
+    setLook(said_, "caution", true);
+    said_->setText(tr("Still open: %1").arg(check.unanswered.size()));
+    sheet_->setCurrentRow(check.unanswered.front());
+    sheet_->takeFocus();
+    return;
+  }
+  if (!asking_) {
+    asking_ = true;
+    setLook(said_, "caution", false);
+    said_->setText(check.allTheSame ? tr("All rows have the same score. Press again to seal the sheet.")
+                   : check.farApart ? tr("The rows lie far apart. Press again to seal the sheet.")
+                                    : tr("Everything is scored. Press again to seal the sheet."));
+    return;
+  }
+  try {
+    submitSheet(shell().workplace(), opened_.shown.assignmentId, editor_->sheet(), opened_.watched);
+    shell().notify(tr("Case %1 is submitted and sealed").arg(words(opened_.shown.label)));
+    enter({});
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void LivePage::showAll() {
+  const bool open = editor_ != nullptr && opened_.state != SheetState::kSubmitted;
+  case_->setText(editor_ != nullptr ? tr("Case %1").arg(words(opened_.shown.label)) : tr("No live case"));
+  start_->setText(tick_.isActive() ? tr("Stop the timer") : tr("Start the timer"));
+  start_->setEnabled(open);
+  write_->setEnabled(open && !tick_.isActive() && clocked_us_ > 0);
+  submit_->setVisible(open);
+  amend_->setVisible(!open && editor_ != nullptr);
+  sheet_->setReadOnly(!open);
+  if (!open && editor_ != nullptr) said_->setText(tr("Submitted and sealed"));
+  showClock();
+}
+
+void LivePage::retranslate() {
+  heading_->setTexts(tr("Live sheet"),
+                     keptAt_ == KeptAt::kThisMachine
+                         ? tr("Real arm, in running order. Works without a network; every tap is saved.")
+                         : tr("Real arm, in running order. Every tap is saved on the centre's server; if it "
+                              "cannot be reached, it is said at once."));
+  amend_->setText(tr("&Amend \u2026"));
+  amend_->setToolTip(tr("Makes a new version with a reason; the submitted one is kept"));
+  write_->setText(tr("Note the time"));
+  submit_->setText(tr("Submit"));
+  clock_->setAccessibleName(tr("Timer"));
+  sheet_->retranslate();
+  showLines();
+  showAll();
+}
+
+std::vector<std::pair<QString, QString>> LivePage::keys() const {
+  std::vector<std::pair<QString, QString>> all = sheetKeys();
+  all.emplace_back(tr("Start or stop the timer"), QStringLiteral("Space"));
+  all.emplace_back(tr("Not assessable: type why, Enter"), QStringLiteral("N"));
+  return all;
+}
+
+void LivePage::applyTheme(const Theme& theme) {
+  sheet_->setTheme(theme);
+}
+
+void LivePage::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Undo)) return undo();
+  if (event->matches(QKeySequence::Redo) ||
+      (event->key() == Qt::Key_Y && event->modifiers() == Qt::ControlModifier))
+    return redo();
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (enter && (event->modifiers() & Qt::ControlModifier) != 0) return submit();
+  if (event->key() == Qt::Key_Space && event->modifiers() == Qt::NoModifier && editor_ != nullptr &&
+      opened_.state != SheetState::kSubmitted)
+    return toggleClock();
+  if (sheet_->handleKey(event->key(), event->modifiers())) return;
+  Page::keyPressEvent(event);
+}
+
+bool LivePage::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != sheet_->commentField() || event->type() != QEvent::KeyPress)
+    return Page::eventFilter(watched, event);
+  auto* key = static_cast<QKeyEvent*>(event);
+  const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
+  const bool ours = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) ||
+                    (enter && (key->modifiers() & Qt::ControlModifier) != 0);
+  if (ours) keyPressEvent(key);
+  const bool back = key->key() == Qt::Key_Escape;
+  if (back) sheet_->takeFocus();
+  return ours || back;
+}
+
+}  // namespace torsio::gui

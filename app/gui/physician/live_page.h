@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QTimer>
+
+#include "app/gui/base/page.h"
+#include "app/review/case_sheet.h"
+#include "app/review/review_queue.h"
+#include "app/review/sheet_editor.h"
+
+class QButtonGroup;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace torsio::gui {
+
+class PageHeading;
+class SheetPanel;
+
+/// The sheet for the real arm: trainees in running order, a timer, and targets for fingers. Everything goes
+/// to the record of this machine, so that it works without a network.
+class LivePage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit LivePage(ShellContext& shell, QWidget* parent = nullptr);
+  ~LivePage() override;
+
+  void enter(const QVariant& argument) override;
+  [[nodiscard]] bool leave() override;
+  [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
+  void retranslate() override;
+  void applyTheme(const Theme& theme) override;
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void createClock(QVBoxLayout* column);
+  void readLines();
+  void showLines();
+  void openLine(const std::string& assignmentId);
+  void edited();
+  void undo();
+  void redo();
+  void toggleClock();
+  void showClock();
+  void writeTime();
+  void submit();
+  void amend();
+  void showAll();
+  [[nodiscard]] bool isOlder(const QueueLine& line) const;
+  [[nodiscard]] QString savedWords() const;
+
+  PageHeading* heading_;
+  QVBoxLayout* order_;
+  QButtonGroup* group_;
+  QLabel* case_;
+  QLabel* clock_;
+  QPushButton* start_;
+  QPushButton* write_;
+  QPushButton* submit_;
+  QPushButton* amend_;
+  QPushButton* older_;
+  QLabel* said_;
+  SheetPanel* sheet_;
+  std::vector<QueueLine> lines_;
+  OpenedSheet opened_;
+  std::unique_ptr<SheetEditor> editor_;
+  QTimer tick_;
+  QElapsedTimer running_;
+  std::int64_t clocked_us_ = 0;
+  KeptAt keptAt_ = KeptAt::kThisMachine;
+  bool withOlder_ = false;
+  bool asking_ = false;
+};
+
+}  // namespace torsio::gui

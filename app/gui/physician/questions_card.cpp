@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/physician/questions_card.h"
+
+#include <algorithm>
+
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/trainee/debrief_plot.h"
+#include "app/gui/trainee/station_parts.h"
+#include "app/gui/trainee/station_words.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr double kRound_s = 5.0;  // before and after the moment
+constexpr std::size_t kShown = 3;
+constexpr int kAnswerHeight = 90;
+
+}  // namespace
+
+QuestionsCard::QuestionsCard(ShellContext& shell, QWidget* parent)
+    : Card(QString(), parent), shell_(shell), list_(new QVBoxLayout) {
+  list_->setSpacing(kSpace / 2);
+  content()->addLayout(list_);
+  hide();
+}
+
+void QuestionsCard::read() {
+  questions_ = questionsToMe(shell_.workplace());
+  std::erase_if(questions_, [](const PhysicianQuestion& question) { return question.answered; });
+  setVisible(!questions_.empty());
+  fill();
+}
+
+void QuestionsCard::fill() {
+  setTitle(questions_.size() > kShown ? tr("Trainees ask you: %1").arg(questions_.size())
+                                      : tr("Trainees ask you"));
+  emptyLayout(list_);
+  for (std::size_t i = 0; i < std::min(kShown, questions_.size()); ++i) {
+    const PhysicianQuestion& question = questions_[i];
+    auto* row = new QHBoxLayout;
+    auto* words = sentence(this, false);
+    const QString waits = StationWords::waited(shell_.workplace().now_us() - question.askedUtc_us);
+    words->setText(tr("%1, %2, at %3: waiting for %4")
+                       .arg(QString::fromStdString(question.trainee),
+                            QString::fromStdString(question.moduleTitle),
+                            StationWords::seconds(question.at_s), waits));
+    auto* look = new QPushButton(tr("Answer\u2026"), this);
+    look->setObjectName(QStringLiteral("answerQuestion"));
+    look->setAccessibleName(tr("Answer %1").arg(QString::fromStdString(question.trainee)));
+    connect(look, &QPushButton::clicked, this, [this, id = question.id] { open(id); });
+    row->addWidget(words, 1);
+    row->addWidget(look);
+    list_->addLayout(row);
+  }
+}
+
+void QuestionsCard::open(const std::string& questionId) {
+  const auto found = std::find_if(questions_.begin(), questions_.end(),
+                                  [&](const PhysicianQuestion& one) { return one.id == questionId; });
+  if (found == questions_.end()) return;
+  const auto run = std::make_shared<Debrief>();
+  shell_.run(
+      tr("Opening the run"),
+      [run, questionId](Workplace& own, const ProgressCallback&) { *run = questionedRun(own, questionId); },
+      [this, run, question = *found] { show(question, *run); });
+}
+
+void QuestionsCard::show(const PhysicianQuestion& question, const Debrief& run) {
+  QDialog dialog(this);
+  dialog.setObjectName(QStringLiteral("answerDialog"));
+  dialog.setWindowTitle(tr("A question of %1").arg(QString::fromStdString(question.trainee)));
+  auto* column = new QVBoxLayout(&dialog);
+  column->setSpacing(kSpace);
+  auto* head = sentence(&dialog, false);
+  head->setText(question.text.empty() ? tr("%1 asks about this moment of \u201c%2\u201d.")
+                                            .arg(QString::fromStdString(question.trainee),
+                                                 QString::fromStdString(question.moduleTitle))
+                                      : QString::fromStdString(question.text));
+  column->addWidget(head);
+  auto* plot = new DebriefPlot(&dialog);
+  plot->setTheme(theme(shell_.themeKind()));
+  plot->setDebrief(run);
+  plot->show({std::max(0.0, question.at_s - kRound_s), std::min(run.duration_s, question.at_s + kRound_s)});
+  plot->retranslate();
+  column->addWidget(plot, 1);
+  auto* text = new QPlainTextEdit(&dialog);
+  text->setTabChangesFocus(true);
+  text->setMaximumHeight(kAnswerHeight);
+  auto* label = new QLabel(&dialog);
+  label->setBuddy(text);
+  nameField(label, tr("Your &answer; the trainee sees that it is yours"));
+  column->addWidget(label);
+  column->addWidget(text);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, &dialog);
+  auto* send = buttons->addButton(tr("&Send"), QDialogButtonBox::AcceptRole);
+  send->setEnabled(false);
+  connect(text, &QPlainTextEdit::textChanged, send,
+          [send, text] { send->setEnabled(!text->toPlainText().trimmed().isEmpty()); });
+  connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  column->addWidget(buttons);
+  dialog.resize(860, 560);
+  text->setFocus();
+  if (dialog.exec() != QDialog::Accepted) return;
+  try {
+    answerQuestion(shell_.workplace(), question.id, text->toPlainText().trimmed().toStdString());
+    shell_.notify(tr("The answer is with %1").arg(QString::fromStdString(question.trainee)));
+    read();
+  } catch (...) {
+    shell_.report(std::current_exception());
+  }
+}
+
+void QuestionsCard::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) fill();
+  Card::changeEvent(event);
+}
+
+}  // namespace torsio::gui

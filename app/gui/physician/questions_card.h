@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/gui/widgets/card.h"
+#include "app/training/questions.h"
+
+class QPushButton;
+class QVBoxLayout;
+
+namespace torsio::gui {
+
+class ShellContext;
+
+/// In a physician's queue: moments of practice runs that trainees ask about by name, the longest waiting
+/// first. Hidden while there is none.
+class QuestionsCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit QuestionsCard(ShellContext& shell, QWidget* parent = nullptr);
+
+  /// Reads them anew; the caller's catch reports.
+  void read();
+  [[nodiscard]] const std::vector<PhysicianQuestion>& questions() const noexcept { return questions_; }
+  /// Shows the moment with a field for the answer.
+  void open(const std::string& questionId);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void fill();
+  void show(const PhysicianQuestion& question, const Debrief& run);
+
+  ShellContext& shell_;
+  std::vector<PhysicianQuestion> questions_;
+  QVBoxLayout* list_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/physician/queue_page.h"
+
+#include <cmath>
+#include <utility>
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/physician/questions_card.h"
+#include "app/gui/physician/review_words.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kDoorsBeside = 2;  // a third would leave no room for their sentences
+
+}  // namespace
+
+QueuePage::QueuePage(ShellContext& shell, QWidget* parent)
+    : Page(shell, parent),
+      heading_(new PageHeading(this)),
+      continue_(primaryButton(this)),
+      table_(new DataTable(QStringLiteral("review.queue"), this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
+  column->setSpacing(2 * kSpace);
+  column->addWidget(heading_);
+  heading_->addAction(continue_);
+  auto* figures = new QHBoxLayout;
+  figures->setSpacing(2 * kSpace);
+  waiting_ = addFigure(figures);
+  drafts_ = addFigure(figures);
+  time_ = addFigure(figures);
+  due_ = addFigure(figures);
+  column->addLayout(figures);
+  createDoors(column);
+  questions_ = new QuestionsCard(shell, this);
+  column->addWidget(questions_);
+  column->addWidget(table_, 1);
+  connect(continue_, &QPushButton::clicked, this, &QueuePage::goOn);
+  connect(table_, &DataTable::activated, this,
+          [this](const QString& id) { this->shell().open(QStringLiteral("review.case"), id); });
+}
+
+QueuePage::Figure QueuePage::addFigure(QHBoxLayout* row) {
+  Figure one{new Card(QString(), this), new QLabel(this), sentence(this)};
+  one.figure->setProperty("figure", true);
+  one.card->content()->addWidget(one.figure);
+  one.card->content()->addWidget(one.words);
+  one.card->content()->addStretch(1);
+  row->addWidget(one.card, 1);
+  return one;
+}
+
+void QueuePage::createDoors(QVBoxLayout* outer) {
+  doors_ = new Card(QString(), this);
+  outer->addWidget(doors_);
+  doorPlaces_ = new QGridLayout;
+  doorPlaces_->setHorizontalSpacing(4 * kSpace);
+  doorPlaces_->setVerticalSpacing(kSpace);
+  for (int column = 0; column < kDoorsBeside; ++column) doorPlaces_->setColumnStretch(column, 1);
+  doors_->content()->addLayout(doorPlaces_);
+  const auto add = [this](const char* page) {
+    Door door{sentence(this, false), new QPushButton(this), new QWidget(this)};
+    auto* row = new QHBoxLayout(door.row);
+    row->setContentsMargins(0, 0, 0, 0);
+    door.button->setMinimumWidth(14 * fontMetrics().averageCharWidth());
+    row->addWidget(door.text, 1);
+    row->addWidget(door.button);
+    const QString id = QString::fromLatin1(page);
+    connect(door.button, &QPushButton::clicked, this, [this, id] { this->shell().open(id); });
+    return door;
+  };
+  warmUp_ = add("review.warmup");
+  live_ = add("review.live");
+  alignment_ = add("review.alignment");
+  evaluation_ = add("review.evaluation");
+}
+
+void QueuePage::enter(const QVariant&) {
+  queue_ = reviewQueue(shell().workplace());
+  questions_->read();
+  showQueue();
+  continue_->setFocus(Qt::OtherFocusReason);
+}
+
+void QueuePage::retranslate() {
+  heading_->setTexts(tr("Your queue"),
+                     tr("Cases are blinded and shuffled for you alone. Nobody sees your marks before "
+                        "all have submitted, and you see nobody's."));
+  waiting_.card->setTitle(tr("Waiting"));
+  drafts_.card->setTitle(tr("Drafts"));
+  time_.card->setTitle(tr("Time needed"));
+  due_.card->setTitle(tr("Next deadline"));
+  doors_->setTitle(tr("Also waiting"));
+  warmUp_.button->setText(tr("&Warm up"));
+  live_.button->setText(tr("&Live sheet"));
+  alignment_.button->setText(tr("&Alignment"));
+  evaluation_.button->setText(tr("&Evaluation"));
+  table_->view().setAccessibleName(tr("Your cases"));
+  table_->setColumns({{tr("Case")}, {tr("State")}, {tr("Length"), true}, {tr("Due")}, {tr("Minutes"), true}});
+  table_->setEmptyText(tr("No recorded case is assigned to you. New ones appear here by themselves."));
+  showQueue();
+}
+
+void QueuePage::showFigures() {
+  const QLocale locale;
+  waiting_.figure->setText(locale.toString(static_cast<qlonglong>(queue_.waiting)));
+  waiting_.words->setText(tr("%1 submitted so far").arg(queue_.submitted));
+  drafts_.figure->setText(locale.toString(static_cast<qlonglong>(queue_.drafts)));
+  drafts_.words->setText(queue_.drafts > 0 ? tr("begun and saved with every key")
+                                           : tr("nothing is half done"));
+  const auto minutes = static_cast<int>(std::ceil(queue_.minutes));
+  time_.figure->setText(tr("%1 min").arg(locale.toString(minutes)));
+  time_.words->setText(queue_.fromOwnPace ? tr("at your own pace so far")
+                                          : tr("from the length of the recordings"));
+  due_.figure->setText(queue_.nextDueUtc_us ? dayText(*queue_.nextDueUtc_us) : QStringLiteral("\u2013"));
+  due_.words->setText(queue_.overdue > 0 ? tr("%1 overdue").arg(queue_.overdue) : tr("nothing is overdue"));
+  setLook(due_.words, "caution", queue_.overdue > 0);
+}
+
+void QueuePage::showDoors() {
+  warmUp_.text->setText(
+      tr("Before the first case: score the reference runs and see how far you are from the panel."));
+  live_.text->setText(tr("Live cases on the real arm that wait for you: %1.").arg(queue_.liveWaiting));
+  alignment_.text->setText(
+      tr("All have submitted. Your marks that lie apart from the others: %1.").arg(queue_.disagreements));
+  evaluation_.text->setText(tr("Tissue models that ask for your nine marks: %1.").arg(queue_.models));
+  const std::pair<Door*, bool> all[] = {{&warmUp_, queue_.warmUpWaiting},
+                                        {&live_, queue_.liveWaiting > 0},
+                                        {&alignment_, queue_.disagreements > 0},
+                                        {&evaluation_, queue_.models > 0}};
+  int place = 0;
+  for (const auto& [door, waits] : all) {
+    doorPlaces_->removeWidget(door->row);
+    door->row->setVisible(waits);
+    if (!waits) continue;
+    doorPlaces_->addWidget(door->row, place / kDoorsBeside, place % kDoorsBeside);
+    ++place;
+  }
+  doors_->setVisible(place > 0);
+}
+
+void QueuePage::showQueue() {
+  showFigures();
+  showDoors();
+  continue_->setEnabled(queue_.next.has_value());
+  continue_->setText(queue_.drafts > 0    ? tr("&Continue the draft")
+                     : queue_.waiting > 0 ? tr("&Continue")
+                                          : tr("All done"));
+  std::vector<Row> rows;
+  for (const QueueLine& line : queue_.lines) {
+    const bool done = line.state == SheetState::kSubmitted;
+    const QString state = done                               ? tr("submitted")
+                          : line.overdue                     ? tr("overdue")
+                          : line.state == SheetState::kDraft ? tr("draft")
+                                                             : tr("waiting");
+    const std::int64_t length_us = line.shown.length_us.value_or(0);
+    Row row{words(line.shown.assignmentId), {}};
+    row.cells = {{tr("Case %1").arg(words(line.shown.label)), static_cast<int>(rows.size())},
+                 {state, static_cast<int>(line.state)},
+                 {clockTime(length_us), static_cast<qlonglong>(length_us)},
+                 {line.shown.dueUtc_us ? dayText(*line.shown.dueUtc_us) : QString(),
+                  static_cast<qlonglong>(line.shown.dueUtc_us.value_or(0))},
+                 {done ? QString() : QLocale().toString(line.estimate_min, 'f', 1), line.estimate_min}};
+    rows.push_back(std::move(row));
+  }
+  table_->setRows(std::move(rows));
+}
+
+void QueuePage::goOn() {
+  if (queue_.next) shell().open(QStringLiteral("review.case"), words(*queue_.next));
+}
+
+void QueuePage::keyPressEvent(QKeyEvent* event) {
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (enter && continue_->hasFocus()) return goOn();
+  Page::keyPressEvent(event);
+}
+
+}  // namespace torsio::gui

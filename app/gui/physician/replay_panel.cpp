@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/physician/replay_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/gui/physician/review_words.h"
+#include "app/gui/scene/instrument_geometry.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/icons.h"
+#include "sim/base/error.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kFrame_ms = 33;
+constexpr double kLongestFrame_s =
+    0.25;  // a window that was dragged or a lid that was closed is not watching
+constexpr std::int64_t kJump_us = 5'000'000;
+constexpr std::int64_t kStep_us = 40'000;
+constexpr qint64 kLongestWait_ms = 250;           // for a frame of a window that perhaps nobody sees
+constexpr std::int64_t kHalfSecond_us = 500'000;  // the last sample of 0:20 lies a tick before it
+
+}  // namespace
+
+std::shared_ptr<LoadedRecording> loadForShowing(BlindedRecording recording,
+                                                const std::filesystem::path& assets) {
+  std::shared_ptr<LoadedRecording> loaded;
+  try {
+    // The chunks move on to the playback, so that they are in memory once; the header stays for the scene.
+    Trial trial{recording.trial.header, std::move(recording.trial.chunks), recording.trial.summary};
+    TraceCollector traces(trial.summary.samples);
+    TrialPlayback playback(std::move(trial), [&](std::span<const Sample> samples) { traces.add(samples); });
+    loaded = std::make_shared<LoadedRecording>(std::move(playback), traces.finish(), recording.digest);
+  } catch (...) {
+    rethrowBlinded(std::current_exception(), recording.label);
+  }
+  try {
+    auto scene = std::make_shared<const Scene>(loadScene(sceneOf(recording, assets)));
+    checkScene(recording, *scene);
+    loaded->view = makeViewScene(scene);
+    loaded->scene = std::move(scene);
+  } catch (const Error&) {
+    loaded->scene.reset();  // a user's own organ: the traces tell what can be told
+  }
+  return loaded;
+}
+
+ReplayPanel::ReplayPanel(const std::filesystem::path& assets, QWidget* parent)
+    : QWidget(parent),
+      sentence_(sentence(this)),
+      view_(new SceneView(this)),
+      traces_(new TraceView(this)),
+      back_(new QToolButton(this)),
+      play_(new QToolButton(this)),
+      forward_(new QToolButton(this)),
+      time_(new QLabel(this)),
+      speed_(new QLabel(this)),
+      digest_(new QLabel(this)),
+      theme_(&theme(ThemeKind::kLight)) {
+  sentence_->setAlignment(Qt::AlignCenter);
+  sentence_->setContentsMargins(2 * kSpace, kSpace, 2 * kSpace, kSpace);
+  view_->setInstrument(loadInstrument(assets, "grasper"));
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kSpace);
+  column->addWidget(view_, 3);
+  column->addWidget(sentence_, 1);
+  column->addWidget(traces_, 0);
+  createTransport();
+  connect(view_, &SceneView::frameDrawn, this, [this] {
+    if (awaitsFrame_) showBeside();
+  });
+  connect(traces_, &TraceView::soughtTo, this, [this](qint64 at) { seek_us(at); });
+  connect(&timer_, &QTimer::timeout, this, [this] {
+    const double elapsed_s = static_cast<double>(sinceFrame_.restart()) * 1e-3;
+    frame(std::min(elapsed_s, kLongestFrame_s));
+  });
+  view_->hide();
+}
+
+void ReplayPanel::createTransport() {
+  auto* bar = new QHBoxLayout;
+  bar->setSpacing(kSpace);
+  for (QToolButton* button : {back_, play_, forward_}) {
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setFocusPolicy(Qt::TabFocus);
+    bar->addWidget(button);
+  }
+  for (QLabel* label : {speed_, digest_}) label->setProperty("quiet", true);
+  bar->addSpacing(kSpace);
+  bar->addWidget(time_);
+  bar->addWidget(speed_);
+  bar->addStretch(1);
+  bar->addWidget(digest_);
+  static_cast<QVBoxLayout*>(layout())->addLayout(bar);
+  connect(play_, &QToolButton::clicked, this, &ReplayPanel::togglePlay);
+  connect(back_, &QToolButton::clicked, this, [this] { seek_us(position_us() - kJump_us); });
+  connect(forward_, &QToolButton::clicked, this, [this] { seek_us(position_us() + kJump_us); });
+}
+
+void ReplayPanel::setTheme(const Theme& theme) {
+  theme_ = &theme;
+  view_->setTheme(theme);
+  traces_->setTheme(theme);
+  showTransport();
+}
+
+void ReplayPanel::retranslate() {
+  traces_->retranslate();
+  view_->setAccessibleName(tr("The organ in three dimensions"));
+  back_->setText(tr("5 s back"));
+  back_->setToolTip(tr("Jumps five seconds back (J)"));
+  forward_->setText(tr("5 s on"));
+  forward_->setToolTip(tr("Jumps five seconds on; what is skipped does not count as watched"));
+  play_->setToolTip(tr("Plays or pauses (Space)"));
+  time_->setAccessibleName(tr("Time in the recording"));
+  digest_->setToolTip(
+      tr("Proves that this is the recording as it was stored. It tells nothing else, and it is another "
+         "one for each physician"));
+  showState();
+  showTransport();
+}
+
+void ReplayPanel::showSentence(const QString& text) {
+  sentence_->setText(text);
+  sentence_->setVisible(!text.isEmpty());
+}
+
+void ReplayPanel::show(std::shared_ptr<LoadedRecording> recording) {
+  timer_.stop();
+  recording_ = std::move(recording);
+  traces_->setData(recording_ != nullptr ? &recording_->traces : nullptr);
+  const bool picture = recording_ != nullptr && recording_->scene != nullptr;
+  view_->setVisible(picture);
+  if (picture) {
+    view_->setScene(recording_->view);
+    view_->frameOrgan();
+  } else {
+    view_->forgetScene();
+  }
+  if (recording_ != nullptr) {
+    showSentence(picture
+                     ? QString()
+                     : tr("The organ of this recording is not on this machine; the traces are complete."));
+    recording_->playback.setSpeed(std::clamp(1.0, speeds_.front(), speeds_.back()));
+  }
+  showState();
+  showTransport();
+}
+
+void ReplayPanel::setSpeeds(std::vector<double> speeds) {
+  speeds_ = std::move(speeds);
+  showTransport();
+}
+
+void ReplayPanel::seek_us(std::int64_t position_us) {
+  if (!ready()) return;
+  recording_->playback.seek_us(position_us);
+  showState();
+  Q_EMIT moved(recording_->playback.position_us());
+}
+
+void ReplayPanel::togglePlay() {
+  if (!ready()) return;
+  recording_->playback.setPlaying(!playing());
+  if (playing() && realTime_) {
+    sinceFrame_.start();
+    timer_.start(kFrame_ms);
+  } else {
+    timer_.stop();
+  }
+  showTransport();
+}
+
+void ReplayPanel::pause() {
+  if (playing()) togglePlay();
+}
+
+void ReplayPanel::changeSpeed(int direction) {
+  const double now = recording_->playback.speed();
+  auto at = std::min_element(speeds_.begin(), speeds_.end(),
+                             [now](double a, double b) { return std::abs(a - now) < std::abs(b - now); });
+  if (direction > 0 && at + 1 != speeds_.end()) ++at;
+  if (direction < 0 && at != speeds_.begin()) --at;
+  recording_->playback.setSpeed(*at);
+  showTransport();
+}
+
+bool ReplayPanel::handleKey(int key) {
+  switch (key) {
+    case Qt::Key_Space:
+      togglePlay();
+      return true;
+    case Qt::Key_K:
+      pause();
+      return true;
+    case Qt::Key_L:
+      if (!ready()) return true;
+      if (playing()) {
+        changeSpeed(+1);
+      } else {
+        togglePlay();
+      }
+      return true;
+    case Qt::Key_J:
+      if (!ready()) return true;
+      if (playing() && recording_->playback.speed() > speeds_.front()) {
+        changeSpeed(-1);
+      } else {
+        seek_us(position_us() - kJump_us);
+      }
+      return true;
+    case Qt::Key_Comma:
+      pause();
+      seek_us(position_us() - kStep_us);
+      return true;
+    case Qt::Key_Period:
+      pause();
+      seek_us(position_us() + kStep_us);
+      return true;
+    case Qt::Key_Home:
+      pause();
+      seek_us(0);
+      return true;
+    case Qt::Key_End:
+      pause();
+      if (ready()) seek_us(recording_->playback.duration_us());
+      return true;
+    default:
+      return false;
+  }
+}
+
+void ReplayPanel::frame(double elapsed_s) {
+  if (!playing()) return;
+  TrialPlayback& playback = recording_->playback;
+  const std::int64_t before_us = playback.position_us();
+  playback.advance(elapsed_s);
+  showState();
+  Q_EMIT played(before_us, playback.position_us(), playback.speed());
+  Q_EMIT moved(playback.position_us());
+  if (!playback.playing()) {
+    timer_.stop();
+    showTransport();
+  }
+}
+
+void ReplayPanel::showState() {
+  if (recording_ != nullptr && recording_->scene != nullptr) {
+    const LiveState state = recording_->playback.state();
+    view_->setTwist({state.response.graspArc_m, state.response.angle_rad});
+    view_->setTool(state.tool, state.grip);
+    if (view_->draws()) {
+      view_->redraw();
+      if (!awaitsFrame_) awaitsFrame_.emplace().start();
+      if (awaitsFrame_->elapsed() < kLongestWait_ms) return;
+    }
+  }
+  showBeside();
+}
+
+void ReplayPanel::setWatched(std::vector<std::pair<std::int64_t, std::int64_t>> spans_us) {
+  if (awaitsFrame_) {
+    watched_us_ = std::move(spans_us);
+  } else {
+    traces_->setWatched(std::move(spans_us));
+  }
+}
+
+void ReplayPanel::showBeside() {
+  awaitsFrame_.reset();
+  if (watched_us_) traces_->setWatched(*std::exchange(watched_us_, std::nullopt));
+  if (!ready()) {
+    time_->clear();
+    return;
+  }
+  traces_->setPosition_us(position_us());
+  const std::int64_t end_us = recording_->playback.duration_us();
+  const std::int64_t whole_us = end_us + kHalfSecond_us;
+  const QString text =
+      tr("%1 of %2").arg(clockTime(position_us() < end_us ? position_us() : whole_us), clockTime(whole_us));
+  if (time_->text() != text) time_->setText(text);
+}
+
+void ReplayPanel::showTransport() {
+  const bool going = playing();
+  play_->setText(going ? tr("Pause") : tr("Play"));
+  play_->setIcon(icon(going ? QStringLiteral("pause") : QStringLiteral("play"), *theme_));
+  for (QToolButton* button : {back_, play_, forward_}) button->setEnabled(ready());
+  const double speed = ready() ? recording_->playback.speed() : 1.0;
+  const QString figure = QLocale().toString(speed);
+  speed_->setText(speeds_.size() == 1 ? tr("%1 \u00d7, locked").arg(figure) : tr("%1 \u00d7").arg(figure));
+  speed_->setToolTip(speeds_.size() == 1 ? tr("Scored recordings play as they happened")
+                                         : tr("J slower, L faster; the speed is kept with the mark"));
+  digest_->setText(ready() ? tr("Recording %1, unchanged").arg(words(recording_->digest)) : QString());
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/gui/base/page.h"
+
+namespace torsio::gui {
+
+/// The pages of the physician, in the order of the navigation; the first one is home.
+[[nodiscard]] std::vector<PageEntry> reviewPages();
+/// Their pictures for the user guide.
+[[nodiscard]] std::vector<ScreenEntry> reviewScreens();
+
+}  // namespace torsio::gui

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "app/gui/base/spoken.h"
+#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/sheet_panel.h"
+#include "app/gui/widgets/form.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kMostCells = 11;
+constexpr int kTouch_px = 44;
+constexpr int kCellGap = 3;
+constexpr int kMarkWidth = 4;
+constexpr double kCorner = 4.0;
+
+}  // namespace
+
+ScoreRow::ScoreRow(std::string code, const QString& label, const ScoreScale& scale,
+                   std::vector<StoredAnchor> anchors, RowShape shape, QWidget* parent)
+    : QWidget(parent),
+      code_(std::move(code)),
+      label_(label),
+      scale_(scale),
+      anchors_(std::move(anchors)),
+      shape_(shape),
+      theme_(&theme(ThemeKind::kLight)),
+      name_(new QLabel(label, this)),
+      value_(new QLabel(this)),
+      strip_(new QWidget(this)),
+      anchor_(sentence(this)),
+      reason_(new QLineEdit(this)) {
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  strip_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  strip_->setFixedHeight(shape_ == RowShape::kLarge ? kTouch_px : fontMetrics().height() + kSpace + 2);
+  name_->setProperty("subheading", shape_ == RowShape::kLarge);
+  QFont bold = name_->font();
+  bold.setBold(true);
+  name_->setFont(bold);
+  value_->setFont(bold);
+  anchor_->setProperty("small", true);
+  reason_->hide();
+  reason_->setMaxLength(200);
+  reason_->installEventFilter(this);
+  arrange();
+  anchor_->setVisible(!anchors_.empty());
+  connect(reason_, &QLineEdit::textEdited, this, &ScoreRow::reasoned);
+}
+
+void ScoreRow::arrange() {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(kMarkWidth + kSpace, kSpace / 2, kSpace, kSpace / 2);
+  column->setSpacing(kSpace / 2);
+  auto* head = new QHBoxLayout;
+  if (shape_ == RowShape::kCompact) {
+    head->setSpacing(2 * kSpace);
+    name_->setMinimumWidth(
+        QFontMetrics(name_->font()).horizontalAdvance(QStringLiteral("Deformation efficiency  ")));
+    value_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("10.0 ")));
+    value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    head->addWidget(name_);
+    head->addWidget(strip_, 1);
+    head->addWidget(value_);
+    column->addLayout(head);
+  } else {
+    head->addWidget(name_, 1);
+    head->addWidget(value_);
+    column->addLayout(head);
+    column->addWidget(strip_);
+  }
+  column->addWidget(anchor_);
+  column->addWidget(reason_);
+}
+
+void ScoreRow::setTheme(const Theme& theme) {
+  theme_ = &theme;
+  update();
+}
+
+void ScoreRow::retranslate() {
+  reason_->setPlaceholderText(tr("Why can this not be judged? Enter ends, Esc takes it back"));
+  reason_->setAccessibleName(tr("Why %1 cannot be judged").arg(label_));
+  describe();
+  showAnchor();
+}
+
+void ScoreRow::setAnswer(const SheetAnswer& answer) {
+  answer_ = answer;
+  const bool reasoned = !answer.notAssessableReason.empty();
+  if (answer.score_steps) {
+    value_->setText(scoreText(*answer.score_steps, scale_));
+  } else {
+    value_->setText(reasoned ? tr("not assessable") : QStringLiteral("\u2013"));
+  }
+  const QString reason = words(answer.notAssessableReason);
+  if (reason_->text() != reason) {
+    const QSignalBlocker quiet(reason_);
+    reason_->setText(reason);
+  }
+  reason_->setVisible(reasoned || reason_->hasFocus());
+  describe();
+  showAnchor();
+  update();
+}
+
+void ScoreRow::setCurrent(bool current) {
+  if (current_ == current) return;
+  current_ = current;
+  showAnchor();
+  update();
+}
+
+void ScoreRow::setReadOnly(bool readOnly) {
+  readOnly_ = readOnly;
+  reason_->setReadOnly(readOnly);
+}
+
+void ScoreRow::askReason() {
+  reason_->show();
+  reason_->setFocus(Qt::OtherFocusReason);
+}
+
+void ScoreRow::describe() {
+  setAccessibleName(label_);
+  const QString range = tr("%1 to %2").arg(scoreText(scale_.lo, scale_), scoreText(scale_.hi, scale_));
+  setAccessibleDescription(tr("%1; now %2").arg(range, value_->text()));
+}
+
+QString ScoreRow::nearestAnchor(std::int64_t steps) const {
+  const auto nearest =
+      std::min_element(anchors_.begin(), anchors_.end(), [steps](const auto& a, const auto& b) {
+        return std::abs(a.score_steps - steps) < std::abs(b.score_steps - steps);
+      });
+  return nearest == anchors_.end()
+             ? QString()
+             : tr("%1: %2").arg(scoreText(nearest->score_steps, scale_), spoken(nearest->meaning));
+}
+
+void ScoreRow::showAnchor() {
+  if (anchors_.empty()) return;
+  if (hovered_ >= 0) {
+    anchor_->setText(nearestAnchor(stepsOf(hovered_)));
+    return;
+  }
+  QStringList all;
+  for (const StoredAnchor& anchor : anchors_) {
+    all << tr("%1: %2").arg(scoreText(anchor.score_steps, scale_), spoken(anchor.meaning));
+  }
+  // Where the rater is, every anchor; elsewhere the one that was met.
+  anchor_->setText(current_ || !answer_.score_steps ? all.join(QStringLiteral("   \u00b7   "))
+                                                    : nearestAnchor(*answer_.score_steps));
+}
+
+int ScoreRow::cellCount() const {
+  return static_cast<int>(
+      std::min<std::int64_t>((scale_.hi - scale_.lo) / scale_.stepsPerPoint + 1, kMostCells));
+}
+
+std::int64_t ScoreRow::stepsOf(int cell) const {
+  const int last = std::max(1, cellCount() - 1);
+  const std::int64_t span = (scale_.hi - scale_.lo) / scale_.stepsPerPoint;
+  return scale_.lo + span * cell / last * scale_.stepsPerPoint;
+}
+
+std::vector<QRect> ScoreRow::cells() const {
+  const QRect area = strip_->geometry();
+  const int count = cellCount();
+  std::vector<QRect> all;
+  for (int i = 0; i < count; ++i) {
+    const int left = area.left() + area.width() * i / count;
+    const int right = area.left() + area.width() * (i + 1) / count;
+    all.emplace_back(left, area.top(), right - left - kCellGap, area.height());
+  }
+  return all;
+}
+
+int ScoreRow::cellAt(const QPoint& at) const {
+  const std::vector<QRect> all = cells();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].adjusted(0, 0, kCellGap, 0).contains(at)) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+void ScoreRow::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (current_) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme_->raised);
+    painter.drawRoundedRect(rect(), kCorner + 2.0, kCorner + 2.0);
+    painter.setBrush(theme_->accent);
+    painter.drawRoundedRect(QRectF(0, 0, kMarkWidth, height()), 2.0, 2.0);
+  }
+  const std::vector<QRect> all = cells();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::int64_t steps = stepsOf(static_cast<int>(i));
+    const bool chosen = answer_.score_steps && *answer_.score_steps == steps;
+    // Half points lie between two cells: both are outlined.
+    const bool beside =
+        answer_.score_steps && !chosen && std::abs(*answer_.score_steps - steps) < scale_.stepsPerPoint;
+    const bool hovered = hovered_ == static_cast<int>(i) && !readOnly_;
+    painter.setBrush(chosen ? theme_->accent : hovered ? theme_->track : theme_->surface);
+    painter.setPen(QPen(chosen || beside || hovered ? theme_->accent : theme_->border, beside ? 2.0 : 1.0));
+    painter.drawRoundedRect(QRectF(all[i]).adjusted(0.5, 0.5, -0.5, -0.5), kCorner, kCorner);
+    painter.setPen(chosen ? theme_->onAccent : theme_->text);
+    painter.drawText(all[i], Qt::AlignCenter, scoreText(steps, scale_));
+  }
+  if (hasFocus()) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme_->accent, 1.5));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.75, 0.75, -0.75, -0.75), kCorner + 2.0, kCorner + 2.0);
+  }
+}
+
+void ScoreRow::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  Q_EMIT wanted();
+}
+
+void ScoreRow::mousePressEvent(QMouseEvent* event) {
+  Q_EMIT wanted();
+  const int cell = cellAt(event->position().toPoint());
+  if (cell >= 0 && !readOnly_) Q_EMIT scored(stepsOf(cell));
+}
+
+void ScoreRow::mouseMoveEvent(QMouseEvent* event) {
+  const int cell = cellAt(event->position().toPoint());
+  if (cell == hovered_) return;
+  hovered_ = cell;
+  showAnchor();
+  update();
+}
+
+void ScoreRow::leaveEvent(QEvent* event) {
+  hovered_ = -1;
+  showAnchor();
+  update();
+  QWidget::leaveEvent(event);
+}
+
+bool ScoreRow::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == reason_ && event->type() == QEvent::KeyPress) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() == Qt::Key_Escape) {
+      reason_->clear();
+      Q_EMIT reasoned(QString());
+      Q_EMIT finished();
+      setAnswer(answer_);
+      return true;
+    }
+    if ((key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) && key->modifiers() == Qt::NoModifier) {
+      Q_EMIT finished();
+      return true;
+    }
+  }
+  if (watched == reason_ && event->type() == QEvent::FocusIn) Q_EMIT wanted();
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace torsio::gui

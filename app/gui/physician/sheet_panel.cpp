@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/physician/sheet_panel.h"
+
+#include <algorithm>
+
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "app/gui/base/spoken.h"
+#include "app/gui/physician/review_words.h"
+#include "app/gui/widgets/form.h"
+
+namespace torsio::gui {
+
+SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
+    : QWidget(parent),
+      shape_(largeTargets ? RowShape::kLarge : RowShape::kUsual),
+      theme_(&theme(ThemeKind::kLight)),
+      scroll_(new QScrollArea(this)),
+      commentLabel_(new QLabel(this)),
+      comment_(new QPlainTextEdit(this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kSpace / 2);
+  auto* ground = new QWidget;
+  rowsLayout_ = new QVBoxLayout(ground);
+  rowsLayout_->setContentsMargins(0, 0, kSpace, 0);
+  rowsLayout_->setSpacing(kSpace / 2);
+  scroll_->setWidget(ground);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  scroll_->installEventFilter(this);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  column->addWidget(scroll_, 1);
+  commentLabel_->setBuddy(comment_);
+  comment_->setTabChangesFocus(true);
+  comment_->setFixedHeight((largeTargets ? 2 : 3) * fontMetrics().lineSpacing() + 2 * kSpace);
+  column->addWidget(commentLabel_);
+  column->addWidget(comment_);
+  connect(comment_, &QPlainTextEdit::textChanged, this, [this] {
+    if (filling_ || editor_ == nullptr) return;
+    if (editor_->setComment(comment_->toPlainText().toStdString())) changed();
+  });
+}
+
+bool SheetPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == scroll_ && event->type() == QEvent::KeyPress) {
+    event->ignore();  // the arrows belong to the rows, not to the scroll bar
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void SheetPanel::setTheme(const Theme& theme) {
+  theme_ = &theme;
+  for (ScoreRow* row : rows_) row->setTheme(theme);
+}
+
+void SheetPanel::retranslate() {
+  nameField(commentLabel_, tr("Co&mment for the trainee"));
+  comment_->setPlaceholderText(tr("What would help most next time?"));
+  build();
+}
+
+void SheetPanel::setEditor(SheetEditor* editor) {
+  editor_ = editor;
+  current_ = editor_ != nullptr ? editor_->order().front() : std::string();
+  typed_points_.reset();
+  build();
+}
+
+void SheetPanel::setScoresOnly() {
+  scoresOnly_ = true;
+  shape_ = RowShape::kCompact;
+  commentLabel_->hide();
+  comment_->hide();
+}
+
+void SheetPanel::setReadOnly(bool readOnly) {
+  readOnly_ = readOnly;
+  comment_->setReadOnly(readOnly);
+  for (ScoreRow* row : rows_) row->setReadOnly(readOnly);
+}
+
+void SheetPanel::build() {
+  for (ScoreRow* row : rows_) {
+    row->disconnect(this);  // the keyboard wanders on when a row goes; that is nobody's choice
+    row->hide();
+    row->deleteLater();
+  }
+  rows_.clear();
+  while (QLayoutItem* item = rowsLayout_->takeAt(0)) delete item;
+  if (editor_ == nullptr) return;
+  const auto add = [this](const std::string& code, const QString& label, const ScoreScale& scale,
+                          const std::vector<StoredAnchor>& anchors) {
+    auto* row = new ScoreRow(code, label, scale, anchors, shape_, this);
+    row->setTheme(*theme_);
+    row->setReadOnly(readOnly_);
+    row->retranslate();
+    rowsLayout_->addWidget(row);
+    row->show();  // at once: it may be given the focus before the layout has run
+    rows_.push_back(row);
+    connect(row, &ScoreRow::wanted, this, [this, code] { setCurrentRow(code); });
+    connect(row, &ScoreRow::finished, this, &SheetPanel::takeFocus);
+    connect(row, &ScoreRow::scored, this, [this, code](qint64 steps) { choose(code, steps); });
+    connect(row, &ScoreRow::reasoned, this, [this, code](const QString& reason) {
+      if (!readOnly_ && editor_->setNotAssessable(code, reason.toStdString())) changed();
+    });
+  };
+  for (const StoredRubricRow& row : editor_->rubric().rows)
+    add(row.code, spoken(row.label), row.scale, row.anchors);
+  if (editor_->order().back() == kOverallRow) add(kOverallRow, tr("Overall"), editor_->rubric().overall, {});
+  rowsLayout_->addStretch(1);
+  QWidget* before = nullptr;
+  for (ScoreRow* row : rows_) {
+    if (before != nullptr) setTabOrder(before, row);
+    before = row;
+  }
+  if (before != nullptr) setTabOrder(before, comment_);
+  refresh();
+}
+
+void SheetPanel::refresh() {
+  if (editor_ == nullptr) return;
+  for (ScoreRow* row : rows_) {
+    row->setAnswer(editor_->answer(row->code()));
+    row->setCurrent(row->code() == current_);
+  }
+  const QString comment = words(editor_->sheet().comment);
+  if (comment_->toPlainText() == comment) return;
+  filling_ = true;
+  comment_->setPlainText(comment);
+  comment_->moveCursor(QTextCursor::End);  // who comes here goes on writing
+  filling_ = false;
+}
+
+void SheetPanel::setCurrentRow(const std::string& row) {
+  if (row != current_) typed_points_.reset();
+  current_ = row;
+  for (ScoreRow* line : rows_) {
+    line->setCurrent(line->code() == current_);
+    if (line->code() == current_) scroll_->ensureWidgetVisible(line, 0, kSpace);
+  }
+  Q_EMIT rowChanged();
+}
+
+void SheetPanel::takeFocus() {
+  for (ScoreRow* row : rows_) {
+    if (row->code() == current_) row->setFocus(Qt::OtherFocusReason);
+  }
+}
+
+void SheetPanel::changed() {
+  refresh();
+  Q_EMIT edited();
+}
+
+void SheetPanel::choose(const std::string& row, std::int64_t steps) {
+  if (readOnly_ || editor_ == nullptr) return;
+  setCurrentRow(row);
+  typed_points_.reset();
+  if (editor_->setScore(row, steps)) changed();
+}
+
+void SheetPanel::step(int direction) {
+  const std::vector<std::string> order = editor_->order();
+  const auto at = std::find(order.begin(), order.end(), current_) - order.begin();
+  const auto next =
+      std::clamp<std::ptrdiff_t>(at + direction, 0, static_cast<std::ptrdiff_t>(order.size()) - 1);
+  setCurrentRow(order[static_cast<std::size_t>(next)]);
+  takeFocus();
+}
+
+void SheetPanel::adjust(std::int64_t steps) {
+  typed_points_.reset();
+  const ScoreScale& scale = editor_->scale(current_);
+  const auto score = editor_->answer(current_).score_steps;
+  if (!score) return;  // an arrow adjusts a score; it invents none
+  if (editor_->setScore(current_, std::clamp(*score + steps, scale.lo, scale.hi))) changed();
+}
+
+void SheetPanel::digit(int value) {
+  const ScoreScale& scale = editor_->scale(current_);
+  const auto steps = stepsForDigit(scale, value, typed_points_);
+  if (!steps) return;
+  const bool joins = typed_points_.has_value() && *steps / scale.stepsPerPoint > 9;
+  typed_points_ = *steps / scale.stepsPerPoint;
+  if (editor_->setScore(current_, *steps, joins)) changed();
+}
+
+bool SheetPanel::handleKey(int key, Qt::KeyboardModifiers modifiers) {
+  if (editor_ == nullptr) return false;
+  const bool plain = (modifiers & ~(Qt::KeypadModifier | Qt::ShiftModifier)) == Qt::NoModifier;
+  if (!plain) return false;
+  if (key == Qt::Key_Up || key == Qt::Key_Down) {
+    step(key == Qt::Key_Up ? -1 : +1);
+    return true;
+  }
+  if (readOnly_) return false;
+  if (key >= Qt::Key_0 && key <= Qt::Key_9) {
+    digit(key - Qt::Key_0);
+    return true;
+  }
+  const ScoreScale& scale = editor_->scale(current_);
+  const std::int64_t fine = (modifiers & Qt::ShiftModifier) != 0 ? 1 : arrowSteps(scale);
+  switch (key) {
+    case Qt::Key_Left:
+      adjust(-fine);
+      return true;
+    case Qt::Key_Right:
+      adjust(fine);
+      return true;
+    case Qt::Key_Backspace:
+    case Qt::Key_Delete:
+      typed_points_.reset();
+      if (editor_->clear(current_)) changed();
+      return true;
+    case Qt::Key_N:
+      if (scoresOnly_) return false;
+      for (ScoreRow* row : rows_) {
+        if (row->code() == current_) row->askReason();
+      }
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace torsio::gui

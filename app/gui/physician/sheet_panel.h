@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QWidget>
+
+#include "app/gui/widgets/theme.h"
+#include "app/review/sheet_editor.h"
+
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QScrollArea;
+class QVBoxLayout;
+
+namespace torsio::gui {
+
+class ScoreRow;
+
+/// Usual: name above the scale. Large: for fingers. Compact: name beside the scale, for long forms.
+enum class RowShape { kUsual, kLarge, kCompact };
+
+/// The rubric with its anchors, one row a line, and a comment. Number keys score the marked row, arrows move
+/// and adjust, N says "not assessable". It changes the editor that it was given and tells each change; saving
+/// is the page's business.
+class SheetPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `largeTargets`: buttons of at least 44 pixels, for fingers.
+  explicit SheetPanel(bool largeTargets = false, QWidget* parent = nullptr);
+
+  void setTheme(const Theme& theme);
+  void retranslate();
+  /// The editor outlives its showing. Null: empty.
+  void setEditor(SheetEditor* editor);
+  /// Scores alone, in compact rows: no comment, no "not assessable".
+  void setScoresOnly();
+  /// A sealed sheet is read only.
+  void setReadOnly(bool readOnly);
+  /// After undo, redo or another change from outside.
+  void refresh();
+
+  [[nodiscard]] const std::string& currentRow() const noexcept { return current_; }
+  void setCurrentRow(const std::string& row);
+  /// Digits, arrows, N, Backspace, Delete. False: not a key of the sheet.
+  bool handleKey(int key, Qt::KeyboardModifiers modifiers);
+  /// Puts the keyboard on the marked row.
+  void takeFocus();
+  [[nodiscard]] QPlainTextEdit* commentField() const noexcept { return comment_; }
+
+ Q_SIGNALS:
+  /// The editor was changed by the user.
+  void edited();
+  void rowChanged();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void build();
+  void step(int direction);
+  void adjust(std::int64_t steps);
+  void digit(int value);
+  void choose(const std::string& row, std::int64_t steps);
+  void changed();
+
+  RowShape shape_;
+  bool readOnly_ = false;
+  bool scoresOnly_ = false;
+  SheetEditor* editor_ = nullptr;
+  const Theme* theme_;
+  QScrollArea* scroll_;
+  QVBoxLayout* rowsLayout_;
+  QLabel* commentLabel_;
+  QPlainTextEdit* comment_;
+  std::vector<ScoreRow*> rows_;
+  std::string current_;
+  std::optional<std::int64_t> typed_points_;
+  bool filling_ = false;
+};
+
+/// One line of the rubric: name, scale as buttons, the answer, anchors, and a field for why not.
+class ScoreRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  ScoreRow(std::string code, const QString& label, const ScoreScale& scale, std::vector<StoredAnchor> anchors,
+           RowShape shape, QWidget* parent);
+
+  [[nodiscard]] const std::string& code() const noexcept { return code_; }
+  void setTheme(const Theme& theme);
+  void retranslate();
+  void setAnswer(const SheetAnswer& answer);
+  void setCurrent(bool current);
+  void setReadOnly(bool readOnly);
+  /// Opens the field for the reason and puts the keyboard there.
+  void askReason();
+
+ Q_SIGNALS:
+  void scored(qint64 steps);
+  void reasoned(const QString& reason);
+  void wanted();    ///< clicked or tabbed to
+  void finished();  ///< the reason is complete: back to the keys
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  [[nodiscard]] QString nearestAnchor(std::int64_t steps) const;
+  [[nodiscard]] std::vector<QRect> cells() const;
+  [[nodiscard]] int cellAt(const QPoint& at) const;
+  [[nodiscard]] std::int64_t stepsOf(int cell) const;
+  [[nodiscard]] int cellCount() const;
+  void arrange();
+  void describe();
+  void showAnchor();
+
+  std::string code_;
+  QString label_;
+  ScoreScale scale_;
+  std::vector<StoredAnchor> anchors_;
+  RowShape shape_;
+  bool current_ = false;
+  bool readOnly_ = false;
+  int hovered_ = -1;
+  SheetAnswer answer_;
+  const Theme* theme_;
+  QLabel* name_;
+  QLabel* value_;
+  QWidget* strip_;  // room for the cells
+  QLabel* anchor_;
+  QLineEdit* reason_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/physician/warm_up_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/physician/replay_panel.h"
+#include "app/gui/physician/review_words.h"
+#include "app/gui/physician/sheet_panel.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr double kNear_points = 0.5;  // a step of the buttons' keys
+
+/// The overall mark alone: that is what a panel has agreed on.
+StoredRubricRevision overallOnly(StoredRubricRevision rubric) {
+  rubric.rows.clear();
+  return rubric;
+}
+
+}  // namespace
+
+WarmUpPage::WarmUpPage(ShellContext& shell, QWidget* parent)
+    : Page(shell, parent),
+      heading_(new PageHeading(this)),
+      goOn_(new QPushButton(this)),
+      choices_(new QHBoxLayout),
+      group_(new QButtonGroup(this)),
+      replay_(new ReplayPanel(shell.assets(), this)),
+      sheet_(new SheetPanel(false, this)),
+      compare_(primaryButton(this)),
+      resultCard_(new Card(QString(), this)),
+      result_(sentence(this, false)),
+      sum_(sentence(this)),
+      rubricCard_(new Card(QString(), this)),
+      anchors_(sentence(this)) {
+  sheet_->setScoresOnly();
+  heading_->addAction(goOn_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
+  column->setSpacing(kSpace);
+  column->addWidget(heading_);
+  column->addLayout(choices_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2 * kSpace);
+  row->addWidget(replay_, 3);
+  auto* right = new QVBoxLayout;
+  sheet_->setMaximumHeight(9 * fontMetrics().height());
+  right->addWidget(sheet_);
+  right->addWidget(compare_);
+  resultCard_->content()->addWidget(result_);
+  resultCard_->content()->addWidget(sum_);
+  right->addWidget(resultCard_);
+  anchors_->setAlignment(Qt::AlignTop);
+  anchorsArea_ = new QScrollArea(rubricCard_);
+  anchorsArea_->setWidgetResizable(true);
+  anchorsArea_->setFrameShape(QFrame::NoFrame);
+  anchorsArea_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  anchorsArea_->setWidget(anchors_);
+  rubricCard_->content()->addWidget(anchorsArea_);
+  right->addWidget(rubricCard_, 1);
+  right->addStretch(0);
+  row->addLayout(right, 2);
+  column->addLayout(row, 1);
+  connect(compare_, &QPushButton::clicked, this, &WarmUpPage::compare);
+  // Success shows the recording right after; failure and cancelling end here.
+  connect(&shell, &ShellContext::jobEnded, this, [this] {
+    if (number_ > 0 && !replay_->ready()) replay_->showSentence(tr("The recording could not be opened."));
+  });
+  connect(goOn_, &QPushButton::clicked, this, [this] { this->shell().open(QStringLiteral("review.queue")); });
+  connect(sheet_, &SheetPanel::edited, this, &WarmUpPage::showResult);
+}
+
+WarmUpPage::~WarmUpPage() = default;
+
+void WarmUpPage::enter(const QVariant&) {
+  warmUp_ = warmUp(shell().workplace());
+  std::size_t first = warmUp_.runs.empty() ? 0 : 1;
+  for (const WarmUpRun& run : warmUp_.runs) {
+    if (run.own_steps) continue;
+    first = run.number;
+    break;
+  }
+  openRun(first);
+}
+
+bool WarmUpPage::leave() {
+  replay_->pause();
+  ++loads_;
+  replay_->show(nullptr);
+  return true;
+}
+
+void WarmUpPage::openRun(std::size_t number) {
+  number_ = number;
+  replay_->show(nullptr);
+  editor_.reset();
+  sheet_->setEditor(nullptr);
+  showRuns();
+  if (number_ == 0) {
+    replay_->showSentence(tr("The office has chosen no reference run yet. You may begin with your queue."));
+    showResult();
+    return;
+  }
+  Sheet last;
+  last.overall_steps = warmUp_.runs[number_ - 1].own_steps;
+  editor_ = std::make_unique<SheetEditor>(overallOnly(warmUp_.rubric), last);
+  sheet_->setEditor(editor_.get());
+  sheet_->takeFocus();
+  showResult();
+  replay_->showSentence(tr("The recording is being opened. You may score meanwhile."));
+  const std::uint64_t ticket = ++loads_;
+  auto loaded = std::make_shared<std::shared_ptr<LoadedRecording>>();
+  const std::filesystem::path assets = shell().assets();
+  shell().run(
+      tr("Opening reference %1").arg(static_cast<int>(number_)),
+      [loaded, number, assets](Workplace& own, const ProgressCallback&) {
+        *loaded = loadForShowing(loadReferenceRun(own, number), assets);
+      },
+      [this, loaded, ticket] {
+        if (ticket == loads_) replay_->show(*loaded);
+      });
+}
+
+void WarmUpPage::showRuns() {
+  for (QAbstractButton* button : group_->buttons()) {
+    group_->removeButton(button);
+    button->hide();
+    button->deleteLater();
+  }
+  while (QLayoutItem* item = choices_->takeAt(0)) delete item;
+  for (const WarmUpRun& run : warmUp_.runs) {
+    auto* button = new QToolButton(this);
+    button->setCheckable(true);
+    button->setChecked(run.number == number_);
+    const int number = static_cast<int>(run.number);
+    button->setText(run.own_steps ? tr("Reference %1, scored").arg(number) : tr("Reference %1").arg(number));
+    group_->addButton(button);
+    choices_->addWidget(button);
+    button->show();
+    connect(button, &QToolButton::clicked, this, [this, at = run.number] { openRun(at); });
+  }
+  choices_->addStretch(1);
+}
+
+void WarmUpPage::showResult() {
+  const bool any = number_ > 0;
+  compare_->setVisible(any);
+  compare_->setEnabled(any && editor_ != nullptr && editor_->answer(kOverallRow).score_steps.has_value());
+  goOn_->setText(tr("&Queue"));
+  const std::size_t next = nextNumber();
+  compare_->setText(!compared() ? tr("&Compare with the panel")
+                    : next > 0  ? tr("Go on with reference %1").arg(static_cast<int>(next))
+                                : tr("On to the queue"));
+  anchors_->setText(anchorWords());
+  rubricCard_->setVisible(any && !anchors_->text().isEmpty());
+  const WarmUpRun* run = any ? &warmUp_.runs[number_ - 1] : nullptr;
+  resultCard_->setVisible(any);
+  if (run == nullptr) return;
+  if (!run->offset_points) {
+    result_->setText(tr("Score first; then the panel's mark is shown."));
+    sum_->clear();
+    return;
+  }
+  const double off = *run->offset_points;
+  const QString figures =
+      tr("You: %1. Panel of %2: %3.")
+          .arg(scoreText(*run->own_steps, warmUp_.rubric.overall), QString::number(run->panelRaters),
+               pointsText(std::round(*run->panel_points * 10.0) / 10.0));
+  const QString reading = std::abs(off) < kNear_points ? tr("That is as the panel sees it.")
+                          : off < 0.0
+                              ? tr("You are stricter by %1.").arg(pointsText(std::round(-off * 10.0) / 10.0))
+                              : tr("You are milder by %1.").arg(pointsText(std::round(off * 10.0) / 10.0));
+  result_->setText(tr("%1 %2").arg(figures, reading));
+  const auto mean = warmUp_.meanOffset_points();
+  sum_->setText(warmUp_.complete() && mean
+                    ? tr("Over all reference runs: %1 points from the panel. You may score a run "
+                         "again; every try is kept.")
+                          .arg(signedText(*mean))
+                    : tr("You may score it again, or go on with the next run."));
+}
+
+void WarmUpPage::compare() {
+  if (editor_ == nullptr || number_ == 0) return;
+  const auto score = editor_->answer(kOverallRow).score_steps;
+  if (!score) return;
+  if (compared()) return goNext();
+  try {
+    scoreReferenceRun(shell().workplace(), number_, *score);
+    warmUp_ = warmUp(shell().workplace());
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+  showRuns();
+  showResult();
+}
+
+bool WarmUpPage::compared() const {
+  return number_ > 0 && editor_ != nullptr && warmUp_.runs[number_ - 1].own_steps.has_value() &&
+         editor_->answer(kOverallRow).score_steps == warmUp_.runs[number_ - 1].own_steps;
+}
+
+std::size_t WarmUpPage::nextNumber() const {
+  const auto open = std::find_if(warmUp_.runs.begin(), warmUp_.runs.end(),
+                                 [](const WarmUpRun& run) { return !run.own_steps.has_value(); });
+  return open == warmUp_.runs.end() ? 0 : open->number;
+}
+
+void WarmUpPage::goNext() {
+  if (const std::size_t next = nextNumber(); next > 0) {
+    openRun(next);
+  } else {
+    shell().open(QStringLiteral("review.queue"));
+  }
+}
+
+QString WarmUpPage::anchorWords() const {
+  QStringList lines;
+  for (const StoredRubricRow& row : warmUp_.rubric.rows) {
+    QStringList points;
+    for (const StoredAnchor& anchor : row.anchors)
+      points << tr("%1: %2").arg(scoreText(anchor.score_steps, row.scale), spoken(anchor.meaning));
+    if (!points.isEmpty())
+      lines << tr("%1. %2").arg(spoken(row.label), points.join(QStringLiteral("  \u00b7  ")));
+  }
+  return lines.join(QStringLiteral("\n\n"));
+}
+
+void WarmUpPage::retranslate() {
+  heading_->setTexts(tr("Warm-up"),
+                     tr("Score the reference runs before the real cases and see your own offset from the "
+                        "panel. Nobody else sees it."));
+  compare_->setToolTip(tr("Ctrl+Enter"));
+  resultCard_->setTitle(tr("Your offset"));
+  rubricCard_->setTitle(tr("What the rubric asks for"));
+  anchorsArea_->setAccessibleName(tr("What the rubric asks for"));
+  replay_->retranslate();
+  sheet_->retranslate();
+  showRuns();
+  showResult();
+}
+
+std::vector<std::pair<QString, QString>> WarmUpPage::keys() const {
+  std::vector<std::pair<QString, QString>> all = replayKeys();
+  for (auto& one : sheetKeys()) all.push_back(std::move(one));
+  all.back().first = tr("Compare with the panel");
+  return all;
+}
+
+void WarmUpPage::applyTheme(const Theme& theme) {
+  replay_->setTheme(theme);
+  sheet_->setTheme(theme);
+}
+
+void WarmUpPage::keyPressEvent(QKeyEvent* event) {
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (enter && (event->modifiers() & Qt::ControlModifier) != 0) return compare();
+  if ((event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0 && replay_->handleKey(event->key()))
+    return;
+  if (event->key() != Qt::Key_N && sheet_->handleKey(event->key(), event->modifiers())) return;
+  Page::keyPressEvent(event);
+}
+
+}  // namespace torsio::gui

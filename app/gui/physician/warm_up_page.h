@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "app/gui/base/page.h"
+#include "app/review/sheet_editor.h"
+#include "app/review/warm_up.h"
+
+class QButtonGroup;
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+class QScrollArea;
+
+namespace torsio::gui {
+
+class Card;
+class PageHeading;
+class ReplayPanel;
+class SheetPanel;
+
+/// Two reference runs before the real ones: score, then see how far from the panel.
+class WarmUpPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit WarmUpPage(ShellContext& shell, QWidget* parent = nullptr);
+  ~WarmUpPage() override;
+
+  void enter(const QVariant& argument) override;
+  [[nodiscard]] bool leave() override;
+  [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
+  void retranslate() override;
+  void applyTheme(const Theme& theme) override;
+  [[nodiscard]] ReplayPanel& replay() noexcept { return *replay_; }
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void openRun(std::size_t number);
+  void showRuns();
+  void showResult();
+  void compare();
+  void goNext();
+  /// The mark on the sheet is the one that was compared last.
+  [[nodiscard]] bool compared() const;
+  /// The first run that is not scored; 0: none.
+  [[nodiscard]] std::size_t nextNumber() const;
+  [[nodiscard]] QString anchorWords() const;
+
+  PageHeading* heading_;
+  QPushButton* goOn_;
+  QHBoxLayout* choices_;
+  QButtonGroup* group_;
+  ReplayPanel* replay_;
+  SheetPanel* sheet_;
+  QPushButton* compare_;
+  Card* resultCard_;
+  QLabel* result_;
+  QLabel* sum_;
+  Card* rubricCard_;
+  QScrollArea* anchorsArea_;
+  QLabel* anchors_;
+  WarmUp warmUp_;
+  std::size_t number_ = 0;
+  std::unique_ptr<SheetEditor> editor_;
+  std::uint64_t loads_ = 0;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/practice/compare_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include "app/gui/base/asset_names.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/simulator/exercise_panel.h"
+#include "app/gui/simulator/film_strip.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/picture.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kSteps = 1000;
+constexpr double kBeyondTarget = 1.2;
+constexpr std::size_t kTimesKept = 31;
+constexpr int kStripFrames = 5;
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double graspOf(const Scene& scene) {
+  return std::clamp(scene.pattern.graspArc, 0.0, 1.0) * scene.lattice().length_m();
+}
+
+}  // namespace
+
+ComparePage::ComparePage(ShellContext& context, QWidget* parent) : Page(context, parent) {
+  sides_[0].formulation = Formulation::kPaper;
+  sides_[1].formulation = Formulation::kSaintVenant;
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(2 * kSpace, 2 * kSpace, 2 * kSpace, 2 * kSpace);
+  column->setSpacing(2 * kSpace);
+  column->addWidget(createBar());
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2 * kSpace);
+  for (Side& side : sides_) row->addWidget(createSide(side), 1);
+  column->addLayout(row, 1);
+  for (const std::string& id : sceneIds(shell().assets())) {
+    organ_->addItem(QString(), QString::fromStdString(id));
+  }
+  connect(organ_, &QComboBox::activated, this,
+          [this](int index) { load(organ_->itemData(index).toString()); });
+  connect(torque_, &QSlider::valueChanged, this,
+          [this](int step) { setTorque(top_Nm_ * static_cast<double>(step) / kSteps); });
+  connect(shearMap_, &QPushButton::toggled, this, [this](bool on) {
+    for (const Side& side : sides_) side.view->setShearVisible(on);
+  });
+  connect(strip_, &QPushButton::clicked, this, &ComparePage::captureFilmStrip);
+}
+
+QWidget* ComparePage::createBar() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(kSpace);
+  organLabel_ = new QLabel(bar);
+  organ_ = new QComboBox(bar);
+  organLabel_->setBuddy(organ_);
+  torqueLabel_ = new QLabel(bar);
+  torque_ = new QSlider(Qt::Horizontal, bar);
+  torque_->setRange(0, kSteps);
+  torque_->setPageStep(kSteps / 20);
+  torqueLabel_->setBuddy(torque_);
+  figure_ = new QLabel(bar);
+  figure_->setMinimumWidth(figure_->fontMetrics().horizontalAdvance(QStringLiteral("0.0000 N m")) + kSpace);
+  shearMap_ = new QPushButton(bar);
+  shearMap_->setCheckable(true);
+  strip_ = new QPushButton(bar);
+  row->addWidget(organLabel_);
+  row->addWidget(organ_);
+  row->addSpacing(kSpace);
+  row->addWidget(torqueLabel_);
+  row->addWidget(torque_, 1);
+  row->addWidget(figure_);
+  row->addSpacing(kSpace);
+  row->addWidget(shearMap_);
+  row->addWidget(strip_);
+  return bar;
+}
+
+QWidget* ComparePage::createSide(Side& side) {
+  side.card = new Card(QString(), this);
+  side.view = new SceneView(side.card);
+  side.view->setToolVisible(false);
+  side.card->content()->addWidget(side.view, 1);
+  auto* figures = new QHBoxLayout;
+  for (QLabel** label : {&side.angle, &side.shear, &side.time}) {
+    *label = new QLabel(side.card);
+    figures->addWidget(*label, 1);
+  }
+  side.card->content()->addLayout(figures);
+  return side.card;
+}
+
+void ComparePage::enter(const QVariant& argument) {
+  if (loaded() && argument.isNull()) return;
+  const QString organ = argument.isNull() ? QStringLiteral("stomach") : argument.toString();
+  organ_->setCurrentIndex(organ_->findData(organ));
+  load(organ);
+}
+
+void ComparePage::load(const QString& organ) {
+  const auto scenes = std::make_shared<std::array<LoadedScene, 2>>();
+  SceneRequest request;
+  request.assets = shell().assets();
+  request.id = organ.toStdString();
+  const std::array<Formulation, 2> formulations{sides_[0].formulation, sides_[1].formulation};
+  shell().run(
+      tr("Loading the models"),
+      [scenes, request, formulations](Workplace&, const ProgressCallback& progress) {
+        for (std::size_t i = 0; i < scenes->size(); ++i) {
+          progress({request.id, static_cast<double>(i) / 2.0, -1.0});
+          SceneRequest one = request;
+          one.formulation = formulations[i];
+          (*scenes)[i] = loadSceneForView(one);
+        }
+      },
+      [this, scenes] { adopt(std::move(*scenes)); });
+}
+
+void ComparePage::adopt(std::array<LoadedScene, 2> scenes) {
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    sides_[i].scene = std::move(scenes[i]);
+    sides_[i].times_us.clear();
+    sides_[i].view->setScene(sides_[i].scene.view);
+  }
+  const Scene& scene = *sides_[1].scene.scene;
+  const double grasp_m = graspOf(scene);
+  top_Nm_ = kBeyondTarget * std::abs(scene.model.torque_Nm({grasp_m, scene.pattern.targetAngle_rad}));
+  const QSignalBlocker quiet(torque_);
+  torque_->setValue(static_cast<int>(kSteps / kBeyondTarget));
+  setTorque(top_Nm_ / kBeyondTarget);
+}
+
+void ComparePage::setTorque(double torque_Nm) {
+  torque_Nm_ = torque_Nm;
+  figure_->setText(tr("%1 N m").arg(QLocale().toString(torque_Nm, 'f', 4)));
+  torque_->setAccessibleDescription(figure_->text());
+  apply();
+}
+
+void ComparePage::apply() {
+  if (!loaded()) return;
+  std::vector<Vec3> vertices_m;
+  for (Side& side : sides_) {
+    const Scene& scene = *side.scene.scene;
+    vertices_m.resize(scene.mesh.vertices_m.size());
+    QElapsedTimer timer;
+    timer.start();
+    const TwistState state = scene.model.stateForTorque(graspOf(scene), torque_Nm_);
+    scene.model.deform(state, vertices_m);
+    side.times_us.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-3);
+    if (side.times_us.size() > kTimesKept) side.times_us.erase(side.times_us.begin());
+    side.view->setTwist(state);
+    show(side);
+  }
+}
+
+void ComparePage::show(Side& side) {
+  const Scene& scene = *side.scene.scene;
+  const TwistState state = scene.model.stateForTorque(graspOf(scene), torque_Nm_);
+  const QLocale locale;
+  side.angle->setText(tr("Angle  %1\u00b0").arg(locale.toString(state.graspAngle_rad * kDegPerRad, 'f', 1)));
+  side.shear->setText(
+      tr("Largest shear  %1 kPa").arg(locale.toString(scene.model.peakShear_Pa(state) / 1000.0, 'f', 2)));
+  side.time->setText(tr("Computed in  %1 \u00b5s").arg(locale.toString(median(side.times_us), 'f', 0)));
+}
+
+void ComparePage::captureFilmStrip() {
+  if (!loaded() || !SceneView::platformCanRender()) {
+    shell().notify(tr("There is no picture to capture here"));
+    return;
+  }
+  const QString file =
+      askFileToSave(this, tr("Save film strip"), tr("film-strip.png"), tr("PNG pictures (*.png)"));
+  if (file.isEmpty()) return;
+  const double before_Nm = torque_Nm_;
+  std::vector<std::vector<StripFrame>> rows(sides_.size());
+  for (int i = 0; i < kStripFrames; ++i) {
+    setTorque(top_Nm_ / kBeyondTarget * i / (kStripFrames - 1));
+    for (std::size_t s = 0; s < sides_.size(); ++s) {
+      const QString caption = tr("%1, %2").arg(figure_->text(), sides_[s].angle->text());
+      rows[s].push_back({caption, sides_[s].view->picture()});
+    }
+  }
+  setTorque(before_Nm);
+  try {
+    writePicture(filmStrip(rows), file.toStdString());
+    shell().notify(tr("Saved %1").arg(file));
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void ComparePage::retranslate() {
+  nameField(organLabel_, tr("&Organ"));
+  nameField(torqueLabel_, tr("&Torque"));
+  shearMap_->setText(tr("Shear stress"));
+  strip_->setText(tr("Film strip\u2026"));
+  strip_->setToolTip(tr("Saves both models at five steps of the torque as one picture"));
+  sides_[0].card->setTitle(tr("As in the paper"));
+  sides_[1].card->setTitle(tr("Saint-Venant"));
+  for (int i = 0; i < organ_->count(); ++i) {
+    organ_->setItemText(i, assetName(ExercisePanel::readable(organ_->itemData(i).toString().toStdString())));
+  }
+  if (loaded()) setTorque(torque_Nm_);
+}
+
+void ComparePage::applyTheme(const Theme& theme) {
+  for (const Side& side : sides_) side.view->setTheme(theme);
+}
+
+PageEntry comparePage() {
+  return {.id = QStringLiteral("compare"),
+          .icon = QStringLiteral("compare"),
+          .title = [] { return QCoreApplication::translate("ComparePage", "Compare models"); },
+          .needs = {Operation::kPractice},
+          .make = [](ShellContext& context) -> Page* { return new ComparePage(context); },
+          .needsDatabase = false};
+}
+
+std::vector<ScreenEntry> compareScreens() {
+  return {{.name = QStringLiteral("compare"),
+           .role = QStringLiteral("rater"),
+           .pageId = QStringLiteral("compare"),
+           .argument = [](Workplace&) { return QVariant(); },
+           .prepare =
+               [](Page& page) {
+                 while (!static_cast<ComparePage&>(page).loaded()) QCoreApplication::processEvents();
+               }}};
+}
+
+}  // namespace torsio::gui

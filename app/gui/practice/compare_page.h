@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "app/gui/base/page.h"
+#include "app/gui/simulator/simulation_controller.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace torsio::gui {
+
+class Card;
+
+/// Two tissue models side by side under the same torque (paper section 4): the paper's formulation and
+/// Saint-Venant's, each with the angle it answers with, its largest shear stress and the time it took. One
+/// slider moves both.
+class ComparePage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit ComparePage(ShellContext& shell, QWidget* parent = nullptr);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+  void applyTheme(const Theme& theme) override;
+  /// The models are shown (they load in the background).
+  [[nodiscard]] bool loaded() const noexcept { return sides_[0].scene.scene != nullptr; }
+  /// The same torque on both, N m.
+  void setTorque(double torque_Nm);
+
+ private:
+  struct Side {
+    Formulation formulation = Formulation::kPaper;
+    LoadedScene scene;
+    Card* card = nullptr;
+    SceneView* view = nullptr;
+    QLabel* angle = nullptr;
+    QLabel* shear = nullptr;
+    QLabel* time = nullptr;
+    std::vector<double> times_us;
+  };
+
+  QWidget* createBar();
+  QWidget* createSide(Side& side);
+  void load(const QString& organ);
+  void adopt(std::array<LoadedScene, 2> scenes);
+  void apply();
+  void show(Side& side);
+  void captureFilmStrip();
+
+  std::array<Side, 2> sides_;
+  QLabel* organLabel_;
+  QComboBox* organ_;
+  QLabel* torqueLabel_;
+  QSlider* torque_;
+  QLabel* figure_;
+  QPushButton* shearMap_;
+  QPushButton* strip_;
+  double top_Nm_ = 0.0;
+  double torque_Nm_ = 0.0;
+};
+
+/// "compare", for everybody who may practise.
+[[nodiscard]] PageEntry comparePage();
+[[nodiscard]] std::vector<ScreenEntry> compareScreens();
+
+}  // namespace torsio::gui

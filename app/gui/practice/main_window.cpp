@@ -1,0 +1,511 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/practice/main_window.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDateTime>
+#include <QHBoxLayout>
+#include <QInputDialog>
+#include <QLabel>
+#include <QLocale>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QScrollArea>
+#include <QSettings>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+#include "app/base/build_info.h"
+#include "app/gui/base/asset_names.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/scene/instrument_geometry.h"
+#include "app/gui/simulator/exercise_panel.h"
+#include "app/gui/simulator/pointer_controls.h"
+#include "app/gui/simulator/readout_panel.h"
+#include "app/gui/simulator/replay_bar.h"
+#include "app/gui/widgets/file_choice.h"
+#include "sim/base/error.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kFrame_ms = 16;
+constexpr double kReadoutEvery_s = 0.08;  // figures that change faster cannot be read
+constexpr double kRateOver_s = 1.0;
+constexpr double kNoticeFor_s = 6.0;
+constexpr double kLongestFrame_s = 0.25;  // after a pause nothing jumps
+constexpr int kPanelWidth = 316;
+constexpr double kNear_m = 0.050;
+constexpr double kLeanWithin_m = 0.040;
+
+QString localTime(std::int64_t utc_us) {
+  return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
+}
+
+}  // namespace
+
+MainWindow::MainWindow(const WindowSetup& setup) : setup_(setup), themeKind_(setup.theme) {
+  setWindowTitle(QStringLiteral("Torsio"));
+  resize(1280, 800);
+  controller_ = std::make_unique<SimulationController>(setup_.loader, setup_.recording);
+  createLayout();
+  createActions();
+  createMenus();
+  createToolBar();
+  connectController();
+  exercise_->setOrgans(sceneIds(setup_.assets));
+  view_->setInstrument(loadInstrument(setup_.assets, "grasper"));
+  if (setup_.embedded) {
+    applyColours(themeKind_);
+  } else {
+    setThemeKind(themeKind_);
+  }
+  retranslate();
+  if (setup_.remember) restoreChoices();
+  showMode();
+  frameTimer_.setTimerType(Qt::PreciseTimer);
+  connect(&frameTimer_, &QTimer::timeout, this, [this] {
+    const double elapsed_s = static_cast<double>(sinceFrame_.nsecsElapsed()) * 1e-9;
+    sinceFrame_.restart();
+    frame(std::min(elapsed_s, kLongestFrame_s));
+  });
+  sinceFrame_.start();
+  sinceRate_.start();
+  frameTimer_.start(kFrame_ms);
+}
+
+MainWindow::~MainWindow() {
+  frameTimer_.stop();
+}
+
+void MainWindow::createLayout() {
+  auto* centre = new QWidget(this);
+  auto* row = new QHBoxLayout(centre);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+
+  auto* left = new QVBoxLayout;
+  left->setSpacing(0);
+  view_ = new SceneView(centre);
+  pointer_ = new PointerControls(*view_);
+  pointer_->setKeys(PointerKeys::stored());
+  replayBar_ = new ReplayBar(centre);
+  replayBar_->hide();
+  left->addWidget(view_, 1);
+  left->addWidget(replayBar_);
+  row->addLayout(left, 1);
+
+  auto* panel = new QWidget;
+  auto* column = new QVBoxLayout(panel);
+  column->setContentsMargins(kSpace + 4, kSpace + 4, kSpace + 4, kSpace + 4);
+  column->setSpacing(kSpace + 2);
+  exercise_ = new ExercisePanel(panel);
+  readout_ = new ReadoutPanel(panel);
+  column->addWidget(exercise_);
+  column->addWidget(readout_);
+  column->addStretch(1);
+  auto* scroll = new QScrollArea(centre);
+  scroll->setWidgetResizable(true);
+  scroll->setFixedWidth(kPanelWidth);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(panel);
+  row->addWidget(scroll);
+  setCentralWidget(centre);
+
+  hint_ = new QLabel(this);
+  recordingTime_ = new QLabel(this);
+  recordingTime_->hide();
+  source_ = new QLabel(this);
+  statusBar()->addWidget(hint_, 1);
+  statusBar()->addPermanentWidget(recordingTime_);
+  device_ = new QLabel(this);
+  device_->setObjectName(QStringLiteral("deviceName"));
+  statusBar()->addPermanentWidget(device_);
+  statusBar()->addPermanentWidget(source_);
+  statusBar()->setSizeGripEnabled(false);
+}
+
+void MainWindow::connectController() {
+  SimulationController* c = controller_.get();
+  connect(c, &SimulationController::sceneChanged, this, &MainWindow::showScene);
+  connect(c, &SimulationController::modeChanged, this, &MainWindow::showMode);
+  connect(c, &SimulationController::failed, this, &MainWindow::showProblem);
+  connect(c, &SimulationController::hapticModelChanged, this, &MainWindow::showDevice);
+  connect(c, &SimulationController::noticed, this, [this](const QString& sentence) {
+    notice_ = sentence;
+    noticeLeft_s_ = kNoticeFor_s;
+  });
+  connect(c, &SimulationController::loadingChanged, this, [this](bool loading) {
+    if (loading) {
+      notice_ = tr("Loading\u2026");
+      noticeLeft_s_ = 1e9;
+    } else {
+      noticeLeft_s_ = 0.0;
+    }
+    exercise_->setChangeable(!loading);
+  });
+  connect(pointer_, &PointerControls::changed, this, [this] { controller_->steer(pointer_->input()); });
+
+  connect(exercise_, &ExercisePanel::organChosen, this, [this](const QString& id) {
+    SceneRequest request;
+    request.assets = setup_.assets;
+    request.id = id.toStdString();
+    request.formulation = controller_->request().formulation;
+    controller_->load(request);
+  });
+  connect(exercise_, &ExercisePanel::patternChosen, this, [this](const QString& id) {
+    SceneRequest request = controller_->request();
+    request.pattern = id.toStdString();
+    controller_->load(request);
+  });
+  connect(exercise_, &ExercisePanel::formulationChosen, this, [this](Formulation formulation) {
+    SceneRequest request = controller_->request();
+    request.formulation = formulation;
+    controller_->load(request);
+  });
+  connect(exercise_, &ExercisePanel::targetChosen, this, [this](double target_rad) {
+    controller_->setTarget(target_rad);
+    showGhost();
+  });
+
+  connect(replayBar_, &ReplayBar::playToggled, this, [this] {
+    if (TrialPlayback* playback = controller_->playback()) playback->setPlaying(!playback->playing());
+  });
+  connect(replayBar_, &ReplayBar::soughtTo, this, [this](qint64 position_us) {
+    if (TrialPlayback* playback = controller_->playback()) playback->seek_us(position_us);
+  });
+  connect(replayBar_, &ReplayBar::speedChosen, this, [this](double speed) {
+    if (TrialPlayback* playback = controller_->playback()) playback->setSpeed(speed);
+  });
+  connect(replayBar_, &ReplayBar::closed, c, &SimulationController::closeReplay);
+}
+
+void MainWindow::setThemeKind(ThemeKind kind) {
+  applyTheme(*qApp, theme(kind));
+  applyColours(kind);
+}
+
+void MainWindow::applyColours(ThemeKind kind) {
+  themeKind_ = kind;
+  const Theme& colours = theme(kind);
+  view_->setTheme(colours);
+  readout_->setTheme(colours);
+  replayBar_->setTheme(colours);
+  recordingTime_->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(colours.recording.name()));
+  applyIcons();
+  if (actions_.dark != nullptr) actions_.dark->setChecked(kind == ThemeKind::kDark);
+}
+
+void MainWindow::retranslate() {
+  nameActions();
+  exercise_->retranslate();
+  readout_->retranslate();
+  replayBar_->retranslate();
+  hint_->setAccessibleName(tr("Hint"));
+  recordingTime_->setAccessibleName(tr("Recording"));
+  source_->setAccessibleName(tr("Source of the organ"));
+  device_->setAccessibleName(tr("Device"));
+  showDevice();
+  if (controller_->scene() != nullptr) showTitle();
+  noticeLeft_s_ = 0.0;
+  hint_->clear();  // the next frame says it again
+  showMode();
+}
+
+void MainWindow::pause() {
+  frameTimer_.stop();
+  controller_->releaseTissue();
+  controller_->useHapticDevice({});  // a run may need it
+}
+
+void MainWindow::resume() {
+  if (setup_.openHaptic) controller_->useHapticDevice(setup_.openHaptic);
+  sinceFrame_.restart();
+  frameTimer_.start(kFrame_ms);
+}
+
+void MainWindow::showDevice() {
+  const QString& model = controller_->hapticModel();
+  device_->setText(model.isEmpty() ? tr("Mouse and keyboard") : model);
+  device_->setVisible(static_cast<bool>(setup_.openHaptic));
+}
+
+QString MainWindow::hapticHint(const LiveState& state) const {
+  switch (state.phase) {
+    case ExercisePhase::kTracking:
+      return tr("Bring the jaw to the marked band");
+    case ExercisePhase::kContact:
+      return tr("Touching. Hold the first button of the stylus to grip");
+    case ExercisePhase::kTwisting:
+      return tr("Holding. Lead the stylus round to twist; let the button go to release");
+    case ExercisePhase::kReleased:
+      break;
+  }
+  return tr("The tissue returns to rest");
+}
+
+void MainWindow::frame(double elapsed_s) {
+  pointer_->advance(elapsed_s);
+  controller_->advance(elapsed_s);
+  const LiveState state = controller_->state();
+  if (controller_->scene() != nullptr) {
+    view_->setTissue(state);
+    showTool(state);
+  }
+  readoutDue_s_ -= elapsed_s;
+  noticeLeft_s_ -= elapsed_s;
+  if (readoutDue_s_ > 0.0) return;
+  readoutDue_s_ = kReadoutEvery_s;
+  measureRate();
+  readout_->show(state, controller_->frozen() ? 0.0 : framesPerSecond_);  // a picture has no rate
+  showHint(state);
+  replayBar_->show(controller_->playback());
+}
+
+void MainWindow::showTool(const LiveState& state) {
+  const Scene& scene = *controller_->scene();
+  const bool holds = state.phase == ExercisePhase::kTwisting;
+  const bool live = controller_->playback() == nullptr;
+  std::optional<Vec3> axis;
+  if (holds && live && controller_->toolRidesOnTissue()) {
+    axis = scene.model.graspFrame(state.response.graspArc_m).tangent;
+  }
+  pointer_->setHeldAxis(axis);
+  const std::optional<SurfacePoint> near = controller_->nearby(state);
+  const bool close = near && near->distance_m < kLeanWithin_m;
+  pointer_->leanAwayFrom(close ? std::optional<Vec3>(near->normal) : std::nullopt);
+  Pose pose = state.tool;
+  // A hand that twists by turning stays in place; what is drawn goes round with the tissue that it holds.
+  if (controller_->toolRidesOnTissue() && (holds || state.phase == ExercisePhase::kReleased)) {
+    pose.position_m =
+        scene.model.toDeformed_m(pose.position_m, {state.response.graspArc_m, state.response.angle_rad});
+  }
+  view_->setTool(pose, state.grip);
+}
+
+void MainWindow::measureRate() {
+  const double span_s = static_cast<double>(sinceRate_.elapsed()) * 1e-3;
+  if (span_s < kRateOver_s) return;
+  framesPerSecond_ = static_cast<double>(view_->framesDrawn() - framesAtRate_) / span_s;
+  framesAtRate_ = view_->framesDrawn();
+  sinceRate_.restart();
+}
+
+void MainWindow::showHint(const LiveState& state) {
+  const SimulationController::Mode mode = controller_->mode();
+  QString text;
+  if (noticeLeft_s_ > 0.0) {
+    text = notice_;
+  } else if (mode == SimulationController::Mode::kReplay) {
+    text = tr("Replay of a recorded trial");
+  } else if (mode != SimulationController::Mode::kEmpty && !controller_->hapticModel().isEmpty()) {
+    text = hapticHint(state);
+  } else if (mode != SimulationController::Mode::kEmpty) {
+    switch (state.phase) {
+      case ExercisePhase::kTracking: {
+        const std::optional<SurfacePoint> near = controller_->nearby(state);
+        text = near && near->distance_m < kNear_m
+                   ? tr("%1 mm to the surface. Wheel: nearer")
+                         .arg(std::max(0.0, near->distance_m) * 1000.0, 0, 'f', 0)
+                   : tr("Bring the jaw to the marked band. Wheel: depth, right drag: look round");
+        break;
+      }
+      case ExercisePhase::kContact:
+        text = tr("Touching. Hold the left button or Space to grip");
+        break;
+      case ExercisePhase::kTwisting:
+        text = tr("Holding. Drag, or press Q and E, to twist; let go to release");
+        break;
+      case ExercisePhase::kReleased:
+        text = tr("The tissue returns to rest");
+        break;
+    }
+  }
+  if (hint_->text() != text) hint_->setText(text);
+  if (mode == SimulationController::Mode::kRecording) {
+    recordingTime_->setText(tr("\u25cf Recording  %1 s").arg(controller_->recorded_s(), 0, 'f', 0));
+  }
+}
+
+void MainWindow::showScene() {
+  const Scene& scene = *controller_->scene();
+  view_->setScene(controller_->viewScene());
+  showGhost();
+  actions_.markers->setEnabled(!controller_->viewScene().markers.empty());
+  exercise_->showScene(scene, controller_->target_rad(), controller_->request().organFile.has_value());
+  readout_->setLimits({.tolerance_rad = scene.pattern.tolerance_rad,
+                       .force_N = scene.pattern.forceLimit_N,
+                       .torque_Nm = scene.pattern.torqueLimit_Nm});
+  showTitle();
+  pointer_->park(controller_->parkingPoint_m());
+  view_->setFocus();
+}
+
+void MainWindow::showGhost() {
+  const Scene* scene = controller_->scene();
+  if (scene == nullptr || !actions_.ghost->isChecked()) {
+    view_->setGhost(std::nullopt);
+    return;
+  }
+  const double grasp_m = std::clamp(scene->pattern.graspArc, 0.0, 1.0) * scene->lattice().length_m();
+  view_->setGhost(TwistState{grasp_m, controller_->target_rad()});
+}
+
+void MainWindow::showTitle() {
+  const Scene& scene = *controller_->scene();
+  const QString title = assetName(QString::fromStdString(scene.title));
+  setWindowTitle(tr("%1 \u2013 Torsio").arg(title));
+  source_->setText(title);
+  source_->setToolTip(QString::fromStdString(scene.provenance));
+}
+
+void MainWindow::showMode() {
+  using Mode = SimulationController::Mode;
+  const Mode mode = controller_->mode();
+  const bool recording = mode == Mode::kRecording;
+  const bool practice = mode == Mode::kPractice;
+  actions_.record->setText(recording ? tr("Stop") : tr("Record"));
+  actions_.record->setEnabled(recording || practice);
+  actions_.record->setVisible(setup_.recording.open != nullptr);
+  actions_.replay->setVisible(setup_.recording.open != nullptr);
+  actions_.replay->setEnabled(!recording && setup_.recording.list != nullptr);
+  actions_.release->setEnabled(recording || practice);
+  actions_.restart->setEnabled(practice);
+  actions_.open->setEnabled(!recording);
+  recordingTime_->setVisible(recording);
+  replayBar_->setVisible(mode == Mode::kReplay);
+  exercise_->setChangeable(practice && !controller_->loading());
+  applyIcons();
+}
+
+void MainWindow::look(ViewPreset preset) {
+  view_->camera().look(preset);
+  view_->applyCamera();
+}
+
+void MainWindow::lookWhole() {
+  view_->frameOrgan();
+}
+
+void MainWindow::chooseOrganFile() {
+  const QString file = askFileToOpen(
+      this, tr("Open organ"), tr("Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)"));
+  if (file.isEmpty()) return;
+  const QStringList units{tr("millimetres"), tr("centimetres"), tr("metres")};
+  const double scales_m[] = {0.001, 0.01, 1.0};
+  bool chosen = false;
+  const QString unit =
+      QInputDialog::getItem(this, tr("Open organ"), tr("The file's numbers are"), units, 0, false, &chosen);
+  if (!chosen) return;
+  SceneRequest request = controller_->request();
+  request.organFile = std::filesystem::path(file.toStdString());
+  request.organScale_m = scales_m[units.indexOf(unit)];
+  controller_->load(request);
+}
+
+void MainWindow::chooseReplay() {
+  try {
+    const std::vector<RecordedTrial> trials = setup_.recording.list();
+    if (trials.empty()) {
+      Q_EMIT controller_->noticed(tr("Nothing has been recorded yet."));
+      return;
+    }
+    QStringList lines;
+    for (const RecordedTrial& trial : trials) {
+      lines << tr("%1   %2, %3   %4 s")
+                   .arg(localTime(trial.startedUtc_us), ExercisePanel::readable(trial.sceneId),
+                        ExercisePanel::readable(trial.patternId),
+                        QLocale().toString(trial.duration_s, 'f', 1));
+    }
+    bool chosen = false;
+    const QString line =
+        QInputDialog::getItem(this, tr("Replay"), tr("Recorded trial"), lines, 0, false, &chosen);
+    if (!chosen) return;
+    controller_->openReplay(setup_.recording.load(trials[static_cast<std::size_t>(lines.indexOf(line))].id));
+  } catch (const Error& error) {
+    const SpokenError said = spoken(error);
+    showProblem(said.happened, said.remedy, said.details);
+  }
+}
+
+void MainWindow::toggleRecording() {
+  if (controller_->mode() == SimulationController::Mode::kRecording) {
+    controller_->stopRecording();
+  } else {
+    pointer_->park(controller_->parkingPoint_m());
+    controller_->startRecording();
+  }
+}
+
+void MainWindow::showProblem(const QString& happened, const QString& remedy, const QString& details) {
+  QMessageBox box(QMessageBox::Warning, tr("Torsio"), happened, QMessageBox::Ok, this);
+  box.setInformativeText(remedy);
+  box.setDetailedText(details);
+  box.exec();
+}
+
+std::vector<std::pair<QString, QString>> MainWindow::pointerKeys() {
+  return {
+      {tr("Move the instrument"), tr("Mouse, or arrow keys")},
+      {tr("Depth"), tr("Wheel, or Page Up and Page Down")},
+      {tr("Grip"), tr("Left button or Space (hold), G (keep)")},
+      {tr("Twist what is held"), tr("Drag, Shift + wheel, or Q and E")},
+      {tr("Tilt the instrument"), tr("A, D, W, S")},
+      {tr("Let go"), tr("Release the button, or Esc")},
+      {tr("Bookmark"), tr("B")},
+      {tr("Look round"), tr("Right drag, or Ctrl + arrow keys")},
+      {tr("Move the view"), tr("Middle drag")},
+      {tr("Zoom"), tr("Ctrl + wheel, or + and \u2212")},
+  };
+}
+
+void MainWindow::chooseKeys() {
+  if (askPointerKeys(this)) pointer_->setKeys(PointerKeys::stored());
+}
+
+void MainWindow::showHelp() {
+  QString text = QStringLiteral("<table cellspacing='6'>");
+  for (const auto& [what, how] : pointerKeys()) {
+    text +=
+        QStringLiteral("<tr><td style='padding-right:24px'><b>%1</b></td><td>%2</td></tr>").arg(what, how);
+  }
+  text += QStringLiteral("</table>");
+  QMessageBox box(QMessageBox::NoIcon, tr("Controls"), text, QMessageBox::Close, this);
+  box.setTextFormat(Qt::RichText);
+  box.exec();
+}
+
+void MainWindow::showAbout() {
+  QMessageBox::about(this, tr("About Torsio"),
+                     tr("<h3>Torsio %1</h3><p>Training and assessment of surgical twist skills.</p>"
+                        "<p>A training tool; not a medical device.</p>"
+                        "<p>Free software under the GNU General Public License, version 3 or later.</p>")
+                         .arg(QString::fromStdString(softwareVersion())));
+}
+
+void MainWindow::restoreChoices() {
+  const QSettings settings;
+  restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+  actions_.lattice->setChecked(settings.value(QStringLiteral("view/lattice"), false).toBool());
+}
+
+void MainWindow::saveChoices() const {
+  QSettings settings;
+  settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+  settings.setValue(QStringLiteral("view/lattice"), actions_.lattice->isChecked());
+  settings.setValue(QStringLiteral("view/dark"), themeKind_ == ThemeKind::kDark);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  frameTimer_.stop();
+  controller_->shutDown();
+  if (setup_.remember) saveChoices();
+  event->accept();
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QMainWindow>
+#include <QTimer>
+
+#include "app/gui/simulator/film_strip.h"
+#include "app/gui/simulator/simulation_controller.h"
+#include "app/gui/widgets/theme.h"
+
+class QAction;
+class QLabel;
+class QMenu;
+class QToolButton;
+
+namespace torsio::gui {
+
+class ExercisePanel;
+class PointerControls;
+class ReadoutPanel;
+class ReplayBar;
+
+/// What the window needs from outside.
+struct WindowSetup {
+  std::filesystem::path assets;
+  SceneLoader loader = loadSceneForView;
+  TrialRecording recording;
+  ThemeKind theme = ThemeKind::kLight;
+  bool embedded = false;    ///< a part of another window: no menu bar, no program-wide commands
+  HapticOpener openHaptic;  ///< empty: mouse and keyboard
+  bool remember = true;     ///< read and write geometry and choices (off for pictures and tests)
+};
+
+/// The window: scene in the middle, exercise and readouts beside it. It only passes on: simulation is the
+/// controller's, drawing the scene view's, steering the pointer controls'.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(const WindowSetup& setup);
+  ~MainWindow() override;
+
+  [[nodiscard]] SimulationController& controller() noexcept { return *controller_; }
+  [[nodiscard]] SceneView& view() noexcept { return *view_; }
+  [[nodiscard]] const std::filesystem::path& assets() const noexcept { return setup_.assets; }
+  void setThemeKind(ThemeKind kind);
+  /// The same without the application's palette and style sheet, which another window has set already.
+  void applyColours(ThemeKind kind);
+  /// All texts anew, in the present language.
+  void retranslate();
+  /// While nobody looks: no frames, and the exercise stands still.
+  void pause();
+  void resume();
+  [[nodiscard]] ThemeKind themeKind() const noexcept { return themeKind_; }
+  /// How mouse and keys move the instrument and the camera: what and how.
+  [[nodiscard]] static std::vector<std::pair<QString, QString>> pointerKeys();
+  /// One round of the frame timer; tests call it themselves.
+  void frame(double elapsed_s);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  struct Actions {
+    QAction* open = nullptr;
+    QAction* picture = nullptr;
+    QAction* strip = nullptr;
+    QAction* record = nullptr;
+    QAction* replay = nullptr;
+    QAction* release = nullptr;
+    QAction* restart = nullptr;
+    QAction* front = nullptr;
+    QAction* side = nullptr;
+    QAction* top = nullptr;
+    QAction* whole = nullptr;
+    QAction* lattice = nullptr;
+    QAction* wireframe = nullptr;
+    QAction* shear = nullptr;
+    QAction* markers = nullptr;
+    QAction* ghost = nullptr;
+    QAction* dark = nullptr;
+    QAction* keys = nullptr;
+    QAction* help = nullptr;
+    QAction* automatic = nullptr;
+    QAction* fast = nullptr;
+    QAction* fine = nullptr;
+    QAction* quit = nullptr;
+    QAction* full = nullptr;
+    QAction* about = nullptr;
+  };
+
+  // main_window_actions.cpp
+  void createActions();
+  void createMenus();
+  void createMenuBar();
+  void createToolBar();
+  void nameActions();
+  void name(QAction* action, const QString& text, const QString& tip);
+  void applyIcons();
+  QAction* addKeyed(const QKeySequence& keys);
+
+  void createLayout();
+  void connectController();
+  void look(ViewPreset preset);
+  void lookWhole();
+  void chooseOrganFile();
+  void choosePicture();
+  void chooseFilmStrip();
+  [[nodiscard]] std::vector<StripFrame> replayFrames();
+  void savePicture(const QImage& picture, const QString& file);
+  void chooseReplay();
+  void toggleRecording();
+  void chooseKeys();
+  void showHelp();
+  void showAbout();
+  void showScene();
+  void showGhost();
+  void showTitle();
+  void showMode();
+  void showProblem(const QString& happened, const QString& remedy, const QString& details);
+  void showHint(const LiveState& state);
+  [[nodiscard]] QString hapticHint(const LiveState& state) const;
+  void showDevice();
+  void showTool(const LiveState& state);
+  void measureRate();
+  void restoreChoices();
+  void saveChoices() const;
+
+  WindowSetup setup_;
+  ThemeKind themeKind_;
+  struct Menus {
+    QMenu* file = nullptr;
+    QMenu* exercise = nullptr;
+    QMenu* view = nullptr;
+    QMenu* quality = nullptr;
+    QMenu* help = nullptr;
+    QToolButton* more = nullptr;
+  };
+
+  Actions actions_;
+  Menus menus_;
+  std::unique_ptr<SimulationController> controller_;
+  SceneView* view_ = nullptr;
+  PointerControls* pointer_ = nullptr;
+  ExercisePanel* exercise_ = nullptr;
+  ReadoutPanel* readout_ = nullptr;
+  ReplayBar* replayBar_ = nullptr;
+  QLabel* hint_ = nullptr;
+  QLabel* recordingTime_ = nullptr;
+  QLabel* source_ = nullptr;
+  QLabel* device_ = nullptr;
+  QString notice_;
+  double noticeLeft_s_ = 0.0;
+  QTimer frameTimer_;
+  QElapsedTimer sinceFrame_;
+  QElapsedTimer sinceRate_;
+  std::int64_t framesAtRate_ = 0;
+  double framesPerSecond_ = 0.0;
+  double readoutDue_s_ = 0.0;
+};
+
+}  // namespace torsio::gui

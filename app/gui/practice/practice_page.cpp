@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/practice/practice_page.h"
+
+#include <cstdint>
+
+#include <QCoreApplication>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/simulator/scripted_twist.h"
+#include "app/gui/trainee/station_desk.h"
+#include "app/recording/trial_store.h"
+#include "sim/base/tick_period.h"
+
+namespace torsio::gui {
+
+namespace {
+
+/// For a picture: the organ half-way through the exercise, whatever the machine's speed.
+void holdAtTarget(MainWindow& simulator) {
+  while (simulator.controller().loading()) QCoreApplication::processEvents();
+  SceneRequest request = simulator.controller().request();
+  request.assets = simulator.assets();
+  if (request.id.empty()) request.id = "stomach";
+  simulator.controller().adopt(request, loadSceneForView(request));
+  const Scene& scene = *simulator.controller().scene();
+  LiveState held = scriptedTwist(scene, scene.pattern.targetAngle_rad);
+  held.targetAngle_rad = simulator.controller().target_rad();
+  simulator.controller().freeze(held);
+}
+
+}  // namespace
+
+PracticePage::PracticePage(ShellContext& context, QWidget* parent)
+    : Page(context, parent), own_(std::make_shared<std::set<std::string>>()) {
+  WindowSetup setup;
+  setup.assets = shell().assets();
+  setup.theme = shell().themeKind();
+  setup.remember = false;
+  setup.embedded = true;
+  if (!shell().workplace().actor().practiceOnly) setup.recording = recording();
+  if (const StationDesk::DeviceOpener open = StationDesk::of(shell()).openDevice) {
+    setup.openHaptic = [open](const Scene& scene) { return open(scene, scene.pattern.targetAngle_rad); };
+  }
+  simulator_ = new MainWindow(setup);
+  simulator_->setParent(this, Qt::Widget);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(simulator_);
+}
+
+PracticePage::~PracticePage() = default;
+
+TrialRecording PracticePage::recording() {
+  store_ = std::make_shared<TrialStore>(shell().workplace().key().locator);
+  TrialRecording recording;
+  recording.open = [store = store_, own = own_](const RecordingSpec& spec) {
+    own->insert(spec.trialId);
+    return store->newSink();
+  };
+  recording.list = [store = store_, own = own_] {
+    std::vector<RecordedTrial> trials;
+    for (const TrialListing& trial : store->list()) {
+      if (!trial.summary || !own->contains(trial.trialId)) continue;
+      trials.push_back({trial.trialId, trial.sceneId, trial.patternId, trial.startedUtc_us,
+                        spanOf_s(trial.summary->samples)});
+    }
+    return trials;
+  };
+  recording.load = [store = store_](const std::string& id) { return store->load(id); };
+  recording.place = store_->location();
+  return recording;
+}
+
+void PracticePage::enter(const QVariant& argument) {
+  simulator_->resume();
+  if (simulator_->controller().scene() != nullptr && argument.isNull()) return;
+  SceneRequest request;
+  request.assets = shell().assets();
+  request.id = argument.isNull() ? "stomach" : argument.toString().toStdString();
+  simulator_->controller().load(request);
+}
+
+bool PracticePage::leave() {
+  if (simulator_->controller().mode() == SimulationController::Mode::kRecording) {
+    shell().notify(tr("A recording is going on. Stop it first"));
+    return false;
+  }
+  simulator_->pause();
+  return true;
+}
+
+std::vector<std::pair<QString, QString>> PracticePage::keys() const {
+  return MainWindow::pointerKeys();
+}
+
+void PracticePage::retranslate() {
+  simulator_->retranslate();
+}
+
+void PracticePage::applyTheme(const Theme& theme) {
+  simulator_->applyColours(theme.kind);
+}
+
+std::vector<ScreenEntry> practiceScreens() {
+  return {{.name = QStringLiteral("practice"),
+           .role = QStringLiteral("trainee"),
+           .pageId = QStringLiteral("practice"),
+           .argument = [](Workplace&) { return QVariant(); },
+           .prepare = [](Page& page) { holdAtTarget(static_cast<PracticePage&>(page).simulator()); }}};
+}
+
+PageEntry practicePage() {
+  return {.id = QStringLiteral("practice"),
+          .icon = QStringLiteral("practice"),
+          .title = [] { return QCoreApplication::translate("PracticePage", "Free practice"); },
+          .needs = {Operation::kPractice},
+          .make = [](ShellContext& context) -> Page* { return new PracticePage(context); },
+          .needsDatabase = false};
+}
+
+}  // namespace torsio::gui

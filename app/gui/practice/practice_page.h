@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/gui/base/page.h"
+#include "app/gui/practice/main_window.h"
+
+namespace torsio {
+class TrialStore;
+}
+
+namespace torsio::gui {
+
+/// Free practice on any organ: the simulator without a curriculum round it. Nobody's trial and never scored.
+/// Whoever signed in with a password may record a try and look at it again until the sign-out; with a PIN or
+/// as a guest nothing is recorded.
+class PracticePage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit PracticePage(ShellContext& shell, QWidget* parent = nullptr);
+  ~PracticePage() override;
+
+  void enter(const QVariant& argument) override;
+  [[nodiscard]] bool leave() override;
+  [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
+  void retranslate() override;
+  void applyTheme(const Theme& theme) override;
+  [[nodiscard]] MainWindow& simulator() noexcept { return *simulator_; }
+
+ private:
+  [[nodiscard]] TrialRecording recording();
+
+  std::shared_ptr<TrialStore> store_;
+  std::shared_ptr<std::set<std::string>> own_;  // ids of the trials of this sign-in
+  MainWindow* simulator_ = nullptr;
+};
+
+/// "practice", for everybody who may practise.
+[[nodiscard]] PageEntry practicePage();
+[[nodiscard]] std::vector<ScreenEntry> practiceScreens();
+
+}  // namespace torsio::gui

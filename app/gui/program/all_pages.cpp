@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/program/all_pages.h"
+
+#include <QCoreApplication>
+
+#include "app/gui/administrator/office_pages.h"
+#include "app/gui/physician/review_pages.h"
+#include "app/gui/practice/compare_page.h"
+#include "app/gui/practice/practice_page.h"
+#include "app/gui/trainee/station_pages.h"
+
+namespace torsio::gui {
+
+namespace {
+
+QString named(const char* text) {
+  return QCoreApplication::translate("Desk", text);
+}
+
+}  // namespace
+
+std::vector<PageGroup> allPages() {
+  std::vector<PageEntry> training = stationPages();
+  training.push_back(practicePage());
+  training.push_back(comparePage());
+  return {{[] { return named(QT_TRANSLATE_NOOP("Desk", "Training")); }, training},
+          {[] { return named(QT_TRANSLATE_NOOP("Desk", "Review")); }, reviewPages()},
+          {[] { return named(QT_TRANSLATE_NOOP("Desk", "Office")); }, officePages()}};
+}
+
+std::vector<ScreenEntry> allScreens() {
+  std::vector<ScreenEntry> screens = stationScreens();
+  for (const std::vector<ScreenEntry>& more :
+       {practiceScreens(), compareScreens(), reviewScreens(), officeScreens()}) {
+    screens.insert(screens.end(), more.begin(), more.end());
+  }
+  return screens;
+}
+
+}  // namespace torsio::gui

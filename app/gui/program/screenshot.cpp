@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/program/screenshot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QGuiApplication>
+#include <QPixmap>
+#include <QTimer>
+
+#include "app/gui/simulator/film_strip.h"
+#include "app/gui/simulator/scripted_twist.h"
+#include "app/gui/widgets/picture.h"
+#include "app/recording/recorded_run.h"
+#include "sim/base/error.h"
+#include "sim/device/virtual/pointer_device.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kPatience_ms = 120'000;
+constexpr int kSettlingFrames = 3;  // quality and textures are in force after the second
+constexpr double kSwing_rad_per_s = 1.5;
+constexpr int kPulse_ms = 5;
+constexpr double kWarmUp_s = 2.0;
+
+/// Runs the event loop until `done`; throws after too long.
+template <typename Condition>
+void waitUntil(const Condition& done, const char* what) {
+  QElapsedTimer waited;
+  waited.start();
+  while (!done()) {
+    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 50);
+    if (waited.elapsed() > kPatience_ms) {
+      throw Error(ErrorCode::kDevice, Text("gave up waiting for %1", what),
+                  QGuiApplication::platformName().toStdString(), "Try again on a faster display");
+    }
+  }
+}
+
+void requireDisplay() {
+  if (SceneView::platformCanRender()) return;
+  throw Error(ErrorCode::kDevice, "this display cannot draw the scene: it has no OpenGL",
+              Text("platform %1", QGuiApplication::platformName().toStdString()),
+              "Run it on a desktop, or through xvfb-run with QT_QPA_PLATFORM=xcb");
+}
+
+/// The window with the organ as it is asked for, drawn at least once.
+struct Stage {
+  Stage(const WindowSetup& setup, const ScreenshotRequest& request) : window(setup) {
+    LoadedScene loaded = setup.loader(request.scene);
+    window.resize(request.size);
+    window.view().setQuality(request.quality);
+    window.view().setLattice(request.lattice);
+    window.view().setWireframe(request.wireframe);
+    window.view().setShearVisible(request.shear);
+    window.view().setMarkersVisible(request.markers);
+    window.show();
+    window.controller().adopt(request.scene, std::move(loaded));
+    if (request.ghost) {
+      const Scene& scene = *window.controller().scene();
+      const double grasp_m = scene.pattern.graspArc * scene.lattice().length_m();
+      window.view().setGhost(TwistState{grasp_m, window.controller().target_rad()});
+    }
+    window.view().camera().orbit({-request.orbit_deg / OrbitCamera::kDegreesPerPixel, 0.0});
+    window.view().camera().zoom(request.zoom);
+    window.view().applyCamera();
+    waitUntil([this] { return window.view().framesDrawn() > 0; }, "the first frame");
+  }
+  MainWindow window;
+};
+
+void settle(MainWindow& window) {
+  const std::int64_t before = window.view().framesDrawn();
+  waitUntil(
+      [&] {
+        window.view().redraw();
+        return window.view().framesDrawn() >= before + kSettlingFrames;
+      },
+      "the picture");
+}
+
+double angleOf(const ScreenshotRequest& request, MainWindow& window) {
+  return request.angle_rad.value_or(window.controller().scene()->pattern.targetAngle_rad);
+}
+
+}  // namespace
+
+void takeScreenshot(const WindowSetup& setup, const ScreenshotRequest& request) {
+  requireDisplay();
+  Stage stage(setup, request);
+  MainWindow& window = stage.window;
+  if (request.strip) {
+    settle(window);
+    writePicture(filmStrip(stripRows(
+                     captureStrip(window.view(), *window.controller().scene(), angleOf(request, window)))),
+                 request.file);
+    return;
+  }
+  LiveState held = scriptedTwist(*window.controller().scene(), angleOf(request, window));
+  held.targetAngle_rad = window.controller().target_rad();  // the exercise's, whatever the hand was told
+  window.controller().freeze(held);
+  settle(window);
+  writePicture(request.sceneOnly ? window.view().picture() : window.grab().toImage(), request.file);
+}
+
+FrameRate measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& request, double seconds) {
+  requireDisplay();
+  Stage stage(setup, request);
+  MainWindow& window = stage.window;
+  SimulationController& controller = window.controller();
+  LiveState state = scriptedTwist(*controller.scene(), angleOf(request, window));
+  const double widest_rad = state.response.angle_rad;
+  // The window shows scripted states, so that every machine draws the same; the servo works beside it.
+  Pose parked;
+  parked.position_m = controller.parkingPoint_m();
+  RecordedRun servo(controller.sharedScene(), std::make_unique<PointerDevice>(parked), {}, nullptr);
+  servo.start();
+  FrameRate rate;
+  // Ends each wait; with a time limit Qt would spin and take the processor from the renderer.
+  QTimer pulse;
+  pulse.start(kPulse_ms);
+  QElapsedTimer clock;
+  clock.start();
+  std::int64_t firstFrame = 0;
+  LiveState begun;
+  double begun_s = -1.0;
+  while (begun_s < 0.0 || static_cast<double>(clock.elapsed()) * 1e-3 < begun_s + seconds) {
+    const double now_s = static_cast<double>(clock.elapsed()) * 1e-3;
+    const LiveState& live = servo.latest();
+    if (begun_s < 0.0 && now_s > kWarmUp_s) {
+      begun_s = now_s;
+      firstFrame = window.view().framesDrawn();
+      begun = live;
+    }
+    if (begun_s >= 0.0) rate.slowestTick_us = std::max(rate.slowestTick_us, live.tickDuration_us);
+    state.response.angle_rad = widest_rad * std::sin(kSwing_rad_per_s * now_s);
+    controller.freeze(state);
+    QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
+  }
+  const double span_s = static_cast<double>(clock.elapsed()) * 1e-3 - begun_s;
+  rate.frames_per_s = static_cast<double>(window.view().framesDrawn() - firstFrame) / span_s;
+  rate.ticks = servo.latest().tick - begun.tick;
+  rate.lateTicks = servo.latest().lateTicks - begun.lateTicks;
+  return rate;
+}
+
+}  // namespace torsio::gui

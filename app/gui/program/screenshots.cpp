@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/program/screenshots.h"
+
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QElapsedTimer>
+#include <QPixmap>
+#include <QTemporaryDir>
+
+#include "app/access/first_run.h"
+#include "app/base/assets.h"
+#include "app/demonstration/demonstration_accounts.h"
+#include "app/gui/program/all_pages.h"
+#include "app/gui/scene/scene_view.h"
+#include "app/gui/shell/first_run_panel.h"
+#include "app/gui/shell/lock_panel.h"
+#include "app/gui/shell/password_panel.h"
+#include "app/gui/shell/sign_in_panel.h"
+#include "app/gui/widgets/picture.h"
+#include "app/report/typeface.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kSettle_ms = 250;
+constexpr int kPatience_ms = 60'000;
+constexpr std::int64_t kSceneFrames = 3;
+constexpr const char* kCentre = "Skills laboratory";
+constexpr const char* kAdministrator = "administrator";
+
+struct Shot {
+  QString name;
+  QString file;
+};
+
+void settle(QWidget& window) {
+  QElapsedTimer waited;
+  waited.start();
+  const auto scenes = window.findChildren<SceneView*>();
+  std::map<SceneView*, std::int64_t> before;
+  for (SceneView* scene : scenes) before[scene] = scene->framesDrawn();
+  const auto drawn = [&] {
+    for (const auto& [scene, frames] : before) {
+      if (!scene->isVisible() || !SceneView::platformCanRender()) continue;
+      scene->redraw();
+      if (scene->framesDrawn() < frames + kSceneFrames) return false;
+    }
+    return true;
+  };
+  while (waited.elapsed() < kPatience_ms && (waited.elapsed() < kSettle_ms || !drawn())) {
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+  }
+}
+
+/// One run over languages, themes and sizes with whatever screens are asked for.
+class Photographer {
+ public:
+  explicit Photographer(const ScreenshotsRequest& request) : request_(request) {}
+
+  [[nodiscard]] bool wants(const QString& name) const {
+    return request_.only.isEmpty() || name.contains(request_.only);
+  }
+
+  /// `make` builds the screen as the child of a window; called once for each language and theme.
+  void take(const QString& name, const std::function<std::unique_ptr<QWidget>(ThemeKind, Language)>& make) {
+    if (!wants(name)) return;
+    for (const Language language : request_.languages) {
+      language_.choose(language);
+      for (const ThemeKind kind : request_.themes) {
+        applyTheme(*qApp, theme(kind));
+        const std::unique_ptr<QWidget> window = make(kind, language);
+        for (const QSize& size : request_.sizes) photograph(*window, name, language, kind, size);
+      }
+    }
+    if (request_.progress) request_.progress({name.toStdString(), 0.0, -1.0});
+  }
+
+  void photograph(QWidget& window, const QString& name, Language language, ThemeKind kind,
+                  const QSize& size) {
+    window.resize(size);
+    window.show();
+    settle(window);
+    if (request_.look) {
+      request_.look(name, window);
+      return;
+    }
+    const QString file = QStringLiteral("%1-%2-%3-%4x%5.png")
+                             .arg(name, languageCode(language),
+                                  kind == ThemeKind::kDark ? QStringLiteral("dark") : QStringLiteral("light"))
+                             .arg(size.width())
+                             .arg(size.height());
+    writePicture(window.grab().toImage(), request_.out / file.toStdString());
+    shots_.push_back({name, file});
+  }
+
+  [[nodiscard]] const std::vector<Shot>& shots() const { return shots_; }
+
+ private:
+  const ScreenshotsRequest& request_;
+  LanguageSwitch language_;
+  std::vector<Shot> shots_;
+};
+
+/// People of the demonstration who sign in for a picture.
+class Cast {
+ public:
+  Cast(const std::string& locator, const std::filesystem::path& assets, const ProgressCallback& progress)
+      : locator_(locator) {
+    Workplace workplace(key());
+    workplace.setPasswordCost(PasswordCost::kInteractive);
+    FirstRun first;
+    first.centre = kCentre;
+    first.login = kAdministrator;
+    first.password = randomStartPassword();
+    first.demonstration = true;
+    const std::vector<StartAccount> accounts = performFirstRun(
+        workplace, first, [&](Workplace& own) { return addDemonstration(own, assets, progress); });
+    actors_["administrator"] = workplace.actor();
+    for (const StartAccount& account : accounts) {
+      const SignInAnswer answer =
+          changeOwnPassword(workplace, account.login, account.startPassword, randomStartPassword());
+      actors_[account.role] = answer.actor;
+    }
+  }
+
+  [[nodiscard]] std::unique_ptr<Workplace> workplaceOf(const QString& role) const {
+    const auto actor = actors_.find(role.toStdString());
+    if (actor == actors_.end()) {
+      throw Error(ErrorCode::kBadParameter, "nobody of the demonstration has this role", role.toStdString(),
+                  "Use trainee, rater or administrator");
+    }
+    auto workplace = std::make_unique<Workplace>(key());
+    workplace->setActor(actor->second);
+    return workplace;
+  }
+
+ private:
+  [[nodiscard]] WorkplaceKey key() const {
+    WorkplaceKey key;
+    key.locator = locator_;
+    key.station = "Station 1";
+    return key;
+  }
+  std::string locator_;
+  std::map<std::string, Actor> actors_;
+};
+
+/// A panel that fills a window of its own.
+template <typename Panel>
+std::unique_ptr<QWidget> windowOf(std::unique_ptr<Panel> panel) {
+  panel->setAutoFillBackground(true);
+  return panel;
+}
+
+void takePanels(Photographer& photographer) {
+  photographer.take(QStringLiteral("sign-in"), [](ThemeKind, Language) {
+    auto panel = std::make_unique<SignInPanel>();
+    panel->setCentre(QString::fromLatin1(kCentre));
+    return windowOf(std::move(panel));
+  });
+  photographer.take(QStringLiteral("first-run"), [](ThemeKind, Language language) {
+    auto panel = std::make_unique<FirstRunPanel>(QStringLiteral("/var/lib/torsio/torsio.sqlite"));
+    panel->setLanguage(language);
+    return windowOf(std::move(panel));
+  });
+  photographer.take(QStringLiteral("new-password"), [](ThemeKind, Language) {
+    auto panel = std::make_unique<PasswordPanel>();
+    panel->begin(QStringLiteral("demo.trainee"), QStringLiteral("-"), true);
+    return windowOf(std::move(panel));
+  });
+  photographer.take(QStringLiteral("locked"), [](ThemeKind, Language) {
+    auto panel = std::make_unique<LockPanel>();
+    panel->begin(QStringLiteral("demo.trainee"));
+    return windowOf(std::move(panel));
+  });
+}
+
+void takePage(Photographer& photographer, const Cast& cast, const std::filesystem::path& assets,
+              const ScreenEntry& screen) {
+  const std::unique_ptr<Workplace> workplace = cast.workplaceOf(screen.role);
+  photographer.take(screen.name, [&](ThemeKind kind, Language language) -> std::unique_ptr<QWidget> {
+    DeskSetup setup;
+    setup.assets = assets;
+    setup.centre = QString::fromLatin1(kCentre);
+    setup.language = language;
+    setup.theme = kind;
+    setup.groups = allPages();
+    auto desk = std::make_unique<Desk>(*workplace, setup);
+    desk->setAutoFillBackground(true);
+    desk->show();
+    desk->open(screen.pageId, screen.argument ? screen.argument(*workplace) : QVariant());
+    desk->context().waitForJobs();
+    settle(*desk);
+    if (screen.prepare && desk->page() != nullptr) screen.prepare(*desk->page());
+    desk->context().waitForJobs();
+    return desk;
+  });
+}
+
+void writeIndex(const std::filesystem::path& folder, const std::vector<Shot>& shots) {
+  QString html = QStringLiteral(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Torsio: screens</title>\n"
+      "<style>body{font-family:sans-serif;margin:2em}img{max-width:48%;border:1px solid "
+      "#ccc;margin:4px}</style>"
+      "</head><body>\n");
+  QString last;
+  for (const Shot& shot : shots) {
+    if (shot.name != last) html += QStringLiteral("<h2>%1</h2>\n").arg(shot.name.toHtmlEscaped());
+    last = shot.name;
+    html += QStringLiteral("<a href=\"%1\"><img src=\"%1\" alt=\"%1\"></a>\n").arg(shot.file.toHtmlEscaped());
+  }
+  html += QStringLiteral("</body></html>\n");
+  writeFileAtomically(folder / "index.html", html.toStdString());
+}
+
+}  // namespace
+
+int takeAllScreenshots(const ScreenshotsRequest& request) {
+  if (!request.look) ensureFolder(request.out);
+  Photographer photographer(request);
+  takePanels(photographer);
+  std::vector<ScreenEntry> pages;
+  for (const ScreenEntry& screen : allScreens()) {
+    if (photographer.wants(screen.name)) pages.push_back(screen);
+  }
+  const QTemporaryDir folder;
+  if (!pages.empty()) {
+    const Cast cast(folder.filePath(QStringLiteral("torsio.sqlite")).toStdString(), request.assets,
+                    request.progress);
+    for (const ScreenEntry& screen : pages) takePage(photographer, cast, request.assets, screen);
+  }
+  if (!request.look) writeIndex(request.out, photographer.shots());
+  return static_cast<int>(photographer.shots().size());
+}
+
+namespace {
+
+[[noreturn]] void refuse(const QString& value, const char* option, const char* remedy) {
+  throw Error(ErrorCode::kUsage, Text("'%1' is not known", value.toStdString()), option, remedy);
+}
+
+std::vector<QSize> sizesOf(const QString& text) {
+  std::vector<QSize> sizes;
+  for (const QString& part : text.split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+    const QStringList numbers = part.split(QLatin1Char('x'));
+    const QSize size = numbers.size() == 2 ? QSize(numbers[0].toInt(), numbers[1].toInt()) : QSize();
+    if (size.width() < 640 || size.height() < 480 || size.width() > 7680 || size.height() > 4320) {
+      refuse(part, "--size", "Write sizes like 1366x768,1920x1080");
+    }
+    sizes.push_back(size);
+  }
+  return sizes;
+}
+
+ScreenshotsRequest parse(const QStringList& arguments) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QStringLiteral("Pictures of every screen on the demonstration cohort"));
+  parser.addHelpOption();
+  parser.addPositionalArgument(QStringLiteral("screenshots"), QStringLiteral("this command"));
+  parser.addOptions(
+      {{QStringLiteral("out"), QStringLiteral("Folder for the pictures"), QStringLiteral("DIR")},
+       {QStringLiteral("size"), QStringLiteral("Sizes of the window"), QStringLiteral("WxH,..."),
+        QStringLiteral("1366x768,1920x1080")},
+       {QStringLiteral("language"), QStringLiteral("Languages"), QStringLiteral("en,zh_CN"),
+        QStringLiteral("en,zh_CN")},
+       {QStringLiteral("theme"), QStringLiteral("Themes"), QStringLiteral("light,dark"),
+        QStringLiteral("light,dark")},
+       {QStringLiteral("only"), QStringLiteral("A part of the name"), QStringLiteral("NAME")}});
+  parser.process(arguments);
+  ScreenshotsRequest request;
+  if (!parser.isSet(QStringLiteral("out"))) {
+    throw Error(ErrorCode::kUsage, "there is no folder for the pictures", "--out",
+                "Give one, like --out pictures");
+  }
+  request.out = parser.value(QStringLiteral("out")).toStdString();
+  request.assets = assetsFolder();
+  request.sizes = sizesOf(parser.value(QStringLiteral("size")));
+  for (const QString& code : parser.value(QStringLiteral("language")).split(QLatin1Char(','))) {
+    const auto language = languageOf(code);
+    if (!language) refuse(code, "--language", "Use en or zh_CN");
+    request.languages.push_back(*language);
+  }
+  for (const QString& name : parser.value(QStringLiteral("theme")).split(QLatin1Char(','))) {
+    if (name != QLatin1String("light") && name != QLatin1String("dark"))
+      refuse(name, "--theme", "Use light or dark");
+    request.themes.push_back(name == QLatin1String("dark") ? ThemeKind::kDark : ThemeKind::kLight);
+  }
+  request.only = parser.value(QStringLiteral("only"));
+  return request;
+}
+
+}  // namespace
+
+int runScreenshots(int argc, char** argv) {
+  if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
+      qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  }
+  SceneView::prepareGraphics();
+  QApplication application(argc, argv);
+  useTypeface(application);
+  ScreenshotsRequest request = parse(QApplication::arguments());
+  request.progress = [](const Progress& progress) {
+    std::fprintf(stderr, "torsio: %s\n", progress.step.str().c_str());
+  };
+  const int written = takeAllScreenshots(request);
+  std::printf("%d pictures in %s\n", written, request.out.string().c_str());
+  return 0;
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/simulator/exercise_panel.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "app/gui/base/asset_names.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+constexpr int kEnglishRole = Qt::UserRole + 1;
+constexpr double kLargestTarget_deg = 360.0;
+
+QLabel* addField(QGridLayout* grid, QWidget* field) {
+  const int row = grid->rowCount();
+  auto* label = new QLabel;
+  label->setProperty("quiet", true);
+  label->setBuddy(field);
+  field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  grid->addWidget(label, row, 0);
+  grid->addWidget(field, row, 1);
+  return label;
+}
+
+void name(QLabel* label, const QString& text) {
+  label->setText(text);
+  // Chinese mnemonics stand in brackets at the end: they are no part of the name.
+  static const QRegularExpression kMnemonic(QStringLiteral("\\(&.\\)|&"));
+  QString plain = text;
+  label->buddy()->setAccessibleName(plain.remove(kMnemonic));
+}
+
+void rename(QComboBox* box, int index, const QString& text) {
+  if (index >= 0) box->setItemText(index, text);
+}
+
+QComboBox* makeBox() {
+  auto* box = new QComboBox;
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(12);
+  return box;
+}
+
+}  // namespace
+
+ExercisePanel::ExercisePanel(QWidget* parent)
+    : QWidget(parent),
+      card_(new Card(QString(), this)),
+      organ_(makeBox()),
+      pattern_(makeBox()),
+      formulation_(makeBox()),
+      target_(new QDoubleSpinBox) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* grid = new QGridLayout;
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(2 * kSpace);
+  grid->setVerticalSpacing(kSpace - 2);
+  grid->setColumnStretch(1, 1);
+  organLabel_ = addField(grid, organ_);
+  patternLabel_ = addField(grid, pattern_);
+  formulationLabel_ = addField(grid, formulation_);
+  formulation_->addItem(QString(), static_cast<int>(Formulation::kSaintVenant));
+  formulation_->addItem(QString(), static_cast<int>(Formulation::kPaper));
+  targetLabel_ = addField(grid, target_);
+  target_->setRange(-kLargestTarget_deg, kLargestTarget_deg);
+  target_->setDecimals(0);
+  target_->setSingleStep(5.0);
+  target_->setSuffix(QString(QChar(0x00B0)));
+  target_->setKeyboardTracking(false);
+  target_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  card_->content()->addLayout(grid);
+  column->addWidget(card_);
+  retranslate();
+
+  connect(organ_, &QComboBox::activated, this, [this](int index) {
+    const QString id = organ_->itemData(index).toString();
+    if (!id.isEmpty()) Q_EMIT organChosen(id);  // empty: the user's own, shown already
+  });
+  connect(pattern_, &QComboBox::activated, this,
+          [this](int index) { Q_EMIT patternChosen(pattern_->itemData(index).toString()); });
+  connect(formulation_, &QComboBox::activated, this, [this](int index) {
+    Q_EMIT formulationChosen(static_cast<Formulation>(formulation_->itemData(index).toInt()));
+  });
+  connect(target_, &QDoubleSpinBox::valueChanged, this,
+          [this](double degrees) { Q_EMIT targetChosen(degrees * kRadPerDeg); });
+}
+
+void ExercisePanel::retranslate() {
+  card_->setTitle(tr("Exercise"));
+  name(organLabel_, tr("&Organ"));
+  name(patternLabel_, tr("&Pattern"));
+  name(formulationLabel_, tr("&Model"));
+  name(targetLabel_, tr("&Target"));
+  const auto index = [this](Formulation f) { return formulation_->findData(static_cast<int>(f)); };
+  rename(formulation_, index(Formulation::kSaintVenant), tr("Saint-Venant"));
+  rename(formulation_, index(Formulation::kPaper), tr("As in the paper"));
+  formulation_->setToolTip(tr("Which reading of the equations turns the organ"));
+  for (int i = 0; i < organ_->count(); ++i) {
+    const QString id = organ_->itemData(i).toString();
+    if (!id.isEmpty()) rename(organ_, i, assetName(readable(id.toStdString())));
+  }
+  for (int i = 0; i < pattern_->count(); ++i) {
+    rename(pattern_, i, assetName(pattern_->itemData(i, kEnglishRole).toString()));
+  }
+}
+
+QString ExercisePanel::readable(const std::string& id) {
+  QString text = QString::fromStdString(id).replace(QLatin1Char('_'), QLatin1Char(' '));
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
+void ExercisePanel::setOrgans(const std::vector<std::string>& ids) {
+  const QSignalBlocker quiet(organ_);
+  organ_->clear();
+  for (const std::string& id : ids) organ_->addItem(assetName(readable(id)), QString::fromStdString(id));
+}
+
+void ExercisePanel::showScene(const Scene& scene, double target_rad, bool ownOrgan) {
+  const QSignalBlocker quietOrgan(organ_);
+  const QSignalBlocker quietPattern(pattern_);
+  const QSignalBlocker quietFormulation(formulation_);
+  const QSignalBlocker quietTarget(target_);
+  const int old = organ_->findData(QString());
+  if (old >= 0) organ_->removeItem(old);
+  if (ownOrgan) organ_->addItem(QString::fromStdString(scene.title), QString());
+  organ_->setCurrentIndex(organ_->findData(ownOrgan ? QString() : QString::fromStdString(scene.id)));
+  pattern_->clear();
+  for (const TwistPattern& pattern : scene.patterns) {
+    const QString title =
+        pattern.title.empty() ? readable(pattern.id) : QString::fromStdString(pattern.title);
+    pattern_->addItem(assetName(title), QString::fromStdString(pattern.id));
+    pattern_->setItemData(pattern_->count() - 1, title, kEnglishRole);
+  }
+  pattern_->setCurrentIndex(pattern_->findData(QString::fromStdString(scene.pattern.id)));
+  pattern_->setToolTip(QString::fromStdString(scene.pattern.source));
+  formulation_->setCurrentIndex(formulation_->findData(static_cast<int>(scene.model.options().formulation)));
+  target_->setValue(std::round(target_rad / kRadPerDeg));
+}
+
+void ExercisePanel::setChangeable(bool changeable) {
+  for (QWidget* field : {static_cast<QWidget*>(organ_), static_cast<QWidget*>(pattern_),
+                         static_cast<QWidget*>(formulation_), static_cast<QWidget*>(target_)}) {
+    field->setEnabled(changeable);
+  }
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/simulator/simulation_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QUuid>
+
+#include "app/gui/base/spoken.h"
+#include "sim/base/clock.h"
+#include "sim/base/contracts.h"
+#include "sim/base/error.h"
+#include "sim/base/tick_period.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr double kParkingWay_m = 0.020;
+constexpr double kParkingStep_m = 0.002;
+constexpr double kFarthestParking_m = 0.300;
+constexpr double kInsideEnd = 0.04;  // a section at the very end is too small to be pointed at
+const Vec3 kTowardsViewer{0.0, -1.0, 0.0};
+
+/// The recorded scene is found among the two formulations; its parameters tell which.
+LoadedScene loadRecorded(const SceneLoader& loader, SceneRequest request, const TrialHeader& header) {
+  for (const Formulation formulation : {Formulation::kSaintVenant, Formulation::kPaper}) {
+    request.formulation = formulation;
+    LoadedScene loaded = loader(request);
+    if (loaded.scene->organHash == header.organHash && loaded.scene->parameterHash == header.parameterHash) {
+      return loaded;
+    }
+  }
+  throw Error(ErrorCode::kVerifyFailed, "the organ or its parameters are not those of the recording",
+              Text("trial %1", header.trialId),
+              Text("Open the organ file of the recording first, or use the version that recorded it: %1",
+                   header.softwareVersion));
+}
+
+}  // namespace
+
+LoadedScene loadSceneForView(const SceneRequest& request) {
+  LoadedScene loaded;
+  loaded.scene = std::make_shared<const Scene>(loadScene(request));
+  // A user's organ is not what the scene it borrows was drawn for.
+  const std::string tissue = request.organFile ? request.organFile->stem().string() : std::string();
+  loaded.view = makeViewScene(loaded.scene, tissue);
+  if (!request.organFile) loaded.view.markers = organMarkers(*loaded.scene, request.assets);
+  return loaded;
+}
+
+SimulationController::SimulationController(SceneLoader loader, TrialRecording recording, QObject* parent)
+    : QObject(parent), loader_(std::move(loader)), recording_(std::move(recording)) {
+  workers_.setMaxThreadCount(1);
+}
+
+SimulationController::~SimulationController() {
+  workers_.clear();
+  workers_.waitForDone();
+}
+
+void SimulationController::report(const std::exception_ptr& thrown) {
+  tell(problemOf(thrown, {[] { return tr("Something unexpected went wrong"); },
+                          [] { return tr("Please report this."); }}));
+}
+
+void SimulationController::tell(const Problem& problem) {
+  Q_EMIT problemMet(problem);
+  const SpokenError said = problem();
+  Q_EMIT failed(said.happened, said.remedy, said.details);
+}
+
+void SimulationController::tellSpilled(const RecordingResult& result) {
+  tell([details = QString::fromStdString(result.spillFile->string() + "\n" + result.problem)] {
+    return SpokenError{tr("The recording could not go to its usual place and was kept as a file"),
+                       tr("Free some space or check the database, then import the file."), details};
+  });
+}
+
+void SimulationController::load(const SceneRequest& request) {
+  if (mode() == Mode::kRecording) {
+    Q_EMIT noticed(tr("Stop the recording before choosing another exercise."));
+    return;
+  }
+  loadFor(request, nullptr);
+}
+
+void SimulationController::loadFor(const SceneRequest& request, std::shared_ptr<const Trial> trial) {
+  const bool wasLoading = loading();
+  const std::uint64_t ticket = ++wanted_;
+  if (!wasLoading) Q_EMIT loadingChanged(true);
+  workers_.clear();  // what has not begun yet is overtaken
+  workers_.start([this, ticket, request, trial, loader = loader_] {
+    auto loaded = std::make_shared<LoadedScene>();
+    std::exception_ptr problem;
+    try {
+      *loaded = trial ? loadRecorded(loader, request, trial->header) : loader(request);
+    } catch (...) {
+      problem = std::current_exception();
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, ticket, request, trial, loaded, problem] {
+          if (ticket != wanted_) return;
+          delivered_ = ticket;
+          Q_EMIT loadingChanged(false);
+          try {
+            if (problem) std::rethrow_exception(problem);
+            std::optional<TrialPlayback> playback;
+            if (trial) playback.emplace(*trial);
+            replace(request, std::move(*loaded), std::move(playback));
+          } catch (...) {
+            report(std::current_exception());
+          }
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void SimulationController::adopt(const SceneRequest& request, LoadedScene loaded) {
+  TORSIO_EXPECTS(mode() != Mode::kRecording);
+  replace(request, std::move(loaded), std::nullopt);
+}
+
+void SimulationController::freeze(const LiveState& state) {
+  enter(stage::Still{state});
+}
+
+void SimulationController::replace(const SceneRequest& request, LoadedScene loaded,
+                                   std::optional<TrialPlayback> playback) {
+  retireHaptic(takeHaptic());  // its workspace lies about the old scene
+  request_ = request;
+  request_.formulation = loaded.scene->model.options().formulation;
+  loaded_ = std::move(loaded);
+  if (playback) {
+    target_rad_ = playback->header().targetAngle_rad;
+    playback->setPlaying(true);
+    enter(stage::Replaying{std::move(*playback)});
+  } else {
+    target_rad_ = loaded_.scene->pattern.targetAngle_rad;
+    practise(nullptr);
+  }
+  Q_EMIT sceneChanged();
+  Q_EMIT modeChanged();
+  openHaptic();
+}
+
+void SimulationController::enter(SimulationStage next) {
+  TORSIO_EXPECTS(mayFollow(stage(), kindOf(next)));
+  const Mode before = mode();
+  const QString model = hapticModel();
+  stage_ = std::move(next);  // a run that went on has stopped here
+  if (stage::Running* now = running(); now != nullptr && realTime_) {
+    now->run->start();
+  }
+  if (model != hapticModel()) {
+    Q_EMIT hapticModelChanged();
+  }
+  if (before != mode()) {
+    Q_EMIT modeChanged();
+  }
+}
+
+SimulationController::Mode SimulationController::mode() const noexcept {
+  switch (stage()) {
+    case StageKind::kEmpty:
+      break;
+    case StageKind::kPractising:
+    case StageKind::kStill:
+      return Mode::kPractice;
+    case StageKind::kRecording:
+    case StageKind::kTraining:
+      return Mode::kRecording;
+    case StageKind::kReplaying:
+      return Mode::kReplay;
+  }
+  return Mode::kEmpty;
+}
+
+const stage::Running* SimulationController::running() const noexcept {
+  if (const auto* practising = std::get_if<stage::Practising>(&stage_)) return practising;
+  if (const auto* recording = std::get_if<stage::Recording>(&stage_)) return recording;
+  return std::get_if<stage::Training>(&stage_);
+}
+
+stage::Running* SimulationController::running() noexcept {
+  return const_cast<stage::Running*>(std::as_const(*this).running());
+}
+
+RecordedRun* SimulationController::run() noexcept {
+  return running() != nullptr ? running()->run.get() : nullptr;
+}
+
+TrialPlayback* SimulationController::playback() noexcept {
+  auto* replaying = std::get_if<stage::Replaying>(&stage_);
+  return replaying != nullptr ? &replaying->playback : nullptr;
+}
+
+stage::Running SimulationController::newRun(std::unique_ptr<HapticDevice> device,
+                                            const RecordingSpec& recording,
+                                            std::shared_ptr<TrialSink> sink) const {
+  stage::Running running;
+  if (!device) {
+    Pose parked;
+    parked.position_m = parkingPoint_m();
+    auto pointer = std::make_unique<PointerDevice>(parked);
+    pointer->publish(pointer_);
+    running.pointer = pointer.get();
+    device = std::move(pointer);
+  }
+  running.run = std::make_unique<RecordedRun>(loaded_.scene, std::move(device), recording, std::move(sink));
+  return running;
+}
+
+/// `device` null: with the pointer.
+void SimulationController::practise(std::unique_ptr<HapticDevice> device) {
+  enter(stage::Practising{newRun(std::move(device), {.targetAngle_rad = target_rad_}, nullptr)});
+}
+
+/// Closes the recording that goes on. Empty: it could not be kept (failed() has said so).
+std::optional<RecordingResult> SimulationController::finishRun(TrialOutcome outcome) {
+  try {
+    return running()->run->finish(outcome);
+  } catch (...) {
+    report(std::current_exception());
+    return std::nullopt;
+  }
+}
+
+Vec3 SimulationController::parkingPoint_m() const {
+  TORSIO_EXPECTS(scene() != nullptr);
+  const Scene& shown = *scene();
+  const double share = std::clamp(shown.pattern.graspArc, kInsideEnd, 1.0 - kInsideEnd);
+  const Vec3 centre_m = shown.lattice().frameAt(share * shown.lattice().length_m()).centre_m;
+  for (double way_m = 0.0; way_m < kFarthestParking_m; way_m += kParkingStep_m) {
+    const Vec3 point_m = centre_m + kTowardsViewer * way_m;
+    if (shown.collision.closest(point_m).distance_m >= kParkingWay_m) return point_m;
+  }
+  return centre_m + kTowardsViewer * kFarthestParking_m;
+}
+
+void SimulationController::advance(double elapsed_s) {
+  watchDevice();
+  TrialPlayback* played = playback();
+  if (played == nullptr) return;
+  const bool was = played->playing();
+  played->advance(elapsed_s);
+  if (was != played->playing()) Q_EMIT modeChanged();
+}
+
+LiveState SimulationController::state() {
+  if (const TrialPlayback* played = playback()) return played->state();
+  if (const auto* still = std::get_if<stage::Still>(&stage_)) return still->shown;
+  return run() != nullptr ? run()->latest() : LiveState{};
+}
+
+bool SimulationController::toolRidesOnTissue() const noexcept {
+  if (const auto* replaying = std::get_if<stage::Replaying>(&stage_)) {
+    return replaying->playback.header().drive == TwistDrive::kRoll;
+  }
+  return running() != nullptr && running()->run->header().drive == TwistDrive::kRoll;
+}
+
+std::optional<SurfacePoint> SimulationController::nearby(const LiveState& state) const {
+  const bool atRest = state.phase == ExercisePhase::kTracking || state.phase == ExercisePhase::kContact;
+  if (scene() == nullptr || !atRest) return std::nullopt;
+  SurfacePoint point = scene()->collision.closest(state.tool.position_m);
+  point.distance_m -= scene()->instrument.tipRadius_m;
+  return point;
+}
+
+void SimulationController::steer(const PointerInput& input) {
+  pointer_ = input;
+  if (stage::Running* now = running(); now != nullptr && now->pointer != nullptr) {
+    now->pointer->publish(input);
+  }
+}
+
+void SimulationController::releaseTissue() {
+  if (run() != nullptr && !run()->command({.kind = ServoCommand::Kind::kReleaseTissue})) {
+    Q_EMIT noticed(tr("The simulation is busy; please try again."));
+  }
+}
+
+void SimulationController::setTarget(double target_rad) {
+  if (stage() != StageKind::kPractising) return;
+  if (!run()->command({.kind = ServoCommand::Kind::kSetTarget, .value = target_rad})) {
+    Q_EMIT noticed(tr("The simulation is busy; please try again."));
+    return;
+  }
+  target_rad_ = target_rad;
+}
+
+void SimulationController::startRecording() {
+  if (stage() != StageKind::kPractising || loading()) return;
+  const RecordingSpec recording{
+      .trialId = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString(),
+      .targetAngle_rad = target_rad_,
+      .startedUtc_us = utcNow_us(),
+  };
+  std::unique_ptr<TrialSink> sink;
+  try {
+    sink = recording_.open ? recording_.open(recording) : nullptr;
+  } catch (...) {
+    report(std::current_exception());
+    return;
+  }
+  if (!sink) {
+    Q_EMIT noticed(tr("There is no place to keep a recording."));
+    return;
+  }
+  std::unique_ptr<HapticDevice> device = takeHaptic();
+  try {
+    enter(stage::Recording{newRun(std::move(device), recording, std::move(sink))});
+  } catch (...) {
+    report(std::current_exception());
+    practise(nullptr);
+  }
+}
+
+void SimulationController::stopRecording() {
+  if (stage() != StageKind::kRecording) return;
+  if (const std::optional<RecordingResult> result = finishRun(TrialOutcome::kCompleted)) {
+    if (result->spillFile) {
+      tellSpilled(*result);
+    } else {
+      Q_EMIT noticed(tr("Recorded %1 s to %2")
+                         .arg(spanOf_s(result->summary.samples), 0, 'f', 1)
+                         .arg(QString::fromStdString(recording_.place)));
+    }
+  }
+  practise(takeHaptic());
+}
+
+bool SimulationController::startTraining(const RecordingSpec& recording, std::unique_ptr<TrialSink> sink,
+                                         std::unique_ptr<HapticDevice> device) {
+  if (mode() != Mode::kPractice || loading()) return false;
+  stage::Training training{newRun(std::move(device), recording, std::move(sink))};
+  target_rad_ = training.run->header().targetAngle_rad;
+  enter(std::move(training));
+  return true;
+}
+
+std::optional<RecordingResult> SimulationController::endTraining(TrialOutcome outcome) {
+  if (stage() != StageKind::kTraining) return std::nullopt;
+  std::optional<RecordingResult> result = finishRun(outcome);
+  if (result && result->spillFile) tellSpilled(*result);
+  LiveState still;
+  still.tool.position_m = parkingPoint_m();
+  still.targetAngle_rad = target_rad_;
+  enter(stage::Still{still});
+  return result;
+}
+
+double SimulationController::recorded_s() {
+  return mode() == Mode::kRecording ? spanOf_s(run()->latest().tick) : 0.0;
+}
+
+void SimulationController::openReplay(const Trial& trial) {
+  if (mode() == Mode::kRecording) {
+    Q_EMIT noticed(tr("Stop the recording before replaying another one."));
+    return;
+  }
+  SceneRequest request;
+  request.assets = request_.assets;
+  request.id = trial.header.sceneId;
+  request.pattern = trial.header.patternId;
+  if (scene() != nullptr && scene()->organHash == trial.header.organHash) {
+    request.organFile = request_.organFile;
+    request.organScale_m = request_.organScale_m;
+  }
+  loadFor(request, std::make_shared<const Trial>(trial));
+}
+
+void SimulationController::closeReplay() {
+  if (stage() != StageKind::kReplaying) return;
+  target_rad_ = scene()->pattern.targetAngle_rad;
+  practise(nullptr);
+  Q_EMIT sceneChanged();
+}
+
+void SimulationController::shutDown() {
+  if (stage() == StageKind::kEmpty) return;
+  if (mode() == Mode::kRecording) static_cast<void>(finishRun(TrialOutcome::kInterrupted));
+  enter(stage::Still{state()});
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Of SimulationController: the haptic device, and what happens without it.
+#include <utility>
+
+#include "app/gui/simulator/simulation_controller.h"
+#include "sim/base/error.h"
+
+namespace torsio::gui {
+
+void SimulationController::useHapticDevice(HapticOpener opener) {
+  const bool was = static_cast<bool>(openHaptic_);
+  if (was && !opener) {
+    ++hapticWanted_;
+    if (stage() == StageKind::kPractising) {
+      takeHaptic().reset();  // another page may open it right away
+      practise(nullptr);
+    }
+  }
+  openHaptic_ = std::move(opener);
+  openHaptic();
+}
+
+void SimulationController::openHaptic() {
+  if (!openHaptic_ || scene() == nullptr || mode() == Mode::kReplay || !hapticModel().isEmpty()) return;
+  workers_.start([this, ticket = ++hapticWanted_, open = openHaptic_, scene = loaded_.scene] {
+    // In a box, because a queued call must be copyable.
+    const auto device = std::make_shared<std::unique_ptr<HapticDevice>>();
+    QString problem;
+    try {
+      *device = open(*scene);
+    } catch (const Error& error) {
+      problem = QString::fromStdString(error.happened());
+    } catch (const std::exception& error) {
+      problem = QString::fromUtf8(error.what());
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, ticket, device, problem] {
+          if (ticket == hapticWanted_) tookHaptic(std::move(*device), problem);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void SimulationController::tookHaptic(std::unique_ptr<HapticDevice> device, const QString& problem) {
+  if (!device) {
+    Q_EMIT noticed(problem.isEmpty() ? tr("No haptic device was found. You practise with mouse and keyboard")
+                                     : tr("You practise with mouse and keyboard: %1").arg(problem));
+    return;
+  }
+  const QString model = QString::fromStdString(device->capabilities().model);
+  if (stage() != StageKind::kPractising) {
+    return;  // it is given back, and asked for again with the next scene
+  }
+  practise(std::move(device));
+  Q_EMIT noticed(tr("You practise with %1. The force is felt").arg(model));
+}
+
+/// Stops a run of free practice that goes on with the haptic device, and hands that out: it outlives the
+/// runs, because opening it takes seconds. Null: there is none, or nobody wants it any more.
+std::unique_ptr<HapticDevice> SimulationController::takeHaptic() {
+  stage::Running* now = stage() == StageKind::kTraining ? nullptr : running();
+  if (now == nullptr || !now->usesHaptic()) return nullptr;
+  std::unique_ptr<HapticDevice> device = now->run->releaseDevice();
+  return openHaptic_ ? std::move(device) : nullptr;
+}
+
+/// Closes it in the background: that may take as long as opening it.
+void SimulationController::retireHaptic(std::unique_ptr<HapticDevice> device) {
+  ++hapticWanted_;
+  if (!device) return;
+  workers_.start(
+      [old = std::make_shared<std::unique_ptr<HapticDevice>>(std::move(device))] { old->reset(); });
+}
+
+void SimulationController::watchDevice() {
+  stage::Running* now = running();
+  if (now == nullptr || !now->usesHaptic()) return;
+  if ((now->run->latest().deviceStatus & kDeviceLost) == 0) return;
+  auto* training = std::get_if<stage::Training>(&stage_);
+  if (training == nullptr) {
+    loseHaptic();
+  } else if (!training->lossTold) {
+    training->lossTold = true;
+    Q_EMIT deviceLost();
+  }
+}
+
+/// The servo has set the force to zero already: a lost device gets none.
+void SimulationController::loseHaptic() {
+  const bool recorded = stage() == StageKind::kRecording;
+  if (recorded) static_cast<void>(finishRun(TrialOutcome::kInterrupted));
+  retireHaptic(takeHaptic());
+  practise(nullptr);
+  Q_EMIT noticed(recorded ? tr("The haptic device was lost. The recording until then is kept; you go on with "
+                               "the mouse")
+                          : tr("The haptic device was lost. Its force is off; you go on with the mouse"));
+}
+
+QString SimulationController::hapticModel() const {
+  const bool free = stage() == StageKind::kPractising || stage() == StageKind::kRecording;
+  const stage::Running* now = free ? running() : nullptr;
+  if (now == nullptr || !now->usesHaptic()) return {};
+  return QString::fromStdString(now->run->header().deviceModel);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/trainee/ask_card.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/trainee/station_parts.h"
+#include "app/gui/trainee/station_words.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+AskCard::AskCard(ShellContext& shell, QWidget* parent)
+    : Card(QString(), parent),
+      shell_(shell),
+      whomLabel_(new QLabel(this)),
+      whom_(new QComboBox(this)),
+      text_(new QLineEdit(this)),
+      ask_(new QPushButton(this)),
+      list_(new QVBoxLayout) {
+  ask_->setObjectName(QStringLiteral("ask"));
+  text_->setObjectName(QStringLiteral("question"));
+  whom_->setObjectName(QStringLiteral("whom"));
+  whomLabel_->setBuddy(whom_);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(kSpace);
+  row->addWidget(whomLabel_);
+  row->addWidget(whom_);
+  row->addWidget(text_, 1);
+  row->addWidget(ask_);
+  content()->addLayout(row);
+  list_->setSpacing(kSpace / 2);
+  content()->addLayout(list_);
+  connect(ask_, &QPushButton::clicked, this, &AskCard::ask);
+  connect(text_, &QLineEdit::returnPressed, this, &AskCard::ask);
+  hide();
+}
+
+void AskCard::setRun(const std::string& trialId) {
+  trialId_ = trialId;
+  desk_ = trialId.empty() ? QuestionDesk{} : questionDesk(shell_.workplace(), trialId);
+  whom_->clear();
+  for (const AskablePhysician& physician : desk_.physicians) {
+    whom_->addItem(QString::fromStdString(physician.name), QString::fromStdString(physician.raterId));
+    if (physician.lastAsked) whom_->setCurrentIndex(whom_->count() - 1);
+  }
+  text_->clear();
+  setVisible(desk_.mayAsk || !desk_.questions.empty());
+  for (QWidget* widget : std::initializer_list<QWidget*>{whomLabel_, whom_, text_, ask_})
+    widget->setVisible(desk_.mayAsk);
+  fill();
+}
+
+void AskCard::setMoment(double at_s) {
+  at_s_ = at_s;
+  ask_->setText(tr("As&k about %1").arg(StationWords::seconds(at_s)));
+}
+
+void AskCard::ask() {
+  if (!desk_.mayAsk) return;
+  try {
+    const double at_s = at_s_;
+    const QString name = whom_->currentText();
+    askPhysician(shell_.workplace(), trialId_, at_s, whom_->currentData().toString().toStdString(),
+                 text_->text().trimmed().toStdString());
+    setRun(trialId_);
+    shell_.notify(tr("Sent to %1: %2").arg(name, StationWords::seconds(at_s)));
+    Q_EMIT asked(at_s);
+  } catch (...) {
+    shell_.report(std::current_exception());
+  }
+}
+
+void AskCard::addQuestion(const OwnQuestion& question) {
+  auto* head = plainLabel(this, "quiet");
+  const QString moment = StationWords::seconds(question.at_s);
+  const QString physician = QString::fromStdString(question.physician);
+  head->setText(question.answered
+                    ? tr("%1  \u00b7  %2 answered on %3")
+                          .arg(moment, physician, StationWords::when(question.answeredUtc_us))
+                    : tr("%1  \u00b7  with %2, waiting for %3")
+                          .arg(moment, physician,
+                               StationWords::waited(shell_.workplace().now_us() - question.askedUtc_us)));
+  list_->addWidget(head);
+  if (!question.text.empty()) {
+    auto* text = plainLabel(this, "quiet");
+    text->setText(tr("You: %1").arg(QString::fromStdString(question.text)));
+    list_->addWidget(text);
+  }
+  if (!question.answered) return;
+  auto* answer = plainLabel(this);
+  answer->setText(QString::fromStdString(question.answer));
+  list_->addWidget(answer);
+}
+
+void AskCard::fill() {
+  emptyLayout(list_);
+  for (const OwnQuestion& question : desk_.questions) addQuestion(question);
+}
+
+void AskCard::retranslate() {
+  setTitle(tr("Ask a physician about this moment"));
+  whomLabel_->setText(tr("&To"));
+  whom_->setAccessibleName(tr("Physician"));
+  text_->setPlaceholderText(tr("What do you want to know? (may stay empty)"));
+  text_->setAccessibleName(tr("Question"));
+  setMoment(at_s_);
+  fill();
+}
+
+}  // namespace torsio::gui

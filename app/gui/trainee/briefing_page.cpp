@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/trainee/briefing_page.h"
+
+#include <numbers>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStringList>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/trainee/live_scene.h"
+#include "app/gui/trainee/station_desk.h"
+#include "app/gui/trainee/station_parts.h"
+#include "app/gui/trainee/station_words.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/form.h"
+#include "app/recording/expert_run.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kPanelWidth = 340;
+constexpr double kDegree = 180.0 / std::numbers::pi;
+
+}  // namespace
+
+BriefingPage::BriefingPage(ShellContext& context, QWidget* parent)
+    : Page(context, parent), scene_(new LiveScene(StationDesk::of(context).loader, context.assets(), this)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  auto* left = new QVBoxLayout;
+  left->setSpacing(0);
+  left->addWidget(scene_, 1);
+  auto* bar = new QHBoxLayout;
+  bar->setContentsMargins(2 * kSpace, kSpace, 2 * kSpace, kSpace);
+  caption_ = plainLabel(this, "quiet");
+  again_ = new QPushButton(this);
+  bar->addWidget(caption_, 1);
+  bar->addWidget(again_);
+  left->addLayout(bar);
+  row->addLayout(left, 1);
+
+  auto* panel = new QWidget(this);
+  panel->setFixedWidth(kPanelWidth);
+  auto* column = new QVBoxLayout(panel);
+  column->setContentsMargins(2 * kSpace, 2 * kSpace, 2 * kSpace, 2 * kSpace);
+  column->setSpacing(kSpace + 4);
+  title_ = plainLabel(panel, "heading");
+  mode_ = plainLabel(panel, "quiet");
+  what_ = new Card(QString(), panel);
+  task_ = plainLabel(what_);
+  goals_ = plainLabel(what_);
+  what_->content()->addWidget(task_);
+  what_->content()->addWidget(goals_);
+  how_ = new Card(QString(), panel);
+  hints_ = plainLabel(how_);
+  how_->content()->addWidget(hints_);
+  start_ = primaryButton(panel);
+  start_->setObjectName(QStringLiteral("start"));
+  back_ = new QPushButton(panel);
+  // What must always be in reach stands below; what is taller than a small screen scrolls.
+  auto* words = new QWidget(panel);
+  auto* reading = new QVBoxLayout(words);
+  reading->setContentsMargins(0, 0, 0, 0);
+  reading->setSpacing(kSpace + 4);
+  for (QWidget* part : std::initializer_list<QWidget*>{title_, mode_, what_, how_}) reading->addWidget(part);
+  reading->addStretch(1);
+  auto* scroll = new QScrollArea(panel);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(words);
+  column->addWidget(scroll, 1);
+  column->addWidget(start_);
+  column->addWidget(back_);
+  row->addWidget(panel);
+
+  connect(start_, &QPushButton::clicked, this, [this] { shell().open(QStringLiteral("station.run")); });
+  connect(back_, &QPushButton::clicked, this, [this] { shell().open(QStringLiteral("station.next")); });
+  connect(again_, &QPushButton::clicked, this, &BriefingPage::showExpert);
+  connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
+    if (!asked_) showExpert();
+  });
+  connect(&scene_->controller(), &SimulationController::failed, this,
+          [this](const QString& happened, const QString&, const QString&) { shell().notify(happened); });
+}
+
+BriefingPage::~BriefingPage() = default;
+
+void BriefingPage::enter(const QVariant& argument) {
+  if (argument == QStringLiteral("later")) return;
+  try {
+    const NextSteps steps = nextSteps(shell().workplace(), shell().workplace().actor().personId);
+    step_ = stepOf(steps, StationDesk::of(shell()).moduleId);
+    asked_ = false;
+    SceneRequest request;
+    request.assets = shell().assets();
+    request.id = step_.module.sceneId;
+    request.pattern = step_.module.patternId;
+    scene_->controller().load(request);
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+  fill();
+  start_->setFocus();
+}
+
+bool BriefingPage::leave() {
+  scene_->controller().shutDown();
+  return true;
+}
+
+void BriefingPage::showExpert() {
+  if (scene_->controller().scene() == nullptr) return;
+  asked_ = true;
+  try {
+    scene_->controller().openReplay(expertRun(*scene_->controller().scene(), step_.module.targetAngle_rad));
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void BriefingPage::retranslate() {
+  fill();
+}
+
+void BriefingPage::applyTheme(const Theme& theme) {
+  scene_->setTheme(theme);
+}
+
+void BriefingPage::fill() {
+  const bool graded = StationDesk::of(shell()).graded;
+  title_->setText(spoken(step_.module.title));
+  mode_->setText(graded ? tr("Graded run: it counts as an attempt.") : tr("Practice: nothing is graded."));
+  what_->setTitle(tr("What is asked for"));
+  how_->setTitle(tr("How to do it"));
+  QStringList task{tr("Twist to %1\u00b0 and let go within %2\u00b0.")
+                       .arg(step_.module.targetAngle_rad * kDegree, 0, 'f', 0)
+                       .arg(step_.module.tolerance_rad * kDegree, 0, 'f', 0)
+                       .replace(QLatin1Char('-'), QChar(0x2212))};
+  if (step_.module.hold_us > 0)
+    task << tr("Hold for %1 s before you let go.")
+                .arg(static_cast<double>(step_.module.hold_us) * 1e-6, 0, 'f', 1);
+  if (step_.module.maxForce_N)
+    task << tr("Keep the force below %1 N.").arg(*step_.module.maxForce_N, 0, 'f', 1);
+  if (step_.module.maxTorque_Nm)
+    task << tr("Keep the torque below %1 N m.").arg(*step_.module.maxTorque_Nm, 0, 'f', 2);
+  task_->setText(task.join(QLatin1Char('\n')));
+  QStringList goals;
+  for (const RuleProgress& progress : step_.rules) goals << StationWords::rule(progress);
+  goals_->setText(goals.isEmpty() ? QString() : tr("Mastered when:\n%1").arg(goals.join(QLatin1Char('\n'))));
+  goals_->setVisible(!goals.isEmpty());
+  hints_->setText(
+      tr("Bring the jaw to the marked band, close it, turn in one even movement, hold, and open the jaw "
+         "gently.\nMouse: left button grips, dragging turns, the wheel moves nearer."));
+  caption_->setText(tr("An expert's run of the same twist"));
+  again_->setText(tr("&Watch again"));
+  start_->setText(graded ? tr("&Start the graded run") : tr("&Start"));
+  back_->setText(tr("&Back"));
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/gui/base/page.h"
+#include "app/training/next_steps.h"
+
+class QLabel;
+class QPushButton;
+
+namespace torsio::gui {
+
+class Card;
+class LiveScene;
+
+/// What is asked for, and an expert's run of the same pattern to watch.
+class BriefingPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit BriefingPage(ShellContext& shell, QWidget* parent = nullptr);
+  ~BriefingPage() override;
+
+  /// Of StationDesk::moduleId; with the argument "later" it waits for the next call.
+  void enter(const QVariant& argument) override;
+  [[nodiscard]] bool leave() override;
+  void retranslate() override;
+  void applyTheme(const Theme& theme) override;
+  [[nodiscard]] ShellContext& context() const noexcept { return shell(); }
+  [[nodiscard]] LiveScene& scene() noexcept { return *scene_; }
+
+ private:
+  void showExpert();
+  void fill();
+
+  ModuleStep step_;
+  bool asked_ = false;  // the expert's run was asked for
+  LiveScene* scene_;
+  QLabel* title_;
+  QLabel* task_;
+  QLabel* goals_;
+  QLabel* mode_;
+  Card* what_;
+  Card* how_;
+  QLabel* hints_;
+  QLabel* caption_;
+  QPushButton* again_;
+  QPushButton* start_;
+  QPushButton* back_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/trainee/debrief_page.h"
+
+#include <memory>
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/trainee/ask_card.h"
+#include "app/gui/trainee/debrief_plot.h"
+#include "app/gui/trainee/station_desk.h"
+#include "app/gui/trainee/station_parts.h"
+#include "app/gui/trainee/station_words.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+
+namespace torsio::gui {
+
+DebriefPage::DebriefPage(ShellContext& context, QWidget* parent)
+    : Page(context, parent), theme_(&theme(context.themeKind())) {
+  const PageColumn page = pageColumn(this);
+  heading_ = page.heading;
+  verdict_ = plainLabel(this, "subheading");
+  verdict_->setObjectName(QStringLiteral("verdict"));
+  page.column->addWidget(verdict_);
+
+  targets_ = new Card(QString(), this);
+  good_ = new Card(QString(), this);
+  better_ = new Card(QString(), this);
+  auto* cards = new QHBoxLayout;
+  cards->setSpacing(2 * kSpace);
+  const auto into = [cards](Card* card) {
+    auto* column = new QVBoxLayout;
+    column->setSpacing(kSpace);
+    card->content()->addLayout(column);
+    card->content()->addStretch(1);
+    cards->addWidget(card, 1);
+    return column;
+  };
+  checks_ = into(targets_);
+  strengths_ = into(good_);
+  weaknesses_ = into(better_);
+  page.column->addLayout(cards);
+
+  trace_ = new Card(QString(), this);
+  auto* tools = new QHBoxLayout;
+  expert_ = new QCheckBox(trace_);
+  expert_->setChecked(true);
+  bookmark_ = new QPushButton(trace_);
+  whole_ = new QPushButton(trace_);
+  tools->addWidget(expert_);
+  tools->addStretch(1);
+  tools->addWidget(bookmark_);
+  tools->addWidget(whole_);
+  trace_->content()->addLayout(tools);
+  plot_ = new DebriefPlot(trace_);
+  trace_->content()->addWidget(plot_, 1);
+  page.column->addWidget(trace_, 1);
+  ask_ = new AskCard(context, this);
+  page.column->addWidget(ask_);
+  page.column->addStretch(0);
+
+  again_ = new QPushButton(this);
+  trend_ = new QPushButton(this);
+  trend_->setObjectName(QStringLiteral("trend"));
+  next_ = primaryButton(this);
+  for (QPushButton* button : {again_, trend_, next_}) heading_->addAction(button);
+  connect(expert_, &QCheckBox::toggled, plot_, &DebriefPlot::setExpertVisible);
+  connect(whole_, &QPushButton::clicked, plot_, &DebriefPlot::showAll);
+  connect(bookmark_, &QPushButton::clicked, this,
+          [this] { addBookmarkAt(0.5 * (plot_->range().from_s + plot_->range().to_s)); });
+  connect(plot_, &DebriefPlot::bookmarkWanted, this, &DebriefPage::addBookmarkAt);
+  connect(plot_, &DebriefPlot::rangeChanged, this,
+          [this] { ask_->setMoment(0.5 * (plot_->range().from_s + plot_->range().to_s)); });
+  connect(ask_, &AskCard::asked, this, &DebriefPage::showBookmark);
+  connect(next_, &QPushButton::clicked, this, [this] { shell().open(QStringLiteral("station.next")); });
+  connect(trend_, &QPushButton::clicked, this, [this] {
+    shell().open(QStringLiteral("station.trend"), QString::fromStdString(debrief_.moduleId));
+  });
+  connect(again_, &QPushButton::clicked, this, [this] {
+    StationDesk& desk = StationDesk::of(shell());
+    desk.chosen = true;
+    desk.moduleId = debrief_.moduleId;
+    shell().open(desk.readiness ? QStringLiteral("station.briefing") : QStringLiteral("station.device"));
+  });
+}
+
+void DebriefPage::enter(const QVariant& argument) {
+  try {
+    std::string trialId = argument.toString().toStdString();
+    if (trialId.empty()) {
+      const auto all = attemptsOf(shell().workplace(), shell().workplace().actor().personId);
+      for (const Attempt& attempt : all)
+        if (attempt.ended) trialId = attempt.trialId;
+    }
+    if (trialId.empty()) {
+      debrief_ = {};
+      computing_ = false;
+      fill();
+      return;
+    }
+    if (trialId != debrief_.trialId) {
+      compute(trialId);
+    } else {
+      readQuestions();  // an answer may have come
+    }
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void DebriefPage::compute(const std::string& trialId) {
+  const auto result = std::make_shared<Debrief>();
+  debrief_ = {};
+  computing_ = true;
+  ask_->setRun({});
+  fill();
+  shell().run(
+      tr("Looking at your run"),
+      [result, trialId, assets = shell().assets(), scene = StationDesk::of(shell()).lastScene](
+          Workplace& workplace, const ProgressCallback&) {
+        *result = torsio::debrief(workplace, trialId, assets, scene.get());
+      },
+      [this, result] {
+        debrief_ = std::move(*result);
+        computing_ = false;
+        plot_->setDebrief(debrief_);
+        fill();
+        readQuestions();
+        next_->setFocus();
+      });
+}
+
+void DebriefPage::addBookmarkAt(double at_s) {
+  if (debrief_.trialId.empty()) return;
+  try {
+    addBookmark(shell().workplace(), debrief_.trialId, at_s, {});
+    showBookmark(at_s);
+    shell().notify(tr("Bookmark at %1").arg(StationWords::seconds(at_s)));
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void DebriefPage::showBookmark(double at_s) {
+  debrief_.bookmarks.push_back({{}, at_s, {}});
+  plot_->addBookmark(debrief_.bookmarks.back());
+}
+
+void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding, bool strength) {
+  auto* words = plainLabel(this);
+  words->setText(StationWords::finding(finding, strength));
+  column->addWidget(words);
+  if (!strength) {
+    auto* advice = plainLabel(this, "quiet");
+    advice->setText(StationWords::advice(finding.metric));
+    column->addWidget(advice);
+  }
+  auto* look = linkButton(this);
+  look->setObjectName(QStringLiteral("look"));
+  look->setStyleSheet(QStringLiteral("padding: 1px 0;"));  // stands in line with the sentence above it
+  look->setText(
+      tr("Look at %1 to %2")
+          .arg(StationWords::seconds(finding.when.from_s), StationWords::seconds(finding.when.to_s)));
+  const Seconds when = finding.when;
+  connect(look, &QPushButton::clicked, this, [this, when] { plot_->show(when); });
+  column->addWidget(look, 0, Qt::AlignLeft);
+}
+
+void DebriefPage::readQuestions() {
+  try {
+    ask_->setRun(debrief_.interrupted ? std::string() : debrief_.trialId);
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void DebriefPage::retranslate() {
+  ask_->retranslate();
+  plot_->retranslate();
+  fill();
+}
+
+void DebriefPage::applyTheme(const Theme& theme) {
+  theme_ = &theme;
+  plot_->setTheme(theme);
+  fill();
+}
+
+void DebriefPage::fill() {
+  const bool any = !debrief_.trialId.empty();
+  targets_->setTitle(tr("Targets"));
+  good_->setTitle(tr("What went well"));
+  better_->setTitle(tr("What to work on"));
+  trace_->setTitle(tr("The run"));
+  expert_->setText(tr("Show the &expert (dashed)"));
+  expert_->setEnabled(!debrief_.expert.empty());
+  bookmark_->setText(tr("Set &bookmark"));
+  whole_->setText(tr("&Whole run"));
+  again_->setText(tr("&Again"));
+  trend_->setText(tr("&Trend"));
+  next_->setText(tr("&Next step"));
+  again_->setEnabled(any && !debrief_.moduleId.empty());
+  trend_->setEnabled(any && !debrief_.moduleId.empty());
+  const QString mode = debrief_.mode == "graded" ? tr("Graded run") : tr("Practice");
+  heading_->setTexts(
+      any && !debrief_.moduleTitle.empty() ? spoken(debrief_.moduleTitle) : tr("Your run"),
+      any ? tr("%1  \u00b7  %2  \u00b7  %3 s")
+                .arg(mode, StationWords::when(debrief_.startedUtc_us))
+                .arg(debrief_.duration_s, 0, 'f', 0)
+      : computing_ ? tr("One moment: your run is compared with what was asked for and with an expert's.")
+                   : tr("After your first run you see here what was good and what to work on."));
+  for (QWidget* widget : std::initializer_list<QWidget*>{targets_, good_, better_, trace_, verdict_})
+    widget->setVisible(any);
+  emptyLayout(checks_);
+  emptyLayout(strengths_);
+  emptyLayout(weaknesses_);
+  if (!any) return;
+  verdict_->setText(debrief_.interrupted ? tr("Interrupted: kept, not counted")
+                    : debrief_.passed    ? tr("Passed: every target was reached")
+                                         : tr("Not passed yet"));
+  setLook(verdict_, "good", debrief_.passed && !debrief_.interrupted);
+  setLook(verdict_, "caution", !debrief_.passed);
+  for (const TargetCheck& check : debrief_.checks) {
+    auto* row = new QHBoxLayout;
+    auto* mark = new QLabel(targets_);
+    showIcon(mark, check.passed ? QStringLiteral("check") : QStringLiteral("close"),
+             check.passed ? theme_->good : theme_->caution, 16);
+    mark->setAccessibleName(check.passed ? tr("passed") : tr("not passed"));
+    auto* words = plainLabel(targets_);
+    words->setText(StationWords::check(check, debrief_.twists.size()));
+    row->addWidget(mark, 0, Qt::AlignTop);
+    row->addWidget(words, 1);
+    checks_->addLayout(row);
+  }
+  for (const DebriefFinding& finding : debrief_.strengths) addFinding(strengths_, finding, true);
+  for (const DebriefFinding& finding : debrief_.weaknesses) addFinding(weaknesses_, finding, false);
+  if (debrief_.strengths.empty()) {
+    for (QVBoxLayout* column : {strengths_, weaknesses_}) {
+      auto* none = plainLabel(this, "quiet");
+      none->setText(debrief_.twists.empty() ? tr("No twist was finished in this run.")
+                                            : tr("There is no expert's run to compare with."));
+      column->addWidget(none);
+    }
+  }
+}
+
+}  // namespace torsio::gui

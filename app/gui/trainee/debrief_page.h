@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/gui/base/page.h"
+#include "app/training/debrief.h"
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace torsio::gui {
+
+class AskCard;
+class Card;
+class DebriefPlot;
+class PageHeading;
+
+/// What a trainee is told right after a run: every target, two strengths, two weaknesses with the seconds to
+/// look at, the trace, the expert's curve.
+class DebriefPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit DebriefPage(ShellContext& shell, QWidget* parent = nullptr);
+
+  /// `argument`: id of the trial; without one the newest.
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+  void applyTheme(const Theme& theme) override;
+  [[nodiscard]] const Debrief& debrief() const noexcept { return debrief_; }
+  [[nodiscard]] DebriefPlot& plot() noexcept { return *plot_; }
+
+ private:
+  void readQuestions();
+  void showBookmark(double at_s);
+  void compute(const std::string& trialId);
+  void fill();
+  void addFinding(QVBoxLayout* column, const DebriefFinding& finding, bool strength);
+  void addBookmarkAt(double at_s);
+
+  Debrief debrief_;
+  bool computing_ = false;
+  const Theme* theme_;
+  PageHeading* heading_;
+  QLabel* verdict_;
+  Card* targets_;
+  QVBoxLayout* checks_;
+  Card* good_;
+  QVBoxLayout* strengths_;
+  Card* better_;
+  QVBoxLayout* weaknesses_;
+  Card* trace_;
+  DebriefPlot* plot_;
+  AskCard* ask_;
+  QCheckBox* expert_;
+  QPushButton* whole_;
+  QPushButton* bookmark_;
+  QPushButton* again_;
+  QPushButton* trend_;
+  QPushButton* next_;
+};
+
+}  // namespace torsio::gui

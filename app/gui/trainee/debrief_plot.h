@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <QWidget>
+
+#include "app/gui/widgets/theme.h"
+#include "app/training/debrief.h"
+
+namespace torsio::gui {
+
+/// Angle and force of a run over time: target band, expert's curve at each grip, bookmarks, and the seconds
+/// that somebody asked to see. Wheel or + and - zoom, dragging or arrows move; a double click asks for a
+/// bookmark. Says the same in its accessible description.
+class DebriefPlot : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DebriefPlot(QWidget* parent = nullptr);
+
+  void setDebrief(Debrief debrief);
+  /// Another mark; what is shown stays.
+  void addBookmark(const DebriefBookmark& mark);
+  void setTheme(const Theme& theme);
+  void setExpertVisible(bool visible);
+  /// Shows these seconds with some room round them.
+  void show(const Seconds& when);
+  void showAll();
+  [[nodiscard]] const Seconds& range() const noexcept { return range_; }
+  void retranslate();
+  [[nodiscard]] QSize sizeHint() const override { return {640, 320}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {320, 220}; }
+
+ Q_SIGNALS:
+  void bookmarkWanted(double at_s);
+  /// Another stretch is shown.
+  void rangeChanged();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  struct Lane {
+    QRectF area;
+    double low = 0.0;
+    double high = 1.0;
+  };
+  [[nodiscard]] double xOf(double time_s) const;
+  [[nodiscard]] double timeOf(double x) const;
+  [[nodiscard]] static double yOf(const Lane& lane, double value);
+  [[nodiscard]] Lane angleLane() const;
+  [[nodiscard]] Lane forceLane() const;
+  void drawCurve(QPainter& painter, const Lane& lane, const std::vector<double>& time_s,
+                 const std::vector<double>& values, double scale, double offset_s) const;
+  void drawAxes(QPainter& painter, const Lane& angle, const Lane& force) const;
+  void zoom(double factor, double at_s);
+  void move(double by_s);
+
+  const Theme* theme_;
+  Debrief debrief_;
+  Seconds range_{0.0, 1.0};
+  std::optional<Seconds> marked_;
+  bool expertVisible_ = true;
+  double dragFrom_s_ = 0.0;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/trainee/device_check_page.h"
+
+#include <memory>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/trainee/station_desk.h"
+#include "app/gui/trainee/station_parts.h"
+#include "app/gui/trainee/station_words.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+#include "app/recording/station_writer.h"
+#include "app/training/run_session.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kWidest = 860;
+
+const char* iconOf(Light light) {
+  return light == Light::kGreen ? "check" : light == Light::kAmber ? "warning" : "stop";
+}
+
+QColor colourOf(Light light, const Theme& theme) {
+  return light == Light::kGreen ? theme.good : light == Light::kAmber ? theme.caution : theme.recording;
+}
+
+}  // namespace
+
+DeviceCheckPage::DeviceCheckPage(ShellContext& context, QWidget* parent)
+    : Page(context, parent), theme_(&theme(context.themeKind())) {
+  const PageColumn page = pageColumn(this, kWidest);
+  heading_ = page.heading;
+  card_ = new Card(QString(), this);
+  verdict_ = plainLabel(card_, "heading");
+  verdict_->setObjectName(QStringLiteral("verdict"));
+  meaning_ = plainLabel(card_, "quiet");
+  card_->content()->addWidget(verdict_);
+  card_->content()->addWidget(meaning_);
+  findings_ = new QVBoxLayout;
+  findings_->setSpacing(kSpace);
+  card_->content()->addSpacing(kSpace);
+  card_->content()->addLayout(findings_);
+  page.column->addWidget(card_);
+  again_ = new QPushButton(this);
+  mouse_ = new QPushButton(this);
+  practise_ = new QPushButton(this);
+  practise_->setObjectName(QStringLiteral("practise"));
+  goOn_ = primaryButton(this);
+  goOn_->setObjectName(QStringLiteral("goOn"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(again_);
+  row->addStretch(1);
+  row->addWidget(mouse_);
+  row->addWidget(practise_);
+  row->addWidget(goOn_);
+  page.column->addLayout(row);
+  page.column->addStretch(1);
+  connect(again_, &QPushButton::clicked, this, &DeviceCheckPage::check);
+  connect(goOn_, &QPushButton::clicked, this, [this] { goOn(StationDesk::of(shell()).graded); });
+  connect(practise_, &QPushButton::clicked, this, [this] { goOn(false); });
+  connect(mouse_, &QPushButton::clicked, this, [this] {
+    StationDesk& desk = StationDesk::of(shell());
+    desk.openDevice = nullptr;
+    // The board goes on telling of the device that is not fit.
+    desk.readiness = pointerReadiness(gradesWithMouse(shell().workplace()));
+    goOn(false);
+  });
+}
+
+void DeviceCheckPage::enter(const QVariant&) {
+  check();
+}
+
+void DeviceCheckPage::check() {
+  StationDesk& desk = StationDesk::of(shell());
+  desk.readiness.reset();
+  if (!desk.probe) {
+    try {
+      found(pointerReadiness(gradesWithMouse(shell().workplace())));
+    } catch (...) {
+      shell().report(std::current_exception());
+    }
+    fill();
+    return;
+  }
+  checking_ = true;
+  fill();
+  const auto readiness = std::make_shared<DeviceReadiness>();
+  shell().run(
+      tr("Checking the device"),
+      [readiness, probe = desk.probe](Workplace&, const ProgressCallback&) { *readiness = probe(); },
+      [this, readiness] {
+        checking_ = false;
+        found(*readiness);
+        fill();
+      });
+}
+
+void DeviceCheckPage::found(const DeviceReadiness& readiness) {
+  StationDesk::of(shell()).readiness = readiness;
+  if (StationWriter* line = shell().line(); line != nullptr)
+    line->showDevice(stationDevice(readiness, shell().workplace().now_us()));
+}
+
+void DeviceCheckPage::goOn(bool graded) {
+  StationDesk& desk = StationDesk::of(shell());
+  desk.graded = graded;
+  if (!desk.chosen) {
+    shell().open(QStringLiteral("station.next"));
+    return;
+  }
+  shell().open(desk.moduleId.empty() ? QStringLiteral("station.run") : QStringLiteral("station.briefing"));
+}
+
+void DeviceCheckPage::retranslate() {
+  fill();
+}
+
+void DeviceCheckPage::applyTheme(const Theme& theme) {
+  theme_ = &theme;
+  fill();
+}
+
+void DeviceCheckPage::fill() {
+  const StationDesk& desk = StationDesk::of(shell());
+  const bool known = desk.readiness.has_value();
+  heading_->setTexts(tr("Is everything ready?"),
+                     known && !desk.readiness->haptic && !desk.probe
+                         ? tr("This station has no haptic device: you work with mouse and keyboard.")
+                         : tr("Sit down, put the stylus into its dock, and rest your forearm."));
+  again_->setText(tr("&Check again"));
+  mouse_->setText(tr("Practise with the &mouse"));
+  practise_->setText(tr("&Practise"));
+  goOn_->setText(desk.graded ? tr("&Continue to the graded run") : tr("&Continue"));
+  emptyLayout(findings_);
+  const Light light = known ? desk.readiness->light() : Light::kRed;
+  card_->setTitle(known ? spoken(desk.readiness->device) : tr("Device"));
+  verdict_->setText(checking_ ? tr("Checking\u2026") : StationWords::light(light));
+  meaning_->setText(
+      checking_                ? tr("This takes a few seconds.")
+      : light == Light::kGreen ? tr("Everything is in order. Practice and graded runs may begin.")
+      : light == Light::kAmber ? tr("Good enough to practise. A graded run needs every line to be in order.")
+                               : tr("Something is wrong. Nothing is scored with this device now."));
+  again_->setEnabled(!checking_);
+  mouse_->setVisible(!checking_ && light == Light::kRed);
+  practise_->setVisible(desk.graded && light == Light::kAmber);
+  goOn_->setEnabled(!checking_ && (light == Light::kGreen || (light == Light::kAmber && !desk.graded)));
+  // Enter goes on with what is possible.
+  if (goOn_->isEnabled()) {
+    goOn_->setFocus();
+  } else if (!practise_->isHidden()) {
+    practise_->setFocus();
+  }
+  if (!known) return;
+  for (const ReadinessFinding& finding : desk.readiness->findings) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSpace + 4);
+    auto* mark = new QLabel(card_);
+    showIcon(mark, QLatin1String(iconOf(finding.light)), colourOf(finding.light, *theme_));
+    mark->setAccessibleName(StationWords::light(finding.light));
+    row->addWidget(mark, 0, Qt::AlignTop);
+    auto* texts = new QVBoxLayout;
+    texts->setSpacing(2);
+    auto* what = plainLabel(card_);
+    what->setText(finding.detail.empty()
+                      ? StationWords::readiness(finding)
+                      : tr("%1: %2").arg(StationWords::readiness(finding), spoken(finding.detail)));
+    texts->addWidget(what);
+    if (!finding.remedy.empty()) {
+      auto* remedy = plainLabel(card_, "quiet");
+      remedy->setText(spoken(finding.remedy));
+      texts->addWidget(remedy);
+    }
+    row->addLayout(texts, 1);
+    findings_->addLayout(row);
+  }
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/devices/device_readiness.h"
+#include "app/gui/base/page.h"
+
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace torsio::gui {
+
+class Card;
+class PageHeading;
+
+/// Looks at the device before a run: green lets everything begin, amber practice only, red nothing but the
+/// mouse.
+class DeviceCheckPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit DeviceCheckPage(ShellContext& shell, QWidget* parent = nullptr);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+  void applyTheme(const Theme& theme) override;
+
+ private:
+  void check();
+  void fill();
+  void goOn(bool graded);
+  /// On the board of the day, too.
+  void found(const DeviceReadiness& readiness);
+
+  const Theme* theme_;
+  PageHeading* heading_;
+  Card* card_;
+  QVBoxLayout* findings_;
+  QLabel* verdict_;
+  QLabel* meaning_;
+  QPushButton* again_;
+  QPushButton* mouse_;
+  QPushButton* practise_;
+  QPushButton* goOn_;
+  bool checking_ = false;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/trainee/live_scene.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QVBoxLayout>
+
+#include "app/gui/scene/instrument_geometry.h"
+#include "app/gui/simulator/pointer_controls.h"
+#include "sim/base/error.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kFrame_ms = 16;
+constexpr double kLongestFrame_s = 0.25;
+constexpr double kLeanWithin_m = 0.040;
+
+}  // namespace
+
+LiveScene::LiveScene(SceneLoader loader, std::filesystem::path assets, QWidget* parent)
+    : QWidget(parent),
+      controller_(std::make_unique<SimulationController>(std::move(loader), TrialRecording{})),
+      view_(new SceneView(this)),
+      pointer_(new PointerControls(*view_)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(view_);
+  pointer_->setKeys(PointerKeys::stored());
+  view_->setInstrument(loadInstrument(assets, "grasper"));
+  connect(pointer_, &PointerControls::changed, this, [this] { controller_->steer(pointer_->input()); });
+  connect(controller_.get(), &SimulationController::sceneChanged, this, [this] {
+    if (controller_->scene() == nullptr) return;
+    view_->setScene(controller_->viewScene());
+    pointer_->park(controller_->parkingPoint_m());
+  });
+  connect(view_, &SceneView::frameDrawn, this, &LiveScene::tell);
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, [this] {
+    const double elapsed_s = static_cast<double>(since_.nsecsElapsed()) * 1e-9;
+    since_.restart();
+    frame(std::min(elapsed_s, kLongestFrame_s));
+  });
+}
+
+LiveScene::~LiveScene() {
+  timer_.stop();
+}
+
+void LiveScene::setTheme(const Theme& theme) {
+  view_->setTheme(theme);
+}
+
+void LiveScene::frame(double elapsed_s) {
+  pointer_->advance(elapsed_s);
+  controller_->advance(elapsed_s);
+  if (controller_->scene() == nullptr) return;
+  const LiveState state = controller_->state();
+  view_->setTwist({state.response.graspArc_m, state.response.angle_rad});
+  showTool(state);
+  tell();  // of the round before, when nothing moved and nothing was drawn
+  untold_ = state;
+  if (!view_->draws()) tell();
+}
+
+void LiveScene::tell() {
+  if (const std::optional<LiveState> state = std::exchange(untold_, std::nullopt)) Q_EMIT shown(*state);
+}
+
+void LiveScene::showTool(const LiveState& state) {
+  const Scene& scene = *controller_->scene();
+  const bool holds = state.phase == ExercisePhase::kTwisting;
+  const bool rides = controller_->toolRidesOnTissue();
+  std::optional<Vec3> axis;
+  if (holds && rides && controller_->playback() == nullptr)
+    axis = scene.model.graspFrame(state.response.graspArc_m).tangent;
+  pointer_->setHeldAxis(axis);
+  const std::optional<SurfacePoint> near = controller_->nearby(state);
+  const bool close = near && near->distance_m < kLeanWithin_m;
+  pointer_->leanAwayFrom(close ? std::optional<Vec3>(near->normal) : std::nullopt);
+  Pose pose = state.tool;
+  // A hand that twists by turning stays in place; what is drawn goes round with the tissue that it holds.
+  if (rides && (holds || state.phase == ExercisePhase::kReleased)) {
+    pose.position_m =
+        scene.model.toDeformed_m(pose.position_m, {state.response.graspArc_m, state.response.angle_rad});
+  }
+  view_->setTool(pose, state.grip);
+}
+
+void LiveScene::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  since_.start();
+  timer_.start(kFrame_ms);
+}
+
+void LiveScene::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  timer_.stop();
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/trainee/next_step_page.h"
+
+#include <algorithm>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/trainee/station_desk.h"
+#include "app/gui/trainee/station_parts.h"
+#include "app/gui/trainee/station_words.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kWidest = 1080;
+
+const RunPhase* presentPhase(const RunPlan& plan) {
+  const auto open = std::find_if(plan.phases.begin(), plan.phases.end(),
+                                 [](const RunPhase& p) { return p.done_us < p.duration_us; });
+  return open == plan.phases.end() ? nullptr : &*open;
+}
+
+QString iconOf(StepState state) {
+  switch (state) {
+    case StepState::kLocked:
+      return QStringLiteral("lock");
+    case StepState::kMastered:
+      return QStringLiteral("check");
+    case StepState::kUsedUp:
+      return QStringLiteral("warning");
+    case StepState::kOpen:
+      break;
+  }
+  return QStringLiteral("play");
+}
+
+}  // namespace
+
+NextStepPage::NextStepPage(ShellContext& context, QWidget* parent)
+    : Page(context, parent), theme_(&theme(context.themeKind())) {
+  const PageColumn page = pageColumn(this, kWidest);
+  heading_ = page.heading;
+  consent_ = linkButton(this);
+  heading_->addAction(consent_);
+  connect(consent_, &QPushButton::clicked, this, [this] { shell().open(QStringLiteral("station.consent")); });
+  notices_ = new QVBoxLayout;
+  notices_->setSpacing(kSpace);
+  page.column->addLayout(notices_);
+  next_ = new Card(QString(), this);
+  nextContent_ = new QVBoxLayout;
+  nextContent_->setSpacing(kSpace);
+  next_->content()->addLayout(nextContent_);
+  page.column->addWidget(next_);
+  listTitle_ = plainLabel(this, "subheading");
+  page.column->addWidget(listTitle_);
+  modules_ = new QVBoxLayout;
+  modules_->setSpacing(kSpace);
+  page.column->addLayout(modules_);
+  page.column->addStretch(1);
+}
+
+void NextStepPage::enter(const QVariant&) {
+  try {
+    for (RecoveredTrial& trial : recoverInterrupted(shell().workplace()))
+      recovered_.push_back(std::move(trial));
+    steps_ = nextSteps(shell().workplace(), shell().workplace().actor().personId);
+    fill();
+    if (QPushButton* start = startButton()) start->setFocus();
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void NextStepPage::retranslate() {
+  fill();
+}
+
+void NextStepPage::applyTheme(const Theme& theme) {
+  theme_ = &theme;
+  fill();
+}
+
+void NextStepPage::begin(const std::string& moduleId, bool graded) {
+  StationDesk& desk = StationDesk::of(shell());
+  desk.chosen = true;
+  desk.moduleId = moduleId;
+  desk.graded = graded;
+  if (!steps_.recordingAllowed) {
+    shell().open(QStringLiteral("station.consent"), QStringLiteral("station.device"));
+    return;
+  }
+  shell().open(desk.readiness ? QStringLiteral("station.briefing") : QStringLiteral("station.device"));
+}
+
+void NextStepPage::fillNotices() {
+  emptyLayout(notices_);
+  const auto add = [this](const QString& text, const QString& button, const QString& page,
+                          const QVariant& argument) {
+    auto* frame = new QFrame(this);
+    frame->setObjectName(QStringLiteral("card"));
+    auto* row = new QHBoxLayout(frame);
+    auto* mark = new QLabel(frame);
+    showIcon(mark, QStringLiteral("info"), theme_->accent);
+    auto* words = plainLabel(frame);
+    words->setText(text);
+    auto* go = linkButton(frame);
+    go->setText(button);
+    connect(go, &QPushButton::clicked, this, [this, page, argument] { shell().open(page, argument); });
+    row->addWidget(mark, 0, Qt::AlignVCenter);
+    row->addWidget(words, 1);
+    row->addWidget(go);
+    notices_->addWidget(frame);
+  };
+  for (const RecoveredTrial& trial : recovered_) {
+    add(tr("Your run of %1 was interrupted. %2 s were recorded and count as training time; no attempt was "
+           "used.")
+            .arg(StationWords::when(trial.startedUtc_us))
+            .arg(trial.recorded_s, 0, 'f', 0),
+        tr("Look at it"), QStringLiteral("station.debrief"), QString::fromStdString(trial.trialId));
+  }
+  if (steps_.unreadRemarks > 0) {
+    add(steps_.unreadRemarks == 1
+            ? tr("One remark of a physician that you have not read")
+            : tr("%1 remarks of physicians that you have not read").arg(steps_.unreadRemarks),
+        tr("Read"), QStringLiteral("station.remarks"), {});
+  }
+}
+
+void NextStepPage::fillNext() {
+  emptyLayout(nextContent_);
+  auto* title = plainLabel(next_, "heading");
+  nextContent_->addWidget(title);
+  auto* quiet = plainLabel(next_, "quiet");
+  const RunPhase* phase = presentPhase(steps_.plan);
+  const bool real = phase != nullptr && phase->arm == TrainingArm::kReal;
+  if (steps_.enrolmentId.empty() || !steps_.hasCurriculum) {
+    title->setText(tr("Nothing is planned for you yet"));
+    quiet->setText(
+        steps_.enrolmentId.empty()
+            ? tr("You are in no cohort. Your training office adds you; free practice is open meanwhile.")
+            : tr("Your cohort follows no curriculum yet. Free practice is open meanwhile."));
+    nextContent_->addWidget(quiet);
+    return;
+  }
+  if (steps_.allPhasesDone || (!steps_.next && !real)) {
+    title->setText(steps_.allPhasesDone ? tr("Your training time is complete") : tr("Nothing is open now"));
+    quiet->setText(tr("Look at your trend, or take your transcript."));
+    nextContent_->addWidget(quiet);
+    return;
+  }
+  auto* row = new QHBoxLayout;
+  auto* texts = new QVBoxLayout;
+  texts->setSpacing(kSpace / 2);
+  row->addLayout(texts, 1);
+  if (real) {
+    title->setText(tr("On the real arm: %1").arg(QString::fromStdString(phase->label)));
+    quiet->setText(tr("%1 left. The timer logs your training time; nothing is recorded.")
+                       .arg(StationWords::minutes(phase->duration_us - phase->done_us)));
+    texts->addWidget(quiet);
+  } else {
+    const ModuleStep& step = steps_.modules[*steps_.next];
+    title->setText(spoken(step.module.title));
+    QStringList facts;
+    if (phase != nullptr) facts << QString::fromStdString(phase->label);
+    facts << tr("takes at most %1").arg(StationWords::minutes(step.needed_us))
+          << StationWords::lastResult(step);
+    if (step.attemptsLeft)
+      facts << (*step.attemptsLeft == 1 ? tr("the last attempt")
+                                        : tr("%1 attempts left").arg(*step.attemptsLeft));
+    quiet->setText(facts.join(QStringLiteral("  \u00b7  ")));
+    texts->addWidget(quiet);
+    auto* goal = plainLabel(next_);
+    goal->setText(StationWords::why(step));
+    texts->addWidget(goal);
+    auto* then = plainLabel(next_, "quiet");
+    then->setText(StationWords::unlocks(step));
+    then->setVisible(!step.unlocks.empty());
+    texts->addWidget(then);
+  }
+  const std::string id = steps_.next ? steps_.modules[*steps_.next].module.id : std::string();
+  const bool graded = steps_.next && steps_.modules[*steps_.next].module.mode == "graded";
+  auto* start = primaryButton(next_);
+  start->setObjectName(QStringLiteral("begin"));
+  start->setText(real ? tr("&Begin on the real arm") : graded ? tr("&Begin graded run") : tr("&Begin"));
+  connect(start, &QPushButton::clicked, this, [this, id, graded] { begin(id, graded); });
+  auto* buttons = new QVBoxLayout;
+  buttons->addWidget(start);
+  if (graded) {
+    auto* practise = new QPushButton(tr("&Practise first"), next_);
+    practise->setObjectName(QStringLiteral("practise"));
+    connect(practise, &QPushButton::clicked, this, [this, id] { begin(id, false); });
+    buttons->addWidget(practise);
+  }
+  buttons->addStretch(1);
+  row->addLayout(buttons);
+  nextContent_->addLayout(row);
+}
+
+void NextStepPage::addModule(const ModuleStep& step) {
+  auto* frame = new QFrame(this);
+  frame->setObjectName(QStringLiteral("card"));
+  frame->setAccessibleName(spoken(step.module.title));
+  auto* row = new QHBoxLayout(frame);
+  row->setContentsMargins(2 * kSpace, kSpace + 2, 2 * kSpace, kSpace + 2);
+  row->setSpacing(2 * kSpace);
+  const bool locked = step.state == StepState::kLocked;
+  auto* mark = new QLabel(frame);
+  showIcon(mark, iconOf(step.state),
+           step.state == StepState::kMastered ? theme_->good
+           : locked                           ? theme_->quietText
+           : step.state == StepState::kUsedUp ? theme_->caution
+                                              : theme_->accent);
+  row->addWidget(mark, 0, Qt::AlignTop);
+  auto* texts = new QVBoxLayout;
+  texts->setSpacing(2);
+  auto* title = plainLabel(frame, locked ? "quiet" : nullptr);
+  title->setText(tr("%1  \u00b7  %2").arg(spoken(step.module.title), StationWords::state(step.state)));
+  texts->addWidget(title);
+  auto* why = plainLabel(frame, "quiet");
+  why->setObjectName(QStringLiteral("why"));
+  why->setText(StationWords::why(step));
+  why->setVisible(!why->text().isEmpty());
+  texts->addWidget(why);
+  row->addLayout(texts, 1);
+  auto* facts = plainLabel(frame, "quiet");
+  facts->setAlignment(Qt::AlignRight | Qt::AlignTop);
+  facts->setText(step.last ? StationWords::lastResult(step) : locked ? QString() : tr("Not tried yet"));
+  row->addWidget(facts, 0, Qt::AlignTop);
+  const std::string id = step.module.id;
+  if (step.last) {
+    auto* trend = linkButton(frame);
+    trend->setText(tr("Trend"));
+    connect(trend, &QPushButton::clicked, this,
+            [this, id] { shell().open(QStringLiteral("station.trend"), QString::fromStdString(id)); });
+    row->addWidget(trend, 0, Qt::AlignTop);
+  }
+  auto* start = new QPushButton(tr("Begin"), frame);
+  start->setAccessibleName(tr("Begin %1").arg(spoken(step.module.title)));
+  start->setEnabled(!locked && !steps_.allPhasesDone);
+  if (locked) start->setToolTip(why->text());
+  const bool graded = step.module.mode == "graded" && step.state != StepState::kUsedUp;
+  connect(start, &QPushButton::clicked, this, [this, id, graded] { begin(id, graded); });
+  row->addWidget(start, 0, Qt::AlignTop);
+  modules_->addWidget(frame);
+}
+
+QPushButton* NextStepPage::startButton() const {
+  return findChild<QPushButton*>(QStringLiteral("begin"));
+}
+
+void NextStepPage::fill() {
+  const QPushButton* before = startButton();
+  const bool atStart = before != nullptr && window()->focusWidget() == before;
+  QString sentence = tr("Trainee %1").arg(QString::fromStdString(steps_.traineeCode));
+  if (steps_.exposureTotal_us > 0) {
+    sentence = tr("%1  \u00b7  %2 of %3 trained")
+                   .arg(sentence, StationWords::minutes(steps_.exposureDone_us),
+                        StationWords::minutes(steps_.exposureTotal_us));
+  }
+  const QString place = QString::fromStdString(steps_.cohortName);
+  heading_->setTexts(place.isEmpty() ? tr("Welcome") : place, sentence);
+  consent_->setText(tr("&Consent"));
+  next_->setTitle(tr("Next"));
+  listTitle_->setText(tr("All modules"));
+  listTitle_->setVisible(!steps_.modules.empty());
+  fillNotices();
+  fillNext();
+  emptyLayout(modules_);
+  for (const ModuleStep& step : steps_.modules) addModule(step);
+  // The buttons are new ones: the keyboard stays where it was.
+  if (QPushButton* start = startButton(); atStart && start != nullptr) start->setFocus();
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/gui/base/page.h"
+#include "app/training/next_steps.h"
+#include "app/training/run_session.h"
+
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace torsio::gui {
+
+class Card;
+class PageHeading;
+
+/// Home of a trainee: what comes next, what is open, what is locked and why.
+class NextStepPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit NextStepPage(ShellContext& shell, QWidget* parent = nullptr);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+  void applyTheme(const Theme& theme) override;
+
+ private:
+  void fill();
+  /// Of the next step; null when there is none.
+  [[nodiscard]] QPushButton* startButton() const;
+  void fillNext();
+  void fillNotices();
+  void addModule(const ModuleStep& step);
+  void begin(const std::string& moduleId, bool graded);
+
+  NextSteps steps_;
+  std::vector<RecoveredTrial> recovered_;
+  const Theme* theme_;
+  PageHeading* heading_;
+  QPushButton* consent_;
+  QVBoxLayout* notices_;
+  Card* next_;
+  QVBoxLayout* nextContent_;
+  QLabel* listTitle_;
+  QVBoxLayout* modules_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "app/gui/base/page.h"
+#include "app/training/remarks.h"
+
+class QLabel;
+class QListWidget;
+class QVBoxLayout;
+
+namespace torsio::gui {
+
+class Card;
+class PageHeading;
+
+/// What physicians wrote about one's runs, at its time; answers; one's own marks first, then the gap.
+class RemarksPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit RemarksPage(ShellContext& shell, QWidget* parent = nullptr);
+
+  void enter(const QVariant& argument) override;
+  void retranslate() override;
+  void applyTheme(const Theme& theme) override;
+
+ private:
+  void readAll();
+  void fillList();
+  void fillRemarks();
+  void fillMarks();
+  void addRemark(const TraineeRemark& remark, bool reply);
+  void answer(const std::string& remarkId, const QString& text);
+  [[nodiscard]] const TrialRemarks* chosen() const;
+
+  std::vector<TrialRemarks> all_;
+  const Theme* theme_;
+  PageHeading* heading_;
+  QListWidget* list_;
+  QLabel* empty_;
+  QWidget* right_;
+  Card* remarks_;
+  QVBoxLayout* threads_;
+  Card* marks_;
+  QVBoxLayout* sheet_;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/trainee/run_page.h"
+
+#include <chrono>
+#include <utility>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QStringList>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/trainee/live_scene.h"
+#include "app/gui/trainee/station_desk.h"
+#include "app/gui/trainee/station_parts.h"
+#include "app/gui/trainee/station_words.h"
+#include "app/gui/widgets/angle_dial.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/level_bar.h"
+#include "app/recording/station_writer.h"
+#include "sim/base/error.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kPanelWidth = 316;
+constexpr int kClock_ms = 100;
+constexpr double kCountdown_pt = 30.0;
+constexpr double kNotice_pt = 64.0;
+constexpr std::chrono::milliseconds kLastWrites{500};
+const QVariant kLater = QStringLiteral("later");
+
+}  // namespace
+
+RunPage::RunPage(ShellContext& context, QWidget* parent)
+    : Page(context, parent),
+      theme_(&theme(context.themeKind())),
+      stage_(new QStackedWidget(this)),
+      scene_(new LiveScene(StationDesk::of(context).loader, context.assets(), this)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  stage_->addWidget(scene_);
+  stage_->addWidget(createNotice());
+  row->addWidget(stage_, 1);
+  row->addWidget(createPanel());
+  scene_->controller().setRealTime(StationDesk::of(context).realTime);
+  connect(scene_, &LiveScene::shown, this, &RunPage::showLive);
+  connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
+    if (waiting_ && !opening_.going()) begin();
+  });
+  connect(&scene_->controller(), &SimulationController::problemMet, &shell(), &ShellContext::tell);
+  connect(&scene_->controller(), &SimulationController::deviceLost, this, [this] {
+    if (session_) withoutDevice([] { return SpokenError{tr("The haptic device was lost"), {}, {}}; });
+  });
+  connect(&timer_, &QTimer::timeout, this, &RunPage::tick);
+  timer_.setInterval(kClock_ms);
+}
+
+RunPage::~RunPage() {
+  timer_.stop();
+}
+
+QWidget* RunPage::createNotice() {
+  auto* ground = new QWidget(this);
+  auto* column = new QVBoxLayout(ground);
+  column->setContentsMargins(6 * kSpace, 6 * kSpace, 6 * kSpace, 6 * kSpace);
+  column->setSpacing(2 * kSpace);
+  noticeTitle_ = plainLabel(ground, "heading");
+  noticeFigure_ = plainLabel(ground);
+  makeHuge(noticeFigure_, kNotice_pt);
+  noticeText_ = plainLabel(ground, "quiet");
+  goOn_ = primaryButton(ground);
+  goOn_->setObjectName(QStringLiteral("goOn"));
+  column->addStretch(2);
+  for (QLabel* label : {noticeTitle_, noticeFigure_, noticeText_}) {
+    label->setAlignment(Qt::AlignHCenter);
+    column->addWidget(label);
+  }
+  column->addWidget(goOn_, 0, Qt::AlignHCenter);
+  column->addStretch(3);
+  connect(goOn_, &QPushButton::clicked, this, [this] {
+    if (waiting_) {
+      cancelWaiting();
+    } else if (session_) {
+      follow(session_->resume());
+    }
+  });
+  return ground;
+}
+
+QWidget* RunPage::createPanel() {
+  // What must always be in reach stands below; what is taller than a small screen scrolls.
+  auto* side = new QWidget(this);
+  side->setFixedWidth(kPanelWidth);
+  auto* whole = new QVBoxLayout(side);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->setSpacing(0);
+  auto* scroll = new QScrollArea(side);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* panel = new QWidget;
+  scroll->setWidget(panel);
+  whole->addWidget(scroll, 1);
+  auto* buttons = new QHBoxLayout;
+  buttons->setContentsMargins(kSpace, kSpace, kSpace, kSpace + 4);
+  buttons->setSpacing(kSpace);
+  whole->addLayout(buttons);
+  auto* column = new QVBoxLayout(panel);
+  column->setContentsMargins(kSpace + 4, kSpace + 4, kSpace + 4, 0);
+  column->setSpacing(kSpace);
+  title_ = plainLabel(panel, "subheading");
+  mode_ = plainLabel(panel, "quiet");
+  column->addWidget(title_);
+  column->addWidget(mode_);
+  time_ = new Card(QString(), panel);
+  countdown_ = plainLabel(time_);
+  countdown_->setObjectName(QStringLiteral("countdown"));
+  makeHuge(countdown_, kCountdown_pt);
+  progress_ = new QProgressBar(time_);
+  progress_->setTextVisible(false);
+  progress_->setRange(0, 1000);
+  phase_ = plainLabel(time_, "quiet");
+  for (QWidget* widget : std::initializer_list<QWidget*>{countdown_, progress_, phase_})
+    time_->content()->addWidget(widget);
+  column->addWidget(time_);
+  angle_ = new Card(QString(), panel);
+  dial_ = new AngleDial(angle_);
+  angle_->content()->addWidget(dial_, 0, Qt::AlignHCenter);
+  column->addWidget(angle_);
+  load_ = new Card(QString(), panel);
+  torque_ = new LevelBar(QString(), QString(), 3, load_);
+  force_ = new LevelBar(QString(), QString(), 2, load_);
+  warning_ = plainLabel(load_, "caution");
+  load_->content()->addWidget(torque_);
+  load_->content()->addWidget(force_);
+  load_->content()->addWidget(warning_);
+  column->addWidget(load_);
+  cue_ = plainLabel(panel, "quiet");
+  cue_->setObjectName(QStringLiteral("cue"));
+  column->addWidget(cue_);
+  column->addStretch(1);
+  rest_ = new QPushButton(side);
+  rest_->setObjectName(QStringLiteral("rest"));
+  stop_ = new QPushButton(side);
+  stop_->setObjectName(QStringLiteral("stop"));
+  buttons->addWidget(rest_);
+  buttons->addWidget(stop_);
+  connect(rest_, &QPushButton::clicked, this, [this] {
+    if (!session_ || !session_->rest()) return;
+    endRecording(TrialOutcome::kCompleted);
+    tick();
+  });
+  connect(stop_, &QPushButton::clicked, this, &RunPage::askToStop);
+  return side;
+}
+
+void RunPage::enter(const QVariant& argument) {
+  if (session_ || argument == kLater) return;
+  StationDesk& desk = StationDesk::of(shell());
+  try {
+    session_.emplace(shell().workplace(),
+                     RunRequest{desk.moduleId, desk.graded, desk.readiness.value_or(DeviceReadiness{})},
+                     *desk.clock, shell().line());
+  } catch (...) {
+    shell().report(std::current_exception());
+    return;
+  }
+  lastTrial_.clear();
+  inFile_ = false;
+  retranslate();
+  if (session_->run().phase().arm == TrainingArm::kReal) {
+    begin();
+    return;
+  }
+  waiting_ = true;
+  SceneRequest request;
+  request.assets = shell().assets();
+  request.id = session_->step().module.sceneId;
+  request.pattern = session_->step().module.patternId;
+  scene_->controller().load(request);
+  showState();
+}
+
+/// The scene is there. The device of the first recording comes before the clock: waiting is not training.
+void RunPage::begin() {
+  const bool real = session_->run().phase().arm == TrainingArm::kReal;
+  if (!real && StationDesk::of(shell()).openDevice) {
+    fetchDevice();
+  } else {
+    start();
+  }
+}
+
+void RunPage::start() {
+  waiting_ = false;
+  try {
+    session_->start();
+    timer_.start();
+    follow(session_->advance());
+  } catch (...) {
+    session_.reset();
+    device_.reset();
+    shell().report(std::current_exception());
+  }
+}
+
+void RunPage::fetchDevice() {
+  opening_.begin([open = StationDesk::of(shell()).openDevice, scene = scene_->controller().sharedScene(),
+                  target_rad = session_->module().targetAngle_rad] { return open(*scene, target_rad); },
+                 [this](std::unique_ptr<HapticDevice> device) {
+                   device_ = std::move(device);
+                   haveDevice();
+                 },
+                 [this](const std::exception_ptr& problem) {
+                   withoutDevice(problemOf(problem, {[] { return tr("The haptic device did not answer"); },
+                                                     [] { return tr("Check its cable and its power"); }}));
+                 });
+  showState();
+}
+
+void RunPage::haveDevice() {
+  if (waiting_) {
+    start();
+    return;
+  }
+  session_->hold();
+  tick();
+}
+
+/// Nothing has begun: the trainee does not want to wait for the device.
+void RunPage::cancelWaiting() {
+  opening_.cancel();
+  waiting_ = false;
+  session_.reset();
+  shell().open(QStringLiteral("station.next"));
+}
+
+void RunPage::record() {
+  if (StationDesk::of(shell()).openDevice && !device_) {
+    fetchDevice();
+    return;
+  }
+  const RecordingSpec recording = session_->newTrial();
+  std::unique_ptr<HapticDevice> device = device_ ? *std::exchange(device_, std::nullopt) : nullptr;
+  haptic_ = device != nullptr;
+  if (!scene_->controller().startTraining(recording, session_->sinkFor(recording), std::move(device))) {
+    return;
+  }
+  lastTrial_ = QString::fromStdString(recording.trialId);
+  const StoredModule& module = session_->step().module;
+  dial_->setTarget(scene_->controller().target_rad(), module.tolerance_rad);
+  torque_->setLimit(module.maxTorque_Nm.value_or(0.0));
+  force_->setLimit(module.maxForce_N.value_or(0.0));
+  scene_->view().setFocus();
+}
+
+/// A graded run is not judged with another device than it began with; practice goes on with the mouse.
+void RunPage::withoutDevice(const Problem& why) {
+  StationDesk& desk = StationDesk::of(shell());
+  endRecording(TrialOutcome::kInterrupted);
+  desk.readiness.reset();  // the device is checked anew before the next graded run
+  if (!session_->graded()) {
+    desk.openDevice = nullptr;
+    shell().notify(tr("%1. You go on with mouse and keyboard").arg(why().happened));
+    if (waiting_) start();
+    return;
+  }
+  const bool begun = !waiting_;
+  session_->stop("the haptic device was lost");
+  timer_.stop();
+  waiting_ = false;
+  session_.reset();
+  shell().tell([why, begun] {
+    const SpokenError said = why();
+    QStringList parts{said.happened};
+    if (!said.details.isEmpty()) parts << said.details;
+    const QString details = parts.join(QLatin1Char('\n'));
+    if (!begun) {
+      return SpokenError{tr("The haptic device is not ready: the graded run did not begin"),
+                         tr("No attempt was used. Check the device, then begin again"), details};
+    }
+    return SpokenError{tr("The haptic device was lost: the graded run has ended"),
+                       tr("What was recorded is kept as interrupted, and no attempt was used. Check the "
+                          "device, then begin again"),
+                       details};
+  });
+  showState();
+}
+
+void RunPage::tick() {
+  if (!session_ || waiting_) return;
+  if (opening_.going()) {
+    session_->hold();
+    showState();
+    return;
+  }
+  try {
+    follow(session_->advance());
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void RunPage::follow(const std::vector<RunEvent>& events) {
+  using Kind = RunEvent::Kind;
+  try {
+    for (const RunEvent& event : events) {
+      if (event.kind == Kind::kPhaseEnded) endRecording(TrialOutcome::kCompleted);
+      if (event.kind == Kind::kPaused)
+        shell().notify(tr("The computer stood still. That time does not count."));
+      if (event.kind == Kind::kRestUsedUp) shell().notify(tr("The rest is used up. Training goes on."));
+      if (event.kind == Kind::kFinished) {
+        finish();
+        return;
+      }
+    }
+    const TrainingRun& run = session_->run();
+    const bool recording = scene_->controller().mode() == SimulationController::Mode::kRecording;
+    if (run.state() == RunState::kRunning && run.phase().arm == TrainingArm::kVirtual && !recording) record();
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+  showState();
+}
+
+void RunPage::endRecording(TrialOutcome outcome) {
+  const std::optional<RecordingResult> result = scene_->controller().endTraining(outcome);
+  inFile_ = inFile_ || (result && result->spillFile);
+}
+
+void RunPage::finish() {
+  timer_.stop();
+  opening_.cancel();
+  device_.reset();
+  endRecording(TrialOutcome::kCompleted);
+  StationDesk::of(shell()).lastScene = scene_->controller().sharedScene();
+  session_.reset();
+  if (StationWriter* line = shell().line(); line != nullptr) static_cast<void>(line->settled(kLastWrites));
+  inFile_ = inFile_ || shell().databaseAway();
+  if (inFile_) {
+    showState();
+    return;
+  }
+  if (lastTrial_.isEmpty()) {
+    shell().notify(tr("The time on the real arm is over. It has been logged."));
+    shell().open(QStringLiteral("station.next"));
+  } else {
+    shell().open(QStringLiteral("station.debrief"), lastTrial_);
+  }
+}
+
+void RunPage::askToStop() {
+  if (!session_) return;
+  QMessageBox question(this);
+  question.setIcon(QMessageBox::NoIcon);
+  question.setText(tr("End this run now?"));
+  question.setInformativeText(session_->graded() ? tr("What was recorded is kept, and the attempt counts.")
+                                                 : tr("What was recorded is kept."));
+  QPushButton* end = question.addButton(tr("&End the run"), QMessageBox::AcceptRole);
+  question.addButton(tr("&Go on"), QMessageBox::RejectRole);
+  question.exec();
+  if (question.clickedButton() != end || !session_) return;
+  try {
+    session_->stop("ended by the trainee");
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+  finish();
+}
+
+bool RunPage::leave() {
+  if (busy()) {
+    shell().notify(tr("A run goes on. End it first."));
+    return false;
+  }
+  timer_.stop();
+  opening_.cancel();
+  session_.reset();
+  waiting_ = false;
+  scene_->controller().shutDown();
+  return true;
+}
+
+bool RunPage::busy() const {
+  return session_ && !waiting_ && session_->run().state() != RunState::kReady && !session_->run().over();
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QTimer>
+
+#include "app/gui/base/page.h"
+#include "app/gui/base/problem.h"
+#include "app/gui/trainee/device_opening.h"
+#include "app/training/run_session.h"
+#include "sim/base/live_types.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QStackedWidget;
+
+namespace torsio::gui {
+
+class AngleDial;
+class Card;
+class LevelBar;
+class LiveScene;
+
+/// The run itself: big countdown, phase, rest with its allowance, gauges, quiet cues in practice only, hard
+/// stop at the end, and the timer of the real arm. The clock and what is kept are RunSession's; while the
+/// device gets ready, off the GUI thread, the clock stands.
+class RunPage : public Page {
+  Q_OBJECT
+
+ public:
+  explicit RunPage(ShellContext& shell, QWidget* parent = nullptr);
+  ~RunPage() override;
+
+  /// Begins a run of StationDesk::moduleId; with the argument "later" it waits for the next call.
+  void enter(const QVariant& argument) override;
+  [[nodiscard]] bool leave() override;
+  [[nodiscard]] bool busy() const override;
+  void retranslate() override;
+  void applyTheme(const Theme& theme) override;
+
+  [[nodiscard]] ShellContext& context() const noexcept { return shell(); }
+  [[nodiscard]] LiveScene& scene() noexcept { return *scene_; }
+  /// Null outside a run.
+  [[nodiscard]] RunSession* session() noexcept { return session_ ? &*session_ : nullptr; }
+  /// Whether the run waits for its device, its clock standing still.
+  [[nodiscard]] bool fetchesDevice() const noexcept { return opening_.going(); }
+  /// One round of the clock; tests call it themselves.
+  void tick();
+
+ private:
+  QWidget* createPanel();
+  QWidget* createNotice();
+  void begin();
+  void start();
+  void fetchDevice();
+  void haveDevice();
+  void cancelWaiting();
+  void record();
+  void follow(const std::vector<RunEvent>& events);
+  void endRecording(TrialOutcome outcome);
+  void finish();
+  void askToStop();
+  void withoutDevice(const Problem& why);
+  void showState();
+  bool showNotice();
+  void showLive(const LiveState& state);
+  [[nodiscard]] QString cue(const LiveState& state) const;
+
+  const Theme* theme_;
+  std::optional<RunSession> session_;
+  QString lastTrial_;
+  bool waiting_ = false;  // for the scene and the device, before the clock starts
+  std::optional<std::unique_ptr<HapticDevice>> device_;  // opened for the next recording; null: the pointer
+  bool haptic_ = false;                                  // the run's device renders force
+  bool inFile_ = false;                                  // a recording of this run waits for its database
+  QTimer timer_;
+  DeviceOpening opening_;
+
+  QStackedWidget* stage_;
+  LiveScene* scene_;
+  QLabel* noticeTitle_ = nullptr;
+  QLabel* noticeFigure_ = nullptr;
+  QLabel* noticeText_ = nullptr;
+  QPushButton* goOn_ = nullptr;
+  QLabel* title_ = nullptr;
+  QLabel* mode_ = nullptr;
+  Card* time_ = nullptr;
+  QLabel* countdown_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QLabel* phase_ = nullptr;
+  Card* angle_ = nullptr;
+  AngleDial* dial_ = nullptr;
+  Card* load_ = nullptr;
+  LevelBar* torque_ = nullptr;
+  LevelBar* force_ = nullptr;
+  QLabel* cue_ = nullptr;
+  QLabel* warning_ = nullptr;
+  QPushButton* rest_ = nullptr;
+  QPushButton* stop_ = nullptr;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Of RunPage: what it shows and says.
+#include <algorithm>
+#include <cmath>
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStackedWidget>
+
+#include "app/gui/base/spoken.h"
+#include "app/gui/trainee/live_scene.h"
+#include "app/gui/trainee/run_page.h"
+#include "app/gui/trainee/station_words.h"
+#include "app/gui/widgets/angle_dial.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/level_bar.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr std::int64_t kSoon_us = 30'000'000;
+constexpr double kTargetNear = 0.85;  // of the way: time to slow down
+
+}  // namespace
+
+void RunPage::retranslate() {
+  time_->setTitle(tr("Time left"));
+  // Their gauges say what they show; a title each would not fit a small screen.
+  angle_->setAccessibleName(tr("Angle"));
+  load_->setAccessibleName(tr("Load on the tissue"));
+  torque_->setName(tr("Torque"), tr("N m"));
+  force_->setName(tr("Force"), tr("N"));
+  stop_->setText(tr("&End the run"));
+  dial_->retranslate();
+  if (session_) {
+    title_->setText(spoken(session_->step().module.title));
+    mode_->setText(session_->graded() ? tr("Graded run") : tr("Practice"));
+  }
+  showState();
+}
+
+void RunPage::applyTheme(const Theme& theme) {
+  theme_ = &theme;
+  scene_->setTheme(theme);
+  dial_->setTheme(theme);
+  torque_->setTheme(theme);
+  force_->setTheme(theme);
+}
+
+void RunPage::showState() {
+  const bool runs = session_.has_value() && !waiting_;
+  rest_->setVisible(runs);
+  stop_->setEnabled(runs);
+  if (!session_) {
+    countdown_->setText(StationWords::clock(0));
+    stage_->setCurrentIndex(1);
+    noticeTitle_->setText(inFile_ ? tr("Your run is safe") : tr("No run goes on"));
+    noticeFigure_->clear();
+    noticeText_->setText(inFile_ ? tr("The database did not answer. The recording is kept, on this computer "
+                                      "where need be; as soon as the database answers you find its debrief "
+                                      "on the page \u201cDebrief\u201d.")
+                                 : tr("Choose a module on the page \u201cMy next step\u201d."));
+    goOn_->hide();
+    rest_->hide();
+    return;
+  }
+  const TrainingRun& run = session_->run();
+  const RunPhase& phase = run.phase();
+  const bool real = phase.arm == TrainingArm::kReal;
+  countdown_->setText(StationWords::clock(run.remainingInPhase_us()));
+  setLook(countdown_, "caution", run.state() == RunState::kRunning && run.remainingInPhase_us() < kSoon_us);
+  progress_->setValue(static_cast<int>(phase.done_us * 1000 / std::max<std::int64_t>(1, phase.duration_us)));
+  const int number = static_cast<int>(run.phaseIndex()) + 1;
+  const int all = static_cast<int>(run.plan().phases.size());
+  phase_->setVisible(all > 1);
+  phase_->setText(all > 1
+                      ? tr("Phase %1 of %2: %3").arg(number).arg(all).arg(QString::fromStdString(phase.label))
+                      : QString::fromStdString(phase.label));
+  rest_->setVisible(runs && run.plan().restAllowance_us > 0);
+  rest_->setEnabled(run.mayRest() && !opening_.going());
+  rest_->setText(run.state() == RunState::kResting || run.restLeft_us() > 0
+                     ? tr("&Rest (%1 left)").arg(StationWords::clock(run.restLeft_us()))
+                     : tr("&Rest (used up)"));
+  angle_->setVisible(!real);
+  load_->setVisible(!real);
+  cue_->setVisible(!real && !session_->graded());
+  stage_->setCurrentIndex(showNotice() ? 1 : 0);
+}
+
+/// What stands in place of the organ; false: nothing does.
+bool RunPage::showNotice() {
+  const TrainingRun& run = session_->run();
+  const RunPhase& phase = run.phase();
+  const bool real = phase.arm == TrainingArm::kReal;
+  goOn_->setVisible(opening_.going() ? waiting_ : run.state() != RunState::kRunning);
+  noticeFigure_->setVisible(!opening_.going());
+  setLook(goOn_, "primary", !opening_.going());
+  if (opening_.going()) {
+    noticeTitle_->setText(tr("Getting the haptic device ready"));
+    noticeText_->setText(waiting_ ? tr("This takes a few seconds. Your time has not begun yet.")
+                                  : tr("This takes a few seconds. Your training clock stands still."));
+    goOn_->setText(tr("&Cancel"));
+    return true;
+  }
+  if (run.state() == RunState::kResting) {
+    noticeTitle_->setText(tr("Rest"));
+    noticeFigure_->setText(StationWords::clock(run.restLeft_us()));
+    noticeText_->setText(
+        tr("Your training clock stands still. Training goes on by itself when the rest is used up."));
+    goOn_->setText(tr("&Go on now"));
+    return true;
+  }
+  if (run.state() == RunState::kHandOver) {
+    noticeTitle_->setText(real ? tr("Go to the real arm") : tr("Come to the simulator"));
+    noticeFigure_->setText(StationWords::clock(run.handOverLeft_us()));
+    noticeText_->setText(tr("The next phase starts by itself: %1").arg(QString::fromStdString(phase.label)));
+    goOn_->setText(tr("I am &ready"));
+    return true;
+  }
+  if (real) {
+    noticeTitle_->setText(tr("Train on the real arm"));
+    noticeFigure_->setText(StationWords::clock(run.remainingInPhase_us()));
+    noticeText_->setText(tr("This timer logs your training time. Nothing is recorded by the simulator."));
+  }
+  return real;
+}
+
+QString RunPage::cue(const LiveState& state) const {
+  const StoredModule& module = session_->step().module;
+  const double target = module.targetAngle_rad;
+  switch (state.phase) {
+    case ExercisePhase::kTracking:
+      return haptic_ ? tr("Bring the jaw to the marked band.")
+                     : tr("Bring the jaw to the marked band. The wheel moves it nearer.");
+    case ExercisePhase::kContact:
+      return haptic_ ? tr("Touching. Close the jaw.")
+                     : tr("Touching. Close the jaw: hold the left button or Space.");
+    case ExercisePhase::kTwisting: {
+      const double way = target == 0.0 ? 0.0 : state.response.angle_rad / target;
+      if (std::abs(state.response.angle_rad - target) <= module.tolerance_rad)
+        return module.hold_us > 0 ? tr("On target. Hold, then let go gently.")
+                                  : tr("On target. Let go gently.");
+      if (way > 1.0) return tr("Beyond the target. Turn back a little.");
+      if (way > kTargetNear) return tr("Nearly there. Slow down.");
+      if (way < 0.0) return tr("The other way round.");
+      return tr("Turn in one even movement.");
+    }
+    case ExercisePhase::kReleased:
+      return tr("The tissue returns to rest.");
+  }
+  return {};
+}
+
+void RunPage::showLive(const LiveState& state) {
+  if (!session_) return;
+  dial_->setAngle(state.response.angle_rad);
+  torque_->setValue(std::abs(state.response.torque_Nm));
+  force_->setValue(norm(state.force_N));
+  const bool over = torque_->overLimit() || force_->overLimit();
+  warning_->setText(over ? tr("Above the limit: ease off") : QString());
+  if (!session_->graded()) cue_->setText(cue(state));
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/trainee/station_parts.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLayout>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "app/gui/widgets/icons.h"
+#include "app/gui/widgets/page_heading.h"
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+PageColumn pageColumn(QWidget* page, int widest) {
+  auto* outer = new QVBoxLayout(page);
+  outer->setContentsMargins(0, 0, 0, 0);
+  auto* scroll = new QScrollArea(page);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  outer->addWidget(scroll);
+  auto* ground = new QWidget;
+  scroll->setWidget(ground);
+  auto* row = new QHBoxLayout(ground);
+  row->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 3 * kSpace);
+  auto* body = new QWidget(ground);
+  if (widest > 0) body->setMaximumWidth(widest);
+  row->addWidget(body, 100);
+  row->addStretch(1);
+  PageColumn made;
+  made.column = new QVBoxLayout(body);
+  made.column->setContentsMargins(0, 0, 0, 0);
+  made.column->setSpacing(2 * kSpace);
+  made.heading = new PageHeading(body);
+  made.column->addWidget(made.heading);
+  return made;
+}
+
+void emptyLayout(QLayout* layout) {
+  while (QLayoutItem* item = layout->takeAt(0)) {
+    if (item->layout() != nullptr) emptyLayout(item->layout());
+    if (item->widget() != nullptr) {
+      // The click that led here may still be in its slot.
+      item->widget()->setParent(nullptr);
+      item->widget()->deleteLater();
+    }
+    delete item;
+  }
+}
+
+QLabel* plainLabel(QWidget* parent, const char* look) {
+  auto* label = new QLabel(parent);
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  if (look != nullptr) label->setProperty(look, true);
+  return label;
+}
+
+void makeHuge(QLabel* label, double points) {
+  // The style sheet of the application wins over setFont(); a sheet of its own wins over both.
+  label->setStyleSheet(QStringLiteral("font-size: %1pt; font-weight: 600;").arg(points));
+}
+
+void showIcon(QLabel* label, const QString& name, const QColor& colour, int size) {
+  label->setPixmap(icon(name, colour).pixmap(size, size));
+  label->setFixedSize(size, size);
+}
+
+}  // namespace torsio::gui

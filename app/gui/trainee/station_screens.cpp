@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pages in states that are worth a picture, on the demonstration cohort.
+#include <QCoreApplication>
+#include <QElapsedTimer>
+
+#include "app/base/assets.h"
+#include "app/demonstration/demonstration_station.h"
+#include "app/gui/base/shell_context.h"
+#include "app/gui/trainee/briefing_page.h"
+#include "app/gui/trainee/debrief_page.h"
+#include "app/gui/trainee/debrief_plot.h"
+#include "app/gui/trainee/live_scene.h"
+#include "app/gui/trainee/run_page.h"
+#include "app/gui/trainee/station_desk.h"
+#include "app/gui/trainee/station_pages.h"
+#include "app/gui/trainee/trend_page.h"
+#include "sim/device/virtual/scripted_hand.h"
+#include "sim/servo/hand_task.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kPatience_ms = 30'000;
+constexpr double kPartOfTheWay = 0.7;
+constexpr double kHand_s = 60.0;
+constexpr double kExpertAt = 0.45;  // of the replay
+
+DemonstrationStation laidOut(Workplace& workplace) {
+  return storeDemonstrationStation(workplace.connection(), workplace.ids(), assetsFolder(),
+                                   workplace.now_us());
+}
+
+template <typename Condition>
+void waitFor(const Condition& done) {
+  QElapsedTimer waited;
+  waited.start();
+  while (!done() && waited.elapsed() < kPatience_ms)
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+}
+
+QVariant nothing(Workplace& workplace) {
+  static_cast<void>(laidOut(workplace));
+  return {};
+}
+
+QVariant later(Workplace& workplace) {
+  static_cast<void>(laidOut(workplace));
+  return QStringLiteral("later");
+}
+
+/// What the trainee would have chosen before.
+void choose(ShellContext& shell) {
+  StationDesk& desk = StationDesk::of(shell);
+  const NextSteps steps = nextSteps(shell.workplace(), shell.workplace().actor().personId);
+  if (steps.next) desk.moduleId = steps.modules[*steps.next].module.id;
+  desk.graded = false;
+  desk.readiness = pointerReadiness(true);
+}
+
+void showBriefing(Page& page) {
+  auto& briefing = static_cast<BriefingPage&>(page);
+  choose(briefing.context());
+  briefing.enter({});
+  SimulationController& controller = briefing.scene().controller();
+  waitFor([&] { return controller.playback() != nullptr; });
+  if (controller.playback() == nullptr) return;
+  controller.playback()->setPlaying(false);
+  controller.playback()->seek_us(
+      static_cast<std::int64_t>(kExpertAt * static_cast<double>(controller.playback()->duration_us())));
+}
+
+std::unique_ptr<HapticDevice> practisedHand(const Scene& scene, double target_rad) {
+  ScriptedHandOptions hand;
+  hand.task = handTask(scene);
+  hand.task.targetAngle_rad = target_rad;
+  hand.profile = {.initialSkill = 1.0, .finalSkill = 1.0, .learningTime_min = 1.0};
+  hand.duration_s = kHand_s;
+  return std::make_unique<ScriptedHand>(hand);
+}
+
+void showRun(Page& page) {
+  auto& run = static_cast<RunPage&>(page);
+  choose(run.context());
+  StationDesk::of(run.context()).openDevice = practisedHand;
+  run.enter({});
+  SimulationController& controller = run.scene().controller();
+  waitFor([&] {
+    const double target_rad = controller.target_rad();
+    return run.busy() && controller.state().response.angle_rad / target_rad > kPartOfTheWay;
+  });
+}
+
+void showFinding(Page& page) {
+  auto& debrief = static_cast<DebriefPage&>(page);
+  waitFor([&] { return !debrief.debrief().trialId.empty(); });
+  if (!debrief.debrief().weaknesses.empty()) debrief.plot().show(debrief.debrief().weaknesses.front().when);
+}
+
+ScreenEntry screen(const char* name, const char* page, std::function<QVariant(Workplace&)> argument,
+                   std::function<void(Page&)> prepare = {}) {
+  return {.name = QLatin1String(name),
+          .role = QStringLiteral("trainee"),
+          .pageId = QLatin1String(page),
+          .argument = std::move(argument),
+          .prepare = std::move(prepare)};
+}
+
+}  // namespace
+
+std::vector<ScreenEntry> stationScreens() {
+  return {screen("station-next-step", "station.next", nothing),
+          screen("station-device-check", "station.device", nothing),
+          screen("station-consent", "station.consent", nothing),
+          screen("station-briefing", "station.briefing", later, showBriefing),
+          screen("station-run", "station.run", later, showRun),
+          screen(
+              "station-debrief", "station.debrief",
+              [](Workplace& workplace) -> QVariant {
+                return QString::fromStdString(laidOut(workplace).newestTrialId);
+              },
+              showFinding),
+          screen(
+              "station-trend", "station.trend",
+              [](Workplace& workplace) -> QVariant {
+                return QString::fromStdString(laidOut(workplace).firstModuleId);
+              },
+              [](Page& page) { static_cast<TrendPage&>(page).chooseMetric("time.total"); }),
+          screen("station-remarks", "station.remarks", nothing),
+          screen("station-transcript", "station.transcript", nothing)};
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+
+#include "app/devices/device_readiness.h"
+#include "app/training/debrief.h"
+#include "app/training/next_steps.h"
+#include "app/training/trend.h"
+
+namespace torsio::gui {
+
+/// Sentences of the station, in the present language. Values come in SI and leave in the units of a ward.
+class StationWords {
+  Q_DECLARE_TR_FUNCTIONS(StationWords)
+
+ public:
+  /// "12.4 s", "3.1°", "62 %".
+  [[nodiscard]] static QString quantity(const std::string& metric, double value);
+  /// The same without unit, for an axis; unitOf() stands beside it.
+  [[nodiscard]] static double shown(const std::string& metric, double value);
+  [[nodiscard]] static QString unitOf(const std::string& metric);
+  [[nodiscard]] static QString metric(const std::string& id);
+
+  /// "00:00" of a countdown: minutes and seconds, rounded up.
+  [[nodiscard]] static QString clock(std::int64_t left_us);
+  /// "0:12.4" on a trace.
+  [[nodiscard]] static QString seconds(double at_s);
+  [[nodiscard]] static QString minutes(std::int64_t span_us);
+  /// How long something has waited: "3 h".
+  [[nodiscard]] static QString waited(std::int64_t span_us);
+  [[nodiscard]] static QString when(std::int64_t utc_us);
+
+  [[nodiscard]] static QString state(StepState state);
+  /// Why it is locked, or what is missing for mastery.
+  [[nodiscard]] static QString why(const ModuleStep& step);
+  [[nodiscard]] static QString rule(const RuleProgress& progress);
+  [[nodiscard]] static QString lastResult(const ModuleStep& step);
+  [[nodiscard]] static QString unlocks(const ModuleStep& step);
+
+  [[nodiscard]] static QString check(const TargetCheck& check, std::size_t twists);
+  /// What was good or bad, in one sentence.
+  [[nodiscard]] static QString finding(const DebriefFinding& finding, bool strength);
+  /// What to try next.
+  [[nodiscard]] static QString advice(const std::string& metric);
+
+  [[nodiscard]] static QString level(SkillLevel level, std::size_t runsMissing);
+  [[nodiscard]] static QString levelMeaning(SkillLevel level);
+  [[nodiscard]] static QString readiness(const ReadinessFinding& finding);
+  [[nodiscard]] static QString light(Light light);
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/trainee/transcript_page.h"
+
+#include <system_error>
+
+#include <QPageLayout>
+#include <QPdfWriter>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QPushButton>
+#include <QTextBrowser>
+#include <QTextDocument>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/trainee/station_parts.h"
+#include "app/gui/trainee/station_words.h"
+#include "app/gui/widgets/file_choice.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kLeast = 420;
+const QMarginsF kPaperMargins_mm(20.0, 20.0, 20.0, 20.0);
+
+QString cell(const QString& text) {
+  return QStringLiteral("<td style='padding: 3px 14px 3px 0'>%1</td>").arg(text.toHtmlEscaped());
+}
+
+}  // namespace
+
+TranscriptPage::TranscriptPage(ShellContext& context, QWidget* parent) : Page(context, parent) {
+  const PageColumn page = pageColumn(this, 900);
+  heading_ = page.heading;
+  text_ = new QTextBrowser(this);
+  text_->setMinimumHeight(kLeast);
+  page.column->addWidget(text_, 1);
+  print_ = new QPushButton(this);
+  pdf_ = primaryButton(this);
+  heading_->addAction(print_);
+  heading_->addAction(pdf_);
+  connect(pdf_, &QPushButton::clicked, this, &TranscriptPage::choosePdf);
+  connect(print_, &QPushButton::clicked, this, &TranscriptPage::print);
+}
+
+void TranscriptPage::enter(const QVariant&) {
+  try {
+    transcript_ = torsio::transcript(shell().workplace(), shell().workplace().actor().personId);
+    read_ = true;
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+  retranslate();
+}
+
+void TranscriptPage::retranslate() {
+  heading_->setTexts(tr("Every module and attempt"), tr("Save it as PDF or print it, and take it with you."));
+  pdf_->setText(tr("Save as &PDF\u2026"));
+  print_->setText(tr("P&rint\u2026"));
+  pdf_->setEnabled(read_);
+  print_->setEnabled(read_);
+  text_->setHtml(read_ ? html(false) : QString());
+}
+
+QString TranscriptPage::html(bool paper) const {
+  const Transcript& t = transcript_;
+  QString page;
+  const auto line = [&page](const QString& text) {
+    page += QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped());
+  };
+  page += QStringLiteral("<h2>%1</h2>").arg(tr("Transcript of twist training").toHtmlEscaped());
+  if (t.demonstration) line(tr("Demonstration: these people and runs are simulated."));
+  const QString name = QString::fromStdString(t.fullName);
+  const QString code = QString::fromStdString(t.traineeCode);
+  line(name.isEmpty() ? tr("Trainee %1").arg(code) : tr("%1 (trainee %2)").arg(name, code));
+  line(tr("%1, %2").arg(QString::fromStdString(t.centre), QString::fromStdString(t.cohortName)));
+  if (!t.armLabel.empty()) line(tr("Programme: %1").arg(QString::fromStdString(t.armLabel)));
+  line(tr("Time trained: %1 min on the simulator, %2 min on the real arm, %3 min of rest.")
+           .arg(t.virtual_min, 0, 'f', 1)
+           .arg(t.real_min, 0, 'f', 1)
+           .arg(t.rest_min, 0, 'f', 1));
+  for (const TranscriptModule& module : t.modules) {
+    const QString title = spoken(module.step.module.title);
+    page += QStringLiteral("<h3>%1</h3>").arg(title.toHtmlEscaped());
+    line(tr("%1. Level: %2.")
+             .arg(StationWords::state(module.step.state),
+                  StationWords::level(module.level,
+                                      kRunsForLevel - std::min(kRunsForLevel, module.attempts.size()))));
+    if (module.attempts.empty()) continue;
+    page += QStringLiteral("<table><tr>");
+    for (const QString& head : {tr("When"), tr("Mode"), tr("Length"), tr("Twists on target"), tr("Note")})
+      page += QStringLiteral("<th align='left' style='padding: 3px 14px 3px 0'>%1</th>")
+                  .arg(head.toHtmlEscaped());
+    page += QStringLiteral("</tr>");
+    for (const Attempt& attempt : module.attempts) {
+      page += QStringLiteral("<tr>%1%2%3%4%5</tr>")
+                  .arg(cell(StationWords::when(attempt.startedUtc_us)),
+                       cell(attempt.mode == "graded" ? tr("Graded") : tr("Practice")),
+                       cell(tr("%1 s").arg(attempt.duration_s, 0, 'f', 0)),
+                       cell(tr("%1 of %2").arg(attempt.onTarget).arg(attempt.twists)),
+                       cell(attempt.interrupted ? tr("interrupted")
+                            : !attempt.ended    ? tr("running")
+                                                : QString()));
+    }
+    page += QStringLiteral("</table>");
+  }
+  if (paper) {
+    line(tr("Made on %1 with Torsio %2. A training record, no certificate of clinical competence.")
+             .arg(StationWords::when(t.madeUtc_us), QString::fromStdString(t.softwareVersion)));
+    line(tr("Signature: ______________________________"));
+  }
+  return page;
+}
+
+void TranscriptPage::writePdf(const std::filesystem::path& file) const {
+  const std::filesystem::path temporary = temporaryBeside(file);
+  {
+    QPdfWriter writer(QString::fromStdString(temporary.string()));
+    writer.setPageSize(QPageSize(QPageSize::A4));
+    writer.setPageMargins(kPaperMargins_mm, QPageLayout::Millimeter);
+    writer.setTitle(tr("Transcript of twist training"));
+    QTextDocument document;
+    document.setHtml(html(true));
+    document.print(&writer);
+  }
+  std::error_code failed;
+  std::filesystem::rename(temporary, file, failed);
+  if (failed) {
+    std::filesystem::remove(temporary, failed);
+    throw Error(ErrorCode::kFileUnwritable, "cannot be written", file.string(), "Choose another folder");
+  }
+}
+
+void TranscriptPage::choosePdf() {
+  const QString proposal = tr("transcript-%1.pdf").arg(QString::fromStdString(transcript_.traineeCode));
+  const QString file = askFileToSave(this, tr("Save transcript"), proposal, tr("PDF (*.pdf)"));
+  if (file.isEmpty()) return;
+  try {
+    writePdf(std::filesystem::path(file.toStdString()));
+    shell().notify(tr("Saved to %1").arg(file));
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void TranscriptPage::print() {
+  QPrinter printer;
+  QPrintDialog dialog(&printer, this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  QTextDocument document;
+  document.setHtml(html(true));
+  document.print(&printer);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/trainee/trend_page.h"
+
+#include <algorithm>
+#include <set>
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/trainee/station_parts.h"
+#include "app/gui/trainee/station_words.h"
+#include "app/gui/trainee/trend_plot.h"
+#include "app/gui/widgets/card.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/form.h"
+#include "app/gui/widgets/page_heading.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr const char* kUsualMetrics[] = {"twist.on_target", "twist.settling", "twist.overshoot",
+                                         "twist.sparc",     "force.peak",     "time.total"};
+constexpr int kTableHeight = 260;
+constexpr std::size_t kFewest = 8;
+
+}  // namespace
+
+TrendPage::TrendPage(ShellContext& context, QWidget* parent) : Page(context, parent) {
+  const PageColumn page = pageColumn(this);
+  heading_ = page.heading;
+  auto* choices = new QHBoxLayout;
+  choices->setSpacing(kSpace);
+  modules_ = new QComboBox(this);
+  metrics_ = new QComboBox(this);
+  moduleLabel_ = new QLabel(this);
+  moduleLabel_->setBuddy(modules_);
+  metricLabel_ = new QLabel(this);
+  metricLabel_->setBuddy(metrics_);
+  for (QWidget* widget : std::initializer_list<QWidget*>{moduleLabel_, modules_, metricLabel_, metrics_})
+    choices->addWidget(widget);
+  choices->addStretch(1);
+  page.column->addLayout(choices);
+
+  auto* cards = new QHBoxLayout;
+  cards->setSpacing(2 * kSpace);
+  const auto card = [this, cards](QLabel*& figure, QLabel*& text) {
+    auto* made = new Card(QString(), this);
+    figure = plainLabel(made, "heading");
+    text = plainLabel(made, "quiet");
+    made->content()->addWidget(figure);
+    made->content()->addWidget(text);
+    made->content()->addStretch(1);
+    cards->addWidget(made, 1);
+    return made;
+  };
+  level_ = card(levelName_, levelMeaning_);
+  levelName_->setObjectName(QStringLiteral("level"));
+  distance_ = card(distanceFigure_, distanceText_);
+  left_ = card(leftFigure_, leftText_);
+  page.column->addLayout(cards);
+
+  chart_ = new Card(QString(), this);
+  plot_ = new TrendPlot(chart_);
+  chart_->content()->addWidget(plot_, 1);
+  note_ = plainLabel(chart_, "quiet");
+  chart_->content()->addWidget(note_);
+  page.column->addWidget(chart_, 1);
+  table_ = new DataTable(QStringLiteral("station.trend"), this);
+  table_->setMinimumHeight(kTableHeight);
+  page.column->addWidget(table_);
+
+  connect(modules_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    if (filling_ || index < 0) return;
+    module_ = modules_->itemData(index).toString().toStdString();
+    metrics_->setCurrentIndex(-1);
+    readTrend();
+  });
+  connect(metrics_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    if (!filling_ && index >= 0) readTrend();
+  });
+  connect(table_, &DataTable::activated, this,
+          [this](const QString& id) { shell().open(QStringLiteral("station.debrief"), id); });
+}
+
+void TrendPage::enter(const QVariant& argument) {
+  try {
+    steps_ = nextSteps(shell().workplace(), shell().workplace().actor().personId);
+    const std::string wanted = argument.toString().toStdString();
+    const auto has = [&](const std::string& id) {
+      return std::any_of(steps_.modules.begin(), steps_.modules.end(),
+                         [&](const ModuleStep& step) { return step.module.id == id; });
+    };
+    if (has(wanted)) module_ = wanted;
+    if (!has(module_)) {
+      module_.clear();
+      std::int64_t newest = -1;
+      for (const ModuleStep& step : steps_.modules) {
+        const std::int64_t at = step.last ? step.last->startedUtc_us : 0;
+        if (at > newest) module_ = step.module.id;
+        newest = std::max(newest, at);
+      }
+    }
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+  readTrend();
+}
+
+void TrendPage::readTrend() {
+  try {
+    trend_ = {};
+    if (!module_.empty()) {
+      trend_ = torsio::trend(shell().workplace(), steps_.personId, module_,
+                             metrics_->currentData().toString().toStdString());
+    }
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+  fill();
+}
+
+void TrendPage::fillChoices() {
+  filling_ = true;
+  modules_->clear();
+  for (const ModuleStep& step : steps_.modules) {
+    modules_->addItem(spoken(step.module.title), QString::fromStdString(step.module.id));
+  }
+  modules_->setCurrentIndex(modules_->findData(QString::fromStdString(module_)));
+  std::vector<std::string> metrics(std::begin(kUsualMetrics), std::end(kUsualMetrics));
+  for (const ModuleStep& step : steps_.modules) {
+    if (step.module.id != module_) continue;
+    for (const StoredMasteryRule& rule : step.module.mastery)
+      if (std::find(metrics.begin(), metrics.end(), rule.metric) == metrics.end())
+        metrics.push_back(rule.metric);
+  }
+  metrics_->clear();
+  for (const std::string& id : metrics)
+    metrics_->addItem(StationWords::metric(id), QString::fromStdString(id));
+  metrics_->setCurrentIndex(metrics_->findData(QString::fromStdString(trend_.metric)));
+  filling_ = false;
+}
+
+void TrendPage::chooseMetric(const std::string& metric) {
+  metrics_->setCurrentIndex(metrics_->findData(QString::fromStdString(metric)));
+}
+
+void TrendPage::retranslate() {
+  fill();
+}
+
+void TrendPage::applyTheme(const Theme& theme) {
+  plot_->setTheme(theme);
+}
+
+void TrendPage::fill() {
+  heading_->setTexts(trend_.moduleTitle.empty() ? tr("Your way") : spoken(trend_.moduleTitle),
+                     tr("Every attempt is kept and shown."));
+  moduleLabel_->setText(tr("&Module"));
+  metricLabel_->setText(tr("&Quantity"));
+  fillChoices();
+  level_->setTitle(tr("Level"));
+  levelName_->setText(StationWords::level(trend_.level, trend_.runsUntilLevel));
+  setLook(levelName_, "good", trend_.level == SkillLevel::kSteady);
+  setLook(levelName_, "caution", trend_.level == SkillLevel::kWatch || trend_.level == SkillLevel::kRelapsed);
+  levelMeaning_->setText(StationWords::levelMeaning(trend_.level));
+  distance_->setTitle(tr("Distance to the threshold"));
+  if (trend_.distance && *trend_.distance > 0.0) {
+    distanceFigure_->setText(StationWords::quantity(trend_.metric, *trend_.distance));
+    distanceText_->setText(tr("missing in the last run; threshold %1")
+                               .arg(StationWords::quantity(trend_.metric, trend_.threshold.value_or(0.0))));
+  } else if (trend_.distance) {
+    distanceFigure_->setText(tr("Reached"));
+    distanceText_->setText(tr("in the last run; threshold %1")
+                               .arg(StationWords::quantity(trend_.metric, trend_.threshold.value_or(0.0))));
+  } else {
+    distanceFigure_->setText(tr("None"));
+    distanceText_->setText(tr("This quantity has no threshold in this module."));
+  }
+  left_->setTitle(tr("Attempts"));
+  leftFigure_->setText(QString::number(trend_.points.size()));
+  leftText_->setText(trend_.attemptsLeft ? tr("Graded attempts left: %1").arg(*trend_.attemptsLeft)
+                                         : tr("No limit in this module."));
+  chart_->setTitle(tr("Attempts over time"));
+  plot_->setTrend(trend_);
+  const QString marks = tr("Filled circle: passed. Triangle: not passed.");
+  const bool few = trend_.points.size() < kFewest;
+  note_->setText(trend_.curve.empty()
+                     ? (few ? tr("%1 A learning curve is drawn from eight attempts on.")
+                            : tr("%1 No learning curve fits these values."))
+                           .arg(marks)
+                     : tr("%1 Line and band: learning curve with its 95 % band.").arg(marks));
+  table_->setColumns({{tr("Attempt"), true},
+                      {tr("When")},
+                      {tr("Mode")},
+                      {StationWords::metric(trend_.metric), true},
+                      {tr("Result")}});
+  table_->setEmptyText(tr("No attempt yet. Your runs at this module appear here."));
+  std::vector<Row> rows;
+  for (const TrendPoint& point : trend_.points) {
+    Row row;
+    row.id = QString::fromStdString(point.trialId);
+    row.cells.push_back({QString::number(point.attempt), QVariant::fromValue<qlonglong>(point.attempt)});
+    row.cells.push_back(
+        {StationWords::when(point.startedUtc_us), QVariant::fromValue<qlonglong>(point.startedUtc_us)});
+    row.cells.push_back({point.mode == "graded" ? tr("Graded") : tr("Practice")});
+    row.cells.push_back(
+        {point.value ? StationWords::quantity(trend_.metric, *point.value) : tr("not defined"),
+         point.value ? QVariant(*point.value) : QVariant()});
+    row.cells.push_back({point.passed ? tr("Passed") : tr("Not passed")});
+    rows.push_back(std::move(row));
+  }
+  table_->setRows(std::move(rows));
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/trainee/trend_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+
+#include "app/gui/trainee/station_words.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr double kLeft = 62.0;
+constexpr double kRight = 20.0;
+constexpr double kTop = 26.0;
+constexpr double kBottom = 44.0;
+constexpr double kMark = 5.0;
+
+}  // namespace
+
+TrendPlot::TrendPlot(QWidget* parent) : QWidget(parent), theme_(&theme(ThemeKind::kLight)) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void TrendPlot::setTrend(const Trend& trend) {
+  trend_ = trend;
+  findRange();
+  retranslate();
+}
+
+void TrendPlot::setTheme(const Theme& theme) {
+  theme_ = &theme;
+  update();
+}
+
+void TrendPlot::retranslate() {
+  setAccessibleName(tr("%1 over the attempts").arg(StationWords::metric(trend_.metric)));
+  QStringList values;
+  for (const TrendPoint& point : trend_.points)
+    if (point.value) values << StationWords::quantity(trend_.metric, *point.value);
+  setAccessibleDescription(values.join(QStringLiteral(", ")));
+  update();
+}
+
+void TrendPlot::findRange() {
+  std::vector<double> seen;
+  for (const TrendPoint& point : trend_.points)
+    if (point.value) seen.push_back(StationWords::shown(trend_.metric, *point.value));
+  for (const TrendCurvePoint& point : trend_.curve)
+    seen.push_back(StationWords::shown(trend_.metric, point.value));
+  if (trend_.threshold) seen.push_back(StationWords::shown(trend_.metric, *trend_.threshold));
+  if (seen.empty()) seen = {0.0, 1.0};
+  const auto [low, high] = std::minmax_element(seen.begin(), seen.end());
+  // Values that are all the same (no violation in any attempt) still get an axis that says something.
+  const double flat = *high == 0.0 ? 1.0 : 0.05 * std::abs(*high);
+  const double room = *high > *low ? std::max(0.12 * (*high - *low), 0.05 * std::abs(*high)) : flat;
+  low_ = *low >= 0.0 ? std::max(0.0, *low - room) : *low - room;
+  high_ = *high + room;
+}
+
+double TrendPlot::xOf(double attempt) const {
+  const double last = std::max<double>(4.0, static_cast<double>(trend_.points.size()));
+  return kLeft + 14.0 + (attempt - 1.0) / (last - 1.0) * (width() - kLeft - kRight - 28.0);
+}
+
+double TrendPlot::yOf(double value) const {
+  return height() - kBottom - (value - low_) / (high_ - low_) * (height() - kTop - kBottom);
+}
+
+void TrendPlot::drawGrid(QPainter& painter) const {
+  QFont small = font();
+  small.setPointSizeF(kSmallText_pt);
+  painter.setFont(small);
+  const double power = std::pow(10.0, std::floor(std::log10((high_ - low_) / 4.0)));
+  double step = power;
+  for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
+    step = factor * power;
+    if ((high_ - low_) / step <= 6.0) break;
+  }
+  const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  for (double v = std::ceil(low_ / step) * step; v <= high_; v += step) {
+    painter.setPen(theme_->line);
+    painter.drawLine(QPointF(kLeft, yOf(v)), QPointF(width() - kRight, yOf(v)));
+    painter.setPen(theme_->quietText);
+    painter.drawText(QRectF(0.0, yOf(v) - 9.0, kLeft - 8.0, 18.0), Qt::AlignRight | Qt::AlignVCenter,
+                     QLocale().toString(v, 'f', decimals).replace(QLatin1Char('-'), QChar(0x2212)));
+  }
+  const std::size_t last = std::max<std::size_t>(4, trend_.points.size());
+  const std::size_t every = last > 20 ? last / 10 : 1;
+  for (std::size_t a = 1; a <= last; a += every) {
+    painter.drawText(QRectF(xOf(static_cast<double>(a)) - 20.0, height() - kBottom + 4.0, 40.0, 16.0),
+                     Qt::AlignHCenter, QString::number(a));
+  }
+  painter.drawText(QRectF(kLeft, height() - 20.0, width() - kLeft - kRight, 18.0), Qt::AlignHCenter,
+                   tr("Attempt"));
+  const QString unit = StationWords::unitOf(trend_.metric);
+  painter.drawText(QRectF(0.0, 2.0, width(), 18.0), Qt::AlignLeft,
+                   unit.isEmpty() ? StationWords::metric(trend_.metric)
+                                  : tr("%1 in %2").arg(StationWords::metric(trend_.metric), unit));
+}
+
+void TrendPlot::drawCurve(QPainter& painter) const {
+  if (trend_.curve.empty()) return;
+  QPolygonF middle;
+  QPolygonF band;
+  for (const TrendCurvePoint& point : trend_.curve) {
+    middle << QPointF(xOf(point.attempt), yOf(StationWords::shown(trend_.metric, point.value)));
+    band << QPointF(xOf(point.attempt), yOf(StationWords::shown(trend_.metric, point.upper)));
+  }
+  for (auto point = trend_.curve.rbegin(); point != trend_.curve.rend(); ++point)
+    band << QPointF(xOf(point->attempt), yOf(StationWords::shown(trend_.metric, point->lower)));
+  QColor shade = theme_->accent;
+  shade.setAlphaF(0.13F);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(shade);
+  painter.drawPolygon(band);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(theme_->accent, 2.0));
+  painter.drawPolyline(middle);
+}
+
+void TrendPlot::drawPoints(QPainter& painter) const {
+  for (const TrendPoint& point : trend_.points) {
+    if (!point.value) continue;
+    const QPointF at(xOf(static_cast<double>(point.attempt)),
+                     yOf(StationWords::shown(trend_.metric, *point.value)));
+    const QColor colour = point.passed ? theme_->good : theme_->caution;
+    painter.setPen(QPen(colour, 2.0));
+    painter.setBrush(point.passed ? colour : theme_->surface);
+    if (point.passed) {
+      painter.drawEllipse(at, kMark, kMark);
+    } else {
+      painter.drawPolygon(QPolygonF({at + QPointF(0.0, -kMark - 1.0), at + QPointF(kMark + 1.0, kMark),
+                                     at + QPointF(-kMark - 1.0, kMark)}));
+    }
+  }
+}
+
+void TrendPlot::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  drawGrid(painter);
+  painter.setClipRect(QRectF(kLeft, kTop - 6.0, width() - kLeft - kRight, height() - kTop - kBottom + 12.0));
+  if (trend_.threshold) {
+    const double y = yOf(StationWords::shown(trend_.metric, *trend_.threshold));
+    painter.setPen(QPen(theme_->text, 1.4, Qt::DashLine));
+    painter.drawLine(QPointF(kLeft, y), QPointF(width() - kRight, y));
+    painter.setPen(theme_->text);
+    painter.drawText(QRectF(kLeft, y - 18.0, width() - kLeft - kRight - 6.0, 16.0), Qt::AlignRight,
+                     tr("threshold"));
+  }
+  drawCurve(painter);
+  drawPoints(painter);
+}
+
+}  // namespace torsio::gui

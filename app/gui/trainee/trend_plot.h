@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "app/gui/widgets/theme.h"
+#include "app/training/trend.h"
+
+namespace torsio::gui {
+
+/// Attempts over time with threshold, learning curve and its band; passed and failed differ in shape. Below
+/// it the evidence for the level. Says the same in its accessible description.
+class TrendPlot : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TrendPlot(QWidget* parent = nullptr);
+
+  void setTrend(const Trend& trend);
+  void setTheme(const Theme& theme);
+  void retranslate();
+  [[nodiscard]] QSize sizeHint() const override { return {640, 340}; }
+  [[nodiscard]] QSize minimumSizeHint() const override { return {320, 240}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  [[nodiscard]] double xOf(double attempt) const;
+  [[nodiscard]] double yOf(double value) const;
+  void findRange();
+  void drawGrid(QPainter& painter) const;
+  void drawCurve(QPainter& painter) const;
+  void drawPoints(QPainter& painter) const;
+
+  const Theme* theme_;
+  Trend trend_;
+  double low_ = 0.0;
+  double high_ = 1.0;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/widgets/angle_dial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kDiameter = 146;
+constexpr double kRing = 10.0;
+constexpr double kTargetReach = 5.0;  // the target's mark sticks out of the ring this far
+constexpr double kLeastTolerance_deg = 1.0;
+
+double degrees(double rad) {
+  return rad * 180.0 / std::numbers::pi;
+}
+
+/// An arc from the top, clockwise for positive angles, as QPainter wants it.
+void drawArc(QPainter& painter, const QRectF& box, double from_deg, double span_deg) {
+  painter.drawArc(box, static_cast<int>(std::lround((90.0 - from_deg) * 16.0)),
+                  static_cast<int>(std::lround(-span_deg * 16.0)));
+}
+
+}  // namespace
+
+AngleDial::AngleDial(QWidget* parent) : QWidget(parent), theme_(&theme(ThemeKind::kLight)) {
+  retranslate();
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  describe();
+}
+
+QSize AngleDial::sizeHint() const {
+  return {kDiameter + 16, kDiameter + 8};
+}
+
+void AngleDial::retranslate() {
+  setAccessibleName(tr("Twist angle"));
+  describe();
+  update();
+}
+
+void AngleDial::setTheme(const Theme& theme) {
+  theme_ = &theme;
+  update();
+}
+
+void AngleDial::setTarget(double target_rad, double tolerance_rad) {
+  if (target_rad == target_rad_ && tolerance_rad == tolerance_rad_) return;
+  target_rad_ = target_rad;
+  tolerance_rad_ = tolerance_rad;
+  describe();
+  update();
+}
+
+void AngleDial::setAngle(double angle_rad) {
+  // A tenth of a degree is what the figure shows; finer changes would only repaint.
+  if (std::lround(degrees(angle_rad) * 10.0) == std::lround(degrees(angle_rad_) * 10.0)) return;
+  angle_rad_ = angle_rad;
+  describe();
+  update();
+}
+
+bool AngleDial::onTarget() const noexcept {
+  return target_rad_ != 0.0 && std::abs(angle_rad_ - target_rad_) <= tolerance_rad_;
+}
+
+void AngleDial::describe() {
+  setAccessibleDescription(tr("%1 degrees, target %2 degrees")
+                               .arg(degrees(angle_rad_), 0, 'f', 1)
+                               .arg(degrees(target_rad_), 0, 'f', 0));
+}
+
+void AngleDial::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QPointF centre = rect().center() + QPointF(0.5, 0.5);
+  const double radius = 0.5 * kDiameter - kTargetReach - 0.5 * kRing;
+  const QRectF ring(centre.x() - radius, centre.y() - radius, 2.0 * radius, 2.0 * radius);
+  const double angle_deg = degrees(angle_rad_);
+  const double target_deg = degrees(target_rad_);
+
+  painter.setPen(QPen(theme_->track, kRing, Qt::SolidLine, Qt::FlatCap));
+  painter.drawEllipse(ring);
+  const QColor way = onTarget() ? theme_->good : theme_->accent;
+  painter.setPen(QPen(way, kRing, Qt::SolidLine, Qt::FlatCap));
+  drawArc(painter, ring, 0.0, std::clamp(angle_deg, -360.0, 360.0));
+
+  if (target_rad_ != 0.0) {
+    const double half_deg = std::max(degrees(tolerance_rad_), kLeastTolerance_deg);
+    const double outside = radius + 0.5 * kRing + 3.0;
+    const QRectF rail(centre.x() - outside, centre.y() - outside, 2.0 * outside, 2.0 * outside);
+    painter.setPen(QPen(theme_->text, 3.0, Qt::SolidLine, Qt::FlatCap));
+    drawArc(painter, rail, target_deg - half_deg, 2.0 * half_deg);
+    painter.save();
+    painter.translate(centre);
+    painter.rotate(target_deg);
+    painter.setPen(QPen(theme_->text, 2.0));
+    painter.drawLine(QPointF(0.0, -(radius - 0.5 * kRing - 3.0)), QPointF(0.0, -outside));
+    painter.restore();
+  }
+
+  QFont figure = font();
+  figure.setPointSizeF(kFigureText_pt);
+  figure.setWeight(QFont::DemiBold);
+  painter.setFont(figure);
+  painter.setPen(theme_->text);
+  const QRectF inside = ring.adjusted(0.5 * kRing, kRing, -0.5 * kRing, -kRing);
+  QString text = QLocale().toString(angle_deg, 'f', 1) + QChar(0x00B0);
+  text.replace(QLatin1Char('-'), QChar(0x2212));
+  const double line = QFontMetricsF(figure).height();
+  painter.drawText(QRectF(inside.left(), centre.y() - 0.62 * line, inside.width(), line), Qt::AlignCenter,
+                   text);
+  QFont small = font();
+  small.setPointSizeF(kSmallText_pt);
+  painter.setFont(small);
+  painter.setPen(onTarget() ? theme_->good : theme_->quietText);
+  const QString below =
+      onTarget() ? tr("on target")
+                 : tr("target %1").arg(target_deg, 0, 'f', 0).replace(QLatin1Char('-'), QChar(0x2212)) +
+                       QChar(0x00B0);
+  painter.drawText(
+      QRectF(inside.left(), centre.y() + 0.32 * line, inside.width(), 1.0 + QFontMetricsF(small).height()),
+      Qt::AlignHCenter | Qt::AlignTop, below);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+/// The twist angle as a figure inside a ring; the ring shows way and target with its tolerance, so that the
+/// eye needs no reading. Custom drawn: says the same in its accessible description.
+class AngleDial : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit AngleDial(QWidget* parent = nullptr);
+
+  void retranslate();
+  void setTheme(const Theme& theme);
+  void setTarget(double target_rad, double tolerance_rad);
+  void setAngle(double angle_rad);
+
+  [[nodiscard]] bool onTarget() const noexcept;
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void describe();
+
+  const Theme* theme_;
+  double angle_rad_ = 0.0;
+  double target_rad_ = 0.0;
+  double tolerance_rad_ = 0.0;
+};
+
+}  // namespace torsio::gui

@@ -1,0 +1,492 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/widgets/data_table.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <QAbstractTableModel>
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QCollator>
+#include <QDateTime>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QPainter>
+#include <QSettings>
+#include <QSortFilterProxyModel>
+#include <QStyledItemDelegate>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+namespace {
+
+constexpr int kSortRole = Qt::UserRole;
+constexpr int kIdRole = Qt::UserRole + 1;
+constexpr int kRowHeight = 32;
+constexpr int kMeasuredRows = 200;  // for the widths of the columns: all of a long list would take too long
+
+/// Numbers by size, texts by the rules of the language ("T-2" before "T-10").
+class SortedRows final : public QSortFilterProxyModel {
+ public:
+  explicit SortedRows(QObject* parent) : QSortFilterProxyModel(parent), collator_(collation()) {
+    setSortRole(kSortRole);
+    setFilterCaseSensitivity(Qt::CaseInsensitive);
+    setFilterKeyColumn(-1);
+    collator_.setNumericMode(true);
+    collator_.setCaseSensitivity(Qt::CaseInsensitive);
+  }
+
+ protected:
+  [[nodiscard]] bool lessThan(const QModelIndex& left, const QModelIndex& right) const override {
+    const QVariant a = left.data(kSortRole);
+    const QVariant b = right.data(kSortRole);
+    if (a.typeId() == QMetaType::QString || b.typeId() == QMetaType::QString) {
+      return collator_.compare(a.toString(), b.toString()) < 0;
+    }
+    return a.toDouble() < b.toDouble();
+  }
+
+ private:
+  /// The "C" locale compares bytes and knows no numbers.
+  static QLocale collation() {
+    const QLocale locale;
+    return locale.language() == QLocale::C ? QLocale(QLocale::English) : locale;
+  }
+
+  QCollator collator_;
+};
+
+/// Cells stand as far from their edges as the headers: a number never touches the text beside it.
+class PaddedCells final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QStyleOptionViewItem cell = option;
+    initStyleOption(&cell, index);
+    const QString text = cell.text;
+    cell.text.clear();
+    const QStyle* style = cell.widget != nullptr ? cell.widget->style() : QApplication::style();
+    style->drawControl(QStyle::CE_ItemViewItem, &cell, painter, cell.widget);
+    const bool enabled = cell.state.testFlag(QStyle::State_Enabled);
+    painter->save();
+    painter->setFont(cell.font);
+    painter->setPen(cell.palette.color(
+        enabled ? QPalette::Active : QPalette::Disabled,
+        cell.state.testFlag(QStyle::State_Selected) ? QPalette::HighlightedText : QPalette::Text));
+    const QRect place = cell.rect.adjusted(kSpace, 0, -kSpace, 0);
+    painter->drawText(place, static_cast<int>(cell.displayAlignment | Qt::TextSingleLine),
+                      cell.fontMetrics.elidedText(text, Qt::ElideRight, place.width()));
+    painter->restore();
+  }
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return QStyledItemDelegate::sizeHint(option, index) + QSize(2 * kSpace, 0);
+  }
+};
+
+}  // namespace
+
+Cell timeCell(std::int64_t utc_us) {
+  return {.text = {}, .sortKey = static_cast<qlonglong>(utc_us), .time = true};
+}
+
+class DataTable::Model final : public QAbstractTableModel {
+ public:
+  explicit Model(DataTable* table) : QAbstractTableModel(table), table_(table) {}
+
+  void setColumns(const std::vector<Column>& columns) {
+    if (columns.size() == columns_.size()) {
+      columns_ = columns;
+      if (!columns_.empty()) Q_EMIT headerDataChanged(Qt::Horizontal, 0, columnCount({}) - 1);
+      return;
+    }
+    beginResetModel();
+    columns_ = columns;
+    rows_.clear();
+    endResetModel();
+  }
+
+  void setRows(std::vector<Row> rows) {
+    beginResetModel();
+    rows_ = std::move(rows);
+    endResetModel();
+  }
+
+  [[nodiscard]] const std::vector<Column>& columns() const noexcept { return columns_; }
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent) const override {
+    return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+  }
+  [[nodiscard]] int columnCount(const QModelIndex& parent) const override {
+    return parent.isValid() ? 0 : static_cast<int>(columns_.size());
+  }
+
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override {
+    const Row& row = rows_[static_cast<std::size_t>(index.row())];
+    const auto column = static_cast<std::size_t>(index.column());
+    if (role == kIdRole) return row.id;
+    if (role == Qt::TextAlignmentRole && columns_[column].number) {
+      return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    }
+    if (column >= row.cells.size()) return {};
+    const Cell& cell = row.cells[column];
+    switch (role) {
+      case Qt::DisplayRole:
+        return cell.time ? timeText(cell.sortKey.toLongLong()) : cell.text;
+      case Qt::ToolTipRole:
+        return cell.tip.isEmpty() ? QVariant() : QVariant(cell.tip);
+      case kSortRole:
+        return cell.sortKey.isValid() ? cell.sortKey : QVariant(cell.text);
+      default:
+        return {};
+    }
+  }
+
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
+    if (orientation != Qt::Horizontal) return {};
+    const Column& column = columns_[static_cast<std::size_t>(section)];
+    if (role == Qt::DisplayRole) return column.title;
+    if (role == Qt::TextAlignmentRole) {
+      return QVariant((column.number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    }
+    return {};
+  }
+
+ private:
+  [[nodiscard]] QString timeText(qlonglong utc_us) const {
+    if (utc_us == 0) return QStringLiteral("\u2013");
+    return table_->locale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
+  }
+
+  const DataTable* table_;
+  std::vector<Column> columns_;
+  std::vector<Row> rows_;
+};
+
+DataTable::DataTable(const QString& name, QWidget* parent)
+    : QWidget(parent),
+      name_(name),
+      model_(new Model(this)),
+      proxy_(new SortedRows(this)),
+      view_(new QTableView(this)),
+      filter_(new QLineEdit(this)),
+      count_(new QLabel(this)),
+      empty_(new QLabel(view_)),
+      tools_(new QWidget(this)),
+      totals_(new QLabel(this)) {
+  view_->setItemDelegate(new PaddedCells(view_));
+  proxy_->setSourceModel(model_);
+  view_->setModel(proxy_);
+  view_->setSortingEnabled(true);
+  view_->sortByColumn(-1, Qt::AscendingOrder);  // as given, until a header is pressed
+  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  view_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  view_->setAlternatingRowColors(true);
+  view_->setShowGrid(false);
+  view_->setWordWrap(false);
+  view_->setTabKeyNavigation(false);  // Tab leaves the list, arrows move in it
+  view_->verticalHeader()->hide();
+  view_->verticalHeader()->setDefaultSectionSize(kRowHeight);
+  view_->horizontalHeader()->setSectionsMovable(true);
+  view_->horizontalHeader()->setStretchLastSection(true);
+  view_->horizontalHeader()->setResizeContentsPrecision(kMeasuredRows);
+  view_->horizontalHeader()->setHighlightSections(false);
+  view_->horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
+  view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  view_->installEventFilter(this);
+  view_->viewport()->installEventFilter(this);
+  filter_->setClearButtonEnabled(true);
+  count_->setProperty("quiet", true);
+  empty_->setProperty("quiet", true);
+  empty_->setAlignment(Qt::AlignCenter);
+  empty_->setWordWrap(true);
+  empty_->hide();
+
+  auto* bar = new QHBoxLayout;
+  bar->addWidget(filter_, 2);
+  bar->addWidget(count_);
+  bar->addStretch(1);
+  bar->addWidget(tools_);
+  auto* tools = new QHBoxLayout(tools_);
+  tools->setContentsMargins(0, 0, 0, 0);
+  tools->setSpacing(kSpace);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(kSpace);
+  column->addLayout(bar);
+  column->addWidget(view_, 1);
+  totals_->setProperty("quiet", true);
+  totals_->hide();
+  column->addWidget(totals_);
+  setFocusProxy(view_);
+
+  createActions();
+  connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    proxy_->setFilterFixedString(text);
+    showCount();
+  });
+  // Not the model's currentRowChanged: it comes before the row is selected or after, as the user moved.
+  connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          [this] { Q_EMIT currentChanged(currentId()); });
+  connect(view_, &QTableView::doubleClicked, this,
+          [this](const QModelIndex& index) { Q_EMIT activated(idAt(index)); });
+  QHeaderView* header = view_->horizontalHeader();
+  connect(header, &QHeaderView::customContextMenuRequested, this, &DataTable::showColumnMenu);
+  connect(header, &QHeaderView::sectionMoved, this, [this] { touched_ = true; });
+  connect(header, &QHeaderView::sectionResized, this, [this] {
+    if (QApplication::mouseButtons().testFlag(Qt::LeftButton)) touched_ = true;
+  });
+  connect(header, &QHeaderView::sortIndicatorChanged, this, [this](int sorted) {
+    if (sorted >= 0) touched_ = true;
+  });
+  retranslate();
+}
+
+DataTable::~DataTable() {
+  remember();
+}
+
+void DataTable::createActions() {
+  copyAction_ = new QAction(this);
+  copyAction_->setShortcut(QKeySequence::Copy);
+  copyAction_->setShortcutContext(Qt::WidgetShortcut);
+  view_->addAction(copyAction_);
+  connect(copyAction_, &QAction::triggered, this, &DataTable::copy);
+  sortAction_ = new QAction(this);
+  view_->addAction(sortAction_);
+  connect(sortAction_, &QAction::triggered, this, &DataTable::sortByCurrent);
+  columnsAction_ = new QAction(this);
+  view_->addAction(columnsAction_);
+  connect(columnsAction_, &QAction::triggered, this,
+          [this] { showColumnMenu(view_->horizontalHeader()->rect().bottomLeft()); });
+}
+
+void DataTable::sortByCurrent() {
+  const int column = std::max(0, view_->currentIndex().column());
+  const QHeaderView& header = *view_->horizontalHeader();
+  const bool again =
+      header.sortIndicatorSection() == column && header.sortIndicatorOrder() == Qt::AscendingOrder;
+  view_->sortByColumn(column, again ? Qt::DescendingOrder : Qt::AscendingOrder);
+}
+
+void DataTable::setColumns(const std::vector<Column>& columns) {
+  model_->setColumns(columns);
+  if (!restored_) restore();
+  restored_ = true;
+}
+
+void DataTable::setRows(std::vector<Row> rows) {
+  const QString current = currentId();
+  const bool first = model_->rowCount({}) == 0;
+  model_->setRows(std::move(rows));
+  if (!touched_) fitColumns(first);
+  if (!current.isEmpty()) select(current);
+  showCount();
+}
+
+/// As wide as what is in them; with new rows they only grow, so that a list that reads itself anew stands
+/// still.
+void DataTable::fitColumns(bool first) {
+  QHeaderView* header = view_->horizontalHeader();
+  std::vector<int> before;
+  for (int column = 0; column < header->count(); ++column) before.push_back(header->sectionSize(column));
+  view_->resizeColumnsToContents();
+  for (int column = 0; !first && column + 1 < header->count(); ++column)
+    header->resizeSection(column,
+                          std::max(before[static_cast<std::size_t>(column)], header->sectionSize(column)));
+  // Sizing to contents shrinks the last column too: it takes the rest again.
+  header->setStretchLastSection(false);
+  header->setStretchLastSection(true);
+}
+
+void DataTable::setColumnHidden(int column, bool hidden) {
+  view_->horizontalHeader()->setSectionHidden(column, hidden);
+}
+
+void DataTable::hideAtFirst(int column) {
+  if (!touched_) setColumnHidden(column, true);
+}
+
+void DataTable::setEmptyText(const QString& sentence) {
+  empty_->setText(sentence);
+  showCount();
+}
+
+void DataTable::addTool(QWidget* tool) {
+  tools_->layout()->addWidget(tool);
+}
+
+QString DataTable::idAt(const QModelIndex& proxied) const {
+  return proxied.isValid() ? proxied.data(kIdRole).toString() : QString();
+}
+
+QString DataTable::currentId() const {
+  const QItemSelectionModel& selection = *view_->selectionModel();
+  if (selection.isRowSelected(selection.currentIndex().row(), {})) return idAt(selection.currentIndex());
+  const QModelIndexList rows = selection.selectedRows();
+  return rows.isEmpty() ? QString() : idAt(rows.first());
+}
+
+QStringList DataTable::selectedIds() const {
+  QModelIndexList rows = view_->selectionModel()->selectedRows();
+  std::sort(rows.begin(), rows.end());
+  QStringList ids;
+  for (const QModelIndex& row : rows) ids << idAt(row);
+  return ids;
+}
+
+void DataTable::select(const QString& id) {
+  for (int row = 0; row < proxy_->rowCount(); ++row) {
+    if (idAt(proxy_->index(row, 0)) != id) continue;
+    view_->selectRow(row);
+    view_->scrollTo(proxy_->index(row, 0));
+    return;
+  }
+}
+
+void DataTable::selectAll(const QStringList& ids) {
+  QItemSelection chosen;
+  for (int row = 0; row < proxy_->rowCount(); ++row) {
+    const QModelIndex index = proxy_->index(row, 0);
+    if (ids.contains(idAt(index))) chosen.select(index, index);
+  }
+  view_->selectionModel()->select(chosen, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+}
+
+int DataTable::visibleRows() const {
+  return proxy_->rowCount();
+}
+
+QString DataTable::asText() const {
+  QModelIndexList rows = view_->selectionModel()->selectedRows();
+  std::sort(rows.begin(), rows.end());
+  if (rows.isEmpty()) {
+    for (int row = 0; row < proxy_->rowCount(); ++row) rows << proxy_->index(row, 0);
+  }
+  const QHeaderView& header = *view_->horizontalHeader();
+  std::vector<int> columns;
+  for (int place = 0; place < header.count(); ++place) {
+    if (!header.isSectionHidden(header.logicalIndex(place))) columns.push_back(header.logicalIndex(place));
+  }
+  const auto line = [&columns](const auto& textOf) {
+    QStringList cells;
+    for (const int column : columns) cells << textOf(column);
+    return cells.join(QLatin1Char('\t'));
+  };
+  QStringList lines{line(
+      [this](int column) { return model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString(); })};
+  for (const QModelIndex& row : rows) {
+    lines << line([&row](int column) { return row.siblingAtColumn(column).data().toString(); });
+  }
+  return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+void DataTable::copy() const {
+  QApplication::clipboard()->setText(asText());
+}
+
+void DataTable::showColumnMenu(const QPoint& at) {
+  QMenu menu(this);
+  QHeaderView* header = view_->horizontalHeader();
+  for (int column = 0; column < header->count(); ++column) {
+    const QString title = model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    QAction* shown = menu.addAction(title);
+    shown->setCheckable(true);
+    shown->setChecked(!header->isSectionHidden(column));
+    shown->setEnabled(shown->isChecked() ? header->count() - header->hiddenSectionCount() > 1 : true);
+    connect(shown, &QAction::toggled, header, [this, header, column](bool on) {
+      header->setSectionHidden(column, !on);
+      touched_ = true;
+    });
+  }
+  menu.exec(header->mapToGlobal(at));
+}
+
+void DataTable::showCount() {
+  const int all = model_->rowCount({});
+  const int seen = proxy_->rowCount();
+  count_->setText(seen == all ? tr("%n row(s)", nullptr, all)
+                              : tr("%1 of %2 rows").arg(locale().toString(seen), locale().toString(all)));
+  totals_->setText(totals());
+  totals_->setVisible(!totals_->text().isEmpty());
+  empty_->setVisible(all == 0 && !empty_->text().isEmpty());
+  empty_->setGeometry(view_->viewport()->geometry().adjusted(4 * kSpace, 0, -4 * kSpace, 0));
+}
+
+QString DataTable::totals() const {
+  QStringList parts;
+  if (proxy_->rowCount() == 0) return {};
+  const std::vector<Column>& columns = model_->columns();
+  for (int column = 0; column < static_cast<int>(columns.size()); ++column) {
+    if (!columns[static_cast<std::size_t>(column)].total) continue;
+    double sum = 0.0;
+    for (int row = 0; row < proxy_->rowCount(); ++row)
+      sum += std::max(0.0, proxy_->index(row, column).data(kSortRole).toDouble());
+    parts << tr("%1 %2").arg(columns[static_cast<std::size_t>(column)].title,
+                             locale().toString(sum, 'g', 10));
+  }
+  return parts.isEmpty() ? QString() : tr("Together: %1").arg(parts.join(QStringLiteral(" \u00B7 ")));
+}
+
+void DataTable::retranslate() {
+  filter_->setPlaceholderText(tr("Filter\u2026"));
+  filter_->setAccessibleName(tr("Filter"));
+  copyAction_->setText(tr("Copy with headers"));
+  sortAction_->setText(tr("Sort by this column"));
+  columnsAction_->setText(tr("Columns\u2026"));
+  showCount();
+}
+
+void DataTable::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) retranslate();
+  QWidget::changeEvent(event);
+}
+
+bool DataTable::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize && watched == view_->viewport()) showCount();
+  if (event->type() == QEvent::KeyPress && watched == view_) {
+    if (static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
+      copy();  // the view itself would copy one cell
+      return true;
+    }
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if ((key == Qt::Key_Return || key == Qt::Key_Enter) && !currentId().isEmpty()) {
+      Q_EMIT activated(currentId());
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+QString DataTable::settingsKey() const {
+  for (const QWidget* around = parentWidget(); around != nullptr; around = around->parentWidget()) {
+    const QString role = around->property("role").toString();
+    if (!role.isEmpty()) return QStringLiteral("tables/%1/%2").arg(role, name_);
+  }
+  return QStringLiteral("tables/%1").arg(name_);
+}
+
+void DataTable::remember() const {
+  if (name_.isEmpty() || !touched_ || model_->columnCount({}) == 0) return;
+  QSettings().setValue(key_, view_->horizontalHeader()->saveState());
+}
+
+void DataTable::restore() {
+  if (name_.isEmpty()) return;
+  key_ = settingsKey();
+  const QByteArray state = QSettings().value(key_).toByteArray();
+  touched_ = !state.isEmpty() && view_->horizontalHeader()->restoreState(state);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/widgets/form.h"
+
+#include <QFrame>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QScrollArea>
+#include <QStyle>
+#include <QVBoxLayout>
+
+#include "app/gui/widgets/theme.h"
+
+namespace torsio::gui {
+
+QVBoxLayout* centredCard(QWidget* ground, int width) {
+  auto* outer = new QVBoxLayout(ground);
+  outer->setContentsMargins(0, 0, 0, 0);
+  auto* scroll = new QScrollArea(ground);  // at 200 % a card may be taller than a small screen
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  outer->addWidget(scroll);
+  auto* middle = new QWidget;
+  scroll->setWidget(middle);
+  auto* grid = new QGridLayout(middle);
+  grid->setContentsMargins(2 * kSpace, 2 * kSpace, 2 * kSpace, 2 * kSpace);
+  grid->setRowStretch(0, 2);
+  grid->setRowStretch(2, 3);
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(2, 1);
+  auto* card = new QFrame(middle);
+  card->setObjectName(QStringLiteral("card"));
+  card->setFixedWidth(width);
+  grid->addWidget(card, 1, 1);
+  auto* content = new QVBoxLayout(card);
+  content->setContentsMargins(4 * kSpace, 4 * kSpace, 4 * kSpace, 3 * kSpace);
+  content->setSpacing(kSpace);
+  return content;
+}
+
+QLabel* fieldAbove(QVBoxLayout* column, QWidget* field) {
+  auto* label = new QLabel;
+  label->setBuddy(field);
+  column->addWidget(label);
+  column->addWidget(field);
+  return label;
+}
+
+void nameField(QLabel* label, const QString& text) {
+  // Chinese mnemonics stand in brackets at the end: they are no part of the name.
+  static const QRegularExpression kMnemonic(QStringLiteral("\\(&.\\)|&"));
+  label->setText(text);
+  QString plain = text;
+  if (label->buddy() != nullptr) label->buddy()->setAccessibleName(plain.remove(kMnemonic));
+}
+
+QLineEdit* secretField(QWidget* parent) {
+  auto* field = new QLineEdit(parent);
+  field->setEchoMode(QLineEdit::Password);
+  field->setInputMethodHints(Qt::ImhHiddenText | Qt::ImhNoPredictiveText | Qt::ImhSensitiveData);
+  return field;
+}
+
+QPushButton* primaryButton(QWidget* parent) {
+  auto* button = new QPushButton(parent);
+  button->setProperty("primary", true);
+  return button;
+}
+
+QPushButton* linkButton(QWidget* parent) {
+  auto* button = new QPushButton(parent);
+  button->setProperty("link", true);
+  return button;
+}
+
+QLabel* sentence(QWidget* parent, bool quiet) {
+  auto* label = new QLabel(parent);
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  label->setProperty("quiet", quiet);
+  return label;
+}
+
+void setLook(QWidget* widget, const char* property, bool on) {
+  if (widget->property(property).toBool() == on) return;
+  widget->setProperty(property, on);
+  widget->style()->unpolish(widget);
+  widget->style()->polish(widget);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/maintenance/database_copy.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include "app/base/build_info.h"
+#include "db/migrations/migrations.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A new target file goes again when nothing was kept in it.
+class NewFile {
+ public:
+  explicit NewFile(const Locator& target) {
+    std::error_code ignored;
+    if (target.engine == Engine::kSqlite && !fs::exists(target.file, ignored)) file_ = target.file;
+  }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+  ~NewFile() {
+    if (file_.empty()) return;
+    std::error_code ignored;
+    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(file_ + suffix, ignored);
+  }
+  void keep() { file_.clear(); }
+
+ private:
+  std::string file_;
+};
+
+Text wordsOf(const CopyStep& step) {
+  switch (step.phase) {
+    case CopyPhase::kVerifying:
+      return "Checking the audit trail";
+    case CopyPhase::kCopying:
+      return Text("Copying %1", step.table);
+    case CopyPhase::kComparing:
+      return Text("Comparing %1", step.table);
+    case CopyPhase::kVerifyingCopy:
+      break;
+  }
+  return "Checking the audit trail of the copy";
+}
+
+/// Shares of the whole as they turned out with recordings of an hour.
+double fractionOf(const CopyStep& step) {
+  constexpr double kFrom[] = {0.0, 0.15, 0.55, 0.85, 1.0};
+  const auto phase = static_cast<std::size_t>(step.phase);
+  const double part = step.all == 0 ? 1.0 : static_cast<double>(step.done) / static_cast<double>(step.all);
+  return kFrom[phase] + (kFrom[phase + 1] - kFrom[phase]) * part;
+}
+
+}  // namespace
+
+CopyReport copyDatabase(const std::string& from, const std::string& to, const ProgressCallback& progress) {
+  const Locator source = parseLocator(from);
+  const Locator target = parseLocator(to);
+  std::error_code ignored;
+  if (from == to || (source.engine == Engine::kSqlite && target.engine == Engine::kSqlite &&
+                     fs::equivalent(source.file, target.file, ignored))) {
+    throw Error(ErrorCode::kUsage, "source and target are the same database", target.shown(),
+                "Name another target");
+  }
+  Connection reading = openRecord(from, OpenMode::kReadOnly);
+  NewFile newFile(target);  // before the connection, so that it is closed first
+  Connection writing = openDatabase(to, OpenMode::kCreate);
+  Transaction together(writing);  // the tables come with the rows, or neither
+  migrate(writing, embeddedMigrations(), {.softwareVersion = softwareVersion(), .backup = false});
+  CopyReport report = copyRecord(reading, writing, [&](const CopyStep& step) {
+    tellProgress(progress, wordsOf(step), fractionOf(step));
+  });
+  together.commit();
+  newFile.keep();
+  return report;
+}
+
+}  // namespace torsio

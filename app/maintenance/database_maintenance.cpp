@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/maintenance/database_maintenance.h"
+
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+#include <QTemporaryDir>
+
+#include "db/migrations/migrations.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void requireSqlite(const std::string& locator, const char* remedy) {
+  const Locator parsed = parseLocator(locator);
+  if (parsed.engine == Engine::kSqlite) return;
+  throw Error(ErrorCode::kUsage, "a PostgreSQL database is backed up and restored by its own tools",
+              parsed.shown(), remedy);
+}
+
+constexpr std::size_t kCopyStep_bytes = 4 << 20;
+constexpr double kReferencesShare = 0.3;  // of a check; the rest goes to the recordings
+
+DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {}) {
+  DatabaseCheck result;
+  result.location = connection.location();
+  result.schemaVersion = checkSchema(connection, embeddedMigrations()).version;
+  tellProgress(progress, "Checking tables and references", 0.0);
+  result.damage = integrityFindings(connection);
+  if (!result.damage.empty()) return result;  // a damaged file cannot be read to its end
+  AuditRepository audit(connection);
+  tellProgress(progress, "Checking the audit trail", kReferencesShare);
+  result.audit = audit.verify([&](std::int64_t done, std::int64_t all) {
+    tellProgress(
+        progress, Text("Checking recording %1 of %2", done + 1, all),
+        kReferencesShare + (1.0 - kReferencesShare) * static_cast<double>(done) / static_cast<double>(all));
+  });
+  result.auditEntries = audit.length();
+  return result;
+}
+
+/// A copy in a folder of its own, since others may check a backup of the same name; gone at the end.
+class ScratchFile {
+ public:
+  explicit ScratchFile(const fs::path& original)
+      : path_(fs::path(folder_.path().toStdString()) / original.filename()) {
+    if (!folder_.isValid())
+      throw Error(ErrorCode::kFileUnwritable, "no folder for the check can be made",
+                  fs::temp_directory_path().string(), "Free some space in the temporary folder");
+  }
+  [[nodiscard]] const fs::path& path() const noexcept { return path_; }
+
+ private:
+  QTemporaryDir folder_;
+  fs::path path_;
+};
+
+}  // namespace
+
+BackupContent backUpDatabase(const std::string& locator, const fs::path& target) {
+  requireSqlite(locator, "Use pg_dump --format=custom --file=FILE on the server");
+  {
+    Connection connection = openRecord(locator, OpenMode::kReadWrite);
+    backupSqlite(connection, target);
+  }
+  return checkBackup(target);
+}
+
+void copyStepwise(const fs::path& from, const fs::path& to, const ProgressCallback& progress) {
+  std::ifstream in(from, std::ios::binary);
+  if (!in)
+    throw Error(ErrorCode::kFileMissing, "the file cannot be read", from.string(), "Choose another file");
+  const std::uintmax_t whole = fs::file_size(from);
+  try {
+    std::ofstream out(to, std::ios::binary | std::ios::trunc);
+    std::vector<char> piece(kCopyStep_bytes);
+    for (std::uintmax_t done = 0; done < whole && out;) {
+      tellProgress(progress, "Copying", static_cast<double>(done) / static_cast<double>(whole));
+      in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+      if (in.gcount() <= 0) break;
+      out.write(piece.data(), in.gcount());
+      done += static_cast<std::uintmax_t>(in.gcount());
+    }
+    out.close();
+    if (!out || fs::file_size(to) != whole)
+      throw Error(ErrorCode::kFileUnwritable, "the file cannot be copied", to.string(),
+                  "Check the folder and the free space");
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(to, ignored);
+    throw;
+  }
+}
+
+BackupCheck verifyBackup(const fs::path& backup, const ProgressCallback& progress,
+                         const std::function<void(Connection&)>& look) {
+  BackupCheck result;
+  tellProgress(progress, "Reading the backup", 0.0);
+  result.content = checkBackup(backup);
+  const ScratchFile copy(backup);
+  copyStepwise(backup, copy.path(), partOf(progress, 0.1, 0.3));
+  Connection connection = openRecord(copy.path().string(), OpenMode::kReadWrite, {.backup = false});
+  result.database = check(connection, partOf(progress, 0.3, 1.0));
+  result.database.location = backup.string();
+  if (look && result.database.sound()) look(connection);
+  return result;
+}
+
+BackupContent restoreDatabase(const fs::path& backup, const std::string& locator) {
+  requireSqlite(locator, "Use pg_restore on the server");
+  const BackupCheck tested = verifyBackup(backup);
+  if (!tested.database.sound()) {
+    throw Error(ErrorCode::kVerifyFailed, "the backup is not sound, so nothing was restored", backup.string(),
+                "Run torsio db verify on it, and use an older backup");
+  }
+  restoreSqlite(backup, parseLocator(locator).file);
+  return tested.content;
+}
+
+DatabaseCheck checkDatabase(const std::string& locator) {
+  Connection connection = openRecord(locator, OpenMode::kReadOnly);
+  return check(connection);
+}
+
+BackupContent backUpDatabase(Workplace& workplace, const fs::path& target, const ProgressCallback& progress) {
+  workplace.require(Operation::kDatabaseBackup);
+  if (workplace.connection().engine() != Engine::kSqlite) {
+    requireSqlite(workplace.key().locator, "Use pg_dump --format=custom --file=FILE on the server");
+  }
+  // Before the copy, so that the backup itself tells of it.
+  workplace.note(
+      {.action = "database.backup", .objectKind = "database", .objectId = target.filename().string()});
+  tellProgress(progress, "Copying the record while others work", 0.0);
+  backupSqlite(workplace.connection(), target);
+  tellProgress(progress, "Reading the backup from end to end", 0.6);
+  return checkBackup(target);
+}
+
+DatabaseCheck checkDatabase(Workplace& workplace, const ProgressCallback& progress) {
+  workplace.require(Operation::kDatabaseBackup);
+  DatabaseCheck result = check(workplace.connection(), progress);
+  workplace.note({.action = "database.check",
+                  .objectKind = "database",
+                  .newJson = R"({"damage":)" + std::to_string(result.damage.size()) + R"(,"audit":)" +
+                             std::to_string(result.audit.size()) + "}"});
+  return result;
+}
+
+}  // namespace torsio

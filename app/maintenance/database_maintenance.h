@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "app/base/progress.h"
+#include "db/migrations/backup.h"
+#include "db/repository/audit_repository.h"
+
+namespace torsio {
+
+/// What a look at a whole database found.
+struct DatabaseCheck {
+  std::string location{};  ///< without a password
+  std::int64_t schemaVersion = 0;
+  std::vector<std::string> damage{};  ///< what the engine finds wrong with file and references
+  std::vector<AuditFinding> audit{};  ///< what does not fit the audit trail
+  std::int64_t auditEntries = 0;
+
+  [[nodiscard]] bool sound() const noexcept { return damage.empty() && audit.empty(); }
+};
+
+/// A backup that was read from end to end like a database in use.
+struct BackupCheck {
+  BackupContent content{};
+  DatabaseCheck database{};
+};
+
+// For the command line, where whoever may read the file may do this. The window goes through the functions
+// that take a Workplace.
+
+/// Copies the database while others work, into one file that is checked before it gets its name. Throws
+/// Error: kUsage for PostgreSQL (its own pg_dump does it).
+BackupContent backUpDatabase(const std::string& locator, const std::filesystem::path& target);
+/// A test restore: reads all of the backup in a copy of its own, with its audit trail; the file stays as it
+/// is. `look` may read the copy, brought up to date, when it was found sound.
+[[nodiscard]] BackupCheck verifyBackup(const std::filesystem::path& backup,
+                                       const ProgressCallback& progress = {},
+                                       const std::function<void(Connection&)>& look = {});
+/// Puts a backup whose content is sound in the place of `locator`; what was there is kept beside it. Throws
+/// Error: kUsage for PostgreSQL, kDatabase when another program has the database open, kVerifyFailed when the
+/// backup is not sound. Nothing is changed then.
+BackupContent restoreDatabase(const std::filesystem::path& backup, const std::string& locator);
+/// Opens for reading only. For PostgreSQL the server keeps its own files: schema and audit trail are checked.
+[[nodiscard]] DatabaseCheck checkDatabase(const std::string& locator);
+
+/// kDatabaseBackup, audited.
+BackupContent backUpDatabase(Workplace& workplace, const std::filesystem::path& target,
+                             const ProgressCallback& progress = {});
+/// kDatabaseBackup, audited with the result.
+[[nodiscard]] DatabaseCheck checkDatabase(Workplace& workplace, const ProgressCallback& progress = {});
+
+/// Copies a file in steps, telling the fraction; what was begun is removed again when `progress` throws.
+/// Throws Error (kFileUnwritable, kFileMissing).
+void copyStepwise(const std::filesystem::path& from, const std::filesystem::path& to,
+                  const ProgressCallback& progress = {});
+
+}  // namespace torsio

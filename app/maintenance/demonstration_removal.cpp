@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/maintenance/demonstration_removal.h"
+
+#include <vector>
+
+#include "db/repository/demonstration_data.h"
+
+namespace torsio {
+
+namespace {
+
+DemonstrationSize sizeOf(const std::vector<DemonstrationRows>& tables) {
+  DemonstrationSize size;
+  for (const DemonstrationRows& table : tables) {
+    size.rows += table.rows;
+    if (table.table == "person") size.people += table.rows;
+    if (table.table == "trial") size.trials += table.rows;
+    if (table.table == "training_mark" || table.table == "evaluation_mark") size.marks += table.rows;
+  }
+  return size;
+}
+
+}  // namespace
+
+DemonstrationSize demonstrationSize(Workplace& workplace) {
+  workplace.require(Operation::kPersonErase);
+  return sizeOf(demonstrationRows(workplace.connection()));
+}
+
+DemonstrationSize removeDemonstrationData(Workplace& workplace, const std::string& reason) {
+  workplace.require(Operation::kPersonErase);
+  return sizeOf(removeDemonstration(workplace.connection(), workplace.actor().userId, workplace.station(),
+                                    reason, workplace.now_us()));
+}
+
+}  // namespace torsio

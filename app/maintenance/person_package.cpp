@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/maintenance/person_package.h"
+
+#include <algorithm>
+#include <system_error>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "db/repository/person_data.h"
+#include "db/repository/trial_repository.h"
+#include "sim/base/digest.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+#include "sim/record/trial_file.h"
+
+namespace torsio {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* kReadme =
+    "What this folder holds\n"
+    "======================\n\n"
+    "Everything that the training centre has stored about one person.\n\n"
+    "tables/NAME.csv      one table of the record; opens in any spreadsheet (UTF-8, comma, decimal point)\n"
+    "tables/NAME.json     the same for programs\n"
+    "recordings/*.torsio-trial   the person's recorded trials; Torsio replays them\n"
+    "manifest.json        every file with its size and its BLAKE2b-256 hash\n\n"
+    "Times that end in _utc_us are microseconds since 1970-01-01 UTC. Scores that end in _steps are whole "
+    "steps\n"
+    "of their scale: divide by steps_per_point. Passwords are not part of the package, not even in hidden "
+    "form.\n"
+    "Other people stand in it under their codes only.\n";
+
+Json jsonOf(const Value& value) {
+  struct Visitor {
+    Json operator()(std::monostate) const { return nullptr; }
+    Json operator()(std::int64_t number) const { return number; }
+    Json operator()(double number) const { return number; }
+    Json operator()(bool flag) const { return flag; }
+    Json operator()(const std::string& text) const { return text; }
+    Json operator()(const Blob& bytes) const { return std::to_string(bytes.size()) + " bytes"; }
+  };
+  return std::visit(Visitor{}, value.storage());
+}
+
+std::string csvCell(const Json& value) {
+  if (value.is_null()) return "";
+  if (!value.is_string()) return value.dump();
+  const std::string& text = value.get_ref<const std::string&>();
+  std::string cell = "\"";
+  // A spreadsheet would run a text that begins like a formula.
+  if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos)
+    cell += '\'';
+  for (const char c : text) cell.append(c == '"' ? 2 : 1, c);
+  cell += '"';
+  return cell;
+}
+
+void writeTable(const fs::path& folder, const PersonTable& table) {
+  std::string csv = "\xEF\xBB\xBF";
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    csv.append(i == 0 ? "" : ",").append(table.columns[i]);
+  csv += "\r\n";
+  for (const std::vector<Value>& values : table.rows) {
+    Json row = Json::object();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      row[table.columns[i]] = jsonOf(values[i]);
+      csv.append(i == 0 ? "" : ",").append(csvCell(row[table.columns[i]]));
+    }
+    csv += "\r\n";
+    rows.push_back(std::move(row));
+  }
+  writeFileAtomically(folder / (table.table + ".csv"), csv);
+  writeFileAtomically(folder / (table.table + ".json"), rows.dump(2) + "\n");
+}
+
+/// A trial that still runs or lost its samples to an erase has no whole file.
+bool writeRecording(Connection& connection, const std::string& trialId, const fs::path& folder) {
+  const Trial trial = TrialRepository(connection).load(trialId);
+  if (trial.summary.contentHash.empty() || trial.chunks.empty()) return false;
+  TrialFileSink file(folder / (trialId + ".torsio-trial"));
+  file.begin(trial.header);
+  for (const TrialChunk& chunk : trial.chunks) file.append(chunk);
+  file.finish(trial.summary);
+  return true;
+}
+
+void writeManifest(const fs::path& folder, const std::string& personId, std::int64_t now_us) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  Json list = Json::array();
+  for (const fs::path& file : files) {
+    const std::string bytes = readFile(file);
+    Digest digest;
+    digest.update(std::string_view(bytes));
+    list.push_back({{"file", fs::relative(file, folder).generic_string()},
+                    {"bytes", bytes.size()},
+                    {"blake2b_256", digest.hex()}});
+  }
+  const Json manifest{{"person", personId}, {"made_utc_us", now_us}, {"files", std::move(list)}};
+  writeFileAtomically(folder / "manifest.json", manifest.dump(2) + "\n");
+}
+
+/// The folder while it is being filled; without keep() it goes again.
+class FolderInTheMaking {
+ public:
+  explicit FolderInTheMaking(const fs::path& target) : path_(temporaryBeside(target)) {
+    ensureFolder(path_ / "tables");
+    ensureFolder(path_ / "recordings");
+  }
+  FolderInTheMaking(const FolderInTheMaking&) = delete;
+  FolderInTheMaking& operator=(const FolderInTheMaking&) = delete;
+  ~FolderInTheMaking() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  [[nodiscard]] const fs::path& path() const noexcept { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+PersonPackage exportPersonPackage(Workplace& workplace, const std::string& personId, const fs::path& folder,
+                                  const std::string& reason) {
+  workplace.require(Operation::kPersonExport);
+  if (fs::exists(folder)) {
+    throw Error(ErrorCode::kFileUnwritable, "this folder exists already", folder.string(),
+                "Name a new folder");
+  }
+  const std::vector<PersonTable> tables = exportPerson(workplace.connection(), personId);
+  if (tables.empty()) {
+    throw Error(ErrorCode::kBadData, "there is no such person", personId, "Check the code");
+  }
+  PersonPackage package{.folder = folder};
+  const FolderInTheMaking making(folder);
+  for (const PersonTable& table : tables) {
+    writeTable(making.path() / "tables", table);
+    ++package.tables;
+    package.rows += static_cast<std::int64_t>(table.rows.size());
+    if (table.table != "trial") continue;
+    for (const std::vector<Value>& row : table.rows) {
+      const std::string& id = std::get<std::string>(row.at(0).storage());
+      if (writeRecording(workplace.connection(), id, making.path() / "recordings")) ++package.recordings;
+    }
+  }
+  writeFileAtomically(making.path() / "README.txt", std::string_view(kReadme));
+  writeManifest(making.path(), personId, workplace.now_us());
+  workplace.note({.action = "person.export", .objectKind = "person", .objectId = personId, .reason = reason});
+  std::error_code failed;
+  fs::rename(making.path(), folder, failed);
+  if (failed) {
+    throw Error(ErrorCode::kFileUnwritable,
+                Text("the package cannot be given its name: %1", failed.message()), folder.string(),
+                "Choose a folder in which you may write");
+  }
+  return package;
+}
+
+void erasePersonRecord(Workplace& workplace, const std::string& personId, const std::string& reason) {
+  workplace.require(Operation::kPersonErase);
+  if (reason.empty()) {
+    throw Error(ErrorCode::kBadParameter, "erasing needs a reason", personId, "Say why, for the audit trail");
+  }
+  erasePerson(workplace.connection(), personId, workplace.actor().userId, reason, workplace.now_us());
+}
+
+}  // namespace torsio

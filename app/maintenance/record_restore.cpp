@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/maintenance/record_restore.h"
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include <QDateTime>
+
+#include "app/base/build_info.h"
+#include "app/maintenance/database_maintenance.h"
+#include "app/maintenance/others_at_work.h"
+#include "db/migrations/backup.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/person_data.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+
+namespace torsio {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uintmax_t kSpareRoom_bytes = 64ULL << 20;  // the write-ahead log of the copy, and some air
+
+void requireFile(Workplace& workplace) {
+  if (workplace.connection().engine() == Engine::kSqlite) return;
+  throw Error(ErrorCode::kUsage, "this record lies on a database server, which restores its own backups",
+              workplace.connection().location(), "Use pg_restore on the server");
+}
+
+std::set<std::string> idsOf(Connection& connection, const std::string& table) {
+  std::set<std::string> ids;
+  Statement row = connection.prepare("SELECT id FROM " + table);
+  row.execute();
+  while (row.step()) ids.insert(row.text(0));
+  return ids;
+}
+
+std::int64_t missing(const std::set<std::string>& from, const std::set<std::string>& in) {
+  return std::count_if(from.begin(), from.end(), [&](const std::string& id) { return !in.contains(id); });
+}
+
+std::int64_t newest(Connection& connection) {
+  std::int64_t newest_us = 0;
+  for (const char* sql :
+       {"SELECT max(started_utc_us) FROM trial", "SELECT max(submitted_utc_us) FROM training_mark",
+        "SELECT max(submitted_utc_us) FROM evaluation_mark"}) {
+    Statement row = connection.prepare(sql);
+    row.execute();
+    while (row.step()) newest_us = std::max(newest_us, row.int64(0));
+  }
+  return newest_us;
+}
+
+/// What two records are compared by.
+struct Contents {
+  explicit Contents(Connection& connection)
+      : people(idsOf(connection, "person")),
+        trials(idsOf(connection, "trial")),
+        marks(idsOf(connection, "training_mark")),
+        newest_us(newest(connection)) {
+    marks.merge(idsOf(connection, "evaluation_mark"));
+  }
+  [[nodiscard]] RecordExtent extent() const {
+    return {std::ssize(people), std::ssize(trials), std::ssize(marks), newest_us};
+  }
+
+  std::set<std::string> people;
+  std::set<std::string> trials;
+  std::set<std::string> marks;
+  std::int64_t newest_us;
+};
+
+struct Erasure {
+  std::string personId;
+  std::string requestedBy;
+  std::string reason;
+  std::int64_t erasedUtc_us = 0;
+};
+
+/// Erased in the present record, and still whole in the other one.
+std::vector<Erasure> erasedSince(Connection& present, Connection& older) {
+  std::set<std::string> already;
+  Statement there = older.prepare("SELECT person_id FROM erasure");
+  there.execute();
+  while (there.step()) already.insert(there.text(0));
+  const std::set<std::string> people = idsOf(older, "person");
+  std::vector<Erasure> out;
+  Statement row = present.prepare("SELECT person_id, requested_by, reason, erased_utc_us FROM erasure");
+  row.execute();
+  while (row.step()) {
+    if (people.contains(row.text(0)) && !already.contains(row.text(0)))
+      out.push_back({row.text(0), row.text(1), row.text(2), row.int64(3)});
+  }
+  return out;
+}
+
+/// "record-before-restore-20261121T143000Z.sqlite", beside the record.
+fs::path safetyName(const fs::path& record, std::int64_t now_us) {
+  const QString when =
+      QDateTime::fromMSecsSinceEpoch(now_us / 1000, Qt::UTC).toString(QStringLiteral("yyyyMMddTHHmmssZ"));
+  return record.parent_path() /
+         (record.stem().string() + "-before-restore-" + when.toStdString() + record.extension().string());
+}
+
+void requireRoom(const fs::path& record, const fs::path& backup) {
+  std::error_code failed;
+  const fs::path folder = fs::absolute(record).parent_path();
+  const fs::space_info space = fs::space(folder, failed);
+  if (failed) return;  // then writing says what is wrong
+  if (!fs::exists(backup))
+    throw Error(ErrorCode::kFileMissing, "the backup is not there any more", backup.string(),
+                "Choose the backup again");
+  const std::uintmax_t needed = fs::file_size(record) + fs::file_size(backup) + kSpareRoom_bytes;
+  if (space.available >= needed) return;
+  throw Error(ErrorCode::kFileUnwritable,
+              Text("there is not enough room for a safety backup and the restored record: %1 MiB are needed, "
+                   "%2 MiB are "
+                   "free",
+                   needed >> 20, space.available >> 20),
+              folder.string(), "Free some space on this disk");
+}
+
+/// The audit entry in the trail of `connection`.
+void tell(Workplace& workplace, Connection& connection, const std::string& action, const RestorePlan& plan,
+          const fs::path& safety) {
+  WorkplaceKey key = workplace.key();
+  const Workplace there(connection, workplace.ids(), key, [&workplace] { return workplace.now_us(); });
+  there.note({.action = action,
+              .objectKind = "database",
+              .objectId = plan.backup.filename().string(),
+              .newJson = R"({"trials":)" + std::to_string(plan.restored.trials) + R"(,"marks":)" +
+                         std::to_string(plan.restored.marks) + R"(,"lost_trials":)" +
+                         std::to_string(plan.lostTrials) + R"(,"lost_marks":)" +
+                         std::to_string(plan.lostMarks) + R"(,"safety_backup":")" +
+                         safety.filename().string() + "\"}"});
+}
+
+/// Brings the copy up to date, erases again, tells of the restore.
+void bringToday(Workplace& workplace, const fs::path& ready, const RestorePlan& plan,
+                const fs::path& safety) {
+  Connection copy = openRecord(ready.string(), OpenMode::kReadWrite,
+                               {.softwareVersion = softwareVersion(), .backup = false});
+  for (const Erasure& erasure : erasedSince(workplace.connection(), copy))
+    erasePerson(copy, erasure.personId, erasure.requestedBy, erasure.reason, erasure.erasedUtc_us);
+  tell(workplace, copy, "database.restore", plan, safety);
+}
+
+}  // namespace
+
+RestorePlan planRestore(Workplace& workplace, const fs::path& backup, const ProgressCallback& progress) {
+  workplace.require(Operation::kDatabaseRestore);
+  requireFile(workplace);
+  requireNobodyAtWork(workplace);
+  RestorePlan plan;
+  plan.backup = backup;
+  const Contents present(workplace.connection());
+  plan.present = present.extent();
+  const BackupCheck check = verifyBackup(backup, progress, [&](Connection& copy) {
+    const Contents restored(copy);
+    plan.restored = restored.extent();
+    plan.lostPeople = missing(present.people, restored.people);
+    plan.lostTrials = missing(present.trials, restored.trials);
+    plan.lostMarks = missing(present.marks, restored.marks);
+    plan.erasedSince = std::ssize(erasedSince(workplace.connection(), copy));
+  });
+  if (!check.database.sound()) {
+    throw Error(ErrorCode::kVerifyFailed, "the backup is not sound, so nothing was restored", backup.string(),
+                "Choose an older backup");
+  }
+  return plan;
+}
+
+std::shared_ptr<PreparedRestore> prepareRestore(Workplace& workplace, const RestorePlan& plan,
+                                                const ProgressCallback& progress) {
+  workplace.require(Operation::kDatabaseRestore);
+  requireFile(workplace);
+  requireNobodyAtWork(workplace);
+  const fs::path record = workplace.key().locator;
+  requireRoom(record, plan.backup);
+  const fs::path safety = safetyName(record, workplace.now_us());
+  tell(workplace, workplace.connection(), "database.restore_begin", plan, safety);
+  tellProgress(progress, "Backing up the record as it is now", 0.0);
+  backupSqlite(workplace.connection(), safety);
+  (void)checkBackup(safety);
+
+  const fs::path ready = temporaryBeside(record);
+  auto prepared = std::make_shared<PreparedRestore>(ready, record, safety);
+  copyStepwise(plan.backup, ready, partOf(progress, 0.5, 0.7));
+  tellProgress(progress, "Preparing the restored record", 0.7);
+  bringToday(workplace, ready, plan, safety);
+  tellProgress(progress, "Checking the restored record", 0.8);
+  settleSqlite(ready);
+  tellProgress(progress, "Ready", 1.0);
+  return prepared;
+}
+
+PreparedRestore::~PreparedRestore() {
+  std::error_code ignored;
+  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(ready_.string() + suffix, ignored);
+}
+
+void PreparedRestore::takeOver() {
+  replaceSqlite(ready_, target_);
+}
+
+}  // namespace torsio

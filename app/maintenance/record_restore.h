@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/access/workplace.h"
+#include "app/base/progress.h"
+
+namespace torsio {
+
+/// How much a record holds.
+struct RecordExtent {
+  std::int64_t people = 0;
+  std::int64_t trials = 0;
+  std::int64_t marks = 0;         ///< of training and of evaluations, every version
+  std::int64_t newestUtc_us = 0;  ///< of a recording or mark; 0: there is none
+};
+
+/// What a restore would do, told before anything is done.
+struct RestorePlan {
+  std::filesystem::path backup{};
+  RecordExtent present{};       ///< the record as it is now
+  RecordExtent restored{};      ///< as the backup has it
+  std::int64_t lostPeople = 0;  ///< in the present record, but not in the backup
+  std::int64_t lostTrials = 0;
+  std::int64_t lostMarks = 0;
+  std::int64_t erasedSince = 0;  ///< people of the backup who were erased later: they stay erased
+};
+
+/// Reads the backup from end to end in a copy of its own, and compares it with the record. Changes nothing.
+/// kDatabaseRestore. Throws Error: kUsage when the record is no file (a server has its own tools), kDatabase
+/// while others work at the record, kVerifyFailed and others when the backup is not sound; whatever
+/// `progress` throws.
+[[nodiscard]] RestorePlan planRestore(Workplace& workplace, const std::filesystem::path& backup,
+                                      const ProgressCallback& progress = {});
+
+/// A backup that stands ready beside the record. Removes itself unless it has taken the record's place.
+class PreparedRestore {
+ public:
+  PreparedRestore(std::filesystem::path ready, std::filesystem::path target, std::filesystem::path safety)
+      : ready_(std::move(ready)), target_(std::move(target)), safety_(std::move(safety)) {}
+  PreparedRestore(const PreparedRestore&) = delete;
+  PreparedRestore& operator=(const PreparedRestore&) = delete;
+  ~PreparedRestore();
+
+  /// Takes the place of the record; what was there is kept as "<record>.before-restore" besides. Quick. Every
+  /// connection to the record must be closed. Throws Error: kDatabase when somebody has it open,
+  /// kFileUnwritable; then the record is as before.
+  void takeOver();
+  /// The backup that was made of the record as it was.
+  [[nodiscard]] const std::filesystem::path& safety() const noexcept { return safety_; }
+
+ private:
+  std::filesystem::path ready_;
+  std::filesystem::path target_;
+  std::filesystem::path safety_;
+};
+
+/// Makes a backup of the record as it is now, checked, with its date in the name, beside the record; then a
+/// checked copy of the planned backup, brought up to date, in which those who were erased since stay erased,
+/// and whose audit trail tells of the restore, who did it and what was lost. The record itself gets an audit
+/// entry and is else unchanged until takeOver(). kDatabaseRestore. Throws as planRestore does, and
+/// kFileUnwritable when there is not enough room; then nothing is left but the finished safety backup, if
+/// any.
+[[nodiscard]] std::shared_ptr<PreparedRestore> prepareRestore(Workplace& workplace, const RestorePlan& plan,
+                                                              const ProgressCallback& progress = {});
+
+}  // namespace torsio

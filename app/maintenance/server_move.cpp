@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/maintenance/server_move.h"
+
+#include <QUrl>
+#include <QUrlQuery>
+
+#include "app/maintenance/database_copy.h"
+#include "app/maintenance/others_at_work.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/audit_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+std::string locatorOf(const ServerAddress& address, const std::string& password) {
+  if (address.host.empty() || address.database.empty() || address.user.empty()) {
+    throw Error(ErrorCode::kBadParameter, "the address of the server is not complete", "",
+                "Give the computer, the database and the account");
+  }
+  QUrl url;
+  url.setScheme(QStringLiteral("postgresql"));
+  url.setHost(QString::fromStdString(address.host));
+  url.setPort(address.port);
+  url.setPath(QLatin1Char('/') + QString::fromStdString(address.database), QUrl::DecodedMode);
+  url.setUserName(QString::fromStdString(address.user), QUrl::DecodedMode);
+  if (!password.empty()) url.setPassword(QString::fromStdString(password), QUrl::DecodedMode);
+  if (!address.schema.empty()) {
+    QUrlQuery query;
+    query.addQueryItem(QStringLiteral("schema"), QString::fromStdString(address.schema));
+    url.setQuery(query);
+  }
+  std::string locator = url.toString(QUrl::FullyEncoded).toStdString();
+  (void)parseLocator(locator);  // refuses what no address can be made of
+  return locator;
+}
+
+std::string oneText(Connection& connection, const std::string& sql) {
+  Statement row = connection.prepare(sql);
+  row.execute();
+  std::string text;
+  while (row.step()) text = row.text(0);
+  return text;
+}
+
+bool opens(const std::string& locator) {
+  try {
+    (void)openDatabase(locator, OpenMode::kReadOnly);
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// Fills in what the database holds and why the record cannot go there.
+void lookInto(Connection& connection, ServerCheck& check) {
+  try {
+    check.schemaVersion = checkSchema(connection, embeddedMigrations()).version;
+  } catch (const Error& error) {
+    check.hindrance = error.happened();
+    return;
+  }
+  check.holdsRecord = check.schemaVersion > 0 && !isEmptyRecord(connection);
+  if (check.holdsRecord) {
+    check.hindrance = "there is a record in this database already";
+    return;
+  }
+  Statement row =
+      connection.prepare("SELECT coalesce(has_schema_privilege(current_schema(), 'CREATE'), FALSE)");
+  row.execute();
+  bool may = false;
+  while (row.step()) may = row.boolean(0);
+  if (!may) check.hindrance = "this account may not make tables there";
+}
+
+/// The locator to keep. Throws when it does not open.
+std::string openLasting(const ServerAddress& address) {
+  std::string locator = lastingLocator(address);
+  if (opens(locator)) return locator;
+  throw Error(ErrorCode::kDatabase, "the server does not let this station in without the typed password",
+              parseLocator(locator).shown(),
+              "Put the line shown here into the password file of this computer's account");
+}
+
+void requireNothingWaits(const std::string& locator, const std::filesystem::path& folder) {
+  const UnstoredTrials waiting = unstoredTrials(locator, folder);
+  if (waiting.trials.empty()) return;
+  throw Error(ErrorCode::kBadData,
+              Text("recordings of this station still wait in files (%1)", waiting.trials.size()),
+              folder.string(), "Start Torsio again at this station, which stores them, then try again");
+}
+
+constexpr double kCopyFrom = 0.02;  // of the whole work; looking at the server comes before
+
+}  // namespace
+
+std::string typedLocator(const ServerAddress& address) {
+  return locatorOf(address, address.password);
+}
+
+std::string lastingLocator(const ServerAddress& address) {
+  return locatorOf(address, {});
+}
+
+std::string passwordFileLine(const ServerAddress& address) {
+  return address.host + ":" + std::to_string(address.port) + ":" + address.database + ":" + address.user +
+         ":PASSWORD";
+}
+
+ServerCheck checkServer(Workplace& workplace, const ServerAddress& address) {
+  workplace.require(Operation::kDatabaseRestore);
+  ServerCheck check;
+  Connection connection = openDatabase(typedLocator(address), OpenMode::kReadOnly);
+  check.location = connection.location();
+  check.server = "PostgreSQL " + oneText(connection, "SELECT current_setting('server_version')");
+  lookInto(connection, check);
+  check.opensWithoutPassword = address.password.empty() || opens(lastingLocator(address));
+  return check;
+}
+
+CopyReport moveToServer(Workplace& workplace, const ServerAddress& address, const ProgressCallback& progress,
+                        const std::filesystem::path& unstored) {
+  workplace.require(Operation::kDatabaseRestore);
+  requireNobodyAtWork(workplace);
+  requireNothingWaits(workplace.key().locator, unstored);
+  tellProgress(progress, "Looking at the server", 0.0);
+  const ServerCheck check = checkServer(workplace, address);
+  if (!check.hindrance.empty()) {
+    throw Error(ErrorCode::kBadData, check.hindrance, check.location,
+                "Let the server's administrator make an empty database");
+  }
+  AuditNote note{.action = "database.move", .objectKind = "database", .objectId = check.location};
+  workplace.note(note);  // before the copy, so that both tell of it
+  try {
+    return copyDatabase(workplace.key().locator, typedLocator(address), partOf(progress, kCopyFrom, 1.0));
+  } catch (...) {
+    note.action = "database.move_given_up";
+    workplace.note(note);
+    throw;
+  }
+}
+
+std::string switchToServer(Workplace& workplace, const ServerAddress& address, const CopyReport& copied) {
+  workplace.require(Operation::kDatabaseRestore);
+  requireNobodyAtWork(workplace);
+  if (AuditRepository(workplace.connection()).length() != copied.auditEntries) {
+    throw Error(ErrorCode::kBadData, "something was written to this record after it was copied",
+                workplace.connection().location(), "Make an empty database on the server and copy again");
+  }
+  std::string locator = openLasting(address);
+  Connection there = openDatabase(locator, OpenMode::kReadWrite);
+  const Workplace server(there, workplace.ids(), workplace.key(),
+                         [&workplace] { return workplace.now_us(); });
+  server.note({.action = "database.switch",
+               .objectKind = "database",
+               .objectId = parseLocator(locator).shown(),
+               .newJson = R"({"tables":)" + std::to_string(copied.tables.size()) + R"(,"rows":)" +
+                          std::to_string(copied.rows) + "}"});
+  return locator;
+}
+
+std::string joinServer(Workplace& workplace, const ServerAddress& address,
+                       const std::filesystem::path& unstored) {
+  workplace.require(Operation::kDatabaseRestore);
+  requireNothingWaits(workplace.key().locator, unstored);
+  const ServerCheck check = checkServer(workplace, address);
+  if (!check.holdsRecord) {
+    throw Error(ErrorCode::kBadData, "there is no record in this database", check.location,
+                "Copy the record of this station there");
+  }
+  std::string locator = openLasting(address);
+  const AuditNote note{.action = "database.join", .objectKind = "database", .objectId = check.location};
+  Connection there = openUpToDate(locator);
+  const Workplace server(there, workplace.ids(), workplace.key(),
+                         [&workplace] { return workplace.now_us(); });
+  server.note(note);
+  workplace.note(note);
+  return locator;
+}
+
+}  // namespace torsio

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/people/consent_service.h"
+
+#include <algorithm>
+#include <array>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::array<const char*, 5> kPurposes{"training_record", "video", "research", "xapi_export",
+                                               "teaching"};
+
+bool isPurpose(const std::string& purpose) {
+  return std::find(kPurposes.begin(), kPurposes.end(), purpose) != kPurposes.end();
+}
+
+}  // namespace
+
+std::vector<ConsentText> consentTexts(const std::filesystem::path& assets, const std::string& language) {
+  const std::filesystem::path file = assets / "consent" / "consent.json";
+  const std::string bytes = readFile(file);
+  std::vector<ConsentText> texts;
+  try {
+    const nlohmann::json json = nlohmann::json::parse(bytes);
+    const std::string version = json.at("version").get<std::string>();
+    const nlohmann::json& languages = json.at("languages");
+    const nlohmann::json& chosen = languages.contains(language) ? languages.at(language) : languages.at("en");
+    for (const char* purpose : kPurposes) {
+      const nlohmann::json& part = chosen.at(purpose);
+      texts.push_back(
+          {purpose, version, part.at("title").get<std::string>(), part.at("text").get<std::string>()});
+    }
+  } catch (const nlohmann::json::exception& problem) {
+    throw Error(ErrorCode::kBadData, Text("the consent texts cannot be read: %1", problem.what()),
+                file.string(), "Restore the file from the installation");
+  }
+  return texts;
+}
+
+std::vector<ConsentState> consentStates(Workplace& workplace, const std::string& personId) {
+  std::vector<ConsentState> states;
+  for (const char* purpose : kPurposes) states.push_back({purpose, false, {}});
+  for (const StoredConsent& consent : consentHistory(workplace, personId)) {
+    const auto state = std::find_if(states.begin(), states.end(),
+                                    [&](const ConsentState& s) { return s.purpose == consent.purpose; });
+    if (state == states.end()) continue;
+    state->decided = true;
+    state->newest = consent;  // oldest first: the last one stays
+  }
+  return states;
+}
+
+std::vector<StoredConsent> consentHistory(Workplace& workplace, const std::string& personId) {
+  workplace.require(Operation::kPersonViewCoded);
+  return PeopleRepository(workplace.connection()).consents(personId);
+}
+
+void recordConsent(Workplace& workplace, const std::string& personId, const std::string& purpose,
+                   bool granted, const std::string& textVersion) {
+  workplace.require(Operation::kConsentRecord);
+  if (!isPurpose(purpose)) {
+    throw Error(ErrorCode::kBadParameter, "there is no such purpose", purpose, "Choose one from the list");
+  }
+  if (textVersion.empty()) {
+    throw Error(ErrorCode::kBadParameter, "it is not said which text was shown", purpose,
+                "Give the version of the consent text");
+  }
+  Transaction transaction(workplace.connection());
+  PeopleRepository repository(workplace.connection());
+  const auto person = repository.find(personId);
+  if (!person || person->state == "erased") {
+    throw Error(ErrorCode::kBadParameter, "there is no such person", personId, "Choose one from the list");
+  }
+  repository.recordConsent({personId, purpose, granted, textVersion, workplace.now_us(),
+                            workplace.actor().userId, person->demonstration});
+  workplace.note({.action = granted ? "consent.grant" : "consent.withdraw",
+                  .objectKind = "consent",
+                  .objectId = personId,
+                  .newJson = nlohmann::json{{"purpose", purpose}, {"text", textVersion}}.dump()});
+  transaction.commit();
+}
+
+std::vector<StoredConsent> withdrawnConsents(Workplace& workplace) {
+  workplace.require(Operation::kPersonViewCoded);
+  PeopleRepository repository(workplace.connection());
+  std::vector<StoredConsent> withdrawn;
+  for (const StoredConsent& newest : repository.newestConsents()) {
+    if (newest.granted) continue;
+    const std::vector<StoredConsent> all = repository.consents(newest.personId);
+    const bool grantedBefore = std::any_of(all.begin(), all.end(), [&](const StoredConsent& consent) {
+      return consent.purpose == newest.purpose && consent.granted;
+    });
+    if (grantedBefore) withdrawn.push_back(newest);
+  }
+  std::stable_sort(withdrawn.begin(), withdrawn.end(), [](const StoredConsent& a, const StoredConsent& b) {
+    return a.decidedUtc_us > b.decidedUtc_us;
+  });
+  return withdrawn;
+}
+
+}  // namespace torsio

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "db/repository/people_repository.h"
+
+namespace torsio {
+
+/// What somebody agrees to, in the words that were shown.
+struct ConsentText {
+  std::string purpose{};  ///< "training_record", "video", "research", "xapi_export", "teaching"
+  std::string version{};  ///< stored with each decision
+  std::string title{};
+  std::string text{};
+};
+
+/// The texts of assets/consent, in the order in which they are asked. `language`: "en", "zh_CN"; an unknown
+/// one gives English. Throws Error{kFileMissing, kBadData}.
+[[nodiscard]] std::vector<ConsentText> consentTexts(const std::filesystem::path& assets,
+                                                    const std::string& language = "en");
+
+/// One purpose of one person.
+struct ConsentState {
+  std::string purpose{};
+  bool decided = false;
+  StoredConsent newest{};  ///< when decided
+};
+/// All five purposes, in the order of asking. kPersonViewCoded.
+[[nodiscard]] std::vector<ConsentState> consentStates(Workplace& workplace, const std::string& personId);
+/// Every decision, oldest first. kPersonViewCoded.
+[[nodiscard]] std::vector<StoredConsent> consentHistory(Workplace& workplace, const std::string& personId);
+
+/// Given, or withdrawn (`granted` false). Audited. kConsentRecord. Throws Error{kBadParameter} for an unknown
+/// purpose or person, or an empty version.
+void recordConsent(Workplace& workplace, const std::string& personId, const std::string& purpose,
+                   bool granted, const std::string& textVersion);
+
+/// People who withdrew a purpose that they had granted: their records are to be reviewed. Newest first.
+/// kPersonViewCoded.
+[[nodiscard]] std::vector<StoredConsent> withdrawnConsents(Workplace& workplace);
+
+}  // namespace torsio

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/people/people_service.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/people/person_codes.h"
+#include "sim/base/digest.h"
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::array<const char*, 2> kStates{"active", "left"};
+constexpr std::int64_t kYoungest_years = 14;
+constexpr std::int64_t kOldest_years = 100;
+
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
+  throw Error(ErrorCode::kBadData, what, where, remedy);
+}
+
+std::map<std::string, PersonRow> rowsById(PeopleRepository& repository) {
+  std::map<std::string, PersonRow> rows;
+  for (StoredTrainee& trainee : repository.trainees()) {
+    PersonRow& row = rows[trainee.person.id];
+    row.trainee = true;
+    row.handedness = trainee.handedness;
+    row.person = std::move(trainee.person);
+  }
+  for (StoredRater& rater : repository.raters()) {
+    PersonRow& row = rows[rater.person.id];
+    row.rater = true;
+    row.raterClass = rater.classCode;
+    row.person = std::move(rater.person);
+  }
+  std::erase_if(rows, [](const auto& entry) { return entry.second.person.state == "erased"; });
+  for (const StoredConsent& consent : repository.newestConsents()) {
+    const auto row = rows.find(consent.personId);
+    if (row != rows.end() && consent.granted) row->second.consents.push_back(consent.purpose);
+  }
+  return rows;
+}
+
+std::vector<PersonRow> byCode(std::map<std::string, PersonRow> rows) {
+  std::vector<PersonRow> list;
+  for (auto& [id, row] : rows) list.push_back(std::move(row));
+  std::sort(list.begin(), list.end(),
+            [](const PersonRow& a, const PersonRow& b) { return a.person.code < b.person.code; });
+  return list;
+}
+
+PersonRow rowOf(PeopleRepository& repository, const std::string& personId) {
+  const std::optional<StoredPerson> person = repository.find(personId);
+  if (!person || person->state == "erased") {
+    refuse("there is no such person", personId, "Choose one from the list");
+  }
+  PersonRow row;
+  row.person = *person;
+  if (const auto trainee = repository.findTrainee(person->code)) {
+    row.trainee = true;
+    row.handedness = trainee->handedness;
+  }
+  if (const auto rater = repository.findRater(person->code)) {
+    row.rater = true;
+    row.raterClass = rater->classCode;
+  }
+  return row;
+}
+
+void checkEntry(PeopleRepository& repository, const PersonEntry& entry, const std::string& personId) {
+  if (entry.fullName.empty()) refuse("the name is missing", "name", "Enter the full name");
+  if (!entry.trainee && entry.raterClass.empty()) {
+    refuse("neither a trainee nor a rater", "role", "Choose at least one of the two");
+  }
+  if (entry.age_years && (*entry.age_years < kYoungest_years || *entry.age_years > kOldest_years)) {
+    refuse(Text("an age of %1 years is not likely", *entry.age_years), "age",
+           "Enter the age in years, or leave it empty");
+  }
+  const auto oneOf = [](const std::string& value, std::initializer_list<const char*> allowed) {
+    return value.empty() || std::find(allowed.begin(), allowed.end(), value) != allowed.end();
+  };
+  if (!oneOf(entry.sex, {"female", "male", "other"})) {
+    refuse("the sex is not known to the record", "sex", "Choose female, male, other or nothing");
+  }
+  if (!oneOf(entry.handedness, {"left", "right"})) {
+    refuse("the handedness is not known to the record", "handedness", "Choose left, right or nothing");
+  }
+  const std::vector<StoredRaterClass> classes = repository.raterClasses();
+  if (!entry.raterClass.empty() &&
+      std::none_of(classes.begin(), classes.end(),
+                   [&](const StoredRaterClass& known) { return known.code == entry.raterClass; })) {
+    refuse("there is no such class of raters", entry.raterClass, "Choose one from the list");
+  }
+  if (entry.externalId.empty()) return;
+  const auto owner = repository.identityByExternalId(entry.externalId);
+  if (owner && owner->personId != personId) {
+    refuse("somebody else has this staff or student number", entry.externalId,
+           "Open that person, or correct the number");
+  }
+}
+
+StoredPerson personFrom(const PersonEntry& entry, StoredPerson person) {
+  person.sex = entry.sex;
+  person.level = entry.level;
+  person.experience = entry.experience;
+  person.age_years = entry.age_years;
+  return person;
+}
+
+/// What the trail may know of a person: codes and what groups are balanced by.
+nlohmann::json codedJson(const StoredPerson& person, const std::string& handedness,
+                         const std::string& raterClass) {
+  nlohmann::json json{{"code", person.code},      {"sex", person.sex},
+                      {"level", person.level},    {"experience", person.experience},
+                      {"handedness", handedness}, {"rater_class", raterClass}};
+  if (person.age_years) json["age_years"] = *person.age_years;
+  return json;
+}
+
+/// Names of the identity fields that differ, never what stands in them.
+nlohmann::json changedIdentity(const StoredIdentity& before, const PersonEntry& after) {
+  nlohmann::json fields = nlohmann::json::array();
+  if (before.fullName != after.fullName) fields.push_back("full_name");
+  if (before.email != after.email) fields.push_back("email");
+  if (before.externalId != after.externalId) fields.push_back("external_id");
+  return fields;
+}
+
+/// RFC 4180; a cell that a spreadsheet would take for a formula gets an apostrophe in front.
+std::string csvCell(std::string text) {
+  if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) {
+    std::string harmless(1, '\'');
+    harmless += text;
+    text = std::move(harmless);
+  }
+  if (text.find_first_of("\",;\r\n") == std::string::npos) return text;
+  std::string quoted(1, '"');
+  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+  quoted += '"';
+  return quoted;
+}
+
+std::string csvLine(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells) {
+    if (&cell != &cells.front()) line += ',';
+    line += csvCell(cell);
+  }
+  line += "\r\n";
+  return line;
+}
+
+std::vector<std::string> codedCells(const PersonRow& row) {
+  const StoredPerson& person = row.person;
+  return {person.code,
+          row.trainee ? "yes" : "no",
+          row.raterClass,
+          person.sex,
+          person.level,
+          person.experience,
+          person.age_years ? std::to_string(*person.age_years) : "",
+          row.handedness,
+          person.state};
+}
+
+}  // namespace
+
+std::vector<PersonRow> people(Workplace& workplace) {
+  workplace.require(Operation::kPersonViewCoded);
+  PeopleRepository repository(workplace.connection());
+  return byCode(rowsById(repository));
+}
+
+std::vector<NamedPersonRow> namedPeople(Workplace& workplace) {
+  workplace.require(Operation::kPersonViewIdentity);
+  PeopleRepository repository(workplace.connection());
+  std::map<std::string, StoredIdentity> identities;
+  for (StoredIdentity& identity : repository.identities())
+    identities[identity.personId] = std::move(identity);
+  std::vector<NamedPersonRow> list;
+  for (PersonRow& row : byCode(rowsById(repository))) {
+    NamedPersonRow named;
+    named.identity = identities[row.person.id];
+    named.row = std::move(row);
+    list.push_back(std::move(named));
+  }
+  return list;
+}
+
+std::optional<StoredIdentity> identityOf(Workplace& workplace, const std::string& personId) {
+  workplace.require(Operation::kPersonViewIdentity);
+  return PeopleRepository(workplace.connection()).identity(personId);
+}
+
+std::string addPerson(Workplace& workplace, const PersonEntry& entry) {
+  workplace.require(Operation::kPersonEdit);
+  Transaction transaction(workplace.connection());
+  PeopleRepository repository(workplace.connection());
+  if (!entry.raterClass.empty()) ensureRaterClasses(workplace);
+  checkEntry(repository, entry, "");
+  const std::vector<std::string> codes = repository.codes();
+  PersonCodes next({codes.begin(), codes.end()});
+  StoredPerson person = personFrom(entry, {});
+  person.id = workplace.ids().newUuid();
+  person.code = next.next(entry.trainee ? kTraineePrefix : kRaterPrefix);
+  person.createdUtc_us = workplace.now_us();
+  if (entry.trainee) {
+    repository.addTrainees(std::vector<StoredTrainee>{{person, entry.handedness}});
+    if (!entry.raterClass.empty()) repository.makeRater(person.id, entry.raterClass);
+  } else {
+    repository.addRaters(std::vector<StoredRater>{{person, entry.raterClass}});
+  }
+  repository.setIdentity({person.id, entry.fullName, entry.email, entry.externalId});
+  workplace.note({.action = "person.add",
+                  .objectKind = "person",
+                  .objectId = person.id,
+                  .newJson = codedJson(person, entry.handedness, entry.raterClass).dump()});
+  transaction.commit();
+  return person.id;
+}
+
+PersonEntry personEntry(Workplace& workplace, const std::string& personId) {
+  workplace.require(Operation::kPersonEdit);
+  workplace.require(Operation::kPersonViewIdentity);
+  PeopleRepository repository(workplace.connection());
+  const PersonRow row = rowOf(repository, personId);
+  const StoredIdentity identity = repository.identity(personId).value_or(StoredIdentity{});
+  return {.fullName = identity.fullName,
+          .externalId = identity.externalId,
+          .email = identity.email,
+          .sex = row.person.sex,
+          .level = row.person.level,
+          .experience = row.person.experience,
+          .age_years = row.person.age_years,
+          .trainee = row.trainee,
+          .handedness = row.handedness,
+          .raterClass = row.raterClass};
+}
+
+void changePerson(Workplace& workplace, const std::string& personId, const PersonEntry& entry,
+                  const std::string& reason) {
+  workplace.require(Operation::kPersonEdit);
+  Transaction transaction(workplace.connection());
+  PeopleRepository repository(workplace.connection());
+  const PersonRow before = rowOf(repository, personId);
+  if (!entry.raterClass.empty()) ensureRaterClasses(workplace);
+  checkEntry(repository, entry, personId);
+  if ((before.trainee && !entry.trainee) || (before.rater && entry.raterClass.empty())) {
+    refuse("a part of a person cannot be taken away: records hang on it", before.person.code,
+           "Set the person to \"left\" instead");
+  }
+  const StoredPerson after = personFrom(entry, before.person);
+  repository.updatePerson(after);
+  if (before.trainee) repository.setHandedness(personId, entry.handedness);
+  if (!before.trainee && entry.trainee) repository.makeTrainee(personId, entry.handedness);
+  if (before.rater) repository.setRaterClass(personId, entry.raterClass);
+  if (!before.rater && !entry.raterClass.empty()) repository.makeRater(personId, entry.raterClass);
+  const StoredIdentity old = repository.identity(personId).value_or(StoredIdentity{});
+  repository.setIdentity({personId, entry.fullName, entry.email, entry.externalId});
+  nlohmann::json now = codedJson(after, entry.handedness, entry.raterClass);
+  now["identity_changed"] = changedIdentity(old, entry);
+  workplace.note({.action = "person.change",
+                  .objectKind = "person",
+                  .objectId = personId,
+                  .oldJson = codedJson(before.person, before.handedness, before.raterClass).dump(),
+                  .newJson = now.dump(),
+                  .reason = reason});
+  transaction.commit();
+}
+
+void setPersonState(Workplace& workplace, const std::string& personId, const std::string& state,
+                    const std::string& reason) {
+  workplace.require(Operation::kPersonEdit);
+  if (std::find(kStates.begin(), kStates.end(), state) == kStates.end()) {
+    refuse("this is no state of a person", state, "Choose active or left");
+  }
+  Transaction transaction(workplace.connection());
+  PeopleRepository repository(workplace.connection());
+  StoredPerson person = rowOf(repository, personId).person;
+  const std::string before = std::exchange(person.state, state);
+  repository.updatePerson(person);
+  workplace.note({.action = "person.set_state",
+                  .objectKind = "person",
+                  .objectId = personId,
+                  .oldJson = nlohmann::json{{"state", before}}.dump(),
+                  .newJson = nlohmann::json{{"state", state}}.dump(),
+                  .reason = reason});
+  transaction.commit();
+}
+
+std::vector<StoredRaterClass> paperRaterClasses() {
+  return {{"intern", "intern", 1},
+          {"deputy_chief", "deputy chief physician", 2},
+          {"chief", "chief physician", 3}};
+}
+
+std::vector<StoredRaterClass> ensureRaterClasses(Workplace& workplace) {
+  workplace.require(Operation::kPersonEdit);
+  PeopleRepository repository(workplace.connection());
+  std::vector<StoredRaterClass> classes = repository.raterClasses();
+  if (!classes.empty()) return classes;
+  classes = paperRaterClasses();
+  Transaction transaction(workplace.connection());
+  repository.addRaterClasses(classes);
+  workplace.note(
+      {.action = "rater_class.add", .objectKind = "rater_class", .objectId = "intern deputy_chief chief"});
+  transaction.commit();
+  return classes;
+}
+
+std::vector<StoredRaterClass> raterClasses(Workplace& workplace) {
+  workplace.require(Operation::kPersonViewCoded);
+  return PeopleRepository(workplace.connection()).raterClasses();
+}
+
+std::size_t exportPeople(Workplace& workplace, const std::filesystem::path& file, bool withNames) {
+  workplace.require(withNames ? Operation::kReportExportNamed : Operation::kReportExportCoded);
+  constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
+  std::string text = kByteOrderMark;
+  std::vector<std::string> header{"code",       "trainee",   "rater_class", "sex",  "level",
+                                  "experience", "age_years", "handedness",  "state"};
+  std::size_t count = 0;
+  if (withNames) {
+    header.insert(header.end(), {"full_name", "external_id", "email"});
+    text += csvLine(header);
+    for (const NamedPersonRow& named : namedPeople(workplace)) {
+      std::vector<std::string> cells = codedCells(named.row);
+      cells.insert(cells.end(), {named.identity.fullName, named.identity.externalId, named.identity.email});
+      text += csvLine(cells);
+      ++count;
+    }
+  } else {
+    text += csvLine(header);
+    for (const PersonRow& row : people(workplace)) {
+      text += csvLine(codedCells(row));
+      ++count;
+    }
+  }
+  Digest digest;
+  digest.update(text);
+  // First the trail, then the file: names that left the house without a trace would be worse than a trace
+  // of a file that could not be written.
+  workplace.note({.action = withNames ? "people.export_named" : "people.export_coded",
+                  .objectKind = "person",
+                  .newJson = nlohmann::json{{"people", count}, {"blake2b", digest.hex()}}.dump()});
+  writeFileAtomically(file, text);
+  return count;
+}
+
+}  // namespace torsio

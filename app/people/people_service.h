@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "db/repository/people_repository.h"
+
+namespace torsio {
+
+/// One person as lists show it: under a code, never under a name.
+struct PersonRow {
+  StoredPerson person{};
+  bool trainee = false;
+  std::string handedness{};  ///< of a trainee; empty: not known
+  bool rater = false;
+  std::string raterClass{};             ///< code, of a rater
+  std::vector<std::string> consents{};  ///< purposes whose newest decision grants them
+};
+
+/// The same with what leads back to the person.
+struct NamedPersonRow {
+  PersonRow row{};
+  StoredIdentity identity{};  ///< empty texts when there is none
+};
+
+/// Everybody who was not erased, ordered by code. kPersonViewCoded.
+[[nodiscard]] std::vector<PersonRow> people(Workplace& workplace);
+/// The same with names. kPersonViewIdentity.
+[[nodiscard]] std::vector<NamedPersonRow> namedPeople(Workplace& workplace);
+/// The name behind a code, for a title or a tooltip. kPersonViewIdentity.
+[[nodiscard]] std::optional<StoredIdentity> identityOf(Workplace& workplace, const std::string& personId);
+
+/// One person to enter by hand. Empty texts mean "not known".
+struct PersonEntry {
+  std::string fullName{};    ///< required
+  std::string externalId{};  ///< staff or student number: by it a person is recognised; unique
+  std::string email{};
+  std::string sex{};  ///< "female", "male", "other"
+  std::string level{};
+  std::string experience{};
+  std::optional<std::int64_t> age_years{};
+  bool trainee = true;
+  std::string handedness{};  ///< "left", "right"
+  std::string raterClass{};  ///< code; not empty: the person scores
+};
+
+/// Stores a new person under the next free code ("T-31", "R-11"). Returns the id. Audited under the code,
+/// never with the name. kPersonEdit. Throws Error{kBadData} when the staff number is known already.
+std::string addPerson(Workplace& workplace, const PersonEntry& entry);
+/// What the dialog starts from. kPersonEdit and kPersonViewIdentity.
+[[nodiscard]] PersonEntry personEntry(Workplace& workplace, const std::string& personId);
+/// Replaces all fields; a part (trainee, rater) can be added, not taken away. kPersonEdit.
+void changePerson(Workplace& workplace, const std::string& personId, const PersonEntry& entry,
+                  const std::string& reason);
+/// "active" or "left": who left keeps the record and is offered nowhere. kPersonEdit.
+void setPersonState(Workplace& workplace, const std::string& personId, const std::string& state,
+                    const std::string& reason);
+
+/// Interns, deputy chiefs and chiefs (paper section 5.3).
+[[nodiscard]] std::vector<StoredRaterClass> paperRaterClasses();
+/// Classes of raters in their order; the three of the paper are made when there are none. kPersonEdit.
+std::vector<StoredRaterClass> ensureRaterClasses(Workplace& workplace);
+/// Without making any. kPersonViewCoded.
+[[nodiscard]] std::vector<StoredRaterClass> raterClasses(Workplace& workplace);
+
+/// Writes the list as CSV (UTF-8 with byte order mark, so that spreadsheets read it right). Coded:
+/// kReportExportCoded. With names: kReportExportNamed; that the names were taken out is audited, with the
+/// hash of the file. Returns the number of people. Throws Error{kFileUnwritable}.
+std::size_t exportPeople(Workplace& workplace, const std::filesystem::path& file, bool withNames);
+
+}  // namespace torsio

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/people/roster_accounts.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+namespace torsio {
+
+namespace {
+
+std::string signInName(const std::string& personCode, const std::set<std::string>& taken) {
+  std::string login = personCode;
+  std::transform(login.begin(), login.end(), login.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  if (!taken.contains(login)) return login;
+  int number = 2;
+  while (taken.contains(login + "." + std::to_string(number))) ++number;
+  return login + "." + std::to_string(number);
+}
+
+std::vector<std::string> rolesOf(const PersonRow& row) {
+  std::vector<std::string> roles;
+  if (row.trainee) roles.emplace_back("trainee");
+  if (row.rater) roles.emplace_back("rater");
+  return roles;
+}
+
+}  // namespace
+
+std::vector<PersonRow> peopleWithoutAccount(Workplace& workplace) {
+  workplace.require(Operation::kUserManage);
+  std::set<std::string> withAccount;
+  for (const StoredUser& user : users(workplace)) withAccount.insert(user.personId);
+  std::vector<PersonRow> rows = people(workplace);
+  std::erase_if(rows, [&withAccount](const PersonRow& row) {
+    return row.person.state != "active" || withAccount.contains(row.person.id);
+  });
+  return rows;
+}
+
+void addAccounts(Workplace& workplace, const std::vector<std::string>& personIds,
+                 std::vector<StartAccount>& made, const ProgressCallback& progress) {
+  std::vector<PersonRow> rows = peopleWithoutAccount(workplace);
+  const std::set<std::string> wanted(personIds.begin(), personIds.end());
+  std::erase_if(rows, [&wanted](const PersonRow& row) { return !wanted.contains(row.person.id); });
+  std::set<std::string> taken;
+  for (const StoredUser& user : users(workplace)) taken.insert(user.login);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const PersonRow& row = rows[i];
+    tellProgress(progress, Text("Start password for %1", row.person.code),
+                 static_cast<double>(i) / static_cast<double>(rows.size()));
+    NewUser user{.login = signInName(row.person.code, taken),
+                 .personId = row.person.id,
+                 .roles = rolesOf(row),
+                 .startPassword = randomStartPassword(),
+                 .demonstration = row.person.demonstration};
+    addUser(workplace, user);
+    taken.insert(user.login);
+    made.push_back({user.login, user.roles.front(), row.person.code, user.startPassword});
+  }
+}
+
+}  // namespace torsio

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "app/recording/recording_spec.h"
+#include "sim/record/trial.h"
+#include "sim/scene/scene.h"
+
+namespace torsio {
+
+/// A trial of a scripted hand.
+struct ScriptedTrial {
+  RecordingSpec recording{};
+  std::uint64_t personSeed = 1;  ///< decides how this person learns and trembles
+  std::uint64_t trialSeed = 1;   ///< decides every deviation of this trial
+  double duration_s = 20.0;
+  double practisedBefore_min = 0.0;
+  double practiceScale = 1.0;  ///< minutes of practice that one minute of the trial stands for
+};
+
+/// Records a scripted hand (RecordedRun) as fast as the machine can; the sink sees exactly what a real-time
+/// trial would give it. Throws what the sink throws.
+TrialSummary recordScriptedTrial(const Scene& scene, const ScriptedTrial& trial, TrialSink& sink);
+
+}  // namespace torsio

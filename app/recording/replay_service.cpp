@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recording/replay_service.h"
+
+#include <limits>
+#include <vector>
+
+#include "app/recording/kept_digests.h"
+#include "db/migrations/migrations.h"
+#include "db/repository/trial_repository.h"
+#include "sim/base/error.h"
+#include "sim/scene/scene.h"
+
+namespace torsio {
+
+namespace {
+
+/// The one trial whose id is `text` or begins with it.
+std::string fullTrialId(TrialRepository& trials, const std::string& text) {
+  TrialFilter everything;
+  everything.limit = std::numeric_limits<std::int32_t>::max();
+  std::vector<std::string> found;
+  for (const TrialListing& listing : trials.list(everything)) {
+    if (listing.trialId.rfind(text, 0) == 0) found.push_back(listing.trialId);
+  }
+  if (found.size() == 1) return found.front();
+  throw Error(ErrorCode::kBadData,
+              found.empty() ? Text("no trial has this id") : Text("several trials begin like this"),
+              Text("trial %1", text),
+              found.empty() ? Text("Check the id and the database") : Text("Give more of the id"));
+}
+
+}  // namespace
+
+Trial loadStoredTrial(const std::string& database, const std::string& trialId) {
+  Connection connection = openRecord(database, OpenMode::kReadOnly);
+  TrialRepository trials(connection);
+  return trials.load(fullTrialId(trials, trialId));
+}
+
+StoredRun loadStoredRun(const std::string& database, const std::string& trialId,
+                        const std::filesystem::path& assets) {
+  Connection connection = openRecord(database, OpenMode::kReadOnly);
+  TrialRepository trials(connection);
+  StoredRun run{.trial = trials.load(fullTrialId(trials, trialId)), .rules = {}};
+  const TrialHeader& header = run.trial.header;
+  const TrialContext context = trials.context(header.trialId).value_or(TrialContext{});
+  ExerciseRules exercises(assets);
+  run.rules = exercises.of(connection, header.sceneId, header.patternId, context.moduleId);
+  return run;
+}
+
+ReplayResult replayStoredTrial(const ReplayRequest& request) {
+  const Trial trial = loadStoredTrial(request.database, request.trialId);
+  SceneRequest wanted = sceneRequestFor(trial.header.parametersJson);
+  wanted.assets = request.assets;
+  wanted.id = trial.header.sceneId;
+  wanted.pattern = trial.header.patternId;
+  wanted.organFile = request.organFile;
+  wanted.organScale_m = request.organScale_m;
+  const Scene scene = loadScene(wanted);
+  return {trial.header, trial.summary, replayTrial(scene, trial)};
+}
+
+}  // namespace torsio

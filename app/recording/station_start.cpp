@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recording/station_start.h"
+
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/base/assets.h"
+#include "app/recording/kept_digests.h"
+#include "db/repository/study_repository.h"
+#include "sim/base/error.h"
+#include "sim/base/tick_period.h"
+
+namespace torsio {
+
+namespace {
+
+// The clock of a run and the recording differ by less than this.
+constexpr std::int64_t kAgreesWithin_us = 500'000;
+
+std::optional<StoredEnrolment> enrolmentOf(StudyRepository& studies, const std::string& id) {
+  for (const StoredCohort& cohort : studies.cohorts()) {
+    for (const StoredEnrolment& enrolment : studies.enrolments(cohort.id))
+      if (enrolment.id == id) return enrolment;
+  }
+  return std::nullopt;
+}
+
+/// Training time that a recording proves and nobody logged; its station or its database went down before.
+std::int64_t logMissing_us(Workplace& workplace, const TrialListing& trial) {
+  if (trial.enrolmentId.empty()) return 0;
+  StudyRepository studies(workplace.connection());
+  const std::optional<StoredEnrolment> enrolment = enrolmentOf(studies, trial.enrolmentId);
+  if (!enrolment) return 0;
+  std::int64_t logged_us = 0;
+  for (const StoredExposure& exposure : studies.exposures(enrolment->cohortId)) {
+    const bool same = exposure.enrolmentId == trial.enrolmentId && exposure.phaseId == trial.phaseId &&
+                      exposure.kind == "virtual" &&
+                      exposure.startedUtc_us >= trial.startedUtc_us - kAgreesWithin_us;
+    if (same) logged_us += exposure.duration_us;
+  }
+  const std::int64_t missing_us = trial.summary->samples * kTickPeriod_us - logged_us;
+  if (missing_us < kAgreesWithin_us) return 0;
+  const StoredExposure found{
+      .id = workplace.ids().newUuid(),
+      .enrolmentId = trial.enrolmentId,
+      .phaseId = trial.phaseId,
+      .kind = "virtual",
+      .startedUtc_us = trial.startedUtc_us + logged_us,
+      .duration_us = missing_us,
+      .recordedBy = workplace.actor().userId.empty() ? "torsio" : workplace.actor().userId,
+      .demonstration = trial.demonstration};
+  studies.addExposures({&found, 1});
+  return missing_us;
+}
+
+SettledTrial settled(Workplace& workplace, TrialListing trial, bool fromFile) {
+  const std::int64_t added_us = logMissing_us(workplace, trial);
+  const nlohmann::json what{{"exposure_us", added_us}};
+  workplace.note({.action = fromFile ? "trial.import" : "trial.close_interrupted",
+                  .objectKind = "trial",
+                  .objectId = trial.trialId,
+                  .newJson = what.dump()});
+  return {std::move(trial), fromFile, added_us};
+}
+
+/// As the database has it: what it was told when the recording began counts.
+TrialListing listingOf(TrialRepository& trials, const Trial& trial) {
+  const TrialContext context = trials.context(trial.header.trialId).value_or(TrialContext{});
+  return {.trialId = trial.header.trialId,
+          .traineeCode = trial.header.traineeCode,
+          .enrolmentId = context.enrolmentId,
+          .station = context.station,
+          .sceneId = trial.header.sceneId,
+          .patternId = trial.header.patternId,
+          .phaseLabel = trial.header.phaseLabel,
+          .startedUtc_us = trial.header.startedUtc_us,
+          .demonstration = trial.header.demonstration,
+          .summary = trial.summary,
+          .moduleId = context.moduleId,
+          .phaseId = context.phaseId,
+          .attemptMode = context.attemptMode};
+}
+
+/// Measures a recording that ended just now and keeps its digest; free practice is nobody's and is not
+/// measured.
+void measureNow(Workplace& workplace, const TrialListing& trial) {
+  if (trial.enrolmentId.empty()) {
+    return;
+  }
+  ExerciseRules rules;
+  static_cast<void>(digestOf(workplace.connection(), trial, rules, workplace.now_us()));
+}
+
+SettledTrial store(Workplace& workplace, const UnstoredTrial& waiting) {
+  Transaction transaction(workplace.connection());
+  TrialRepository trials(workplace.connection(), waiting.context);
+  trials.import(waiting.trial);
+  TrialListing listing = listingOf(trials, waiting.trial);
+  measureNow(workplace, listing);
+  SettledTrial stored = settled(workplace, std::move(listing), true);
+  transaction.commit();
+  std::error_code ignored;  // given once more at the next start, which is no error
+  std::filesystem::remove(waiting.file, ignored);
+  return stored;
+}
+
+void importFiles(Workplace& workplace, const std::filesystem::path& folder, StationStart& start) {
+  UnstoredTrials found = unstoredTrials(workplace.key().locator, folder);
+  start.kept = std::move(found.unreadable);
+  for (const UnstoredTrial& waiting : found.trials) {
+    try {
+      start.trials.push_back(store(workplace, waiting));
+    } catch (const Error& refusal) {
+      const auto* database = dynamic_cast<const DbError*>(&refusal);
+      if (database != nullptr && database->retryable()) throw;
+      start.kept.push_back(Text("A saved recording was not stored, because %1. Its file is kept: %2",
+                                refusal.happenedText(), waiting.file.string()));
+    }
+  }
+}
+
+}  // namespace
+
+StationStart settleStation(Workplace& workplace, const std::filesystem::path& folder) {
+  StationStart start;
+  importFiles(workplace, folder, start);
+  Transaction transaction(workplace.connection());
+  TrialRepository trials(workplace.connection());
+  for (TrialListing& trial :
+       trials.closeInterrupted(workplace.station(), workplace.now_us() - kQuietTrial_us)) {
+    measureNow(workplace, trial);
+    start.trials.push_back(settled(workplace, std::move(trial), false));
+  }
+  transaction.commit();
+  return start;
+}
+
+}  // namespace torsio

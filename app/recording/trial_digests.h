@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "app/base/progress.h"
+#include "app/recording/kept_digests.h"
+#include "assessment/report/cohort_report.h"
+
+namespace torsio {
+
+/// What recorded trials come down to. It is measured once, usually when the run ends, and kept in the record
+/// (kept_digests.h); what an older version of the program recorded is measured and kept here. One thread at a
+/// time.
+class TrialDigests {
+ public:
+  /// `assets`: where the tolerances of exercises without a curriculum are read.
+  explicit TrialDigests(std::filesystem::path assets) : rules_(std::move(assets)) {}
+
+  /// Digests of the finished trials of a cohort, oldest first; groups are positions among the cohort's
+  /// groups, trials of people without a group are left out. Those that nobody has measured by the present
+  /// formulas are read and measured, which takes a second for twenty minutes; `progress` is told and
+  /// may throw to give up; most of what was measured until then is kept. kResultsCompute.
+  /// Throws Error, DbError.
+  [[nodiscard]] std::vector<TrialSummaryRow> ofCohort(Workplace& workplace, const std::string& cohortId,
+                                                      const ProgressCallback& progress = {});
+
+  /// Recordings that had to be read since this was made.
+  [[nodiscard]] std::size_t measured() const noexcept { return measured_; }
+
+ private:
+  ExerciseRules rules_;
+  std::size_t measured_ = 0;
+};
+
+}  // namespace torsio

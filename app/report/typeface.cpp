@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/report/typeface.h"
+
+#include <cstdio>
+
+#include <QApplication>
+#include <QFontDatabase>
+
+namespace torsio {
+
+QFont typeface() {
+  QFont font;
+  // Named one by one: left to itself a machine may take Japanese forms of the characters. The last two are
+  // what Windows and macOS have in place of the Chinese companion.
+  font.setFamilies({QLatin1String(kTypeface), QLatin1String(kChineseTypeface),
+                    QStringLiteral("Microsoft YaHei"), QStringLiteral("PingFang SC")});
+  return font;
+}
+
+QStringList missingTypefaces(const QStringList& installed) {
+  QStringList missing;
+  for (const char* family : {kTypeface, kChineseTypeface}) {
+    if (!installed.contains(QLatin1String(family))) {
+      missing << QLatin1String(family);
+    }
+  }
+  return missing;
+}
+
+void useTypeface(QApplication& application) {
+  for (const QString& family : missingTypefaces(QFontDatabase::families())) {
+    std::fprintf(stderr, "torsio: the typeface '%s' is not installed; another takes its place\n",
+                 qPrintable(family));
+  }
+  application.setFont(typeface());
+}
+
+}  // namespace torsio

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFont>
+#include <QStringList>
+
+class QApplication;
+
+namespace torsio {
+
+/// The one typeface of the window, the reports, the charts and the pictures (Debian: fonts-dejavu-core),
+/// whatever the machine's default is: digits of one width, and the letters of every European language.
+inline constexpr const char* kTypeface = "DejaVu Sans";
+/// Its companion for Chinese, in the simplified shapes (Debian: fonts-noto-cjk).
+inline constexpr const char* kChineseTypeface = "Noto Sans CJK SC";
+
+/// Returns the typeface with its companions in the order in which they are asked for a character. The caller
+/// sets the size. Needs a QApplication. Any thread.
+[[nodiscard]] QFont typeface();
+
+/// Returns those of kTypeface and kChineseTypeface that are not among the `installed` families.
+[[nodiscard]] QStringList missingTypefaces(const QStringList& installed);
+
+/// Gives `application` the typeface; one line on standard error names each family that is missing, and the
+/// start goes on. GUI thread, before the first widget.
+void useTypeface(QApplication& application);
+
+}  // namespace torsio

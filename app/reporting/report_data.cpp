@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/reporting/report_data.h"
+
+#include <algorithm>
+#include <map>
+
+#include "app/scoring/cohort_inputs.h"
+#include "app/scoring/scoring_service.h"
+#include "app/study/allocation_service.h"
+#include "app/study/frozen_data.h"
+#include "assessment/report/number_format.h"
+#include "assessment/study/demonstration_marks.h"
+#include "db/repository/curriculum_repository.h"
+#include "db/repository/people_repository.h"
+#include "db/repository/sheet_repository.h"
+#include "db/repository/study_repository.h"
+#include "sim/base/error.h"
+#include "sim/base/text_list.h"
+
+namespace torsio {
+
+namespace {
+
+StoredCohort cohortOf(Connection& connection, const std::string& cohortId) {
+  for (StoredCohort& cohort : StudyRepository(connection).cohorts())
+    if (cohort.id == cohortId) return std::move(cohort);
+  throw Error(ErrorCode::kBadParameter, "there is no such cohort", cohortId, "Choose one of the list");
+}
+
+/// Scoring points as the paper names them; with a curriculum from its exposure times.
+std::vector<Text> occasionNames(Connection& connection, const StoredCohort& cohort) {
+  std::vector<Text> names = {Text("before"), Text("after %1 min", 20), Text("after %1 min", 40)};
+  if (cohort.curriculumVersionId.empty()) return names;
+  const auto version = CurriculumRepository(connection).version(cohort.curriculumVersionId);
+  if (!version) return names;
+  for (const StoredScoringPoint& point : version->scoringPoints) {
+    const auto& points = scoringPoints();
+    const auto at = std::find(points.begin(), points.end(), point.code);
+    if (at == points.end()) continue;
+    const auto minutes = static_cast<double>(point.afterExposure_us) / 60e6;
+    const bool whole = minutes == static_cast<double>(static_cast<std::int64_t>(minutes));
+    names[static_cast<std::size_t>(at - points.begin())] =
+        point.afterExposure_us == 0 ? Text("before")
+                                    : Text("after %1 min", formatFixed(minutes, whole ? 0 : 1));
+  }
+  return names;
+}
+
+void addFreeze(Workplace& workplace, const ReportRequest& request, CohortInputs& inputs) {
+  if (request.frozenId.empty()) return;
+  for (const FrozenRow& row : frozenData(workplace, request.cohortId)) {
+    if (row.id != request.frozenId) continue;
+    CohortFreeze freeze{row.name, row.contentHash, row.createdUtc_us, row.createdBy, true};
+    const FrozenCheck check = compareWithFrozen(workplace, row.id);
+    freeze.unchanged = check.same;
+    inputs.freeze = std::move(freeze);
+    for (const Text& difference : check.differences)
+      inputs.provenance.emplace_back(Text("Changed since the freeze"), difference);
+    return;
+  }
+  throw Error(ErrorCode::kBadParameter, "there is no such frozen data set", request.frozenId,
+              "Choose one of the list");
+}
+
+/// Whoever may not look at marks gets them, under codes, once nothing can be influenced any more
+/// (docs/decisions/0007).
+bool showsSingleMarks(Workplace& workplace, const ReportRequest& request, const CohortInputs& inputs) {
+  if (workplace.may(Operation::kMarkViewCoded)) return true;
+  return request.identity == ReportIdentity::kCoded && inputs.freeze && inputs.freeze->unchanged &&
+         SheetRepository(workplace.connection()).openAssignments(request.cohortId) == 0;
+}
+
+/// The design in words, and whether the draw could be repeated.
+void addAllocation(Workplace& workplace, const std::string& cohortId, CohortInputs& inputs) {
+  if (!workplace.may(Operation::kAllocationView)) return;
+  const std::vector<AllocationDesignRow> designs = allocationDesigns(workplace, cohortId);
+  if (designs.empty()) return;
+  const AllocationDesignRow& last = designs.back();
+  std::vector<Text> factors;
+  for (const AllocationFactor& factor : last.design.factors) factors.emplace_back(factor.name);
+  std::string blocks;
+  for (const std::size_t size : last.design.blockSizes)
+    blocks += (blocks.empty() ? "" : ", ") + std::to_string(size);
+  inputs.allocation.design = {{"Method", Text(last.stored.algorithm)},
+                              {"Strata or margins", factors.empty() ? Text("none") : listed(factors)},
+                              {"Block sizes", blocks.empty() ? Text("none") : Text(blocks)},
+                              {"Locked", formatUtc(last.stored.lockedUtc_us)},
+                              {"People allocated", std::to_string(last.records)},
+                              {"Moved by hand, with a reason", std::to_string(last.overrides)},
+                              {"Earlier designs", std::to_string(designs.size() - 1)}};
+  if (last.stored.seed.empty()) return;
+  const AllocationCheck check = checkAllocation(workplace, last.stored.id);
+  inputs.allocation.replayed = check.sound;
+  if (!check.sound) inputs.allocation.design.emplace_back(Text("Check of the draw"), check.finding);
+}
+
+/// "T-07 Li Na" in place of "T-07", everywhere.
+void nameTrainees(Workplace& workplace, CohortInputs& inputs) {
+  workplace.require(Operation::kPersonViewIdentity);
+  PeopleRepository people(workplace.connection());
+  std::map<std::string, std::string> nameOf;  // by person
+  for (const StoredIdentity& identity : people.identities()) nameOf[identity.personId] = identity.fullName;
+  std::map<std::string, std::string> shown;  // by code
+  for (const StoredTrainee& trainee : people.trainees())
+    if (const auto name = nameOf.find(trainee.person.id); name != nameOf.end() && !name->second.empty())
+      shown[trainee.person.code] = trainee.person.code + " " + name->second;
+  const auto rename = [&](std::string& code) {
+    if (const auto found = shown.find(code); found != shown.end()) code = found->second;
+  };
+  for (CohortTrainee& trainee : inputs.trainees) rename(trainee.code);
+  for (TraineeScore& score : inputs.scores) rename(score.trainee);
+  for (TrainingMark& mark : inputs.trainingMarks) rename(mark.trainee);
+  for (TrialSummaryRow& trial : inputs.trials) rename(trial.trainee);
+  for (CohortDose& dose : inputs.doses) rename(dose.trainee);
+  for (CohortDeviation& deviation : inputs.deviations) rename(deviation.trainee);
+}
+
+}  // namespace
+
+std::vector<ReportableCohort> reportableCohorts(Workplace& workplace) {
+  workplace.require(Operation::kResultsCompute);
+  std::vector<ReportableCohort> out;
+  for (const StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts())
+    out.push_back({cohort.id, cohort.name, cohort.demonstration});
+  return out;
+}
+
+std::vector<ReportableCampaign> reportableCampaigns(Workplace& workplace) {
+  workplace.require(Operation::kResultsCompute);
+  EvaluationRepository repository(workplace.connection());
+  std::vector<ReportableCampaign> campaigns;
+  for (const auto& [id, name] : repository.campaigns()) {
+    campaigns.push_back({id, name, repository.hasMarks(id)});
+  }
+  return campaigns;
+}
+
+CohortInputs reportInputs(Workplace& workplace, const ReportRequest& request, TrialDigests& digests,
+                          const ProgressCallback& progress) {
+  workplace.require(Operation::kResultsCompute);
+  Connection& connection = workplace.connection();
+  const StoredCohort cohort = cohortOf(connection, request.cohortId);
+  if (progress) progress({"Reading marks", 0.0, -1.0});
+  CampaignResult campaign;
+  if (!request.campaignId.empty()) campaign = readCampaign(connection, request.campaignId);
+  const TrainingResult training = readTraining(connection, cohort.id);
+  CohortInputs inputs = cohortInputs(connection, cohort.id, campaign, training);
+  inputs.title = cohort.name;
+  inputs.createdUtc_us = workplace.now_us();
+  inputs.demonstration = cohort.demonstration || campaign.campaign.demonstration;
+  inputs.identity = request.identity;
+  inputs.occasions = occasionNames(connection, cohort);
+  if (!cohort.description.empty()) inputs.facts.emplace_back(Text("Cohort"), cohort.description);
+  if (!campaign.campaign.name.empty())
+    inputs.facts.emplace_back(Text("Evaluation of models"), campaign.campaign.name);
+  inputs.facts.emplace_back(Text("Made"), formatUtc(inputs.createdUtc_us));
+  if (inputs.demonstration)
+    inputs.simulated = {
+        Text("The trainees' movements come from a scripted hand with a seed; the simulator, the recorder and "
+             "every computation are the real ones."),
+        demonstrationTrainingRule(), demonstrationEvaluationRule()};
+  addAllocation(workplace, cohort.id, inputs);
+  addFreeze(workplace, request, inputs);
+  inputs.singleMarks = showsSingleMarks(workplace, request, inputs);
+  inputs.trials = digests.ofCohort(workplace, cohort.id, progress);
+  if (request.identity == ReportIdentity::kNamed) nameTrainees(workplace, inputs);
+  return inputs;
+}
+
+}  // namespace torsio

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/reporting/report_export.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/report/pdf_report.h"
+#include "assessment/report/cohort_csv.h"
+#include "assessment/report/cohort_report.h"
+#include "sim/base/contracts.h"
+#include "sim/base/digest.h"
+#include "sim/base/file_io.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+}  // namespace
+
+std::string_view identityCode(ReportIdentity identity) noexcept {
+  switch (identity) {
+    case ReportIdentity::kCoded:
+      return "coded";
+    case ReportIdentity::kNamed:
+      return "named";
+    case ReportIdentity::kAggregated:
+      return "aggregated";
+  }
+  return "";
+}
+
+ReportExport exportReport(Workplace& workplace, const ReportRequest& request, const CohortInputs& inputs,
+                          ReportFormat format, const std::filesystem::path& file, const std::string& language,
+                          const ReportPages& pages) {
+  const bool named = request.identity == ReportIdentity::kNamed;
+  workplace.require(named ? Operation::kReportExportNamed : Operation::kReportExportCoded);
+  TORSIO_EXPECTS(inputs.identity == request.identity);
+  if (format == ReportFormat::kPdf) {
+    writePdfReport(cohortReport(inputs), file, wordingIn(language), pages);
+  } else {
+    writeFileAtomically(file, std::string(kByteOrderMark) + cohortCsvText(cohortCsvRows(inputs)));
+  }
+  const std::string content = readFile(file);
+  Digest digest;
+  digest.update(content);
+  ReportExport done{file, digest.hex(), content.size()};
+  nlohmann::ordered_json what;
+  what["format"] = format == ReportFormat::kPdf ? "pdf" : "csv";
+  if (format == ReportFormat::kPdf) what["language"] = language;
+  what["identity"] = identityCode(request.identity);
+  what["campaign"] = request.campaignId;
+  what["frozen"] = request.frozenId;
+  what["trainees"] = inputs.trainees.size();
+  what["bytes"] = done.bytes;
+  what["hash"] = done.contentHash;
+  AuditNote note;
+  note.action = named ? "report.export_named" : "report.export_coded";
+  note.objectKind = "cohort";
+  note.objectId = request.cohortId;
+  note.newJson = what.dump();
+  Transaction transaction(workplace.connection());
+  workplace.note(note);
+  transaction.commit();
+  return done;
+}
+
+}  // namespace torsio

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/review/alignment.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "app/review/case_sheet.h"
+#include "app/review/sheet_editor.h"
+#include "db/repository/alignment_repository.h"
+#include "db/repository/desk_repository.h"
+#include "db/repository/setting_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr double kRounding = 1e-9;  // marks are decimal steps
+
+double threshold_points(Connection& connection) {
+  const auto text = SettingRepository(connection).value("review.alignment_points");
+  double points = kAlignmentThreshold_points;
+  if (!text) return points;
+  const auto [end, fault] = std::from_chars(text->data(), text->data() + text->size(), points);
+  const bool sound = fault == std::errc{} && end == text->data() + text->size() && points > 0.0;
+  return sound ? points : kAlignmentThreshold_points;
+}
+
+std::optional<std::int64_t> scoreOf(const CaseMark& mark, const std::string& row) {
+  if (row == kOverallRow) return mark.score_steps;
+  for (const SheetRow& line : mark.rows) {
+    if (line.code == row) return line.score_steps;
+  }
+  return std::nullopt;
+}
+
+/// Empty when the own sheet or everybody else's says "not assessable".
+std::optional<RowComparison> compare(const std::vector<CaseMark>& marks, const std::string& rater,
+                                     const std::string& row, const ScoreScale& scale, double threshold) {
+  RowComparison line{.row = row, .scale = scale};
+  std::optional<double> own;
+  double sum = 0.0;
+  for (const CaseMark& mark : marks) {
+    const auto steps = scoreOf(mark, row);
+    if (!steps) continue;
+    const double points = pointsFromSteps(*steps, scale);
+    if (mark.raterId == rater) {
+      own = points;
+      continue;
+    }
+    line.lowest = line.others == 0 ? points : std::min(line.lowest, points);
+    line.highest = line.others == 0 ? points : std::max(line.highest, points);
+    sum += points;
+    ++line.others;
+  }
+  if (!own || line.others == 0) return std::nullopt;
+  line.own = *own;
+  line.mean = sum / static_cast<double>(line.others);
+  line.apart = std::abs(line.own - line.mean) >= threshold - kRounding;
+  return line;
+}
+
+/// Throws unless everybody has committed on this own case.
+StoredAssignment committedCase(Workplace& workplace, const std::string& assignmentId) {
+  StoredAssignment found = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
+  if (!SheetRepository(workplace.connection()).allSubmitted(found.enrolmentId, found.scoringPoint)) {
+    throw Error(ErrorCode::kBadData, "not everybody has submitted this case yet",
+                Text("case %1", found.caseLabel), "Wait until all have committed");
+  }
+  return found;
+}
+
+void decide(Workplace& workplace, const std::string& assignmentId, const char* decision,
+            const std::string& reason) {
+  AlignmentRepository(workplace.connection(), workplace.station())
+      .add({.assignmentId = assignmentId,
+            .decision = decision,
+            .reason = reason,
+            .decidedBy = workplace.actor().userId,
+            .decidedUtc_us = workplace.now_us()});
+}
+
+void requireReason(const std::string& reason, const std::string& label) {
+  if (!reason.empty()) return;
+  throw Error(ErrorCode::kBadParameter, "a reason is needed", Text("case %1", label),
+              "Write it in a few words");
+}
+
+}  // namespace
+
+std::vector<AlignmentCase> alignmentCases(Workplace& workplace) {
+  workplace.require(Operation::kMarkSubmit);
+  DeskRepository desk(workplace.connection());
+  SheetRepository sheets(workplace.connection());
+  AlignmentRepository decisions(workplace.connection());
+  const double threshold = threshold_points(workplace.connection());
+  const std::string& rater = workplace.actor().personId;
+  std::vector<AlignmentCase> found;
+  for (const StoredAssignment& assignment : desk.committed(rater)) {
+    const std::vector<CaseMark> marks = desk.marksOfCase(assignment.enrolmentId, assignment.scoringPoint);
+    const StoredRubricRevision rubric = sheets.revision(assignment.rubricRevisionId).value();
+    AlignmentCase line;
+    const auto add = [&](const std::string& row, const std::string& label, const ScoreScale& scale) {
+      auto compared = compare(marks, rater, row, scale, threshold);
+      if (!compared) return;
+      compared->label = label;
+      line.largest = std::max(line.largest, std::abs(compared->own - compared->mean));
+      line.rows.push_back(std::move(*compared));
+    };
+    for (const StoredRubricRow& row : rubric.rows) add(row.code, row.label, row.scale);
+    add(kOverallRow, {}, rubric.overall);
+    const bool apart =
+        std::any_of(line.rows.begin(), line.rows.end(), [](const RowComparison& row) { return row.apart; });
+    if (!apart) continue;
+    line.shown = blindedCase(workplace, assignment.id);
+    if (const auto decided = decisions.latest(assignment.id)) {
+      line.decision = decided->decision;
+      line.reason = decided->reason;
+    }
+    found.push_back(std::move(line));
+  }
+  return found;
+}
+
+void keepMark(Workplace& workplace, const std::string& assignmentId, const std::string& reason) {
+  static_cast<void>(committedCase(workplace, assignmentId));
+  decide(workplace, assignmentId, "keep", reason);
+}
+
+void moveMark(Workplace& workplace, const std::string& assignmentId, const Sheet& sheet,
+              const std::string& reason) {
+  const StoredAssignment found = committedCase(workplace, assignmentId);
+  requireReason(reason, found.caseLabel);
+  Transaction transaction(workplace.connection());
+  amendSheet(workplace, assignmentId, sheet, reason);
+  decide(workplace, assignmentId, "move", reason);
+  transaction.commit();
+}
+
+void askForThird(Workplace& workplace, const std::string& assignmentId, const std::string& reason) {
+  const StoredAssignment found = committedCase(workplace, assignmentId);
+  requireReason(reason, found.caseLabel);
+  decide(workplace, assignmentId, "third", reason);
+}
+
+}  // namespace torsio

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/review/blinded_case.h"
+
+#include "db/repository/desk_repository.h"
+#include "db/repository/trial_repository.h"
+#include "sim/base/digest.h"
+#include "sim/base/error.h"
+#include "sim/record/content_hash.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::size_t kDigestDigits = 8;
+
+std::string placeOf(const std::string& label) {
+  return "case " + label;
+}
+
+}  // namespace
+
+TrialHeader blinded(const TrialHeader& header, const std::string& label) {
+  TrialHeader copy = header;
+  copy.trialId = placeOf(label);
+  copy.traineeCode.clear();
+  copy.phaseLabel.clear();
+  copy.softwareVersion.clear();
+  copy.startedUtc_us = 0;
+  return copy;
+}
+
+std::string blindedDigest(const std::string& contentHash, const std::string& salt) {
+  Digest digest;
+  digest.update(contentHash);
+  digest.update(salt);
+  return digest.hex().substr(0, kDigestDigits);
+}
+
+StoredAssignment ownAssignment(Workplace& workplace, Operation operation, const std::string& assignmentId) {
+  workplace.require(operation);
+  DeskRepository desk(workplace.connection());
+  const std::optional<StoredAssignment> found = desk.assignment(assignmentId);
+  const std::string& person = workplace.actor().personId;
+  if (!found || person.empty() || found->raterId != person) {
+    throw Error(ErrorCode::kPermission, "this case is not yours", "the queue",
+                "Open a case of your own queue");
+  }
+  if (desk.isWithdrawn(assignmentId)) {
+    throw Error(ErrorCode::kPermission, "this case was taken back", placeOf(found->caseLabel),
+                "Go on with the next case of the queue");
+  }
+  return *found;
+}
+
+BlindedCase blindedCase(Workplace& workplace, const std::string& assignmentId) {
+  const StoredAssignment found = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
+  BlindedCase shown{.assignmentId = assignmentId,
+                    .label = found.caseLabel,
+                    .live = found.trialId.empty(),
+                    .dueUtc_us = found.dueUtc_us};
+  if (!shown.live) shown.length_us = DeskRepository(workplace.connection()).trialLength_us(found.trialId);
+  return shown;
+}
+
+BlindedRecording loadBlindedRecording(Workplace& workplace, const std::string& assignmentId) {
+  const StoredAssignment found = ownAssignment(workplace, Operation::kTrialViewAssigned, assignmentId);
+  if (found.trialId.empty()) {
+    throw Error(ErrorCode::kBadData, "this case is scored live and has no recording",
+                placeOf(found.caseLabel), "Use the live sheet");
+  }
+  return blindedRecordingOf(workplace.connection(), found.trialId, found.caseLabel, assignmentId);
+}
+
+BlindedRecording blindedRecordingOf(Connection& connection, const std::string& trialId,
+                                    const std::string& label, const std::string& salt) {
+  try {
+    Trial trial = TrialRepository(connection).load(trialId);
+    verifyContent(trial);
+    BlindedRecording recording;
+    recording.label = label;
+    recording.digest = blindedDigest(trial.summary.contentHash, salt);
+    trial.header = blinded(trial.header, label);
+    trial.summary.contentHash.clear();  // would tell which trial it is
+    recording.trial = std::move(trial);
+    return recording;
+  } catch (...) {
+    rethrowBlinded(std::current_exception(), label);
+  }
+}
+
+SceneRequest sceneOf(const BlindedRecording& recording, const std::filesystem::path& assets) {
+  try {
+    SceneRequest request = sceneRequestFor(recording.trial.header.parametersJson);
+    request.assets = assets;
+    request.id = recording.trial.header.sceneId;
+    request.pattern = recording.trial.header.patternId;
+    return request;
+  } catch (...) {
+    rethrowBlinded(std::current_exception(), recording.label);
+  }
+}
+
+void checkScene(const BlindedRecording& recording, const Scene& scene) {
+  const TrialHeader& header = recording.trial.header;
+  if (scene.organHash == header.organHash && scene.parameterHash == header.parameterHash) return;
+  throw Error(ErrorCode::kVerifyFailed, "the organ here is not the one of the recording",
+              placeOf(recording.label), "Score from the traces, or ask the office for the organ file");
+}
+
+void rethrowBlinded(const std::exception_ptr& problem, const std::string& label) {
+  try {
+    std::rethrow_exception(problem);
+  } catch (const Error& error) {
+    if (error.code() == ErrorCode::kPermission) throw;
+    // The original texts may carry an id: only the kind of trouble passes.
+    const bool changed = error.code() == ErrorCode::kVerifyFailed;
+    throw Error(
+        error.code(), changed ? "the recording is not what was recorded" : "the recording cannot be opened",
+        placeOf(label), changed ? "Do not score it; tell the office" : "Try again, or tell the office");
+  }
+}
+
+}  // namespace torsio

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/review/case_remarks.h"
+
+#include "app/review/blinded_case.h"
+#include "db/repository/remark_repository.h"
+#include "db/repository/trial_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+std::vector<CaseRemark> caseRemarks(Workplace& workplace, const std::string& assignmentId) {
+  const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
+  std::vector<CaseRemark> own;
+  if (assignment.trialId.empty()) return own;
+  for (const StoredRemark& remark : RemarkRepository(workplace.connection()).remarks(assignment.trialId)) {
+    if (remark.author == workplace.actor().userId && remark.purpose != "reply") {
+      own.push_back({remark.time_us, remark.text});
+    }
+  }
+  return own;
+}
+
+void addCaseRemark(Workplace& workplace, const std::string& assignmentId, const CaseRemark& remark) {
+  const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
+  if (assignment.trialId.empty() || remark.time_us < 0) {
+    throw Error(ErrorCode::kBadData, "this case has no recording to mark",
+                Text("case %1", assignment.caseLabel), "Write it into the comment of the sheet");
+  }
+  const auto header = TrialRepository(workplace.connection()).find(assignment.trialId);
+  StoredRemark stored;
+  stored.id = workplace.ids().newUuid();
+  stored.trialId = assignment.trialId;
+  stored.author = workplace.actor().userId;
+  stored.authorPersonId = workplace.actor().personId;
+  stored.purpose = remark.text.empty() ? "bookmark" : "remark";
+  stored.tick = header ? remark.time_us / header->tickPeriod_us : 0;
+  stored.time_us = remark.time_us;
+  stored.text = remark.text;
+  stored.createdUtc_us = workplace.now_us();
+  stored.demonstration = assignment.demonstration;
+  Transaction transaction(workplace.connection());
+  RemarkRepository(workplace.connection()).add(stored);
+  workplace.note(
+      {.action = "remark.add", .objectKind = "trial_remark", .objectId = stored.id, .newJson = {}});
+  transaction.commit();
+}
+
+}  // namespace torsio

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/review/case_sheet.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/review/sheet_editor.h"
+#include "db/repository/desk_repository.h"
+#include "db/repository/rating_repository.h"
+#include "db/repository/setting_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+std::optional<double> numberIn(const std::string& text) {
+  double number = 0.0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
+std::string seenJson(const BlindedCase& shown, const WatchLog& watched) {
+  nlohmann::json json;
+  if (!shown.live) {
+    json["watched"] = std::round(watched.share() * 1000.0) / 1000.0;
+    json["slowest"] = watched.slowest();
+    json["fastest"] = watched.fastest();
+  }
+  json["worked_s"] = watched.worked_us() / 1'000'000;
+  return json.dump();
+}
+
+}  // namespace
+
+ViewingRules viewingRules(Workplace& workplace) {
+  workplace.require(Operation::kMarkSubmit);
+  ViewingRules rules;
+  SettingRepository settings(workplace.connection());
+  if (const auto text = settings.value("review.minimum_watched_percent")) {
+    const auto percent = numberIn(*text);
+    if (percent && *percent >= 0.0 && *percent <= 100.0) rules.minimumWatched = *percent / 100.0;
+  }
+  if (const auto text = settings.value("review.speeds")) {
+    std::vector<double> speeds;
+    std::string rest = *text;
+    while (!rest.empty()) {
+      const std::size_t comma = std::min(rest.find(','), rest.size());
+      const auto speed = numberIn(rest.substr(0, comma));
+      rest.erase(0, comma + 1);
+      if (speed && *speed >= 0.1 && *speed <= 4.0) speeds.push_back(*speed);
+    }
+    std::sort(speeds.begin(), speeds.end());
+    if (!speeds.empty()) rules.speeds = std::move(speeds);
+  }
+  return rules;
+}
+
+KeptAt keptAt(Workplace& workplace) {
+  workplace.require(Operation::kMarkSubmit);
+  return workplace.connection().engine() == Engine::kSqlite ? KeptAt::kThisMachine : KeptAt::kServer;
+}
+
+OpenedSheet openSheet(Workplace& workplace, const std::string& assignmentId) {
+  const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
+  SheetRepository sheets(workplace.connection());
+  DeskRepository desk(workplace.connection());
+  OpenedSheet opened;
+  opened.shown = blindedCase(workplace, assignmentId);
+  opened.rubric = sheets.revision(assignment.rubricRevisionId).value();
+  const std::int64_t length_us = opened.shown.length_us.value_or(0);
+  opened.watched = WatchLog(length_us);
+  if (const auto sealed = sheets.submitted(assignmentId)) {
+    opened.sheet = *sealed;
+    opened.state = SheetState::kSubmitted;
+  } else if (const auto draft = sheets.draft(assignmentId)) {
+    opened.sheet = *draft;
+    opened.state = SheetState::kDraft;
+  }
+  if (opened.state != SheetState::kSubmitted) {
+    if (const auto seen = desk.draftViewing(assignmentId)) opened.watched = WatchLog(length_us, *seen);
+  }
+  return opened;
+}
+
+std::int64_t saveSheet(Workplace& workplace, const std::string& assignmentId, Sheet sheet,
+                       const WatchLog& watched) {
+  static_cast<void>(ownAssignment(workplace, Operation::kMarkSubmit, assignmentId));
+  sheet.changedUtc_us = workplace.now_us();
+  Transaction transaction(workplace.connection());
+  const std::int64_t revision = SheetRepository(workplace.connection()).saveDraft(assignmentId, sheet);
+  DeskRepository(workplace.connection()).saveDraftViewing(assignmentId, watched.stored());
+  transaction.commit();
+  return revision;
+}
+
+SheetCheck checkSheet(const StoredRubricRevision& rubric, const Sheet& sheet, bool live,
+                      const WatchLog& watched, const ViewingRules& rules) {
+  const SheetEditor whole(rubric, sheet);
+  std::vector<SheetLine> lines;
+  for (const std::string& row : whole.order()) {
+    lines.push_back({row, whole.scale(row), whole.answer(row)});
+  }
+  std::optional<RecordingWatched> seen;
+  if (!live) {
+    seen = RecordingWatched{watched.share(), watched.slowest(), watched.fastest()};
+  }
+  return checkSheetLines(lines, seen, rules);
+}
+
+void submitSheet(Workplace& workplace, const std::string& assignmentId, const Sheet& sheet,
+                 const WatchLog& watched) {
+  const OpenedSheet opened = openSheet(workplace, assignmentId);
+  const SheetCheck check =
+      checkSheet(opened.rubric, sheet, opened.shown.live, watched, viewingRules(workplace));
+  const Text where("case %1", opened.shown.label);
+  if (check.watchedTooLittle) {
+    throw Error(ErrorCode::kBadData,
+                Text("only %1 % of the recording has been played", std::lround(check.watchedShare * 100.0)),
+                where, "Play the rest before you submit");
+  }
+  if (check.speedNotAllowed) {
+    throw Error(ErrorCode::kBadData, "the recording was played at a speed that is not allowed", where,
+                "Play it again at an allowed speed");
+  }
+  const std::string markId = workplace.ids().newUuid();
+  Transaction transaction(workplace.connection());
+  SheetRepository(workplace.connection()).submit(assignmentId, markId, sheet, "", workplace.now_us());
+  DeskRepository(workplace.connection()).sealViewing(assignmentId, markId, watched.stored());
+  workplace.note({.action = "sheet.submit",
+                  .objectKind = "assignment",
+                  .objectId = assignmentId,
+                  .newJson = seenJson(opened.shown, watched)});
+  transaction.commit();
+}
+
+void amendSheet(Workplace& workplace, const std::string& assignmentId, const Sheet& sheet,
+                const std::string& reason) {
+  const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
+  const std::string where = "case " + assignment.caseLabel;
+  if (reason.empty()) {
+    throw Error(ErrorCode::kBadParameter, "a submitted mark is changed with a reason only", where,
+                "Write why you change it");
+  }
+  SheetRepository sheets(workplace.connection());
+  if (!sheets.submitted(assignmentId)) {
+    throw Error(ErrorCode::kBadData, "this sheet is not submitted yet", where, "Fill it in and submit it");
+  }
+  Transaction transaction(workplace.connection());
+  sheets.submit(assignmentId, workplace.ids().newUuid(), sheet, reason, workplace.now_us());
+  workplace.note(
+      {.action = "sheet.amend", .objectKind = "assignment", .objectId = assignmentId, .reason = reason});
+  transaction.commit();
+}
+
+std::vector<SheetVersion> sheetVersions(Workplace& workplace, const std::string& assignmentId) {
+  const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
+  std::vector<SheetVersion> versions;
+  for (const StoredTrainingMark& mark :
+       RatingRepository(workplace.connection())
+           .history(assignment.enrolmentId, assignment.raterId, assignment.scoringPoint)) {
+    versions.push_back(
+        {mark.version, mark.score_steps, mark.comment, mark.amendReason, mark.submittedUtc_us});
+  }
+  return versions;
+}
+
+}  // namespace torsio

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "app/review/blinded_case.h"
+#include "app/review/watch_log.h"
+#include "assessment/rating/sheet_check.h"
+#include "db/repository/sheet_repository.h"
+
+namespace torsio {
+
+/// Reads what the centre asks of a rater who scores from a recording: settings
+/// "review.minimum_watched_percent" and "review.speeds" ("1" or "0.5,1,1.5"); what cannot be read there falls
+/// back to the defaults. kMarkSubmit.
+[[nodiscard]] ViewingRules viewingRules(Workplace& workplace);
+
+/// Where a keystroke is kept once it is said to be saved.
+enum class KeptAt { kThisMachine, kServer };
+/// kMarkSubmit.
+[[nodiscard]] KeptAt keptAt(Workplace& workplace);
+
+/// A case as it is laid on the desk.
+struct OpenedSheet {
+  BlindedCase shown{};
+  StoredRubricRevision rubric{};
+  Sheet sheet{};  ///< the draft, or the newest sealed version
+  SheetState state = SheetState::kOpen;
+  WatchLog watched{};
+};
+/// kMarkSubmit, own case.
+[[nodiscard]] OpenedSheet openSheet(Workplace& workplace, const std::string& assignmentId);
+
+/// Stores the draft; it is on the disk when the call returns. Call it with every keystroke. Returns the new
+/// revision. Drafts leave no trace in the audit trail: they are nobody's record until they are submitted.
+/// kMarkSubmit, own case. Throws DbError{kConflict} when the draft was changed at another station meanwhile.
+std::int64_t saveSheet(Workplace& workplace, const std::string& assignmentId, Sheet sheet,
+                       const WatchLog& watched);
+
+/// Checks a sheet against its rubric with the rules of assessment/rating. Pure.
+[[nodiscard]] SheetCheck checkSheet(const StoredRubricRevision& rubric, const Sheet& sheet, bool live,
+                                    const WatchLog& watched, const ViewingRules& rules);
+
+/// Seals the sheet with what was watched and how fast. kMarkSubmit, own case; audited. Throws Error{kBadData}
+/// when checkSheet() says no, DbError{kUnique} when it was submitted before.
+void submitSheet(Workplace& workplace, const std::string& assignmentId, const Sheet& sheet,
+                 const WatchLog& watched);
+
+/// The next version of a submitted sheet; the one before stays as it is. kMarkSubmit, own case; audited.
+/// Throws Error{kBadParameter} without a reason, {kBadData}: not submitted yet, or not complete.
+void amendSheet(Workplace& workplace, const std::string& assignmentId, const Sheet& sheet,
+                const std::string& reason);
+
+/// One sealed version of an own sheet.
+struct SheetVersion {
+  std::int64_t version = 1;
+  std::optional<std::int64_t> overall_steps{};
+  std::string comment{};
+  std::string amendReason{};
+  std::int64_t submittedUtc_us = 0;
+};
+/// Oldest first. kMarkSubmit, own case.
+[[nodiscard]] std::vector<SheetVersion> sheetVersions(Workplace& workplace, const std::string& assignmentId);
+
+}  // namespace torsio

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/review/evaluation_form.h"
+
+#include <algorithm>
+
+#include "db/repository/desk_repository.h"
+#include "db/repository/evaluation_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+/// The campaign's models in the order of one rater; models that the order lacks come last.
+std::vector<StoredModel> inOwnOrder(const StoredCampaign& campaign, const std::string& order) {
+  std::vector<StoredModel> models;
+  std::string rest = order;
+  while (!rest.empty()) {
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    const std::string code = rest.substr(0, comma);
+    rest.erase(0, comma + 1);
+    for (const StoredModel& model : campaign.models) {
+      if (model.code == code) models.push_back(model);
+    }
+  }
+  for (const StoredModel& model : campaign.models) {
+    const bool there = std::any_of(models.begin(), models.end(),
+                                   [&](const StoredModel& one) { return one.code == model.code; });
+    if (!there) models.push_back(model);
+  }
+  return models;
+}
+
+const StoredCampaignRater* asked(const StoredCampaign& campaign, const std::string& raterId) {
+  for (const StoredCampaignRater& rater : campaign.raters) {
+    if (rater.raterId == raterId) return &rater;
+  }
+  return nullptr;
+}
+
+/// One own form with the codes behind its hidden labels.
+struct OpenForm {
+  EvaluationForm form;
+  std::vector<StoredModel> models;
+  bool demonstration = false;
+};
+
+OpenForm formOf(Connection& connection, const StoredCampaign& campaign, const StoredCampaignRater& rater) {
+  OpenForm open{{campaign.id, campaign.name, campaign.instrument.scale, {}, {}},
+                inOwnOrder(campaign, rater.modelOrder),
+                campaign.demonstration};
+  for (const EvaluationIndex& index : campaign.instrument.indices) open.form.indices.push_back(index.name);
+  const std::size_t count = open.form.indices.size();
+  const auto draft = DeskRepository(connection).evaluationDraft(campaign.id, rater.raterId);
+  const auto marks = EvaluationRepository(connection).marks(campaign.id);
+  for (const StoredModel& model : open.models) {
+    EvaluationFormModel shown{model.hiddenLabel, std::vector<std::optional<std::int64_t>>(count), false};
+    for (const EvaluationDraftMark& mark : draft) {
+      if (mark.modelCode == model.code)
+        shown.scores.at(static_cast<std::size_t>(mark.indexNumber - 1)) = mark.score_steps;
+    }
+    for (const StoredEvaluationMark& mark : marks) {
+      if (mark.modelCode != model.code || mark.raterId != rater.raterId) continue;
+      shown.submitted = true;
+      shown.scores.at(static_cast<std::size_t>(mark.indexNumber - 1)) = mark.score_steps;
+    }
+    open.form.models.push_back(std::move(shown));
+  }
+  return open;
+}
+
+OpenForm ownForm(Workplace& workplace, const std::string& campaignId) {
+  workplace.require(Operation::kEvaluationSubmit);
+  const auto campaign = EvaluationRepository(workplace.connection()).campaign(campaignId);
+  const std::string& person = workplace.actor().personId;
+  const StoredCampaignRater* rater = campaign && !person.empty() ? asked(*campaign, person) : nullptr;
+  if (rater == nullptr) {
+    throw Error(ErrorCode::kPermission, "you are not asked in this evaluation", "the evaluation",
+                "Ask the office");
+  }
+  return formOf(workplace.connection(), *campaign, *rater);
+}
+
+/// Position of a model that may still be marked.
+std::size_t openModel(const OpenForm& open, const std::string& hiddenLabel) {
+  for (std::size_t i = 0; i < open.form.models.size(); ++i) {
+    if (open.form.models[i].hiddenLabel != hiddenLabel) continue;
+    if (!open.form.models[i].submitted) return i;
+    throw Error(ErrorCode::kBadData, "these marks were submitted already", Text("model %1", hiddenLabel),
+                "Go on with the next model");
+  }
+  throw Error(ErrorCode::kBadData, "there is no such model", Text("model %1", hiddenLabel),
+              "Open the form again");
+}
+
+}  // namespace
+
+bool EvaluationForm::complete() const noexcept {
+  return std::all_of(models.begin(), models.end(),
+                     [](const EvaluationFormModel& model) { return model.submitted; });
+}
+
+std::vector<EvaluationForm> evaluationForms(Workplace& workplace) {
+  workplace.require(Operation::kEvaluationSubmit);
+  std::vector<EvaluationForm> forms;
+  const std::string& person = workplace.actor().personId;
+  if (person.empty()) return forms;
+  EvaluationRepository repository(workplace.connection());
+  for (const auto& [id, name] : repository.campaigns()) {
+    const auto campaign = repository.campaign(id);
+    const StoredCampaignRater* rater = campaign ? asked(*campaign, person) : nullptr;
+    if (rater != nullptr) forms.push_back(formOf(workplace.connection(), *campaign, *rater).form);
+  }
+  return forms;
+}
+
+void saveEvaluationScore(Workplace& workplace, const std::string& campaignId, const std::string& hiddenLabel,
+                         std::size_t index, std::optional<std::int64_t> score_steps) {
+  const OpenForm open = ownForm(workplace, campaignId);
+  const std::size_t model = openModel(open, hiddenLabel);
+  const ScoreScale& scale = open.form.scale;
+  const bool outside = score_steps && !isOnScale(*score_steps, scale);
+  if (outside || index >= open.form.indices.size()) {
+    throw Error(ErrorCode::kBadData, "the score lies outside the scale", Text("model %1", hiddenLabel),
+                "Correct the score");
+  }
+  DeskRepository(workplace.connection())
+      .saveEvaluationDraft(campaignId, workplace.actor().personId, open.models[model].code,
+                           static_cast<std::int64_t>(index + 1), score_steps, workplace.now_us());
+}
+
+void submitEvaluation(Workplace& workplace, const std::string& campaignId, const std::string& hiddenLabel) {
+  const OpenForm open = ownForm(workplace, campaignId);
+  const std::size_t model = openModel(open, hiddenLabel);
+  const std::vector<std::optional<std::int64_t>>& scores = open.form.models[model].scores;
+  std::vector<StoredEvaluationMark> marks;
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    if (!scores[i]) {
+      throw Error(ErrorCode::kBadData, Text("%1 has no mark yet", open.form.indices[i]),
+                  Text("model %1", hiddenLabel), "Fill it in");
+    }
+    StoredEvaluationMark mark;
+    mark.id = workplace.ids().newUuid();
+    mark.raterId = workplace.actor().personId;
+    mark.modelCode = open.models[model].code;
+    mark.indexNumber = static_cast<std::int64_t>(i + 1);
+    mark.score_steps = *scores[i];
+    mark.submittedUtc_us = workplace.now_us();
+    mark.demonstration = open.demonstration;
+    marks.push_back(std::move(mark));
+  }
+  Transaction transaction(workplace.connection());
+  EvaluationRepository(workplace.connection(), workplace.station()).submit(campaignId, marks);
+  DeskRepository(workplace.connection())
+      .removeEvaluationDraft(campaignId, workplace.actor().personId, open.models[model].code);
+  workplace.note({.action = "evaluation.form", .objectKind = "evaluation_campaign", .objectId = campaignId});
+  transaction.commit();
+}
+
+}  // namespace torsio

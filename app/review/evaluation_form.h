@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "assessment/scoring/instrument.h"
+
+namespace torsio {
+
+/// The nine marks of one model (paper section 5.3). Only the hidden label tells which.
+struct EvaluationFormModel {
+  std::string hiddenLabel{};                          ///< "X"
+  std::vector<std::optional<std::int64_t>> scores{};  ///< steps, one an index; drafts while not submitted
+  bool submitted = false;
+};
+
+/// What one rater fills in, with the models in the order that was drawn for this rater. Neither names of the
+/// models nor weights are in it.
+struct EvaluationForm {
+  std::string campaignId{};  ///< handle; never shown
+  std::string title{};
+  ScoreScale scale{};
+  std::vector<std::string> indices{};  ///< names, in the instrument's order
+  std::vector<EvaluationFormModel> models{};
+  [[nodiscard]] bool complete() const noexcept;
+};
+
+/// The campaigns that ask the actor, oldest first. kEvaluationSubmit.
+[[nodiscard]] std::vector<EvaluationForm> evaluationForms(Workplace& workplace);
+/// Stores one mark of the draft, empty takes it back; it is on the disk when the call returns.
+/// kEvaluationSubmit, own form. Throws Error{kPermission}: not asked, {kBadData}: unknown model or index, out
+/// of the scale, or submitted already.
+void saveEvaluationScore(Workplace& workplace, const std::string& campaignId, const std::string& hiddenLabel,
+                         std::size_t index, std::optional<std::int64_t> score_steps);
+/// Seals the marks of one model. kEvaluationSubmit, own form; audited. Throws Error{kBadData} naming the
+/// first index without a mark.
+void submitEvaluation(Workplace& workplace, const std::string& campaignId, const std::string& hiddenLabel);
+
+}  // namespace torsio

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/review/review_queue.h"
+
+#include <algorithm>
+
+#include "app/review/alignment.h"
+#include "app/review/evaluation_form.h"
+#include "app/review/warm_up.h"
+#include "db/repository/desk_repository.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::int64_t kPaceCases = 20;
+constexpr std::size_t kFewestForPace = 3;
+constexpr double kMinuteForTheSheet = 1.0;
+constexpr double kLiveCase_min = 4.0;
+constexpr double kMinute_us = 60e6;
+
+/// Minutes a case takes this rater; empty before there are enough of them.
+std::optional<double> ownPace_min(DeskRepository& desk, const std::string& raterId) {
+  std::vector<std::int64_t> times_us = desk.workingTimes_us(raterId, kPaceCases);
+  if (times_us.size() < kFewestForPace) return std::nullopt;
+  const auto middle = times_us.begin() + static_cast<std::ptrdiff_t>(times_us.size() / 2);
+  std::nth_element(times_us.begin(), middle, times_us.end());
+  return static_cast<double>(*middle) / kMinute_us;
+}
+
+std::vector<QueueLine> allLines(Workplace& workplace, const std::optional<double>& pace_min) {
+  DeskRepository desk(workplace.connection());
+  const std::int64_t now_us = workplace.now_us();
+  std::vector<QueueLine> lines;
+  for (const QueueEntry& entry : SheetRepository(workplace.connection()).queue(workplace.actor().personId)) {
+    QueueLine line;
+    line.shown = {entry.assignmentId, entry.caseLabel, entry.trialId.empty(), entry.dueUtc_us, {}};
+    if (!line.shown.live) line.shown.length_us = desk.trialLength_us(entry.trialId);
+    line.state = entry.state;
+    line.submittedUtc_us = entry.submittedUtc_us;
+    if (line.state != SheetState::kSubmitted) {
+      line.overdue = entry.dueUtc_us && *entry.dueUtc_us < now_us;
+      const double length_min = static_cast<double>(line.shown.length_us.value_or(0)) / kMinute_us;
+      line.estimate_min =
+          line.shown.live ? kLiveCase_min : pace_min.value_or(length_min + kMinuteForTheSheet);
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace
+
+ReviewQueue reviewQueue(Workplace& workplace) {
+  workplace.require(Operation::kMarkSubmit);
+  ReviewQueue queue;
+  DeskRepository desk(workplace.connection());
+  const std::optional<double> pace_min = ownPace_min(desk, workplace.actor().personId);
+  queue.fromOwnPace = pace_min.has_value();
+  for (QueueLine& line : allLines(workplace, pace_min)) {
+    const bool done = line.state == SheetState::kSubmitted;
+    if (!done && line.shown.dueUtc_us &&
+        (!queue.nextDueUtc_us || *line.shown.dueUtc_us < *queue.nextDueUtc_us))
+      queue.nextDueUtc_us = line.shown.dueUtc_us;
+    if (line.overdue) ++queue.overdue;
+    if (line.shown.live) {
+      ++(done ? queue.liveSubmitted : queue.liveWaiting);
+      continue;
+    }
+    ++(done ? queue.submitted : line.state == SheetState::kDraft ? queue.drafts : queue.waiting);
+    queue.minutes += line.estimate_min;
+    queue.lines.push_back(std::move(line));
+  }
+  // Submitted ones sink to the end; the rest keeps the rater's own order.
+  std::stable_partition(queue.lines.begin(), queue.lines.end(),
+                        [](const QueueLine& line) { return line.state != SheetState::kSubmitted; });
+  for (const SheetState wanted : {SheetState::kDraft, SheetState::kOpen}) {
+    const auto found = std::find_if(queue.lines.begin(), queue.lines.end(),
+                                    [wanted](const QueueLine& line) { return line.state == wanted; });
+    if (found == queue.lines.end()) continue;
+    queue.next = found->shown.assignmentId;
+    break;
+  }
+  const WarmUp warmUp = torsio::warmUp(workplace);
+  queue.warmUpWaiting = !warmUp.runs.empty() && !warmUp.complete();
+  for (const AlignmentCase& open : alignmentCases(workplace)) {
+    if (open.decision.empty()) ++queue.disagreements;
+  }
+  if (workplace.may(Operation::kEvaluationSubmit)) {
+    for (const EvaluationForm& form : evaluationForms(workplace)) {
+      for (const EvaluationFormModel& model : form.models) queue.models += model.submitted ? 0 : 1;
+    }
+  }
+  return queue;
+}
+
+std::vector<QueueLine> liveLines(Workplace& workplace) {
+  workplace.require(Operation::kMarkSubmit);
+  std::vector<QueueLine> lines;
+  for (QueueLine& line : allLines(workplace, std::nullopt)) {
+    if (line.shown.live) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace torsio

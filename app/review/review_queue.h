@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "app/review/blinded_case.h"
+
+namespace torsio {
+
+/// One line of a rater's queue.
+struct QueueLine {
+  BlindedCase shown{};
+  SheetState state = SheetState::kOpen;
+  double estimate_min = 0.0;  ///< 0 when submitted
+  bool overdue = false;
+  std::int64_t submittedUtc_us = 0;  ///< of the newest version; 0: not submitted
+};
+
+/// What a physician sees first.
+struct ReviewQueue {
+  std::vector<QueueLine> lines{};  ///< recorded cases in the rater's own order, submitted ones last
+  std::size_t waiting = 0;         ///< recorded, not begun
+  std::size_t drafts = 0;
+  std::size_t submitted = 0;
+  std::size_t liveWaiting = 0;  ///< on the real arm, drafts included
+  std::size_t liveSubmitted = 0;
+  std::size_t overdue = 0;
+  std::optional<std::int64_t> nextDueUtc_us{};
+  double minutes = 0.0;           ///< for all recorded cases that are left
+  bool fromOwnPace = false;       ///< true: median of own last cases; false: length of the recordings
+  bool warmUpWaiting = false;     ///< reference runs that this rater has not scored
+  std::size_t disagreements = 0;  ///< committed cases that wait in the alignment view
+  std::size_t models = 0;         ///< of evaluations that ask the actor, not submitted yet
+  std::optional<std::string>
+      next{};  ///< assignment id of "continue": the first draft, else the first waiting
+};
+
+/// kMarkSubmit.
+[[nodiscard]] ReviewQueue reviewQueue(Workplace& workplace);
+
+/// Live cases of the actor in running order: scored on the real arm, without a recording. kMarkSubmit.
+[[nodiscard]] std::vector<QueueLine> liveLines(Workplace& workplace);
+
+}  // namespace torsio

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/review/third_rater.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/study/case_order.h"
+#include "app/study/drawn_seed.h"
+#include "db/repository/alignment_repository.h"
+#include "db/repository/people_repository.h"
+#include "db/repository/sheet_repository.h"
+#include "db/repository/study_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr const char* kThird = "third";
+
+using CaseKey = std::pair<std::string, std::string>;  // enrolment, scoring point
+
+CaseKey keyOf(const StoredAssignment& one) {
+  return {one.enrolmentId, one.scoringPoint};
+}
+
+/// What is known of the sheets of one case.
+struct CaseSheets {
+  std::vector<AssignmentStatus> sheets;
+  std::vector<AlignmentDecision> asked;  // oldest first
+};
+
+/// Cases of a cohort on which a third rater was asked for and none has been found yet.
+std::map<CaseKey, CaseSheets> openCases(Connection& connection, const std::string& cohortId) {
+  std::map<std::string, AlignmentDecision> asked;
+  for (AlignmentDecision& decision : AlignmentRepository(connection).ofCohort(cohortId)) {
+    if (decision.decision == kThird) asked.emplace(decision.assignmentId, std::move(decision));
+  }
+  std::map<CaseKey, CaseSheets> cases;
+  if (asked.empty()) return cases;
+  for (AssignmentStatus& status : SheetRepository(connection).assignments(cohortId)) {
+    CaseSheets& one = cases[keyOf(status.assignment)];
+    if (const auto found = asked.find(status.assignment.id); found != asked.end())
+      one.asked.push_back(found->second);
+    one.sheets.push_back(std::move(status));
+  }
+  std::erase_if(cases, [](const auto& entry) {
+    const CaseSheets& one = entry.second;
+    const auto answered = [&one](const AssignmentStatus& status) {
+      return status.state != SheetState::kWithdrawn &&
+             std::all_of(one.asked.begin(), one.asked.end(), [&](const AlignmentDecision& decision) {
+               return status.assignment.assignedUtc_us > decision.decidedUtc_us;
+             });
+    };
+    return one.asked.empty() || std::any_of(one.sheets.begin(), one.sheets.end(), answered);
+  });
+  for (auto& [key, one] : cases) {
+    std::sort(one.asked.begin(), one.asked.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.decidedUtc_us, a.assignmentId) < std::pair(b.decidedUtc_us, b.assignmentId);
+    });
+  }
+  return cases;
+}
+
+const StoredAssignment& assignmentOf(const CaseSheets& sheets, const std::string& id) {
+  return std::find_if(sheets.sheets.begin(), sheets.sheets.end(),
+                      [&id](const AssignmentStatus& status) { return status.assignment.id == id; })
+      ->assignment;
+}
+
+/// Active raters with what waits for them, by id.
+std::map<std::string, ThirdRater> activeRaters(Connection& connection) {
+  std::map<std::string, ThirdRater> raters;
+  SheetRepository sheets(connection);
+  for (const StoredRater& rater : PeopleRepository(connection).raters()) {
+    if (rater.person.state != "active") continue;
+    ThirdRater one{rater.person.id, rater.person.code, rater.classCode, 0};
+    for (const QueueEntry& entry : sheets.queue(one.id)) one.open += entry.state != SheetState::kSubmitted;
+    raters.emplace(one.id, std::move(one));
+  }
+  return raters;
+}
+
+std::vector<ThirdRater> freeFor(const CaseSheets& sheets, const std::map<std::string, ThirdRater>& raters) {
+  std::set<std::string> taken;
+  for (const AssignmentStatus& status : sheets.sheets) taken.insert(status.assignment.raterId);
+  const auto asker = raters.find(assignmentOf(sheets, sheets.asked.front().assignmentId).raterId);
+  const std::string wanted = asker != raters.end() ? asker->second.classCode : std::string();
+  std::vector<ThirdRater> free;
+  for (const auto& [id, rater] : raters) {
+    if (!taken.contains(id)) free.push_back(rater);
+  }
+  std::sort(free.begin(), free.end(), [&wanted](const ThirdRater& a, const ThirdRater& b) {
+    const bool otherA = a.classCode != wanted;
+    const bool otherB = b.classCode != wanted;
+    return std::tie(otherA, a.open, a.code) < std::tie(otherB, b.open, b.code);
+  });
+  return free;
+}
+
+}  // namespace
+
+std::vector<ThirdRequest> thirdRequests(Workplace& workplace, const std::string& cohortId) {
+  workplace.require(Operation::kStudySetup);
+  Connection& connection = workplace.connection();
+  std::vector<ThirdRequest> requests;
+  const std::map<CaseKey, CaseSheets> cases = openCases(connection, cohortId);
+  if (cases.empty()) return requests;
+  std::map<std::string, std::string> trainees;
+  for (const StoredEnrolment& enrolment : StudyRepository(connection).enrolments(cohortId))
+    trainees[enrolment.id] = enrolment.traineeCode;
+  std::map<std::string, std::string> codes;
+  for (const StoredRater& rater : PeopleRepository(connection).raters())
+    codes[rater.person.id] = rater.person.code;
+  const std::map<std::string, ThirdRater> raters = activeRaters(connection);
+  for (const auto& [key, sheets] : cases) {
+    const StoredAssignment& first = assignmentOf(sheets, sheets.asked.front().assignmentId);
+    ThirdRequest request;
+    request.assignmentId = first.id;
+    request.traineeCode = trainees[key.first];
+    request.scoringPoint = key.second;
+    request.live = first.trialId.empty();
+    for (const AssignmentStatus& status : sheets.sheets)
+      request.marks += status.state == SheetState::kSubmitted ? 1 : 0;
+    for (const AlignmentDecision& decision : sheets.asked) {
+      request.askedBy.push_back(codes[assignmentOf(sheets, decision.assignmentId).raterId]);
+      request.reasons.push_back(decision.reason);
+    }
+    request.askedUtc_us = sheets.asked.front().decidedUtc_us;
+    request.free = freeFor(sheets, raters);
+    requests.push_back(std::move(request));
+  }
+  std::stable_sort(requests.begin(), requests.end(), [](const ThirdRequest& a, const ThirdRequest& b) {
+    return a.askedUtc_us < b.askedUtc_us;
+  });
+  return requests;
+}
+
+std::string assignThird(Workplace& workplace, const std::string& cohortId, const std::string& assignmentId,
+                        const std::string& raterId) {
+  workplace.require(Operation::kStudySetup);
+  const auto refuse = [&](const char* what, const char* remedy) {
+    throw Error(ErrorCode::kBadData, what, assignmentId, remedy);
+  };
+  Transaction transaction(workplace.connection());
+  SheetRepository sheets(workplace.connection());
+  const auto asked = sheets.findAssignment(assignmentId);
+  if (!asked) refuse("nobody has asked for a third rater here", "Read the list again");
+  const StoredAssignment& before = asked->assignment;
+  const std::map<CaseKey, CaseSheets> cases = openCases(workplace.connection(), cohortId);
+  const auto found = cases.find(keyOf(before));
+  if (found == cases.end()) refuse("nobody has asked for a third rater here", "Read the list again");
+  const std::vector<ThirdRater> free = freeFor(found->second, activeRaters(workplace.connection()));
+  if (std::none_of(free.begin(), free.end(), [&](const ThirdRater& rater) { return rater.id == raterId; }))
+    refuse("this rater cannot be asked about this case", "Choose one from the list");
+  StoredAssignment next = before;
+  std::set<std::string> labels;
+  next.position = 0;
+  for (const StoredAssignment& other : sheets.assignmentsOf(raterId)) {
+    labels.insert(other.caseLabel);
+    next.position = std::max(next.position, other.position);
+  }
+  ++next.position;
+  next.id = workplace.ids().newUuid();
+  next.raterId = raterId;
+  next.caseLabel = caseLabels(1, labels, drawSeed(workplace.ids()), 0).front();
+  next.dueUtc_us.reset();
+  next.assignedBy = workplace.actor().userId;
+  next.assignedUtc_us = workplace.now_us();
+  sheets.assign(std::span(&next, 1));
+  workplace.note({.action = "assignment.third",
+                  .objectKind = "assignment",
+                  .objectId = next.id,
+                  .newJson = nlohmann::json{{"rater", raterId}, {"asked_in", before.id}}.dump(),
+                  .reason = found->second.asked.front().reason});
+  transaction.commit();
+  return next.id;
+}
+
+}  // namespace torsio

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+
+namespace torsio {
+
+/// Somebody who may be asked.
+struct ThirdRater {
+  std::string id{};
+  std::string code{};
+  std::string classCode{};
+  std::size_t open = 0;  ///< sheets that wait for them already
+};
+
+/// Physicians could not agree about a case and asked for one more. No mark is in it.
+struct ThirdRequest {
+  std::string assignmentId{};  ///< of the first who asked; handle for assignThird()
+  std::string traineeCode{};
+  std::string scoringPoint{};
+  bool live = false;  ///< on the real arm: the trainee has to be there again
+  std::size_t marks = 0;
+  std::vector<std::string> askedBy{};  ///< codes
+  std::vector<std::string> reasons{};
+  std::int64_t askedUtc_us = 0;    ///< the first time
+  std::vector<ThirdRater> free{};  ///< not asked about this case before; of the same class and the least
+                                   ///< loaded first
+};
+
+/// What waits in a cohort, oldest first: cases on which a physician's newest decision is "third" and nobody
+/// has been asked since. kStudySetup.
+[[nodiscard]] std::vector<ThirdRequest> thirdRequests(Workplace& workplace, const std::string& cohortId);
+
+/// Asks `raterId` about the case of a request, under a label of their own and with the same rubric. Returns
+/// the new assignment. kStudySetup; audited. Throws Error{kBadData}: no request, or the rater was asked about
+/// this case before or is none.
+std::string assignThird(Workplace& workplace, const std::string& cohortId, const std::string& assignmentId,
+                        const std::string& raterId);
+
+}  // namespace torsio

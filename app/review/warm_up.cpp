@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/review/warm_up.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "db/repository/desk_repository.h"
+#include "db/repository/remark_repository.h"
+#include "db/repository/trial_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::int64_t kMostListed = 2000;  // a longer list is nothing to choose from
+
+std::string labelOf(std::size_t number) {
+  std::string label = "R";
+  label += std::to_string(number);
+  return label;
+}
+
+StoredReferenceRun runNumber(Connection& connection, std::size_t number) {
+  const std::vector<StoredReferenceRun> runs = DeskRepository(connection).referenceRuns();
+  if (number < 1 || number > runs.size()) {
+    throw Error(ErrorCode::kBadData, "there is no such reference run", Text("reference %1", number),
+                "Open the warm-up again");
+  }
+  return runs[number - 1];
+}
+
+/// The scale of the panel's mark. Throws unless the choice makes a reference run.
+ScoreScale checkedScale(Connection& connection, const ReferenceChoice& choice) {
+  const auto rubric = SheetRepository(connection).revision(choice.rubricRevisionId);
+  if (!rubric) {
+    throw Error(ErrorCode::kBadData, "there is no such rubric", choice.rubricRevisionId,
+                "Choose one from the list");
+  }
+  DeskRepository desk(connection);
+  if (!desk.trialLength_us(choice.trialId)) {
+    throw Error(ErrorCode::kBadData, "there is no such complete recording", choice.trialId,
+                "Choose one from the list");
+  }
+  for (const StoredReferenceRun& run : desk.allReferenceRuns()) {
+    if (run.trialId != choice.trialId) continue;
+    throw Error(ErrorCode::kBadData, "this recording is or was a reference run", choice.trialId,
+                "Choose another recording");
+  }
+  const ScoreScale scale = rubric->overall;
+  const double lowest = pointsFromSteps(scale.lo, scale);
+  const double highest = pointsFromSteps(scale.hi, scale);
+  if (!(choice.panel_points >= lowest && choice.panel_points <= highest)) {
+    throw Error(ErrorCode::kBadParameter, "the panel's mark lies outside the scale of the rubric",
+                std::to_string(choice.panel_points), "Correct the mark");
+  }
+  if (choice.panelRaters < 1) {
+    throw Error(ErrorCode::kBadParameter, "a panel has at least one member",
+                std::to_string(choice.panelRaters), "Correct the number");
+  }
+  return scale;
+}
+
+}  // namespace
+
+bool WarmUp::complete() const noexcept {
+  return std::all_of(runs.begin(), runs.end(),
+                     [](const WarmUpRun& run) { return run.own_steps.has_value(); });
+}
+
+std::optional<double> WarmUp::meanOffset_points() const noexcept {
+  double sum = 0.0;
+  std::size_t n = 0;
+  for (const WarmUpRun& run : runs) {
+    if (!run.offset_points) continue;
+    sum += *run.offset_points;
+    ++n;
+  }
+  return n > 0 ? std::optional(sum / static_cast<double>(n)) : std::nullopt;
+}
+
+WarmUp warmUp(Workplace& workplace) {
+  workplace.require(Operation::kMarkSubmit);
+  DeskRepository desk(workplace.connection());
+  SheetRepository sheets(workplace.connection());
+  const std::vector<StoredWarmup> tries =
+      RemarkRepository(workplace.connection()).warmups(workplace.actor().personId);
+  WarmUp out;
+  for (const StoredReferenceRun& run : desk.referenceRuns()) {
+    const StoredRubricRevision rubric = sheets.revision(run.rubricRevisionId).value();
+    if (out.runs.empty()) out.rubric = rubric;
+    WarmUpRun shown;
+    shown.number = out.runs.size() + 1;
+    shown.length_us = desk.trialLength_us(run.trialId);
+    for (const StoredWarmup& one : tries) {
+      if (one.referenceTrialId != run.trialId) continue;
+      ++shown.tries;
+      shown.own_steps = one.score_steps;
+      shown.panelRaters = run.panelRaters;
+      shown.panel_points = run.panel_steps / static_cast<double>(rubric.overall.stepsPerPoint);
+      shown.offset_points = one.panelOffset_steps / static_cast<double>(one.scale.stepsPerPoint);
+    }
+    out.runs.push_back(shown);
+  }
+  return out;
+}
+
+BlindedRecording loadReferenceRun(Workplace& workplace, std::size_t number) {
+  workplace.require(Operation::kTrialViewAssigned);
+  const StoredReferenceRun run = runNumber(workplace.connection(), number);
+  return blindedRecordingOf(workplace.connection(), run.trialId, labelOf(number), workplace.actor().personId);
+}
+
+void scoreReferenceRun(Workplace& workplace, std::size_t number, std::int64_t score_steps) {
+  workplace.require(Operation::kMarkSubmit);
+  const StoredReferenceRun run = runNumber(workplace.connection(), number);
+  const StoredRubricRevision rubric =
+      SheetRepository(workplace.connection()).revision(run.rubricRevisionId).value();
+  if (!isOnScale(score_steps, rubric.overall)) {
+    throw Error(ErrorCode::kBadData, "the score lies outside the scale", Text("reference %1", number),
+                "Correct the score");
+  }
+  StoredWarmup warmup;
+  warmup.id = workplace.ids().newUuid();
+  warmup.raterId = workplace.actor().personId;
+  warmup.referenceTrialId = run.trialId;
+  warmup.rubricRevisionId = run.rubricRevisionId;
+  warmup.score_steps = score_steps;
+  warmup.scale = rubric.overall;
+  warmup.panelOffset_steps = static_cast<double>(score_steps) - run.panel_steps;
+  warmup.createdUtc_us = workplace.now_us();
+  warmup.demonstration = run.demonstration;
+  Transaction transaction(workplace.connection());
+  RemarkRepository(workplace.connection()).addWarmup(warmup);
+  workplace.note({.action = "warmup.score", .objectKind = "rater_warmup", .objectId = warmup.id});
+  transaction.commit();
+}
+
+std::vector<ReferenceCandidate> referenceCandidates(Workplace& workplace) {
+  workplace.require(Operation::kStudySetup);
+  DeskRepository desk(workplace.connection());
+  std::set<std::string> spoken;
+  for (const std::string& trialId : desk.assignedTrials()) spoken.insert(trialId);
+  for (const StoredReferenceRun& run : desk.allReferenceRuns()) spoken.insert(run.trialId);
+  std::vector<ReferenceCandidate> candidates;
+  for (const TrialListing& trial : TrialRepository(workplace.connection()).list({.limit = kMostListed})) {
+    const bool complete = trial.summary && trial.summary->outcome == TrialOutcome::kCompleted;
+    if (!complete || spoken.contains(trial.trialId)) continue;
+    candidates.push_back({trial.trialId, trial.traineeCode, trial.sceneId, trial.phaseLabel,
+                          desk.trialLength_us(trial.trialId).value_or(0), trial.startedUtc_us,
+                          trial.demonstration});
+  }
+  return candidates;
+}
+
+std::vector<ReferenceRow> referenceRows(Workplace& workplace) {
+  workplace.require(Operation::kStudySetup);
+  DeskRepository desk(workplace.connection());
+  SheetRepository sheets(workplace.connection());
+  TrialRepository trials(workplace.connection());
+  std::map<std::string, std::string> reasons;
+  for (const StoredReferenceWithdrawal& withdrawal : desk.referenceWithdrawals())
+    reasons.emplace(withdrawal.trialId, withdrawal.reason);
+  std::vector<ReferenceRow> rows;
+  std::vector<ReferenceRow> withdrawn;
+  for (const StoredReferenceRun& run : desk.allReferenceRuns()) {
+    const TrialHeader header = trials.find(run.trialId).value();
+    const ScoreScale scale = sheets.revision(run.rubricRevisionId).value().overall;
+    const auto reason = reasons.find(run.trialId);
+    const bool given = reason == reasons.end();
+    (given ? rows : withdrawn)
+        .push_back({given ? rows.size() + 1 : 0, run.trialId, header.traineeCode, header.sceneId,
+                    desk.trialLength_us(run.trialId), scale,
+                    run.panel_steps / static_cast<double>(scale.stepsPerPoint), run.panelRaters,
+                    run.setUtc_us, given ? std::string() : reason->second});
+  }
+  rows.insert(rows.end(), withdrawn.begin(), withdrawn.end());
+  return rows;
+}
+
+void addReferenceRuns(Workplace& workplace, const std::vector<ReferenceChoice>& runs) {
+  workplace.require(Operation::kStudySetup);
+  DeskRepository desk(workplace.connection());
+  auto position = static_cast<std::int64_t>(desk.allReferenceRuns().size());
+  Transaction transaction(workplace.connection());
+  for (const ReferenceChoice& choice : runs) {
+    const ScoreScale scale = checkedScale(workplace.connection(), choice);
+    StoredReferenceRun run;
+    run.trialId = choice.trialId;
+    run.position = ++position;
+    run.rubricRevisionId = choice.rubricRevisionId;
+    run.panel_steps = choice.panel_points * static_cast<double>(scale.stepsPerPoint);
+    run.panelRaters = choice.panelRaters;
+    run.setBy = workplace.actor().userId;
+    run.setUtc_us = workplace.now_us();
+    // A simulated recording must go when the demonstration goes.
+    run.demonstration =
+        choice.demonstration || TrialRepository(workplace.connection()).find(choice.trialId)->demonstration;
+    desk.addReferenceRuns(std::span(&run, 1));
+    workplace.note({.action = "reference_run.add", .objectKind = "reference_run", .objectId = run.trialId});
+  }
+  transaction.commit();
+}
+
+void withdrawReferenceRun(Workplace& workplace, const std::string& trialId, const std::string& reason) {
+  workplace.require(Operation::kStudySetup);
+  if (reason.empty()) {
+    throw Error(ErrorCode::kBadParameter, "a withdrawal needs a reason", trialId, "Say why, in a few words");
+  }
+  Transaction transaction(workplace.connection());
+  DeskRepository desk(workplace.connection());
+  const std::vector<StoredReferenceRun> runs = desk.referenceRuns();
+  if (std::none_of(runs.begin(), runs.end(),
+                   [&](const StoredReferenceRun& run) { return run.trialId == trialId; })) {
+    throw Error(ErrorCode::kBadData, "this recording is no reference run, or was withdrawn already", trialId,
+                "Open the list again");
+  }
+  desk.withdrawReferenceRun({trialId, reason, workplace.actor().userId, workplace.now_us()});
+  workplace.note({.action = "reference_run.withdraw",
+                  .objectKind = "reference_run",
+                  .objectId = trialId,
+                  .reason = reason});
+  transaction.commit();
+}
+
+}  // namespace torsio

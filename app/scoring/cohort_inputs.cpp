@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scoring/cohort_inputs.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <set>
+
+#include "app/base/build_info.h"
+#include "assessment/study/allocation.h"
+#include "db/repository/people_repository.h"
+#include "db/repository/study_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+/// Repeats the stored allocation from its seed. Only the paper's case, one permutation of all, is rebuilt
+/// here.
+CohortAllocation checkedAllocation(StudyRepository& study, const std::string& cohortId,
+                                   const std::vector<StoredGroup>& groups) {
+  const std::vector<StoredAllocationDesign> designs = study.designs(cohortId);
+  CohortAllocation shown;
+  if (designs.empty()) return shown;
+  const StoredAllocationDesign& stored = designs.back();
+  shown.method = stored.algorithm;
+  shown.version = stored.algorithmVersion;
+  shown.generator = stored.generator;
+  shown.commitment = stored.seedCommitment;
+  shown.sealed = stored.seed.empty();
+  const auto [end, error] =
+      std::from_chars(stored.seed.data(), stored.seed.data() + stored.seed.size(), shown.seed);
+  if (error != std::errc() || end != stored.seed.data() + stored.seed.size()) return shown;
+
+  AllocationDesign design;
+  design.studyId = cohortId;
+  for (const StoredGroup& group : groups) design.arms.push_back(group.code);
+  std::map<std::string, std::string> codeOf;
+  std::map<std::string, std::string> groupOf;
+  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+    codeOf[enrolment.id] = enrolment.traineeCode;
+    groupOf[enrolment.traineeCode] = enrolment.groupCode;
+  }
+  std::vector<AllocationPerson> persons;
+  for (const StoredAllocation& record : study.allocations(stored.id))
+    persons.push_back({codeOf[record.enrolmentId], {}});
+  const Allocation again = allocate(design, shown.seed, persons);
+  shown.replayed =
+      again.commitment == stored.seedCommitment &&
+      std::all_of(again.records.begin(), again.records.end(), [&](const AllocationRecord& record) {
+        return design.arms.at(record.arm) == groupOf[record.person];
+      });
+  return shown;
+}
+
+constexpr double kMinute_us = 60e6;
+
+/// Doses, rests and deviations.
+void addTimes(StudyRepository& study, const std::string& cohortId, CohortInputs& inputs) {
+  std::map<std::string, std::string> codeOf;
+  for (const StoredEnrolment& enrolment : study.enrolments(cohortId))
+    codeOf[enrolment.id] = enrolment.traineeCode;
+  std::map<std::string, CohortDose> doses;
+  for (const StoredExposure& exposure : study.exposures(cohortId)) {
+    CohortDose& dose = doses[codeOf[exposure.enrolmentId]];
+    const double minutes = static_cast<double>(exposure.duration_us) / kMinute_us;
+    (exposure.kind == "rest"   ? dose.rest_min
+     : exposure.kind == "real" ? dose.real_min
+                               : dose.virtual_min) += minutes;
+  }
+  for (auto& [code, dose] : doses) {
+    dose.trainee = code;
+    inputs.rests += dose.rest_min > 0.0 ? 1 : 0;
+    inputs.doses.push_back(std::move(dose));
+  }
+  for (const StoredDeviation& deviation : study.deviations(cohortId))
+    inputs.deviations.push_back(
+        {deviation.happenedUtc_us,
+         deviation.enrolmentId.empty() ? std::string() : codeOf[deviation.enrolmentId], deviation.kind,
+         deviation.description});
+}
+
+}  // namespace
+
+CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, const CampaignResult& campaign,
+                          const TrainingResult& training) {
+  StudyRepository study(connection);
+  CohortInputs inputs;
+  if (const auto centre = study.centre()) inputs.centre = centre->name;
+  inputs.softwareVersion = softwareVersion();
+  const std::vector<StoredGroup> groups = study.groups(cohortId);
+  for (const StoredGroup& group : groups) {
+    inputs.groups.push_back({Text("Group %1", group.number), group.label});
+  }
+  std::map<std::string, StoredTrainee> trainees;
+  for (StoredTrainee& trainee : PeopleRepository(connection).trainees()) {
+    trainees[trainee.person.code] = trainee;
+  }
+  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+    const StoredPerson& person = trainees.at(enrolment.traineeCode).person;
+    const auto group = std::find_if(groups.begin(), groups.end(),
+                                    [&](const StoredGroup& g) { return g.code == enrolment.groupCode; });
+    if (group == groups.end()) {  // not allocated yet: no part of the comparison
+      inputs.notAllocated += enrolment.state == "withdrawn" ? 0 : 1;
+      continue;
+    }
+    inputs.trainees.push_back({person.code, static_cast<std::size_t>(group - groups.begin()), person.sex,
+                               person.level, enrolment.state});
+  }
+  inputs.allocation = checkedAllocation(study, cohortId, groups);
+
+  inputs.instrument = campaign.campaign.instrument;
+  if (!campaign.classesMissing.empty())
+    inputs.unfinishedEvaluation = {static_cast<std::int64_t>(campaign.ratings.size()),
+                                   campaign.classesMissing};
+  if (!campaign.models.empty())  // without an evaluation there is no instrument either
+    for (ModelRatings& ratings : groupRatings(inputs.instrument, campaign.ratings))
+      inputs.ratings.push_back(std::move(ratings));
+  inputs.evaluations = campaign.models;
+  const auto positionOf = [&](const std::string& code) {
+    return std::find_if(campaign.models.begin(), campaign.models.end(),
+                        [&](const ModelEvaluation& m) { return m.model == code; });
+  };
+  std::stable_sort(inputs.ratings.begin(), inputs.ratings.end(),
+                   [&](const ModelRatings& a, const ModelRatings& b) {
+                     return positionOf(a.model) < positionOf(b.model);
+                   });
+
+  inputs.trainingScale = training.scale;
+  inputs.occasions = {Text("before"), Text("after %1 min", 20), Text("after %1 min", 40)};
+  inputs.scores = training.trainees;
+  inputs.summaries = training.groups;
+  inputs.trainingMarks = training.marks;
+  inputs.notAssessable = training.notAssessable;
+  addTimes(study, cohortId, inputs);
+  std::set<std::string> raters;
+  for (const TrainingMark& mark : training.marks) raters.insert(mark.rater);
+  inputs.trainingRaters = raters.size();
+  return inputs;
+}
+
+}  // namespace torsio

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "app/scoring/scoring_service.h"
+#include "assessment/report/cohort_report.h"
+#include "db/connection/connection.h"
+
+namespace torsio {
+
+/// Gathers what a cohort report says of people, groups, allocation and scores from the record. The allocation
+/// is repeated from its seed and compared; the caller adds trials, facts and title.
+[[nodiscard]] CohortInputs cohortInputs(Connection& connection, const std::string& cohortId,
+                                        const CampaignResult& campaign, const TrainingResult& training);
+
+}  // namespace torsio

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scoring/scoring_service.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "app/base/build_info.h"
+#include "db/repository/study_repository.h"
+#include "sim/base/contracts.h"
+#include "sim/base/digest.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+template <typename Items, typename Key>
+std::size_t positionOf(const Items& items, const std::string& wanted, Key key) {
+  const auto found =
+      std::find_if(items.begin(), items.end(), [&](const auto& item) { return key(item) == wanted; });
+  TORSIO_EXPECTS(found != items.end());  // the database holds the reference
+  return static_cast<std::size_t>(found - items.begin());
+}
+
+AssessmentRun makeRun(IdSource& ids, const ScoringStamp& stamp, const char* formula,
+                      const std::string& policy, const Digest& inputs) {
+  AssessmentRun run;
+  run.id = ids.newUuid();
+  run.formulaVersion = formula;
+  run.policy = policy;
+  run.inputsHash = inputs.hex();
+  run.softwareVersion = softwareVersion();
+  run.computedUtc_us = stamp.utc_us;
+  run.demonstration = stamp.demonstration;
+  if (stamp.demonstration) run.flags.push_back("demonstration data");
+  return run;
+}
+
+StoredEvaluationResult stored(const std::string& model, std::size_t index, const ScoreStatistics& from) {
+  StoredEvaluationResult to;
+  to.modelCode = model;
+  to.indexNumber = static_cast<std::int64_t>(index + 1);
+  to.weightedMean = from.m;
+  to.variance = from.s2;
+  to.raterCount = from.n;
+  to.missingCount = from.missing;
+  to.lowest = from.min;
+  to.highest = from.max;
+  to.plainMean = from.plainMean;
+  to.populationVariance = from.populationVariance;
+  to.sampleVariance = from.sampleVariance;
+  to.standardError = from.standardError;
+  to.flags = from.flags;
+  return to;
+}
+
+/// What a run is stamped with: results and the hash of the marks that went in.
+struct ReadCampaign {
+  CampaignResult result;
+  Digest inputs;
+};
+
+/// The weighted classes of which nobody scored some index of some model.
+std::vector<std::string> classesMissing(const StoredCampaign& campaign,
+                                        const std::vector<EvaluationRating>& ratings) {
+  using Place = std::tuple<std::string, std::size_t, std::size_t>;  // model, class, index
+  std::set<Place> scored;
+  for (const EvaluationRating& rating : ratings)
+    scored.insert({rating.model, rating.raterClass, rating.index});
+  std::vector<std::string> missing;
+  const EvaluationInstrument& instrument = campaign.instrument;
+  for (std::size_t c = 0; c < instrument.classes.size(); ++c) {
+    if (instrument.classes[c].weight_milli == 0) continue;
+    const auto lacks = [&](const StoredModel& model) {
+      for (std::size_t j = 0; j < instrument.indices.size(); ++j)
+        if (!scored.contains({model.code, c, j})) return true;
+      return false;
+    };
+    if (std::any_of(campaign.models.begin(), campaign.models.end(), lacks))
+      missing.push_back(instrument.classes[c].name);
+  }
+  return missing;
+}
+
+ReadCampaign campaignWithHash(Connection& connection, const std::string& campaignId) {
+  EvaluationRepository repository(connection);
+  const auto campaign = repository.campaign(campaignId);
+  if (!campaign) {
+    throw Error(ErrorCode::kBadData, "no evaluation campaign has this id", campaignId,
+                "List the campaigns first");
+  }
+  ReadCampaign read{{*campaign, {}, {}, {}}, {}};
+  for (const StoredEvaluationMark& mark : repository.marks(campaignId)) {
+    EvaluationRating rating;
+    rating.model = mark.modelCode;
+    rating.rater = mark.raterCode;
+    rating.raterClass =
+        positionOf(campaign->instrument.classes, mark.classCode, [](const RaterClass& c) { return c.id; });
+    rating.index = static_cast<std::size_t>(mark.indexNumber - 1);
+    rating.steps = mark.score_steps;
+    read.inputs.update(mark.id);
+    read.inputs.update(mark.version);
+    read.inputs.update(mark.score_steps);
+    read.result.ratings.push_back(std::move(rating));
+  }
+  read.result.classesMissing = classesMissing(*campaign, read.result.ratings);
+  return read;
+}
+
+void evaluateIn(CampaignResult& result) {
+  const StoredCampaign& campaign = result.campaign;
+  result.models = evaluate(campaign.instrument, result.ratings);
+  std::stable_sort(result.models.begin(), result.models.end(), [&](const auto& a, const auto& b) {
+    const auto code = [](const StoredModel& m) { return m.code; };
+    return positionOf(campaign.models, a.model, code) < positionOf(campaign.models, b.model, code);
+  });
+}
+
+using Case = std::pair<std::string, std::size_t>;  // trainee code, position of the scoring point
+
+struct ReadTraining {
+  TrainingResult result;
+  std::map<Case, std::int64_t> notAssessable;
+  Digest inputs;
+};
+
+ReadTraining trainingWithHash(Connection& connection, const std::string& cohortId) {
+  const std::vector<StoredGroup> groups = StudyRepository(connection).groups(cohortId);
+  ReadTraining read;
+  for (const StoredTrainingMark& mark : RatingRepository(connection).marks(cohortId)) {
+    read.inputs.update(mark.id);
+    read.inputs.update(mark.version);
+    read.inputs.update(mark.score_steps.value_or(-1));
+    const std::size_t occasion =
+        positionOf(scoringPoints(), mark.scoringPoint, [](const std::string& p) { return p; });
+    if (!mark.score_steps) {
+      ++read.notAssessable[{mark.traineeCode, occasion}];
+      ++read.result.notAssessable;
+      continue;
+    }
+    if (mark.groupCode.empty()) continue;  // marked before allocation and in no group yet
+    read.result.scale = mark.scale;
+    TrainingMark scored;
+    scored.trainee = mark.traineeCode;
+    scored.group = positionOf(groups, mark.groupCode, [](const StoredGroup& g) { return g.code; });
+    scored.occasion = occasion;
+    scored.rater = mark.raterCode;
+    scored.steps = *mark.score_steps;
+    read.result.marks.push_back(std::move(scored));
+  }
+  read.result.trainees = traineeScores(read.result.scale, read.result.marks);
+  read.result.groups = groupSummaries(read.result.scale, read.result.marks);
+  return read;
+}
+
+/// Variance of every trainee's marks between the raters, divisor n, by trainee and scoring point.
+std::map<Case, double> betweenRaterVariances(const TrainingResult& result) {
+  std::map<Case, double> means;
+  for (const TraineeScore& score : result.trainees) means[{score.trainee, score.occasion}] = score.score;
+  std::map<Case, std::pair<double, double>> sums;
+  for (const TrainingMark& mark : result.marks) {
+    const Case key{mark.trainee, mark.occasion};
+    const double distance = pointsFromSteps(mark.steps, result.scale) - means.at(key);
+    sums[key].first += distance * distance;
+    sums[key].second += 1.0;
+  }
+  std::map<Case, double> variances;
+  for (const auto& [key, sum] : sums) variances[key] = sum.first / sum.second;
+  return variances;
+}
+
+}  // namespace
+
+const std::vector<std::string>& scoringPoints() {
+  static const std::vector<std::string> kPoints{"pre", "mid", "post"};
+  return kPoints;
+}
+
+CampaignResult readCampaign(Connection& connection, const std::string& campaignId) {
+  CampaignResult result = campaignWithHash(connection, campaignId).result;
+  if (result.classesMissing.empty()) evaluateIn(result);
+  return result;
+}
+
+TrainingResult readTraining(Connection& connection, const std::string& cohortId) {
+  return trainingWithHash(connection, cohortId).result;
+}
+
+CampaignResult evaluateCampaign(Connection& connection, const std::string& campaignId, IdSource& ids,
+                                const ScoringStamp& stamp) {
+  auto [result, inputs] = campaignWithHash(connection, campaignId);
+  if (!result.ratings.empty()) evaluateIn(result);
+  StoredEvaluationRun run;
+  run.run = makeRun(ids, stamp, kEvaluationFormulaVersion, "available-case", inputs);
+  for (const ModelEvaluation& model : result.models) {
+    for (std::size_t i = 0; i < model.indices.size(); ++i)
+      run.results.push_back(stored(model.model, i, model.indices[i]));
+    StoredComposite composite{model.model, model.n27, {}, model.flags};
+    if (model.compositeStatistics) composite.standardError = model.compositeStatistics->standardError;
+    run.composites.push_back(std::move(composite));
+  }
+  EvaluationRepository(connection).storeRun(campaignId, run);
+  return result;
+}
+
+TrainingResult scoreTraining(Connection& connection, const std::string& cohortId, IdSource& ids,
+                             const ScoringStamp& stamp) {
+  StudyRepository study(connection);
+  const std::vector<StoredGroup> groups = study.groups(cohortId);
+  std::map<std::string, std::string> enrolmentOf;  // trainee code -> enrolment id
+  for (const StoredEnrolment& enrolment : study.enrolments(cohortId))
+    enrolmentOf[enrolment.traineeCode] = enrolment.id;
+  auto [result, notAssessable, inputs] = trainingWithHash(connection, cohortId);
+  const std::map<Case, double> variances = betweenRaterVariances(result);
+
+  StoredTrainingRun run;
+  run.run = makeRun(ids, stamp, kTrainingFormulaVersion, "mean of the raters who marked", inputs);
+  for (const TraineeScore& score : result.trainees) {
+    run.trainees.push_back({enrolmentOf.at(score.trainee),
+                            scoringPoints().at(score.occasion),
+                            score.score,
+                            variances.at({score.trainee, score.occasion}),
+                            score.n,
+                            notAssessable[{score.trainee, score.occasion}],
+                            {}});
+  }
+  for (const GroupSummary& group : result.groups) {
+    run.groups.push_back({groups.at(group.group).id,
+                          scoringPoints().at(group.occasion),
+                          group.trainees,
+                          group.mean,
+                          group.varianceOfScores,
+                          group.sampleVarianceOfScores,
+                          {}});
+  }
+  RatingRepository(connection).storeRun(cohortId, run);
+  return result;
+}
+
+}  // namespace torsio

@@ -1,0 +1,503 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/study/allocation_service.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/base/build_info.h"
+#include "app/study/allocation_design.h"
+#include "app/study/drawn_seed.h"
+#include "db/repository/people_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::size_t kTries = 200;
+
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
+  throw Error(ErrorCode::kBadData, what, where, remedy);
+}
+
+/// A cohort as the draw sees it.
+struct Field {
+  StoredCohort cohort;
+  std::vector<StoredGroup> groups;
+  std::vector<StoredEnrolment> enrolments;        ///< not withdrawn
+  std::map<std::string, StoredTrainee> trainees;  ///< by id
+
+  [[nodiscard]] std::vector<std::string> groupCodes() const {
+    std::vector<std::string> codes;
+    for (const StoredGroup& group : groups) codes.push_back(group.code);
+    return codes;
+  }
+  /// Enrolled without a group, in the order of codes.
+  [[nodiscard]] std::vector<StoredEnrolment> waiting() const {
+    std::vector<StoredEnrolment> list;
+    for (const StoredEnrolment& enrolment : enrolments) {
+      if (enrolment.groupId.empty()) list.push_back(enrolment);
+    }
+    std::sort(list.begin(), list.end(), [](const StoredEnrolment& a, const StoredEnrolment& b) {
+      return a.traineeCode < b.traineeCode;
+    });
+    return list;
+  }
+};
+
+Field readField(Workplace& workplace, const std::string& cohortId) {
+  StudyRepository study(workplace.connection());
+  Field field;
+  for (const StoredCohort& cohort : study.cohorts()) {
+    if (cohort.id == cohortId) field.cohort = cohort;
+  }
+  if (field.cohort.id.empty()) refuse("there is no such cohort", cohortId, "Choose one from the list");
+  field.groups = study.groups(cohortId);
+  field.enrolments = study.enrolments(cohortId);
+  std::erase_if(field.enrolments, [](const StoredEnrolment& e) { return e.state == "withdrawn"; });
+  for (StoredTrainee& trainee : PeopleRepository(workplace.connection()).trainees()) {
+    field.trainees[trainee.person.id] = std::move(trainee);
+  }
+  return field;
+}
+
+/// The levels that a factor has among the people who wait.
+AllocationFactor factorOf(const Field& field, const std::string& name) {
+  std::set<std::string> levels;
+  for (const StoredEnrolment& enrolment : field.waiting()) {
+    const std::string level = factorValue(field.trainees.at(enrolment.traineeId), name);
+    if (!level.empty()) levels.insert(level);
+  }
+  return {name, {levels.begin(), levels.end()}};
+}
+
+AllocationDesign designOf(const Field& field, const AllocationPlan& plan) {
+  AllocationDesign design;
+  design.studyId = field.cohort.id;
+  design.method = plan.method;
+  design.arms = field.groupCodes();
+  design.participants = plan.method == AllocationMethod::kCompletePermutation ? field.waiting().size() : 0;
+  design.blockSizes = plan.blockSizes;
+  design.bestArm_tenths = plan.bestArm_tenths;
+  design.imbalance = plan.imbalance;
+  for (const std::string& name : plan.factors) design.factors.push_back(factorOf(field, name));
+  validateDesign(design);
+  if (plan.method == AllocationMethod::kStratifiedBlocks && plan.everybodyEnrolled) {
+    std::vector<AllocationPerson> persons;
+    for (const StoredEnrolment& enrolment : field.waiting()) {
+      persons.push_back(personForDraw(design, field.trainees.at(enrolment.traineeId)));
+    }
+    // Any seed: only the strata are counted here.
+    design.stratumTotals = allocate(design, 0, persons).design.stratumTotals;
+  }
+  return design;
+}
+
+std::vector<StoredAllocation> drawnOf(const std::vector<StoredAllocation>& records) {
+  std::vector<StoredAllocation> drawn;
+  for (const StoredAllocation& record : records) {
+    if (record.overrideReason.empty()) drawn.push_back(record);
+  }
+  return drawn;
+}
+
+std::uint64_t seedFrom(const std::string& text, const std::string& designId) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
+    refuse("the sealed seed cannot be read", designId, "Verify the database");
+  }
+  return seed;
+}
+
+/// The design that counts, with its generator where the last draw left it.
+struct OpenDraw {
+  StoredAllocationDesign stored;
+  AllocationDesign design;
+  std::vector<StoredAllocation> records;
+  Allocator allocator;
+  std::map<std::string, std::int64_t> highestNumber;  ///< in use, by group
+};
+
+std::map<std::string, std::string> codesOf(StudyRepository& study, const std::string& cohortId) {
+  std::map<std::string, std::string> codes;
+  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+    codes[enrolment.id] = enrolment.traineeCode;
+  }
+  return codes;
+}
+
+OpenDraw openDraw(Workplace& workplace, const Field& field) {
+  StudyRepository study(workplace.connection());
+  const std::vector<StoredAllocationDesign> designs = study.designs(field.cohort.id);
+  if (designs.empty()) {
+    refuse("no allocation design is locked", field.cohort.name, "Lock one first");
+  }
+  const StoredAllocationDesign& stored = designs.back();
+  std::vector<StoredAllocation> records = study.allocations(stored.id);
+  const std::vector<StoredAllocation> drawn = drawnOf(records);
+  AllocationDesign design = designFromStored(stored, field.groupCodes(), drawn.size());
+  OpenDraw open{stored,
+                design,
+                std::move(records),
+                Allocator(design, seedFrom(study.sealedSeed(stored.id), stored.id)),
+                {}};
+  for (const StoredEnrolment& enrolment : study.enrolments(field.cohort.id)) {
+    std::int64_t& highest = open.highestNumber[enrolment.groupId];
+    highest = std::max(highest, enrolment.numberInGroup);
+  }
+  const std::map<std::string, std::string> codes = codesOf(study, field.cohort.id);
+  for (const StoredAllocation& record : drawn) {
+    const AllocationRecord again =
+        open.allocator.assign(personFromRecord(design, codes.at(record.enrolmentId), record.covariatesJson));
+    if (static_cast<std::int64_t>(again.drawsAfter) != record.drawAfter) {
+      refuse("the records do not follow from the sealed seed", stored.id,
+             "Run the check of the allocation before anybody else is allocated");
+    }
+  }
+  return open;
+}
+
+StoredAllocation draw(Workplace& workplace, const Field& field, OpenDraw& open,
+                      const StoredEnrolment& enrolment) {
+  StudyRepository study(workplace.connection());
+  const AllocationPerson person = personForDraw(open.design, field.trainees.at(enrolment.traineeId));
+  const AllocationRecord drawn = open.allocator.assign(person);
+  const StoredGroup& group = field.groups.at(drawn.arm);
+  StoredAllocation record;
+  record.id = workplace.ids().newUuid();
+  record.designId = open.stored.id;
+  record.sequence = static_cast<std::int64_t>(open.records.size() + 1);
+  record.enrolmentId = enrolment.id;
+  record.groupId = group.id;
+  record.numberInGroup = ++open.highestNumber[group.id];
+  record.covariatesJson = covariatesJson(open.design, person);
+  record.countsBeforeJson = numbersJson(open.design.arms, drawn.countsBefore);
+  record.scoresJson = numbersJson(open.design.arms, drawn.scores);
+  record.drawBefore = static_cast<std::int64_t>(drawn.drawsBefore);
+  record.drawAfter = static_cast<std::int64_t>(drawn.drawsAfter);
+  record.allocatedBy = workplace.actor().userId;
+  record.softwareVersion = softwareVersion();
+  record.allocatedUtc_us = workplace.now_us();
+  record.demonstration = field.cohort.demonstration;
+  record = study.allocate(std::span(&record, 1)).front();
+  open.records.push_back(record);
+  workplace.note(
+      {.action = "allocation.draw",
+       .objectKind = "allocation",
+       .objectId = record.id,
+       .newJson = nlohmann::json{{"enrolment", enrolment.id}, {"record", record.recordHash}}.dump()});
+  return record;
+}
+
+AllocationDesignRow rowOf(StudyRepository& study, const StoredAllocationDesign& stored,
+                          const std::vector<std::string>& groups) {
+  const std::vector<StoredAllocation> records = study.allocations(stored.id);
+  const std::size_t drawn = drawnOf(records).size();
+  return {stored, designFromStored(stored, groups, drawn), records.size(), records.size() - drawn};
+}
+
+/// Adds one trial allocation to the statistics of a preview.
+void addTry(BalancePreview& preview, const Allocation& tried, const Field& field,
+            const std::vector<StoredEnrolment>& people) {
+  const auto difference = [](const std::vector<std::size_t>& counts) {
+    const auto [low, high] = std::minmax_element(counts.begin(), counts.end());
+    return *high - *low;
+  };
+  std::vector<std::size_t> sizes(preview.groups.size(), 0);
+  for (const AllocationRecord& record : tried.records) ++sizes.at(record.arm);
+  preview.worstSizeDifference = std::max(preview.worstSizeDifference, difference(sizes));
+  for (BalancePreview::Level& level : preview.levels) {
+    std::vector<std::size_t> counts(preview.groups.size(), 0);
+    for (const AllocationRecord& record : tried.records) {
+      const StoredTrainee& trainee = field.trainees.at(people.at(record.position).traineeId);
+      if (factorValue(trainee, level.factor) == level.level) ++counts.at(record.arm);
+    }
+    for (std::size_t g = 0; g < counts.size(); ++g) {
+      level.expected[g] += static_cast<double>(counts[g]) / static_cast<double>(kTries);
+    }
+    level.worstDifference = std::max(level.worstDifference, difference(counts));
+    level.meanDifference += static_cast<double>(difference(counts)) / static_cast<double>(kTries);
+  }
+}
+
+}  // namespace
+
+const std::vector<std::string>& allocationFactorNames() {
+  static const std::vector<std::string> kNames{"sex", "level", "experience", "handedness"};
+  return kNames;
+}
+
+BalancePreview previewBalance(Workplace& workplace, const AllocationPlan& plan) {
+  workplace.require(Operation::kAllocationRun);
+  Field field = readField(workplace, plan.cohortId);
+  BalancePreview preview;
+  preview.groups = field.groupCodes();
+  std::vector<StoredEnrolment> people = field.waiting();
+  preview.people = people.size();
+  for (const StoredEnrolment& enrolment : people) {
+    const StoredTrainee& trainee = field.trainees.at(enrolment.traineeId);
+    const bool complete =
+        std::none_of(plan.factors.begin(), plan.factors.end(),
+                     [&](const std::string& name) { return factorValue(trainee, name).empty(); });
+    if (!complete) preview.missing.push_back(enrolment.traineeCode);
+  }
+  if (!preview.missing.empty() || people.empty()) return preview;
+  const AllocationDesign design = designOf(field, plan);
+  for (const std::string& name : allocationFactorNames()) {
+    for (const std::string& level : factorOf(field, name).levels) {
+      const auto count = std::count_if(people.begin(), people.end(), [&](const StoredEnrolment& enrolment) {
+        return factorValue(field.trainees.at(enrolment.traineeId), name) == level;
+      });
+      preview.levels.push_back({name, level, static_cast<std::size_t>(count),
+                                std::vector<double>(preview.groups.size(), 0.0), 0, 0.0});
+    }
+  }
+  std::vector<AllocationPerson> persons;
+  for (const StoredEnrolment& enrolment : people) {
+    persons.push_back(personForDraw(design, field.trainees.at(enrolment.traineeId)));
+  }
+  preview.tries = kTries;
+  for (std::size_t seed = 1; seed <= kTries; ++seed) {
+    addTry(preview, allocate(design, seed, persons, !design.stratumTotals.empty()), field, people);
+  }
+  return preview;
+}
+
+AllocationDesignRow lockAllocation(Workplace& workplace, const AllocationPlan& plan,
+                                   const std::string& supersedeReason) {
+  workplace.require(Operation::kAllocationRun);
+  Transaction transaction(workplace.connection());
+  const Field field = readField(workplace, plan.cohortId);
+  StudyRepository study(workplace.connection());
+  const std::vector<StoredAllocationDesign> before = study.designs(plan.cohortId);
+  if (!before.empty() && !study.allocations(before.back().id).empty() && supersedeReason.empty()) {
+    refuse("allocation has begun with another design", field.cohort.name,
+           "Give a reason; whoever has a group keeps it");
+  }
+  if (field.waiting().empty()) {
+    refuse("nobody waits for a group", field.cohort.name, "Enrol trainees first");
+  }
+  const AllocationDesign design = designOf(field, plan);
+  const std::uint64_t seed = plan.seed ? *plan.seed : drawSeed(workplace.ids());
+  StoredAllocationDesign stored;
+  stored.id = workplace.ids().newUuid();
+  stored.cohortId = plan.cohortId;
+  stored.algorithm = allocationMethodName(design.method);
+  stored.algorithmVersion = kAllocationVersion;
+  stored.parametersJson = designJson(design);
+  stored.generator = kAllocationGenerator;
+  stored.seedCommitment = seedCommitment(design, seed);
+  stored.seed = std::to_string(seed);
+  stored.lockedUtc_us = workplace.now_us();
+  if (!before.empty()) stored.lockedUtc_us = std::max(stored.lockedUtc_us, before.back().lockedUtc_us + 1);
+  stored.demonstration = field.cohort.demonstration;
+  study.lockDesign(stored);
+  stored.seed.clear();
+  workplace.note({.action = before.empty() ? "allocation.lock" : "allocation.supersede",
+                  .objectKind = "allocation_design",
+                  .objectId = stored.id,
+                  .newJson = nlohmann::json{{"cohort", plan.cohortId},
+                                            {"commitment", stored.seedCommitment},
+                                            {"seed_given", plan.seed.has_value()}}
+                                 .dump(),
+                  .reason = supersedeReason});
+  transaction.commit();
+  return {stored, design, 0, 0};
+}
+
+std::vector<AllocationDesignRow> allocationDesigns(Workplace& workplace, const std::string& cohortId) {
+  workplace.require(Operation::kAllocationView);
+  StudyRepository study(workplace.connection());
+  std::vector<std::string> groups;
+  for (const StoredGroup& group : study.groups(cohortId)) groups.push_back(group.code);
+  std::vector<AllocationDesignRow> rows;
+  for (const StoredAllocationDesign& stored : study.designs(cohortId)) {
+    rows.push_back(rowOf(study, stored, groups));
+  }
+  return rows;
+}
+
+std::vector<StoredAllocation> allocations(Workplace& workplace, const std::string& designId) {
+  workplace.require(Operation::kAllocationView);
+  return StudyRepository(workplace.connection()).allocations(designId);
+}
+
+StoredAllocation allocateOne(Workplace& workplace, const std::string& cohortId,
+                             const std::string& enrolmentId) {
+  workplace.require(Operation::kAllocationRun);
+  Transaction transaction(workplace.connection());
+  const Field field = readField(workplace, cohortId);
+  const std::vector<StoredEnrolment> waiting = field.waiting();
+  const auto enrolment = std::find_if(waiting.begin(), waiting.end(),
+                                      [&](const StoredEnrolment& e) { return e.id == enrolmentId; });
+  if (enrolment == waiting.end()) {
+    refuse("has a group already, has withdrawn or is not enrolled here", enrolmentId,
+           "Choose somebody who waits; a change of group is an override with a reason");
+  }
+  OpenDraw open = openDraw(workplace, field);
+  StoredAllocation record = draw(workplace, field, open, *enrolment);
+  transaction.commit();
+  return record;
+}
+
+std::size_t allocateAll(Workplace& workplace, const std::string& cohortId) {
+  workplace.require(Operation::kAllocationRun);
+  Transaction transaction(workplace.connection());
+  const Field field = readField(workplace, cohortId);
+  OpenDraw open = openDraw(workplace, field);
+  const std::vector<StoredEnrolment> waiting = field.waiting();
+  if (waiting.empty()) refuse("nobody waits for a group", field.cohort.name, "Enrol trainees first");
+  for (const StoredEnrolment& enrolment : waiting) draw(workplace, field, open, enrolment);
+  transaction.commit();
+  return waiting.size();
+}
+
+StoredAllocation overrideAllocation(Workplace& workplace, const std::string& cohortId,
+                                    const std::string& enrolmentId, const std::string& groupId,
+                                    const std::string& reason) {
+  workplace.require(Operation::kAllocationRun);
+  if (reason.empty()) refuse("an override needs a reason", enrolmentId, "Say in a few words why");
+  Transaction transaction(workplace.connection());
+  const Field field = readField(workplace, cohortId);
+  OpenDraw open = openDraw(workplace, field);
+  const auto last = std::find_if(open.records.rbegin(), open.records.rend(),
+                                 [&](const StoredAllocation& r) { return r.enrolmentId == enrolmentId; });
+  if (last == open.records.rend()) {
+    refuse("was not allocated by this design", enrolmentId, "Draw the group first");
+  }
+  const auto group = std::find_if(field.groups.begin(), field.groups.end(),
+                                  [&](const StoredGroup& g) { return g.id == groupId; });
+  if (group == field.groups.end()) refuse("there is no such group", groupId, "Choose one of the cohort");
+  if (last->groupId == groupId) refuse("is in this group already", group->code, "Choose another group");
+  StudyRepository study(workplace.connection());
+  StoredAllocation record = *last;
+  record.id = workplace.ids().newUuid();
+  record.sequence = static_cast<std::int64_t>(open.records.size() + 1);
+  record.groupId = groupId;
+  record.numberInGroup = ++open.highestNumber[groupId];
+  record.drawBefore = record.drawAfter;  // nothing was drawn
+  record.allocatedBy = workplace.actor().userId;
+  record.softwareVersion = softwareVersion();
+  record.overrideReason = reason;
+  record.allocatedUtc_us = workplace.now_us();
+  record = study.allocate(std::span(&record, 1)).front();
+  workplace.note({.action = "allocation.override",
+                  .objectKind = "allocation",
+                  .objectId = record.id,
+                  .newJson = nlohmann::json{{"enrolment", enrolmentId}, {"record", record.recordHash}}.dump(),
+                  .reason = reason});
+  transaction.commit();
+  return record;
+}
+
+std::string revealSeed(Workplace& workplace, const std::string& designId, const std::string& reason) {
+  workplace.require(Operation::kAllocationReveal);
+  Transaction transaction(workplace.connection());
+  StudyRepository study(workplace.connection());
+  const std::string seed = study.sealedSeed(designId);
+  if (seed.empty()) refuse("there is no such design", designId, "Choose one from the list");
+  for (const StoredCohort& cohort : study.cohorts()) {
+    const std::vector<StoredAllocationDesign> designs = study.designs(cohort.id);
+    if (designs.empty() || designs.back().id != designId || !reason.empty()) continue;
+    if (const std::size_t waiting = readField(workplace, cohort.id).waiting().size(); waiting > 0) {
+      refuse(Text("%1 people still wait for a group: the seed would tell them theirs", waiting), cohort.name,
+             "Allocate them first, or give a reason");
+    }
+  }
+  study.revealSeed(designId, workplace.now_us());
+  workplace.note({.action = "allocation.reveal",
+                  .objectKind = "allocation_design",
+                  .objectId = designId,
+                  .reason = reason});
+  transaction.commit();
+  return seed;
+}
+
+AllocationCheck checkAllocation(Workplace& workplace, const std::string& designId) {
+  workplace.require(Operation::kAllocationView);
+  StudyRepository study(workplace.connection());
+  AllocationCheck check;
+  const auto wrong = [&](const Text& finding) {
+    check.sound = false;
+    check.finding = finding;
+    return check;
+  };
+  for (const StoredCohort& cohort : study.cohorts()) {
+    std::vector<std::string> groupCodes;
+    std::map<std::string, std::string> groupIds;
+    for (const StoredGroup& group : study.groups(cohort.id)) {
+      groupCodes.push_back(group.code);
+      groupIds[group.code] = group.id;
+    }
+    for (const StoredAllocationDesign& stored : study.designs(cohort.id)) {
+      if (stored.id != designId) continue;
+      const std::vector<StoredAllocation> records = study.allocations(designId);
+      const std::vector<StoredAllocation> drawn = drawnOf(records);
+      check.records = records.size();
+      check.overrides = records.size() - drawn.size();
+      if (const auto broken = study.firstBrokenAllocation(designId)) {
+        return wrong(Text("record %1 does not fit into the chain", *broken));
+      }
+      const AllocationDesign design = designFromStored(stored, groupCodes, drawn.size());
+      const std::uint64_t seed = seedFrom(study.sealedSeed(designId), designId);
+      if (seedCommitment(design, seed) != stored.seedCommitment) {
+        return wrong("seed and design do not give the published commitment");
+      }
+      const std::map<std::string, std::string> codes = codesOf(study, cohort.id);
+      if (drawn.empty()) return check;
+      Allocator allocator(design, seed);
+      for (const StoredAllocation& record : drawn) {
+        const AllocationRecord again =
+            allocator.assign(personFromRecord(design, codes.at(record.enrolmentId), record.covariatesJson));
+        if (groupIds[design.arms.at(again.arm)] != record.groupId ||
+            static_cast<std::int64_t>(again.drawsAfter) != record.drawAfter) {
+          return wrong(Text("record %1 does not follow from the seed", record.sequence));
+        }
+      }
+      std::map<std::string, std::string> lastGroup;
+      for (const StoredAllocation& record : records) lastGroup[record.enrolmentId] = record.groupId;
+      for (const StoredEnrolment& enrolment : study.enrolments(cohort.id)) {
+        const auto last = lastGroup.find(enrolment.id);
+        if (last != lastGroup.end() && last->second != enrolment.groupId) {
+          return wrong(Text("%1 is in a group that no record tells of", enrolment.traineeCode));
+        }
+      }
+      return check;
+    }
+  }
+  refuse("there is no such design", designId, "Choose one from the list");
+}
+
+std::vector<SealedCard> takeOutCards(Workplace& workplace, const std::string& cohortId) {
+  workplace.require(Operation::kAllocationRun);
+  Transaction transaction(workplace.connection());
+  StudyRepository study(workplace.connection());
+  const std::vector<StoredAllocationDesign> designs = study.designs(cohortId);
+  std::map<std::string, std::string> codes;
+  for (const StoredEnrolment& enrolment : study.enrolments(cohortId))
+    codes[enrolment.id] = enrolment.traineeCode;
+  std::map<std::string, StoredGroup> groups;
+  for (const StoredGroup& group : study.groups(cohortId)) groups[group.id] = group;
+  std::vector<SealedCard> cards;
+  if (!designs.empty())
+    for (const StoredAllocation& record : study.allocations(designs.back().id))
+      cards.push_back({record.sequence, codes[record.enrolmentId], groups[record.groupId].code,
+                       groups[record.groupId].label});
+  if (cards.empty()) {
+    throw Error(ErrorCode::kBadData, "nobody is allocated yet", cohortId, "Lock a design and allocate first");
+  }
+  workplace.note({.action = "allocation.cards",
+                  .objectKind = "allocation_design",
+                  .objectId = designs.back().id,
+                  .newJson = nlohmann::json{{"cards", cards.size()}}.dump()});
+  transaction.commit();
+  return cards;
+}
+
+}  // namespace torsio

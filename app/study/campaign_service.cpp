@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/study/campaign_service.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <span>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/study/drawn_seed.h"
+#include "db/repository/people_repository.h"
+#include "sim/base/error.h"
+#include "sim/base/random.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::size_t kAllOrdersUpTo = 4;  // 24 orders; five models would already have 120
+constexpr std::uint64_t kLabelStream = 1;
+constexpr std::uint64_t kOrderStream = 2;
+
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
+  throw Error(ErrorCode::kBadParameter, what, where, remedy);
+}
+
+/// X, Y, Z, then W, V ...: few enough to be told apart, and none that looks like a model's own name.
+std::vector<std::string> hiddenLabels(std::size_t count, Random& random) {
+  constexpr std::string_view kLabels = "XYZWVUTSRQPN";
+  if (count > kLabels.size()) {
+    refuse(Text("more than %1 models cannot be compared", kLabels.size()), "models", "Split the evaluation");
+  }
+  std::vector<std::string> labels;
+  for (const char letter : kLabels.substr(0, count)) labels.emplace_back(1, letter);
+  random.shuffle(std::span<std::string>(labels));
+  return labels;
+}
+
+/// Orders of models, each a list of positions: every permutation, or the rows of a Latin square.
+std::vector<std::vector<std::size_t>> ordersOf(std::size_t models) {
+  std::vector<std::size_t> order(models);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::vector<std::size_t>> orders;
+  if (models <= kAllOrdersUpTo) {
+    do {
+      orders.push_back(order);
+    } while (std::next_permutation(order.begin(), order.end()));
+    return orders;
+  }
+  for (std::size_t row = 0; row < models; ++row) {
+    orders.push_back(order);
+    std::rotate(order.begin(), order.begin() + 1, order.end());
+  }
+  return orders;
+}
+
+void checkModels(const std::vector<NewModel>& models) {
+  if (models.size() < 2) refuse("there is nothing to compare", "models", "Name at least two models");
+  std::set<std::string> codes;
+  for (const NewModel& model : models) {
+    if (model.code.empty() || model.label.empty()) {
+      refuse("a model has no code or no name", model.code + model.label, "Fill both in");
+    }
+    if (model.code.find(',') != std::string::npos) {
+      refuse("the code of a model holds a comma", model.code, "Use letters and digits");
+    }
+    if (!codes.insert(model.code).second) refuse("two models have the same code", model.code, "Rename one");
+  }
+}
+
+/// The raters of the plan by class, in the order of codes.
+std::map<std::string, std::vector<StoredRater>> ratersByClass(Workplace& workplace,
+                                                              const CampaignPlan& plan) {
+  std::map<std::string, std::int64_t> weight_milli;
+  for (const RaterClass& raterClass : plan.instrument.classes) {
+    weight_milli[raterClass.id] = raterClass.weight_milli;
+  }
+  const std::set<std::string> wanted(plan.raterIds.begin(), plan.raterIds.end());
+  std::map<std::string, std::vector<StoredRater>> byClass;
+  std::size_t found = 0;
+  for (StoredRater& rater : PeopleRepository(workplace.connection()).raters()) {
+    if (!wanted.contains(rater.person.id) || rater.person.state != "active") continue;
+    ++found;
+    const auto known = weight_milli.find(rater.classCode);
+    if (known == weight_milli.end() || known->second == 0) {
+      refuse(Text("the class %1 has no weight in this evaluation", rater.classCode), rater.person.code,
+             "Give the class a weight, or leave the rater out");
+    }
+    byClass[rater.classCode].push_back(std::move(rater));
+  }
+  if (found != wanted.size())
+    refuse("somebody of the list is no active rater", "raters", "Choose from the list");
+  for (const auto& [code, weight] : weight_milli) {
+    if (weight > 0 && byClass[code].empty()) {
+      refuse(Text("nobody scores in the class %1, which has a weight", code), "raters",
+             "Choose raters of this class, or take its weight away");
+    }
+  }
+  return byClass;
+}
+
+}  // namespace
+
+EvaluationInstrument paperEvaluationInstrument() {
+  EvaluationInstrument instrument = paperInstrument();
+  const char* codes[] = {"intern", "deputy_chief", "chief"};
+  for (std::size_t i = 0; i < instrument.classes.size(); ++i) instrument.classes[i].id = codes[i];
+  return instrument;
+}
+
+std::string addCampaign(Workplace& workplace, const CampaignPlan& plan) {
+  workplace.require(Operation::kEvaluationSetup);
+  if (plan.name.empty()) refuse("the evaluation has no name", "name", "Enter one");
+  checkModels(plan.models);
+  validateInstrument(plan.instrument);
+  Transaction transaction(workplace.connection());
+  const std::uint64_t seed = plan.seed ? *plan.seed : drawSeed(workplace.ids());
+  StoredCampaign campaign;
+  campaign.id = workplace.ids().newUuid();
+  campaign.name = plan.name;
+  campaign.instrument = plan.instrument;
+  campaign.createdUtc_us = workplace.now_us();
+  campaign.demonstration = plan.demonstration;
+  Random labelDraw = Random::forStream(seed, kLabelStream);
+  const std::vector<std::string> labels = hiddenLabels(plan.models.size(), labelDraw);
+  for (std::size_t i = 0; i < plan.models.size(); ++i) {
+    campaign.models.push_back(
+        {plan.models[i].code, plan.models[i].label, labels[i], static_cast<std::int64_t>(i + 1)});
+  }
+  Random orderDraw = Random::forStream(seed, kOrderStream);
+  for (const auto& [classCode, raters] : ratersByClass(workplace, plan)) {
+    // Each class goes through all orders before one comes again; which rater gets which is drawn.
+    std::vector<std::vector<std::size_t>> orders;
+    for (std::size_t i = 0; i < raters.size(); ++i) {
+      if (orders.empty()) {
+        orders = ordersOf(plan.models.size());
+        orderDraw.shuffle(std::span<std::vector<std::size_t>>(orders));
+      }
+      std::string text;
+      for (const std::size_t model : orders.back()) {
+        text += (text.empty() ? "" : ",") + plan.models[model].code;
+      }
+      orders.pop_back();
+      campaign.raters.push_back({raters[i].person.id, classCode, text});
+    }
+  }
+  EvaluationRepository(workplace.connection()).addCampaign(campaign);
+  workplace.note({.action = "evaluation.add",
+                  .objectKind = "evaluation_campaign",
+                  .objectId = campaign.id,
+                  .newJson = nlohmann::json{{"models", plan.models.size()},
+                                            {"raters", campaign.raters.size()},
+                                            {"seed", std::to_string(seed)}}
+                                 .dump()});
+  transaction.commit();
+  return campaign.id;
+}
+
+std::vector<CampaignRow> campaigns(Workplace& workplace) {
+  workplace.require(Operation::kEvaluationSetup);
+  EvaluationRepository repository(workplace.connection());
+  std::map<std::string, std::string> codes;
+  for (const StoredRater& rater : PeopleRepository(workplace.connection()).raters()) {
+    codes[rater.person.id] = rater.person.code;
+  }
+  std::vector<CampaignRow> rows;
+  for (const auto& [id, name] : repository.campaigns()) {
+    CampaignRow row;
+    row.campaign = repository.campaign(id).value();
+    const std::size_t each = row.campaign.models.size() * row.campaign.instrument.indices.size();
+    std::map<std::string, std::size_t> submitted;
+    for (const StoredEvaluationMark& mark : repository.marks(id)) ++submitted[mark.raterId];
+    for (const StoredCampaignRater& rater : row.campaign.raters) {
+      row.raters.push_back(
+          {rater.raterId, codes[rater.raterId], rater.classCode, submitted[rater.raterId], each});
+      row.marksExpected += each;
+      row.marksSubmitted += submitted[rater.raterId];
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace torsio

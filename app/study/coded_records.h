@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "db/repository/rating_repository.h"
+#include "db/repository/trial_repository.h"
+
+namespace torsio {
+
+/// Recordings under their codes, newest first. kTrialViewCoded.
+[[nodiscard]] std::vector<TrialListing> codedTrials(Workplace& workplace, const TrialFilter& filter = {});
+
+/// Every newest mark of a cohort under the codes of trainee and rater. kMarkViewCoded.
+[[nodiscard]] std::vector<StoredTrainingMark> codedMarks(Workplace& workplace, const std::string& cohortId);
+
+}  // namespace torsio

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/study/cohort_service.h"
+
+#include <algorithm>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "db/repository/curriculum_repository.h"
+#include "db/repository/people_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
+  throw Error(ErrorCode::kBadData, what, where, remedy);
+}
+
+StoredCohort cohortOf(StudyRepository& study, const std::string& cohortId) {
+  for (StoredCohort& cohort : study.cohorts()) {
+    if (cohort.id == cohortId) return cohort;
+  }
+  refuse("there is no such cohort", cohortId, "Choose one from the list");
+}
+
+StoredEnrolment enrolmentOf(StudyRepository& study, const std::string& cohortId,
+                            const std::string& enrolmentId) {
+  for (StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+    if (enrolment.id == enrolmentId) return enrolment;
+  }
+  refuse("nobody is enrolled here under this number", enrolmentId, "Choose one from the list");
+}
+
+void checkNewCohort(const NewCohort& cohort) {
+  const auto bad = [](const Text& what, const Text& remedy) {
+    throw Error(ErrorCode::kBadParameter, what, "cohort", remedy);
+  };
+  if (cohort.name.empty()) bad("the cohort has no name", "Enter one");
+  if (cohort.groups.empty() && cohort.curriculumVersionId.empty()) {
+    bad("the cohort has no groups", "Name its groups, or choose a curriculum whose arms they follow");
+  }
+  std::set<std::string> codes;
+  for (const NewGroup& group : cohort.groups) {
+    if (group.code.empty()) bad("a group has no code", "Give each group a short code, such as G1");
+    if (!codes.insert(group.code).second)
+      bad(Text("two groups are called %1", group.code), "Rename one of them");
+  }
+}
+
+/// What a phase id means, within the arm of an enrolment.
+const StoredPhase* phaseOf(const StoredArm& arm, const std::string& phaseId) {
+  const auto found = std::find_if(arm.phases.begin(), arm.phases.end(),
+                                  [&](const StoredPhase& phase) { return phase.id == phaseId; });
+  return found == arm.phases.end() ? nullptr : &*found;
+}
+
+void checkPhase(Workplace& workplace, const StoredCohort& cohort, const StoredEnrolment& enrolment,
+                const NewExposure& exposure) {
+  if (exposure.phaseId.empty()) return;
+  const auto version = CurriculumRepository(workplace.connection()).version(cohort.curriculumVersionId);
+  if (!version) refuse("the cohort follows no curriculum", "phase", "Record the time without a phase");
+  StudyRepository study(workplace.connection());
+  std::string armId;
+  for (const StoredGroup& group : study.groups(cohort.id)) {
+    if (group.id == enrolment.groupId) armId = group.armId;
+  }
+  for (const StoredArm& arm : version->arms) {
+    if (arm.id != armId) continue;
+    const StoredPhase* phase = phaseOf(arm, exposure.phaseId);
+    if (phase == nullptr) break;
+    if (exposure.kind == "rest" || phase->kind == exposure.kind) return;
+    refuse(Text("the phase is %1, the time is %2", phase->kind, exposure.kind), enrolment.traineeCode,
+           "Record it for the phase that it was spent in");
+  }
+  refuse("this phase belongs to another arm", enrolment.traineeCode,
+         "Choose a phase of the trainee's own arm");
+}
+
+}  // namespace
+
+std::vector<CohortRow> cohorts(Workplace& workplace) {
+  workplace.require(Operation::kPersonViewCoded);
+  StudyRepository study(workplace.connection());
+  CurriculumRepository curricula(workplace.connection());
+  std::vector<CohortRow> rows;
+  for (StoredCohort& cohort : study.cohorts()) {
+    CohortRow row;
+    row.groups = study.groups(cohort.id);
+    for (const StoredEnrolment& enrolment : study.enrolments(cohort.id)) {
+      if (enrolment.state == "withdrawn") {
+        ++row.withdrawn;
+        continue;
+      }
+      ++row.enrolled;
+      if (!enrolment.groupId.empty()) ++row.allocated;
+    }
+    if (const auto version = curricula.version(cohort.curriculumVersionId)) {
+      row.curriculumNumber = version->number;
+      for (const StoredCurriculum& curriculum : curricula.curricula()) {
+        if (curriculum.id == version->curriculumId) row.curriculumName = curriculum.name;
+      }
+    }
+    row.cohort = std::move(cohort);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<StoredEnrolment> enrolments(Workplace& workplace, const std::string& cohortId) {
+  workplace.require(Operation::kPersonViewCoded);
+  std::vector<StoredEnrolment> list = StudyRepository(workplace.connection()).enrolments(cohortId);
+  if (workplace.may(Operation::kAllocationView)) return list;
+  for (StoredEnrolment& enrolment : list) {
+    enrolment.groupId.clear();
+    enrolment.groupCode.clear();
+    enrolment.numberInGroup = 0;
+  }
+  // The order tells the groups, too.
+  std::sort(list.begin(), list.end(),
+            [](const StoredEnrolment& a, const StoredEnrolment& b) { return a.traineeCode < b.traineeCode; });
+  return list;
+}
+
+std::string addCohort(Workplace& workplace, const NewCohort& cohort) {
+  workplace.require(Operation::kStudySetup);
+  checkNewCohort(cohort);
+  Transaction transaction(workplace.connection());
+  const std::string id = workplace.ids().newUuid();
+  std::vector<NewGroup> names = cohort.groups;
+  CurriculumRepository curricula(workplace.connection());
+  if (names.empty()) {
+    const auto version = curricula.version(cohort.curriculumVersionId);
+    if (!version)
+      refuse("there is no such curriculum", cohort.curriculumVersionId, "Choose one from the list");
+    for (const StoredArm& arm : version->arms) names.push_back({arm.code, arm.label});
+  }
+  std::vector<StoredGroup> groups;
+  for (const NewGroup& group : names) {
+    groups.push_back({workplace.ids().newUuid(), id, static_cast<std::int64_t>(groups.size() + 1), group.code,
+                      group.label});
+  }
+  StudyRepository(workplace.connection())
+      .addCohort({id, cohort.name, cohort.description, workplace.now_us(), cohort.demonstration}, groups);
+  nlohmann::json now{{"groups", nlohmann::json::array()}, {"curriculum_version", cohort.curriculumVersionId}};
+  for (const StoredGroup& group : groups) now["groups"].push_back(group.code);
+  if (!cohort.curriculumVersionId.empty()) curricula.assign(id, cohort.curriculumVersionId);
+  workplace.note({.action = "cohort.add", .objectKind = "cohort", .objectId = id, .newJson = now.dump()});
+  transaction.commit();
+  return id;
+}
+
+void assignCurriculum(Workplace& workplace, const std::string& cohortId, const std::string& versionId) {
+  workplace.require(Operation::kStudySetup);
+  Transaction transaction(workplace.connection());
+  StudyRepository study(workplace.connection());
+  const StoredCohort before = cohortOf(study, cohortId);
+  if (!study.exposures(cohortId).empty()) {
+    refuse("training has begun: the curriculum of this cohort stays", before.name,
+           "Make another cohort for the other curriculum");
+  }
+  CurriculumRepository(workplace.connection()).assign(cohortId, versionId);
+  workplace.note({.action = "cohort.assign_curriculum",
+                  .objectKind = "cohort",
+                  .objectId = cohortId,
+                  .oldJson = nlohmann::json{{"curriculum_version", before.curriculumVersionId}}.dump(),
+                  .newJson = nlohmann::json{{"curriculum_version", versionId}}.dump()});
+  transaction.commit();
+}
+
+std::vector<std::string> enrolTrainees(Workplace& workplace, const std::string& cohortId,
+                                       const std::vector<std::string>& traineeIds) {
+  workplace.require(Operation::kStudyEnrol);
+  if (traineeIds.empty()) refuse("nobody was chosen", "enrolment", "Choose at least one trainee");
+  Transaction transaction(workplace.connection());
+  StudyRepository study(workplace.connection());
+  const StoredCohort cohort = cohortOf(study, cohortId);
+  std::set<std::string> enrolled;
+  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) enrolled.insert(enrolment.traineeId);
+  PeopleRepository people(workplace.connection());
+  std::vector<StoredEnrolment> records;
+  std::vector<std::string> ids;
+  for (const std::string& traineeId : traineeIds) {
+    const auto person = people.find(traineeId);
+    if (!person || person->state != "active" || !people.findTrainee(person->code)) {
+      refuse("this is no active trainee", person ? person->code : traineeId, "Choose one from the list");
+    }
+    if (!enrolled.insert(traineeId).second) {
+      refuse("is enrolled in this cohort already", person->code, "Leave them out");
+    }
+    ids.push_back(workplace.ids().newUuid());
+    records.push_back({.id = ids.back(),
+                       .cohortId = cohortId,
+                       .traineeId = traineeId,
+                       .enrolledUtc_us = workplace.now_us(),
+                       .demonstration = cohort.demonstration});
+    workplace.note({.action = "enrolment.add",
+                    .objectKind = "enrolment",
+                    .objectId = ids.back(),
+                    .newJson = nlohmann::json{{"cohort", cohortId}, {"trainee", person->code}}.dump()});
+  }
+  study.enrol(records);
+  transaction.commit();
+  return ids;
+}
+
+void setEnrolmentState(Workplace& workplace, const std::string& cohortId, const std::string& enrolmentId,
+                       const std::string& state, const std::string& reason) {
+  workplace.require(Operation::kStudyEnrol);
+  if (state != "enrolled" && state != "completed" && state != "withdrawn") {
+    refuse("this is no state of an enrolment", state, "Choose enrolled, completed or withdrawn");
+  }
+  if (state == "withdrawn" && reason.empty()) {
+    refuse("a withdrawal needs a reason", enrolmentId, "Say in a few words why");
+  }
+  Transaction transaction(workplace.connection());
+  StudyRepository study(workplace.connection());
+  const StoredEnrolment before = enrolmentOf(study, cohortId, enrolmentId);
+  study.setEnrolmentState(enrolmentId, state);
+  workplace.note({.action = "enrolment.set_state",
+                  .objectKind = "enrolment",
+                  .objectId = enrolmentId,
+                  .oldJson = nlohmann::json{{"state", before.state}}.dump(),
+                  .newJson = nlohmann::json{{"state", state}}.dump(),
+                  .reason = reason});
+  transaction.commit();
+}
+
+const std::vector<std::string>& deviationKinds() {
+  static const std::vector<std::string> kKinds{
+      "late",           "absent",        "device failed", "swapped", "phase cut short",
+      "phase too long", "rest too long", "other"};
+  return kKinds;
+}
+
+std::string reportDeviation(Workplace& workplace, const NewDeviation& deviation) {
+  workplace.require(Operation::kStudySetup);
+  if (std::find(deviationKinds().begin(), deviationKinds().end(), deviation.kind) == deviationKinds().end()) {
+    refuse("this kind of deviation is not known", deviation.kind, "Choose one from the list");
+  }
+  if (deviation.kind == "other" && deviation.description.empty()) {
+    refuse("\"other\" needs a description", "deviation", "Say in a few words what happened");
+  }
+  Transaction transaction(workplace.connection());
+  StudyRepository study(workplace.connection());
+  const StoredCohort cohort = cohortOf(study, deviation.cohortId);
+  if (!deviation.enrolmentId.empty()) (void)enrolmentOf(study, cohort.id, deviation.enrolmentId);
+  const std::int64_t now_us = workplace.now_us();
+  const std::string id = workplace.ids().newUuid();
+  study.addDeviation({id, cohort.id, deviation.enrolmentId, deviation.kind, deviation.description,
+                      deviation.happenedUtc_us == 0 ? now_us : deviation.happenedUtc_us,
+                      workplace.actor().userId, now_us, cohort.demonstration});
+  // The description is free text and may name somebody: it stays out of the trail.
+  workplace.note({.action = "deviation.report",
+                  .objectKind = "deviation",
+                  .objectId = id,
+                  .newJson = nlohmann::json{{"kind", deviation.kind},
+                                            {"cohort", cohort.id},
+                                            {"enrolment", deviation.enrolmentId}}
+                                 .dump()});
+  transaction.commit();
+  return id;
+}
+
+std::vector<StoredDeviation> deviations(Workplace& workplace, const std::string& cohortId) {
+  workplace.require(Operation::kPersonViewCoded);
+  return StudyRepository(workplace.connection()).deviations(cohortId);
+}
+
+std::string recordExposure(Workplace& workplace, const NewExposure& exposure) {
+  if (!workplace.may(Operation::kStudySetup)) workplace.require(Operation::kTrialRecordOwn);
+  if (exposure.kind != "virtual" && exposure.kind != "real" && exposure.kind != "rest") {
+    refuse("this is no kind of training time", exposure.kind, "Choose virtual, real or rest");
+  }
+  if (exposure.duration_us <= 0) refuse("no time was spent", "exposure", "Enter the minutes");
+  Transaction transaction(workplace.connection());
+  StudyRepository study(workplace.connection());
+  const StoredCohort cohort = cohortOf(study, exposure.cohortId);
+  const StoredEnrolment enrolment = enrolmentOf(study, exposure.cohortId, exposure.enrolmentId);
+  if (!workplace.may(Operation::kStudySetup)) {
+    workplace.requireOwn(Operation::kTrialRecordOwn, enrolment.traineeId);
+  }
+  if (enrolment.state == "withdrawn") {
+    refuse("has withdrawn from the study", enrolment.traineeCode, "Nothing is recorded any more");
+  }
+  checkPhase(workplace, cohort, enrolment, exposure);
+  StoredExposure stored{
+      workplace.ids().newUuid(), exposure.enrolmentId, exposure.phaseId,         exposure.kind,
+      exposure.startedUtc_us,    exposure.duration_us, workplace.actor().userId, enrolment.demonstration};
+  study.addExposures(std::span(&stored, 1));
+  workplace.note({.action = "exposure.record",
+                  .objectKind = "exposure",
+                  .objectId = stored.id,
+                  .newJson = nlohmann::json{{"enrolment", exposure.enrolmentId},
+                                            {"kind", exposure.kind},
+                                            {"phase", exposure.phaseId},
+                                            {"duration_us", exposure.duration_us}}
+                                 .dump()});
+  transaction.commit();
+  return stored.id;
+}
+
+}  // namespace torsio

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "db/repository/study_repository.h"
+
+namespace torsio {
+
+/// One cohort in a list.
+struct CohortRow {
+  StoredCohort cohort{};
+  std::vector<StoredGroup> groups{};
+  std::size_t enrolled = 0;   ///< not withdrawn
+  std::size_t allocated = 0;  ///< of these: in a group
+  std::size_t withdrawn = 0;
+  std::string curriculumName{};  ///< empty: follows none yet
+  std::int64_t curriculumNumber = 0;
+};
+
+/// All cohorts, oldest first. kPersonViewCoded.
+[[nodiscard]] std::vector<CohortRow> cohorts(Workplace& workplace);
+/// Enrolments in order of group and number. Without kAllocationView the groups are left out.
+/// kPersonViewCoded.
+[[nodiscard]] std::vector<StoredEnrolment> enrolments(Workplace& workplace, const std::string& cohortId);
+
+struct NewGroup {
+  std::string code{};   ///< "G1"
+  std::string label{};  ///< "40 min virtual"
+};
+struct NewCohort {
+  std::string name{};
+  std::string description{};
+  std::vector<NewGroup> groups{};     ///< empty: taken from the arms of the curriculum
+  std::string curriculumVersionId{};  ///< may be empty: assignCurriculum() later
+  bool demonstration = false;
+};
+/// Returns the id. Audited. kStudySetup. Throws Error{kBadParameter}: no name, no groups, a code twice;
+/// kBadData when the curriculum is not running or has not an arm a group.
+std::string addCohort(Workplace& workplace, const NewCohort& cohort);
+/// Ties the groups, number by number, to the arms of a running version. Audited. kStudySetup. Refused once
+/// training has begun.
+void assignCurriculum(Workplace& workplace, const std::string& cohortId, const std::string& versionId);
+
+/// Enrols trainees (ids of people), before allocation. Returns the ids of the enrolments. Audited.
+/// kStudyEnrol. Throws Error{kBadData} for somebody who is no active trainee or is enrolled already.
+std::vector<std::string> enrolTrainees(Workplace& workplace, const std::string& cohortId,
+                                       const std::vector<std::string>& traineeIds);
+/// "completed" or "withdrawn" (or back to "enrolled"); what was recorded stays. Audited. kStudyEnrol.
+void setEnrolmentState(Workplace& workplace, const std::string& cohortId, const std::string& enrolmentId,
+                       const std::string& state, const std::string& reason);
+
+/// Something that did not go by the protocol.
+struct NewDeviation {
+  std::string cohortId{};
+  std::string enrolmentId{};  ///< empty: the whole cohort
+  std::string kind{};         ///< one of deviationKinds()
+  std::string description{};
+  std::int64_t happenedUtc_us = 0;  ///< 0: now
+};
+/// "late", "absent", "device failed", "swapped", "phase cut short", "phase too long", "rest too long",
+/// "other".
+[[nodiscard]] const std::vector<std::string>& deviationKinds();
+/// Audited. kStudySetup.
+std::string reportDeviation(Workplace& workplace, const NewDeviation& deviation);
+/// Oldest first. kPersonViewCoded.
+[[nodiscard]] std::vector<StoredDeviation> deviations(Workplace& workplace, const std::string& cohortId);
+
+/// Time spent on the virtual or real arm, or resting.
+struct NewExposure {
+  std::string cohortId{};
+  std::string enrolmentId{};
+  std::string phaseId{};  ///< empty: outside any phase
+  std::string kind{};     ///< "virtual", "real", "rest"
+  std::int64_t startedUtc_us = 0;
+  std::int64_t duration_us = 0;
+};
+/// Append-only. One's own at the station: kTrialRecordOwn; anybody's, on the run day: kStudySetup. Audited.
+/// Throws Error{kBadData}: not enrolled, a phase of another arm, a kind that is not the phase's, no time.
+std::string recordExposure(Workplace& workplace, const NewExposure& exposure);
+
+}  // namespace torsio

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What keeps a draft from being published.
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "app/study/curriculum_content.h"
+#include "assessment/metrics/metric_cards.h"
+#include "sim/base/error.h"
+#include "sim/scene/scene.h"
+
+namespace torsio {
+
+namespace {
+
+/// Unit of a metric that a mastery rule may name; empty: there is no such metric.
+std::optional<std::string_view> unitOf(const std::string& metric) {
+  if (metric == kOnTargetMetric) return "1";
+  if (metric == kTargetsReachedMetric) return "count";
+  for (const MetricCard& card : metricCards()) {
+    if (card.id == metric) return card.unit;
+  }
+  return std::nullopt;
+}
+
+/// Goes through a draft in reading order and collects what is wrong.
+class Examination {
+ public:
+  Examination(const StoredCurriculumVersion& content, const std::filesystem::path& assets)
+      : content_(content), assets_(assets) {}
+
+  std::vector<CurriculumProblem> run() {
+    if (content_.modules.empty() && content_.arms.empty()) {
+      add("curriculum", "has neither modules nor arms", "Add a module, or begin with a template");
+    }
+    readScenes();
+    checkCodes();
+    for (const StoredModule& module : content_.modules) checkModule(module);
+    checkCircle();
+    for (const StoredArm& arm : content_.arms) checkArm(arm);
+    checkScoringPoints();
+    return std::move(problems_);
+  }
+
+ private:
+  void add(const Text& where, const Text& what, const Text& remedy) {
+    problems_.push_back({where, what, remedy});
+  }
+
+  void readScenes() {
+    if (assets_.empty()) return;
+    for (const std::string& scene : sceneIds(assets_)) {
+      try {
+        patterns_[scene] = patternIds(assets_, scene);
+      } catch (const Error& problem) {
+        add(Text("scene %1", scene), problem.happenedText(), problem.remedyText());
+      }
+    }
+  }
+
+  void checkCodes() {
+    std::set<std::string> seen;
+    for (const StoredModule& module : content_.modules) {
+      if (module.code.empty()) {
+        add(Text("module \"%1\"", module.title), "has no code", "Give it a short one, such as M1");
+      } else if (!seen.insert(module.code).second) {
+        add(Text("module %1", module.code), "has the code of another module", "Rename one of them");
+      }
+    }
+    modules_ = seen;
+    seen.clear();
+    for (const StoredArm& arm : content_.arms) {
+      if (arm.code.empty()) {
+        add(Text("arm \"%1\"", arm.label), "has no code", "Give it a short one, such as G1");
+      } else if (!seen.insert(arm.code).second) {
+        add(Text("arm %1", arm.code), "has the code of another arm", "Rename one of them");
+      }
+    }
+  }
+
+  void checkModule(const StoredModule& module) {
+    const Text where("module %1", module.code);
+    if (module.title.empty()) add(where, "has no title", "Say in a few words what is practised");
+    checkScene(module, where);
+    const std::vector<std::string>& kinds = exerciseKinds();
+    if (std::find(kinds.begin(), kinds.end(), module.exerciseKind) == kinds.end()) {
+      add(where, Text("has an unknown exercise \"%1\"", module.exerciseKind), "Choose one from the list");
+    }
+    if (module.mode != "practice" && module.mode != "graded") {
+      add(where, "is neither practice nor graded", "Choose one of the two");
+    }
+    if (module.targetAngle_rad == 0.0) add(where, "has a target of 0 degrees", "Enter how far to twist");
+    if (module.tolerance_rad <= 0.0) add(where, "has no tolerance", "Enter at least one degree");
+    if (module.maxForce_N && *module.maxForce_N <= 0.0) {
+      add(where, "allows no force", "Enter a limit above 0 N, or none");
+    }
+    if (module.maxTorque_Nm && *module.maxTorque_Nm <= 0.0) {
+      add(where, "allows no torque", "Enter a limit above 0 N m, or none");
+    }
+    for (const std::string& required : module.requires_) {
+      if (required == module.code) {
+        add(where, "requires itself", "Remove it from its own prerequisites");
+      } else if (!modules_.contains(required)) {
+        add(where, Text("requires \"%1\", which is no module of this curriculum", required),
+            "Choose prerequisites from the list");
+      }
+    }
+    checkMastery(module, where);
+  }
+
+  void checkScene(const StoredModule& module, const Text& where) {
+    if (assets_.empty()) return;
+    const auto scene = patterns_.find(module.sceneId);
+    if (scene == patterns_.end()) {
+      add(where, Text("has an unknown scene \"%1\"", module.sceneId), "Choose one from the list");
+      return;
+    }
+    if (std::find(scene->second.begin(), scene->second.end(), module.patternId) == scene->second.end()) {
+      add(where, Text("has a pattern \"%1\" that the scene %2 lacks", module.patternId, module.sceneId),
+          "Choose one from the list");
+    }
+  }
+
+  void checkMastery(const StoredModule& module, const Text& where) {
+    std::set<std::string> seen;
+    for (const StoredMasteryRule& rule : module.mastery) {
+      const Text place("%1, mastery %2", where, rule.metric);
+      const std::optional<std::string_view> unit = unitOf(rule.metric);
+      if (!unit) {
+        add(place, "is measured by nothing", "Choose a metric from the list");
+      } else if (rule.unit != *unit) {
+        add(place, Text("is given in \"%1\"", rule.unit), Text("Give it in %1", std::string(*unit)));
+      }
+      if (!seen.insert(rule.metric).second) add(place, "stands twice", "Keep one of the two rules");
+      if (rule.comparison != "at_least" && rule.comparison != "at_most") {
+        add(place, Text("compares by \"%1\"", rule.comparison), "Choose at least or at most");
+      }
+      if (module.attemptLimit && rule.consecutive > *module.attemptLimit) {
+        add(place,
+            Text("asks for %1 in a row, but only %2 attempts are allowed", rule.consecutive,
+                 *module.attemptLimit),
+            "Allow more attempts, or ask for fewer");
+      }
+    }
+  }
+
+  /// Takes away, again and again, the modules whose prerequisites are all gone; what stays runs in a circle.
+  void checkCircle() {
+    std::map<std::string, std::vector<std::string>> open;
+    for (const StoredModule& module : content_.modules) open[module.code] = module.requires_;
+    for (std::size_t before = 0; before != open.size();) {
+      before = open.size();
+      std::erase_if(open, [&](const auto& entry) {
+        return std::none_of(entry.second.begin(), entry.second.end(), [&](const std::string& code) {
+          return code != entry.first && open.contains(code);
+        });
+      });
+    }
+    if (open.empty()) return;
+    std::string names;
+    for (const auto& [code, required] : open) names += (names.empty() ? "" : ", ") + code;
+    add(Text("modules %1", names), "wait for each other: nobody could ever begin them",
+        "Remove one prerequisite");
+  }
+
+  void checkArm(const StoredArm& arm) {
+    const Text where("arm %1", arm.code);
+    if (arm.label.empty()) add(where, "has no name", "Say in a few words what it goes through");
+    if (arm.phases.empty()) add(where, "has no phases", "Add at least one");
+    for (std::size_t i = 0; i < arm.phases.size(); ++i) {
+      const StoredPhase& phase = arm.phases[i];
+      const Text place("%1, phase %2", where, i + 1);
+      if (phase.kind != "virtual" && phase.kind != "real") {
+        add(place, "is neither on the virtual nor on the real arm", "Choose one of the two");
+      }
+      if (phase.label.empty()) add(place, "has no name", "Give it one, such as \"virtual 0-20 min\"");
+      if (phase.duration_us <= 0) add(place, "takes no time", "Enter its minutes");
+      if (!phase.moduleId.empty() && !modules_.contains(phase.moduleId)) {
+        add(place, Text("practises \"%1\", which is no module of this curriculum", phase.moduleId),
+            "Choose one from the list, or none for any module");
+      }
+      if (!phase.moduleId.empty() && phase.kind == "real") {
+        add(place, "names a module of the simulator, but happens on the real arm", "Remove the module");
+      }
+    }
+  }
+
+  void checkScoringPoints() {
+    std::set<std::string> seen;
+    std::int64_t longest_us = 0;
+    for (const StoredArm& arm : content_.arms) {
+      std::int64_t total_us = 0;
+      for (const StoredPhase& phase : arm.phases) total_us += phase.duration_us;
+      longest_us = std::max(longest_us, total_us);
+    }
+    std::int64_t before_us = -1;
+    for (const char* code : {"pre", "mid", "post"}) {
+      for (const StoredScoringPoint& point : content_.scoringPoints) {
+        if (point.code != code) continue;
+        const Text where("scoring point %1", code);
+        if (!seen.insert(code).second) add(where, "stands twice", "Keep one of the two");
+        if (point.afterExposure_us <= before_us) {
+          add(where, "does not come after the one before", "Give each a later time than the last");
+        }
+        before_us = point.afterExposure_us;
+        if (!content_.arms.empty() && point.afterExposure_us > longest_us) {
+          add(where, "comes later than any arm trains", "Give an earlier time, or longer phases");
+        }
+      }
+    }
+    for (const StoredScoringPoint& point : content_.scoringPoints) {
+      if (!seen.contains(point.code)) {
+        add(Text("scoring point \"%1\"", point.code), "is not known", "Choose pre, mid or post");
+      }
+    }
+  }
+
+  const StoredCurriculumVersion& content_;
+  const std::filesystem::path& assets_;
+  std::set<std::string> modules_;
+  std::map<std::string, std::vector<std::string>> patterns_;
+  std::vector<CurriculumProblem> problems_;
+};
+
+}  // namespace
+
+const std::vector<std::string>& exerciseKinds() {
+  static const std::vector<std::string> kKinds{"twist to target", "hold", "follow"};
+  return kKinds;
+}
+
+std::vector<CurriculumProblem> curriculumProblems(const StoredCurriculumVersion& content,
+                                                  const std::filesystem::path& assets) {
+  return Examination(content, assets).run();
+}
+
+}  // namespace torsio

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/study/curriculum_service.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "db/repository/study_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+StoredCurriculum curriculumOf(CurriculumRepository& repository, const std::string& curriculumId) {
+  for (StoredCurriculum& curriculum : repository.curricula()) {
+    if (curriculum.id == curriculumId) return curriculum;
+  }
+  throw Error(ErrorCode::kBadData, "there is no such curriculum", curriculumId, "Choose one from the list");
+}
+
+/// A stored version as a draft: codes in place of ids.
+StoredCurriculumVersion withCodes(StoredCurriculumVersion version) {
+  std::map<std::string, std::string> codes;
+  for (const StoredModule& module : version.modules) codes[module.id] = module.code;
+  for (StoredModule& module : version.modules) {
+    module.id = module.code;
+    for (std::string& required : module.requires_) required = codes[required];
+  }
+  for (StoredArm& arm : version.arms) {
+    arm.id = arm.code;
+    for (StoredPhase& phase : arm.phases) {
+      phase.id.clear();
+      if (!phase.moduleId.empty()) phase.moduleId = codes[phase.moduleId];
+    }
+  }
+  return version;
+}
+
+/// A draft as a version: ids in place of codes.
+StoredCurriculumVersion withIds(StoredCurriculumVersion content, IdSource& ids) {
+  std::map<std::string, std::string> idOf;
+  for (StoredModule& module : content.modules) {
+    module.id = ids.newUuid();
+    idOf[module.code] = module.id;
+  }
+  for (StoredModule& module : content.modules) {
+    for (std::string& required : module.requires_) required = idOf.at(required);
+  }
+  for (StoredArm& arm : content.arms) {
+    arm.id = ids.newUuid();
+    for (StoredPhase& phase : arm.phases) {
+      phase.id = ids.newUuid();
+      if (!phase.moduleId.empty()) phase.moduleId = idOf.at(phase.moduleId);
+    }
+  }
+  return content;
+}
+
+void moveTo(Workplace& workplace, const std::string& versionId, const std::string& state,
+            const std::string& reason) {
+  workplace.require(Operation::kCurriculumEdit);
+  Transaction transaction(workplace.connection());
+  CurriculumRepository(workplace.connection())
+      .moveTo(versionId, state, workplace.actor().userId, workplace.now_us());
+  workplace.note({.action = "curriculum." + state,
+                  .objectKind = "curriculum_version",
+                  .objectId = versionId,
+                  .newJson = nlohmann::json{{"state", state}}.dump(),
+                  .reason = reason});
+  transaction.commit();
+}
+
+}  // namespace
+
+std::vector<CurriculumRow> curricula(Workplace& workplace) {
+  workplace.require(Operation::kPersonViewCoded);
+  CurriculumRepository repository(workplace.connection());
+  std::map<std::string, std::vector<std::string>> followers;
+  for (const StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts())
+    followers[cohort.curriculumVersionId].push_back(cohort.name);
+  std::vector<CurriculumRow> rows;
+  for (StoredCurriculum& curriculum : repository.curricula()) {
+    CurriculumRow row;
+    if (const auto draft = repository.draft(curriculum.id)) {
+      row.hasDraft = true;
+      row.draftChangedUtc_us = draft->changedUtc_us;
+    }
+    for (const std::string& id : repository.versionIds(curriculum.id)) {
+      const StoredCurriculumVersion version = repository.version(id).value();
+      row.versions.push_back(
+          {id, version.number, version.note, version.state, version.createdUtc_us, followers[id]});
+    }
+    row.curriculum = std::move(curriculum);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+StoredCurriculumVersion publishedContent(Workplace& workplace, const std::string& versionId) {
+  workplace.require(Operation::kPersonViewCoded);
+  auto version = CurriculumRepository(workplace.connection()).version(versionId);
+  if (!version) {
+    throw Error(ErrorCode::kBadData, "there is no such version", versionId, "Choose one from the list");
+  }
+  return withCodes(*std::move(version));
+}
+
+std::optional<StoredCurriculumVersion> curriculumVersion(Workplace& workplace, const std::string& versionId) {
+  if (!workplace.may(Operation::kPractice)) workplace.require(Operation::kPersonViewCoded);
+  return CurriculumRepository(workplace.connection()).version(versionId);
+}
+
+std::string addCurriculum(Workplace& workplace, const std::string& name, const std::string& description,
+                          const std::optional<StoredCurriculumVersion>& content, bool demonstration) {
+  workplace.require(Operation::kCurriculumEdit);
+  if (name.empty()) {
+    throw Error(ErrorCode::kBadParameter, "the curriculum has no name", "curriculum", "Enter one");
+  }
+  Transaction transaction(workplace.connection());
+  CurriculumRepository repository(workplace.connection());
+  const std::string id = workplace.ids().newUuid();
+  repository.addCurriculum({id, name, description, workplace.now_us(), demonstration});
+  repository.saveDraft(id, {0, curriculumJson(content.value_or(StoredCurriculumVersion{})),
+                            workplace.actor().userId, workplace.now_us()});
+  workplace.note({.action = "curriculum.add", .objectKind = "curriculum", .objectId = id});
+  transaction.commit();
+  return id;
+}
+
+CurriculumDraft curriculumDraft(Workplace& workplace, const std::string& curriculumId) {
+  workplace.require(Operation::kCurriculumEdit);
+  CurriculumRepository repository(workplace.connection());
+  const StoredCurriculum curriculum = curriculumOf(repository, curriculumId);
+  if (const auto draft = repository.draft(curriculumId)) {
+    return {draft->revision, parseCurriculum(draft->contentJson, curriculum.name), draft->changedBy,
+            draft->changedUtc_us};
+  }
+  const std::vector<std::string> versions = repository.versionIds(curriculumId);
+  if (versions.empty()) return {};
+  return {0, withCodes(repository.version(versions.back()).value()), "", 0};
+}
+
+std::int64_t saveCurriculumDraft(Workplace& workplace, const std::string& curriculumId,
+                                 const CurriculumDraft& draft) {
+  workplace.require(Operation::kCurriculumEdit);
+  Transaction transaction(workplace.connection());
+  const std::int64_t revision = CurriculumRepository(workplace.connection())
+                                    .saveDraft(curriculumId, {draft.revision, curriculumJson(draft.content),
+                                                              workplace.actor().userId, workplace.now_us()});
+  // One entry for the first save in a row of the same person would hide who wrote what: each save counts.
+  workplace.note({.action = "curriculum.save_draft",
+                  .objectKind = "curriculum_draft",
+                  .objectId = curriculumId,
+                  .newJson = nlohmann::json{{"revision", revision}}.dump()});
+  transaction.commit();
+  return revision;
+}
+
+std::string publishCurriculum(Workplace& workplace, const std::string& curriculumId, const std::string& note,
+                              const std::filesystem::path& assets) {
+  workplace.require(Operation::kCurriculumEdit);
+  Transaction transaction(workplace.connection());
+  const CurriculumDraft draft = curriculumDraft(workplace, curriculumId);
+  for (const CurriculumProblem& problem : curriculumProblems(draft.content, assets)) {
+    throw Error(ErrorCode::kBadData, problem.what, problem.where, problem.remedy);
+  }
+  CurriculumRepository repository(workplace.connection());
+  StoredCurriculumVersion version = withIds(draft.content, workplace.ids());
+  version.id = workplace.ids().newUuid();
+  version.curriculumId = curriculumId;
+  version.number = static_cast<std::int64_t>(repository.versionIds(curriculumId).size() + 1);
+  version.note = note;
+  version.createdUtc_us = workplace.now_us();
+  repository.addVersion(version, workplace.actor().userId);
+  workplace.note({.action = "curriculum.publish",
+                  .objectKind = "curriculum_version",
+                  .objectId = version.id,
+                  .newJson = nlohmann::json{{"curriculum", curriculumId},
+                                            {"number", version.number},
+                                            {"draft_revision", draft.revision}}
+                                 .dump()});
+  transaction.commit();
+  return version.id;
+}
+
+void runCurriculum(Workplace& workplace, const std::string& versionId) {
+  moveTo(workplace, versionId, "running", "");
+}
+
+void closeCurriculum(Workplace& workplace, const std::string& versionId, const std::string& reason) {
+  moveTo(workplace, versionId, "closed", reason);
+}
+
+}  // namespace torsio

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/study/drawn_seed.h"
+
+#include "sim/base/digest.h"
+
+namespace torsio {
+
+std::uint64_t drawSeed(IdSource& ids) {
+  // 122 random bits of a UUID, spread over 64 by the hash.
+  Digest digest;
+  digest.update(ids.newUuid());
+  const Digest::Value value = digest.value();
+  std::uint64_t seed = 0;
+  for (std::size_t i = 0; i < sizeof(seed); ++i) seed = seed << 8U | value[i];
+  return seed;
+}
+
+}  // namespace torsio

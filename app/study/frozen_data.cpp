@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/study/frozen_data.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "db/repository/access_repository.h"
+#include "db/repository/evaluation_repository.h"
+#include "db/repository/field_digest.h"
+#include "db/repository/freeze_repository.h"
+#include "db/repository/rating_repository.h"
+#include "db/repository/seals.h"
+#include "db/repository/study_repository.h"
+#include "sim/base/digest.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+using nlohmann::json;
+using Hashes = std::map<std::string, std::string>;  ///< id of a row -> hash over it
+using Manifest = std::map<std::string, Hashes>;     ///< table -> rows
+
+constexpr const char* kFormat = "torsio frozen data 1";
+constexpr std::size_t kShownDifferences = 20;
+
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
+  throw Error(ErrorCode::kBadParameter, what, where, remedy);
+}
+
+std::string hashOf(const StoredEnrolment& row) {
+  FieldDigest digest("torsio frozen enrolment 1");
+  digest.add(row.id).add(row.traineeCode).add(row.groupId).add(row.numberInGroup).add(row.state);
+  return digest.hex();
+}
+
+std::string hashOf(const StoredExposure& row) {
+  FieldDigest digest("torsio frozen exposure 1");
+  digest.add(row.id).add(row.enrolmentId).add(row.phaseId).add(row.kind).add(row.startedUtc_us);
+  digest.add(row.duration_us);
+  return digest.hex();
+}
+
+/// The description may be erased with a person and stays out.
+std::string hashOf(const StoredDeviation& row) {
+  FieldDigest digest("torsio frozen deviation 1");
+  digest.add(row.id).add(row.enrolmentId).add(row.kind).add(row.happenedUtc_us);
+  return digest.hex();
+}
+
+std::string hashOf(const StoredCampaign& campaign) {
+  FieldDigest digest("torsio frozen campaign 1");
+  digest.add(campaign.id).add(campaign.name);
+  const EvaluationInstrument& instrument = campaign.instrument;
+  digest.add(instrument.scale.lo).add(instrument.scale.hi).add(instrument.scale.stepsPerPoint);
+  for (const RaterClass& part : instrument.classes) digest.add(part.id).add(part.weight_milli);
+  for (const EvaluationIndex& part : instrument.indices) digest.add(part.id).add(part.weight_milli);
+  for (const StoredModel& model : campaign.models) digest.add(model.code).add(model.hiddenLabel);
+  for (const StoredCampaignRater& rater : campaign.raters) {
+    digest.add(rater.raterId).add(rater.classCode).add(rater.modelOrder);
+  }
+  return digest.hex();
+}
+
+template <class Row>
+Hashes hashesOf(const std::vector<Row>& rows) {
+  Hashes hashes;
+  for (const Row& row : rows) hashes[row.id] = hashOf(row);
+  return hashes;
+}
+
+template <class Row>
+std::vector<std::string> idsOf(const std::vector<Row>& rows) {
+  std::vector<std::string> ids;
+  for (const Row& row : rows) ids.push_back(row.id);
+  return ids;
+}
+
+Manifest manifestOf(Workplace& workplace, const std::string& cohortId,
+                    const std::vector<std::string>& campaignIds) {
+  Connection& connection = workplace.connection();
+  StudyRepository study(connection);
+  Manifest manifest;
+  manifest["enrolment"] = hashesOf(study.enrolments(cohortId));
+  Hashes& allocations = manifest["allocation"];
+  for (const StoredAllocationDesign& design : study.designs(cohortId)) {
+    for (const StoredAllocation& record : study.allocations(design.id)) {
+      allocations[record.id] = record.recordHash;
+    }
+  }
+  manifest["exposure"] = hashesOf(study.exposures(cohortId));
+  manifest["deviation"] = hashesOf(study.deviations(cohortId));
+  if (const auto marks = idsOf(RatingRepository(connection).marks(cohortId)); !marks.empty()) {
+    manifest["training_mark"] = markHashes(connection, marks);
+  }
+  Hashes& trials = manifest["trial"];
+  const std::vector<std::string> trialIds = study.trialIds(cohortId);
+  for (const std::string& id : trialIds) trials[id] = "not ended";
+  if (!trialIds.empty()) {
+    for (const auto& [id, hash] : trialHashes(connection, trialIds)) trials[id] = hash;
+  }
+  EvaluationRepository evaluations(connection);
+  for (const std::string& campaignId : campaignIds) {
+    const auto campaign = evaluations.campaign(campaignId);
+    if (!campaign) refuse("there is no such evaluation", campaignId, "Choose one from the list");
+    manifest["evaluation_campaign"][campaignId] = hashOf(*campaign);
+    const auto marks = idsOf(evaluations.marks(campaignId));
+    if (marks.empty()) continue;
+    Hashes& all = manifest["evaluation_mark"];
+    all.merge(evaluationMarkHashes(connection, marks));
+  }
+  return manifest;
+}
+
+json manifestJson(const Manifest& manifest) {
+  return {{"format", kFormat}, {"rows", manifest}};
+}
+
+std::string hashOfText(const std::string& text) {
+  Digest digest;
+  digest.update(text);
+  return digest.hex();
+}
+
+Manifest manifestFrom(const StoredFreeze& stored) {
+  try {
+    return json::parse(stored.manifestJson).at("rows").get<Manifest>();
+  } catch (const json::exception& problem) {
+    throw Error(ErrorCode::kBadData, Text("the manifest cannot be read: %1", problem.what()), stored.name,
+                "Verify the database");
+  }
+}
+
+FrozenRow rowOf(const StoredFreeze& stored, const std::string& createdBy) {
+  Manifest manifest = manifestFrom(stored);
+  FrozenRow row{stored.id, stored.cohortId,      stored.name, stored.contentHash,
+                {},        stored.createdUtc_us, createdBy};
+  row.counts = {.enrolments = manifest["enrolment"].size(),
+                .allocations = manifest["allocation"].size(),
+                .exposures = manifest["exposure"].size(),
+                .deviations = manifest["deviation"].size(),
+                .marks = manifest["training_mark"].size(),
+                .trials = manifest["trial"].size(),
+                .campaigns = manifest["evaluation_campaign"].size(),
+                .evaluationMarks = manifest["evaluation_mark"].size()};
+  return row;
+}
+
+StoredCohort cohortOf(Workplace& workplace, const std::string& cohortId) {
+  for (StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts()) {
+    if (cohort.id == cohortId) return cohort;
+  }
+  refuse("there is no such cohort", cohortId, "Choose one from the list");
+}
+
+std::optional<StoredFreeze> findFreeze(Workplace& workplace, const std::string& frozenId) {
+  FreezeRepository repository(workplace.connection());
+  for (const StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts()) {
+    for (StoredFreeze& freeze : repository.list(cohort.id)) {
+      if (freeze.id == frozenId) return std::move(freeze);
+    }
+  }
+  return std::nullopt;
+}
+
+/// What differs between two states of one table, in words.
+void compareTable(const std::string& table, const Hashes& then, const Hashes& now, FrozenCheck& check) {
+  const auto add = [&](const Text& difference) {
+    check.same = false;
+    if (check.differences.size() < kShownDifferences) check.differences.push_back(difference);
+  };
+  for (const auto& [id, hash] : then) {
+    const auto present = now.find(id);
+    if (present == now.end()) {
+      add(Text("%1 %2 is no longer there", table, id));
+    } else if (present->second != hash) {
+      add(Text("%1 %2 has changed", table, id));
+    }
+  }
+  for (const auto& [id, hash] : now) {
+    if (!then.contains(id)) add(Text("%1 %2 was added", table, id));
+  }
+}
+
+}  // namespace
+
+FrozenRow freezeData(Workplace& workplace, const std::string& cohortId, const std::string& name,
+                     const std::vector<std::string>& campaignIds) {
+  workplace.require(Operation::kResultsCompute);
+  if (name.empty()) refuse("the data set has no name", "name", "Enter one");
+  Transaction transaction(workplace.connection());
+  FreezeRepository repository(workplace.connection(), workplace.station());
+  if (repository.findByName(name)) {
+    refuse("another data set has this name", name, "Choose another name; frozen data stay as they are");
+  }
+  const StoredCohort cohort = cohortOf(workplace, cohortId);
+  StoredFreeze freeze;
+  freeze.id = workplace.ids().newUuid();
+  freeze.cohortId = cohortId;
+  freeze.name = name;
+  freeze.manifestJson = manifestJson(manifestOf(workplace, cohortId, campaignIds)).dump();
+  freeze.contentHash = hashOfText(freeze.manifestJson);
+  freeze.createdBy = workplace.actor().userId;
+  freeze.createdUtc_us = workplace.now_us();
+  freeze.demonstration = cohort.demonstration;
+  repository.add(freeze);  // with its entry in the trail
+  transaction.commit();
+  return rowOf(freeze, workplace.actor().login);
+}
+
+std::vector<FrozenRow> frozenData(Workplace& workplace, const std::string& cohortId) {
+  workplace.require(Operation::kResultsCompute);
+  std::map<std::string, std::string> loginOf;  // by user
+  for (const StoredUser& user : AccessRepository(workplace.connection()).users())
+    loginOf.emplace(user.id, user.login);
+  std::vector<FrozenRow> rows;
+  for (const StoredFreeze& stored : FreezeRepository(workplace.connection()).list(cohortId)) {
+    const auto known = loginOf.find(stored.createdBy);
+    rows.push_back(rowOf(stored, known == loginOf.end() ? stored.createdBy : known->second));
+  }
+  return rows;
+}
+
+FrozenCheck compareWithFrozen(Workplace& workplace, const std::string& frozenId) {
+  workplace.require(Operation::kResultsCompute);
+  const auto stored = findFreeze(workplace, frozenId);
+  if (!stored) refuse("there is no such data set", frozenId, "Choose one from the list");
+  FrozenCheck check;
+  if (hashOfText(stored->manifestJson) != stored->contentHash) {
+    check.same = false;
+    check.differences.emplace_back(
+        Text("the manifest does not fit its hash: the database was tampered with"));
+    return check;
+  }
+  const Manifest then = manifestFrom(*stored);
+  std::vector<std::string> campaignIds;
+  if (const auto campaigns = then.find("evaluation_campaign"); campaigns != then.end()) {
+    for (const auto& [id, hash] : campaigns->second) campaignIds.push_back(id);
+  }
+  Manifest now = manifestOf(workplace, stored->cohortId, campaignIds);
+  for (const auto& [table, rows] : then) compareTable(table, rows, now[table], check);
+  for (const auto& [table, rows] : now) {
+    if (!then.contains(table)) compareTable(table, {}, rows, check);
+  }
+  return check;
+}
+
+}  // namespace torsio

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/study/rubric_service.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/base/error.h"
+#include "sim/base/file_io.h"
+#include "sim/scene/json_fields.h"
+
+namespace torsio {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kFormat = "torsio rubric 1";
+constexpr double kMostPoints = 1000.0;
+constexpr int kMostSteps = 1000;
+
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
+  throw Error(ErrorCode::kBadParameter, what, where, remedy);
+}
+
+ScoreScale readScale(JsonFields& fields) {
+  ScoreScale scale{.lo = -1'000'000, .hi = 1'000'000};
+  scale.stepsPerPoint = fields.integer("steps_per_point", 1, kMostSteps, 1);
+  const std::string where = fields.where();
+  const ScoreScale open = scale;
+  scale.lo = stepsFromPoints(fields.number("from", -kMostPoints, kMostPoints), open, where);
+  scale.hi = stepsFromPoints(fields.number("to", -kMostPoints, kMostPoints), open, where);
+  return scale;
+}
+
+StoredRubricRow readRow(const json& source, const std::string& place) {
+  JsonFields fields(source, place);
+  StoredRubricRow row;
+  row.code = fields.text("code");
+  row.label = fields.text("label");
+  row.scale = readScale(fields);
+  if (fields.has("anchors")) {
+    for (const json& part : fields.child("anchors")) {
+      JsonFields anchor(part, place + ", anchors");
+      row.anchors.push_back(
+          {stepsFromPoints(anchor.number("score", -kMostPoints, kMostPoints), row.scale, anchor.where()),
+           anchor.text("meaning")});
+      anchor.finish();
+    }
+  }
+  fields.finish();
+  return row;
+}
+
+void checkRevision(const StoredRubricRevision& revision) {
+  validateScale(revision.overall);
+  if (revision.rows.empty()) refuse("the rubric has no rows", "rubric", "Add at least one criterion");
+  std::set<std::string> codes;
+  for (const StoredRubricRow& row : revision.rows) {
+    const std::string where = "row " + row.code;
+    if (row.code.empty() || row.label.empty()) refuse("a row has no code or no label", where, "Fill both in");
+    if (!codes.insert(row.code).second) refuse("two rows have the same code", where, "Rename one of them");
+    validateScale(row.scale);
+    std::set<std::int64_t> scores;
+    for (const StoredAnchor& anchor : row.anchors) {
+      if (!isOnScale(anchor.score_steps, row.scale)) {
+        refuse("an anchor lies outside the scale", where, "Move it, or widen the scale");
+      }
+      if (!scores.insert(anchor.score_steps).second) {
+        refuse("two anchors stand at the same score", where, "Join them");
+      }
+      if (anchor.meaning.empty()) refuse("an anchor has no words", where, "Say what the score means");
+    }
+  }
+}
+
+std::string storeRevision(Workplace& workplace, const std::string& rubricId, StoredRubricRevision revision,
+                          std::int64_t number, const std::string& note) {
+  revision.id = workplace.ids().newUuid();
+  revision.rubricId = rubricId;
+  revision.number = number;
+  revision.note = note;
+  revision.createdBy = workplace.actor().userId;
+  revision.createdUtc_us = workplace.now_us();
+  SheetRepository(workplace.connection()).addRevision(revision);
+  workplace.note({.action = number == 1 ? "rubric.add" : "rubric.revise",
+                  .objectKind = "rubric_revision",
+                  .objectId = revision.id,
+                  .newJson = json{{"rubric", rubricId}, {"number", number}}.dump()});
+  return revision.id;
+}
+
+}  // namespace
+
+RubricTemplate parseRubric(const std::string& text, const std::string& id) {
+  json source;
+  try {
+    source = json::parse(text);
+  } catch (const json::exception& problem) {
+    throw Error(ErrorCode::kBadData, Text("is no JSON: %1", problem.what()), id, "Correct the text");
+  }
+  JsonFields fields(source, id);
+  if (const std::string format = fields.text("format"); format != kFormat) {
+    fields.refuse("format", Text("is '%1'", format), Text("This program reads %1.", kFormat));
+  }
+  RubricTemplate rubric;
+  rubric.id = id;
+  rubric.title = fields.text("title");
+  rubric.source = fields.text("source", "");
+  JsonFields overall(fields.child("overall"), id + ", overall");
+  rubric.revision.overall = readScale(overall);
+  overall.finish();
+  const json& rows = fields.child("rows");
+  if (!rows.is_array()) fields.refuse("rows", "must be a list in brackets", "Write [ ... ].");
+  for (const json& row : rows) {
+    rubric.revision.rows.push_back(
+        readRow(row, id + ", row " + std::to_string(rubric.revision.rows.size() + 1)));
+  }
+  fields.finish();
+  checkRevision(rubric.revision);
+  return rubric;
+}
+
+std::vector<RubricTemplate> rubricTemplates(const std::filesystem::path& assets) {
+  const std::filesystem::path folder = assets / "rubrics";
+  if (!std::filesystem::is_directory(folder)) {
+    throw Error(ErrorCode::kFileMissing, "no such folder", folder.string(),
+                "Restore it from the installation");
+  }
+  std::vector<RubricTemplate> templates;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".json") continue;
+    templates.push_back(parseRubric(readFile(entry.path()), entry.path().stem().string()));
+  }
+  std::sort(templates.begin(), templates.end(),
+            [](const RubricTemplate& a, const RubricTemplate& b) { return a.id < b.id; });
+  return templates;
+}
+
+std::vector<RubricRow> rubrics(Workplace& workplace) {
+  workplace.require(Operation::kPersonViewCoded);
+  SheetRepository repository(workplace.connection());
+  std::vector<RubricRow> rows;
+  for (const StoredRubric& rubric : repository.rubrics()) {
+    RubricRow row{rubric.id, rubric.name, {}};
+    for (const std::string& id : repository.revisionIds(rubric.id)) {
+      row.revisions.push_back(repository.revision(id).value());
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::string addRubric(Workplace& workplace, const std::string& name, const StoredRubricRevision& first,
+                      bool demonstration) {
+  workplace.require(Operation::kCurriculumEdit);
+  if (name.empty()) refuse("the rubric has no name", "rubric", "Enter one");
+  checkRevision(first);
+  Transaction transaction(workplace.connection());
+  const std::string rubricId = workplace.ids().newUuid();
+  SheetRepository(workplace.connection()).addRubric(rubricId, name, workplace.now_us(), demonstration);
+  const std::string id = storeRevision(workplace, rubricId, first, 1, first.note);
+  transaction.commit();
+  return id;
+}
+
+std::string reviseRubric(Workplace& workplace, const std::string& rubricId, const StoredRubricRevision& next,
+                         const std::string& note) {
+  workplace.require(Operation::kCurriculumEdit);
+  checkRevision(next);
+  Transaction transaction(workplace.connection());
+  const std::size_t before = SheetRepository(workplace.connection()).revisionIds(rubricId).size();
+  if (before == 0) refuse("there is no such rubric", rubricId, "Choose one from the list");
+  const std::string id =
+      storeRevision(workplace, rubricId, next, static_cast<std::int64_t>(before + 1), note);
+  transaction.commit();
+  return id;
+}
+
+}  // namespace torsio

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "db/repository/sheet_repository.h"
+
+namespace torsio {
+
+/// A rubric that ships as a file of assets/rubrics; ids in `revision` are empty.
+struct RubricTemplate {
+  std::string id{};  ///< file name without .json
+  std::string title{};
+  std::string source{};  ///< where it comes from
+  StoredRubricRevision revision{};
+};
+/// All templates, ordered by id. Throws Error{kFileMissing, kFileUnreadable, kBadData} with file and field.
+[[nodiscard]] std::vector<RubricTemplate> rubricTemplates(const std::filesystem::path& assets);
+[[nodiscard]] RubricTemplate parseRubric(const std::string& json, const std::string& id);
+
+struct RubricRow {
+  std::string id{};
+  std::string name{};
+  std::vector<StoredRubricRevision> revisions{};  ///< oldest first; the last one is offered
+};
+/// All rubrics by name. kPersonViewCoded (whoever works in the office).
+[[nodiscard]] std::vector<RubricRow> rubrics(Workplace& workplace);
+
+/// Stores a rubric with its first revision. Returns the id of the revision. Audited. kCurriculumEdit. Throws
+/// Error{kBadParameter}: no rows, a row without code or label, a code twice, a scale or an anchor out of
+/// range.
+std::string addRubric(Workplace& workplace, const std::string& name, const StoredRubricRevision& first,
+                      bool demonstration = false);
+/// The next revision: sheets that were assigned keep theirs. Returns its id. Audited. kCurriculumEdit.
+std::string reviseRubric(Workplace& workplace, const std::string& rubricId, const StoredRubricRevision& next,
+                         const std::string& note);
+
+}  // namespace torsio

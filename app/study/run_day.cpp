@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/study/run_day.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "app/devices/station_device.h"
+#include "app/study/cohort_service.h"
+#include "db/repository/sheet_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+/// Fills the phases of one kind in order with time that names no phase.
+void fillInOrder(const StoredArm& arm, const std::string& kind, std::int64_t time_us,
+                 std::vector<std::int64_t>& spent_us) {
+  for (std::size_t i = 0; i < arm.phases.size() && time_us > 0; ++i) {
+    if (arm.phases[i].kind != kind) continue;
+    const std::int64_t room_us = std::max<std::int64_t>(0, arm.phases[i].duration_us - spent_us[i]);
+    const std::int64_t part_us = std::min(room_us, time_us);
+    spent_us[i] += part_us;
+    time_us -= part_us;
+  }
+}
+
+void countRest(const StoredArm& arm, std::int64_t duration_us, PhaseProgress& progress) {
+  progress.restUsed_us += duration_us;
+  ++progress.rests;
+  progress.restLeft_us =
+      arm.restSplittable ? std::max<std::int64_t>(0, arm.restAllowance_us - progress.restUsed_us) : 0;
+}
+
+void fillTraining(RunDayRow& row, const StoredArm& arm, const std::vector<StoredExposure>& exposures,
+                  const std::vector<StoredScoringPoint>& points) {
+  row.armLabel = arm.label;
+  row.restAllowance_us = arm.restAllowance_us;
+  row.progress = phaseProgress(arm, exposures);
+  row.done = !arm.phases.empty() && row.progress.phase == arm.phases.size();
+  if (!row.done && !arm.phases.empty()) {
+    row.phaseLabel = arm.phases[row.progress.phase].label;
+    row.phaseKind = arm.phases[row.progress.phase].kind;
+  }
+  for (const StoredScoringPoint& point : points) {
+    if (row.progress.virtual_us + row.progress.real_us >= point.afterExposure_us) {
+      row.scoringPointDue = point.code;
+    }
+  }
+}
+
+}  // namespace
+
+PhaseProgress phaseProgress(const StoredArm& arm, std::span<const StoredExposure> exposures) {
+  PhaseProgress progress;
+  progress.restLeft_us = arm.restAllowance_us;
+  std::vector<std::int64_t> spent_us(arm.phases.size(), 0);
+  std::map<std::string, std::int64_t> unnamed_us;
+  for (const StoredExposure& exposure : exposures) {
+    if (exposure.kind == "rest") {
+      countRest(arm, exposure.duration_us, progress);
+      continue;
+    }
+    (exposure.kind == "virtual" ? progress.virtual_us : progress.real_us) += exposure.duration_us;
+    const auto phase = std::find_if(arm.phases.begin(), arm.phases.end(), [&](const StoredPhase& p) {
+      return !exposure.phaseId.empty() && p.id == exposure.phaseId;
+    });
+    if (phase == arm.phases.end()) {
+      unnamed_us[exposure.kind] += exposure.duration_us;
+    } else {
+      spent_us[static_cast<std::size_t>(phase - arm.phases.begin())] += exposure.duration_us;
+    }
+  }
+  for (const auto& [kind, time_us] : unnamed_us) fillInOrder(arm, kind, time_us, spent_us);
+  while (progress.phase < arm.phases.size() &&
+         spent_us[progress.phase] >= arm.phases[progress.phase].duration_us) {
+    ++progress.phase;
+  }
+  if (progress.phase < arm.phases.size()) {
+    progress.inPhase_us = spent_us[progress.phase];
+    progress.left_us = arm.phases[progress.phase].duration_us - progress.inPhase_us;
+  }
+  return progress;
+}
+
+namespace {
+
+/// What is known of a cohort, by enrolment.
+struct Today {
+  std::map<std::string, std::vector<StoredExposure>> exposures;
+  std::map<std::string, RunningTrial> running;
+  std::map<std::string, std::size_t> deviations;
+  std::map<std::pair<std::string, std::string>, std::size_t> missing;  ///< and scoring point
+};
+
+Today readToday(Workplace& workplace, const std::string& cohortId) {
+  StudyRepository study(workplace.connection());
+  Today today;
+  for (StoredExposure& exposure : study.exposures(cohortId)) {
+    today.exposures[exposure.enrolmentId].push_back(std::move(exposure));
+  }
+  for (RunningTrial& trial : study.runningTrials(cohortId)) {
+    today.running.emplace(trial.enrolmentId, std::move(trial));
+  }
+  for (const StoredDeviation& deviation : study.deviations(cohortId))
+    ++today.deviations[deviation.enrolmentId];
+  for (const AssignmentStatus& status : SheetRepository(workplace.connection()).assignments(cohortId)) {
+    if (isOutstanding(status.state)) {
+      ++today.missing[{status.assignment.enrolmentId, status.assignment.scoringPoint}];
+    }
+  }
+  return today;
+}
+
+}  // namespace
+
+RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId) {
+  workplace.require(Operation::kStudySetup);
+  StudyRepository study(workplace.connection());
+  RunDayBoard board;
+  board.asOfUtc_us = workplace.now_us();
+  board.stations = StationRepository(workplace.connection()).board();
+  std::string versionId;
+  for (const StoredCohort& cohort : study.cohorts()) {
+    if (cohort.id != cohortId) continue;
+    board.cohortName = cohort.name;
+    versionId = cohort.curriculumVersionId;
+  }
+  if (board.cohortName.empty()) {
+    throw Error(ErrorCode::kBadData, "there is no such cohort", cohortId, "Choose one from the list");
+  }
+  const auto version = CurriculumRepository(workplace.connection()).version(versionId);
+  std::map<std::string, const StoredArm*> armOfGroup;
+  for (const StoredGroup& group : study.groups(cohortId)) {
+    if (!version) break;
+    for (const StoredArm& arm : version->arms) {
+      if (arm.id == group.armId) armOfGroup[group.id] = &arm;
+    }
+  }
+  Today today = readToday(workplace, cohortId);
+  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+    RunDayRow row;
+    row.enrolmentId = enrolment.id;
+    row.traineeId = enrolment.traineeId;
+    row.traineeCode = enrolment.traineeCode;
+    row.state = enrolment.state;
+    row.groupCode = enrolment.groupCode;
+    row.deviations = today.deviations[enrolment.id];
+    if (const auto arm = armOfGroup.find(enrolment.groupId); arm != armOfGroup.end()) {
+      fillTraining(row, *arm->second, today.exposures[enrolment.id], version->scoringPoints);
+      row.sheetsMissing = today.missing[{enrolment.id, row.scoringPointDue}];
+    }
+    if (const auto trial = today.running.find(enrolment.id); trial != today.running.end()) {
+      row.runningTrialId = trial->second.trialId;
+      row.station = trial->second.station;
+      row.runningSinceUtc_us = trial->second.startedUtc_us;
+    }
+    board.rows.push_back(std::move(row));
+  }
+  return board;
+}
+
+std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
+  using Kind = RunDayAlert::Kind;
+  std::vector<RunDayAlert> alerts;
+  const auto silent = [&](const StationState& station) {
+    return board.asOfUtc_us - station.heartbeatUtc_us > kStationSilence_us;
+  };
+  for (const StationState& station : board.stations) {
+    if (!silent(station)) {
+      const StationDevice device = storedDevice(station);
+      if (device.light == Light::kRed)
+        alerts.push_back({.kind = Kind::kDeviceUnfit,
+                          .subject = station.station,
+                          .station = station.station,
+                          .sinceUtc_us = device.checkedUtc_us,
+                          .reason = device.problem});
+      continue;
+    }
+    const bool records = !station.trialId.empty() && !station.ended;
+    alerts.push_back({.kind = records ? Kind::kTrialOpen : Kind::kStationSilent,
+                      .subject = records ? station.traineeCode : station.station,
+                      .station = station.station,
+                      .sinceUtc_us = station.heartbeatUtc_us});
+  }
+  std::stable_partition(alerts.begin(), alerts.end(),
+                        [](const RunDayAlert& alert) { return alert.kind == Kind::kTrialOpen; });
+  std::size_t withoutGroup = 0;
+  std::map<std::string, std::size_t> sheets;
+  for (const RunDayRow& row : board.rows) {
+    if (row.state == "withdrawn") continue;
+    if (row.groupCode.empty()) ++withoutGroup;
+    if (row.sheetsMissing > 0) sheets[row.scoringPointDue] += row.sheetsMissing;
+    if (!row.done && row.progress.restUsed_us > row.restAllowance_us)
+      alerts.push_back({.kind = Kind::kRestTooLong, .subject = row.traineeCode});
+  }
+  for (const auto& [point, count] : sheets)
+    alerts.push_back({.kind = Kind::kSheetsMissing, .scoringPoint = point, .count = count});
+  if (withoutGroup > 0) alerts.push_back({.kind = Kind::kNoGroup, .count = withoutGroup});
+  return alerts;
+}
+
+void swapTurns(Workplace& workplace, const std::string& cohortId, const std::string& enrolmentId,
+               const std::string& otherEnrolmentId, const std::string& reason) {
+  workplace.require(Operation::kStudySetup);
+  if (enrolmentId == otherEnrolmentId) {
+    throw Error(ErrorCode::kBadData, "nobody swaps with themselves", cohortId, "Choose another trainee");
+  }
+  Transaction transaction(workplace.connection());
+  std::map<std::string, std::string> codes;
+  for (const StoredEnrolment& enrolment : StudyRepository(workplace.connection()).enrolments(cohortId))
+    codes[enrolment.id] = enrolment.traineeCode;
+  for (const std::string& id : {enrolmentId, otherEnrolmentId})
+    if (!codes.contains(id)) {
+      throw Error(ErrorCode::kBadData, "this trainee is not in the cohort", id, "Choose one from the list");
+    }
+  for (const auto& [id, other] :
+       {std::pair(enrolmentId, otherEnrolmentId), std::pair(otherEnrolmentId, enrolmentId)})
+    reportDeviation(workplace, {.cohortId = cohortId,
+                                .enrolmentId = id,
+                                .kind = "swapped",
+                                .description = "turn swapped with " + codes.at(other) +
+                                               (reason.empty() ? "" : ": " + reason)});
+  transaction.commit();
+}
+
+}  // namespace torsio

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "db/repository/curriculum_repository.h"
+#include "db/repository/station_repository.h"
+#include "db/repository/study_repository.h"
+#include "sim/base/text.h"
+
+namespace torsio {
+
+/// Where somebody stands in an arm, from the time that was logged.
+struct PhaseProgress {
+  std::size_t phase = 0;  ///< position in StoredArm::phases; their number: all done
+  std::int64_t inPhase_us = 0;
+  std::int64_t left_us = 0;     ///< of this phase
+  std::int64_t virtual_us = 0;  ///< spent so far
+  std::int64_t real_us = 0;
+  std::int64_t restUsed_us = 0;
+  std::int64_t restLeft_us = 0;
+  std::size_t rests = 0;
+};
+/// Time with a phase id counts for that phase; other virtual or real time fills the phases of its kind in
+/// order. Rest counts for no phase. An allowance that may not be split is used up by the first rest.
+[[nodiscard]] PhaseProgress phaseProgress(const StoredArm& arm, std::span<const StoredExposure> exposures);
+
+/// One line of the board.
+struct RunDayRow {
+  std::string enrolmentId{};
+  std::string traineeId{};
+  std::string traineeCode{};
+  std::string state{};      ///< of the enrolment
+  std::string groupCode{};  ///< empty: not allocated
+  std::string armLabel{};
+  std::string phaseLabel{};  ///< empty: no curriculum, or all done
+  std::string phaseKind{};
+  PhaseProgress progress{};
+  std::int64_t restAllowance_us = 0;
+  bool done = false;              ///< all phases
+  std::string scoringPointDue{};  ///< the newest one that the exposure has reached: "pre", "mid", "post"
+  std::size_t sheetsMissing = 0;  ///< of that scoring point
+  std::string runningTrialId{};   ///< empty: nothing runs
+  std::string station{};          ///< where it runs
+  std::int64_t runningSinceUtc_us = 0;
+  std::size_t deviations = 0;
+};
+
+struct RunDayBoard {
+  std::string cohortName{};
+  std::vector<RunDayRow> rows{};         ///< by group and number
+  std::vector<StationState> stations{};  ///< by name; silent for kStationSilence_us: not answering
+  std::int64_t asOfUtc_us = 0;
+};
+/// Something that the day's office should look at.
+struct RunDayAlert {
+  enum class Kind {
+    kStationSilent,  ///< no sign of life; `subject` is the station
+    kDeviceUnfit,    ///< the last check of a device forbids scored runs; `subject` is the station
+    kTrialOpen,      ///< a recording runs on a station that gives no sign of life
+    kRestTooLong,    ///< longer than the curriculum allows
+    kSheetsMissing,  ///< of a scoring point that the exposure has passed
+    kNoGroup,        ///< enrolled, but not allocated
+  };
+  Kind kind = Kind::kStationSilent;
+  std::string subject{};  ///< station or code of the trainee
+  std::string station{};
+  std::string scoringPoint{};
+  std::int64_t sinceUtc_us = 0;
+  std::size_t count = 0;
+  Text reason{};  ///< why a device is not fit
+};
+/// Most urgent first. What does not concern one person counts once: groups that are not drawn, missing sheets
+/// by scoring point.
+[[nodiscard]] std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board);
+
+/// Two trainees take each other's turn today; their groups stay as they were drawn. A deviation of kind
+/// "swapped" for each, naming the other, both or none. kStudySetup. Throws Error{kBadData} for one and the
+/// same trainee.
+void swapTurns(Workplace& workplace, const std::string& cohortId, const std::string& enrolmentId,
+               const std::string& otherEnrolmentId, const std::string& reason);
+
+/// Everything about today in one look. kStudySetup.
+[[nodiscard]] RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId);
+
+}  // namespace torsio

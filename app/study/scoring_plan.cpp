@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/study/scoring_plan.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/scoring/scoring_service.h"
+#include "app/study/case_order.h"
+#include "app/study/drawn_seed.h"
+#include "db/repository/people_repository.h"
+#include "db/repository/question_repository.h"
+#include "db/repository/study_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::uint64_t kCommonLabels = 1;  // streams of the seed
+constexpr std::uint64_t kLabelsOfRater = 100'000;
+
+[[noreturn]] void refuseParameter(const Text& what, const Text& where, const Text& remedy) {
+  throw Error(ErrorCode::kBadParameter, what, where, remedy);
+}
+
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
+  throw Error(ErrorCode::kBadData, what, where, remedy);
+}
+
+/// One trainee at one scoring point.
+struct Case {
+  StoredEnrolment enrolment;
+  std::string scoringPoint;
+  std::string trialId;      ///< empty: live
+  std::string commonLabel;  ///< of a live case: the same for all raters
+};
+
+std::string keyOf(const std::string& enrolmentId, const std::string& scoringPoint) {
+  return enrolmentId + " " + scoringPoint;
+}
+
+StoredCohort cohortOf(StudyRepository& study, const std::string& cohortId) {
+  for (StoredCohort& cohort : study.cohorts()) {
+    if (cohort.id == cohortId) return cohort;
+  }
+  refuseParameter("there is no such cohort", cohortId, "Choose one from the list");
+}
+
+std::vector<StoredEnrolment> chosenEnrolments(StudyRepository& study, const ScoringPlan& plan) {
+  std::vector<StoredEnrolment> chosen;
+  for (StoredEnrolment& enrolment : study.enrolments(plan.cohortId)) {
+    const bool wanted = plan.enrolmentIds.empty()
+                            ? enrolment.state != "withdrawn"
+                            : std::find(plan.enrolmentIds.begin(), plan.enrolmentIds.end(), enrolment.id) !=
+                                  plan.enrolmentIds.end();
+    if (wanted) chosen.push_back(std::move(enrolment));
+  }
+  if (chosen.empty()) refuseParameter("there is nobody to score", "cohort", "Enrol trainees first");
+  if (!plan.enrolmentIds.empty() && chosen.size() != plan.enrolmentIds.size()) {
+    refuseParameter("somebody of the list is not enrolled here", "cohort", "Choose from the list");
+  }
+  return chosen;
+}
+
+void checkPlan(Workplace& workplace, const ScoringPlan& plan) {
+  if (plan.raterIds.empty()) refuseParameter("nobody is asked to score", "raters", "Choose at least one");
+  if (plan.scoringPoints.empty()) {
+    refuseParameter("no scoring point is chosen", "scoring points", "Choose at least one");
+  }
+  for (const std::string& point : plan.scoringPoints) {
+    if (std::find(scoringPoints().begin(), scoringPoints().end(), point) == scoringPoints().end()) {
+      refuseParameter("there is no such scoring point", point, "Choose pre, mid or post");
+    }
+  }
+  if (!SheetRepository(workplace.connection()).revision(plan.rubricRevisionId)) {
+    refuseParameter("there is no such rubric", plan.rubricRevisionId, "Choose one from the list");
+  }
+  std::set<std::string> known;
+  for (const StoredRater& rater : PeopleRepository(workplace.connection()).raters()) {
+    if (rater.person.state == "active") known.insert(rater.person.id);
+  }
+  std::set<std::string> seen;
+  for (const std::string& rater : plan.raterIds) {
+    if (!known.contains(rater)) refuseParameter("this is no active rater", rater, "Choose one from the list");
+    if (!seen.insert(rater).second) refuseParameter("a rater is named twice", rater, "Name each once");
+  }
+}
+
+std::vector<Case> casesOf(Connection& connection, StudyRepository& study, const ScoringPlan& plan) {
+  std::map<std::string, std::string> recordings;
+  QuestionRepository questions(connection);
+  for (const CaseRecording& recording : plan.recordings) {
+    if (!questions.ofTrial(recording.trialId).empty()) {
+      refuseParameter("a physician was asked about this recording by name", recording.trialId,
+                      "Choose another recording: a case must be blinded");
+    }
+    recordings[keyOf(recording.enrolmentId, recording.scoringPoint)] = recording.trialId;
+  }
+  std::vector<Case> cases;
+  for (const StoredEnrolment& enrolment : chosenEnrolments(study, plan)) {
+    for (const std::string& point : plan.scoringPoints) {
+      const auto recording = recordings.find(keyOf(enrolment.id, point));
+      cases.push_back({enrolment, point, recording == recordings.end() ? "" : recording->second, ""});
+    }
+  }
+  return cases;
+}
+
+/// Live cases keep the label under which they were called before.
+void giveCommonLabels(std::vector<Case>& cases, const std::vector<AssignmentStatus>& present,
+                      const std::set<std::string>& taken, std::uint64_t seed) {
+  std::map<std::string, std::string> known;
+  for (const AssignmentStatus& status : present) {
+    if (status.assignment.trialId.empty()) {
+      known[keyOf(status.assignment.enrolmentId, status.assignment.scoringPoint)] =
+          status.assignment.caseLabel;
+    }
+  }
+  const std::vector<std::string> fresh = caseLabels(cases.size(), taken, seed, kCommonLabels);
+  std::size_t next = 0;
+  for (Case& one : cases) {
+    const auto before = known.find(keyOf(one.enrolment.id, one.scoringPoint));
+    if (one.trialId.empty()) one.commonLabel = before != known.end() ? before->second : fresh.at(next++);
+  }
+}
+
+/// The assignments of one rater for the cases that they were not asked about yet.
+std::vector<StoredAssignment> assignmentsFor(Workplace& workplace, const ScoringPlan& plan,
+                                             const std::vector<Case>& cases, std::size_t panelPosition,
+                                             std::uint64_t seed) {
+  const std::string& raterId = plan.raterIds.at(panelPosition);
+  std::set<std::string> asked;
+  std::set<std::string> labels;
+  std::int64_t position = 0;
+  for (const StoredAssignment& before : SheetRepository(workplace.connection()).assignmentsOf(raterId)) {
+    asked.insert(keyOf(before.enrolmentId, before.scoringPoint));
+    labels.insert(before.caseLabel);
+    position = std::max(position, before.position);
+  }
+  std::vector<OrderedCase> open;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (asked.contains(keyOf(cases[i].enrolment.id, cases[i].scoringPoint))) continue;
+    open.push_back({i, cases[i].scoringPoint + " " + cases[i].enrolment.groupCode});
+  }
+  for (const Case& one : cases) labels.insert(one.commonLabel);
+  const std::vector<std::string> own = caseLabels(open.size(), labels, seed, kLabelsOfRater + panelPosition);
+  std::vector<StoredAssignment> made;
+  for (const std::size_t index : counterbalancedOrder(open, seed, panelPosition)) {
+    const Case& one = cases.at(index);
+    made.push_back({.id = workplace.ids().newUuid(),
+                    .raterId = raterId,
+                    .enrolmentId = one.enrolment.id,
+                    .scoringPoint = one.scoringPoint,
+                    .trialId = one.trialId,
+                    .rubricRevisionId = plan.rubricRevisionId,
+                    .caseLabel = one.commonLabel.empty() ? own.at(made.size()) : one.commonLabel,
+                    .position = ++position,
+                    .dueUtc_us = plan.dueUtc_us,
+                    .assignedBy = workplace.actor().userId,
+                    .assignedUtc_us = workplace.now_us(),
+                    .demonstration = one.enrolment.demonstration});
+  }
+  return made;
+}
+
+ScoringCell cellOf(const AssignmentStatus& status) {
+  return {status.assignment.id, status.state, status.assignment.caseLabel, status.assignment.dueUtc_us,
+          status.changedUtc_us};
+}
+
+void setReleased(Workplace& workplace, const std::string& cohortId, const std::string& scoringPoint,
+                 bool released, const std::string& reason) {
+  SheetRepository(workplace.connection())
+      .setReleased(cohortId, scoringPoint, released, reason, workplace.actor().userId, workplace.now_us());
+  workplace.note({.action = released ? "mark.release" : "mark.retract",
+                  .objectKind = "mark_release",
+                  .objectId = cohortId,
+                  .newJson = nlohmann::json{{"scoring_point", scoringPoint}}.dump(),
+                  .reason = reason});
+}
+
+}  // namespace
+
+ScoringPlanOutcome createAssignments(Workplace& workplace, const ScoringPlan& plan) {
+  workplace.require(Operation::kStudySetup);
+  Transaction transaction(workplace.connection());
+  StudyRepository study(workplace.connection());
+  const StoredCohort cohort = cohortOf(study, plan.cohortId);
+  checkPlan(workplace, plan);
+  ScoringPlanOutcome outcome;
+  outcome.seed = plan.seed ? *plan.seed : drawSeed(workplace.ids());
+  std::vector<Case> cases = casesOf(workplace.connection(), study, plan);
+  SheetRepository sheets(workplace.connection());
+  std::set<std::string> taken;
+  for (const std::string& rater : plan.raterIds) {
+    for (const StoredAssignment& before : sheets.assignmentsOf(rater)) taken.insert(before.caseLabel);
+  }
+  giveCommonLabels(cases, sheets.assignments(plan.cohortId), taken, outcome.seed);
+  for (std::size_t rater = 0; rater < plan.raterIds.size(); ++rater) {
+    const std::vector<StoredAssignment> made = assignmentsFor(workplace, plan, cases, rater, outcome.seed);
+    sheets.assign(made);
+    outcome.created += made.size();
+    outcome.already += cases.size() - made.size();
+    if (made.empty()) continue;
+    workplace.note({.action = "assignment.create",
+                    .objectKind = "assignment",
+                    .objectId = plan.raterIds[rater],
+                    .newJson = nlohmann::json{
+                        {"cohort", cohort.id},
+                        {"rater", plan.raterIds[rater]},
+                        {"scoring_points", plan.scoringPoints},
+                        {"sheets", made.size()},
+                        {"rubric_revision", plan.rubricRevisionId},
+                        {"seed", std::to_string(outcome.seed)},
+                        {"panel_position",
+                         rater}}.dump()});
+  }
+  transaction.commit();
+  return outcome;
+}
+
+ScoringMatrix scoringMatrix(Workplace& workplace, const std::string& cohortId) {
+  workplace.require(Operation::kStudySetup);
+  const std::vector<AssignmentStatus> all = SheetRepository(workplace.connection()).assignments(cohortId);
+  std::map<std::string, std::string> codes;
+  for (const StoredEnrolment& enrolment : StudyRepository(workplace.connection()).enrolments(cohortId)) {
+    codes[enrolment.id] = enrolment.traineeCode;
+  }
+  ScoringMatrix matrix;
+  std::map<std::string, std::size_t> column;
+  std::set<std::string> involved;
+  for (const AssignmentStatus& status : all) involved.insert(status.assignment.raterId);
+  for (const StoredRater& rater : PeopleRepository(workplace.connection()).raters()) {
+    if (!involved.contains(rater.person.id)) continue;
+    column[rater.person.id] = matrix.raters.size();
+    matrix.raters.push_back({rater.person.id, rater.person.code, rater.classCode, 0, 0});
+  }
+  for (const AssignmentStatus& status : all) {
+    const StoredAssignment& one = status.assignment;
+    const bool sameLine = !matrix.lines.empty() && matrix.lines.back().enrolmentId == one.enrolmentId &&
+                          matrix.lines.back().scoringPoint == one.scoringPoint;
+    if (!sameLine) {
+      matrix.lines.push_back({one.enrolmentId, codes[one.enrolmentId], one.scoringPoint,
+                              std::vector<ScoringCell>(matrix.raters.size()), 0});
+    }
+    const std::size_t at = column.at(one.raterId);
+    matrix.lines.back().cells[at] = cellOf(status);
+    const bool missing = isOutstanding(status.state);
+    matrix.lines.back().missing += missing ? 1 : 0;
+    matrix.raters[at].open += missing ? 1 : 0;
+    matrix.raters[at].submitted += status.state == SheetState::kSubmitted ? 1 : 0;
+  }
+  return matrix;
+}
+
+std::string reassign(Workplace& workplace, const std::string& assignmentId, const std::string& newRaterId,
+                     const std::string& reason) {
+  workplace.require(Operation::kStudySetup);
+  if (reason.empty()) refuse("taking a sheet from its rater needs a reason", assignmentId, "Say why");
+  Transaction transaction(workplace.connection());
+  SheetRepository sheets(workplace.connection());
+  const auto before = sheets.findAssignment(assignmentId);
+  if (!before) refuse("there is no such sheet", assignmentId, "Read the matrix again");
+  if (before->state == SheetState::kWithdrawn) {
+    refuse("the sheet was withdrawn already", before->assignment.caseLabel, "Read the matrix again");
+  }
+  sheets.withdraw(assignmentId, reason, workplace.actor().userId, workplace.now_us());
+  std::string newId;
+  if (!newRaterId.empty()) {
+    StoredAssignment next = before->assignment;
+    std::set<std::string> labels;
+    std::int64_t position = 0;
+    for (const StoredAssignment& other : sheets.assignmentsOf(newRaterId)) {
+      if (other.enrolmentId == next.enrolmentId && other.scoringPoint == next.scoringPoint) {
+        refuse("the other rater was asked about this case before", other.caseLabel, "Choose somebody else");
+      }
+      labels.insert(other.caseLabel);
+      position = std::max(position, other.position);
+    }
+    const std::vector<StoredRater> raters = PeopleRepository(workplace.connection()).raters();
+    if (std::none_of(raters.begin(), raters.end(), [&](const StoredRater& rater) {
+          return rater.person.id == newRaterId && rater.person.state == "active";
+        })) {
+      refuse("this is no active rater", newRaterId, "Choose one from the list");
+    }
+    newId = workplace.ids().newUuid();
+    next.id = newId;
+    next.raterId = newRaterId;
+    next.position = position + 1;
+    // A live case is called out in the room: it keeps its label unless the new rater knows another by it.
+    if (!next.trialId.empty() || labels.contains(next.caseLabel)) {
+      next.caseLabel = caseLabels(1, labels, drawSeed(workplace.ids()), kCommonLabels).front();
+    }
+    next.assignedBy = workplace.actor().userId;
+    next.assignedUtc_us = workplace.now_us();
+    sheets.assign(std::span(&next, 1));
+  }
+  workplace.note({.action = newId.empty() ? "assignment.withdraw" : "assignment.reassign",
+                  .objectKind = "assignment",
+                  .objectId = assignmentId,
+                  .oldJson = nlohmann::json{{"rater", before->assignment.raterId}}.dump(),
+                  .newJson = nlohmann::json{{"rater", newRaterId}, {"assignment", newId}}.dump(),
+                  .reason = reason});
+  transaction.commit();
+  return newId;
+}
+
+std::vector<ReleaseState> releaseStates(Workplace& workplace, const std::string& cohortId) {
+  workplace.require(Operation::kMarkRelease);
+  SheetRepository sheets(workplace.connection());
+  std::vector<ReleaseState> states;
+  const std::vector<AssignmentStatus> all = sheets.assignments(cohortId);
+  for (const std::string& point : scoringPoints()) {
+    ReleaseState state{point, sheets.isReleased(cohortId, point), 0, 0};
+    for (const AssignmentStatus& status : all) {
+      if (status.assignment.scoringPoint != point || status.state == SheetState::kWithdrawn) continue;
+      ++state.sheets;
+      if (status.state != SheetState::kSubmitted) ++state.missing;
+    }
+    states.push_back(std::move(state));
+  }
+  return states;
+}
+
+void releaseMarks(Workplace& workplace, const std::string& cohortId, const std::string& scoringPoint,
+                  const std::string& reason) {
+  workplace.require(Operation::kMarkRelease);
+  Transaction transaction(workplace.connection());
+  for (const ReleaseState& state : releaseStates(workplace, cohortId)) {
+    if (state.scoringPoint != scoringPoint) continue;
+    if (state.released) refuse("these marks are released already", scoringPoint, "Nothing is to be done");
+    if (state.missing > 0 && reason.empty()) {
+      refuse(Text("%1 of %2 sheets are not submitted", state.missing, state.sheets), scoringPoint,
+             "Wait for them, or give a reason");
+    }
+    setReleased(workplace, cohortId, scoringPoint, true, reason);
+    transaction.commit();
+    return;
+  }
+  refuse("there is no such scoring point", scoringPoint, "Choose pre, mid or post");
+}
+
+void retractMarks(Workplace& workplace, const std::string& cohortId, const std::string& scoringPoint,
+                  const std::string& reason) {
+  workplace.require(Operation::kMarkRelease);
+  if (reason.empty()) refuse("taking marks back needs a reason", scoringPoint, "Say why");
+  Transaction transaction(workplace.connection());
+  if (!SheetRepository(workplace.connection()).isReleased(cohortId, scoringPoint)) {
+    refuse("these marks are not released", scoringPoint, "Nothing is to be done");
+  }
+  setReleased(workplace, cohortId, scoringPoint, false, reason);
+  transaction.commit();
+}
+
+}  // namespace torsio

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "db/repository/sheet_repository.h"
+
+namespace torsio {
+
+/// A recording that stands for a trainee at a scoring point. Cases without one are scored live, on the real
+/// arm.
+struct CaseRecording {
+  std::string enrolmentId{};
+  std::string scoringPoint{};
+  std::string trialId{};
+};
+
+/// Who is asked to score whom, when.
+struct ScoringPlan {
+  std::string cohortId{};
+  std::vector<std::string> scoringPoints{};  ///< "pre", "mid", "post"
+  std::vector<std::string> raterIds{};
+  std::vector<std::string> enrolmentIds{};  ///< empty: everybody who has not withdrawn
+  std::vector<CaseRecording> recordings{};
+  std::string rubricRevisionId{};
+  std::optional<std::int64_t> dueUtc_us{};
+  std::optional<std::uint64_t> seed{};  ///< of order and labels; empty: drawn, and kept in the audit trail
+};
+
+/// What a plan made.
+struct ScoringPlanOutcome {
+  std::size_t created = 0;
+  std::size_t already = 0;  ///< asked before: left as they are
+  std::uint64_t seed = 0;
+};
+
+/// Makes one assignment a rater, trainee and scoring point. Each rater gets an order of their own in which
+/// groups and stages are spread evenly over the sitting (counterbalanced), so that tiredness and drift hit
+/// all alike. Case labels ("7F") are drawn at random and tell neither stage nor group, nor does their order;
+/// a live case has one label for all raters (it is called out in the room), a recorded one another for each.
+/// Audited. kStudySetup. Throws Error{kBadParameter}: nobody to score, an unknown rater, rubric or scoring
+/// point.
+ScoringPlanOutcome createAssignments(Workplace& workplace, const ScoringPlan& plan);
+
+/// One cell of the matrix.
+struct ScoringCell {
+  std::string assignmentId{};  ///< empty: this rater was not asked
+  SheetState state = SheetState::kOpen;
+  std::string caseLabel{};
+  std::optional<std::int64_t> dueUtc_us{};
+  std::int64_t changedUtc_us = 0;  ///< of the newest draft or mark; 0: none
+};
+struct ScoringMatrix {
+  struct Rater {
+    std::string id{};
+    std::string code{};
+    std::string classCode{};
+    std::size_t open = 0;  ///< sheets that are open or drafts
+    std::size_t submitted = 0;
+  };
+  struct Line {
+    std::string enrolmentId{};
+    std::string traineeCode{};
+    std::string scoringPoint{};
+    std::vector<ScoringCell> cells{};  ///< one a rater
+    std::size_t missing = 0;           ///< open or draft
+  };
+  std::vector<Rater> raters{};
+  std::vector<Line> lines{};  ///< by scoring point, then trainee
+};
+/// Who has scored whom; no marks. kStudySetup.
+[[nodiscard]] ScoringMatrix scoringMatrix(Workplace& workplace, const std::string& cohortId);
+
+/// Takes a sheet that was not submitted from its rater; with `newRaterId` another one is asked, under a label
+/// of theirs. Returns the new assignment, empty without one. Audited. kStudySetup. Throws Error{kBadData}:
+/// submitted already, or the other rater was asked about this case before.
+std::string reassign(Workplace& workplace, const std::string& assignmentId, const std::string& newRaterId,
+                     const std::string& reason);
+
+/// What stands before a release.
+struct ReleaseState {
+  std::string scoringPoint{};
+  bool released = false;
+  std::size_t sheets = 0;
+  std::size_t missing = 0;  ///< not submitted yet
+};
+/// In order of time. kMarkRelease.
+[[nodiscard]] std::vector<ReleaseState> releaseStates(Workplace& workplace, const std::string& cohortId);
+/// Shows the marks of a scoring point to the trainees. While sheets are missing only with a reason. Audited.
+/// kMarkRelease.
+void releaseMarks(Workplace& workplace, const std::string& cohortId, const std::string& scoringPoint,
+                  const std::string& reason = {});
+/// Takes them back; the reason is required. Audited. kMarkRelease.
+void retractMarks(Workplace& workplace, const std::string& cohortId, const std::string& scoringPoint,
+                  const std::string& reason);
+
+}  // namespace torsio

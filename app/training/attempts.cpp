@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/training/attempts.h"
+
+#include <algorithm>
+
+#include "app/recording/kept_digests.h"
+#include "app/training/trainee_record.h"
+#include "assessment/metrics/metric_cards.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::int64_t kMostAttempts = 10'000;
+
+Attempt measured(Workplace& workplace, const TrialListing& listing, ExerciseRules& rules) {
+  Attempt attempt;
+  if (listing.summary) {
+    const AttemptMeasures measures =
+        measuresFrom(digestOf(workplace.connection(), listing, rules, workplace.now_us()));
+    attempt.duration_s = static_cast<double>(measures.duration_us) * 1e-6;
+    attempt.twists = std::ssize(measures.twists);
+    attempt.onTarget = measures.twistsOnTarget();
+    attempt.unfinished = measures.unfinished;
+    attempt.values = measures.values;
+  }
+  attempt.trialId = listing.trialId;
+  attempt.moduleId = listing.moduleId;
+  attempt.phaseId = listing.phaseId;
+  attempt.mode = listing.attemptMode;
+  attempt.startedUtc_us = listing.startedUtc_us;
+  attempt.ended = listing.summary.has_value();
+  attempt.interrupted = listing.summary && listing.summary->outcome == TrialOutcome::kInterrupted;
+  return attempt;
+}
+
+}  // namespace
+
+Attempt attemptOf(Workplace& workplace, const std::string& trialId) {
+  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
+  const TrialListing listing = ownTrial(workplace, record, trialId);
+  ExerciseRules rules;
+  Transaction transaction(workplace.connection());
+  Attempt attempt = measured(workplace, listing, rules);
+  transaction.commit();
+  return attempt;
+}
+
+std::vector<Attempt> attemptsOf(Workplace& workplace, const std::string& personId,
+                                const std::string& moduleId) {
+  workplace.requireOwn(Operation::kTrialViewOwn, personId);
+  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
+  TrialRepository trials(workplace.connection());
+  TrialFilter filter;
+  filter.traineeCode = record.code;
+  filter.moduleId = moduleId;
+  filter.limit = kMostAttempts;
+  std::vector<Attempt> attempts;
+  ExerciseRules rules;
+  Transaction transaction(workplace.connection());
+  for (const TrialListing& listing : trials.list(filter)) {
+    attempts.push_back(measured(workplace, listing, rules));
+  }
+  transaction.commit();
+  std::reverse(attempts.begin(), attempts.end());
+  return attempts;
+}
+
+bool counts(const Attempt& attempt, const StoredModule& module) {
+  return attempt.ended && !attempt.interrupted && attempt.moduleId == module.id &&
+         (attempt.mode == "graded" || module.mode == "practice");
+}
+
+MasteryRule masteryRule(const StoredMasteryRule& stored) {
+  return {.metric = stored.metric,
+          .atMost = stored.comparison == "at_most",
+          .threshold = stored.threshold,
+          .consecutive = stored.consecutive};
+}
+
+std::vector<RuleProgress> ruleProgress(const StoredModule& module, std::span<const Attempt> attempts) {
+  std::vector<RuleProgress> progress;
+  for (const StoredMasteryRule& rule : module.mastery) {
+    std::vector<std::optional<double>> values;
+    for (const Attempt& attempt : attempts) {
+      if (!counts(attempt, module)) {
+        continue;
+      }
+      const auto value = attempt.values.find(rule.metric);
+      values.push_back(value == attempt.values.end() ? std::nullopt : std::optional(value->second));
+    }
+    const MasteryProgress reached = masteryProgress(masteryRule(rule), values);
+    progress.push_back({rule, reached.streak, reached.met, reached.last});
+  }
+  return progress;
+}
+
+}  // namespace torsio

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "assessment/attempt/attempt_measures.h"
+#include "assessment/attempt/mastery.h"
+#include "db/repository/curriculum_repository.h"
+#include "db/repository/trial_repository.h"
+
+namespace torsio {
+
+/// One recorded try at a module, with what it is judged by.
+struct Attempt {
+  std::string trialId{};
+  std::string moduleId{};
+  std::string phaseId{};
+  std::string mode{};  ///< "practice", "graded"
+  std::int64_t startedUtc_us = 0;
+  double duration_s = 0.0;
+  bool ended = true;                       ///< false: running, or interrupted and not closed yet
+  bool interrupted = false;                ///< the program or the machine went down: kept, not counted
+  std::int64_t twists = 0;                 ///< completed
+  std::int64_t onTarget = 0;               ///< of them, let go on target
+  std::int64_t unfinished = 0;             ///< not completed, counted apart
+  std::map<std::string, double> values{};  ///< AttemptMeasures::values
+};
+
+/// Reads what was measured of a stored trial (reporting/kept_digests.h); measures it when nobody has yet.
+/// kTrialViewOwn, own trials only.
+Attempt attemptOf(Workplace& workplace, const std::string& trialId);
+
+/// The tries of a trainee, oldest first; empty `moduleId`: at all modules. Trials that were not measured yet
+/// are measured now. kTrialViewOwn, own trials only.
+[[nodiscard]] std::vector<Attempt> attemptsOf(Workplace& workplace, const std::string& personId,
+                                              const std::string& moduleId = {});
+
+/// Whether an attempt counts for mastery and for the limit: ended in good order, and graded unless the module
+/// is there for practice.
+[[nodiscard]] bool counts(const Attempt& attempt, const StoredModule& module);
+
+/// How far one rule is.
+struct RuleProgress {
+  StoredMasteryRule rule{};
+  std::int64_t streak = 0;  ///< attempts in a row up to the last one
+  bool met = false;         ///< so many in a row were reached once: mastery is not lost again
+  std::optional<double> last{};
+};
+/// The rule as the domain knows it.
+[[nodiscard]] MasteryRule masteryRule(const StoredMasteryRule& stored);
+/// Over the attempts that count, oldest first. A rule whose metric is not defined for an attempt breaks the
+/// row.
+[[nodiscard]] std::vector<RuleProgress> ruleProgress(const StoredModule& module,
+                                                     std::span<const Attempt> attempts);
+
+}  // namespace torsio

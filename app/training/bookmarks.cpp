@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/training/bookmarks.h"
+
+#include <cmath>
+
+#include "db/repository/remark_repository.h"
+#include "sim/base/error.h"
+#include "sim/base/tick_period.h"
+
+namespace torsio {
+
+std::string keepBookmark(Workplace& workplace, const TrialListing& trial, double at_s,
+                         const std::string& text) {
+  const double length_s = trial.summary ? spanOf_s(trial.summary->samples) : 0.0;
+  if (!std::isfinite(at_s) || at_s < 0.0 || at_s > length_s) {
+    throw Error(ErrorCode::kBadParameter, "the moment lies outside the recording", trial.trialId,
+                "Choose a time within it");
+  }
+  const std::string id = workplace.ids().newUuid();
+  RemarkRepository(workplace.connection())
+      .add({.id = id,
+            .trialId = trial.trialId,
+            .author = workplace.actor().userId,
+            .authorPersonId = workplace.actor().personId,
+            .purpose = "bookmark",
+            .tick = std::llround(at_s * 1e3),
+            .time_us = std::llround(at_s * 1e6),
+            .text = text,
+            .createdUtc_us = workplace.now_us(),
+            .demonstration = trial.demonstration});
+  return id;
+}
+
+}  // namespace torsio

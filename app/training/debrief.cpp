@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/training/debrief.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "assessment/attempt/merit.h"
+#include "sim/record/sample_codec.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::size_t kTracePoints = 20'000;
+constexpr std::size_t kFindings = 2;
+constexpr double kMoment_s = 0.5;  // round the instant of a largest value
+
+/// The samples of one recording with their times from the first.
+struct Timeline {
+  std::span<const Sample> samples;
+  std::vector<std::int64_t> times_us;
+
+  Timeline(const TrialHeader& header, std::span<const Sample> all)
+      : samples(all), times_us(sampleTimes(header, all).us) {}
+  [[nodiscard]] double at_s(std::size_t i) const {
+    return static_cast<double>(times_us[i] - times_us.front()) * 1e-6;
+  }
+};
+
+TwistResult resultOf(const MeasuredTwist& twist) {
+  return {.when = {twist.start_s, twist.letGo_s},
+          .target_rad = twist.twist.target_rad,
+          .released_rad = twist.twist.releasedAt_rad,
+          .held_s = twist.held_s,
+          .passed = twist.onTarget};
+}
+
+/// Where in the twist the eye should look.
+Seconds whereIs(std::string_view metric, double value, const Timeline& line, const MeasuredTwist& measured) {
+  const RecordedTwist& twist = measured.twist;
+  const Seconds whole{measured.start_s, measured.letGo_s};
+  const auto momentOf = [&](auto&& size) {
+    std::size_t at = twist.first;
+    for (std::size_t i = twist.first; i < twist.letGo; ++i)
+      if (size(line.samples[i]) > size(line.samples[at])) at = i;
+    const double t = line.at_s(at);
+    return Seconds{std::max(whole.from_s, t - kMoment_s), std::min(whole.to_s + kMoment_s, t + kMoment_s)};
+  };
+  if (metric == "force.peak") return momentOf([](const Sample& s) { return norm(s.force_N); });
+  if (metric == "twist.overshoot") {
+    const double sign = twist.target_rad < 0.0 ? -1.0 : 1.0;
+    return momentOf([sign](const Sample& s) { return sign * s.response.angle_rad; });
+  }
+  if (metric == "twist.time_to_target" || metric == "twist.settling")
+    return {whole.from_s, std::min(whole.to_s, whole.from_s + value)};
+  if (metric == "twist.hold_steadiness")
+    return {std::max(whole.from_s, whole.to_s - measured.held_s), whole.to_s};
+  if (metric == "torque.release_rate") return {whole.to_s - kMoment_s, whole.to_s + kMoment_s};
+  return whole;
+}
+
+DebriefTrace traceOf(const Timeline& line, std::size_t first, std::size_t end) {
+  DebriefTrace trace;
+  const std::size_t stride = std::max<std::size_t>(1, (end - first + kTracePoints - 1) / kTracePoints);
+  for (std::size_t i = first; i < end; i += stride) {
+    // A short peak of force must not fall between two points.
+    double force_N = 0.0;
+    for (std::size_t k = i; k < std::min(i + stride, end); ++k)
+      force_N = std::max(force_N, norm(line.samples[k].force_N));
+    trace.time_s.push_back(line.at_s(i));
+    trace.angle_rad.push_back(line.samples[i].response.angle_rad);
+    trace.torque_Nm.push_back(line.samples[i].response.torque_Nm);
+    trace.force_N.push_back(force_N);
+  }
+  return trace;
+}
+
+void addExpert(const Trial& expert, const AttemptRules& rules, const Timeline& line, const MeasuredTrial& own,
+               Debrief& out) {
+  const std::vector<Sample> shown = decodeTrial(expert);
+  const MeasuredTrial reference = measureTwists(expert.header, shown, rules);
+  const std::vector<const MeasuredTwist*> examples = reference.completed();
+  if (examples.empty()) return;
+  const RecordedTwist& example = examples.front()->twist;
+  out.expert = traceOf(Timeline(expert.header, shown), example.first, example.end);
+  const double grip_s = out.expert.time_s.front();
+  for (double& t : out.expert.time_s) t -= grip_s;
+  const std::vector<const MeasuredTwist*> twists = own.completed();
+  const std::vector<CriterionMerit> all = meritsAgainst(own, reference);
+  const auto finding = [&](const CriterionMerit& criterion, const TwistMerit& found) {
+    return DebriefFinding{std::string(criterion.metric),
+                          found.value,
+                          criterion.expert,
+                          found.merit,
+                          found.twist,
+                          whereIs(criterion.metric, found.value, line, *twists[found.twist])};
+  };
+  const std::size_t each = std::min(kFindings, all.size() / 2);
+  for (std::size_t i = 0; i < each; ++i) {
+    const CriterionMerit& last = all[all.size() - 1 - i];
+    out.strengths.push_back(finding(all[i], all[i].best));
+    out.weaknesses.push_back(finding(last, last.worst));
+  }
+}
+
+}  // namespace
+
+Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, const AttemptRules& rules,
+                    const Trial* expert) {
+  return makeDebrief(header, samples, measureTwists(header, samples, rules), rules, expert);
+}
+
+Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, const MeasuredTrial& measured,
+                    const AttemptRules& rules, const Trial* expert) {
+  Debrief out;
+  out.trialId = header.trialId;
+  out.phaseLabel = header.phaseLabel;
+  out.startedUtc_us = header.startedUtc_us;
+  out.demonstration = header.demonstration;
+  out.target_rad = header.targetAngle_rad;
+  out.tolerance_rad = rules.tolerance_rad;
+  out.forceLimit_N = rules.forceLimit_N.value_or(0.0);
+  out.duration_s = measured.duration_s();
+  const Timeline line(header, samples);
+  if (samples.size() >= 2) out.own = traceOf(line, 0, samples.size());
+  for (const MeasuredTwist* twist : measured.completed()) {
+    out.twists.push_back(resultOf(*twist));
+    out.grips_s.push_back(twist->start_s);
+  }
+  out.unfinishedTwists = measured.unfinished();
+  out.checks = targetChecks(measured, rules);
+  if (expert != nullptr) addExpert(*expert, rules, line, measured, out);
+  out.passed =
+      std::all_of(out.checks.begin(), out.checks.end(), [](const TargetCheck& c) { return c.passed; });
+  return out;
+}
+
+}  // namespace torsio

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "app/training/attempts.h"
+#include "assessment/attempt/pass_rule.h"
+#include "sim/scene/scene.h"
+
+namespace torsio {
+
+/// A stretch of the recording.
+struct Seconds {
+  double from_s = 0.0;
+  double to_s = 0.0;
+};
+
+/// One twist of the run.
+struct TwistResult {
+  Seconds when{};
+  double target_rad = 0.0;
+  double released_rad = 0.0;
+  double held_s = 0.0;  ///< on target until let go
+  bool passed = false;  ///< let go on target
+};
+
+/// Something that was done well or badly, and where.
+struct DebriefFinding {
+  std::string metric{};  ///< id of a card
+  double value = 0.0;    ///< of that twist, SI
+  double expert = 0.0;   ///< of the expert run
+  double merit = 0.0;    ///< logarithm of how much better than the expert; negative: worse
+  std::size_t twist = 0;
+  Seconds when{};  ///< where to look
+};
+
+/// A curve for the window, thinned for drawing.
+struct DebriefTrace {
+  std::vector<double> time_s{};
+  std::vector<double> angle_rad{};
+  std::vector<double> torque_Nm{};
+  std::vector<double> force_N{};
+  [[nodiscard]] bool empty() const noexcept { return time_s.empty(); }
+};
+
+struct DebriefBookmark {
+  std::string id{};
+  double at_s = 0.0;
+  std::string text{};
+};
+
+/// What a trainee is told right after a run.
+struct Debrief {
+  std::string trialId{};
+  std::string moduleId{};
+  std::string moduleTitle{};
+  std::string phaseLabel{};
+  std::string mode{};
+  std::int64_t startedUtc_us = 0;
+  double duration_s = 0.0;
+  bool interrupted = false;
+  bool demonstration = false;
+  bool passed = false;  ///< every check
+  double target_rad = 0.0;
+  double tolerance_rad = 0.0;
+  double forceLimit_N = 0.0;
+  std::vector<TargetCheck> checks{};
+  std::vector<TwistResult> twists{};         ///< completed ones
+  std::int64_t unfinishedTwists = 0;         ///< not completed, counted apart
+  std::vector<DebriefFinding> strengths{};   ///< two, best first; fewer when fewer are defined
+  std::vector<DebriefFinding> weaknesses{};  ///< two, worst first
+  DebriefTrace own{};
+  /// One twist of the expert, its time from the grip; empty: the scene is not there any more.
+  DebriefTrace expert{};
+  std::vector<double> grips_s{};  ///< when each twist of the run began: where the expert's curve is laid
+  std::vector<DebriefBookmark> bookmarks{};
+};
+
+/// The part that needs no database. `expert` may be null: then strengths and weaknesses are missing, too.
+[[nodiscard]] Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples,
+                                  const AttemptRules& rules, const Trial* expert);
+/// Does the same with twists that measureTwists has measured already, of the same samples by the same rules.
+[[nodiscard]] Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples,
+                                  const MeasuredTrial& measured, const AttemptRules& rules,
+                                  const Trial* expert);
+
+/// The debrief of a stored trial. kTrialViewOwn, own trials only. `scene`: that of the trial when it is
+/// loaded already; else it is loaded from `assets` for the expert run. Seconds: call it off the GUI thread.
+[[nodiscard]] Debrief debrief(Workplace& workplace, const std::string& trialId,
+                              const std::filesystem::path& assets, const Scene* scene = nullptr);
+
+/// A bookmark of one's own in a trial of one's own. Audited. kTrialViewOwn.
+void addBookmark(Workplace& workplace, const std::string& trialId, double at_s, const std::string& text);
+
+}  // namespace torsio

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
+#include "app/recording/expert_run.h"
+#include "app/recording/kept_digests.h"
+#include "app/training/bookmarks.h"
+#include "app/training/debrief.h"
+#include "app/training/trainee_record.h"
+#include "db/repository/remark_repository.h"
+#include "sim/base/error.h"
+#include "sim/record/sample_codec.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::int64_t kTrialsToLookThrough = 1'000;
+
+/// A run that an instructor recorded on the same organ with the same parameters.
+std::optional<Trial> storedExpert(TrialRepository& trials, const TrialHeader& header) {
+  TrialFilter filter;
+  filter.sceneId = header.sceneId;
+  filter.limit = kTrialsToLookThrough;
+  for (const TrialListing& listing : trials.list(filter)) {
+    const bool fits = listing.phaseLabel == kExpertPhase && listing.traineeCode.empty() &&
+                      listing.patternId == header.patternId && listing.summary;
+    if (!fits) continue;
+    const std::optional<TrialHeader> found = trials.find(listing.trialId);
+    if (found && found->parameterHash == header.parameterHash) return trials.load(listing.trialId);
+  }
+  return std::nullopt;
+}
+
+/// Empty when the organ is not there any more (a user's own mesh): the debrief then goes without.
+std::optional<Trial> expertFor(TrialRepository& trials, const TrialHeader& header,
+                               const std::filesystem::path& assets, const Scene* scene) {
+  if (std::optional<Trial> stored = storedExpert(trials, header)) return stored;
+  try {
+    if (scene != nullptr && scene->parameterHash == header.parameterHash)
+      return expertRun(*scene, header.targetAngle_rad);
+    SceneRequest request = sceneRequestFor(header.parametersJson);
+    request.assets = assets;
+    request.id = header.sceneId;
+    const Scene loaded = loadScene(request);
+    return expertRun(loaded, header.targetAngle_rad);
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+}
+
+void addMastery(const StoredModule& module, const Attempt& attempt, const std::vector<Attempt>& all,
+                Debrief& out) {
+  std::vector<Attempt> untilNow;
+  for (const Attempt& earlier : all) {
+    untilNow.push_back(earlier);
+    if (earlier.trialId == attempt.trialId) break;
+  }
+  for (const RuleProgress& progress : ruleProgress(module, untilNow)) {
+    const auto value = attempt.values.find(progress.rule.metric);
+    TargetCheck check{.kind = TargetCheck::Kind::kMastery, .metric = progress.rule.metric};
+    if (value != attempt.values.end()) check.value = value->second;
+    check.wanted = progress.rule.threshold;
+    check.atLeast = !masteryRule(progress.rule).atMost;
+    check.passed = check.value && reaches(masteryRule(progress.rule), *check.value);
+    check.streak = progress.streak;
+    check.consecutive = progress.rule.consecutive;
+    out.passed = out.passed && check.passed;
+    out.checks.push_back(std::move(check));
+  }
+}
+
+}  // namespace
+
+Debrief debrief(Workplace& workplace, const std::string& trialId, const std::filesystem::path& assets,
+                const Scene* scene) {
+  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
+  const TrialListing listing = ownTrial(workplace, record, trialId);
+  TrialRepository trials(workplace.connection());
+  const Trial trial = trials.load(trialId);
+  const StoredModule* module = record.module(listing.moduleId);
+  ExerciseRules exercises(assets);
+  const AttemptRules rules =
+      exercises.of(workplace.connection(), listing.sceneId, listing.patternId, listing.moduleId);
+  // Decoded and measured once, for the debrief and for what is kept beside the trial.
+  const std::vector<Sample> samples = decodeTrial(trial);
+  const MeasuredTrial measured = measureTwists(trial.header, samples, rules);
+  if (listing.summary) {
+    keepDigest(workplace.connection(), trial, measureAttempt(samples, measured), rules, workplace.now_us());
+  }
+  const std::optional<Trial> expert = expertFor(trials, trial.header, assets, scene);
+  Debrief out = makeDebrief(trial.header, samples, measured, rules, expert ? &*expert : nullptr);
+  out.moduleId = listing.moduleId;
+  out.mode = listing.attemptMode;
+  out.interrupted = trial.summary.outcome == TrialOutcome::kInterrupted;
+  if (module != nullptr) {
+    out.moduleTitle = module->title;
+    addMastery(*module, attemptOf(workplace, trialId), attemptsOf(workplace, record.personId, module->id),
+               out);
+  }
+  for (const StoredRemark& remark : RemarkRepository(workplace.connection()).remarks(trialId)) {
+    if (remark.purpose != "bookmark" || remark.author != workplace.actor().userId) continue;
+    out.bookmarks.push_back({remark.id, static_cast<double>(remark.time_us) * 1e-6, remark.text});
+  }
+  return out;
+}
+
+void addBookmark(Workplace& workplace, const std::string& trialId, double at_s, const std::string& text) {
+  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
+  const TrialListing listing = ownTrial(workplace, record, trialId);
+  Transaction transaction(workplace.connection());
+  const std::string id = keepBookmark(workplace, listing, at_s, text);
+  workplace.note({.action = "trial.bookmark", .objectKind = "trial_remark", .objectId = id});
+  transaction.commit();
+}
+
+}  // namespace torsio

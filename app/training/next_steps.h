@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "app/training/attempts.h"
+#include "app/training/training_run.h"
+
+namespace torsio {
+
+enum class StepState {
+  kLocked,  ///< other modules come first
+  kOpen,
+  kMastered,  ///< may be repeated
+  kUsedUp,    ///< no attempt is left; not mastered
+};
+
+/// One module as its trainee sees it.
+struct ModuleStep {
+  StoredModule module{};
+  StepState state = StepState::kOpen;
+  std::vector<std::string> missing{};  ///< titles of the modules that must be mastered first
+  std::vector<std::string> unlocks{};  ///< titles of the modules that wait for this one
+  std::vector<RuleProgress> rules{};
+  std::int64_t attempts = 0;                   ///< that counted
+  std::optional<std::int64_t> attemptsLeft{};  ///< empty: no limit
+  std::optional<Attempt> last{};               ///< newest one, counted or not
+  std::int64_t needed_us = 0;                  ///< time that the next attempt takes at most
+};
+
+/// Everything the first page of a trainee shows.
+struct NextSteps {
+  std::string personId{};
+  std::string traineeCode{};
+  std::string enrolmentId{};  ///< empty: in no cohort yet
+  std::string cohortId{};
+  std::string cohortName{};
+  std::string armLabel{};  ///< "20 min virtual, 20 min real arm"; empty: no arm
+  bool demonstration = false;
+  bool hasCurriculum = false;     ///< false: the cohort follows none yet
+  bool recordingAllowed = false;  ///< consent for the training record was given
+  std::vector<ModuleStep> modules{};
+  std::optional<std::size_t> next{};  ///< what to do now; empty: nothing is open
+  /// What is left of the arm; without phases: modules at any time.
+  RunPlan plan{};
+  std::int64_t exposureDone_us = 0;
+  std::int64_t exposureTotal_us = 0;  ///< 0: the arm has no phases
+  bool allPhasesDone = false;
+  std::vector<Attempt> interrupted{};  ///< own trials that ended in an interruption, newest first
+  std::size_t unreadRemarks = 0;
+};
+
+/// A run outside any phase ends after this time at the latest.
+inline constexpr std::int64_t kModuleTime_us = 600'000'000;
+
+/// Modules of the running curriculum of the trainee's cohort, what is open, what is locked and why.
+/// kTrialViewOwn, own person only.
+[[nodiscard]] NextSteps nextSteps(Workplace& workplace, const std::string& personId);
+
+/// The step of one module. Throws Error{kBadParameter} when the curriculum has no such module.
+[[nodiscard]] const ModuleStep& stepOf(const NextSteps& steps, const std::string& moduleId);
+
+}  // namespace torsio

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/training/remarks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "app/training/trainee_record.h"
+#include "db/repository/question_repository.h"
+#include "db/repository/rating_repository.h"
+#include "db/repository/remark_repository.h"
+#include "db/repository/sheet_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::int64_t kAllTrials = 10'000;
+
+/// Which of a trainee's trials raters were asked about, and whether their marks were released.
+class Release {
+ public:
+  Release(Connection& connection, const TraineeRecord& record) {
+    if (!record.enrolment) return;
+    SheetRepository sheets(connection);
+    for (AssignmentStatus& status : sheets.assignments(record.cohort.id)) {
+      const StoredAssignment& assignment = status.assignment;
+      if (assignment.enrolmentId != record.enrolment->id || assignment.trialId.empty()) continue;
+      if (status.state == SheetState::kWithdrawn) continue;
+      if (!sheets.isReleased(record.cohort.id, assignment.scoringPoint)) held_.insert(assignment.trialId);
+      asked_[assignment.trialId].push_back(std::move(status));
+    }
+  }
+  [[nodiscard]] bool mayShow(const std::string& trialId) const { return !held_.contains(trialId); }
+  [[nodiscard]] const std::vector<AssignmentStatus>& asked(const std::string& trialId) const {
+    static const std::vector<AssignmentStatus> kNobody;
+    const auto found = asked_.find(trialId);
+    return found == asked_.end() ? kNobody : found->second;
+  }
+
+ private:
+  std::set<std::string> held_;
+  std::map<std::string, std::vector<AssignmentStatus>> asked_;
+};
+
+TraineeRemark shown(const StoredRemark& stored, const std::set<std::string>& read, const Actor& actor) {
+  const bool own = stored.author == actor.userId || stored.authorPersonId == actor.personId;
+  return {.id = stored.id,
+          .trialId = stored.trialId,
+          .at_s = static_cast<double>(stored.time_us) * 1e-6,
+          .text = stored.text,
+          .writtenUtc_us = stored.createdUtc_us,
+          .own = own,
+          .read = own || read.contains(stored.id)};
+}
+
+/// Answers stand below what they answer, also answers to answers. A question that was answered begins a
+/// thread like a physician's remark.
+std::vector<TraineeRemark> threads(const std::vector<StoredRemark>& all,
+                                   const std::set<std::string>& answered, const std::set<std::string>& read,
+                                   const Actor& actor) {
+  std::map<std::string, std::string> rootOf;
+  std::vector<TraineeRemark> roots;
+  for (const StoredRemark& stored : all) {
+    const bool question = answered.contains(stored.id);
+    if (stored.purpose != "remark" && !question) continue;
+    rootOf[stored.id] = stored.id;
+    roots.push_back(shown(stored, read, actor));
+    roots.back().question = question;
+  }
+  std::vector<StoredRemark> replies;
+  for (const StoredRemark& stored : all)
+    if (stored.purpose == "reply") replies.push_back(stored);
+  std::sort(replies.begin(), replies.end(),
+            [](const StoredRemark& a, const StoredRemark& b) { return a.createdUtc_us < b.createdUtc_us; });
+  for (const StoredRemark& reply : replies) {
+    const auto root = rootOf.find(reply.replyTo);
+    if (root == rootOf.end()) continue;
+    rootOf[reply.id] = root->second;
+    for (TraineeRemark& remark : roots)
+      if (remark.id == root->second) remark.replies.push_back(shown(reply, read, actor));
+  }
+  return roots;
+}
+
+TrialRemarks remarksOf(Workplace& workplace, const TraineeRecord& record, const TrialListing& trial) {
+  RemarkRepository repository(workplace.connection());
+  std::set<std::string> read;
+  for (const StoredReceipt& receipt : repository.receipts(trial.trialId))
+    if (receipt.reader == workplace.actor().userId) read.insert(receipt.remarkId);
+  TrialRemarks out;
+  out.trialId = trial.trialId;
+  if (const StoredModule* module = record.module(trial.moduleId)) out.moduleTitle = module->title;
+  out.phaseLabel = trial.phaseLabel;
+  out.startedUtc_us = trial.startedUtc_us;
+  std::set<std::string> answered;
+  for (const StoredQuestion& question : QuestionRepository(workplace.connection()).ofTrial(trial.trialId))
+    if (!question.answerId.empty()) answered.insert(question.remarkId);
+  out.remarks = threads(repository.remarks(trial.trialId), answered, read, workplace.actor());
+  for (const TraineeRemark& remark : out.remarks) {
+    if (!remark.read) ++out.unread;
+    for (const TraineeRemark& reply : remark.replies)
+      if (!reply.read) ++out.unread;
+  }
+  return out;
+}
+
+/// A remark that the actor may see, with its trial.
+StoredRemark visibleRemark(Workplace& workplace, const std::string& remarkId) {
+  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
+  const std::optional<StoredRemark> remark = RemarkRepository(workplace.connection()).find(remarkId);
+  if (!remark) {
+    throw Error(ErrorCode::kBadParameter, "there is no such remark", remarkId, "Open the list again");
+  }
+  static_cast<void>(ownTrial(workplace, record, remark->trialId));
+  if (!Release(workplace.connection(), record).mayShow(remark->trialId)) {
+    throw Error(ErrorCode::kPermission, "the marks of this recording are not released yet", remark->trialId,
+                "Come back when they are");
+  }
+  return *remark;
+}
+
+double points(std::int64_t steps, const ScoreScale& scale) {
+  return static_cast<double>(steps) / static_cast<double>(scale.stepsPerPoint);
+}
+
+ScoreGapRow rowOf(const std::string& code, const std::string& label, const ScoreScale& scale) {
+  ScoreGapRow row;
+  row.code = code;
+  row.label = label;
+  row.lowest = points(scale.lo, scale);
+  row.highest = points(scale.hi, scale);
+  row.step = 1.0 / static_cast<double>(scale.stepsPerPoint);
+  return row;
+}
+
+/// The sheet that raters were given for this trial; without one: the overall mark of paper section 6.
+StoredRubricRevision rubricOf(Connection& connection, const std::vector<AssignmentStatus>& asked) {
+  if (!asked.empty()) {
+    const auto revision = SheetRepository(connection).revision(asked.front().assignment.rubricRevisionId);
+    if (revision) return *revision;
+  }
+  StoredRubricRevision overallOnly;
+  overallOnly.overall = StoredTrainingMark{}.scale;
+  return overallOnly;
+}
+
+struct PanelMeans {
+  std::map<std::string, std::pair<double, std::size_t>> rows;
+  double overall = 0.0;
+  std::size_t raters = 0;
+};
+
+PanelMeans panelOf(Connection& connection, const std::vector<AssignmentStatus>& asked,
+                   const StoredRubricRevision& rubric) {
+  PanelMeans means;
+  SheetRepository sheets(connection);
+  for (const AssignmentStatus& status : asked) {
+    const std::optional<Sheet> sheet = sheets.submitted(status.assignment.id);
+    if (!sheet || !sheet->overall_steps) continue;
+    means.overall += points(*sheet->overall_steps, rubric.overall);
+    ++means.raters;
+    for (const SheetRow& row : sheet->rows) {
+      for (const StoredRubricRow& known : rubric.rows) {
+        if (known.code != row.code || !row.score_steps) continue;
+        means.rows[row.code].first += points(*row.score_steps, known.scale);
+        ++means.rows[row.code].second;
+      }
+    }
+  }
+  if (means.raters > 0) means.overall /= static_cast<double>(means.raters);
+  return means;
+}
+
+std::int64_t stepsOf(double value, const ScoreScale& scale, const std::string& where) {
+  const double exact = value * static_cast<double>(scale.stepsPerPoint);
+  const std::int64_t steps = std::llround(exact);
+  const bool onScale = steps >= scale.lo && steps <= scale.hi;
+  if (onScale && std::abs(exact - static_cast<double>(steps)) < 1e-6) return steps;
+  throw Error(ErrorCode::kBadParameter, "this scale has no such mark", where,
+              "Choose a mark between the ends of the scale");
+}
+
+}  // namespace
+
+std::vector<TrialRemarks> ownRemarks(Workplace& workplace) {
+  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
+  const Release release(workplace.connection(), record);
+  TrialFilter filter;
+  filter.traineeCode = record.code;
+  filter.limit = kAllTrials;
+  std::vector<TrialRemarks> all;
+  for (const TrialListing& trial : TrialRepository(workplace.connection()).list(filter)) {
+    if (!release.mayShow(trial.trialId)) continue;
+    TrialRemarks remarks = remarksOf(workplace, record, trial);
+    if (!remarks.remarks.empty()) all.push_back(std::move(remarks));
+  }
+  return all;
+}
+
+std::size_t unreadRemarks(Workplace& workplace) {
+  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
+  const Release release(workplace.connection(), record);
+  const std::vector<StoredRemark> unread =
+      RemarkRepository(workplace.connection()).unreadOnTrialsOf(record.personId, workplace.actor().userId);
+  return static_cast<std::size_t>(
+      std::count_if(unread.begin(), unread.end(), [&](const StoredRemark& remark) {
+        return remark.authorPersonId != record.personId && release.mayShow(remark.trialId);
+      }));
+}
+
+void markRemarkRead(Workplace& workplace, const std::string& remarkId) {
+  const StoredRemark remark = visibleRemark(workplace, remarkId);
+  Transaction transaction(workplace.connection());
+  RemarkRepository(workplace.connection())
+      .markRead({.remarkId = remark.id,
+                 .reader = workplace.actor().userId,
+                 .readerPersonId = workplace.actor().personId,
+                 .readUtc_us = workplace.now_us()});
+  workplace.note({.action = "remark.read", .objectKind = "trial_remark", .objectId = remark.id});
+  transaction.commit();
+}
+
+std::string replyToRemark(Workplace& workplace, const std::string& remarkId, const std::string& text) {
+  const StoredRemark remark = visibleRemark(workplace, remarkId);
+  if (text.empty()) {
+    throw Error(ErrorCode::kBadParameter, "the reply is empty", "", "Write what you want to say");
+  }
+  const std::string id = workplace.ids().newUuid();
+  Transaction transaction(workplace.connection());
+  RemarkRepository(workplace.connection())
+      .add({.id = id,
+            .trialId = remark.trialId,
+            .author = workplace.actor().userId,
+            .authorPersonId = workplace.actor().personId,
+            .purpose = "reply",
+            .replyTo = remark.id,
+            .tick = remark.tick,
+            .time_us = remark.time_us,
+            .text = text,
+            .createdUtc_us = workplace.now_us(),
+            .demonstration = remark.demonstration});
+  workplace.note({.action = "remark.reply", .objectKind = "trial_remark", .objectId = id});
+  transaction.commit();
+  return id;
+}
+
+ScoreGap scoreGap(Workplace& workplace, const std::string& trialId) {
+  workplace.require(Operation::kMarkViewOwn);
+  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
+  static_cast<void>(ownTrial(workplace, record, trialId));
+  const Release release(workplace.connection(), record);
+  const StoredRubricRevision rubric = rubricOf(workplace.connection(), release.asked(trialId));
+  ScoreGap gap;
+  gap.trialId = trialId;
+  gap.overall = rowOf("", "", rubric.overall);
+  for (const StoredRubricRow& row : rubric.rows) gap.rows.push_back(rowOf(row.code, row.label, row.scale));
+  gap.released = !release.asked(trialId).empty() && release.mayShow(trialId);
+
+  const auto own = RemarkRepository(workplace.connection()).selfScores(trialId);
+  gap.selfScored = !own.empty();
+  if (!gap.selfScored) return gap;
+  gap.overall.own = points(own.back().score_steps, own.back().scale);
+  const PanelMeans panel =
+      gap.released ? panelOf(workplace.connection(), release.asked(trialId), rubric) : PanelMeans{};
+  gap.raters = panel.raters;
+  if (panel.raters > 0) gap.overall.panel = panel.overall;
+  for (std::size_t i = 0; i < gap.rows.size(); ++i) {
+    for (const StoredSelfScoreRow& row : own.back().rows)
+      if (row.rowCode == gap.rows[i].code) gap.rows[i].own = points(row.score_steps, rubric.rows[i].scale);
+    const auto mean = panel.rows.find(gap.rows[i].code);
+    if (mean != panel.rows.end())
+      gap.rows[i].panel = mean->second.first / static_cast<double>(mean->second.second);
+  }
+  return gap;
+}
+
+void selfScore(Workplace& workplace, const std::string& trialId, double overall,
+               const std::vector<SelfScoreRow>& rows) {
+  const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
+  const TrialListing trial = ownTrial(workplace, record, trialId);
+  const Release release(workplace.connection(), record);
+  const StoredRubricRevision rubric = rubricOf(workplace.connection(), release.asked(trialId));
+  RemarkRepository repository(workplace.connection());
+  const auto before = repository.selfScores(trialId);
+  if (!before.empty() && !release.asked(trialId).empty() && release.mayShow(trialId)) {
+    throw Error(ErrorCode::kPermission, "the physicians' marks were shown already", trialId,
+                "Your own marks stay as they are");
+  }
+  StoredSelfScore score;
+  score.id = workplace.ids().newUuid();
+  score.trialId = trialId;
+  score.traineeId = record.personId;
+  score.version = static_cast<std::int64_t>(before.size()) + 1;
+  score.rubricRevisionId = rubric.id;
+  score.scale = rubric.overall;
+  score.score_steps = stepsOf(overall, rubric.overall, "overall mark");
+  for (const SelfScoreRow& row : rows) {
+    const auto known = std::find_if(rubric.rows.begin(), rubric.rows.end(),
+                                    [&](const StoredRubricRow& r) { return r.code == row.code; });
+    if (known == rubric.rows.end()) {
+      throw Error(ErrorCode::kBadParameter, "the sheet has no such row", row.code, "Open the sheet again");
+    }
+    score.rows.push_back({rubric.id, row.code, stepsOf(row.points, known->scale, known->label)});
+  }
+  score.createdUtc_us = workplace.now_us();
+  score.demonstration = trial.demonstration;
+  Transaction transaction(workplace.connection());
+  repository.addSelfScore(score);
+  workplace.note({.action = "trial.self_score", .objectKind = "trial", .objectId = trialId});
+  transaction.commit();
+}
+
+}  // namespace torsio

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/training/run_session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/recording/recording_host.h"
+#include "app/study/cohort_service.h"
+#include "app/training/trainee_record.h"
+#include "db/repository/people_repository.h"
+#include "db/repository/setting_repository.h"
+#include "sim/base/error.h"
+#include "sim/base/tick_period.h"
+
+namespace torsio {
+
+namespace {
+
+/// May this run begin at all? Throws with the first thing that is missing.
+void checkPermission(const NextSteps& steps, const RunRequest& request) {
+  if (!steps.recordingAllowed) {
+    throw Error(ErrorCode::kPermission, "you have not agreed to be recorded", "consent",
+                "Read and confirm the consent first, or use free practice, which is not recorded");
+  }
+  const Light light = request.device.light();
+  if (light == Light::kRed) {
+    throw Error(ErrorCode::kDevice, "the device is not ready", request.device.device,
+                "Repeat the device check, or practise with mouse and keyboard");
+  }
+  if (request.graded && light != Light::kGreen) {
+    throw Error(ErrorCode::kDevice, "the device is good enough for practice only", request.device.device,
+                "Practise, or put right what the device check shows");
+  }
+  if (steps.allPhasesDone) {
+    throw Error(ErrorCode::kBadParameter, "all phases of your training are over", steps.armLabel,
+                "Ask your training office what comes next");
+  }
+}
+
+bool hasVirtualTime(const RunPlan& plan) {
+  return plan.phases.empty() ||
+         std::any_of(plan.phases.begin(), plan.phases.end(), [](const RunPhase& phase) {
+           return phase.arm == TrainingArm::kVirtual && phase.done_us < phase.duration_us;
+         });
+}
+
+ModuleStep chosenStep(const NextSteps& steps, const RunRequest& request) {
+  checkPermission(steps, request);
+  if (request.moduleId.empty() && !hasVirtualTime(steps.plan)) return {};
+  const ModuleStep& step = stepOf(steps, request.moduleId);
+  if (step.state == StepState::kLocked) {
+    throw Error(ErrorCode::kBadParameter,
+                Text("this module is locked: first master %1", step.missing.front()), step.module.title,
+                "Choose an open module");
+  }
+  if (step.state == StepState::kUsedUp && request.graded) {
+    throw Error(ErrorCode::kBadParameter, "no attempt is left for this module", step.module.title,
+                "Ask your training office for another attempt");
+  }
+  return step;
+}
+
+RunPlan planOf(const NextSteps& steps, const ModuleStep& step) {
+  if (!steps.plan.phases.empty()) return steps.plan;
+  RunPlan plan;
+  plan.phases.push_back({.label = step.module.title,
+                         .arm = TrainingArm::kVirtual,
+                         .duration_us = kModuleTime_us,
+                         .moduleId = step.module.id});
+  return plan;
+}
+
+}  // namespace
+
+RunSession::RunSession(Workplace& workplace, const RunRequest& request, const Clock& clock,
+                       StationWriter* line)
+    : workplace_(workplace),
+      clock_(&clock),
+      steps_(
+          (workplace.require(Operation::kTrialRecordOwn), nextSteps(workplace, workplace.actor().personId))),
+      step_(chosenStep(steps_, request)),
+      graded_(request.graded),
+      run_(planOf(steps_, step_), clock),
+      line_(line),
+      heartbeat_(workplace) {
+  heartbeat_.showDevice(stationDevice(request.device, workplace.now_us()));
+}
+
+void RunSession::write(StationWriter::Write write) {
+  if (line_ != nullptr) {
+    line_->write(std::move(write));
+  } else {
+    write(workplace_);
+  }
+}
+
+void RunSession::show(const std::string& trialId) {
+  if (line_ != nullptr) {
+    line_->show(trialId);
+  } else {
+    heartbeat_.show(trialId);
+  }
+}
+
+void RunSession::heartbeat() {
+  if (line_ == nullptr) heartbeat_.send();
+}
+
+void RunSession::start() {
+  run_.start();
+  utcOffset_us_ = workplace_.now_us() - clock_->now_us();
+  const nlohmann::json what{{"module", step_.module.id}, {"mode", graded_ ? "graded" : "practice"}};
+  write([note = AuditNote{.action = "run.start",
+                          .objectKind = "enrolment",
+                          .objectId = steps_.enrolmentId,
+                          .newJson = what.dump()}](Workplace& own) { own.note(note); });
+  heartbeat();
+}
+
+void RunSession::log(bool all) {
+  for (const ExposurePiece& piece : run_.takeExposure(all)) {
+    if (piece.duration_us <= 0) continue;
+    write([exposure = NewExposure{.cohortId = steps_.cohortId,
+                                  .enrolmentId = steps_.enrolmentId,
+                                  .phaseId = piece.phaseId,
+                                  .kind = piece.kind,
+                                  .startedUtc_us = piece.begun_us + utcOffset_us_,
+                                  .duration_us = piece.duration_us}](Workplace& own) {
+      recordExposure(own, exposure);
+    });
+  }
+}
+
+std::vector<RunEvent> RunSession::advance() {
+  const RunState before = run_.state();
+  std::vector<RunEvent> events = run_.advance();
+  log(run_.state() != before || run_.over());
+  if (run_.over()) show("");
+  heartbeat();
+  return events;
+}
+
+void RunSession::hold() {
+  run_.hold();
+  heartbeat();
+}
+
+const StoredModule& RunSession::module() const {
+  const RunPhase& phase = run_.phase();
+  return phase.moduleId.empty() ? step_.module : stepOf(steps_, phase.moduleId).module;
+}
+
+bool RunSession::rest() {
+  static_cast<void>(advance());
+  if (!run_.rest()) return false;
+  log(true);
+  return true;
+}
+
+std::vector<RunEvent> RunSession::resume() {
+  std::vector<RunEvent> events = advance();
+  run_.resume();
+  for (const RunEvent& event : run_.advance()) events.push_back(event);
+  log(true);
+  return events;
+}
+
+void RunSession::stop(const std::string& reason) {
+  if (run_.over() || run_.state() == RunState::kReady) return;
+  static_cast<void>(run_.advance());
+  const bool early = !run_.over();
+  run_.stop();
+  log(true);
+  const AuditNote note{
+      .action = "run.stop", .objectKind = "enrolment", .objectId = steps_.enrolmentId, .reason = reason};
+  if (early && !run_.phase().phaseId.empty()) {
+    const StoredDeviation deviation{.id = workplace_.ids().newUuid(),
+                                    .cohortId = steps_.cohortId,
+                                    .enrolmentId = steps_.enrolmentId,
+                                    .kind = "phase cut short",
+                                    .description = reason,
+                                    .happenedUtc_us = workplace_.now_us(),
+                                    .reportedBy = workplace_.actor().userId,
+                                    .reportedUtc_us = workplace_.now_us(),
+                                    .demonstration = steps_.demonstration};
+    write([deviation, note](Workplace& own) {
+      Transaction transaction(own.connection());
+      StudyRepository(own.connection()).addDeviation(deviation);
+      own.note(note);
+      transaction.commit();
+    });
+  } else {
+    write([note](Workplace& own) { own.note(note); });
+  }
+  show("");
+  heartbeat();
+}
+
+RecordingSpec RunSession::newTrial() {
+  const RunPhase& phase = run_.phase();
+  const StoredModule& practised = module();
+  RecordingSpec recording{.trialId = workplace_.ids().newUuid(),
+                          .traineeCode = steps_.traineeCode,
+                          .phaseLabel = phase.label,
+                          .targetAngle_rad = practised.targetAngle_rad,
+                          .startedUtc_us = workplace_.now_us(),
+                          .demonstration = steps_.demonstration,
+                          .context = {.station = workplace_.station(),
+                                      .enrolmentId = steps_.enrolmentId,
+                                      .moduleId = practised.id,
+                                      .phaseId = phase.phaseId,
+                                      .attemptMode = graded_ ? "graded" : "practice",
+                                      .host = thisHost()}};
+  trials_.push_back(recording.trialId);
+  show(recording.trialId);
+  return recording;
+}
+
+std::unique_ptr<TrialSink> RunSession::sinkFor(const RecordingSpec& recording) const {
+  return recordingSink(workplace_.key().locator, recording.context);
+}
+
+std::vector<RecoveredTrial> recoverInterrupted(Workplace& workplace, const std::filesystem::path& folder) {
+  const TraineeRecord record = ownRecord(workplace, Operation::kTrialRecordOwn);
+  std::vector<RecoveredTrial> own;
+  for (const SettledTrial& settled : settleStation(workplace, folder).trials) {
+    const TrialListing& trial = settled.trial;
+    if (trial.traineeCode != record.code || trial.summary->outcome != TrialOutcome::kInterrupted) continue;
+    own.push_back({.trialId = trial.trialId,
+                   .moduleId = trial.moduleId,
+                   .phaseLabel = trial.phaseLabel,
+                   .startedUtc_us = trial.startedUtc_us,
+                   .recorded_s = spanOf_s(trial.summary->samples),
+                   .exposureAdded_s = static_cast<double>(settled.exposureAdded_us) * 1e-6});
+  }
+  return own;
+}
+
+void decideOwnConsent(Workplace& workplace, const std::string& purpose, bool granted,
+                      const std::string& textVersion) {
+  const TraineeRecord record = ownRecord(workplace, Operation::kTrialRecordOwn);
+  if (textVersion.empty()) {
+    throw Error(ErrorCode::kBadParameter, "it is not known which text was shown", purpose,
+                "Open the consent again");
+  }
+  Transaction transaction(workplace.connection());
+  PeopleRepository(workplace.connection())
+      .recordConsent({.personId = record.personId,
+                      .purpose = purpose,
+                      .granted = granted,
+                      .textVersion = textVersion,
+                      .decidedUtc_us = workplace.now_us(),
+                      .recordedBy = workplace.actor().userId,
+                      .demonstration = record.demonstration});
+  const nlohmann::json what{{"purpose", purpose}, {"granted", granted}, {"text", textVersion}};
+  workplace.note(
+      {.action = "consent.own", .objectKind = "person", .objectId = record.personId, .newJson = what.dump()});
+  transaction.commit();
+}
+
+bool hasOwnConsent(Workplace& workplace, const std::string& purpose) {
+  workplace.require(Operation::kTrialViewOwn);
+  return PeopleRepository(workplace.connection()).hasConsent(workplace.actor().personId, purpose);
+}
+
+bool gradesWithMouse(Workplace& workplace) {
+  workplace.require(Operation::kPractice);
+  return SettingRepository(workplace.connection()).value("graded_with_mouse") == "yes";
+}
+
+}  // namespace torsio

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "app/devices/device_readiness.h"
+#include "app/recording/recording_spec.h"
+#include "app/recording/station_heartbeat.h"
+#include "app/recording/station_start.h"
+#include "app/recording/station_writer.h"
+#include "app/training/next_steps.h"
+#include "app/training/training_run.h"
+#include "db/repository/trial_repository.h"
+#include "sim/record/trial.h"
+
+namespace torsio {
+
+struct RunRequest {
+  std::string moduleId{};
+  bool graded = false;
+  DeviceReadiness device{};
+};
+
+/// One run of a trainee at a station, from the permission to begin to the last logged second: the clock
+/// (TrainingRun), what each recording belongs to, and the exposure, which goes to the database piece by piece
+/// so that a power cut takes little of it. Who may begin may go on: once it runs, the permission is not asked
+/// again, and with a `line` nothing waits for the database. GUI thread.
+class RunSession {
+ public:
+  /// Checks everything that must be in order. kTrialRecordOwn. Throws Error: {kPermission} without consent
+  /// for the training record, {kDevice} when a graded run meets a device that is not green (or any run a red
+  /// one), {kBadParameter} when the module is locked, used up or unknown, or all phases are over.
+  /// `line`: writes what comes up in the course of the run, and gives the signs of life; it outlives the
+  /// session. Null: the workplace writes at once.
+  RunSession(Workplace& workplace, const RunRequest& request, const Clock& clock,
+             StationWriter* line = nullptr);
+
+  [[nodiscard]] const TrainingRun& run() const noexcept { return run_; }
+  [[nodiscard]] const ModuleStep& step() const noexcept { return step_; }
+  [[nodiscard]] bool graded() const noexcept { return graded_; }
+  /// What is practised in the present phase.
+  [[nodiscard]] const StoredModule& module() const;
+
+  void start();
+  /// Moves the clock, logs exposure and gives the station's sign of life. Call it often.
+  std::vector<RunEvent> advance();
+  /// In place of advance() while the machine is not ready: the trainee's time stands still.
+  void hold();
+  [[nodiscard]] bool rest();
+  std::vector<RunEvent> resume();
+  /// Given up; `reason` goes to the study's deviations when a phase was cut short.
+  void stop(const std::string& reason);
+
+  /// Orders a new recording for the present phase. Virtual phases only.
+  [[nodiscard]] RecordingSpec newTrial();
+  /// Where it is kept: recordingSink of care/unstored_trials.h, for the recorder's thread.
+  [[nodiscard]] std::unique_ptr<TrialSink> sinkFor(const RecordingSpec& recording) const;
+  /// Ids of the recordings so far.
+  [[nodiscard]] const std::vector<std::string>& trials() const noexcept { return trials_; }
+
+ private:
+  void log(bool all);
+  void write(StationWriter::Write write);
+  void show(const std::string& trialId);
+  void heartbeat();
+
+  Workplace& workplace_;
+  const Clock* clock_;
+  NextSteps steps_;
+  ModuleStep step_;
+  bool graded_;
+  TrainingRun run_;
+  std::int64_t utcOffset_us_ = 0;  // wall clock minus run clock at the start
+  std::vector<std::string> trials_;
+  StationWriter* line_;
+  StationHeartbeat heartbeat_;  // unless there is a line
+};
+
+/// An interrupted run that was found at the start of the program.
+struct RecoveredTrial {
+  std::string trialId{};
+  std::string moduleId{};
+  std::string phaseLabel{};
+  std::int64_t startedUtc_us = 0;
+  double recorded_s = 0.0;
+  double exposureAdded_s = 0.0;  ///< training time of the recording that had not been logged yet
+};
+/// Puts the recordings of this station in order (settleStation). Returns those of the actor that were cut
+/// off. kTrialRecordOwn.
+std::vector<RecoveredTrial> recoverInterrupted(Workplace& workplace,
+                                               const std::filesystem::path& folder = unstoredFolder());
+
+/// The actor's own decision about a purpose of consent. kTrialRecordOwn. Throws Error{kBadParameter}.
+void decideOwnConsent(Workplace& workplace, const std::string& purpose, bool granted,
+                      const std::string& textVersion);
+/// Whether the actor's newest decision grants the purpose. kTrialViewOwn.
+[[nodiscard]] bool hasOwnConsent(Workplace& workplace, const std::string& purpose);
+
+/// Whether the centre grades runs with mouse and keyboard (setting "graded_with_mouse": "yes").
+[[nodiscard]] bool gradesWithMouse(Workplace& workplace);
+
+}  // namespace torsio

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/training/trainee_record.h"
+
+#include <algorithm>
+
+#include "db/repository/people_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::int64_t kAllTrials = 10'000;
+
+/// Newer cohorts come later in the list, and one that follows a curriculum counts before one that does not.
+void findEnrolment(Connection& connection, TraineeRecord& record) {
+  StudyRepository studies(connection);
+  for (const StoredCohort& cohort : studies.cohorts()) {
+    if (record.enrolment && !record.cohort.curriculumVersionId.empty() &&
+        cohort.curriculumVersionId.empty()) {
+      continue;
+    }
+    for (const StoredEnrolment& enrolment : studies.enrolments(cohort.id)) {
+      if (enrolment.traineeId != record.personId || enrolment.state != "enrolled") continue;
+      record.enrolment = enrolment;
+      record.cohort = cohort;
+    }
+  }
+}
+
+void findCurriculum(Connection& connection, TraineeRecord& record) {
+  if (!record.enrolment || record.cohort.curriculumVersionId.empty()) return;
+  record.version = CurriculumRepository(connection).version(record.cohort.curriculumVersionId);
+  if (record.version && record.version->state == "draft") record.version.reset();
+  if (!record.version) return;
+  for (const StoredGroup& group : StudyRepository(connection).groups(record.cohort.id)) {
+    if (group.id != record.enrolment->groupId) continue;
+    for (const StoredArm& arm : record.version->arms) {
+      if (arm.id == group.armId) record.arm = arm;
+    }
+  }
+}
+
+}  // namespace
+
+const StoredModule* TraineeRecord::module(const std::string& moduleId) const {
+  if (!version) return nullptr;
+  const auto found = std::find_if(version->modules.begin(), version->modules.end(),
+                                  [&](const StoredModule& m) { return m.id == moduleId; });
+  return found == version->modules.end() ? nullptr : &*found;
+}
+
+TraineeRecord ownRecord(Workplace& workplace, Operation operation) {
+  const std::string& personId = workplace.actor().personId;
+  workplace.requireOwn(operation, personId);
+  for (const StoredTrainee& trainee : PeopleRepository(workplace.connection()).trainees()) {
+    if (trainee.person.id != personId) continue;
+    TraineeRecord record;
+    record.personId = personId;
+    record.code = trainee.person.code;
+    record.demonstration = trainee.person.demonstration;
+    findEnrolment(workplace.connection(), record);
+    findCurriculum(workplace.connection(), record);
+    return record;
+  }
+  throw Error(ErrorCode::kPermission, "you are not enrolled as a trainee", workplace.actor().login,
+              "Ask an administrator to add you to the roster");
+}
+
+TrialListing ownTrial(Workplace& workplace, const TraineeRecord& record, const std::string& trialId) {
+  TrialRepository trials(workplace.connection());
+  TrialFilter filter;
+  filter.traineeCode = record.code;
+  filter.limit = kAllTrials;
+  for (TrialListing& listing : trials.list(filter)) {
+    if (listing.trialId == trialId) return std::move(listing);
+  }
+  if (trials.find(trialId)) {
+    throw Error(ErrorCode::kPermission, "this recording belongs to somebody else", trialId,
+                "Open your own record");
+  }
+  throw Error(ErrorCode::kBadParameter, "there is no such recording", trialId, "Choose one from the list");
+}
+
+}  // namespace torsio

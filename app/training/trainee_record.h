@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/access/workplace.h"
+#include "db/repository/curriculum_repository.h"
+#include "db/repository/study_repository.h"
+#include "db/repository/trial_repository.h"
+
+namespace torsio {
+
+/// Where a trainee belongs: what the services of the station read first.
+struct TraineeRecord {
+  std::string personId{};
+  std::string code{};
+  bool demonstration = false;
+  std::optional<StoredEnrolment> enrolment{};        ///< the newest that is neither completed nor withdrawn
+  StoredCohort cohort{};                             ///< of the enrolment
+  std::optional<StoredCurriculumVersion> version{};  ///< running or closed: what was begun may be ended
+  std::optional<StoredArm> arm{};
+
+  /// Null when the curriculum has no such module.
+  [[nodiscard]] const StoredModule* module(const std::string& moduleId) const;
+};
+
+/// The record of the actor. Throws Error{kPermission}: no right to `operation`, or no trainee.
+[[nodiscard]] TraineeRecord ownRecord(Workplace& workplace, Operation operation);
+
+/// A trial of this trainee. Throws Error{kPermission} for somebody else's, {kBadParameter} for none.
+[[nodiscard]] TrialListing ownTrial(Workplace& workplace, const TraineeRecord& record,
+                                    const std::string& trialId);
+
+}  // namespace torsio

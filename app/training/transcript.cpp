@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/training/transcript.h"
+
+#include "app/base/build_info.h"
+#include "db/repository/people_repository.h"
+#include "db/repository/study_repository.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr double kMinute_us = 60e6;
+
+void addTimes(Workplace& workplace, const NextSteps& steps, Transcript& transcript) {
+  if (steps.cohortId.empty()) return;
+  for (const StoredExposure& exposure : StudyRepository(workplace.connection()).exposures(steps.cohortId)) {
+    if (exposure.enrolmentId != steps.enrolmentId) continue;
+    const double minutes = static_cast<double>(exposure.duration_us) / kMinute_us;
+    if (exposure.kind == "virtual") transcript.virtual_min += minutes;
+    if (exposure.kind == "real") transcript.real_min += minutes;
+    if (exposure.kind == "rest") transcript.rest_min += minutes;
+  }
+}
+
+}  // namespace
+
+Transcript transcript(Workplace& workplace, const std::string& personId) {
+  const NextSteps steps = nextSteps(workplace, personId);
+  Transcript transcript;
+  if (const auto centre = StudyRepository(workplace.connection()).centre()) transcript.centre = centre->name;
+  if (const auto identity = PeopleRepository(workplace.connection()).identity(personId))
+    transcript.fullName = identity->fullName;
+  transcript.traineeCode = steps.traineeCode;
+  transcript.cohortName = steps.cohortName;
+  transcript.armLabel = steps.armLabel;
+  transcript.demonstration = steps.demonstration;
+  transcript.madeUtc_us = workplace.now_us();
+  transcript.softwareVersion = softwareVersion();
+  for (const ModuleStep& step : steps.modules) {
+    TranscriptModule module;
+    module.step = step;
+    module.attempts = attemptsOf(workplace, personId, step.module.id);
+    module.level = trend(workplace, personId, step.module.id).level;
+    transcript.modules.push_back(std::move(module));
+  }
+  addTimes(workplace, steps, transcript);
+  workplace.note({.action = "transcript.make", .objectKind = "person", .objectId = personId});
+  return transcript;
+}
+
+}  // namespace torsio

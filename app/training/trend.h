@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/access/workplace.h"
+#include "app/training/attempts.h"
+
+namespace torsio {
+
+/// Fewer attempts show nothing but chance.
+inline constexpr std::size_t kRunsForLevel = 3;
+
+enum class SkillLevel {
+  kNotShown,  ///< fewer than kRunsForLevel attempts
+  kLearning,  ///< not yet shown to be able
+  kSteady,    ///< able, and stays so
+  kWatch,     ///< able before; the last attempts raise a doubt
+  kRelapsed,  ///< able before; the doubt has become an alarm
+};
+
+struct TrendPoint {
+  std::string trialId{};
+  std::int64_t attempt = 1;
+  std::int64_t startedUtc_us = 0;
+  std::optional<double> value{};
+  std::string mode{};
+  bool counted = false;
+  bool passed = false;  ///< all rules of the module
+};
+
+struct TrendCurvePoint {
+  double attempt = 0.0;
+  double value = 0.0;
+  double lower = 0.0;  ///< 95 % band of the mean curve
+  double upper = 0.0;
+};
+
+/// A trainee's way at one module.
+struct Trend {
+  std::string moduleId{};
+  std::string moduleTitle{};
+  std::string metric{};  ///< of the first mastery rule, or the chosen one
+  std::string unit{};    ///< "s", "rad", "N", "1"
+  bool lowerIsBetter = true;
+  std::vector<TrendPoint> points{};
+  std::optional<double> threshold{};
+  std::optional<double> distance{};  ///< to the threshold from the last value; at most 0: reached
+  std::vector<TrendCurvePoint> curve{};
+  std::optional<double> asymptote{};
+  std::string noCurveReason{};  ///< in words, when curve is empty
+  SkillLevel level = SkillLevel::kNotShown;
+  std::size_t runsUntilLevel = 0;  ///< of kNotShown
+  std::vector<double> cusum{};     ///< one a counted attempt: LC-CUSUM until able, the relapse watch after
+  std::optional<std::size_t> ableAt{};  ///< number of the counted attempt, from 1
+  double cusumLimit = 0.0;
+  std::optional<std::int64_t> attemptsLeft{};
+};
+
+/// The level from passed and failed attempts, oldest first.
+struct LevelCourse {
+  SkillLevel level = SkillLevel::kNotShown;
+  std::size_t runsUntilLevel = 0;
+  std::vector<double> sums{};
+  std::optional<std::size_t> ableAt{};
+  double limit = 0.0;
+};
+[[nodiscard]] LevelCourse levelCourse(const std::vector<bool>& failed);
+
+/// kTrialViewOwn, own attempts only. `metric`: empty: that of the module's first mastery rule. Throws
+/// Error{kBadParameter} for a module that is not in the trainee's curriculum.
+[[nodiscard]] Trend trend(Workplace& workplace, const std::string& personId, const std::string& moduleId,
+                          const std::string& metric = {});
+
+}  // namespace torsio

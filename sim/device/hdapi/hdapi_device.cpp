@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/device/hdapi/hdapi_device.h"
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "sim/base/contracts.h"
+
+namespace torsio {
+
+HdapiDevice::HdapiDevice(const hd::Api& api, const HdapiOptions& options)
+    : session_(std::make_shared<HdapiSession>(api, options)), patience_us_(options.patience_us) {}
+
+HdapiDevice::~HdapiDevice() {
+  (void)close();
+}
+
+void HdapiDevice::start(const HdapiTick& tick) {
+  TORSIO_EXPECTS(!started_);
+  driven_ = tick.run != nullptr;
+  started_ = true;
+  session_->start(tick);
+}
+
+void HdapiDevice::beginClose() {
+  if (closed_.valid()) return;
+  session_->servo().revokeTick();
+  std::promise<void> promise;
+  closed_ = promise.get_future();
+  // The thread keeps the session alive for as long as the library holds on to it.
+  std::thread([session = session_, done = std::move(promise)]() mutable {
+    session->tearDown();
+    done.set_value();
+  }).detach();
+}
+
+bool HdapiDevice::close() {
+  beginClose();
+  // Patience is spent once; later calls only look.
+  const std::chrono::microseconds patience(waited_ ? 0 : patience_us_);
+  waited_ = true;
+  return closed_.wait_for(patience) == std::future_status::ready;
+}
+
+HdapiSnapshot HdapiDevice::snapshot() noexcept {
+  HdapiSnapshot snapshot = session_->servo().newestSnapshot();
+  if (closed_.valid()) snapshot.state = HdapiState::kClosed;
+  return snapshot;
+}
+
+DeviceSample HdapiDevice::read(std::int64_t time_us) noexcept {
+  DeviceSample sample;
+  if (driven_) {
+    sample = session_->servo().current();
+  } else {
+    const HdapiServo::Reading reading = session_->servo().newestReading();
+    sample = reading.sample;
+    if (!reading_ || reading.number != lastNumber_) lastNew_us_ = time_us;
+    reading_ = true;
+    lastNumber_ = reading.number;
+    const std::int64_t age_us = time_us - lastNew_us_;
+    if (reading.number == 0) sample.status |= kDeviceStale | kDeviceUncalibrated;
+    if (age_us > kReadingStale_us) sample.status |= kDeviceStale;
+    if (age_us > kReadingLost_us) sample.status |= kDeviceLost;
+  }
+  sample.time_us = time_us;
+  return sample;
+}
+
+void HdapiDevice::write(const ForceCommand& command) noexcept {
+  if (driven_) {
+    session_->servo().send(command.force_N);
+    return;
+  }
+  force_ = {command.force_N, force_.number + 1};
+  session_->servo().publishForce(force_);
+}
+
+}  // namespace torsio

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <optional>
+
+#include "sim/base/clock.h"
+#include "sim/base/latest_value.h"
+#include "sim/base/live_types.h"
+#include "sim/base/spsc_ring.h"
+#include "sim/device/hdapi/button_filter.h"
+#include "sim/device/hdapi/hdapi_border.h"
+#include "sim/device/hdapi/hdapi_errors.h"
+#include "sim/device/hdapi/hdapi_state.h"
+#include "sim/device/safety/force_gate.h"
+#include "sim/device/stylus_roll.h"
+
+namespace torsio {
+
+/// Called once a tick in the vendor's servo thread, between the reading and the sending of a frame. noexcept
+/// by contract; no allocation, no lock. A ServoCallback is driven by
+/// `{[](void* self, std::int64_t) { (void)ServoCallback::invoke(self); }, &callback}`.
+struct HdapiTick {
+  void (*run)(void* context, std::int64_t time_us) = nullptr;
+  void* context = nullptr;
+};
+
+/// What the servo thread knows of the device before it starts.
+struct HdapiSetup {
+  hd::Handle handle = hd::kInvalidHandle;
+  hd::Enum calibrationStyle = hd::kCalibrationInkwell;
+  DevicePlacement placement;
+  GimbalProfile gimbal;
+  double maxForce_N = 3.3;
+  bool hasTemperature = true;    ///< the library answers when asked for it
+  bool hasInkwellSwitch = true;  ///< the same
+};
+
+/// A force on its way to the device, numbered so that an old one is recognised.
+struct HdapiForce {
+  Vec3 force_N;
+  std::uint64_t number = 0;
+};
+
+/// Age at which a force that was not renewed is no longer sent.
+inline constexpr std::int64_t kForceExpires_us = 20'000;
+/// Temperature of a motor above which the force is folded back (rule of the vendor's own sample).
+inline constexpr double kWarmAbove = 0.7;
+/// Temperature below which all motors must be before the full force returns.
+inline constexpr double kWarmUntilBelow = 0.5;
+/// Speed that no hand exceeds; a faster step is a jump of the calibration.
+inline constexpr double kFastestHand_m_per_s = 10.0;
+/// Time for which the pose is not trusted after a jump.
+inline constexpr std::int64_t kJumpSettles_us = 100'000;
+/// Time within which the jaw follows stylus button 1, closing and opening.
+inline constexpr std::int64_t kGripTime_us = 100'000;
+
+/// Everything that happens in the vendor's servo thread: one frame a tick, errors, calibration, the border
+/// to SI and the force. Only this object calls the library while the scheduler runs; other threads leave
+/// wishes in atomics and read mailboxes.
+class HdapiServo {
+ public:
+  HdapiServo(const hd::Api& api, const HdapiSetup& setup, const Clock& clock);
+
+  /// Sets the tick function. Any thread, before the scheduler starts.
+  void setTick(const HdapiTick& tick) noexcept { tick_ = tick; }
+
+  // --- vendor's servo thread ---
+  /// Runs one frame; returns kCallbackDone when the connection is over. Allocates nothing, locks nothing,
+  /// logs nothing.
+  hd::CallbackCode frame() noexcept;
+  /// Tells whether a frame with zero force went out after revokeTick().
+  [[nodiscard]] bool silent() const noexcept { return silent_.load(std::memory_order_acquire); }
+
+  // --- inside the tick function ---
+  [[nodiscard]] const DeviceSample& current() const noexcept { return snapshot_.sample; }
+  void send(const Vec3& force_N) noexcept { command_ = {force_N, command_.number + 1}; }
+
+  // --- one thread outside ---
+  struct Reading {
+    DeviceSample sample;
+    std::uint64_t number = 0;  ///< of the frame; 0: none yet
+  };
+  [[nodiscard]] Reading newestReading() noexcept { return readings_.latest(); }
+  void publishForce(const HdapiForce& force) noexcept { forces_.publish(force); }
+
+  // --- another thread outside ---
+  [[nodiscard]] HdapiSnapshot newestSnapshot() noexcept { return snapshots_.latest(); }
+  [[nodiscard]] bool nextEvent(HdapiEvent& event) noexcept { return events_.pop(event); }
+  void wishForce(bool on) noexcept { forceWished_.store(on, std::memory_order_relaxed); }
+  void wishCalibration() noexcept { calibrationWished_.store(true, std::memory_order_relaxed); }
+  /// Ends the frames: zero force from the next one on. After the return the tick function is never called
+  /// again. Not from within the tick function.
+  void revokeTick() noexcept;
+  /// Sends zero force from the frame in progress or, outside of one, from the next on, until the gate has
+  /// opened anew. Any thread; calls nothing of the library, which belongs to the servo thread: while a
+  /// frame hangs, only the device's own protection is left.
+  void dropForce() noexcept { dropAsked_.store(true, std::memory_order_relaxed); }
+  [[nodiscard]] bool lost() const noexcept { return lost_.load(std::memory_order_acquire); }
+
+ private:
+  void takeWishes() noexcept;
+  [[nodiscard]] bool beginFrame(std::int64_t now_us) noexcept;
+  void readDevice(std::int64_t now_us) noexcept;
+  void readSwitches(std::int64_t now_us) noexcept;
+  void readTemperature() noexcept;
+  void checkCalibration(std::int64_t now_us) noexcept;
+  void updateCalibration(std::int64_t now_us) noexcept;
+  void noteJump(const Pose& pose, std::int64_t now_us) noexcept;
+  void followGrip(std::int64_t now_us) noexcept;
+  void judge(std::int64_t now_us) noexcept;
+  void runTick(std::int64_t now_us) noexcept;
+  void sendForce(std::int64_t now_us) noexcept;
+  void chooseState(bool slowOrWarm) noexcept;
+  [[nodiscard]] Vec3 forceToSend(std::int64_t now_us) noexcept;
+  void switchForce(bool on) noexcept;
+  HdapiErrors drain(std::int64_t now_us) noexcept;
+  void publish() noexcept;
+  void note(HdapiEvent::Kind kind, std::int64_t now_us, std::uint32_t value = 0,
+            const hd::ErrorInfo& error = {}) noexcept;
+
+  const hd::Api& api_;
+  const HdapiSetup setup_;
+  const Clock& clock_;
+  HdapiTick tick_;
+
+  // Servo thread only.
+  TickMeter meter_;
+  CalibrationFlow calibration_;
+  StylusRoll roll_;
+  ButtonFilter buttons_;
+  ForceGate gate_;
+  HdapiSnapshot snapshot_;
+  HdapiForce command_;
+  DeviceReading reading_;
+  std::optional<Pose> lastPose_;
+  bool started_ = false;
+  bool frameOpen_ = false;
+  bool tripped_ = false;       // the device's force protection, this tick
+  bool warmStop_ = false;      // HD_WARM_MOTORS, until cold
+  bool warm_ = false;          // fold-back with hysteresis
+  bool updateNeeded_ = false;  // hdUpdateCalibration after the frame
+  std::int64_t begun_us_ = 0;
+  std::int64_t interval_us_ = 0;
+  std::int64_t lastPose_us_ = 0;
+  std::int64_t distrustUntil_us_ = 0;
+  std::int64_t grip_us_ = 0;
+  std::uint64_t seenForce_ = 0;
+  std::int64_t seenForce_us_ = 0;
+  std::uint64_t frames_ = 0;
+
+  // Between threads.
+  LatestValue<Reading> readings_;
+  LatestValue<HdapiForce> forces_;
+  LatestValue<HdapiSnapshot> snapshots_;
+  SpscRing<HdapiEvent> events_;
+  std::atomic<bool> forceWished_{false};
+  std::atomic<bool> calibrationWished_{false};
+  std::atomic<bool> dropAsked_{false};
+  std::atomic<bool> revoked_{false};
+  std::atomic<bool> inTick_{false};
+  std::atomic<bool> lost_{false};
+  std::atomic<bool> silent_{false};
+};
+
+}  // namespace torsio

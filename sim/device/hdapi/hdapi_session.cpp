@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/device/hdapi/hdapi_session.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim/base/error.h"
+#include "sim/base/tick_period.h"
+
+namespace torsio {
+
+namespace {
+
+// After a failed initialisation the library may return a handle without meaning and no error. The first
+// valid handle is 0; nobody has a thousand devices.
+constexpr hd::Handle kLargestHandle = 1024;
+constexpr int kInitTries = 3;
+constexpr hd::ULong kWantedRate_Hz = 1'000'000 / kTickPeriod_us;
+constexpr double kMillimetre_m = 1e-3;
+constexpr double kPerMillimetre_per_m = 1e3;
+// Nominal box of the Omni and the Touch about the device's origin: 160 x 120 x 70 mm.
+constexpr std::array<double, 6> kNominalBox_mm{-80.0, -60.0, -35.0, 80.0, 60.0, 35.0};
+
+hd::CallbackCode TORSIO_HD_CALL servoCallback(void* servo) {
+  return static_cast<HdapiServo*>(servo)->frame();
+}
+
+/// Waits for a tick to pass; the frame's own callback has a higher priority and ran before.
+hd::CallbackCode TORSIO_HD_CALL passTick(void*) {
+  return hd::kCallbackDone;
+}
+
+std::string hex(hd::ErrorCode code) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string text = "0x";
+  for (int shift = 12; shift >= 0; shift -= 4) text += kDigits[(code >> static_cast<unsigned>(shift)) & 15U];
+  return text;
+}
+
+Text described(const hd::Api& api, hd::ErrorCode code) {
+  const char* const vendor = api.hdGetErrorString(code);
+  if (vendor == nullptr) return Text("%1 (%2)", hdapiErrorText(code), hex(code));
+  return Text("%1 (%2, %3)", hdapiErrorText(code), hex(code), vendor);
+}
+
+Text remedyFor(hd::ErrorCode code) {
+  switch (code) {
+    case hd::kInvalidLicense:
+      return Text(
+          "Install the licence of OpenHaptics for this computer, or set OH_SDK_LICENSE_PATH to its folder");
+    case hd::kDeviceAlreadyInitiated:
+      return Text("Close every other program that uses the device, then try again");
+    case hd::kCommConfigError:
+      return Text("Unplug the device, wait ten seconds, plug it in again and run the vendor's set-up tool");
+    case hd::kTimerError:
+    case hd::kSchedulerFull:
+    case hd::kInvalidPriority:
+      return Text("Close every other program that uses the device; restart Torsio");
+    default:
+      return Text(
+          "Check power and cable, run the vendor's set-up tool once as this user, and check the rights on "
+          "the device file (docs/devices.md)");
+  }
+}
+
+std::vector<const char*> namesToTry(const std::string& configured) {
+  if (!configured.empty()) return {configured.c_str(), nullptr};
+  return {nullptr, "Default Device", "Default PHANToM"};
+}
+
+}  // namespace
+
+HdapiSession::HdapiSession(const hd::Api& api, const HdapiOptions& options)
+    : api_(api), clock_(options.clock ? options.clock : std::make_shared<const MonotonicClock>()) {
+  open(options.deviceName);
+  try {
+    api_.hdMakeCurrentDevice(handle_);
+    api_.hdDisable(hd::kForceOutput);
+    // The vendor's own safeguards stay on behind ours.
+    for (const hd::Enum safeguard : {hd::kMaxForceClamping, hd::kForceRamping, hd::kOneFrameLimit}) {
+      api_.hdEnable(safeguard);
+    }
+    (void)drainHdapiErrors(api_);
+    if (api_.hdIsEnabled(hd::kForceOutput) != 0) {
+      throw Error(ErrorCode::kDevice, "the device's force cannot be switched off", identity_.openedAs,
+                  "Unplug the device, plug it in again and run the vendor's set-up tool");
+    }
+    readIdentity();
+    readCapabilities(options);
+    servo_ = std::make_unique<HdapiServo>(api_, setup(), *clock_);
+    calibrateBeforeStart();
+  } catch (...) {
+    tearDown();
+    throw;
+  }
+}
+
+HdapiSession::~HdapiSession() {
+  tearDown();
+}
+
+void HdapiSession::open(const std::string& deviceName) {
+  hd::ErrorCode firstError = hd::kSuccess;
+  (void)drainHdapiErrors(api_);
+  for (const char* const name : namesToTry(deviceName)) {
+    for (int attempt = 0; attempt < kInitTries; ++attempt) {
+      const hd::Handle handle = api_.hdInitDevice(name);
+      const HdapiErrors errors = drainHdapiErrors(api_);
+      const bool sound = handle <= kLargestHandle;
+      if (sound && errors.worst < HdapiErrorClass::kLicence) {
+        handle_ = handle;
+        identity_.openedAs = name != nullptr ? name : "default device";
+        return;
+      }
+      const hd::ErrorCode error = errors.count > 0 ? errors.worstCode() : hd::kDeviceFault;
+      if (firstError == hd::kSuccess) firstError = error;
+      if (error != hd::kDeviceAlreadyInitiated) break;
+      api_.hdDisableDevice(sound ? handle : api_.hdGetCurrentDevice());
+      (void)drainHdapiErrors(api_);
+    }
+    if (firstError == hd::kInvalidLicense) break;
+  }
+  throw Error(ErrorCode::kDevice, Text("no haptic device could be opened: %1", described(api_, firstError)),
+              deviceName.empty() ? Text("default device") : Text("device \"%1\"", deviceName),
+              remedyFor(firstError));
+}
+
+std::string HdapiSession::text(hd::Enum name) {
+  const char* const value = api_.hdGetString(name);
+  const HdapiErrors errors = drainHdapiErrors(api_);
+  return value != nullptr && errors.count == 0 ? value : "";
+}
+
+void HdapiSession::readIdentity() {
+  identity_.model = text(hd::kDeviceModelType);
+  identity_.vendor = text(hd::kDeviceVendor);
+  identity_.serial = text(hd::kDeviceSerialNumber);
+  identity_.driverVersion = text(hd::kDeviceDriverVersion);
+  identity_.libraryVersion = text(hd::kVersion);
+  hd::Int dof = 0;
+  api_.hdGetIntegerv(hd::kInputDof, &dof);
+  identity_.inputDof = dof;
+  dof = 0;
+  api_.hdGetIntegerv(hd::kOutputDof, &dof);
+  identity_.outputDof = dof;
+  (void)drainHdapiErrors(api_);
+  if (identity_.outputDof != 3) {
+    identity_.assumed.emplace_back("three force axes");
+    identity_.notes.push_back(
+        Text("The device says that it renders %1 axes; an Omni or Touch renders 3. Forces are rendered along "
+             "three axes, with cautious limits",
+             identity_.outputDof));
+  }
+  const bool known =
+      identity_.model.find("Omni") != std::string::npos || identity_.model.find("Touch") != std::string::npos;
+  if (!known) {
+    identity_.notes.push_back(
+        Text("Model \"%1\" is not an Omni or Touch; it is treated like a Touch", identity_.model));
+  }
+}
+
+double HdapiSession::reported(hd::Enum name, double least, double most, double assumed, const char* what) {
+  // Six elements: some values are arrays on some models.
+  std::array<double, 6> values{};
+  api_.hdGetDoublev(name, values.data());
+  const bool good = drainHdapiErrors(api_).count == 0 && values[0] >= least && values[0] <= most;
+  // A model that claims six force axes is another machine: its figures are not those of a stylus.
+  if (good && identity_.outputDof == 3) return values[0];
+  identity_.assumed.emplace_back(what);
+  return assumed;
+}
+
+void HdapiSession::readCapabilities(const HdapiOptions& options) {
+  const DeviceCapabilities nominal;
+  capabilities_.model = identity_.model.empty() ? "unknown model" : identity_.model;
+  capabilities_.rendersForce = true;
+  capabilities_.realTime = true;
+  capabilities_.maxForce_N = reported(hd::kNominalMaxForce, 0.1, 40.0, nominal.maxForce_N, "maximum force");
+  capabilities_.continuousForce_N =
+      reported(hd::kNominalMaxContinuousForce, 0.05, capabilities_.maxForce_N,
+               std::min(nominal.continuousForce_N, capabilities_.maxForce_N), "continuous force");
+  capabilities_.maxStiffness_N_per_m =
+      kPerMillimetre_per_m * reported(hd::kNominalMaxStiffness, 0.01, 10.0,
+                                      nominal.maxStiffness_N_per_m / kPerMillimetre_per_m, "stiffness");
+
+  std::array<double, 6> box_mm{};
+  api_.hdGetDoublev(hd::kUsableWorkspaceDimensions, box_mm.data());
+  const bool good = drainHdapiErrors(api_).count == 0 && box_mm[0] < box_mm[3] && box_mm[1] < box_mm[4] &&
+                    box_mm[2] < box_mm[5] &&
+                    std::all_of(box_mm.begin(), box_mm.end(), [](double x) { return std::abs(x) < 1e3; });
+  if (!good) {
+    box_mm = kNominalBox_mm;
+    identity_.assumed.emplace_back("usable workspace");
+  }
+  placement_.deviceToWorld = normalized(options.deviceToWorld);
+  placement_.worldOrigin_m = options.workspaceCentre_m;
+  placement_.deviceCentre_m =
+      Vec3{box_mm[0] + box_mm[3], box_mm[1] + box_mm[4], box_mm[2] + box_mm[5]} * (0.5 * kMillimetre_m);
+  placement_.stylusTip_m = options.stylusTip_m;
+  const WorldBox box = worldBox(box_mm, placement_);
+  capabilities_.workspaceMin_m = box.min_m;
+  capabilities_.workspaceMax_m = box.max_m;
+}
+
+HdapiSetup HdapiSession::setup() {
+  HdapiSetup setup;
+  setup.handle = handle_;
+  setup.placement = placement_;
+  setup.gimbal = gimbalProfile(identity_.model);
+  setup.maxForce_N = capabilities_.maxForce_N;
+  // A device may offer several styles; the vendor's order of preference.
+  hd::Int styles = 0;
+  api_.hdGetIntegerv(hd::kCalibrationStyle, &styles);
+  (void)drainHdapiErrors(api_);
+  const auto offers = [styles](hd::Enum style) { return (static_cast<hd::Enum>(styles) & style) != 0; };
+  setup.calibrationStyle = offers(hd::kCalibrationAuto)           ? hd::kCalibrationAuto
+                           : offers(hd::kCalibrationInkwell)      ? hd::kCalibrationInkwell
+                           : offers(hd::kCalibrationEncoderReset) ? hd::kCalibrationEncoderReset
+                                                                  : hd::kCalibrationInkwell;
+  // Asked once here: a channel that the library refuses would bring an error in every tick.
+  std::array<double, 6> motors{};
+  api_.hdGetDoublev(hd::kMotorTemperature, motors.data());
+  setup.hasTemperature = drainHdapiErrors(api_).count == 0;
+  hd::Boolean inkwell = 0;
+  api_.hdGetBooleanv(hd::kCurrentInkwellSwitch, &inkwell);
+  setup.hasInkwellSwitch = drainHdapiErrors(api_).count == 0;
+  if (!setup.hasTemperature) identity_.notes.push_back(Text("The device does not report motor temperatures"));
+  return setup;
+}
+
+void HdapiSession::calibrateBeforeStart() {
+  hd::Int styles = 0;
+  api_.hdGetIntegerv(hd::kCalibrationStyle, &styles);
+  (void)drainHdapiErrors(api_);
+  // Only this style runs with the scheduler stopped; all others are the servo's.
+  if (static_cast<hd::Enum>(styles) != hd::kCalibrationEncoderReset) return;
+  if (api_.hdCheckCalibration() != hd::kCalibrationOk) api_.hdUpdateCalibration(hd::kCalibrationEncoderReset);
+  if (drainHdapiErrors(api_).count > 0) {
+    identity_.notes.push_back(Text("The device refused to take its present position as the reference"));
+  }
+}
+
+void HdapiSession::start(const HdapiTick& tick) {
+  servo_->setTick(tick);
+  const auto refuse = [this](const char* what, const HdapiErrors& errors) {
+    const hd::ErrorCode code = errors.worstCode();
+    const Text sentence("%1: %2", what, described(api_, code));
+    tearDown();
+    throw Error(ErrorCode::kDevice, sentence, identity_.openedAs, remedyFor(code));
+  };
+  callback_ = api_.hdScheduleAsynchronous(servoCallback, servo_.get(), hd::kDefaultPriority);
+  const HdapiErrors scheduling = drainHdapiErrors(api_);
+  scheduled_ = scheduling.worst < HdapiErrorClass::kLicence;
+  if (!scheduled_) refuse("the library did not take the servo's task", scheduling);
+  if (api_.hdSetSchedulerRate != nullptr) {
+    api_.hdSetSchedulerRate(kWantedRate_Hz);
+    // Refused in different ways by different versions, always meaning "rate unchanged".
+    if (drainHdapiErrors(api_).count > 0) {
+      identity_.notes.push_back(Text("The library keeps its own servo rate"));
+    }
+  }
+  api_.hdStartScheduler();
+  running_ = true;
+  const HdapiErrors starting = drainHdapiErrors(api_);
+  if (starting.worst >= HdapiErrorClass::kLicence) refuse("the servo loop did not start", starting);
+  served_ = true;
+}
+
+void HdapiSession::tearDown() noexcept {
+  if (handle_ == hd::kInvalidHandle) return;
+  if (servo_) servo_->revokeTick();
+  if (served_ && !servo_->lost() && api_.hdScheduleSynchronous != nullptr) {
+    // The first may be served in the tick whose frame is over already; the second lies in a later one.
+    for (int i = 0; i < 2 && !servo_->silent() && !servo_->lost(); ++i) {
+      api_.hdScheduleSynchronous(passTick, nullptr, hd::kMinPriority);
+    }
+  }
+  if (running_) api_.hdStopScheduler();
+  if (scheduled_) api_.hdUnschedule(callback_);
+  api_.hdDisableDevice(handle_);
+  (void)drainHdapiErrors(api_);
+  served_ = false;
+  running_ = false;
+  scheduled_ = false;
+  handle_ = hd::kInvalidHandle;
+}
+
+}  // namespace torsio

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/device/virtual/scripted_hand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::uint64_t kPlanStream = 2;
+constexpr std::uint64_t kWaveStream = 3;
+constexpr double kHover_m = 0.030;   // height of the tip above the surface before it approaches
+constexpr double kPress_m = 0.0012;  // mean depth of the tip in the organ when the jaw closes
+constexpr double kPause_s = 0.4;
+constexpr double kLift_s = 0.5;
+constexpr double kReturn_rad_per_s = 120.0 * kDegree;
+constexpr double kShortestTwist_s = 1.0;
+constexpr double kClosestGrasp_m = 1e-4;  // nearer to the axis "outward" has no direction
+constexpr double kLongest_s = 86400.0;
+
+/// Flash and Hogan: the smoothest way from 0 to 1 that starts and ends at rest.
+double minimumJerk(double x) noexcept {
+  const double u = std::clamp(x, 0.0, 1.0);
+  return u * u * u * (10.0 + u * (-15.0 + 6.0 * u));
+}
+
+/// A normal deviate that never leaves `limit` standard deviations.
+double boundedNormal(Random& random, double limit) {
+  return std::clamp(random.normal(), -limit, limit);
+}
+
+/// The shortest turn that takes +z to the unit vector `to`.
+Quat turnOfZ(const Vec3& to) noexcept {
+  const double w = 1.0 + to.z;
+  if (w < 1e-9) return {0.0, 1.0, 0.0, 0.0};
+  return normalized(Quat{w, -to.y, to.x, 0.0});
+}
+
+void require(bool good, const char* what) {
+  if (!good) {
+    throw Error(ErrorCode::kBadParameter, what, "scripted hand", "Check the task and the profile");
+  }
+}
+
+void check(const ScriptedHandOptions& options) {
+  const HandTask& task = options.task;
+  require(isFinite(task.start_m) && isFinite(task.graspPoint_m) && isFinite(task.axisCentre_m) &&
+              std::isfinite(task.targetAngle_rad) && std::isfinite(task.tipRadius_m),
+          "the task must be finite");
+  require(std::abs(norm(task.axisDirection) - 1.0) < 1e-9, "the axis direction must be a unit vector");
+  require(options.duration_s > 0.0 && options.duration_s <= kLongest_s,
+          "the duration must lie above 0 s and not above a day");
+  require(options.practisedBefore_min >= 0.0 && std::isfinite(options.practisedBefore_min) &&
+              options.practiceScale >= 0.0 && std::isfinite(options.practiceScale),
+          "practice must be finite and not negative");
+  const HandProfile& profile = options.profile;
+  require(profile.initialSkill >= 0.0 && profile.finalSkill >= profile.initialSkill &&
+              profile.finalSkill <= 1.0 && profile.learningTime_min > 0.0,
+          "skill must grow from 0 or more to 1 or less");
+  require(profile.tremorFrequency_Hz >= 8.0 && profile.tremorFrequency_Hz <= 12.0,
+          "the tremor must lie between 8 and 12 Hz");
+}
+
+}  // namespace
+
+ScriptedHand::ScriptedHand(const ScriptedHandOptions& options)
+    : task_(options.task), duration_s_(options.duration_s) {
+  check(options);
+  capabilities_.model = "Scripted hand";
+  capabilities_.realTime = false;
+
+  const Vec3 fromCentre = task_.graspPoint_m - task_.axisCentre_m;
+  const Vec3 arm = fromCentre - task_.axisDirection * dot(fromCentre, task_.axisDirection);
+  require(norm(arm) > kClosestGrasp_m, "the grasp point must not lie on the axis");
+  outward_ = normalized(arm);
+  upright_ = turnOfZ(outward_);
+
+  Random waves = Random::forStream(options.seed, kWaveStream);
+  const auto fill = [&waves](auto& set, double lowest_Hz, double highest_Hz) {
+    const double amplitude = std::sqrt(2.0 / static_cast<double>(set.size()));
+    for (Wave& wave : set) {
+      wave.frequency_Hz = lowest_Hz + (highest_Hz - lowest_Hz) * waves.uniform();
+      for (std::size_t i = 0; i < kChannels; ++i) {
+        const SinCos phase = portableSinCos(2.0 * kPi * waves.uniform());
+        wave.sine[i] = amplitude * phase.cos;
+        wave.cosine[i] = amplitude * phase.sin;
+      }
+    }
+  };
+  constexpr double kTremorSpread_Hz = 0.8;
+  fill(tremor_, std::max(8.0, options.profile.tremorFrequency_Hz - kTremorSpread_Hz),
+       std::min(12.0, options.profile.tremorFrequency_Hz + kTremorSpread_Hz));
+  fill(drift_, 0.1, 0.5);
+
+  Random random = Random::forStream(options.seed, kPlanStream);
+  for (double begin_s = 0.0;;) {
+    const double practised_min = options.practisedBefore_min + options.practiceScale * begin_s / 60.0;
+    const Cycle cycle = plan(begin_s, skillAfter(options.profile, practised_min), random);
+    if (!cycles_.empty() && cycle.begins_s[kLegs] > duration_s_) break;
+    cycles_.push_back(cycle);
+    begin_s = cycle.begins_s[kLegs];
+  }
+}
+
+ScriptedHand::Cycle ScriptedHand::plan(double begin_s, double skill, Random& random) const {
+  Cycle cycle;
+  cycle.skill = skill;
+  cycle.motion = handMotion(skill);
+  const HandMotion& motion = cycle.motion;
+  const Vec3 sideways = cross(task_.axisDirection, outward_);
+  const Vec3 missed = task_.axisDirection * (motion.graspError_m * boundedNormal(random, 1.5)) +
+                      sideways * (motion.graspError_m * boundedNormal(random, 1.5));
+  const double depth_m = kPress_m + motion.pressError_m * boundedNormal(random, 2.0);
+  cycle.pressed_m = task_.graspPoint_m + missed + outward_ * (task_.tipRadius_m - depth_m);
+  cycle.above_m = cycle.pressed_m + outward_ * kHover_m;
+  cycle.held_rad = task_.targetAngle_rad + motion.angleError_rad * boundedNormal(random, 2.5);
+  cycle.reached_rad =
+      cycle.held_rad + task_.targetAngle_rad * motion.overshoot * (1.0 + 0.5 * boundedNormal(random, 2.0));
+
+  std::array<double, kLegs> lasts_s{};
+  lasts_s[kReach] = motion.reach_s;
+  lasts_s[kApproach] = motion.approach_s;
+  lasts_s[kClose] = motion.jaw_s;
+  lasts_s[kTwist] = std::max(kShortestTwist_s, std::abs(cycle.reached_rad) / motion.meanTwist_rad_per_s);
+  lasts_s[kCorrect] = motion.correction_s;
+  lasts_s[kHold] = motion.hold_s;
+  lasts_s[kOpen] = motion.jaw_s;
+  lasts_s[kLift] = kLift_s;
+  lasts_s[kReturn] = std::max(motion.reach_s, std::abs(cycle.held_rad) / kReturn_rad_per_s);
+  lasts_s[kPause] = kPause_s;
+  cycle.begins_s[0] = begin_s;
+  for (std::size_t leg = 0; leg < kLegs; ++leg) cycle.begins_s[leg + 1] = cycle.begins_s[leg] + lasts_s[leg];
+  return cycle;
+}
+
+std::array<double, 2> ScriptedHand::span_s(std::size_t cycle) const {
+  const Cycle& found = cycles_.at(cycle);
+  return {found.begins_s[0], found.begins_s[kLegs]};
+}
+
+template <std::size_t N>
+ScriptedHand::Channels ScriptedHand::sum(const std::array<Wave, N>& waves, double t_s) noexcept {
+  Channels total{};
+  for (const Wave& wave : waves) {
+    const double turns = wave.frequency_Hz * t_s;
+    const SinCos phase = portableSinCos(2.0 * kPi * (turns - std::floor(turns)));
+    for (std::size_t i = 0; i < kChannels; ++i) {
+      total[i] += wave.sine[i] * phase.sin + wave.cosine[i] * phase.cos;
+    }
+  }
+  return total;
+}
+
+DeviceReading ScriptedHand::at(double t_s) noexcept {
+  while (current_ + 1 < cycles_.size() && t_s >= cycles_[current_ + 1].begins_s[0]) ++current_;
+  const Cycle& cycle = cycles_[current_];
+  const auto done = [&cycle, t_s](Leg leg) {
+    const double begin_s = cycle.begins_s[leg];
+    return minimumJerk((t_s - begin_s) / (cycle.begins_s[leg + 1] - begin_s));
+  };
+  const double returned = done(kReturn);
+  const double away = done(kReach) - returned;  // also the share of tremor: the resting hand is still
+  const double twisted = done(kTwist);
+  const Channels tremor = sum(tremor_, t_s);
+  const Channels drift = sum(drift_, t_s);
+  const HandMotion& motion = cycle.motion;
+
+  const double planned_rad = cycle.reached_rad * twisted +
+                             (cycle.held_rad - cycle.reached_rad) * done(kCorrect) -
+                             cycle.held_rad * returned;
+  const double angle_rad = planned_rad + motion.drift_rad * drift[3] * (twisted - returned);
+  const Vec3 shake_m = (Vec3{tremor[0], tremor[1], tremor[2]} * motion.tremor_m +
+                        Vec3{drift[0], drift[1], drift[2]} * motion.drift_m) *
+                       away;
+  const Vec3 untwisted_m = task_.start_m + (cycle.above_m - task_.start_m) * away +
+                           (cycle.pressed_m - cycle.above_m) * (done(kApproach) - done(kLift)) + shake_m;
+  const Vec3 turn_rad = Vec3{tremor[3], tremor[4], tremor[5]} * (motion.tremor_rad * away);
+  const double turn = norm(turn_rad);
+
+  DeviceReading reading;
+  reading.pose.position_m =
+      task_.axisCentre_m + rotateAbout(untwisted_m - task_.axisCentre_m, task_.axisDirection, angle_rad);
+  const Quat shaken = turn > 0.0 ? axisAngle(turn_rad / turn, turn) : Quat{};
+  reading.pose.orientation = axisAngle(task_.axisDirection, angle_rad) * shaken * upright_;
+  reading.grip = done(kClose) - done(kOpen);
+  return reading;
+}
+
+DeviceSample ScriptedHand::read(std::int64_t time_us) noexcept {
+  if (!started_) first_us_ = time_us;
+  started_ = true;
+  const double t_s = static_cast<double>(time_us - first_us_) * 1e-6;
+  DeviceReading reading = at(std::clamp(t_s, 0.0, duration_s_));
+  reading.time_us = time_us;
+  if (t_s > duration_s_) reading.status = kDeviceEnded;
+  sample_ = quantize(reading, sample_);
+  return sample_;
+}
+
+}  // namespace torsio

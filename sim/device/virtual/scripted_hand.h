@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "sim/base/random.h"
+#include "sim/device/haptic_device.h"
+#include "sim/device/virtual/hand_profile.h"
+
+namespace torsio {
+
+/// Task of a scripted hand as plain geometry in the world frame; handTask (sim/servo/hand_task.h) makes it
+/// from a scene.
+struct HandTask {
+  Vec3 start_m;                       ///< where the tip rests between two twists; away from the organ
+  Vec3 graspPoint_m;                  ///< on the organ's surface, not on the axis
+  Vec3 axisCentre_m;                  ///< any point of the line that the twist turns about
+  Vec3 axisDirection{0.0, 0.0, 1.0};  ///< unit; a positive angle turns right-handed about it
+  double targetAngle_rad = 0.0;
+  double tipRadius_m = 0.0025;  ///< of the instrument: contact begins this far above the surface
+};
+
+struct ScriptedHandOptions {
+  std::uint64_t seed = 1;  ///< every deviation of this trial; use another one for each trial of a person
+  HandTask task;
+  HandProfile profile;
+  double practisedBefore_min = 0.0;  ///< practice before this trial
+  /// Minutes of practice that one minute of the trial stands for (demonstration: 60).
+  double practiceScale = 1.0;
+  double duration_s = 20.0;  ///< a further twist begins only if it can be finished within it
+};
+
+/// A hand that twists by a plan: minimum-jerk reach to above the grasp point, approach into contact, grip,
+/// minimum-jerk twist with overshoot and correction, hold, release, retreat; again until the duration ends.
+/// Band-limited tremor (8-12 Hz) and drift (0.1-0.5 Hz) are added to the plan; skill grows with practice.
+/// The plan is made at construction from seed and parameters; time 0 is the first read. The hand does not
+/// give way to forces.
+///
+/// | channel     | direction | unit | value                                                   |
+/// |-------------|-----------|------|---------------------------------------------------------|
+/// | position    | given     | m    | tip, by the plan                                        |
+/// | orientation | given     | 1    | stylus towards the axis, turning with the twist         |
+/// | roll        | given     | rad  | 0: the stylus is perpendicular to the axis              |
+/// | grip        | given     | 1    | 0 open .. 1 closed, by the plan                         |
+/// | buttons     | given     |      | none                                                    |
+/// | status      | given     |      | kDeviceOk; kDeviceEnded after the duration              |
+/// | force       | taken     | N    | ignored                                                 |
+class ScriptedHand final : public HapticDevice {
+ public:
+  /// Plans the whole movement. Throws Error{kBadParameter}: grasp point on the axis, axis not unit, times
+  /// not positive.
+  explicit ScriptedHand(const ScriptedHandOptions& options);
+
+  [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return capabilities_; }
+  [[nodiscard]] DeviceSample read(std::int64_t time_us) noexcept override;
+  void write(const ForceCommand&) noexcept override {}
+
+  /// Returns the number of twists in the plan.
+  [[nodiscard]] std::size_t cycles() const noexcept { return cycles_.size(); }
+  /// Returns the angle at which twist `cycle` is held, without tremor and drift.
+  [[nodiscard]] double heldAngle_rad(std::size_t cycle) const { return cycles_.at(cycle).held_rad; }
+  /// Returns the skill during twist `cycle`.
+  [[nodiscard]] double skill(std::size_t cycle) const { return cycles_.at(cycle).skill; }
+  /// Returns when twist `cycle` begins and ends, seconds after the first read.
+  [[nodiscard]] std::array<double, 2> span_s(std::size_t cycle) const;
+
+ private:
+  /// Legs of one twist, in order.
+  enum Leg : std::size_t {
+    kReach,
+    kApproach,
+    kClose,
+    kTwist,
+    kCorrect,
+    kHold,
+    kOpen,
+    kLift,
+    kReturn,
+    kPause,
+    kLegs
+  };
+  struct Cycle {
+    std::array<double, kLegs + 1> begins_s{};  // of each leg, and the end
+    Vec3 above_m;                              // hover point, before the twist
+    Vec3 pressed_m;                            // tip in contact, before the twist
+    double reached_rad = 0.0;                  // after the main twist
+    double held_rad = 0.0;                     // after the correction
+    double skill = 0.0;
+    HandMotion motion;
+  };
+  /// Sums of sines with unit root mean square: x y z of the position, x y z of the orientation.
+  static constexpr std::size_t kChannels = 6;
+  struct Wave {
+    double frequency_Hz = 0.0;
+    std::array<double, kChannels> sine{};
+    std::array<double, kChannels> cosine{};
+  };
+  static constexpr std::size_t kTremorWaves = 3;
+  static constexpr std::size_t kDriftWaves = 2;
+  using Channels = std::array<double, kChannels>;
+
+  [[nodiscard]] Cycle plan(double begin_s, double skill, Random& random) const;
+  [[nodiscard]] DeviceReading at(double t_s) noexcept;
+  template <std::size_t N>
+  [[nodiscard]] static Channels sum(const std::array<Wave, N>& waves, double t_s) noexcept;
+
+  DeviceCapabilities capabilities_;
+  HandTask task_;
+  Vec3 outward_;  // unit, from the axis to the grasp point
+  Quat upright_;  // stylus towards the axis
+  double duration_s_;
+  std::vector<Cycle> cycles_;
+  std::array<Wave, kTremorWaves> tremor_;
+  std::array<Wave, kDriftWaves> drift_;
+  std::size_t current_ = 0;
+  bool started_ = false;
+  std::int64_t first_us_ = 0;
+  DeviceSample sample_;
+};
+
+}  // namespace torsio

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "sim/geometry/mesh/mesh_repair.h"
+#include "sim/geometry/mesh/triangle_mesh.h"
+
+namespace torsio {
+
+struct MeshImportOptions {
+  double scale_m = 0.001;  ///< one file unit in metres
+  bool organ = true;       ///< requireOrgan; false: any finite surface (instruments, scenery)
+};
+
+/// Reads a surface from an OBJ, STL, PLY, OFF, GLB, glTF or COLLADA file (assimp, private): all parts and
+/// node transforms flattened, equal vertices welded, checked, and in metres. Axes are taken as they are
+/// (LPS). `repairs`, when given, receives what had to be repaired. Files named inside the file are opened
+/// only below its own folder. Throws Error{kFileMissing, kFileUnreadable} for a file that is no mesh,
+/// {kBadParameter} for the scale, {kBadMesh} for a mesh that breaks a rule (M01..M19).
+[[nodiscard]] TriangleMesh importMesh(const std::filesystem::path& file,
+                                      const MeshImportOptions& options = {}, MeshRepairs* repairs = nullptr);
+
+/// Returns the metres in one "m", "cm", "mm" or "um" (the values of --organ-unit). Throws
+/// Error{kBadParameter}.
+[[nodiscard]] double lengthUnit_m(std::string_view name);
+
+}  // namespace torsio

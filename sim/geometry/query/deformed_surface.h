@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "sim/geometry/mesh/segment.h"
+#include "sim/geometry/mesh/surface_patches.h"
+#include "sim/geometry/query/surface_point.h"
+
+namespace torsio {
+
+/// Access to the present places of the vertices of the mesh. Called in the servo tick.
+struct VertexPlaces {
+  const void* self = nullptr;
+  Vec3 (*at)(const void* self, std::uint32_t vertex) noexcept = nullptr;
+};
+
+/// A surface in one deformed state, for the queries of one tick: exact on the triangles of the moved
+/// vertices, yet only some hundred of them are moved. On construction one seed a group of patches is moved;
+/// a query visits groups and patches nearest first and moves the vertices of those that can hold the
+/// answer. Moved patches stay for the next queries, with their exact radius.
+///
+/// A patch is taken to lie within its rest radius times the stretch about its seed: the largest ratio of
+/// moved to resting distance between neighbouring seeds, with a margin of 30 %, which the stretch within
+/// a patch must not pass; nor is more than threefold stretch followed. That holds for a twist, whose rate
+/// changes little over a patch; a test compares with FCL on fully deformed organs. Other ways were measured
+/// and left: docs/contact.md.
+///
+/// Lives on the stack (160 KB with a query). noexcept, allocation-free; IEEE basic operations in a fixed
+/// order.
+class DeformedSurface {
+ public:
+  /// Moves the seeds of all groups. `patches` and what `places` points to outlive the object.
+  DeformedSurface(const SurfacePatches& patches, const VertexPlaces& places) noexcept;
+
+  /// Returns the closest pair of surface and segment when it is nearer than `reach_m`; signs and normals as
+  /// CollisionMesh::nearest.
+  [[nodiscard]] SegmentHit nearest(const Segment& segment, double reach_m) noexcept;
+  /// Returns the nearest point of the deformed surface; signs and normals as CollisionMesh::closest.
+  [[nodiscard]] SurfacePoint closest(const Vec3& point_m) noexcept;
+
+ private:
+  // Without initial values: most of the arrays is never used, and to fill them takes longer than a query.
+  struct Place {
+    double x, y, z;
+  };
+  static Place kept(const Vec3& v) noexcept { return {v.x, v.y, v.z}; }
+  static Vec3 at(const Place& place) noexcept { return {place.x, place.y, place.z}; }
+  static constexpr std::uint32_t kNotMoved = 0xFFFFFFFFU;
+  static constexpr std::size_t kMostMoved = 4096;  // vertices; more than this and they are moved anew
+  static_assert(kMostMoved >= SurfacePatches::kMostVertices);
+
+  [[nodiscard]] Vec3 place(std::uint32_t vertex) const noexcept { return places_.at(places_.self, vertex); }
+  void openGroup(std::size_t group) noexcept;
+  /// Moves the patch's vertices unless they are moved already; returns where they begin in moved_m_.
+  std::uint32_t movePatch(std::size_t patch) noexcept;
+  [[nodiscard]] Vec3 faceNormal(std::uint32_t triangle) const noexcept;
+  [[nodiscard]] Vec3 featureNormal(std::uint32_t triangle, std::uint8_t feature) const noexcept;
+
+  const SurfacePatches& patches_;
+  VertexPlaces places_;
+  double stretch_ = 1.0;  // of the surface on the whole
+  std::array<Place, SurfacePatches::kMostGroups> groups_m_;
+  std::array<bool, SurfacePatches::kMostGroups> opened_{};
+  // Of the patches of the opened groups.
+  std::array<Place, SurfacePatches::kMostPatches> patches_m_;
+  std::array<double, SurfacePatches::kMostPatches> radii_m_;
+  std::array<std::uint32_t, SurfacePatches::kMostPatches> movedAt_;
+  std::array<Place, kMostMoved> moved_m_;
+  std::size_t movedCount_ = 0;
+};
+
+}  // namespace torsio

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/tissue/twist/saint_venant.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "sim/base/contracts.h"
+#include "sim/base/error.h"
+#include "sim/base/portable_math.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr double kRestrainedShortening = 0.1;    // of the radius, per clamped non-circular end
+constexpr double kCircularTolerance = 0.005;     // 1 - J / Ip below which an end counts as circular
+constexpr int kFewestIntegrationIntervals = 96;  // along the whole organ
+constexpr int kFewestFineIntervals = 256;
+constexpr int kFineIntervalsPerSection = 4;
+constexpr double kSmallestRiseShare = 1e-12;  // of the whole compliance, between two nodes
+
+// Gauss-Legendre, four points on [0, 1].
+constexpr std::array<double, 4> kGaussPoints{0.069431844202973712, 0.33000947820757187, 0.66999052179242813,
+                                             0.93056815579702629};
+constexpr std::array<double, 4> kGaussWeights{0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                              0.17392742256872693};
+
+double fourthRoot(double x) {
+  return std::sqrt(std::sqrt(x));
+}
+
+bool positive(double x) {
+  return x > 0.0 && std::isfinite(x);
+}
+
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
+  throw Error(ErrorCode::kBadParameter, what, where, remedy);
+}
+
+struct Factors {
+  std::vector<double> rising;
+  std::vector<double> falling;
+};
+
+// The two solutions of the discrete (G J phi')' = k phi. Between two nodes the bar is a spring 1 / (C_{i+1} -
+// C_i), exact for any G J; the foundation acts at the nodes. Marched in the direction in which they grow.
+Factors foundationFactors(const std::vector<double>& compliance, double step, double stiffness,
+                          EndCondition ends) {
+  const std::size_t n = compliance.size();
+  const double least = kSmallestRiseShare * (compliance.back() - compliance.front());
+  const auto flexibility = [&](std::size_t i) { return std::max(compliance[i + 1] - compliance[i], least); };
+  Factors f{std::vector<double>(n, 0.0), std::vector<double>(n, 0.0)};
+  double flux = 1.0;
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    f.rising[i + 1] = f.rising[i] + flux * flexibility(i);
+    flux += stiffness * step * f.rising[i + 1];
+  }
+  const bool held = ends == EndCondition::kBothHeld;
+  f.falling[n - 1] = held ? 0.0 : 1.0;
+  flux = held ? 1.0 : 0.5 * stiffness * step;
+  double lastFlux = flux;
+  for (std::size_t i = n - 1; i-- > 0;) {
+    f.falling[i] = f.falling[i + 1] + flux * flexibility(i);
+    lastFlux = flux;
+    flux += stiffness * step * f.falling[i];
+  }
+  // Wronskian between nodes 0 and 1; there the flux of the rising solution is 1 and its value at node 0 is 0.
+  const double wronskian = f.falling[0] + f.rising[0] * lastFlux;
+  for (double& b : f.falling) b /= wronskian;
+  return f;
+}
+
+}  // namespace
+
+SectionProfile::SectionProfile(std::span<const double> arcs_m, std::span<const TorsionSection> sections,
+                               const KrigingOptions& kriging)
+    : kriging_(arcs_m, kriging) {
+  TORSIO_EXPECTS(arcs_m.size() == sections.size());
+  for (std::size_t j = 0; j < sections.size(); ++j) {
+    const TorsionSection& s = sections[j];
+    if (!positive(s.torsionConstant_m4) || !positive(s.polarMoment_m4) || !positive(s.area_m2)) {
+      refuse("a section has no area or no torsion constant",
+             Text("arc length %1 m", std::to_string(arcs_m[j])), "Check the organ's surface there.");
+    }
+    torsionLength_.push_back(fourthRoot(s.torsionConstant_m4));
+    polarLength_.push_back(fourthRoot(s.polarMoment_m4));
+    areaLength_.push_back(std::sqrt(s.area_m2));
+  }
+  smallest_ = 0.5 * *std::min_element(torsionLength_.begin(), torsionLength_.end());
+}
+
+TorsionSection SectionProfile::at(double arc_m) const {
+  // Kriging may undershoot between very uneven sections; half the thinnest one is a bound no organ needs.
+  const auto fourth = [](double x) { return x * x * x * x; };
+  const double torsion = std::max(kriging_.estimate(arc_m, torsionLength_), smallest_);
+  const double polar = std::max(kriging_.estimate(arc_m, polarLength_), torsion);
+  const double area = std::max(kriging_.estimate(arc_m, areaLength_), smallest_);
+  return {fourth(torsion), fourth(polar), area * area};
+}
+
+double SectionProfile::radius_m(double arc_m) const {
+  return std::max(kriging_.estimate(arc_m, areaLength_), smallest_) / std::sqrt(kPi);
+}
+
+std::vector<double> sectionCompliances(const SectionProfile& profile, int sections, double length_m,
+                                       double shearModulus_Pa, EndCondition ends,
+                                       const TorsionCorrections& corrections) {
+  TORSIO_EXPECTS(sections >= 2);
+  if (!positive(shearModulus_Pa)) {
+    refuse(Text("the shear modulus is %1 Pa, but must be above 0", std::to_string(shearModulus_Pa)),
+           "material", "Give G in pascal; for nearly incompressible tissue it is E / 3.");
+  }
+  if (!positive(length_m)) refuse("the organ's length is not above 0", "lattice", "Check the organ's ends.");
+  const int perSection = (kFewestIntegrationIntervals + sections - 2) / (sections - 1);
+  const double step = length_m / static_cast<double>((sections - 1) * perSection);
+  const auto shortening = [&](double end) {
+    const TorsionSection s = profile.at(end);
+    const bool flat = 1.0 - s.torsionConstant_m4 / s.polarMoment_m4 > kCircularTolerance;
+    return corrections.restrainedEnds && flat ? kRestrainedShortening * profile.radius_m(end) : 0.0;
+  };
+  const double fixedDecay = shortening(0.0);
+  const double otherDecay = ends == EndCondition::kBothHeld ? shortening(length_m) : 0.0;
+  const auto density = [&](double s) {
+    double c = 1.0 / (shearModulus_Pa * profile.at(s).torsionConstant_m4);
+    if (corrections.taper) {
+      const double half = 0.5 * step;
+      const double low = std::max(0.0, s - half);
+      const double high = std::min(length_m, s + half);
+      const double slope = (profile.radius_m(high) - profile.radius_m(low)) / (high - low);
+      c *= 1.0 + (2.0 / 3.0) * slope * slope;
+    }
+    // Restraint dies away from the clamp; the exponential takes just the shortening off the whole length.
+    if (fixedDecay > 0.0) c *= 1.0 - portableExp(-s / fixedDecay);
+    if (otherDecay > 0.0) c *= 1.0 - portableExp(-(length_m - s) / otherDecay);
+    return c;
+  };
+  std::vector<double> result{0.0};
+  double sum = 0.0;
+  for (int i = 0; i < (sections - 1) * perSection; ++i) {
+    for (std::size_t p = 0; p < kGaussPoints.size(); ++p) {
+      sum += step * kGaussWeights[p] * density((static_cast<double>(i) + kGaussPoints[p]) * step);
+    }
+    if ((i + 1) % perSection == 0) result.push_back(sum);
+  }
+  return result;
+}
+
+int fineNodes(int sections) noexcept {
+  const int perSection =
+      std::max(kFineIntervalsPerSection, (kFewestFineIntervals + sections - 2) / (sections - 1));
+  return (sections - 1) * perSection + 1;
+}
+
+std::vector<double> krigedNodes(std::span<const double> atSections, double length_m,
+                                const KrigingOptions& kriging, bool monotone) {
+  const int sections = static_cast<int>(atSections.size());
+  TORSIO_EXPECTS(sections >= 2);
+  std::vector<double> arcs;
+  arcs.reserve(atSections.size());
+  for (int j = 0; j < sections; ++j) arcs.push_back(length_m * j / (sections - 1));
+  const Kriging1d along(arcs, kriging);
+  const int intervals = fineNodes(sections) - 1;
+  const int perSection = intervals / (sections - 1);
+  std::vector<double> nodes;
+  for (int i = 0; i <= intervals; ++i) {
+    const std::size_t section = static_cast<std::size_t>(i / perSection);
+    double value = atSections[section];
+    if (i % perSection != 0) {
+      value = along.estimate(length_m * i / intervals, atSections);
+      if (monotone) value = std::clamp(value, atSections[section], atSections[section + 1]);
+    }
+    if (monotone && !nodes.empty()) value = std::max(value, nodes.back());
+    nodes.push_back(value);
+  }
+  return nodes;
+}
+
+TorsionTable::TorsionTable(double first, double step, std::vector<double> compliance, EndCondition ends,
+                           const Foundation& foundation, bool paperAngles)
+    : ends_(ends) {
+  TORSIO_EXPECTS(compliance.size() >= 2 && compliance.back() > compliance.front());
+  const double span = step * static_cast<double>(compliance.size() - 1);
+  lowestGrasp_ = first + kHeldMargin * span;
+  highestGrasp_ = first + span * (ends == EndCondition::kBothHeld ? 1.0 - kHeldMargin : 1.0);
+  const double whole = compliance.back() - compliance.front();
+  const double start = compliance.front();
+  for (double& c : compliance) c -= start;
+  Factors factors;
+  if (foundation.length_m > 0.0) {
+    const double stiffness = span / whole / (foundation.length_m * foundation.length_m);
+    factors = foundationFactors(compliance, step, stiffness, ends);
+    plain_ = false;
+  } else {
+    factors.rising = compliance;
+    for (const double c : compliance) {
+      factors.falling.push_back(ends == EndCondition::kBothHeld ? 1.0 - c / whole : 1.0);
+    }
+    plain_ = !paperAngles;
+  }
+  rising_ = HermiteTable(first, step, std::move(factors.rising), !paperAngles);
+  falling_ = HermiteTable(first, step, std::move(factors.falling), !paperAngles);
+}
+
+double TorsionTable::graspAt(double g) const noexcept {
+  return std::clamp(g, lowestGrasp_, highestGrasp_);
+}
+
+double TorsionTable::compliance(double g) const noexcept {
+  const double at = graspAt(g);
+  return rising_.value(at) * falling_.value(at);
+}
+
+ValueSlope TorsionTable::share(double x, double g) const noexcept {
+  const double at = graspAt(g);
+  const HermiteTable& side = x <= at ? rising_ : falling_;
+  const double reference = side.value(at);
+  const ValueSlope here = side.at(x);
+  return {here.value / reference, here.slope / reference};
+}
+
+ValueSlope TorsionTable::blendedShare(double x, double g, double width) const noexcept {
+  const double at = graspAt(g);
+  const ValueSlope risingGrasp = rising_.at(at);
+  const double fallingGrasp = falling_.value(at);
+  const ValueSlope up = rising_.at(x);
+  const ValueSlope down = falling_.at(x);
+  const double nearSlope = up.slope / risingGrasp.value;
+  const double farSlope = down.slope / fallingGrasp;
+  const double value = x <= at ? up.value / risingGrasp.value : down.value / fallingGrasp;
+  // In compliance, not in length: the view kernels know no more of a vertex than its compliance.
+  const double range = width * risingGrasp.slope;
+  const double t = range > 0.0 ? std::clamp(0.5 + (risingGrasp.value - up.value) / range, 0.0, 1.0)
+                               : (x <= at ? 1.0 : 0.0);
+  const double blend = t * t * (3.0 - 2.0 * t);
+  return {value, farSlope + (nearSlope - farSlope) * blend};
+}
+
+}  // namespace torsio

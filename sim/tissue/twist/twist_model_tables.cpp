@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/tissue/twist/twist_model_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "sim/base/contracts.h"
+#include "sim/base/error.h"
+#include "sim/base/portable_math.h"
+#include "sim/tissue/twist/twist_model_map.h"
+#include "sim/tissue/twist/twist_model_sections.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr int kStrainNodes = 65;
+constexpr double kHeldFade = 0.5;  // of the radius
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
+  throw Error(ErrorCode::kBadParameter, what, where, remedy);
+}
+
+void checkNumber(double value, double low, double high, const char* name) {
+  if (value >= low && value <= high) return;  // false for NaN
+  refuse(Text("%1 is %2, but must lie in %3..%4", std::string(name), std::to_string(value),
+              std::to_string(low), std::to_string(high)),
+         "twist model options", "Choose a value inside the range.");
+}
+
+void checkOptions(const TwistModelOptions& o, const Material& material) {
+  if (!(material.shearModulus_Pa > 0.0) || !std::isfinite(material.shearModulus_Pa)) {
+    refuse(Text("the shear modulus is %1 Pa, but must be above 0", std::to_string(material.shearModulus_Pa)),
+           Text("material %1", material.id),
+           "Give G in pascal; for nearly incompressible tissue it is E / 3.");
+  }
+  checkOperations(o.operations);
+  checkNumber(o.foundationLengths, 0.0, 1e6, "foundationLengths");
+  if (o.foundationLengths > 0.0) checkNumber(o.foundationLengths, 0.05, 1e6, "foundationLengths");
+  checkNumber(o.stiffeningStrain, 0.0, 1e6, "stiffeningStrain");
+  checkNumber(o.stiffnessCap_N_per_m, 1.0, 1e6, "stiffnessCap_N_per_m");
+  checkNumber(o.sectionPoints, 16.0, 10000.0, "sectionPoints");
+  checkNumber(o.solvedSections, 2.0, kMostSections, "solvedSections");
+  const bool paper = o.formulation == Formulation::kPaper;
+  if (o.poynting && (paper || o.ends != EndCondition::kClampedFree || !o.operations.empty())) {
+    refuse("the axial stretch needs a free end and one Saint-Venant twist about the centreline",
+           "twist model options", "Switch poynting off or leave the operations empty.");
+  }
+  if (paper && (o.foundationLengths > 0.0 || o.centre == TwistCentre::kShearCentre)) {
+    refuse("the paper's formulation knows neither a foundation nor a shear centre", "twist model options",
+           "Use the Saint-Venant formulation.");
+  }
+  if (paper && o.paperInterpolation == PaperInterpolation::kComponents && !o.operations.empty()) {
+    refuse("component kriging knows no twist operations", "twist model options",
+           "Krige the angle, or leave the operations empty.");
+  }
+}
+
+// Builder: the steps of the constructor in order, each a screen.
+class TableMaker {
+ public:
+  TableMaker(const TriangleMesh& mesh, const SectionLattice& lattice, const Material& material,
+             const TwistModelOptions& options)
+      : mesh_(mesh),
+        lattice_(lattice),
+        material_(material),
+        options_(options),
+        solved_(
+            SolvedSections::solve(lattice, {.sections = options.solvedSections,
+                                            .points = options.sectionPoints,
+                                            .aboutShearCentre = options.centre == TwistCentre::kShearCentre,
+                                            .solver = options.sectionSolver,
+                                            .kriging = options.kriging})) {}
+
+  TwistModel::Tables make() {
+    makeCompliance();
+    makeOperations();
+    makeProfiles();
+    tables_.arcs = ArcField(mesh_, lattice_);
+    makeVertices();
+    makePatches();
+    if (options_.poynting) makeElongation();
+    if (tables_.linear && options_.paperInterpolation == PaperInterpolation::kComponents) makeComponents();
+    makeStrain();
+    return std::move(tables_);
+  }
+
+ private:
+  [[nodiscard]] double length() const { return lattice_.length_m(); }
+  [[nodiscard]] int intervals() const { return fineNodes(lattice_.sections()) - 1; }
+  [[nodiscard]] double step() const { return length() / intervals(); }
+
+  template <typename F>
+  HermiteTable table(F&& f) const {
+    std::vector<double> values;
+    for (int i = 0; i <= intervals(); ++i) values.push_back(f(length() * i / intervals()));
+    return {0.0, step(), std::move(values), true};
+  }
+
+  void makeCompliance();
+  void makeOperations();
+  [[nodiscard]] HermiteTable bendingCompliance() const;
+  void makeProfiles();
+  void makeVertices();
+  void makePatches();
+  void makeElongation();
+  void makeComponents();
+  void makeStrain();
+  [[nodiscard]] double warpingShare(std::size_t vertex, std::span<const double> freeRim_m) const;
+  [[nodiscard]] std::vector<double> freeRim() const;
+
+  const TriangleMesh& mesh_;
+  const SectionLattice& lattice_;
+  const Material& material_;
+  const TwistModelOptions& options_;
+  SolvedSections solved_;
+  HermiteTable series_;  // integral of the twist rate for 1 N m
+  TwistModel::Tables tables_;
+};
+
+void TableMaker::makeCompliance() {
+  tables_.linear = options_.formulation == Formulation::kPaper;
+  std::vector<double> atSections;
+  if (tables_.linear) {
+    std::vector<PaperSection> sections;
+    for (int j = 0; j < lattice_.sections(); ++j) {
+      const double arc = lattice_.sectionArc_m(j);
+      sections.push_back({solved_.sag_m2(arc), solved_.profile().at(arc).area_m2});
+    }
+    const PaperTwist twist = paperTwist(sections, length(), material_.shearModulus_Pa, options_.paper);
+    atSections = twist.angle_rad;
+    tables_.spacing_m = twist.spacing_m;
+    const std::vector<double> rates = krigedNodes(twist.rate_per_m, length(), options_.kriging, false);
+    std::vector<double> sum{0.0};
+    for (std::size_t i = 1; i < rates.size(); ++i) {
+      sum.push_back(sum.back() + 0.5 * step() * std::max(0.0, rates[i - 1] + rates[i]));
+    }
+    series_ = HermiteTable(0.0, step(), std::move(sum), true);
+    tables_.lift =
+        HermiteTable(0.0, step(), krigedNodes(twist.lift_m2, length(), options_.kriging, false), false);
+  } else {
+    atSections = sectionCompliances(solved_.profile(), lattice_.sections(), length(),
+                                    material_.shearModulus_Pa, options_.ends, options_.corrections);
+  }
+  const bool monotone = !tables_.linear;
+  tables_.compliance =
+      HermiteTable(0.0, step(), krigedNodes(atSections, length(), options_.kriging, monotone), monotone);
+  if (monotone) series_ = tables_.compliance;
+}
+
+HermiteTable TableMaker::bendingCompliance() const {
+  std::vector<double> nodes{0.0};
+  for (int i = 0; i < intervals(); ++i) {
+    const double polar = solved_.profile().at((i + 0.5) * step()).polarMoment_m4;
+    nodes.push_back(nodes.back() + step() / (1.5 * material_.shearModulus_Pa * polar));
+  }
+  return {0.0, step(), std::move(nodes), true};
+}
+
+void TableMaker::makeOperations() {
+  tables_.definitions = options_.operations;
+  if (tables_.definitions.empty()) tables_.definitions.push_back({});
+  OperationBase base;
+  base.axis = &lattice_.centreline();
+  base.compliance = &tables_.compliance;
+  base.series = &series_;
+  const HermiteTable bending = bendingCompliance();
+  base.bending = &bending;
+  base.ends = options_.ends;
+  base.foundation_m = options_.foundationLengths * length();
+  base.paperAngles = tables_.linear;
+  bool straightBefore = false;
+  tables_.needsArc = false;
+  for (std::size_t k = 0; k < tables_.definitions.size(); ++k) {
+    tables_.operations.emplace_back(tables_.definitions[k], static_cast<int>(k), base);
+    const PreparedOperation& op = tables_.operations.back();
+    if (std::abs(op.ratio()) > std::abs(tables_.operations[tables_.leading].ratio())) tables_.leading = k;
+    if (!op.alongAxis()) tables_.needsArc = true;
+    if (op.aboutCentreline() && straightBefore) tables_.carriesCentreline = true;
+    if (!op.aboutCentreline()) straightBefore = true;
+    if (!op.aboutCentreline() && !op.alongAxis()) tables_.searchesArc = true;
+  }
+  if (tables_.carriesCentreline) tables_.searchesArc = true;
+  const PreparedOperation& first = tables_.operations.front();
+  tables_.defaultOperation = tables_.operations.size() == 1 && first.aboutCentreline() && first.isElastic() &&
+                             first.ratio() == 1.0 && !first.definition().peak;
+}
+
+void TableMaker::makeProfiles() {
+  tables_.radius = table([&](double s) { return solved_.profile().radius_m(s); });
+  tables_.shear = table([&](double s) { return solved_.maxShear_m(s); });
+  tables_.shiftedCentre = options_.centre == TwistCentre::kShearCentre;
+  if (!tables_.shiftedCentre) return;
+  tables_.centreX = table([&](double s) { return solved_.shearCentre_m(s)[0]; });
+  tables_.centreY = table([&](double s) { return solved_.shearCentre_m(s)[1]; });
+}
+
+// Distance of the free end's outline from the axis, by ridge angle.
+std::vector<double> TableMaker::freeRim() const {
+  const int j = lattice_.sections() - 1;
+  std::vector<double> radii;
+  for (const Point2& p : lattice_.outline_m(j)) radii.push_back(std::sqrt(p[0] * p[0] + p[1] * p[1]));
+  return onEqualAngles(lattice_.outlineAngles_rad(j), radii, SolvedSections::kAngles);
+}
+
+// A held end keeps its section flat: psi fades in over half a radius. In the cap of a free end psi falls with
+// the square of the distance from the axis, as it does for an ellipse, and dies away within a radius beyond
+// it.
+double TableMaker::warpingShare(std::size_t vertex, std::span<const double> freeRim_m) const {
+  const LatticeCoordinate& coordinate = lattice_.vertexCoordinates()[vertex];
+  const auto fade = [&](double fromEnd, double end) {
+    const double t = std::clamp(fromEnd / (kHeldFade * tables_.radius.value(end)), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+  };
+  double share = fade(coordinate.arc_m, 0.0);
+  if (options_.ends == EndCondition::kBothHeld) return share * fade(length() - coordinate.arc_m, length());
+  if (lattice_.vertexParts()[vertex] != LatticePart::kFreeCap) return share;
+  const double rim = atAngle(freeRim_m, coordinate.angle_rad);
+  const AxisFrame frame = lattice_.frameAt(coordinate.arc_m);
+  const Vec3 u = mesh_.vertices_m[vertex] - frame.centre_m;
+  const double along = dot(u, frame.tangent);
+  const double across2 = std::max(0.0, dot(u, u) - along * along);
+  const double left = std::clamp(1.0 - std::abs(along) / rim, 0.0, 1.0);
+  return share * std::min(1.0, across2 / (rim * rim)) * left * left * (3.0 - 2.0 * left);
+}
+
+void TableMaker::makeVertices() {
+  const std::span<const LatticeCoordinate> coordinates = lattice_.vertexCoordinates();
+  TORSIO_EXPECTS(coordinates.size() == mesh_.vertices_m.size());
+  const bool warped = options_.warping && !tables_.linear;
+  std::vector<std::vector<double>> rows;
+  if (warped) {
+    for (int i = 0; i <= intervals(); ++i) rows.push_back(solved_.warping_m2(length() * i / intervals()));
+  }
+  const std::vector<double> rim = freeRim();
+  tables_.vertices.reserve(coordinates.size());
+  const TwistMap map(tables_, lattice_, {});
+  for (std::size_t v = 0; v < coordinates.size(); ++v) {
+    const double arc = coordinates[v].arc_m;
+    TwistVertex vertex{mesh_.vertices_m[v], map.centreAt(arc), arc, 0.0};
+    if (warped) {
+      const double place = std::clamp(arc / step(), 0.0, static_cast<double>(intervals()));
+      const std::size_t low = std::min(static_cast<std::size_t>(place), at(intervals() - 1));
+      const double t = place - static_cast<double>(low);
+      const double angle = coordinates[v].angle_rad;
+      const double psi = (1.0 - t) * atAngle(rows[low], angle) + t * atAngle(rows[low + 1], angle);
+      vertex.warp_m2 = psi * warpingShare(v, rim);
+    }
+    tables_.vertices.push_back(vertex);
+  }
+}
+
+void TableMaker::makePatches() {
+  const int n = lattice_.ridges();
+  for (int j = 0; j + 1 < lattice_.sections(); ++j) {
+    const double arc = 0.5 * (lattice_.sectionArc_m(j) + lattice_.sectionArc_m(j + 1));
+    const std::vector<double> row = solved_.shear_m(arc);
+    for (int k = 0; k < n; ++k) {
+      tables_.patchArc_m.push_back(arc);
+      tables_.patchShear_Pa_m.push_back(material_.shearModulus_Pa * atAngle(row, 2.0 * kPi * (k + 0.5) / n));
+    }
+  }
+}
+
+void TableMaker::makeElongation() {
+  tables_.poynting = true;
+  const HermiteTable& c = tables_.compliance;
+  tables_.stretch = table([&](double s) {
+    const TorsionSection section = solved_.profile().at(s);
+    const double slope = c.at(s).slope;
+    return slope * slope * section.polarMoment_m4 / (2.0 * section.area_m2);
+  });
+  std::array<Vec3, 4> sum{};
+  tables_.elongation_m.push_back(sum);
+  for (int i = 0; i < intervals(); ++i) {
+    const double middle = (i + 0.5) * step();
+    const double q = tables_.stretch.value(middle);
+    const Vec3 tangent = lattice_.frameAt(middle).tangent;
+    double power = 1.0;
+    for (Vec3& part : sum) {
+      power *= q;
+      part += (power * step()) * tangent;
+    }
+    tables_.elongation_m.push_back(sum);
+  }
+}
+
+void TableMaker::makeComponents() {
+  const int n = lattice_.ridges();
+  const int m = lattice_.sections();
+  tables_.components = true;
+  for (int j = 0; j < m; ++j) {
+    const double arc = lattice_.sectionArc_m(j);
+    const AxisFrame frame = lattice_.frameAt(arc);
+    for (int k = 0; k < n; ++k) {
+      const Vec3 u = lattice_.keyPoint_m(k, j) - frame.centre_m;
+      const Vec3 move = paperDisplacement(dot(u, frame.e1), dot(u, frame.e2), 1.0, tables_.lift.value(arc),
+                                          tables_.spacing_m);
+      tables_.keyTurn_m.push_back(move.x * frame.e1 + move.y * frame.e2);
+      tables_.keyLift_m.push_back(move.z * frame.tangent);
+    }
+  }
+  std::vector<double> arcs;
+  arcs.reserve(at(m));
+  for (int j = 0; j < m; ++j) arcs.push_back(lattice_.sectionArc_m(j));
+  std::vector<double> queries;
+  for (const LatticeCoordinate& coordinate : lattice_.vertexCoordinates()) {
+    queries.push_back(coordinate.arc_m);
+    const double place = coordinate.angle_rad * n / (2.0 * kPi);
+    const int ridge = std::min(static_cast<int>(place), n - 1);
+    tables_.ridgePlaces.push_back({ridge, std::clamp(place - ridge, 0.0, 1.0)});
+  }
+  tables_.alongRidge = std::make_shared<const KrigingTable>(Kriging1d(arcs, options_.kriging), queries);
+}
+
+void TableMaker::makeStrain() {
+  tables_.stiffeningStrain = options_.stiffeningStrain;
+  std::vector<double> values;
+  for (int g = 0; g < kStrainNodes; ++g) {
+    const double grasp = length() * g / (kStrainNodes - 1);
+    const TwistMap map(tables_, lattice_, {grasp, 1.0});
+    double most = 0.0;
+    for (int i = 0; i <= intervals(); ++i) {
+      const double arc = length() * i / intervals();
+      most = std::max(most, std::abs(map.rate(arc)) * tables_.shear.value(arc));
+    }
+    double stiffness = 0.0;
+    for (const PreparedOperation& op : tables_.operations) {
+      stiffness += op.ratio() * op.ratio() * op.stiffness(grasp);
+    }
+    values.push_back(most / stiffness);
+  }
+  tables_.strainPerTorque = HermiteTable(0.0, length() / (kStrainNodes - 1), std::move(values), true);
+}
+
+}  // namespace
+
+TwistModel::Tables makeTwistTables(const TriangleMesh& mesh, const SectionLattice& lattice,
+                                   const Material& material, const TwistModelOptions& options) {
+  checkOptions(options, material);
+  return TableMaker(mesh, lattice, material, options).make();
+}
+
+}  // namespace torsio

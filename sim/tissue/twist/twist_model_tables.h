@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "sim/tissue/twist/twist_model.h"
+#include "sim/tissue/twist/twist_model_arc.h"
+#include "sim/tissue/twist/twist_model_operation.h"
+
+namespace torsio {
+
+/// The line that a section turns about.
+struct TwistLine {
+  Vec3 point_m;
+  Vec3 direction;
+};
+
+/// A vertex of the mesh as the model sees it.
+struct TwistVertex {
+  Vec3 rest_m;
+  TwistLine line;
+  double arc_m = 0.0;
+  double warp_m2 = 0.0;  ///< psi: displacement along the axis for a twist rate of 1 rad/m
+};
+
+/// A vertex between ridge K and the next one, for component kriging (Eq. 15).
+struct RidgePlace {
+  int ridge = 0;
+  double share = 0.0;  ///< towards the next ridge
+};
+
+/// Everything that the queries of TwistModel need, computed once; immutable.
+struct TwistModel::Tables {
+  std::vector<TwistOperation> definitions;
+  std::vector<PreparedOperation> operations;
+  bool defaultOperation = true;    ///< exactly one operation, elastic, about the centreline, ratio 1
+  std::size_t leading = 0;         ///< the operation with the largest ratio
+  bool needsArc = true;            ///< some operation's coordinate is the arc length
+  bool carriesCentreline = false;  ///< some operation about the centreline follows one about a straight axis
+  bool searchesArc = false;        ///< some straight operation hangs on the arc: the inverse must look for it
+  ArcField arcs;
+
+  HermiteTable compliance;       ///< C(s), or H theta of the paper, rad/(N m)
+  HermiteTable radius;           ///< m, of the circle of equal area
+  HermiteTable shear;            ///< largest |tau| of the outline for G = 1 and unit twist rate, m
+  HermiteTable strainPerTorque;  ///< arc of the grasp -> largest shear strain of the organ for 1 N m there
+
+  double stiffeningStrain = 0.0;  ///< of the options; 0: linear
+
+  bool shiftedCentre = false;
+  HermiteTable centreX;  ///< centre of twist in the frame, m (kShearCentre)
+  HermiteTable centreY;
+
+  bool poynting = false;
+  HermiteTable stretch;  ///< q = (dC/ds)^2 Ip / (2 A): x = (T)^2 q is theta^2 Ip / (2 A)
+  /// Integrals of q^k t ds, k = 1..4, from the fixed end to each node of `stretch`.
+  std::vector<std::array<Vec3, 4>> elongation_m;
+
+  // The paper's linear displacements.
+  bool linear = false;
+  HermiteTable lift;  ///< m^2 per N m: dZ = lift h / sqrt(X^2 + Y^2 + h^2)
+  double spacing_m = 0.0;
+  bool components = false;
+  std::vector<Vec3> keyTurn_m;          ///< [section N + ridge]: displacement for one radian of the section
+  std::vector<Vec3> keyLift_m;          ///< for 1 N m
+  std::vector<RidgePlace> ridgePlaces;  ///< one a vertex
+  std::shared_ptr<const KrigingTable> alongRidge;  ///< one row a vertex
+
+  std::vector<TwistVertex> vertices;
+  std::vector<double> patchArc_m;
+  std::vector<double> patchShear_Pa_m;  ///< |tau| for unit twist rate
+};
+
+/// Computes the tables of a model. Throws as TwistModel's constructor.
+[[nodiscard]] TwistModel::Tables makeTwistTables(const TriangleMesh& mesh, const SectionLattice& lattice,
+                                                 const Material& material, const TwistModelOptions& options);
+
+}  // namespace torsio

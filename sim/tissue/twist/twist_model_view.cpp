@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/tissue/twist/twist_model_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/contracts.h"
+#include "sim/tissue/twist/twist_model_map.h"
+#include "sim/tissue/twist/twist_model_tables.h"
+#include "sim/tissue/view/twist_kernels.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr int kShareEntries = 2048;
+constexpr int kCurvedStreams = 11;
+constexpr int kCurvedOnlyStreams = 10;
+constexpr int kPaperStreams = 11;
+constexpr double kBlendPerRadius = 0.5;  // as in twist_model_map.cpp
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+void put(float* lane, const Vec3& v) {
+  lane[0] = static_cast<float>(v.x);
+  lane[kKernelBlock] = static_cast<float>(v.y);
+  lane[2 * kKernelBlock] = static_cast<float>(v.z);
+}
+
+}  // namespace
+
+TwistView::TwistView(const TwistModel& model, Isa isa)
+    : model_(&model), isa_(isa), vertices_(static_cast<int>(model.tables().vertices.size())) {
+  blocks_ = (vertices_ + kKernelBlock - 1) / kKernelBlock;
+  out_ = KernelBuffer<float>(at(blocks_ * 3 * kKernelBlock), 2 * kKernelBlock);
+  rest_ = KernelBuffer<float>(at(blocks_ * 3 * kKernelBlock), 4 * kKernelBlock);
+  shares_.assign(kShareEntries + 1, 0.0F);
+  for (int v = 0; v < vertices_; ++v) put(&lane(rest_, 3, v, 0), model.tables().vertices[at(v)].rest_m);
+  for (const TwistVertex& vertex : model.tables().vertices) warped_ = warped_ || vertex.warp_m2 != 0.0;
+  choosePath();
+  if (path_ == Path::kPaper) fillPaperStreams();
+  if (path_ == Path::kCurved || path_ == Path::kAngles) fillStreams();
+  if (path_ == Path::kAngles) angles_ = KernelBuffer<float>(at(blocks_ * 2 * kKernelBlock));
+  if (path_ == Path::kSlow) slow_m_.resize(at(vertices_));
+}
+
+float& TwistView::lane(KernelBuffer<float>& buffer, int streams, int vertex, int stream) const noexcept {
+  return buffer[at((vertex / kKernelBlock) * streams * kKernelBlock + stream * kKernelBlock +
+                   vertex % kKernelBlock)];
+}
+
+void TwistView::choosePath() {
+  const TwistModel::Tables& tables = model_->tables();
+  const PreparedOperation& first = tables.operations.front();
+  const bool laterStraight = std::all_of(tables.operations.begin() + 1, tables.operations.end(),
+                                         [](const PreparedOperation& op) { return op.alongAxis(); });
+  path_ = Path::kSlow;
+  if (tables.linear) {
+    const bool free = first.isElastic() && first.elastic().ends() == EndCondition::kClampedFree;
+    if (tables.defaultOperation && free && !tables.components) path_ = Path::kPaper;
+    return;
+  }
+  if (tables.poynting || !laterStraight) return;
+  if (first.alongAxis()) {
+    path_ = Path::kStraight;
+  } else if (first.aboutCentreline()) {
+    path_ = first.isElastic() && first.elastic().plain() ? Path::kCurved : Path::kAngles;
+  }
+}
+
+void TwistView::fillStreams() {
+  const TwistModel::Tables& tables = model_->tables();
+  const bool curvedOnly = path_ == Path::kCurved && !warped_;
+  const int streams = curvedOnly ? kCurvedOnlyStreams : kCurvedStreams;
+  in_ = KernelBuffer<float>(at(blocks_ * streams * kKernelBlock));
+  const PreparedOperation& op = tables.operations.front();
+  for (int v = 0; v < vertices_; ++v) {
+    const TwistVertex& vertex = tables.vertices[at(v)];
+    const TwistLine& line = vertex.line;
+    const Vec3 u = vertex.rest_m - line.point_m;
+    const Vec3 radius = u - dot(u, line.direction) * line.direction;
+    put(&lane(in_, streams, v, 0), vertex.rest_m - radius);
+    put(&lane(in_, streams, v, 3), radius);
+    put(&lane(in_, streams, v, 6), line.direction);
+    ValueSlope compliance{0.0, 1.0};
+    if (path_ == Path::kCurved) compliance = op.elastic().rising(vertex.arc_m);
+    lane(in_, streams, v, 9) = static_cast<float>(compliance.value);
+    if (curvedOnly) continue;
+    lane(in_, streams, v, 10) = static_cast<float>(vertex.warp_m2 * compliance.slope);
+  }
+}
+
+void TwistView::fillPaperStreams() {
+  const TwistModel::Tables& tables = model_->tables();
+  in_ = KernelBuffer<float>(at(blocks_ * kPaperStreams * kKernelBlock));
+  const PreparedOperation& op = tables.operations.front();
+  for (int v = 0; v < vertices_; ++v) {
+    const TwistVertex& vertex = tables.vertices[at(v)];
+    const TwistLine& line = vertex.line;
+    const Vec3 u = vertex.rest_m - line.point_m;
+    const Vec3 across = cross(line.direction, u);
+    const double h = tables.spacing_m;
+    const double lift = tables.lift.value(vertex.arc_m) * h / std::sqrt(dot(across, across) + h * h);
+    put(&lane(in_, kPaperStreams, v, 0), vertex.rest_m);
+    put(&lane(in_, kPaperStreams, v, 3), across);
+    lane(in_, kPaperStreams, v, 6) = static_cast<float>(op.elastic().rising(vertex.arc_m).value);
+    lane(in_, kPaperStreams, v, 7) = static_cast<float>(vertex.arc_m);
+    put(&lane(in_, kPaperStreams, v, 8), lift * line.direction);
+  }
+}
+
+void TwistView::curvedFrame(const TwistState& state) noexcept {
+  const TwistModel::Tables& tables = model_->tables();
+  const PreparedOperation& op = tables.operations.front();
+  const TorsionTable& table = op.elastic();
+  const double grasp = table.graspAt(op.peakFor(state.graspArc_m));
+  const ValueSlope rising = table.rising(grasp);
+  const double falling = table.falling(grasp).value;
+  const double torque = op.ratio() * state.graspAngle_rad / (rising.value * falling);
+  // B falls from 1 by (1 - B(g)) / A(g) per unit of A: nothing for a free end.
+  const double fall = (1.0 - falling) / rising.value;
+  const double width = kBlendPerRadius * tables.radius.value(state.graspArc_m) * rising.slope;
+  TwistFrame frame;
+  frame.torque = static_cast<float>(torque);
+  frame.nearSlope = static_cast<float>(falling);
+  frame.farBase = static_cast<float>(rising.value);
+  frame.farSlope = static_cast<float>(-rising.value * fall);
+  frame.graspCompliance = static_cast<float>(rising.value);
+  frame.inverseBlend = static_cast<float>(width > 0.0 ? 1.0 / width : 0.0);
+  frame.nearRate = static_cast<float>(torque * falling);
+  frame.farRate = static_cast<float>(-torque * rising.value * fall);
+  const TwistKernels& kernels = twistKernels(isa_);
+  (warped_ ? kernels.curvedWarp : kernels.curved)(in_.data(), blocks_, frame, out_.data());
+}
+
+void TwistView::anglesFrame(const TwistState& state) noexcept {
+  const TwistModel::Tables& tables = model_->tables();
+  const TwistMap map(tables, model_->lattice(), state);
+  const PreparedOperation& op = tables.operations.front();
+  const double peak = op.peakFor(state.graspArc_m);
+  const double full = op.ratio() * state.graspAngle_rad;
+  for (int v = 0; v < vertices_; ++v) {
+    const double arc = tables.vertices[at(v)].arc_m;
+    lane(angles_, 2, v, 0) = static_cast<float>(full * op.share(arc, peak).value);
+    lane(angles_, 2, v, 1) = static_cast<float>(warped_ ? map.warpingRate(arc) : 0.0);
+  }
+  twistKernels(isa_).givenAngles(in_.data(), angles_.data(), blocks_, out_.data());
+}
+
+void TwistView::paperFrame(const TwistState& state) noexcept {
+  const TorsionTable& table = model_->tables().operations.front().elastic();
+  const double grasp = table.graspAt(state.graspArc_m);
+  PaperFrame frame;
+  frame.torque = static_cast<float>(state.graspAngle_rad / table.compliance(grasp));
+  frame.graspArc = static_cast<float>(grasp);
+  frame.graspAngle = static_cast<float>(table.compliance(grasp));
+  twistKernels(isa_).paperLinear(in_.data(), blocks_, frame, out_.data());
+}
+
+void TwistView::straightFrames(const TwistState& state, const float* in, std::size_t from) noexcept {
+  const TwistModel::Tables& tables = model_->tables();
+  for (std::size_t k = from; k < tables.operations.size(); ++k) {
+    const PreparedOperation& op = tables.operations[k];
+    const TwistOperation& definition = op.definition();
+    const double unit = norm(definition.axisTo_m - definition.axisFrom_m);
+    const double first = unit * definition.from;
+    const double peak =
+        op.isElastic() ? op.elastic().graspAt(op.peakFor(state.graspArc_m)) : op.peakFor(state.graspArc_m);
+    // The kink at the peak falls on an entry; the last entries may lie beyond `to`, where nothing changes.
+    const double even = unit * (definition.to - definition.from) / (kShareEntries - 2);
+    const double step = (peak - first) / std::max(1.0, std::floor((peak - first) / even));
+    for (int i = 0; i < kShareEntries; ++i) {
+      shares_[at(i)] = static_cast<float>(op.share(first + step * i, peak).value);
+    }
+    shares_[kShareEntries] = shares_[kShareEntries - 1];
+    StraightFrame frame;
+    const Vec3& o = op.origin_m();
+    const Vec3& a = op.direction();
+    frame.origin[0] = static_cast<float>(o.x), frame.origin[1] = static_cast<float>(o.y);
+    frame.origin[2] = static_cast<float>(o.z);
+    frame.axis[0] = static_cast<float>(a.x), frame.axis[1] = static_cast<float>(a.y);
+    frame.axis[2] = static_cast<float>(a.z);
+    frame.scale = static_cast<float>(op.ratio() * state.graspAngle_rad);
+    frame.first = static_cast<float>(first);
+    frame.inverseStep = static_cast<float>(1.0 / step);
+    frame.table = shares_.data();
+    frame.tableSize = kShareEntries;
+    twistKernels(isa_).straight(in, blocks_, frame, out_.data());
+    in = out_.data();
+  }
+}
+
+void TwistView::slowFrame(const TwistState& state) noexcept {
+  model_->deform(state, slow_m_);
+  for (int v = 0; v < vertices_; ++v) put(&lane(out_, 3, v, 0), slow_m_[at(v)]);
+}
+
+std::span<const float> TwistView::updateBlocks(const TwistState& state) noexcept {
+  if (state.graspAngle_rad == 0.0) return {rest_.data(), rest_.size()};
+  switch (path_) {
+    case Path::kCurved:
+      curvedFrame(state);
+      straightFrames(state, out_.data(), 1);
+      break;
+    case Path::kAngles:
+      anglesFrame(state);
+      straightFrames(state, out_.data(), 1);
+      break;
+    case Path::kStraight:
+      straightFrames(state, rest_.data(), 0);
+      break;
+    case Path::kPaper:
+      paperFrame(state);
+      break;
+    case Path::kSlow:
+      slowFrame(state);
+      break;
+  }
+  return {out_.data(), out_.size()};
+}
+
+void TwistView::update(const TwistState& state, std::span<float> xyz, int stride) noexcept {
+  const std::size_t needed = vertices_ > 0 ? at((vertices_ - 1) * stride + 3) : 0;
+  if (stride < 3 || xyz.size() < needed) return;
+  twistKernels(isa_).interleave(updateBlocks(state).data(), vertices_, xyz.data(), stride);
+}
+
+}  // namespace torsio

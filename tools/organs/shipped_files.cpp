@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/organs/shipped_files.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/base/portable_math.h"
+#include "sim/geometry/mesh/mesh_export.h"
+#include "tools/organs/arm.h"
+#include "tools/organs/grasper.h"
+#include "tools/organs/stomach.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr const char* kProvenance =
+    "synthetic: drawn by torsio_make_organs (assets/organs/generate), no patient data";
+constexpr const char* kLicence = "CC0-1.0 or GPL-3.0-or-later, as you like";
+
+std::string ply(const TriangleMesh& mesh, const std::string& what, const std::string& dimensions) {
+  MeshExportOptions options;
+  options.comments = {"Torsio: " + what, kProvenance, "dimensions: " + dimensions,
+                      std::string("licence: ") + kLicence};
+  return plyBytes(mesh, options);
+}
+
+// Hundredths of a millimetre, and never "-0.00".
+std::string hundredths(double value) {
+  const double rounded = std::round(value * 100.0) / 100.0;
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", rounded == 0.0 ? 0.0 : rounded);
+  return text.data();
+}
+
+std::string vectorText(const Vec3& v) {
+  std::string text = "[";
+  text.append(hundredths(v.x)).append(", ").append(hundredths(v.y)).append(", ").append(hundredths(v.z));
+  return text + "]";
+}
+
+std::string millimetres(const Vec3& metres) {
+  return vectorText(1000.0 * metres);
+}
+
+class JsonObject {
+ public:
+  explicit JsonObject(std::string indent = "  ") : indent_(std::move(indent)) {}
+  JsonObject& text(const char* key, const std::string& value) { return raw(key, '"' + value + '"'); }
+  JsonObject& raw(const char* key, const std::string& value) {
+    if (!body_.empty()) body_ += ",\n";
+    body_.append(indent_).append(1, '"').append(key).append("\": ").append(value);
+    return *this;
+  }
+  [[nodiscard]] std::string lines() const { return "{\n" + body_ + "\n" + indent_.substr(2) + "}"; }
+
+ private:
+  std::string indent_;
+  std::string body_;
+};
+
+std::string markersJson(const Arm& arm) {
+  std::string markers = "[";
+  for (const ArmMarker& m : arm.markers) {
+    JsonObject one("      ");
+    one.raw("number", std::to_string(m.number))
+        .text("name", m.name)
+        .raw("position_mm", millimetres(m.position_m));
+    one.raw("angle_deg", hundredths(m.angle_rad / kDegree));
+    markers += (markers.size() > 1 ? ",\n    " : "\n    ") + one.lines();
+  }
+  JsonObject json;
+  json.text("organ", "arm.ply").text("provenance", kProvenance).text("licence", kLicence);
+  json.text(
+      "frame",
+      "LPS; axis along +z, elbow at z = 0, fingers up; thumb at +x, back of the hand at +y; angles about the "
+      "axis from +x (radial) over +y (dorsal)");
+  json.raw("fixed_end_mm", millimetres(arm.fixedEnd_m)).raw("wrist_mm", millimetres(arm.wrist_m));
+  json.raw("free_end_mm", millimetres(arm.freeEnd_m)).raw("ridge_zero", vectorText(arm.ridgeZero));
+  json.raw("markers", markers + "\n  ]");
+  return json.lines() + "\n";
+}
+
+std::string grasperJson(const Grasper& g) {
+  JsonObject jaws("    ");
+  jaws.raw("pivot_mm", millimetres(g.jawPivot_m)).raw("axis", vectorText({1, 0, 0}));
+  jaws.raw("opening_deg", hundredths(g.jawOpening_rad / kDegree));
+  JsonObject meshes("    ");
+  meshes.text("shaft", "grasper_shaft.ply").text("upper_jaw", "grasper_jaw_upper.ply");
+  meshes.text("lower_jaw", "grasper_jaw_lower.ply");
+  JsonObject json;
+  json.text("id", "grasper").text("title", "Straight grasper, 5 mm").text("provenance", kProvenance);
+  json.text("licence", kLicence);
+  json.text(
+      "frame",
+      "tip at the origin, shaft along +z towards the hand; the upper jaw (y > 0) opens by +angle about the "
+      "axis through the pivot, the lower by -angle");
+  json.raw("tip_mm", vectorText({})).raw("shaft_axis", vectorText({0, 0, 1}));
+  json.raw("shaft_length_mm", hundredths(1000.0 * g.shaftLength_m));
+  json.raw("shaft_radius_mm", hundredths(1000.0 * g.shaftRadius_m));
+  json.raw("tip_radius_mm", "2.50").raw("grip_reach_mm", "4.00");
+  json.raw("jaws", jaws.lines()).raw("meshes", meshes.lines());
+  return json.lines() + "\n";
+}
+
+}  // namespace
+
+std::vector<ShippedFile> shippedFiles() {
+  const Arm arm = makeArm();
+  const Grasper grasper = makeGrasper();
+  const std::string grasperSize = "a usual 5 mm laparoscopic grasper";
+  return {
+      {"organs/arm.ply",
+       ply(arm.surface, "right forearm and hand, straight, supinated",
+           "a man's means of ANSUR II (2012); fingers after Chatzioglou 2024, Anat Cell Biol 57:172")},
+      {"organs/arm_markers.json", markersJson(arm)},
+      {"organs/stomach.ply",
+       ply(makeStomach().surface, "J-shaped stomach, moderately full",
+           "centreline 267 mm, 0.71 l, section widths after the BodyParts3D stomach and MRI of "
+           "fed adults")},
+      {"organs/intestine.ply",
+       ply(makeIntestine().surface, "loop of small intestine", "200 mm long, 26 mm wide, typical of adults")},
+      {"instruments/grasper.json", grasperJson(grasper)},
+      {"instruments/grasper_shaft.ply", ply(grasper.shaft, "shaft of a grasper", grasperSize)},
+      {"instruments/grasper_jaw_upper.ply", ply(grasper.upperJaw, "upper jaw of a grasper", grasperSize)},
+      {"instruments/grasper_jaw_lower.ply", ply(grasper.lowerJaw, "lower jaw of a grasper", grasperSize)},
+  };
+}
+
+}  // namespace torsio
