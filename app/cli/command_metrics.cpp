@@ -14,8 +14,8 @@
 #include "app/recording/replay_service.h"
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/metrics/metric_cards.h"
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
-#include "sim/base/portable_math.h"
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial_file.h"
 #include "sim/scene/scene.h"
@@ -91,7 +91,7 @@ StoredRun loadRun(const MetricsArguments& arguments) {
                       ? readRunFile(arguments.trial)
                       : loadStoredRun(arguments.database, arguments.trial);
   if (arguments.tolerance_deg) {
-    run.rules.tolerance_rad = *arguments.tolerance_deg * kDegree;
+    run.rules.tolerance_rad = radians(*arguments.tolerance_deg);
   }
   if (arguments.forceLimit_N) {
     run.rules.forceLimit_N = arguments.forceLimit_N;
@@ -150,9 +150,10 @@ Scene sceneOf(const MetricsArguments& arguments, const TrialHeader& header) {
   wanted.organFile = chosen.organFile;
   wanted.organScale_m = chosen.organScale_m;
   Scene scene = loadScene(wanted);
-  if (scene.organHash != header.organHash)
+  if (scene.organHash != header.organHash) {
     throw Error(ErrorCode::kBadData, "this is not the organ on which the trial was recorded",
                 "trial " + header.trialId, "Give the mesh file of the recording with --organ");
+  }
   return scene;
 }
 
@@ -194,7 +195,9 @@ void runMetrics(const MetricsArguments& arguments) {
   for (const MeasuredTwist& twist : measured.twists) {
     out["twists"].push_back(twistJson(twist));
   }
-  if (arguments.cards) out["cards"] = cardsJson();
+  if (arguments.cards) {
+    out["cards"] = cardsJson();
+  }
   printJson(out);
 }
 

@@ -57,6 +57,14 @@ void setRetentionRule(Workplace& workplace, const std::string& category, std::in
   transaction.commit();
 }
 
+void removeRetentionRule(Workplace& workplace, const std::string& category) {
+  workplace.require(Operation::kRetentionManage);
+  Transaction transaction(workplace.connection());
+  RetentionRepository(workplace.connection()).removeRule(category);
+  workplace.note({.action = "retention.remove_rule", .objectKind = "retention_rule", .objectId = category});
+  transaction.commit();
+}
+
 std::vector<RetentionItem> retentionQueue(Workplace& workplace) {
   workplace.require(Operation::kRetentionManage);
   return RetentionRepository(workplace.connection()).due(workplace.now_us());

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole flow of Torsio in one file. What happens in a run, and where to read on:
+// The whole flow of Torsio, and where to read on:
 //
 //   device -> servo -> tissue -> recorder -> database -> assessment -> report
-//   \______________ here ______________/
+//   \_______________ wired here _______________/
 //
-//   device      a stylus, a mouse or a scripted hand says where the instrument is     sim/device
-//   servo       a thousand times a second: collide, step the tissue, govern the force
-//   sim/servo/servo_loop.cpp tissue      answers angle and position of the jaw with torque and force
-//   sim/tissue recorder    packs what happened, second by second sim/record/recorder.cpp database    a sink
-//   takes header, chunks and summary                               app/recording, db/repository assessment
-//   reads a stored trial: twists, metrics, marks, statistics              assessment report      lays the
-//   results out                                                  app/reporting, app/report
+//   device      a stylus, a mouse or a scripted hand says where the instrument is (sim/device)
+//   servo       each millisecond: collide, step the tissue, govern the force (sim/servo/servo_loop.cpp)
+//   tissue      answers angle and place of the jaw with torque and force (sim/tissue)
+//   recorder    packs what happened, second by second (sim/record/recorder.cpp)
+//   database    a sink takes header, chunks and summary (unstored_trials.h, db/repository)
+//   assessment  reads a stored trial: twists, metrics, marks, statistics (assessment)
+//   report      lays the results out (app/reporting, app/report)
 //
 // Between the threads there are only rings and a snapshot: the servo never waits for a disk or for a window.
 #include "app/recording/recorded_run.h"

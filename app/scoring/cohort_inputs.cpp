@@ -128,7 +128,7 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
                    });
 
   inputs.trainingScale = training.scale;
-  inputs.occasions = {Text("before"), Text("after %1 min", 20), Text("after %1 min", 40)};
+  for (const Occasion& occasion : training.occasions) inputs.occasions.push_back(occasionText(occasion));
   inputs.scores = training.trainees;
   inputs.summaries = training.groups;
   inputs.trainingMarks = training.marks;

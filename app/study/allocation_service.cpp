@@ -53,10 +53,7 @@ struct Field {
 Field readField(Workplace& workplace, const std::string& cohortId) {
   StudyRepository study(workplace.connection());
   Field field;
-  for (const StoredCohort& cohort : study.cohorts()) {
-    if (cohort.id == cohortId) field.cohort = cohort;
-  }
-  if (field.cohort.id.empty()) refuse("there is no such cohort", cohortId, "Choose one from the list");
+  field.cohort = study.cohort(cohortId);
   field.groups = study.groups(cohortId);
   field.enrolments = study.enrolments(cohortId);
   std::erase_if(field.enrolments, [](const StoredEnrolment& e) { return e.state == "withdrawn"; });

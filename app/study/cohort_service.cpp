@@ -18,13 +18,6 @@ namespace {
   throw Error(ErrorCode::kBadData, what, where, remedy);
 }
 
-StoredCohort cohortOf(StudyRepository& study, const std::string& cohortId) {
-  for (StoredCohort& cohort : study.cohorts()) {
-    if (cohort.id == cohortId) return cohort;
-  }
-  refuse("there is no such cohort", cohortId, "Choose one from the list");
-}
-
 StoredEnrolment enrolmentOf(StudyRepository& study, const std::string& cohortId,
                             const std::string& enrolmentId) {
   for (StoredEnrolment& enrolment : study.enrolments(cohortId)) {
@@ -155,7 +148,7 @@ void assignCurriculum(Workplace& workplace, const std::string& cohortId, const s
   workplace.require(Operation::kStudySetup);
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
-  const StoredCohort before = cohortOf(study, cohortId);
+  const StoredCohort before = study.cohort(cohortId);
   if (!study.exposures(cohortId).empty()) {
     refuse("training has begun: the curriculum of this cohort stays", before.name,
            "Make another cohort for the other curriculum");
@@ -175,7 +168,7 @@ std::vector<std::string> enrolTrainees(Workplace& workplace, const std::string& 
   if (traineeIds.empty()) refuse("nobody was chosen", "enrolment", "Choose at least one trainee");
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
-  const StoredCohort cohort = cohortOf(study, cohortId);
+  const StoredCohort cohort = study.cohort(cohortId);
   std::set<std::string> enrolled;
   for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) enrolled.insert(enrolment.traineeId);
   PeopleRepository people(workplace.connection());
@@ -244,7 +237,7 @@ std::string reportDeviation(Workplace& workplace, const NewDeviation& deviation)
   }
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
-  const StoredCohort cohort = cohortOf(study, deviation.cohortId);
+  const StoredCohort cohort = study.cohort(deviation.cohortId);
   if (!deviation.enrolmentId.empty()) (void)enrolmentOf(study, cohort.id, deviation.enrolmentId);
   const std::int64_t now_us = workplace.now_us();
   const std::string id = workplace.ids().newUuid();
@@ -276,7 +269,7 @@ std::string recordExposure(Workplace& workplace, const NewExposure& exposure) {
   if (exposure.duration_us <= 0) refuse("no time was spent", "exposure", "Enter the minutes");
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
-  const StoredCohort cohort = cohortOf(study, exposure.cohortId);
+  const StoredCohort cohort = study.cohort(exposure.cohortId);
   const StoredEnrolment enrolment = enrolmentOf(study, exposure.cohortId, exposure.enrolmentId);
   if (!workplace.may(Operation::kStudySetup)) {
     workplace.requireOwn(Operation::kTrialRecordOwn, enrolment.traineeId);

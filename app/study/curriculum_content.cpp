@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "sim/scene/json_fields.h"
@@ -28,13 +28,9 @@ constexpr double kMost = 1e9;
 constexpr int kMostCount = 1'000'000;
 
 /// Whole billionths of a degree: what was written as 60 is shown as 60 again.
-double degrees(double angle_rad) {
+double writtenDegrees(double angle_rad) {
   constexpr double kDigits = 1e9;
-  return std::round(angle_rad * 180.0 / std::numbers::pi * kDigits) / kDigits;
-}
-
-double radians(double angle_deg) {
-  return angle_deg * std::numbers::pi / 180.0;
+  return std::round(degrees(angle_rad) * kDigits) / kDigits;
 }
 
 json moduleJson(const StoredModule& module) {
@@ -44,8 +40,8 @@ json moduleJson(const StoredModule& module) {
            {"pattern", module.patternId},
            {"exercise", module.exerciseKind},
            {"mode", module.mode},
-           {"target_deg", degrees(module.targetAngle_rad)},
-           {"tolerance_deg", degrees(module.tolerance_rad)},
+           {"target_deg", writtenDegrees(module.targetAngle_rad)},
+           {"tolerance_deg", writtenDegrees(module.tolerance_rad)},
            {"hold_s", static_cast<double>(module.hold_us) / kSecond_us},
            {"requires", module.requires_},
            {"mastery", json::array()}};

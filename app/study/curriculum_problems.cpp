@@ -28,8 +28,9 @@ std::optional<std::string_view> unitOf(const std::string& metric) {
 /// Goes through a draft in reading order and collects what is wrong.
 class Examination {
  public:
-  Examination(const StoredCurriculumVersion& content, const std::filesystem::path& assets)
-      : content_(content), assets_(assets) {}
+  Examination(const StoredCurriculumVersion& content, const std::filesystem::path& assets,
+              const Occasions& known)
+      : content_(content), assets_(assets), known_(known) {}
 
   std::vector<CurriculumProblem> run() {
     if (content_.modules.empty() && content_.arms.empty()) {
@@ -196,11 +197,11 @@ class Examination {
       longest_us = std::max(longest_us, total_us);
     }
     std::int64_t before_us = -1;
-    for (const char* code : {"pre", "mid", "post"}) {
+    for (const Occasion& occasion : known_) {
       for (const StoredScoringPoint& point : content_.scoringPoints) {
-        if (point.code != code) continue;
-        const Text where("scoring point %1", code);
-        if (!seen.insert(code).second) add(where, "stands twice", "Keep one of the two");
+        if (point.code != occasion.code) continue;
+        const Text where("scoring point %1", point.code);
+        if (!seen.insert(point.code).second) add(where, "stands twice", "Keep one of the two");
         if (point.afterExposure_us <= before_us) {
           add(where, "does not come after the one before", "Give each a later time than the last");
         }
@@ -212,13 +213,14 @@ class Examination {
     }
     for (const StoredScoringPoint& point : content_.scoringPoints) {
       if (!seen.contains(point.code)) {
-        add(Text("scoring point \"%1\"", point.code), "is not known", "Choose pre, mid or post");
+        add(Text("scoring point \"%1\"", point.code), "is not known", "Choose one from the list");
       }
     }
   }
 
   const StoredCurriculumVersion& content_;
   const std::filesystem::path& assets_;
+  const Occasions& known_;
   std::set<std::string> modules_;
   std::map<std::string, std::vector<std::string>> patterns_;
   std::vector<CurriculumProblem> problems_;
@@ -232,8 +234,9 @@ const std::vector<std::string>& exerciseKinds() {
 }
 
 std::vector<CurriculumProblem> curriculumProblems(const StoredCurriculumVersion& content,
-                                                  const std::filesystem::path& assets) {
-  return Examination(content, assets).run();
+                                                  const std::filesystem::path& assets,
+                                                  const Occasions& known) {
+  return Examination(content, assets, known).run();
 }
 
 }  // namespace torsio

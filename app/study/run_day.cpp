@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/devices/station_device.h"
+#include "app/scoring/cohort_occasions.h"
 #include "app/study/cohort_service.h"
 #include "db/repository/sheet_repository.h"
 #include "sim/base/error.h"
@@ -34,7 +35,7 @@ void countRest(const StoredArm& arm, std::int64_t duration_us, PhaseProgress& pr
 }
 
 void fillTraining(RunDayRow& row, const StoredArm& arm, const std::vector<StoredExposure>& exposures,
-                  const std::vector<StoredScoringPoint>& points) {
+                  const Occasions& occasions) {
   row.armLabel = arm.label;
   row.restAllowance_us = arm.restAllowance_us;
   row.progress = phaseProgress(arm, exposures);
@@ -43,9 +44,10 @@ void fillTraining(RunDayRow& row, const StoredArm& arm, const std::vector<Stored
     row.phaseLabel = arm.phases[row.progress.phase].label;
     row.phaseKind = arm.phases[row.progress.phase].kind;
   }
-  for (const StoredScoringPoint& point : points) {
-    if (row.progress.virtual_us + row.progress.real_us >= point.afterExposure_us) {
-      row.scoringPointDue = point.code;
+  for (const Occasion& occasion : occasions) {
+    if (occasion.afterExposure_us &&
+        row.progress.virtual_us + row.progress.real_us >= *occasion.afterExposure_us) {
+      row.occasionDue = occasion;
     }
   }
 }
@@ -91,7 +93,7 @@ struct Today {
   std::map<std::string, std::vector<StoredExposure>> exposures;
   std::map<std::string, RunningTrial> running;
   std::map<std::string, std::size_t> deviations;
-  std::map<std::pair<std::string, std::string>, std::size_t> missing;  ///< and scoring point
+  std::map<std::pair<std::string, std::string>, std::size_t> missing;  ///< and code of the occasion
 };
 
 Today readToday(Workplace& workplace, const std::string& cohortId) {
@@ -121,16 +123,10 @@ RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId) {
   RunDayBoard board;
   board.asOfUtc_us = workplace.now_us();
   board.stations = StationRepository(workplace.connection()).board();
-  std::string versionId;
-  for (const StoredCohort& cohort : study.cohorts()) {
-    if (cohort.id != cohortId) continue;
-    board.cohortName = cohort.name;
-    versionId = cohort.curriculumVersionId;
-  }
-  if (board.cohortName.empty()) {
-    throw Error(ErrorCode::kBadData, "there is no such cohort", cohortId, "Choose one from the list");
-  }
-  const auto version = CurriculumRepository(workplace.connection()).version(versionId);
+  const StoredCohort cohort = study.cohort(cohortId);
+  board.cohortName = cohort.name;
+  const Occasions occasions = occasionsOfCohort(workplace.connection(), cohortId);
+  const auto version = CurriculumRepository(workplace.connection()).version(cohort.curriculumVersionId);
   std::map<std::string, const StoredArm*> armOfGroup;
   for (const StoredGroup& group : study.groups(cohortId)) {
     if (!version) break;
@@ -148,8 +144,8 @@ RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId) {
     row.groupCode = enrolment.groupCode;
     row.deviations = today.deviations[enrolment.id];
     if (const auto arm = armOfGroup.find(enrolment.groupId); arm != armOfGroup.end()) {
-      fillTraining(row, *arm->second, today.exposures[enrolment.id], version->scoringPoints);
-      row.sheetsMissing = today.missing[{enrolment.id, row.scoringPointDue}];
+      fillTraining(row, *arm->second, today.exposures[enrolment.id], occasions);
+      row.sheetsMissing = today.missing[{enrolment.id, row.occasionDue.code}];
     }
     if (const auto trial = today.running.find(enrolment.id); trial != today.running.end()) {
       row.runningTrialId = trial->second.trialId;
@@ -187,16 +183,19 @@ std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
   std::stable_partition(alerts.begin(), alerts.end(),
                         [](const RunDayAlert& alert) { return alert.kind == Kind::kTrialOpen; });
   std::size_t withoutGroup = 0;
-  std::map<std::string, std::size_t> sheets;
+  std::map<std::string, RunDayAlert> sheets;  // by code
   for (const RunDayRow& row : board.rows) {
     if (row.state == "withdrawn") continue;
     if (row.groupCode.empty()) ++withoutGroup;
-    if (row.sheetsMissing > 0) sheets[row.scoringPointDue] += row.sheetsMissing;
+    if (row.sheetsMissing > 0) {
+      const auto [alert, isNew] = sheets.try_emplace(
+          row.occasionDue.code, RunDayAlert{.kind = Kind::kSheetsMissing, .occasion = row.occasionDue});
+      alert->second.count += row.sheetsMissing;
+    }
     if (!row.done && row.progress.restUsed_us > row.restAllowance_us)
       alerts.push_back({.kind = Kind::kRestTooLong, .subject = row.traineeCode});
   }
-  for (const auto& [point, count] : sheets)
-    alerts.push_back({.kind = Kind::kSheetsMissing, .scoringPoint = point, .count = count});
+  for (const auto& [code, alert] : sheets) alerts.push_back(alert);
   if (withoutGroup > 0) alerts.push_back({.kind = Kind::kNoGroup, .count = withoutGroup});
   return alerts;
 }

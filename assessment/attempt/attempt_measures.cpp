@@ -43,11 +43,11 @@ void judgeTwists(const MeasuredTrial& measured, AttemptMeasures& out) {
   for (const MeasuredTwist* twist : measured.completed()) {
     const double error_rad = twist->twist.error_rad();
     errorSum_rad += error_rad;
-    out.twists.push_back({error_rad / kDegree, twist->onTarget});
+    out.twists.push_back({degrees(error_rad), twist->onTarget});
   }
   out.unfinished = measured.unfinished();
   if (!out.twists.empty()) {
-    out.meanAbsoluteError_deg = errorSum_rad / static_cast<double>(out.twists.size()) / kDegree;
+    out.meanAbsoluteError_deg = degrees(errorSum_rad / static_cast<double>(out.twists.size()));
   }
 }
 

@@ -6,15 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/angle.h"
 #include "sim/base/live_types.h"
-#include "sim/base/portable_math.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
 
 /// A grip that at no moment turned the organ by this much was a touch, not a twist. The largest angle of the
 /// grip decides, not the one at letting go: who turns back to zero has twisted, and missed.
-inline constexpr double kSmallestTwist_rad = 2.0 * kDegree;
+inline constexpr double kSmallestTwist_rad = radians(2.0);
 /// The angle has been held when it stayed on target for at least this long until it was let go.
 inline constexpr double kShortestHold_s = 0.2;
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assessment/statistics/values.h"
+#include "sim/base/angle.h"
 #include "sim/base/vec3.h"
 
 namespace torsio {
@@ -20,7 +21,7 @@ namespace torsio {
 
 inline constexpr double kIdleAtLeast_s = 0.2;
 inline constexpr double kIdleTip_m_per_s = 0.005;
-inline constexpr double kIdleTwist_rad_per_s = 0.03490658503988659;  ///< 2 degrees a second
+inline constexpr double kIdleTwist_rad_per_s = radians(2.0);
 
 /// Sums the time with a speed below `threshold` for at least 0.2 s at a stretch.
 [[nodiscard]] double idleTime(std::span<const double> speed, double threshold, double rate_Hz,

@@ -9,7 +9,7 @@
 
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/statistics/values.h"
-#include "sim/base/portable_math.h"
+#include "sim/base/angle.h"
 #include "sim/base/vec3.h"
 
 namespace torsio {
@@ -33,7 +33,7 @@ struct TrialTrace {
 };
 
 /// Which error still counts as on target where neither a module nor a pattern says another: two degrees.
-inline constexpr double kUsualTolerance_rad = 2.0 * kDegree;
+inline constexpr double kUsualTolerance_rad = radians(2.0);
 
 /// Parts of the exercise version that the judgement uses.
 struct TrialTargets {

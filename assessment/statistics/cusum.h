@@ -28,8 +28,6 @@ struct TabularCusum {
 /// sigma, from the integral equation (Gauss-Legendre collocation).
 [[nodiscard]] double averageRunLengthOneSided(double k, double h, double shift);
 [[nodiscard]] double averageRunLengthTwoSided(double k, double h, double shift);
-/// Computes Siegmund's approximation of the two-sided run length, for comparison.
-[[nodiscard]] double averageRunLengthSiegmund(double k, double h, double shift);
 
 /// CUSUM of success and failure, as the surgical literature draws it: a failure adds 1 - s, a success
 /// subtracts s.
@@ -75,9 +73,5 @@ struct RelapseWatch {
   std::optional<std::size_t> alarmAt;
 };
 [[nodiscard]] RelapseWatch watchForRelapse(const std::vector<bool>& failed, const LcCusumDesign& design);
-
-/// Returns the weight of one outcome at predicted risk p when the odds of failure are multiplied by
-/// `oddsRatio` (Steiner 2000).
-[[nodiscard]] double riskAdjustedWeight(bool failed, double predictedRisk, double oddsRatio);
 
 }  // namespace torsio

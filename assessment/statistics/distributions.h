@@ -14,19 +14,13 @@ namespace torsio {
 /// Returns the two-sided p value of a standard normal statistic.
 [[nodiscard]] double normalTwoSided(double z);
 
-[[nodiscard]] double tCdf(double t, double df);
 [[nodiscard]] double tQuantile(double p, double df);
 [[nodiscard]] double tTwoSided(double t, double df);
 
-[[nodiscard]] double fCdf(double f, double df1, double df2);
 [[nodiscard]] double fUpper(double f, double df1, double df2);
 [[nodiscard]] double fQuantile(double p, double df1, double df2);
 
 [[nodiscard]] double chiSquaredUpper(double x, double df);
-[[nodiscard]] double chiSquaredQuantile(double p, double df);
-
-[[nodiscard]] double betaCdf(double x, double a, double b);
-[[nodiscard]] double betaQuantile(double p, double a, double b);
 
 [[nodiscard]] double noncentralTCdf(double t, double df, double noncentrality);
 [[nodiscard]] double noncentralTUpper(double t, double df, double noncentrality);
@@ -34,11 +28,6 @@ namespace torsio {
 [[nodiscard]] double noncentralFCdf(double f, double df1, double df2, double noncentrality);
 /// Returns the noncentrality d for which P(T <= t; df, d) = p.
 [[nodiscard]] double noncentralityOfT(double t, double df, double p);
-
-[[nodiscard]] double binomialCdf(int successes, int trials, double p);
-[[nodiscard]] double poissonCdf(int events, double mean);
-/// Returns P(X <= k), X white balls among `drawn` from `white` white and `black` black ones.
-[[nodiscard]] double hypergeometricCdf(int k, int white, int black, int drawn);
 
 /// Returns the upper tail of the studentised range of `groups` means with `df` error degrees of freedom:
 /// Gauss-Legendre over both integrals, absolute error below 1e-12.

@@ -15,9 +15,13 @@ inline constexpr double kUsualAlpha = 0.05;
 [[nodiscard]] double detectableTwoSampleT(double n, double power, double alpha = kUsualAlpha);
 [[nodiscard]] double powerPairedT(double pairs, double d, double alpha = kUsualAlpha);
 [[nodiscard]] double detectablePairedT(double pairs, double power, double alpha = kUsualAlpha);
+/// Returns the number of pairs that detects the standardised mean difference d with the given power.
+[[nodiscard]] double sizePairedT(double d, double power, double alpha = kUsualAlpha);
 /// Returns the power of a one-way analysis of variance of k groups of n with Cohen's f.
 [[nodiscard]] double powerAnova(int groups, double n, double f, double alpha = kUsualAlpha);
 [[nodiscard]] double sizeAnova(int groups, double f, double power, double alpha = kUsualAlpha);
+/// Returns Cohen's f that k groups of n detect with the given power.
+[[nodiscard]] double detectableAnova(int groups, double n, double power, double alpha = kUsualAlpha);
 /// Returns the size for analysis of covariance: the size without covariate times 1 - rho^2 (correlation
 /// before and after).
 [[nodiscard]] double sizeWithCovariate(double sizeWithout, double rho);

@@ -53,7 +53,9 @@ class NumberTable {
     columns_ = rows.empty() ? 0 : rows.front().size();
     for (const std::vector<double>& row : rows) {
       TORSIO_EXPECTS(row.size() == columns_);
-      for (const double value : row) values_.push_back(value);
+      for (const double value : row) {
+        values_.push_back(value);
+      }
     }
   }
 
@@ -69,7 +71,9 @@ class NumberTable {
   }
   [[nodiscard]] std::vector<double> column(std::size_t c) const {
     std::vector<double> out;
-    for (std::size_t r = 0; r < rows(); ++r) out.push_back(at(r, c));
+    for (std::size_t r = 0; r < rows(); ++r) {
+      out.push_back(at(r, c));
+    }
     return out;
   }
 

@@ -95,6 +95,15 @@ std::vector<StoredCohort> StudyRepository::cohorts() {
   return cohorts;
 }
 
+StoredCohort StudyRepository::cohort(const std::string& cohortId) {
+  for (StoredCohort& one : cohorts()) {
+    if (one.id == cohortId) {
+      return std::move(one);
+    }
+  }
+  throw Error(ErrorCode::kBadData, "there is no such cohort", cohortId, "Choose one from the list");
+}
+
 std::vector<StoredGroup> StudyRepository::groups(const std::string& cohortId) {
   std::vector<StoredGroup> groups;
   Statement row = connection_.prepare(

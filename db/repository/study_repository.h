@@ -132,6 +132,8 @@ class StudyRepository {
 
   void addCohort(const StoredCohort& cohort, std::span<const StoredGroup> groups);
   [[nodiscard]] std::vector<StoredCohort> cohorts();
+  /// Throws Error{kBadData} when there is no such cohort.
+  [[nodiscard]] StoredCohort cohort(const std::string& cohortId);
   [[nodiscard]] std::vector<StoredGroup> groups(const std::string& cohortId);
 
   void enrol(std::span<const StoredEnrolment> enrolments);

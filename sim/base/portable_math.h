@@ -22,7 +22,6 @@ struct SinCos {
 [[nodiscard]] double portableLog(double x) noexcept;
 
 inline constexpr double kPi = 3.14159265358979323846;
-inline constexpr double kDegree = kPi / 180.0;  ///< radians in one degree
 
 /// Returns the value of `angle_rad` + 2 pi k that lies nearest to `reference_rad`.
 [[nodiscard]] double unwrapNear(double angle_rad, double reference_rad) noexcept;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "sim/base/portable_math.h"
+#include "sim/base/angle.h"
 
 namespace torsio {
 
 /// Largest turn of the gimbal's third joint to either side of neutral (published for the Omni and Touch).
-inline constexpr double kRollRange_rad = 150.0 * kDegree;
+inline constexpr double kRollRange_rad = radians(150.0);
 /// Angle from its stop within which the joint counts as being at the stop: noise of a potentiometer and
 /// calibration.
-inline constexpr double kRollStopMargin_rad = 2.0 * kDegree;
+inline constexpr double kRollStopMargin_rad = radians(2.0);
 
 /// Turn of the stylus about its own axis from gimbal angle 3: unwrapped, right-handed about the stylus's z
 /// axis (hence minus the clockwise gimbal angle), counted from the docked reference once there is one. Servo

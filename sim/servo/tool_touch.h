@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "sim/base/angle.h"
 #include "sim/base/device_sample.h"
 #include "sim/geometry/mesh/segment.h"
 #include "sim/geometry/query/surface_point.h"
@@ -14,10 +15,10 @@
 namespace torsio {
 
 /// Distance of the jaw's hinge behind the tip: `jaws.pivot_mm` of assets/instruments/grasper.json, as
-/// tests/sim/servo/shipped_scenes_test.cpp checks.
+/// tests/sim/servo/tool_touch_test.cpp checks.
 inline constexpr double kJawLength_m = 0.020;
 /// Turn of each blade when the jaw is open: `jaws.opening_deg` of the same file.
-inline constexpr double kJawOpening_rad = 25.0 * kDegree;
+inline constexpr double kJawOpening_rad = radians(25.0);
 /// Radius of a blade as a share of the tip's radius: a blade is thinner than the closed jaw.
 inline constexpr double kBladeShare = 0.6;
 /// Distance from blade and shaft within which surfaces are searched.

@@ -14,10 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "12: the line" for each block of `///` lines that begins with a word that needs the comment before it.
+/// "12: the line" for each block of `///` lines, and each `///<`, that begins with a word that needs the
+/// comment before it.
 std::vector<std::string> commentsThatPointElsewhere(std::istream& source) {
   static const std::regex kPoints(
       R"(\s*/// ?(The same|Same|As above|As before|See above|Likewise|Ditto|It|Its|They|Them|Those|These|This|That|Also|And|Then|\.\.\.)(\W.*)?)");
+  static const std::regex kBeside(R"(.*///< ?(the same|as above|likewise)(\W.*)?)");
   static const std::regex kComment(R"(\s*///([^<].*)?)");
   std::vector<std::string> found;
   bool within = false;
@@ -25,7 +27,8 @@ std::vector<std::string> commentsThatPointElsewhere(std::istream& source) {
   for (std::string line; std::getline(source, line);) {
     ++number;
     const bool comment = std::regex_match(line, kComment);
-    if (comment && !within && std::regex_match(line, kPoints)) {
+    const bool beside = std::regex_match(line, kBeside);
+    if (beside || (comment && !within && std::regex_match(line, kPoints))) {
       found.push_back(std::to_string(number) + ": " + line);
     }
     within = comment;
@@ -43,13 +46,16 @@ TEST(Comments, TheRuleFindsWordsThatPointAtAnotherComment) {
       "/// that exists already.\n"  // goes on a comment: not found
       "void write();\n"
       "  /// It closes the file.\n"  // line 8: found
-      "  void close();  ///< that was read\n");
+      "  void close();  ///< that was read\n"
+      "  int bytes = 0;  ///< read so far\n"
+      "  int lines = 0;  ///< the same\n");  // line 11: found
 
   const std::vector<std::string> found = commentsThatPointElsewhere(source);
 
-  ASSERT_EQ(found.size(), 2U);
+  ASSERT_EQ(found.size(), 3U);
   EXPECT_EQ(found[0].rfind("3: ", 0), 0U) << found[0];
   EXPECT_EQ(found[1].rfind("8: ", 0), 0U) << found[1];
+  EXPECT_EQ(found[2].rfind("11: ", 0), 0U) << found[2];
 }
 
 TEST(Comments, OfPublicHeadersCanBeUnderstoodAlone) {

@@ -12,12 +12,12 @@
 namespace torsio {
 namespace {
 
-constexpr double kTolerance_rad = 5.0 * kDegree;
+constexpr double kTolerance_rad = radians(5.0);
 
 /// Samples written down stage by stage, one a millisecond.
 class Recording {
  public:
-  Recording() { header_.targetAngle_rad = 60.0 * kDegree; }
+  Recording() { header_.targetAngle_rad = radians(60.0); }
 
   Recording& free(int ticks) { return stage(ExercisePhase::kTracking, ticks, 0.0); }
   Recording& held(int ticks, double angle_deg) { return stage(ExercisePhase::kTwisting, ticks, angle_deg); }
@@ -25,7 +25,7 @@ class Recording {
   /// A grip that stays at an angle for 300 ms, let go, and back at rest.
   Recording& twist(double angle_deg) { return held(300, angle_deg).released(50).free(50); }
   Recording& target(double angle_deg) {
-    next_ = {ServoCommand::Kind::kSetTarget, angle_deg * kDegree};
+    next_ = {ServoCommand::Kind::kSetTarget, radians(angle_deg)};
     return *this;
   }
   Recording& missing(int ticks) {
@@ -57,7 +57,7 @@ class Recording {
       sample.device.status = status_;
       sample.command = next_;
       sample.phase = phase;
-      sample.response.angle_rad = angle_deg * kDegree;
+      sample.response.angle_rad = radians(angle_deg);
       sample.response.torque_Nm = 0.01 * angle_deg;
       sample.force_N = {0.0, 0.02 * angle_deg, 0.0};
       samples.push_back(sample);
@@ -81,10 +81,10 @@ TEST(RecordedTwists, GoFromTheGripToTheEndOfTheReturn) {
   EXPECT_EQ(twists[0].first, 100U);
   EXPECT_EQ(twists[0].letGo, 400U);
   EXPECT_EQ(twists[0].end, 450U);
-  EXPECT_DOUBLE_EQ(twists[0].target_rad, 60.0 * kDegree);
-  EXPECT_NEAR(twists[0].error_rad(), 2.0 * kDegree, 1e-12);
+  EXPECT_DOUBLE_EQ(twists[0].target_rad, radians(60.0));
+  EXPECT_NEAR(twists[0].error_rad(), radians(2.0), 1e-12);
   EXPECT_TRUE(twists[0].onTarget(kTolerance_rad));
-  EXPECT_FALSE(twists[0].onTarget(1.9 * kDegree));
+  EXPECT_FALSE(twists[0].onTarget(radians(1.9)));
 }
 
 TEST(RecordedTwists, AreJudgedByTheTargetInForceWhenTheyAreLetGo) {
@@ -95,16 +95,16 @@ TEST(RecordedTwists, AreJudgedByTheTargetInForceWhenTheyAreLetGo) {
   const std::vector<RecordedTwist> twists = run.twists();
 
   ASSERT_EQ(twists.size(), 3U);
-  EXPECT_DOUBLE_EQ(twists[0].target_rad, 60.0 * kDegree);
-  EXPECT_DOUBLE_EQ(twists[1].target_rad, 30.0 * kDegree);
-  EXPECT_DOUBLE_EQ(twists[2].target_rad, 90.0 * kDegree);
+  EXPECT_DOUBLE_EQ(twists[0].target_rad, radians(60.0));
+  EXPECT_DOUBLE_EQ(twists[1].target_rad, radians(30.0));
+  EXPECT_DOUBLE_EQ(twists[2].target_rad, radians(90.0));
   EXPECT_EQ(run.measured().twistsOnTarget(), 3);
 }
 
 TEST(RecordedTwists, ATargetThatComesWithTheReleaseIsNotInForceYet) {
   const Recording run = std::move(Recording().held(300, 60.0).target(10.0).released(50));
 
-  EXPECT_DOUBLE_EQ(run.twists().at(0).target_rad, 60.0 * kDegree);
+  EXPECT_DOUBLE_EQ(run.twists().at(0).target_rad, radians(60.0));
 }
 
 TEST(RecordedTwists, TheLargestAngleSaysWhetherAGripWasATwist) {
@@ -114,7 +114,7 @@ TEST(RecordedTwists, TheLargestAngleSaysWhetherAGripWasATwist) {
   const std::vector<RecordedTwist> twists = run.twists();
 
   ASSERT_EQ(twists.size(), 1U);
-  EXPECT_NEAR(twists[0].error_rad(), 59.0 * kDegree, 1e-12);
+  EXPECT_NEAR(twists[0].error_rad(), radians(59.0), 1e-12);
 }
 
 TEST(RecordedTwists, AreNotCompletedWhenTheRecordingEndsTheDeviceIsLostOrTheReleaseWasNotSeen) {
@@ -218,7 +218,7 @@ TEST(TrialTrace, TellsTheTargetInForceAtEverySample) {
 
   const TrialTrace trace = trialTrace(run.header(), run.samples, kTolerance_rad);
 
-  const std::vector<double> wanted{60.0 * kDegree, 60.0 * kDegree, 30.0 * kDegree, 30.0 * kDegree};
+  const std::vector<double> wanted{radians(60.0), radians(60.0), radians(30.0), radians(30.0)};
   EXPECT_EQ(trace.targetAngle_rad, wanted);
 }
 
@@ -228,8 +228,8 @@ TEST(TrialTrace, ACourseIsTrackedOnlyWhereTheTargetMovesWhileTheOrganIsHeld) {
   const MeasuredTrial moved = Recording().held(150, 50.0).target(50.0).held(150, 50.0).released(50).trial();
 
   EXPECT_FALSE(fixed.twists.at(0).metrics->at("twist.rmse"));
-  EXPECT_NEAR(*moved.twists.at(0).metrics->at("twist.mae"), 5.0 * kDegree, 1e-6);
-  EXPECT_NEAR(*moved.twists.at(0).metrics->at("twist.rmse"), 10.0 / std::sqrt(2.0) * kDegree, 1e-6);
+  EXPECT_NEAR(*moved.twists.at(0).metrics->at("twist.mae"), radians(5.0), 1e-6);
+  EXPECT_NEAR(*moved.twists.at(0).metrics->at("twist.rmse"), radians(10.0 / std::sqrt(2.0)), 1e-6);
 }
 
 TEST(PassRule, AsksForFourTwistsInFive) {

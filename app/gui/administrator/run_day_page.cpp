@@ -156,7 +156,7 @@ void RunDayPage::show() {
              static_cast<qlonglong>(open ? row.progress.restLeft_us : -1)},
             {row.runningTrialId.empty() ? QStringLiteral("\u2013")
                                         : tr("records at %1").arg(shown(row.station))},
-            {scoringPointName(row.scoringPointDue)},
+            {occasionName(row.occasionDue)},
             {row.sheetsMissing == 0 ? QStringLiteral("\u2013") : QString::number(row.sheetsMissing),
              static_cast<qlonglong>(row.sheetsMissing)},
             {row.deviations == 0 ? QStringLiteral("\u2013") : QString::number(row.deviations),
@@ -194,7 +194,7 @@ QString RunDayPage::alertText(const RunDayAlert& alert) const {
     case Kind::kRestTooLong:
       return tr("%1 has rested longer than allowed.").arg(shown(alert.subject));
     case Kind::kSheetsMissing:
-      return tr("%1: sheets still missing: %2.").arg(scoringPointName(alert.scoringPoint)).arg(alert.count);
+      return tr("%1: sheets still missing: %2.").arg(occasionName(alert.occasion)).arg(alert.count);
     case Kind::kNoGroup:
       return tr("Trainees without a group: %1. Draw them under Allocation.").arg(alert.count);
   }

@@ -27,12 +27,14 @@ QString named(Names names, const std::string& code) {
 
 }  // namespace
 
-QString scoringPointName(const std::string& code) {
+QString occasionName(const Occasion& occasion) {
   static const std::pair<const char*, const char*> kNames[] = {
       {"pre", QT_TRANSLATE_NOOP("Study", "before training")},
       {"mid", QT_TRANSLATE_NOOP("Study", "half-way")},
       {"post", QT_TRANSLATE_NOOP("Study", "after training")}};
-  return named(kNames, code);
+  for (const auto& [known, name] : kNames)
+    if (occasion.code == known) return words(name);
+  return named({}, occasion.label);
 }
 
 QString enrolmentStateName(const std::string& code) {

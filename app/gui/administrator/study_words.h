@@ -9,12 +9,14 @@
 
 #include "app/study/scoring_plan.h"
 #include "assessment/study/allocation.h"
+#include "assessment/study/occasion.h"
 
 namespace torsio::gui {
 
 // Codes of the record in the user's language; an unknown code is shown as it is, an empty one as a dash.
 
-[[nodiscard]] QString scoringPointName(const std::string& code);
+/// "half-way"; occasions that a centre added are called as it named them.
+[[nodiscard]] QString occasionName(const Occasion& occasion);
 [[nodiscard]] QString enrolmentStateName(const std::string& code);
 [[nodiscard]] QString factorName(const std::string& code);
 [[nodiscard]] QString raterClassName(const std::string& code);

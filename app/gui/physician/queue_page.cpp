@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -25,6 +26,7 @@ namespace torsio::gui {
 
 namespace {
 
+constexpr int kTableHeight = 20 * kSpace;
 constexpr int kDoorsBeside = 2;  // a third would leave no room for their sentences
 
 }  // namespace
@@ -34,7 +36,15 @@ QueuePage::QueuePage(ShellContext& shell, QWidget* parent)
       heading_(new PageHeading(this)),
       continue_(primaryButton(this)),
       table_(new DataTable(QStringLiteral("review.queue"), this)) {
-  auto* column = new QVBoxLayout(this);
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  auto* scroll = new QScrollArea(this);  // long sentences in a wide typeface need more than a small screen
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  outer->addWidget(scroll);
+  auto* ground = new QWidget;
+  scroll->setWidget(ground);
+  auto* column = new QVBoxLayout(ground);
   column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
   column->setSpacing(2 * kSpace);
   column->addWidget(heading_);
@@ -49,6 +59,7 @@ QueuePage::QueuePage(ShellContext& shell, QWidget* parent)
   createDoors(column);
   questions_ = new QuestionsCard(shell, this);
   column->addWidget(questions_);
+  table_->setMinimumHeight(kTableHeight);
   column->addWidget(table_, 1);
   connect(continue_, &QPushButton::clicked, this, &QueuePage::goOn);
   connect(table_, &DataTable::activated, this,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/widgets/form.h"
 
+#include <algorithm>
+
 #include <QFrame>
 #include <QGridLayout>
 #include <QLabel>
@@ -14,6 +16,24 @@
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
+
+namespace {
+
+/// A card of a given width, wider where a button or a long word of the present language would be cut.
+class FittingCard : public QFrame {
+ public:
+  FittingCard(int width, QWidget* parent) : QFrame(parent), width_(width) {
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+  }
+  [[nodiscard]] QSize sizeHint() const override {
+    return {std::max(width_, minimumSizeHint().width()), QFrame::sizeHint().height()};
+  }
+
+ private:
+  int width_;
+};
+
+}  // namespace
 
 QVBoxLayout* centredCard(QWidget* ground, int width) {
   auto* outer = new QVBoxLayout(ground);
@@ -30,9 +50,8 @@ QVBoxLayout* centredCard(QWidget* ground, int width) {
   grid->setRowStretch(2, 3);
   grid->setColumnStretch(0, 1);
   grid->setColumnStretch(2, 1);
-  auto* card = new QFrame(middle);
+  auto* card = new FittingCard(width, middle);
   card->setObjectName(QStringLiteral("card"));
-  card->setFixedWidth(width);
   grid->addWidget(card, 1, 1);
   auto* content = new QVBoxLayout(card);
   content->setContentsMargins(4 * kSpace, 4 * kSpace, 4 * kSpace, 3 * kSpace);

@@ -11,8 +11,8 @@ class QWidget;
 
 namespace torsio::gui {
 
-/// A card of fixed width in the middle of `ground`, for the screens before the desk. Returns where its
-/// content goes.
+/// Puts a card `width` wide in the middle of `ground`, for the screens before the desk; it grows where a
+/// button would be cut. Returns where its content goes.
 QVBoxLayout* centredCard(QWidget* ground, int width);
 
 /// A label above its field, both in `column`; a mnemonic of the label leads to the field.

@@ -20,8 +20,7 @@
 namespace torsio {
 
 /// Called once a tick in the vendor's servo thread, between the reading and the sending of a frame. noexcept
-/// by contract; no allocation, no lock. A ServoCallback is driven by
-/// `{[](void* self, std::int64_t) { (void)ServoCallback::invoke(self); }, &callback}`.
+/// by contract; no allocation, no lock.
 struct HdapiTick {
   void (*run)(void* context, std::int64_t time_us) = nullptr;
   void* context = nullptr;
@@ -34,8 +33,8 @@ struct HdapiSetup {
   DevicePlacement placement;
   GimbalProfile gimbal;
   double maxForce_N = 3.3;
-  bool hasTemperature = true;    ///< the library answers when asked for it
-  bool hasInkwellSwitch = true;  ///< the same
+  bool hasTemperature = true;    ///< the library answers when asked for the temperature
+  bool hasInkwellSwitch = true;  ///< the library answers when asked for the inkwell switch
 };
 
 /// A force on its way to the device, numbered so that an old one is recognised.

@@ -33,10 +33,10 @@ struct HandMotion {
   double angleError_rad = 0.0;  ///< standard deviation of the final angle
   double graspError_m = 0.0;    ///< standard deviation of the grasp point along the surface
   double pressError_m = 0.0;    ///< standard deviation of the pressing depth
-  double tremor_m = 0.0;        ///< root mean square an axis, 8-12 Hz
-  double tremor_rad = 0.0;      ///< the same of the orientation
-  double drift_m = 0.0;         ///< root mean square an axis, 0.1-0.5 Hz
-  double drift_rad = 0.0;       ///< the same of the twist angle
+  double tremor_m = 0.0;        ///< of the position, root mean square an axis, 8-12 Hz
+  double tremor_rad = 0.0;      ///< of the orientation, root mean square an axis, 8-12 Hz
+  double drift_m = 0.0;         ///< of the position, root mean square an axis, 0.1-0.5 Hz
+  double drift_rad = 0.0;       ///< of the twist angle, root mean square, 0.1-0.5 Hz
 };
 
 [[nodiscard]] HandMotion handMotion(double skill) noexcept;

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "sim/geometry/lattice/end_caps.h"
 #include "sim/geometry/lattice/harmonic_field.h"
+#include "sim/geometry/lattice/level_loops.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/geometry/lattice/section_outline.h"
-#include "sim/geometry/lattice/end_caps.h"
-#include "sim/geometry/lattice/level_loops.h"
 #include "sim/geometry/mesh/surface_topology.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 

@@ -6,8 +6,8 @@
 
 #include "sim/base/vec3.h"
 #include "sim/geometry/lattice/centreline.h"
-#include "sim/geometry/lattice/section_lattice.h"
 #include "sim/geometry/lattice/level_loops.h"
+#include "sim/geometry/lattice/section_lattice.h"
 
 namespace torsio {
 

@@ -17,7 +17,7 @@ struct StraightAxis {
   Vec3 direction;                        ///< unit, from the fixed to the free end
   double length_m = 0.0;                 ///< distance of the end planes
   std::vector<std::uint32_t> fixedFace;  ///< vertices of the flat fixed end, none when it is rounded
-  std::vector<std::uint32_t> freeFace;   ///< the same of the free end
+  std::vector<std::uint32_t> freeFace;   ///< vertices of the flat free end, none when it is rounded
 
   /// Returns the height above the plane of the fixed end as a share of the length.
   [[nodiscard]] double level(const Vec3& point_m) const noexcept {

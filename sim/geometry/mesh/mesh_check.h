@@ -12,8 +12,8 @@
 namespace torsio {
 
 /// Limits within which a mesh is accepted as an organ. Lengths in metres.
-inline constexpr double kSmallestOrgan_m = 0.03;     ///< largest side of the bounding box
-inline constexpr double kLargestOrgan_m = 2.0;       ///< the same
+inline constexpr double kSmallestOrgan_m = 0.03;     ///< of the largest side of the bounding box
+inline constexpr double kLargestOrgan_m = 2.0;       ///< of the largest side of the bounding box
 inline constexpr double kLargestCoordinate_m = 100;  ///< importers keep single precision
 inline constexpr std::size_t kMostTriangles = 2'000'000;
 inline constexpr std::size_t kFewestTriangles = 200;

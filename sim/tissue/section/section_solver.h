@@ -32,8 +32,8 @@ struct SectionProperties {
   double warpingMax = 0.0;             ///< largest psi
   std::vector<double> outlineWarping;  ///< psi at each outline point given
   std::vector<double> outlineShear;    ///< |tau| at each outline point given (see solveSection)
-  std::vector<std::vector<double>> holeWarping;  ///< the same, per hole
-  std::vector<std::vector<double>> holeShear;
+  std::vector<std::vector<double>> holeWarping;  ///< psi at each point given, per hole
+  std::vector<std::vector<double>> holeShear;    ///< |tau| at each point given, per hole
   /// Centre about which psi has no moment (integral psi x = integral psi y = 0), in the outline's
   /// coordinates. Found by finite elements only; the centroid otherwise.
   std::array<double, 2> shearCentre{};

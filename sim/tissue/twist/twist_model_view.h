@@ -33,8 +33,8 @@ class TwistView {
 
  private:
   enum class Path {
-    kCurved,    ///< one twist about the centreline, then straight axes
-    kAngles,    ///< the same with the angle of each vertex worked out in double precision
+    kCurved,  ///< one twist about the centreline, then straight axes
+    kAngles,  ///< one twist about the centreline with the angle of each vertex worked out in double precision
     kStraight,  ///< straight axes only
     kPaper,     ///< the paper's linear displacements
     kSlow,      ///< every vertex by TwistModel::deform

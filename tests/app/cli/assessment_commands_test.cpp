@@ -15,42 +15,19 @@
 #include "app/recording/pipeline.h"
 #include "sim/base/error.h"
 #include "sim/record/trial_file.h"
-#include "tests/app/cli/program.h"
+#include "tests/app/cli/table_commands.h"
 
 namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using test::emptyFolder;
 using test::ProgramRun;
 using test::runTorsio;
 
+using AssessmentCommands = test::TableCommands;
+
 constexpr double kPublished = 1e-8;  // the sources below print eight or nine digits
-
-class AssessmentCommands : public testing::Test {
- protected:
-  fs::path folder_ = emptyFolder("assessment");
-
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return (folder_ / name).string();
-  }
-  json answer(const std::string& arguments, int code = 0) const {
-    const ProgramRun run = runTorsio(arguments, folder_);
-    EXPECT_EQ(run.code, code) << run.err;
-    return run.out.empty() ? json() : json::parse(run.out);
-  }
-  void expectRefused(const std::string& arguments, const std::vector<std::string>& mentions) const {
-    SCOPED_TRACE(arguments);
-    const ProgramRun run = runTorsio(arguments, folder_);
-    EXPECT_EQ(run.code, static_cast<int>(ErrorCode::kBadData)) << run.err;
-    EXPECT_EQ(run.out, "");
-    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
-    for (const std::string& mention : mentions)
-      EXPECT_NE(run.err.find(mention), std::string::npos) << mention << " is not in " << run.err;
-  }
-};
 
 /// 20 interns, 10 deputy chiefs and 10 chiefs, who give 7, 8 and 9 for everything.
 std::string paperTable() {

@@ -84,23 +84,23 @@ struct Event {
 };
 
 const std::vector<Event>& events() {
-  constexpr Kind E = Kind::kEmpty;
-  constexpr Kind P = Kind::kPractising;
-  constexpr Kind R = Kind::kRecording;
-  constexpr Kind T = Kind::kTraining;
-  constexpr Kind S = Kind::kStill;
-  constexpr Kind X = Kind::kReplaying;
+  constexpr Kind kE = Kind::kEmpty;
+  constexpr Kind kP = Kind::kPractising;
+  constexpr Kind kR = Kind::kRecording;
+  constexpr Kind kT = Kind::kTraining;
+  constexpr Kind kS = Kind::kStill;
+  constexpr Kind kX = Kind::kReplaying;
   static const std::vector<Event> kEvents{
-      {"a scene is chosen", [](Simulator& s) { s.load(); }, {P, P, R, T, P, P}},
-      {"a recording is opened", [](Simulator& s) { s.replay(); }, {X, X, R, T, X, X}},
-      {"the replay is closed", [](Simulator& s) { s.controller().closeReplay(); }, {E, P, R, T, S, P}},
-      {"recording begins", [](Simulator& s) { s.controller().startRecording(); }, {E, R, R, T, S, X}},
-      {"recording ends", [](Simulator& s) { s.controller().stopRecording(); }, {E, P, P, T, S, X}},
-      {"a trainee's run begins", [](Simulator& s) { s.train(); }, {E, T, R, T, T, X}},
+      {"a scene is chosen", [](Simulator& s) { s.load(); }, {kP, kP, kR, kT, kP, kP}},
+      {"a recording is opened", [](Simulator& s) { s.replay(); }, {kX, kX, kR, kT, kX, kX}},
+      {"the replay is closed", [](Simulator& s) { s.controller().closeReplay(); }, {kE, kP, kR, kT, kS, kP}},
+      {"recording begins", [](Simulator& s) { s.controller().startRecording(); }, {kE, kR, kR, kT, kS, kX}},
+      {"recording ends", [](Simulator& s) { s.controller().stopRecording(); }, {kE, kP, kP, kT, kS, kX}},
+      {"a trainee's run begins", [](Simulator& s) { s.train(); }, {kE, kT, kR, kT, kT, kX}},
       {"a trainee's run ends",
        [](Simulator& s) { static_cast<void>(s.controller().endTraining(TrialOutcome::kCompleted)); },
-       {E, P, R, S, S, X}},
-      {"the window closes", [](Simulator& s) { s.controller().shutDown(); }, {E, S, S, S, S, S}},
+       {kE, kP, kR, kS, kS, kX}},
+      {"the window closes", [](Simulator& s) { s.controller().shutDown(); }, {kE, kS, kS, kS, kS, kS}},
   };
   return kEvents;
 }
@@ -114,7 +114,7 @@ TEST(SimulationStage, EveryEventLeadsFromEveryStageWhereItShould) {
 
       event.happens(simulator);
 
-      EXPECT_EQ(nameOf(simulator.stage()), nameOf(event.leadsTo[i]));
+      EXPECT_STREQ(nameOf(simulator.stage()), nameOf(event.leadsTo[i]));
     }
   }
 }

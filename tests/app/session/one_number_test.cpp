@@ -71,7 +71,7 @@ class RandomRecording {
     sample.device.position = {static_cast<std::int32_t>(1000 * angle_deg), whole(0, 50), 0};
     sample.command = next_;
     sample.phase = phase;
-    sample.response.angle_rad = angle_deg * kDegree;
+    sample.response.angle_rad = radians(angle_deg);
     sample.response.torque_Nm = 0.004 * angle_deg;
     sample.force_N = {0.01 * angle_deg, between(0.0, 0.1), 0.0};
     samples_.push_back(sample);
@@ -84,7 +84,7 @@ class RandomRecording {
   void skip(int ticks) { tick_ += ticks; }
   void setTarget(double target_deg) {
     target_deg_ = target_deg;
-    next_ = {ServoCommand::Kind::kSetTarget, target_deg * kDegree};
+    next_ = {ServoCommand::Kind::kSetTarget, radians(target_deg)};
   }
   void touch() {
     for (int i = 0; i < 80; ++i) add(ExercisePhase::kTwisting, 1.5 * i / 80.0);
@@ -111,7 +111,7 @@ class RandomRecording {
     if (chance(0.15)) skip(whole(2, 19));   // short: the metrics bridge it
     if (chance(0.1)) skip(whole(25, 200));  // long: the metrics of this twist are undefined
     if (chance(0.15)) {
-      next_ = {ServoCommand::Kind::kSetTarget, (end_deg - error) * kDegree};
+      next_ = {ServoCommand::Kind::kSetTarget, radians(end_deg - error)};
       target_deg_ = end_deg - error;
     }
     for (int i = 1; i <= stay; ++i) {
@@ -178,7 +178,7 @@ class OneNumber : public ::testing::Test {
     trial.header.patternId = "quarter";
     trial.header.phaseLabel = "virtual";
     trial.header.parametersJson = "{}";
-    trial.header.targetAngle_rad = firstTarget_deg * kDegree;
+    trial.header.targetAngle_rad = radians(firstTarget_deg);
     trial.header.startedUtc_us = testing::kCentreTime_us + number * testing::kMinute_us;
     trial.chunks.push_back(encodeChunk(0, random.samples()));
     trial.summary.samples = trial.chunks.front().samples;
@@ -214,7 +214,7 @@ class OneNumber : public ::testing::Test {
 
 double meanError_deg(const std::vector<TwistResult>& twists) {
   double sum = 0.0;
-  for (const TwistResult& twist : twists) sum += std::abs(twist.released_rad - twist.target_rad) / kDegree;
+  for (const TwistResult& twist : twists) sum += degrees(std::abs(twist.released_rad - twist.target_rad));
   return sum / static_cast<double>(twists.size());
 }
 
@@ -321,7 +321,7 @@ TEST_F(OneNumber, AnOlderVersionOfTheFormulasIsMeasuredAnew) {
   StoredTrialDigest older;
   older.trialId = trialId;
   older.formulaVersion = kMetricsVersion - 1;
-  older.tolerance_rad = kTolerance_deg * kDegree;
+  older.tolerance_rad = radians(kTolerance_deg);
   older.forceLimit_N = 4.0;
   older.contentHash = hash;
   older.measures = {{kOnTargetMetric, 0.123}};

@@ -81,7 +81,7 @@ TEST_F(Disagreement, IsListedOnceForAllWhoAskAndOffersWhoWasNotAskedBefore) {
 
   ASSERT_EQ(requests.size(), 1U);
   EXPECT_EQ(requests[0].traineeCode, "TR-4100");
-  EXPECT_EQ(requests[0].scoringPoint, "mid");
+  EXPECT_EQ(requests[0].occasion.code, "mid");
   EXPECT_FALSE(requests[0].live);
   EXPECT_EQ(requests[0].marks, 2U);
   EXPECT_EQ(requests[0].askedBy, (std::vector<std::string>{"CH-100", "CH-101"}));

@@ -9,6 +9,7 @@
 #include "db/repository/access_repository.h"
 #include "db/repository/people_repository.h"
 #include "db/repository/trial_repository.h"
+#include "sim/base/angle.h"
 #include "sim/base/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
@@ -31,7 +32,7 @@ StoredModule moduleOf(const std::string& id, const std::string& code, const std:
   module.exerciseKind = "twist to target";
   module.mode = mode;
   module.targetAngle_rad = trainingBar().pattern.targetAngle_rad;
-  module.tolerance_rad = 5.0 * kDegree;
+  module.tolerance_rad = radians(5.0);
   module.maxForce_N = 4.0;  // the scripted hand presses until the device saturates at 3.3 N
   module.mastery.push_back(
       {.metric = "twist.on_target", .threshold = 0.5, .unit = "1", .consecutive = inARow});

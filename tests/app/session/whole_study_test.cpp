@@ -269,7 +269,7 @@ TEST(RunDayBoard, ShowsPhaseExposureRestAndMissingSheets) {
   EXPECT_EQ(row->phaseLabel, arm.phases[1].label);
   EXPECT_EQ(row->progress.virtual_us + row->progress.real_us, 20 * kMinute_us);
   EXPECT_EQ(row->progress.restUsed_us, 2 * kMinute_us);
-  EXPECT_EQ(row->scoringPointDue, "mid");
+  EXPECT_EQ(row->occasionDue.code, "mid");
   EXPECT_EQ(row->sheetsMissing, 3U);
   EXPECT_EQ(row->deviations, 1U);
   EXPECT_TRUE(row->runningTrialId.empty());

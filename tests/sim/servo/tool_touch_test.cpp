@@ -195,7 +195,7 @@ TEST(ToolTouch, TheJawOfTheTickIsThatOfTheShippedGrasper) {
   // The hinge lies behind the tip, on the shaft; the blades turn about the tool's x axis.
   EXPECT_EQ(file.at("jaws").at("pivot_mm"), nlohmann::json({0.0, 0.0, kJawLength_m * 1e3}));
   EXPECT_EQ(file.at("jaws").at("axis"), nlohmann::json({1.0, 0.0, 0.0}));
-  EXPECT_DOUBLE_EQ(file.at("jaws").at("opening_deg").get<double>() * kDegree, kJawOpening_rad);
+  EXPECT_DOUBLE_EQ(radians(file.at("jaws").at("opening_deg").get<double>()), kJawOpening_rad);
 
   // The capsule of a blade is thicker than the drawn blade is flat (2.22 mm) and thinner than it is wide
   // (4.6 mm): 2 * 0.6 * 2.5 mm = 3 mm.
