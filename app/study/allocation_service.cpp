@@ -13,7 +13,7 @@
 #include "app/base/refusal.h"
 #include "app/study/allocation_design.h"
 #include "app/study/drawn_seed.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -53,7 +53,8 @@ Field readField(Workplace& workplace, const std::string& cohortId) {
   field.cohort = study.cohort(cohortId);
   field.groups = study.groups(cohortId);
   field.enrolments = study.enrolments(cohortId);
-  std::erase_if(field.enrolments, [](const StoredEnrolment& e) { return e.state == "withdrawn"; });
+  std::erase_if(field.enrolments,
+                [](const StoredEnrolment& e) { return e.state == EnrolmentState::kWithdrawn; });
   for (StoredTrainee& trainee : PeopleRepository(workplace.connection()).trainees()) {
     field.trainees[trainee.person.id] = std::move(trainee);
   }

@@ -12,7 +12,7 @@
 
 #include "app/base/refusal.h"
 #include "app/study/drawn_seed.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"
 

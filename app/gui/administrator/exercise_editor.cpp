@@ -135,7 +135,11 @@ void ExerciseEditor::connectFields() {
   };
   choice(pattern_, &StoredModule::patternId);
   choice(kind_, &StoredModule::exerciseKind);
-  choice(mode_, &StoredModule::mode);
+  connect(mode_, &QComboBox::activated, this, [this] {
+    take([this](StoredModule& module) {
+      module.mode = fromStoredText<AttemptMode>(chosenId(mode_)).value_or(module.mode);
+    });
+  });
   const auto angle = [this](QDoubleSpinBox* box, double StoredModule::*field) {
     connect(box, &QDoubleSpinBox::valueChanged, this,
             [=, this](double value) { take([=](StoredModule& module) { module.*field = radians(value); }); });
@@ -234,7 +238,7 @@ void ExerciseEditor::showPlaces(const StoredModule& module) {
   kind_->clear();
   for (const std::string& kind : exerciseKinds()) kind_->addItem(exerciseKindName(kind), toQString(kind));
   chooseOrAdd(kind_, module.exerciseKind);
-  chooseOrAdd(mode_, module.mode);
+  chooseOrAdd(mode_, std::string(storedText(module.mode)));
 }
 
 void ExerciseEditor::showPrerequisites(const StoredModule& module) {
@@ -444,8 +448,8 @@ void ExerciseEditor::retranslate() {
   for (QDoubleSpinBox* box : {force_, torque_}) box->setSpecialValueText(tr("no limit"));
   attempts_->setSpecialValueText(tr("no limit"));
   mode_->clear();
-  mode_->addItem(tr("practice"), QStringLiteral("practice"));
-  mode_->addItem(tr("graded"), QStringLiteral("graded"));
+  mode_->addItem(tr("practice"), toQString(std::string(storedText(AttemptMode::kPractice))));
+  mode_->addItem(tr("graded"), toQString(std::string(storedText(AttemptMode::kGraded))));
   list_->retranslate();
   list_->setListName(tr("Exercises, in their order"));
   after_->setAccessibleName(tr("Opens only after these are mastered"));

@@ -6,6 +6,7 @@
 #include "app/gui/administrator/restore_page.h"
 #include "app/gui/base/spoken.h"
 #include "app/gui/widgets/child.h"
+#include "db/repository/system/audit_verification.h"
 #include "tests/app/gui/care_window.h"
 
 namespace torsio::gui {
@@ -44,7 +45,7 @@ TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
   EXPECT_TRUE(contains(trail(safety), "database.restore_begin"));
   {
     Connection restored = openDatabase(record(), OpenMode::kReadOnly);
-    EXPECT_TRUE(AuditRepository(restored).verify().empty());
+    EXPECT_TRUE(verifyAuditTrail(restored).empty());
   }
   signIn();
 }
