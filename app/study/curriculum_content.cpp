@@ -98,14 +98,14 @@ std::int64_t microseconds(JsonFields& fields, const std::string& name, double mo
   return std::llround(fields.number(name, 0.0, most, fallback) * unit_us);
 }
 
-/// The value for which the text of a field stands, or `fallback` without one; `problem` says what is wrong
+/// The value for which the text of a field stands, or `fallback` without one; `message` says what is wrong
 /// with any other text.
 template <typename Value>
-Value readTerm(JsonFields& fields, const std::string& name, Value fallback, const char* problem) {
+Value readTerm(JsonFields& fields, const std::string& name, Value fallback, const Text& message) {
   const std::optional<Value> value =
       fromStoredText<Value>(fields.text(name, std::string(storedText(fallback))));
   if (!value) {
-    fields.refuse(name, problem, "Choose one of the two");
+    fields.refuse(name, message, "Choose one of the two");
   }
   return *value;
 }
@@ -131,7 +131,7 @@ StoredModule readModule(const json& source, const std::string& place) {
   module.sceneId = fields.text("scene", "");
   module.patternId = fields.text("pattern", "");
   module.exerciseKind = fields.text("exercise", "");
-  module.mode = readTerm(fields, "mode", module.mode, "is neither practice nor graded");
+  module.mode = readTerm(fields, "mode", module.mode, Text("is neither practice nor graded"));
   module.targetAngle_rad = radians(fields.number("target_deg", -kMostDegrees, kMostDegrees, 0.0));
   module.tolerance_rad = radians(fields.number("tolerance_deg", 0.0, kMostDegrees, 0.0));
   module.hold_us = microseconds(fields, "hold_s", kMostSeconds, kSecond_us, 0.0);
@@ -162,7 +162,7 @@ StoredArm readArm(const json& source, const std::string& place) {
   for (std::size_t i = 0; i < phases.size(); ++i) {
     JsonFields step(phases[i], placeIn(fields, "phases", i));
     StoredPhase phase;
-    phase.kind = readTerm(step, "kind", phase.kind, "is neither on the virtual nor on the real arm");
+    phase.kind = readTerm(step, "kind", phase.kind, Text("is neither on the virtual nor on the real arm"));
     phase.label = step.text("label", "");
     phase.duration_us = microseconds(step, "minutes", kMostMinutes, kMinute_us, 0.0);
     phase.moduleId = step.text("module", "");

@@ -1536,10 +1536,6 @@
         <translation>请选择“不低于”或“不超过”</translation>
     </message>
     <message>
-        <source>Choose enrolled, completed or withdrawn</source>
-        <translation>请选择在组、已完成或已退出</translation>
-    </message>
-    <message>
         <source>Choose female, male, other or nothing</source>
         <translation>请选择女、男、其他或留空</translation>
     </message>
@@ -2954,6 +2950,10 @@
     <message>
         <source>Update Torsio on this machine</source>
         <translation>请更新本机的 Torsio</translation>
+    </message>
+    <message>
+        <source>Update Torsio on this machine, or restore a backup</source>
+        <translation>请更新此计算机上的 Torsio，或恢复备份</translation>
     </message>
     <message>
         <source>Use a display with OpenGL</source>
@@ -5048,10 +5048,6 @@
         <translation>没有该人员状态</translation>
     </message>
     <message>
-        <source>this is no state of an enrolment</source>
-        <translation>没有该登记状态</translation>
-    </message>
-    <message>
         <source>this is the last administrator who can sign in</source>
         <translation>这是最后一位可登录的管理员</translation>
     </message>
@@ -7082,6 +7078,10 @@
     <message>
         <source>the class of chief physicians does not exist</source>
         <translation>主任医师类别不存在</translation>
+    </message>
+    <message>
+        <source>the column %1 holds &quot;%2&quot;, which this version does not know</source>
+        <translation>列 %1 中的“%2”不为此版本所知</translation>
     </message>
     <message>
         <source>the curve passes through every point</source>
