@@ -8,8 +8,9 @@
 int main(int argc, char** argv) {
   // The one command that draws the program's own windows.
   const bool screenshots = argc > 1 && std::string_view(argv[1]) == "screenshots";
-  if (!screenshots && torsio::cli::wantsCommandLine(argc, argv))
+  if (!screenshots && torsio::cli::wantsCommandLine(argc, argv)) {
     return torsio::cli::runCommandLine(argc, argv);
+  }
   try {
     return screenshots ? torsio::gui::runScreenshots(argc, argv) : torsio::gui::runWindow(argc, argv);
   } catch (...) {

@@ -20,7 +20,9 @@ namespace {
 
 /// Everything on one line: the message of a parser or library may hold several.
 std::string oneLine(std::string text) {
-  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) {
+    text.pop_back();
+  }
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;
 }
@@ -41,17 +43,23 @@ void buildProgram(CLI::App& program) {
   addEvaluate(program);
   addLearning(program);
   addMetrics(program);
+  addPower(program);
   addReplay(program);
   addSection(program);
+  addStandardSetting(program);
   addTwist(program);
 }
 
 /// The option parser would only say that a command is missing.
 void requireKnownCommand(const CLI::App& program, const std::string& first) {
-  if (first.empty() || first[0] == '-') return;
+  if (first.empty() || first[0] == '-') {
+    return;
+  }
   std::string names;
   for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
-    if (command->get_name() == first) return;
+    if (command->get_name() == first) {
+      return;
+    }
     names.append(names.empty() ? "" : ", ").append(command->get_name());
   }
   throw Error(ErrorCode::kUsage, "no such command", first, "Commands: " + names);
@@ -60,7 +68,9 @@ void requireKnownCommand(const CLI::App& program, const std::string& first) {
 }  // namespace
 
 bool wantsCommandLine(int argc, char** argv) {
-  if (argc < 2) return false;
+  if (argc < 2) {
+    return false;
+  }
   const std::string first = argv[1];
   return first.empty() || first[0] != '-' || first == "--help" || first == "-h" || first == "--version";
 }

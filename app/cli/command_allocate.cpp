@@ -56,7 +56,9 @@ T as(JsonFields& fields, const std::string& name) {
 /// Whole numbers of at least 0; nlohmann would turn -1 into a very large one.
 std::uint64_t count(JsonFields& fields, const std::string& name) {
   const Input& value = fields.child(name);
-  if (!value.is_number_unsigned()) fields.refuse(name, "is no whole number of at least 0", "Correct it");
+  if (!value.is_number_unsigned()) {
+    fields.refuse(name, "is no whole number of at least 0", "Correct it");
+  }
   return value.get<std::uint64_t>();
 }
 
@@ -65,13 +67,17 @@ std::vector<std::uint64_t> counts(JsonFields& fields, const std::string& name) {
   const bool sound = list.is_array() && std::all_of(list.begin(), list.end(), [](const Input& value) {
                        return value.is_number_unsigned();
                      });
-  if (!sound) fields.refuse(name, "is no list of whole numbers of at least 0", "Correct it");
+  if (!sound) {
+    fields.refuse(name, "is no list of whole numbers of at least 0", "Correct it");
+  }
   return list.get<std::vector<std::uint64_t>>();
 }
 
 const Input& listAt(JsonFields& fields, const std::string& name) {
   const Input& list = fields.child(name);
-  if (!list.is_array()) fields.refuse(name, "is no list", "Write it in square brackets");
+  if (!list.is_array()) {
+    fields.refuse(name, "is no list", "Write it in square brackets");
+  }
   return list;
 }
 
@@ -91,22 +97,31 @@ AllocationDesign designOf(JsonFields& fields) {
   design.studyId = fields.text("study");
   design.method = static_cast<AllocationMethod>(fields.choice("method", kMethods, 0));
   design.arms = as<std::vector<std::string>>(fields, "arms");
-  if (fields.has("participants")) design.participants = count(fields, "participants");
-  if (fields.has("block_sizes"))
-    for (const std::uint64_t size : counts(fields, "block_sizes")) design.blockSizes.push_back(size);
-  if (fields.has("factors")) design.factors = factorsOf(listAt(fields, "factors"), fields.where());
+  if (fields.has("participants")) {
+    design.participants = count(fields, "participants");
+  }
+  if (fields.has("block_sizes")) {
+    for (const std::uint64_t size : counts(fields, "block_sizes")) {
+      design.blockSizes.push_back(size);
+    }
+  }
+  if (fields.has("factors")) {
+    design.factors = factorsOf(listAt(fields, "factors"), fields.where());
+  }
   if (fields.has("best_arm_probability")) {
     const double tenths = 10.0 * fields.number("best_arm_probability", 0.5, 0.9);
     design.bestArm_tenths = std::llround(tenths);
     constexpr double kRounding = 1e-9;
-    if (std::abs(tenths - static_cast<double>(design.bestArm_tenths)) > kRounding)
+    if (std::abs(tenths - static_cast<double>(design.bestArm_tenths)) > kRounding) {
       fields.refuse("best_arm_probability", "is no multiple of 0.1", "Give 0.5, 0.6, 0.7, 0.8 or 0.9");
+    }
   }
   design.imbalance = static_cast<Imbalance>(fields.choice("imbalance", kImbalances, 0));
   if (fields.has("stratum_totals")) {
     JsonFields totals(fields.child("stratum_totals"), fields.where() + ", stratum_totals");
-    for (const auto& [name, value] : fields.child("stratum_totals").items())
+    for (const auto& [name, value] : fields.child("stratum_totals").items()) {
       design.stratumTotals[name] = count(totals, name);
+    }
   }
   return design;
 }
@@ -119,12 +134,15 @@ Json designJson(const AllocationDesign& design) {
   out["participants"] = design.participants;
   out["block_sizes"] = design.blockSizes;
   out["factors"] = Json::array();
-  for (const AllocationFactor& factor : design.factors)
+  for (const AllocationFactor& factor : design.factors) {
     out["factors"].push_back({{"name", factor.name}, {"levels", factor.levels}});
+  }
   out["best_arm_probability"] = static_cast<double>(design.bestArm_tenths) / 10.0;
   out["imbalance"] = kImbalances.at(static_cast<std::size_t>(design.imbalance));
   out["stratum_totals"] = Json::object();
-  for (const auto& [name, total] : design.stratumTotals) out["stratum_totals"][name] = total;
+  for (const auto& [name, total] : design.stratumTotals) {
+    out["stratum_totals"][name] = total;
+  }
   return out;
 }
 
@@ -143,8 +161,9 @@ std::vector<AllocationPerson> personsOf(const Input& list, const AllocationDesig
     for (const AllocationFactor& factor : design.factors) {
       const std::string level = levels.text(factor.name);
       const auto found = std::find(factor.levels.begin(), factor.levels.end(), level);
-      if (found == factor.levels.end())
+      if (found == factor.levels.end()) {
         levels.refuse(factor.name, "\"" + level + "\" is none of its levels", "Give a level of the design");
+      }
       person.levels.push_back(static_cast<std::size_t>(found - factor.levels.begin()));
     }
     levels.finish();
@@ -177,10 +196,14 @@ AllocationRecord recordOf(const Input& json, const AllocationDesign& design, con
   AllocationRecord record;
   record.position = count(fields, "position");
   record.person = fields.text("person");
-  for (const std::uint64_t level : counts(fields, "levels")) record.levels.push_back(level);
-  for (std::size_t f = 0; f < record.levels.size(); ++f)
-    if (f >= design.factors.size() || record.levels[f] >= design.factors[f].levels.size())
+  for (const std::uint64_t level : counts(fields, "levels")) {
+    record.levels.push_back(level);
+  }
+  for (std::size_t f = 0; f < record.levels.size(); ++f) {
+    if (f >= design.factors.size() || record.levels[f] >= design.factors[f].levels.size()) {
       fields.refuse("levels", "do not fit the factors of the design", "Check the file against the original");
+    }
+  }
   record.stratum = as<std::string>(fields, "stratum");
   record.drawsBefore = count(fields, "draws_before");
   record.drawsAfter = count(fields, "draws_after");
@@ -211,7 +234,9 @@ void runAllocation(const AllocateArguments& arguments) {
   out["seed"] = allocation.seed;
   out["commitment"] = allocation.commitment;
   out["counts"] = Json::object();
-  for (const std::string& arm : allocation.design.arms) out["counts"][arm] = 0;
+  for (const std::string& arm : allocation.design.arms) {
+    out["counts"][arm] = 0;
+  }
   out["records"] = Json::array();
   for (const AllocationRecord& record : allocation.records) {
     Json& armCount = out["counts"][allocation.design.arms.at(record.arm)];
@@ -225,9 +250,10 @@ void runReplay(const std::string& file) {
   const Input json = parsed(file);
   JsonFields fields(json, file);
   const std::string version = fields.text("version");
-  if (version != kAllocationVersion)
+  if (version != kAllocationVersion) {
     throw Error(ErrorCode::kBadData, "allocations of version \"" + version + "\" cannot be repeated", file,
                 "This program repeats " + std::string(kAllocationVersion));
+  }
   JsonFields designFields(fields.child("design"), file + ", design");
   Allocation allocation;
   allocation.design = designOf(designFields);
@@ -235,31 +261,39 @@ void runReplay(const std::string& file) {
   allocation.seed = count(fields, "seed");
   allocation.commitment = fields.text("commitment");
   const Input& records = listAt(fields, "records");
-  for (std::size_t i = 0; i < records.size(); ++i)
+  for (std::size_t i = 0; i < records.size(); ++i) {
     allocation.records.push_back(
         recordOf(records.at(i), allocation.design, file + ", records[" + std::to_string(i) + "]"));
+  }
   const ReplayFinding finding = replayAllocation(allocation);
   Json out{{"sound", finding.sound}, {"records", allocation.records.size()}};
   out["commitment"] = allocation.commitment;
-  if (finding.firstWrongPosition) out["first_wrong_position"] = *finding.firstWrongPosition;
-  if (!finding.sound) out["reason"] = finding.reason;
+  if (finding.firstWrongPosition) {
+    out["first_wrong_position"] = *finding.firstWrongPosition;
+  }
+  if (!finding.sound) {
+    out["reason"] = finding.reason;
+  }
   printJson(out);
-  if (!finding.sound)
+  if (!finding.sound) {
     throw Error(ErrorCode::kVerifyFailed, "the allocation cannot be repeated: " + finding.reason, file,
                 "Compare the file with the one that was kept");
+  }
 }
 
 void run(const AllocateArguments& arguments) {
   if (!arguments.replay.empty()) {
-    if (!arguments.design.empty() || arguments.seed)
+    if (!arguments.design.empty() || arguments.seed) {
       throw Error(ErrorCode::kUsage, "--replay stands alone: design and seed are in the file",
                   arguments.replay, "Leave out --design and --seed");
+    }
     runReplay(arguments.replay);
     return;
   }
-  if (arguments.design.empty() || !arguments.seed)
+  if (arguments.design.empty() || !arguments.seed) {
     throw Error(ErrorCode::kUsage, "an allocation needs --design and --seed, or --replay", "allocate",
                 "Give the design and draw a seed at random: it is never chosen for you");
+  }
   runAllocation(arguments);
 }
 

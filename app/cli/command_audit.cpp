@@ -41,7 +41,9 @@ void verify(const AuditArguments& arguments) {
   } else {
     for (const AuditFinding& finding : check.audit) {
       std::cout << finding.objectKind << " " << finding.objectId << ": " << finding.what;
-      if (finding.sequence > 0) std::cout << " (entry " << finding.sequence << ")";
+      if (finding.sequence > 0) {
+        std::cout << " (entry " << finding.sequence << ")";
+      }
       std::cout << "\n";
     }
     if (check.audit.empty()) {

@@ -29,11 +29,15 @@ void printContent(const BackupContent& content) {
 
 /// Says what is wrong, and ends with the exit code for it.
 void requireSound(const DatabaseCheck& check, const std::string& remedy) {
-  for (const std::string& damage : check.damage) std::cout << "damaged: " << damage << "\n";
+  for (const std::string& damage : check.damage) {
+    std::cout << "damaged: " << damage << "\n";
+  }
   for (const AuditFinding& finding : check.audit) {
     std::cout << finding.objectKind << " " << finding.objectId << ": " << finding.what << "\n";
   }
-  if (check.sound()) return;
+  if (check.sound()) {
+    return;
+  }
   throw Error(ErrorCode::kVerifyFailed,
               std::to_string(check.damage.size() + check.audit.size()) + " things are wrong", check.location,
               remedy);
@@ -75,7 +79,9 @@ void copy(const DbArguments& arguments) {
                           [&line](const Progress& progress) { line.show(progress); });
   }
   for (const TableDigest& table : report.tables) {
-    if (table.rows > 0) std::cout << "  " << table.table << ": " << table.rows << " rows\n";
+    if (table.rows > 0) {
+      std::cout << "  " << table.table << ": " << table.rows << " rows\n";
+    }
   }
   std::cout << "Copied and compared: " << report.rows << " rows of " << report.tables.size()
             << " tables have the same counts and hashes on both sides, " << report.auditEntries

@@ -72,7 +72,9 @@ void runList(const DeviceArguments& arguments) {
   for (const DeviceDriver& driver : drivers) {
     std::cout << std::left << std::setw(9) << driver.id << " " << std::setw(22) << driver.name
               << (driver.available ? " available      " : " not available  ") << driver.finding << "\n";
-    if (!driver.remedy.empty()) std::cout << std::string(10, ' ') << "What to do: " << driver.remedy << "\n";
+    if (!driver.remedy.empty()) {
+      std::cout << std::string(10, ' ') << "What to do: " << driver.remedy << "\n";
+    }
   }
 }
 
@@ -81,10 +83,13 @@ void printCheck(const DeviceCheckResult& result, bool json) {
     for (const DeviceFinding& finding : result.findings) {
       std::cout << std::left << std::setw(8) << gradeWord(finding.grade) << " " << finding.subject << ": "
                 << finding.sentence << "\n";
-      if (!finding.remedy.empty())
+      if (!finding.remedy.empty()) {
         std::cout << std::string(9, ' ') << "What to do: " << finding.remedy << "\n";
+      }
     }
-    if (result.usable()) std::cout << "The device is ready for training.\n";
+    if (result.usable()) {
+      std::cout << "The device is ready for training.\n";
+    }
     return;
   }
   nlohmann::ordered_json out;
@@ -130,8 +135,9 @@ void runCheck(const DeviceArguments& arguments) {
 std::string readoutLine(const DeviceReadout& r) {
   std::ostringstream line;
   line << std::right << std::setw(7) << formatFixed(r.time_s, 2) << " s  tip";
-  for (const double x_mm : {r.tip_mm.x, r.tip_mm.y, r.tip_mm.z})
+  for (const double x_mm : {r.tip_mm.x, r.tip_mm.y, r.tip_mm.z}) {
     line << " " << std::setw(7) << formatFixed(x_mm, 1);
+  }
   line << " mm  roll " << std::setw(7) << formatFixed(r.roll_deg, 1) << " deg"
        << (r.rollAtStop ? " (stop)" : "") << "  buttons " << (r.firstButton ? "1" : "-")
        << (r.secondButton ? "2" : "-") << "  motors " << formatFixed(100.0 * r.warmest, 0) << " %  "

@@ -40,9 +40,10 @@ std::pair<std::string, double> namedWeight(const std::string& text, const std::s
   const std::string digits = sign == std::string::npos ? text : text.substr(sign + 1);
   double weight = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), weight);
-  if (error != std::errc() || end != digits.data() + digits.size())
+  if (error != std::errc() || end != digits.data() + digits.size()) {
     throw Error(ErrorCode::kUsage, "\"" + text + "\" is no weight", option,
                 "Give weights such as 0.2,0.3,0.5 or A=0.2,B=0.3,C=0.5");
+  }
   return {name, weight};
 }
 
@@ -57,12 +58,15 @@ std::vector<std::pair<std::string, std::int64_t>> weightList(const std::vector<s
     weights.push_back(weight);
   }
   const auto unnamed = std::count(names.begin(), names.end(), "");
-  if (unnamed != 0 && unnamed != std::ssize(names))
+  if (unnamed != 0 && unnamed != std::ssize(names)) {
     throw Error(ErrorCode::kUsage, "some weights have a name and some have none", option,
                 "Name all of them or none");
+  }
   std::vector<std::pair<std::string, std::int64_t>> list;
   const std::vector<std::int64_t> milli = weightsInMilli(weights);
-  for (std::size_t i = 0; i < names.size(); ++i) list.emplace_back(names[i], milli[i]);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    list.emplace_back(names[i], milli[i]);
+  }
   return list;
 }
 
@@ -75,27 +79,40 @@ EvaluationInstrument instrumentOf(const EvaluateArguments& arguments) {
   if (!arguments.weights.empty()) {
     const auto weights = weightList(arguments.weights, "--weights");
     const bool keepIds = weights.size() == instrument.indices.size() && weights[0].first.empty();
-    if (!keepIds) instrument.indices.assign(weights.size(), {});
+    if (!keepIds) {
+      instrument.indices.assign(weights.size(), {});
+    }
     for (std::size_t i = 0; i < weights.size(); ++i) {
       EvaluationIndex& index = instrument.indices[i];
-      if (!keepIds) index.id = weights[i].first.empty() ? std::to_string(i + 1) : weights[i].first;
-      if (!keepIds) index.name = index.id;
+      if (!keepIds) {
+        index.id = weights[i].first.empty() ? std::to_string(i + 1) : weights[i].first;
+      }
+      if (!keepIds) {
+        index.name = index.id;
+      }
       index.weight_milli = weights[i].second;
     }
   }
   if (!arguments.classWeights.empty()) {
     const auto weights = weightList(arguments.classWeights, "--class-weights");
     const bool keepIds = weights.size() == instrument.classes.size() && weights[0].first.empty();
-    if (!keepIds) instrument.classes.assign(weights.size(), {});
+    if (!keepIds) {
+      instrument.classes.assign(weights.size(), {});
+    }
     constexpr std::size_t kLetters = 26;
-    if (weights.size() > kLetters)
+    if (weights.size() > kLetters) {
       throw Error(ErrorCode::kBadParameter, "there are more than 26 rater classes", "--class-weights",
                   "Give fewer classes");
+    }
     for (std::size_t c = 0; c < weights.size(); ++c) {
       RaterClass& raterClass = instrument.classes[c];
       const std::string letter(1, static_cast<char>('A' + c));
-      if (!keepIds) raterClass.id = weights[c].first.empty() ? letter : weights[c].first;
-      if (!keepIds) raterClass.name = raterClass.id;
+      if (!keepIds) {
+        raterClass.id = weights[c].first.empty() ? letter : weights[c].first;
+      }
+      if (!keepIds) {
+        raterClass.name = raterClass.id;
+      }
       raterClass.weight_milli = weights[c].second;
     }
   }
@@ -106,8 +123,11 @@ EvaluationInstrument instrumentOf(const EvaluateArguments& arguments) {
 /// The position of what a cell names, by identifier or name.
 template <class Item>
 std::optional<std::size_t> named(const std::vector<Item>& items, const std::string& text) {
-  for (std::size_t i = 0; i < items.size(); ++i)
-    if (items[i].id == text || items[i].name == text) return i;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i].id == text || items[i].name == text) {
+      return i;
+    }
+  }
   return std::nullopt;
 }
 
@@ -115,8 +135,9 @@ std::optional<std::size_t> named(const std::vector<Item>& items, const std::stri
 std::optional<std::size_t> numbered(std::size_t count, const std::string& text) {
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || number < 1 || number > count)
+  if (error != std::errc() || end != text.data() + text.size() || number < 1 || number > count) {
     return std::nullopt;
+  }
   return number - 1;
 }
 
@@ -128,13 +149,17 @@ class MarkReader {
 
   std::vector<EvaluationRating> read() {
     std::vector<EvaluationRating> ratings;
-    for (std::size_t row = 0; row < table_.rows(); ++row) ratings.push_back(readRow(row));
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      ratings.push_back(readRow(row));
+    }
     return ratings;
   }
 
   [[nodiscard]] Json indexJson(std::size_t index) const {
     const std::string& text = spelling_[index];
-    if (text.empty()) return instrument_.indices[index].id;
+    if (text.empty()) {
+      return instrument_.indices[index].id;
+    }
     return numbered(instrument_.indices.size(), text) ? Json(index + 1) : Json(text);
   }
 
@@ -150,42 +175,52 @@ class MarkReader {
       rating.steps = stepsFromText(table_.cell(row, "score"), instrument_.scale, table_.where(row));
     }
     const auto [first, isNew] = seen_.emplace(std::tuple{rating.model, rating.rater, rating.index}, row);
-    if (!isNew)
+    if (!isNew) {
       table_.refuse(row,
                     "rater \"" + rating.rater + "\" scores index \"" + table_.cell(row, "index") +
                         "\" of model \"" + rating.model + "\" a second time, first in " +
                         table_.where(first->second),
                     "Keep one score for each rater, index and model");
+    }
     const auto [known, newRater] = classOf_.emplace(rating.rater, std::pair{rating.raterClass, row});
-    if (!newRater && known->second.first != rating.raterClass)
+    if (!newRater && known->second.first != rating.raterClass) {
       table_.refuse(row,
                     "rater \"" + rating.rater + "\" is in class \"" + table_.cell(row, "class") +
                         "\", but in another in " + table_.where(known->second.second),
                     "A rater belongs to one class");
+    }
     return rating;
   }
 
   std::size_t classAt(std::size_t row) const {
     const std::string& text = table_.text(row, "class");
-    if (const auto found = named(instrument_.classes, text)) return *found;
+    if (const auto found = named(instrument_.classes, text)) {
+      return *found;
+    }
     std::string known;
-    for (const RaterClass& raterClass : instrument_.classes)
+    for (const RaterClass& raterClass : instrument_.classes) {
       known.append(known.empty() ? "" : ", ").append(raterClass.id);
+    }
     table_.refuse(row, "there is no rater class \"" + text + "\"", "Classes: " + known);
   }
 
   std::size_t indexAt(std::size_t row) {
     const std::string& text = table_.text(row, "index");
     std::optional<std::size_t> found = named(instrument_.indices, text);
-    if (!found) found = numbered(instrument_.indices.size(), text);
+    if (!found) {
+      found = numbered(instrument_.indices.size(), text);
+    }
     if (!found) {
       std::string known;
-      for (const EvaluationIndex& index : instrument_.indices)
+      for (const EvaluationIndex& index : instrument_.indices) {
         known.append(known.empty() ? "" : ", ").append(index.id);
+      }
       table_.refuse(row, "there is no index \"" + text + "\"",
                     "Indices: 1 to " + std::to_string(instrument_.indices.size()) + " or " + known);
     }
-    if (spelling_[*found].empty()) spelling_[*found] = text;
+    if (spelling_[*found].empty()) {
+      spelling_[*found] = text;
+    }
     return *found;
   }
 
@@ -222,8 +257,9 @@ Json modelJson(const ModelEvaluation& model, const EvaluationInstrument& instrum
   out["model"] = model.model;
   out["N"] = model.n27;
   out["indices"] = Json::array();
-  for (std::size_t j = 0; j < model.indices.size(); ++j)
+  for (std::size_t j = 0; j < model.indices.size(); ++j) {
     out["indices"].push_back(indexJson(model.indices[j], reader.indexJson(j)));
+  }
   out["composites"] = Json::array();
   for (const RaterComposite& composite : model.composites) {
     out["composites"].push_back({{"rater", composite.rater},
@@ -236,9 +272,15 @@ Json modelJson(const ModelEvaluation& model, const EvaluationInstrument& instrum
 }
 
 MissingPolicy policyOf(const std::string& name) {
-  if (name == "refuse") return MissingPolicy::kRefuse;
-  if (name == "renormalise") return MissingPolicy::kRenormalise;
-  if (name == "list-wise") return MissingPolicy::kListWise;
+  if (name == "refuse") {
+    return MissingPolicy::kRefuse;
+  }
+  if (name == "renormalise") {
+    return MissingPolicy::kRenormalise;
+  }
+  if (name == "list-wise") {
+    return MissingPolicy::kListWise;
+  }
   return MissingPolicy::kAvailableCase;
 }
 
@@ -253,8 +295,9 @@ void runEvaluate(const EvaluateArguments& arguments) {
   Json out;
   out["models"] = Json::array();
   try {
-    for (const ModelEvaluation& model : evaluate(instrument, ratings, policy))
+    for (const ModelEvaluation& model : evaluate(instrument, ratings, policy)) {
       out["models"].push_back(modelJson(model, instrument, reader));
+    }
   } catch (const Error& error) {
     throw Error(error.code(), error.happened(), table.name() + ", " + error.where(), error.remedy());
   }

@@ -13,6 +13,7 @@
 #include "app/cli/json_output.h"
 #include "assessment/statistics/curve_fit.h"
 #include "assessment/statistics/cusum.h"
+#include "assessment/statistics/standard_setting.h"
 #include "sim/base/error.h"
 
 namespace torsio::cli {
@@ -32,6 +33,10 @@ struct LearningArguments {
   std::optional<double> target;
   std::optional<double> sigma;
   double h = 5.0;
+  std::optional<double> threshold;
+  std::string better = "lower";
+  std::size_t consecutive = 2;
+  std::size_t further = 0;
 };
 
 constexpr std::int64_t kMostAttempts = 100'000;
@@ -50,33 +55,42 @@ std::vector<Attempts> readAttempts(const CsvTable& table) {
     const std::int64_t attempt = table.whole(row, "attempt", 1, kMostAttempts);
     auto found =
         std::find_if(list.begin(), list.end(), [&](const Attempts& other) { return other.subject == name; });
-    if (found == list.end()) found = list.insert(list.end(), Attempts{name, {}});
+    if (found == list.end()) {
+      found = list.insert(list.end(), Attempts{name, {}});
+    }
     const auto [first, isNew] = found->rowOf.emplace(attempt, row);
-    if (!isNew)
+    if (!isNew) {
       table.refuse(row,
                    "attempt " + std::to_string(attempt) + " of subject \"" + name +
                        "\" is given a second time, first in " + table.where(first->second),
                    "Keep one value for each subject and attempt");
+    }
   }
   return list;
 }
 
 std::optional<bool> failedAt(const CsvTable& table, std::size_t row) {
   const std::string& text = table.cell(row, "value");
-  if (text == "pass") return false;
-  if (text == "fail") return true;
+  if (text == "pass") {
+    return false;
+  }
+  if (text == "fail") {
+    return true;
+  }
   return std::nullopt;
 }
 
 /// Whether the table holds pass and fail; both kinds together are refused.
 bool holdsOutcomes(const CsvTable& table) {
   const bool outcomes = failedAt(table, 0).has_value();
-  for (std::size_t row = 1; row < table.rows(); ++row)
-    if (failedAt(table, row).has_value() != outcomes)
+  for (std::size_t row = 1; row < table.rows(); ++row) {
+    if (failedAt(table, row).has_value() != outcomes) {
       table.refuse(row,
                    "value \"" + table.cell(row, "value") + "\" stands among " +
                        (outcomes ? "pass and fail" : "numbers"),
                    "Give either numbers or pass and fail in the whole column");
+    }
+  }
   return outcomes;
 }
 
@@ -118,6 +132,14 @@ Json tabularJson(const LearningArguments& arguments, const std::vector<double>& 
   return out;
 }
 
+/// The attempt with which the trainee has shown proficiency: so many in a row, and so many more after these.
+Json proficiencyJson(const LearningArguments& arguments, const std::vector<double>& t,
+                     const std::vector<double>& y) {
+  const Better better = arguments.better == "lower" ? Better::kLower : Better::kHigher;
+  const auto at = proficientAt(y, *arguments.threshold, better, arguments.consecutive, arguments.further);
+  return at ? Json(static_cast<std::int64_t>(t[*at - 1])) : undefinedJson("proficiency was not reached");
+}
+
 Json valuesJson(const LearningArguments& arguments, const CsvTable& table,
                 const std::vector<Attempts>& subjects) {
   Json list = Json::array();
@@ -143,7 +165,12 @@ Json valuesJson(const LearningArguments& arguments, const CsvTable& table,
                   {"rate_per_doubling", line.ratePerDoubling},
                   {"r_squared", line.rSquared}};
     });
-    if (arguments.target) entry["cusum"] = tabularJson(arguments, y);
+    if (arguments.target) {
+      entry["cusum"] = tabularJson(arguments, y);
+    }
+    if (arguments.threshold) {
+      entry["proficient_at"] = proficiencyJson(arguments, t, y);
+    }
     list.push_back(std::move(entry));
   }
   return {{"kind", "values"}, {"subjects", list}};
@@ -153,11 +180,12 @@ Json valuesJson(const LearningArguments& arguments, const CsvTable& table,
 std::vector<bool> outcomesOf(const CsvTable& table, const Attempts& subject) {
   std::vector<bool> failed;
   for (const auto& [attempt, row] : subject.rowOf) {
-    if (attempt != std::ssize(failed) + 1)
+    if (attempt != std::ssize(failed) + 1) {
       table.refuse(row,
                    "subject \"" + subject.subject + "\" has attempt " + std::to_string(attempt) +
                        " but no attempt " + std::to_string(failed.size() + 1),
                    "Number the attempts 1, 2, 3 ... without gaps");
+    }
     failed.push_back(failedAt(table, row).value_or(false));
   }
   return failed;
@@ -202,11 +230,12 @@ Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
       arguments.limit
           ? arguments.limit
           : chooseLcCusumLimit(arguments.adequate, arguments.inadequate, longest, arguments.falsePass);
-  if (!limit)
+  if (!limit) {
     throw Error(ErrorCode::kBadData,
                 "no limit keeps the false pass rate below " + std::to_string(arguments.falsePass) +
                     " in so few attempts",
                 table.name(), "Record more attempts, or give --limit or a larger --false-pass");
+  }
   const LcCusumDesign design{arguments.adequate, arguments.inadequate, *limit};
   Json out{{"kind", "pass/fail"}};
   out["design"] = {{"adequate", design.adequate},
@@ -217,23 +246,42 @@ Json outcomesJson(const LearningArguments& arguments, const CsvTable& table,
                    {"pass_if_adequate", lcCusumProbability(design, design.adequate, longest)},
                    {"pass_if_inadequate", lcCusumProbability(design, design.inadequate, longest)}};
   out["subjects"] = Json::array();
-  for (std::size_t i = 0; i < subjects.size(); ++i)
+  for (std::size_t i = 0; i < subjects.size(); ++i) {
     out["subjects"].push_back(outcomeSubjectJson(arguments, design, subjects[i].subject, failed[i]));
+  }
   return out;
 }
 
 void runLearning(const LearningArguments& arguments) {
-  if (!(arguments.adequate < arguments.inadequate))
+  if (!(arguments.adequate < arguments.inadequate)) {
     throw Error(ErrorCode::kBadParameter, "the adequate failure rate must be below the inadequate one",
                 "--adequate " + std::to_string(arguments.adequate), "Give for example 0.1 and 0.2");
-  if (arguments.target.has_value() != arguments.sigma.has_value())
+  }
+  if (arguments.target.has_value() != arguments.sigma.has_value()) {
     throw Error(ErrorCode::kUsage, "a CUSUM of values needs both --target and --sigma", "learning",
                 "Give both or none");
+  }
   const CsvTable table = CsvTable::read(arguments.file, {"subject", "attempt", "value"});
   noteIgnoredColumns(table);
   const std::vector<Attempts> subjects = readAttempts(table);
   printJson(holdsOutcomes(table) ? outcomesJson(arguments, table, subjects)
                                  : valuesJson(arguments, table, subjects));
+}
+
+void addProficiency(CLI::App& command, LearningArguments& arguments) {
+  command.add_option("--threshold", arguments.threshold, "Values: standard that a proficient trainee meets");
+  command
+      .add_option("--better", arguments.better, "Values: whether lower or higher values meet the standard")
+      ->check(CLI::IsMember({"lower", "higher"}))
+      ->capture_default_str();
+  command
+      .add_option("--consecutive", arguments.consecutive, "Values: attempts in a row that meet the standard")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command
+      .add_option("--further", arguments.further, "Values: attempts after these that meet it, not in a row")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -270,7 +318,16 @@ void addLearning(CLI::App& program) {
   command->add_option("--cusum-limit", arguments->h, "Values: limit of the CUSUM in sigma")
       ->check(CLI::Range(0.1, 100.0))
       ->capture_default_str();
-  command->callback([arguments] { runLearning(*arguments); });
+  addProficiency(*command, *arguments);
+  command->callback([arguments, command] {
+    for (const char* name : {"--better", "--consecutive", "--further"}) {
+      if (command->count(name) > 0 && !arguments->threshold) {
+        throw Error(ErrorCode::kUsage, std::string(name) + " belongs to a threshold", "learning",
+                    "Give --threshold too");
+      }
+    }
+    runLearning(*arguments);
+  });
 }
 
 }  // namespace torsio::cli

@@ -13,8 +13,8 @@
 #include "app/recording/replay_service.h"
 #include "app/recording/trial_trace.h"
 #include "assessment/metrics/metric_cards.h"
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
-#include "sim/base/portable_math.h"
 #include "sim/record/sample_codec.h"
 #include "sim/record/trial_file.h"
 #include "sim/scene/scene.h"
@@ -74,7 +74,9 @@ Json cardsJson() {
 
 /// A trial file when there is one of this name, else a trial of the database.
 Trial loadTrial(const MetricsArguments& arguments) {
-  if (std::filesystem::is_regular_file(arguments.trial)) return readTrialFile(arguments.trial);
+  if (std::filesystem::is_regular_file(arguments.trial)) {
+    return readTrialFile(arguments.trial);
+  }
   return loadStoredTrial(arguments.database, arguments.trial);
 }
 
@@ -88,18 +90,21 @@ Scene sceneOf(const MetricsArguments& arguments, const TrialHeader& header) {
   wanted.organFile = chosen.organFile;
   wanted.organScale_m = chosen.organScale_m;
   Scene scene = loadScene(wanted);
-  if (scene.organHash != header.organHash)
+  if (scene.organHash != header.organHash) {
     throw Error(ErrorCode::kBadData, "this is not the organ on which the trial was recorded",
                 "trial " + header.trialId, "Give the mesh file of the recording with --organ");
+  }
   return scene;
 }
 
 void runMetrics(MetricsArguments arguments) {
   const Trial trial = loadTrial(arguments);
   const std::vector<Sample> samples = decodeTrial(trial);
-  arguments.options.tolerance_rad = arguments.tolerance_deg * kDegree;
+  arguments.options.tolerance_rad = radians(arguments.tolerance_deg);
   std::optional<Scene> scene;
-  if (arguments.scene || arguments.options.shearLimit_Pa) scene = sceneOf(arguments, trial.header);
+  if (arguments.scene || arguments.options.shearLimit_Pa) {
+    scene = sceneOf(arguments, trial.header);
+  }
   const MeasuredTrial measured =
       measureRecordedTrial(trial.header, samples, arguments.options, scene ? &*scene : nullptr);
   Json out;
@@ -129,7 +134,9 @@ void runMetrics(MetricsArguments arguments) {
     entry["metrics"] = metricsJson(twist.metrics);
     out["twists"].push_back(std::move(entry));
   }
-  if (arguments.cards) out["cards"] = cardsJson();
+  if (arguments.cards) {
+    out["cards"] = cardsJson();
+  }
   printJson(out);
 }
 

@@ -24,9 +24,15 @@ struct ReplayArguments {
 };
 
 std::string differenceText(const ReplayReport& report) {
-  if (!report.contentIntact) return "the record's own hashes do not fit: it was changed or damaged";
-  if (report.gapAfterTick) return "samples are missing after tick " + std::to_string(*report.gapAfterTick);
-  if (!report.first) return "none";
+  if (!report.contentIntact) {
+    return "the record's own hashes do not fit: it was changed or damaged";
+  }
+  if (report.gapAfterTick) {
+    return "samples are missing after tick " + std::to_string(*report.gapAfterTick);
+  }
+  if (!report.first) {
+    return "none";
+  }
   return report.first->field + " at tick " + std::to_string(report.first->tick);
 }
 
@@ -49,7 +55,9 @@ void print(const ReplayResult& result, bool json) {
   out["chunks"] = report.chunks;
   out["identical"] = report.identical();
   out["content_hash"] = result.summary.contentHash;
-  if (!report.identical()) out["first_difference"] = differenceText(report);
+  if (!report.identical()) {
+    out["first_difference"] = differenceText(report);
+  }
   std::cout << out.dump(2) << '\n';
 }
 

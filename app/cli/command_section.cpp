@@ -23,15 +23,21 @@ struct SectionArguments {
 };
 
 SectionMethod methodOf(const std::string& name) {
-  if (name == "fem") return SectionMethod::kFiniteElements;
-  if (name == "bem") return SectionMethod::kBoundaryElements;
+  if (name == "fem") {
+    return SectionMethod::kFiniteElements;
+  }
+  if (name == "bem") {
+    return SectionMethod::kBoundaryElements;
+  }
   return SectionMethod::kAutomatic;
 }
 
 void runSection(const SectionArguments& arguments) {
   const auto outline = readOutline(arguments.file);
   std::vector<std::vector<std::array<double, 2>>> holes;
-  for (const std::string& hole : arguments.holes) holes.push_back(readOutline(hole));
+  for (const std::string& hole : arguments.holes) {
+    holes.push_back(readOutline(hole));
+  }
   SectionSolverOptions options;
   options.method = methodOf(arguments.method);
   const SectionProperties section = solveSection(outline, options, holes);
@@ -51,7 +57,9 @@ void runSection(const SectionArguments& arguments) {
     std::cout << result.dump(2) << '\n';
     return;
   }
-  for (const auto& [key, value] : result.items()) std::cout << key << " = " << value.dump() << '\n';
+  for (const auto& [key, value] : result.items()) {
+    std::cout << key << " = " << value.dump() << '\n';
+  }
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/organ_option.h"
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
-#include "sim/base/portable_math.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "sim/scene/scene.h"
 
@@ -54,9 +54,9 @@ void runTwist(const TwistArguments& arguments) {
                 "--grasp " + std::to_string(grasp), "Give a fraction such as 0.8");
   }
   const double angle_rad =
-      arguments.angle_deg ? *arguments.angle_deg * kDegree : scene.pattern.targetAngle_rad;
+      arguments.angle_deg ? radians(*arguments.angle_deg) : scene.pattern.targetAngle_rad;
   constexpr double kLargestAngle_deg = 3600.0;
-  if (!(std::abs(angle_rad) <= kLargestAngle_deg * kDegree)) {
+  if (!(std::abs(angle_rad) <= radians(kLargestAngle_deg))) {
     throw Error(ErrorCode::kBadParameter, "the angle must lie within 3600 degrees",
                 "--angle " + std::to_string(arguments.angle_deg.value_or(0.0)), "Give the angle in degrees");
   }
@@ -67,7 +67,9 @@ void runTwist(const TwistArguments& arguments) {
   scene.model.deform(state, twisted.vertices_m);
   const double deform_ms = millisecondsSince(deforming);
   const TwistSummary summary = scene.model.summary(state);
-  if (!arguments.out.empty()) writePly(arguments.out, twisted);
+  if (!arguments.out.empty()) {
+    writePly(arguments.out, twisted);
+  }
 
   nlohmann::ordered_json result;
   result["organ"] = arguments.organ.organ;
@@ -87,14 +89,18 @@ void runTwist(const TwistArguments& arguments) {
   result["peak_shear_pa"] = summary.peakShear_Pa;
   result["set_up_ms"] = setUp_ms;
   result["deform_ms"] = deform_ms;
-  if (!arguments.out.empty()) result["out"] = arguments.out;
+  if (!arguments.out.empty()) {
+    result["out"] = arguments.out;
+  }
   result["profile"] = angleProfile(scene.model, state);
   if (arguments.json) {
     std::cout << result.dump(2) << '\n';
     return;
   }
   for (const auto& [key, value] : result.items()) {
-    if (!value.is_array()) std::cout << key << " = " << value.dump() << '\n';
+    if (!value.is_array()) {
+      std::cout << key << " = " << value.dump() << '\n';
+    }
   }
 }
 

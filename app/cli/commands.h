@@ -7,8 +7,10 @@ class App;
 
 namespace torsio::cli {
 
-// Each adds one command with its options; the command runs as the option parser's callback and throws
-// torsio::Error when it refuses. One source a command: command_<name>.cpp.
+// Each function below adds one command with its options to the program. The command runs while the option
+// parser parses, prints to standard output and throws torsio::Error when it refuses. One source a command:
+// command_<name>.cpp.
+
 void addAgreement(CLI::App& program);
 void addAllocate(CLI::App& program);
 void addAudit(CLI::App& program);
@@ -20,8 +22,10 @@ void addDevice(CLI::App& program);
 void addEvaluate(CLI::App& program);
 void addLearning(CLI::App& program);
 void addMetrics(CLI::App& program);
+void addPower(CLI::App& program);
 void addReplay(CLI::App& program);
 void addSection(CLI::App& program);
+void addStandardSetting(CLI::App& program);
 void addTwist(CLI::App& program);
 
 }  // namespace torsio::cli

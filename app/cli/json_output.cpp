@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <iostream>
+#include <utility>
 
 #include "sim/base/contracts.h"
 
@@ -42,7 +43,9 @@ void write(std::string& out, const Json& value, const std::string& indent) {
   for (const auto& [key, child] : value.items()) {
     out += first ? "\n" : ",\n";
     out += inner;
-    if (object) out += Json(key).dump() + ": ";
+    if (object) {
+      out += Json(key).dump() + ": ";
+    }
     write(out, child, inner);
     first = false;
   }
@@ -58,8 +61,39 @@ void printJson(const Json& value) {
 }
 
 void noteIgnoredColumns(const CsvTable& table) {
-  for (const std::string& column : table.ignored())
+  for (const std::string& column : table.ignored()) {
     std::cerr << "torsio: " << table.name() << ": the column \"" << column << "\" is not used\n";
+  }
+}
+
+Json undefinedJson(const std::string& reason) {
+  return {{"undefined", reason}};
+}
+
+Json intervalJson(const Interval& interval) {
+  return {{"lower", interval.lower}, {"upper", interval.upper}};
+}
+
+Json numberJson(const std::optional<double>& value, const std::string& reason) {
+  return value ? Json(*value) : undefinedJson(reason);
+}
+
+Json namedValue(const std::string& name, double value) {
+  return {{"name", name}, {"value", value}};
+}
+
+Json testJson(double statistic, Json df, double p, Json effect, Json interval) {
+  Json out;
+  out["statistic"] = statistic;
+  out["df"] = std::move(df);
+  out["p"] = p;
+  out["effect_size"] = std::move(effect);
+  out["interval"] = std::move(interval);
+  return out;
+}
+
+Json noInterval() {
+  return undefinedJson("this test has no interval");
 }
 
 }  // namespace torsio::cli

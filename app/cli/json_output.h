@@ -20,17 +20,21 @@ void printJson(const nlohmann::ordered_json& value);
 /// Says on standard error which columns of a table were not used.
 void noteIgnoredColumns(const CsvTable& table);
 
-[[nodiscard]] inline nlohmann::ordered_json undefinedJson(const std::string& reason) {
-  return {{"undefined", reason}};
-}
-[[nodiscard]] inline nlohmann::ordered_json intervalJson(const Interval& interval) {
-  return {{"lower", interval.lower}, {"upper", interval.upper}};
-}
-[[nodiscard]] inline nlohmann::ordered_json numberJson(const std::optional<double>& value,
-                                                       const std::string& reason) {
-  return value ? nlohmann::ordered_json(*value) : undefinedJson(reason);
-}
-/// What `show` makes of the value, or {"undefined": reason}.
+/// Gives {"undefined": reason}, which stands in place of a statistic that the data do not define.
+[[nodiscard]] nlohmann::ordered_json undefinedJson(const std::string& reason);
+/// Gives {"lower": ..., "upper": ...}.
+[[nodiscard]] nlohmann::ordered_json intervalJson(const Interval& interval);
+/// Gives the number, or {"undefined": reason} where there is none.
+[[nodiscard]] nlohmann::ordered_json numberJson(const std::optional<double>& value,
+                                                const std::string& reason);
+/// Gives {"name": ..., "value": ...}, as effect sizes stand in a test.
+[[nodiscard]] nlohmann::ordered_json namedValue(const std::string& name, double value);
+/// Gives one test in the form that all tests share; what a test does not have is said, never left out.
+[[nodiscard]] nlohmann::ordered_json testJson(double statistic, nlohmann::ordered_json df, double p,
+                                              nlohmann::ordered_json effect, nlohmann::ordered_json interval);
+/// Stands for the interval of a test that has none.
+[[nodiscard]] nlohmann::ordered_json noInterval();
+/// Gives what `show` makes of the value, or {"undefined": reason}.
 template <class T, class Show>
 [[nodiscard]] nlohmann::ordered_json outcomeJson(const Outcome<T>& outcome, const Show& show) {
   return outcome ? nlohmann::ordered_json(show(*outcome)) : undefinedJson(outcome.reason());

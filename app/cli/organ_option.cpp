@@ -52,7 +52,9 @@ SceneRequest sceneRequest(const OrganArguments& arguments) {
     request.organScale_m = unitsInMetres().at(arguments.unit);
   } else {
     std::string names;
-    for (const std::string& id : known) names += (names.empty() ? "" : ", ") + id;
+    for (const std::string& id : known) {
+      names += (names.empty() ? "" : ", ") + id;
+    }
     throw Error(ErrorCode::kUsage, "no such organ", "--organ " + arguments.organ,
                 "Choose one of " + names + ", or give a mesh file with its ending");
   }

@@ -25,7 +25,9 @@ std::string remainingText(double remaining_s) {
 std::string lineOf(const Progress& progress) {
   std::ostringstream line;
   line << "[" << static_cast<int>(100.0 * progress.fraction) << " %] " << progress.step;
-  if (progress.remaining_s >= 1.0) line << ", about " << remainingText(progress.remaining_s) << " left";
+  if (progress.remaining_s >= 1.0) {
+    line << ", about " << remainingText(progress.remaining_s) << " left";
+  }
   return line.str();
 }
 
@@ -34,7 +36,9 @@ std::string lineOf(const Progress& progress) {
 ProgressLine::ProgressLine() : terminal_(standardErrorIsTerminal()) {}
 
 ProgressLine::~ProgressLine() {
-  if (terminal_ && lastLength_ > 0) std::cerr << '\n';
+  if (terminal_ && lastLength_ > 0) {
+    std::cerr << '\n';
+  }
 }
 
 void ProgressLine::show(const Progress& progress) {

@@ -9,6 +9,7 @@
 #include "app/base/build_info.h"
 #include "app/demonstration/demonstration_curriculum.h"
 #include "app/demonstration/demonstration_people.h"
+#include "app/recording/expert_run.h"
 #include "app/recording/kept_digests.h"
 #include "app/recording/pipeline.h"
 #include "app/recording/trial_summary.h"
@@ -18,7 +19,7 @@
 #include "assessment/report/cohort_csv.h"
 #include "assessment/report/cohort_report.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "sim/record/sample_codec.h"
@@ -119,7 +120,7 @@ class Demonstration {
     show.trialSeed = options_.seed;
     show.duration_s = std::min(phase_s, 20.0);
     show.practisedBefore_min = 60.0;
-    show.phaseLabel = "example by an instructor";
+    show.recording.phaseLabel = kExpertPhase;
     record(example, show, {}, 0.04);
 
     std::size_t total = 0;
@@ -134,7 +135,7 @@ class Demonstration {
         trial.duration_s = phase_s;
         trial.practisedBefore_min = phase.practisedBefore_min;
         trial.practiceScale = static_cast<double>(options_.shortening);
-        trial.phaseLabel = phase.label;
+        trial.recording.phaseLabel = phase.label;
         const double fraction = 0.05 + 0.83 * static_cast<double>(done++) / static_cast<double>(total);
         record(training, trial, &trainee, fraction);
       }
@@ -142,30 +143,33 @@ class Demonstration {
   }
 
   void record(const Scene& scene, ScriptedTrial trial, const DemonstrationTrainee* trainee, double fraction) {
-    meter_.show("Recording " + (trainee != nullptr ? trainee->code : "the example") + ", " + trial.phaseLabel,
-                fraction);
-    trial.trialId = ids_.newUuid();
-    trial.traineeCode = trainee != nullptr ? trainee->code : "";
-    trial.startedUtc_us = options_.simulatedUtc_us;
-    trial.demonstration = true;
-    TrialContext context{.station = "demonstration"};
+    RecordingSpec& recording = trial.recording;
+    meter_.show(
+        "Recording " + (trainee != nullptr ? trainee->code : "the example") + ", " + recording.phaseLabel,
+        fraction);
+    recording.trialId = ids_.newUuid();
+    recording.traineeCode = trainee != nullptr ? trainee->code : "";
+    recording.startedUtc_us = options_.simulatedUtc_us;
+    recording.demonstration = true;
+    TrialContext& context = recording.context;
+    context.station = "demonstration";
     if (trainee != nullptr) {
-      const DemonstrationPlace place = demonstrationPlace(curriculum_, trainee->group, trial.phaseLabel);
+      const DemonstrationPlace place = demonstrationPlace(curriculum_, trainee->group, recording.phaseLabel);
       context.enrolmentId = trainee->enrolmentId;
       context.moduleId = place.moduleId;
       context.phaseId = place.phaseId;
-      context.attemptMode = "practice";
+      context.attemptMode = AttemptMode::kPractice;
     }
     TrialRepository repository(connection_, context);
     recordScriptedTrial(scene, trial, repository);
 
-    const Trial stored = repository.load(trial.trialId);
+    const Trial stored = repository.load(recording.trialId);
     TrialDigest digest = trialDigest(stored, decodeTrial(stored), scene.pattern.tolerance_rad);
     summary_.samples += digest.samples;
     summary_.recorded_min += digest.minutes;
     ++summary_.trials;
     if (trainee == nullptr) return;
-    if (summary_.firstTrialId.empty()) summary_.firstTrialId = trial.trialId;
+    if (summary_.firstTrialId.empty()) summary_.firstTrialId = recording.trialId;
     digest.group = trainee->group;
     digest.model = scene.model.options().formulation == Formulation::kPaper ? "paper" : "Saint-Venant";
     summary_.twists += digest.twists;

@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "app/recording/pipeline.h"
-#include "db/repository/desk_repository.h"
-#include "db/repository/evaluation_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/study_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"
 
@@ -111,18 +111,19 @@ class DeskMaker {
   std::string record(const std::string& code, const std::string& enrolmentId, int person,
                      double practised_min) {
     ScriptedTrial trial;
-    trial.trialId = ids_.newUuid();
-    trial.traineeCode = code;
-    trial.phaseLabel = code.empty() ? "reference run" : "virtual 0-20 min";
+    trial.recording = {.trialId = ids_.newUuid(),
+                       .traineeCode = code,
+                       .phaseLabel = code.empty() ? "reference run" : "virtual 0-20 min",
+                       .startedUtc_us = options_.utc_us,
+                       .demonstration = true,
+                       .context = {.station = "demonstration", .enrolmentId = enrolmentId}};
     trial.personSeed = options_.seed + static_cast<std::uint64_t>(person);
     trial.trialSeed = trial.personSeed;
     trial.duration_s = options_.trial_s;
     trial.practisedBefore_min = practised_min;
-    trial.startedUtc_us = options_.utc_us;
-    trial.demonstration = true;
-    TrialRepository repository(connection_, {.station = "demonstration", .enrolmentId = enrolmentId});
+    TrialRepository repository(connection_, trial.recording.context);
     recordScriptedTrial(scene_, trial, repository);
-    return trial.trialId;
+    return trial.recording.trialId;
   }
 
   void addAssignments() {

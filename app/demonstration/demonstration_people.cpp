@@ -8,14 +8,14 @@
 #include <utility>
 
 #include "app/base/build_info.h"
-#include "app/scoring/scoring_service.h"
 #include "app/study/case_order.h"
 #include "assessment/study/allocation.h"
-#include "db/repository/evaluation_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/rating_repository.h"
-#include "db/repository/sheet_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/occasion_repository.h"
+#include "db/repository/study/study_repository.h"
 
 namespace torsio {
 
@@ -282,6 +282,7 @@ void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& 
   std::map<std::string, std::string> enrolmentIds;
   for (const DemonstrationTrainee& trainee : study.trainees) enrolmentIds[trainee.code] = trainee.enrolmentId;
 
+  const Occasions occasions = OccasionRepository(connection).all();
   std::vector<StoredTrainingMark> training;
   const ScoreScale trainingScale = StoredTrainingMark{}.scale;
   for (const TrainingMark& mark : demonstrationTrainingMarks(trainingScale, study.people, seed)) {
@@ -289,7 +290,7 @@ void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& 
     stored.id = ids.newUuid();
     stored.enrolmentId = enrolmentIds.at(mark.trainee);
     stored.raterId = raterIds.at(mark.rater);
-    stored.scoringPoint = scoringPoints().at(mark.occasion);
+    stored.scoringPoint = occasions.at(mark.occasion).code;
     stored.score_steps = mark.steps;
     stored.submittedUtc_us = utc_us;
     stored.demonstration = true;

@@ -7,10 +7,10 @@
 
 #include "app/recording/pipeline.h"
 #include "app/study/curriculum_content.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/remark_repository.h"
-#include "db/repository/study_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/remark_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -72,18 +72,20 @@ std::string recordAttempts(Connection& connection, IdSource& ids, const std::fil
   std::vector<StoredExposure> exposures;
   for (std::size_t i = 0; i < count; ++i) {
     ScriptedTrial trial;
-    trial.trialId = last = ids.newUuid();
-    trial.traineeCode = traineeCode;
-    trial.phaseLabel = module.title;
+    last = ids.newUuid();
+    trial.recording = {
+        .trialId = last,
+        .traineeCode = traineeCode,
+        .phaseLabel = module.title,
+        .startedUtc_us = utc_us,
+        .demonstration = true,
+        .context = {
+            .station = kBy, .enrolmentId = enrolmentId, .moduleId = module.id, .attemptMode = module.mode}};
     trial.personSeed = kPersonSeed;
     trial.trialSeed = kPersonSeed + 17 * i + static_cast<std::uint64_t>(practised_min);
     trial.duration_s = kAttempt_s;
     trial.practisedBefore_min = practised_min + kPractisedPerAttempt_min * static_cast<double>(i);
-    trial.startedUtc_us = utc_us;
-    trial.demonstration = true;
-    TrialRepository sink(
-        connection,
-        {.station = kBy, .enrolmentId = enrolmentId, .moduleId = module.id, .attemptMode = module.mode});
+    TrialRepository sink(connection, trial.recording.context);
     recordScriptedTrial(scene, trial, sink);
     exposures.push_back({.id = ids.newUuid(),
                          .enrolmentId = enrolmentId,

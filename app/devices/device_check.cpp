@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "assessment/report/number_format.h"
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/device/hdapi/hdapi_library.h"
 
@@ -217,7 +218,7 @@ class Check {
     result_.timing = now.timing;
     lateTicks_ = now.timing.late - first.timing.late;
     gaps_ = now.timing.gaps - first.timing.gaps;
-    if (docked && highest_rad >= lowest_rad) rollNoise_deg_ = (highest_rad - lowest_rad) / kDegree;
+    if (docked && highest_rad >= lowest_rad) rollNoise_deg_ = degrees(highest_rad - lowest_rad);
     return true;
   }
 
@@ -339,7 +340,7 @@ DeviceReadout readout(const HdapiSnapshot& now, double time_s) {
   shown.time_s = time_s;
   shown.state = deviceStateText(now);
   shown.tip_mm = tool.pose.position_m * 1e3;
-  shown.roll_deg = tool.roll_rad / kDegree;
+  shown.roll_deg = degrees(tool.roll_rad);
   shown.rollAtStop = now.rollAtStop;
   shown.grip = tool.grip;
   shown.firstButton = (tool.buttons & kButtonGrip) != 0;

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "db/repository/person_data.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/person_data.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -54,6 +54,14 @@ void setRetentionRule(Workplace& workplace, const std::string& category, std::in
                   .objectId = category,
                   .newJson = R"({"keep_days":)" + std::to_string(keep_days) + "}",
                   .reason = basis});
+  transaction.commit();
+}
+
+void removeRetentionRule(Workplace& workplace, const std::string& category) {
+  workplace.require(Operation::kRetentionManage);
+  Transaction transaction(workplace.connection());
+  RetentionRepository(workplace.connection()).removeRule(category);
+  workplace.note({.action = "retention.remove_rule", .objectKind = "retention_rule", .objectId = category});
   transaction.commit();
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "db/repository/retention_repository.h"
+#include "db/repository/people/retention_repository.h"
 
 namespace torsio {
 
@@ -15,6 +15,8 @@ namespace torsio {
 [[nodiscard]] std::vector<RetentionRule> retentionRules(Workplace& workplace);
 void setRetentionRule(Workplace& workplace, const std::string& category, std::int64_t keep_days,
                       const std::string& basis);
+/// Takes the rule of a category away: its records are kept without limit.
+void removeRetentionRule(Workplace& workplace, const std::string& category);
 
 /// The review queue: whose record is due now and why, those who are held among them, longest due first.
 [[nodiscard]] std::vector<RetentionItem> retentionQueue(Workplace& workplace);

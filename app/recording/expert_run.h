@@ -6,9 +6,9 @@
 
 namespace torsio {
 
-/// One twist to `target_rad` by a scripted hand that has nothing left to learn, through the same servo loop
-/// and recorder as everything else; the same every time. Takes a fraction of a second. Throws
-/// Error{kBadParameter} when the hand cannot reach the organ.
+/// Records one twist to `target_rad` by a scripted hand that has nothing left to learn (RecordedRun); the
+/// same every time. Takes a fraction of a second. Throws Error{kBadParameter} when the hand cannot reach the
+/// organ.
 [[nodiscard]] Trial expertRun(const Scene& scene, double target_rad);
 
 /// Label of stored expert runs (TrialHeader::phaseLabel).

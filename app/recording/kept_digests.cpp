@@ -3,7 +3,7 @@
 
 #include "app/recording/trial_summary.h"
 #include "assessment/metrics/trial_metrics.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 #include "sim/scene/scene_file.h"
 

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "assessment/report/cohort_report.h"
-#include "db/repository/curriculum_repository.h"
-#include "db/repository/digest_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/trial/digest_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/live_types.h"
 #include "sim/record/trial.h"
 

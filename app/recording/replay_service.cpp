@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "db/migrations/migrations.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/scene/scene.h"
 

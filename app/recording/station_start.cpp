@@ -9,8 +9,9 @@
 
 #include "app/base/assets.h"
 #include "app/recording/kept_digests.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/tick_period.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {
@@ -19,7 +20,6 @@ namespace {
 
 // The clock of a run and the recording differ by less than this.
 constexpr std::int64_t kAgreesWithin_us = 500'000;
-constexpr std::int64_t kTick_us = 1'000;
 
 std::optional<StoredEnrolment> enrolmentOf(StudyRepository& studies, const std::string& id) {
   for (const StoredCohort& cohort : studies.cohorts()) {
@@ -42,7 +42,7 @@ std::int64_t logMissing_us(Workplace& workplace, const TrialListing& trial) {
                       exposure.startedUtc_us >= trial.startedUtc_us - kAgreesWithin_us;
     if (same) logged_us += exposure.duration_us;
   }
-  const std::int64_t missing_us = trial.summary->samples * kTick_us - logged_us;
+  const std::int64_t missing_us = trial.summary->samples * kTickPeriod_us - logged_us;
   if (missing_us < kAgreesWithin_us) return 0;
   const StoredExposure found{
       .id = workplace.ids().newUuid(),

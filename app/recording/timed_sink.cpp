@@ -20,8 +20,9 @@ struct TimedTrialSink::State {
   bool stop = false;
 };
 
-TimedTrialSink::TimedTrialSink(std::unique_ptr<TrialSink> sink, std::chrono::milliseconds patience)
-    : state_(std::make_shared<State>()), patience_(patience) {
+TimedTrialSink::TimedTrialSink(std::unique_ptr<TrialSink> sink, SpillPlace place,
+                               std::chrono::milliseconds patience)
+    : state_(std::make_shared<State>()), place_(std::move(place)), patience_(patience) {
   state_->sink = std::move(sink);
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 #include <thread>
 
+#include "sim/record/spill_place.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
@@ -15,11 +16,11 @@ inline constexpr std::chrono::milliseconds kSinkPatience{3'500};
 
 /// A sink that is never waited for longer than `patience`: each call runs in a thread of the sink's own. One
 /// that takes longer is left to itself, and this and every further call is refused with
-/// DbError{kUnreachable}; the recorder then keeps the trial in a file. For a server that neither answers nor
-/// refuses, which no time-out of the connection notices.
-class TimedTrialSink final : public TrialSink {
+/// DbError{kUnreachable}; the recorder then keeps the trial in a file, at `place`. For a server that neither
+/// answers nor refuses, which no time-out of the connection notices.
+class TimedTrialSink final : public SpillingTrialSink {
  public:
-  explicit TimedTrialSink(std::unique_ptr<TrialSink> sink,
+  explicit TimedTrialSink(std::unique_ptr<TrialSink> sink, SpillPlace place = {},
                           std::chrono::milliseconds patience = kSinkPatience);
   ~TimedTrialSink() override;
   TimedTrialSink(const TimedTrialSink&) = delete;
@@ -28,6 +29,7 @@ class TimedTrialSink final : public TrialSink {
   void begin(const TrialHeader& header) override;
   void append(const TrialChunk& chunk) override;
   void finish(const TrialSummary& summary) override;
+  [[nodiscard]] SpillPlace spillPlace() const override { return place_; }
 
  private:
   struct State;
@@ -37,6 +39,7 @@ class TimedTrialSink final : public TrialSink {
 
   std::shared_ptr<State> state_;
   std::thread thread_;  // from the first call on
+  SpillPlace place_;
   std::chrono::milliseconds patience_;
   bool lost_ = false;
 };

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/portable_math.h"
+#include "sim/base/angle.h"
 
 namespace torsio {
 
 namespace {
 
 /// A twist that turned less than this was a touch, not an attempt.
-constexpr double kSmallestTwist_rad = 2.0 * kDegree;
+constexpr double kSmallestTwist_rad = radians(2.0);
 
 }  // namespace
 
@@ -42,10 +42,10 @@ TrialDigest trialDigest(const Trial& trial, std::span<const Sample> samples, dou
     ++digest.twists;
     if (error_rad <= tolerance_rad) ++digest.twistsOnTarget;
     errorSum_rad += error_rad;
-    digest.attempts.push_back({error_rad / kDegree, error_rad <= tolerance_rad});
+    digest.attempts.push_back({degrees(error_rad), error_rad <= tolerance_rad});
   }
   if (digest.twists > 0) {
-    digest.meanAbsoluteError_deg = errorSum_rad / static_cast<double>(digest.twists) / kDegree;
+    digest.meanAbsoluteError_deg = degrees(errorSum_rad / static_cast<double>(digest.twists));
     digest.peakTorque_Nm = torque_Nm;
     digest.peakForce_N = force_N;
   }

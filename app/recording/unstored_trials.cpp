@@ -14,7 +14,6 @@
 #include "db/connection/locator.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
-#include "sim/record/spill_place.h"
 #include "sim/record/trial_file.h"
 
 namespace torsio {
@@ -35,11 +34,16 @@ std::string databaseName(const std::string& locator) {
 }
 
 std::string textOf(const std::string& locator, const TrialContext& context) {
-  const json text{{"database", databaseName(locator)}, {"station", context.station},
-                  {"enrolment", context.enrolmentId},  {"module", context.moduleId},
-                  {"phase", context.phaseId},          {"mode", context.attemptMode},
-                  {"host_name", context.host.name},    {"host_os", context.host.os},
-                  {"host_cpu", context.host.cpu},      {"host_gpu", context.host.gpu}};
+  const json text{{"database", databaseName(locator)},
+                  {"station", context.station},
+                  {"enrolment", context.enrolmentId},
+                  {"module", context.moduleId},
+                  {"phase", context.phaseId},
+                  {"mode", context.attemptMode ? storedText(*context.attemptMode) : ""},
+                  {"host_name", context.host.name},
+                  {"host_os", context.host.os},
+                  {"host_cpu", context.host.cpu},
+                  {"host_gpu", context.host.gpu}};
   return text.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
@@ -50,26 +54,9 @@ TrialContext contextOf(const json& text) {
       .enrolmentId = of("enrolment"),
       .moduleId = of("module"),
       .phaseId = of("phase"),
-      .attemptMode = of("mode"),
+      .attemptMode = fromStoredText<AttemptMode>(of("mode")),
       .host = {.name = of("host_name"), .os = of("host_os"), .cpu = of("host_cpu"), .gpu = of("host_gpu")}};
 }
-
-/// OwnConnectionTrialSink that is not waited for without end and tells the recorder where else to go.
-class RecordingSink final : public SpillingTrialSink {
- public:
-  RecordingSink(const std::string& locator, const TrialContext& context, fs::path folder)
-      : store_(std::make_unique<OwnConnectionTrialSink>(locator, context)),
-        place_{std::move(folder), textOf(locator, context)} {}
-
-  void begin(const TrialHeader& header) override { store_.begin(header); }
-  void append(const TrialChunk& chunk) override { store_.append(chunk); }
-  void finish(const TrialSummary& summary) override { store_.finish(summary); }
-  [[nodiscard]] SpillPlace spillPlace() const override { return place_; }
-
- private:
-  TimedTrialSink store_;
-  SpillPlace place_;
-};
 
 bool endsWith(const std::string& name, const std::string& ending) {
   return name.size() >= ending.size() &&
@@ -101,7 +88,8 @@ fs::path unstoredFolder() {
 
 std::unique_ptr<TrialSink> recordingSink(const std::string& locator, const TrialContext& context,
                                          const fs::path& folder) {
-  return std::make_unique<RecordingSink>(locator, context, folder);
+  return std::make_unique<TimedTrialSink>(std::make_unique<OwnConnectionTrialSink>(locator, context),
+                                          SpillPlace{folder, textOf(locator, context)});
 }
 
 UnstoredTrials unstoredTrials(const std::string& locator, const fs::path& folder) {

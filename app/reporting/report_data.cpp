@@ -10,41 +10,16 @@
 #include "app/study/frozen_data.h"
 #include "assessment/report/number_format.h"
 #include "assessment/study/demonstration_marks.h"
-#include "db/repository/curriculum_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/sheet_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/text_list.h"
 
 namespace torsio {
 
 namespace {
-
-StoredCohort cohortOf(Connection& connection, const std::string& cohortId) {
-  for (StoredCohort& cohort : StudyRepository(connection).cohorts())
-    if (cohort.id == cohortId) return std::move(cohort);
-  throw Error(ErrorCode::kBadParameter, "there is no such cohort", cohortId, "Choose one of the list");
-}
-
-/// Scoring points as the paper names them; with a curriculum from its exposure times.
-std::vector<Text> occasionNames(Connection& connection, const StoredCohort& cohort) {
-  std::vector<Text> names = {Text("before"), Text("after %1 min", 20), Text("after %1 min", 40)};
-  if (cohort.curriculumVersionId.empty()) return names;
-  const auto version = CurriculumRepository(connection).version(cohort.curriculumVersionId);
-  if (!version) return names;
-  for (const StoredScoringPoint& point : version->scoringPoints) {
-    const auto& points = scoringPoints();
-    const auto at = std::find(points.begin(), points.end(), point.code);
-    if (at == points.end()) continue;
-    const auto minutes = static_cast<double>(point.afterExposure_us) / 60e6;
-    const bool whole = minutes == static_cast<double>(static_cast<std::int64_t>(minutes));
-    names[static_cast<std::size_t>(at - points.begin())] =
-        point.afterExposure_us == 0 ? Text("before")
-                                    : Text("after %1 min", formatFixed(minutes, whole ? 0 : 1));
-  }
-  return names;
-}
 
 void addFreeze(Workplace& workplace, const ReportRequest& request, CohortInputs& inputs) {
   if (request.frozenId.empty()) return;
@@ -139,7 +114,7 @@ CohortInputs reportInputs(Workplace& workplace, const ReportRequest& request, Tr
                           const ProgressCallback& progress) {
   workplace.require(Operation::kResultsCompute);
   Connection& connection = workplace.connection();
-  const StoredCohort cohort = cohortOf(connection, request.cohortId);
+  const StoredCohort cohort = StudyRepository(connection).cohort(request.cohortId);
   if (progress) progress({"Reading marks", 0.0, -1.0});
   CampaignResult campaign;
   if (!request.campaignId.empty()) campaign = readCampaign(connection, request.campaignId);
@@ -149,7 +124,6 @@ CohortInputs reportInputs(Workplace& workplace, const ReportRequest& request, Tr
   inputs.createdUtc_us = workplace.now_us();
   inputs.demonstration = cohort.demonstration || campaign.campaign.demonstration;
   inputs.identity = request.identity;
-  inputs.occasions = occasionNames(connection, cohort);
   if (!cohort.description.empty()) inputs.facts.emplace_back(Text("Cohort"), cohort.description);
   if (!campaign.campaign.name.empty())
     inputs.facts.emplace_back(Text("Evaluation of models"), campaign.campaign.name);

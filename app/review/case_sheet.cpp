@@ -9,45 +9,20 @@
 #include <nlohmann/json.hpp>
 
 #include "app/review/sheet_editor.h"
-#include "db/repository/desk_repository.h"
-#include "db/repository/rating_repository.h"
-#include "db/repository/setting_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr double kSpeedTolerance = 1e-3;  // stored in thousandths
-constexpr double kFarApart = 0.7;         // of the scale, between the lowest and the highest row
-
 std::optional<double> numberIn(const std::string& text) {
   double number = 0.0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
   return number;
-}
-
-double shareOfScale(std::int64_t steps, const ScoreScale& scale) {
-  return static_cast<double>(steps - scale.lo) / static_cast<double>(scale.hi - scale.lo);
-}
-
-/// Answers that suggest a slip, not a judgement.
-void lookForSlips(const StoredRubricRevision& rubric, const Sheet& sheet, SheetCheck& check) {
-  std::vector<double> shares;
-  for (const StoredRubricRow& line : rubric.rows) {
-    for (const SheetRow& row : sheet.rows) {
-      if (row.code == line.code && row.score_steps)
-        shares.push_back(shareOfScale(*row.score_steps, line.scale));
-    }
-  }
-  if (shares.size() < 3) return;
-  const auto [low, high] = std::minmax_element(shares.begin(), shares.end());
-  check.allTheSame = *low == *high;
-  check.farApart = *high - *low >= kFarApart;
-  if (!sheet.overall_steps) return;
-  const double overall = shareOfScale(*sheet.overall_steps, rubric.overall);
-  check.overallOutside = overall < *low || overall > *high;
 }
 
 std::string seenJson(const BlindedCase& shown, const WatchLog& watched) {
@@ -126,22 +101,16 @@ std::int64_t saveSheet(Workplace& workplace, const std::string& assignmentId, Sh
 
 SheetCheck checkSheet(const StoredRubricRevision& rubric, const Sheet& sheet, bool live,
                       const WatchLog& watched, const ViewingRules& rules) {
-  SheetCheck check;
   const SheetEditor whole(rubric, sheet);
+  std::vector<SheetLine> lines;
   for (const std::string& row : whole.order()) {
-    if (!whole.answer(row).given()) check.unanswered.push_back(row);
+    lines.push_back({row, whole.scale(row), whole.answer(row)});
   }
-  lookForSlips(rubric, sheet, check);
-  if (live) return check;
-  check.watchedShare = watched.share();
-  const bool excused = !sheet.notAssessableReason.empty();
-  check.watchedTooLittle = !excused && check.watchedShare < rules.minimumWatched;
-  // The natural speed is always allowed.
-  const double slowest = std::min(1.0, rules.speeds.front());
-  const double fastest = std::max(1.0, rules.speeds.back());
-  check.speedNotAllowed = !excused && (watched.slowest() < slowest - kSpeedTolerance ||
-                                       watched.fastest() > fastest + kSpeedTolerance);
-  return check;
+  std::optional<RecordingWatched> seen;
+  if (!live) {
+    seen = RecordingWatched{watched.share(), watched.slowest(), watched.fastest()};
+  }
+  return checkSheetLines(lines, seen, rules);
 }
 
 void submitSheet(Workplace& workplace, const std::string& assignmentId, const Sheet& sheet,

@@ -9,16 +9,14 @@
 #include "app/access/workplace.h"
 #include "app/review/blinded_case.h"
 #include "app/review/watch_log.h"
-#include "db/repository/sheet_repository.h"
+#include "assessment/rating/sheet_check.h"
+#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 
-/// What the centre asks of a rater who scores from a recording. Settings "review.minimum_watched_percent" and
-/// "review.speeds" ("1" or "0.5,1,1.5"); what cannot be read there falls back to the defaults.
-struct ViewingRules {
-  double minimumWatched = 0.8;      ///< share of the recording, 0..1
-  std::vector<double> speeds{1.0};  ///< allowed ones, rising; more than one: declared by the centre
-};
+/// Reads what the centre asks of a rater who scores from a recording: settings
+/// "review.minimum_watched_percent" and "review.speeds" ("1" or "0.5,1,1.5"); what cannot be read there falls
+/// back to the defaults. kMarkSubmit.
 [[nodiscard]] ViewingRules viewingRules(Workplace& workplace);
 
 /// Where a keystroke is kept once it is said to be saved.
@@ -43,20 +41,7 @@ struct OpenedSheet {
 std::int64_t saveSheet(Workplace& workplace, const std::string& assignmentId, Sheet sheet,
                        const WatchLog& watched);
 
-/// What stands between a sheet and its submission, and what is worth a second look.
-struct SheetCheck {
-  std::vector<std::string> unanswered{};  ///< row codes; kOverallRow: the overall mark
-  bool watchedTooLittle = false;
-  bool speedNotAllowed = false;
-  bool allTheSame = false;      ///< three rows or more and one and the same score, in share of their scales
-  bool farApart = false;        ///< three rows or more that span most of their scales
-  bool overallOutside = false;  ///< the overall mark lies outside the range of the rows
-  double watchedShare = 1.0;
-  [[nodiscard]] bool mayBeSubmitted() const noexcept {
-    return unanswered.empty() && !watchedTooLittle && !speedNotAllowed;
-  }
-};
-/// Pure. A sheet whose overall mark is "not assessable" need not have been watched.
+/// Checks a sheet against its rubric with the rules of assessment/rating. Pure.
 [[nodiscard]] SheetCheck checkSheet(const StoredRubricRevision& rubric, const Sheet& sheet, bool live,
                                     const WatchLog& watched, const ViewingRules& rules);
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "db/repository/desk_repository.h"
-#include "db/repository/evaluation_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -119,7 +119,7 @@ void saveEvaluationScore(Workplace& workplace, const std::string& campaignId, co
   const OpenForm open = ownForm(workplace, campaignId);
   const std::size_t model = openModel(open, hiddenLabel);
   const ScoreScale& scale = open.form.scale;
-  const bool outside = score_steps && (*score_steps < scale.lo || *score_steps > scale.hi);
+  const bool outside = score_steps && !isOnScale(*score_steps, scale);
   if (outside || index >= open.form.indices.size()) {
     throw Error(ErrorCode::kBadData, "the score lies outside the scale", Text("model %1", hiddenLabel),
                 "Correct the score");

@@ -83,7 +83,7 @@ bool SheetEditor::apply(Sheet next, SheetChange change, bool joins) {
 bool SheetEditor::setScore(const std::string& row, std::int64_t score_steps, bool merge) {
   const ScoreScale& limits = scale(row);
   const SheetAnswer wanted{score_steps, {}};
-  if (score_steps < limits.lo || score_steps > limits.hi || answer(row) == wanted) return false;
+  if (!isOnScale(score_steps, limits) || answer(row) == wanted) return false;
   Sheet next = sheet();
   put(next, rowIn(next, row), wanted);
   return apply(std::move(next), {SheetChange::Kind::kScore, row}, merge);
@@ -155,7 +155,7 @@ std::optional<std::int64_t> stepsForDigit(const ScoreScale& scale, int digit,
   TORSIO_EXPECTS(digit >= 0 && digit <= 9);
   const auto within = [&scale](std::int64_t points) -> std::optional<std::int64_t> {
     const std::int64_t steps = points * scale.stepsPerPoint;
-    return steps >= scale.lo && steps <= scale.hi ? std::optional(steps) : std::nullopt;
+    return isOnScale(steps, scale) ? std::optional(steps) : std::nullopt;
   };
   if (typed_points && *typed_points > 0) {
     if (const auto longer = within(*typed_points * 10 + digit)) return longer;

@@ -6,28 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "db/repository/sheet_repository.h"
+#include "assessment/rating/sheet_check.h"
+#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
-
-/// The overall mark among the rows of a sheet.
-inline const std::string kOverallRow{};
 
 /// What one step of the history changed.
 struct SheetChange {
   enum class Kind { kScore, kCleared, kNotAssessable, kComment, kAllCleared };
   Kind kind = Kind::kScore;
   std::string row{};  ///< code; kOverallRow: the overall mark (and for kComment, kAllCleared)
-};
-
-/// A score, or why there is none, or neither yet.
-struct SheetAnswer {
-  std::optional<std::int64_t> score_steps{};
-  std::string notAssessableReason{};
-  [[nodiscard]] bool given() const noexcept {
-    return score_steps.has_value() || !notAssessableReason.empty();
-  }
-  friend bool operator==(const SheetAnswer&, const SheetAnswer&) = default;
 };
 
 /// A sheet while it is filled in, with undo and redo from the first mark to the last. Successive keystrokes

@@ -12,10 +12,11 @@
 
 #include "app/study/case_order.h"
 #include "app/study/drawn_seed.h"
-#include "db/repository/alignment_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/sheet_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/alignment_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/occasion_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -24,7 +25,7 @@ namespace {
 
 constexpr const char* kThird = "third";
 
-using CaseKey = std::pair<std::string, std::string>;  // enrolment, scoring point
+using CaseKey = std::pair<std::string, std::string>;  // enrolment, code of the occasion
 
 CaseKey keyOf(const StoredAssignment& one) {
   return {one.enrolmentId, one.scoringPoint};
@@ -112,6 +113,7 @@ std::vector<ThirdRequest> thirdRequests(Workplace& workplace, const std::string&
   std::vector<ThirdRequest> requests;
   const std::map<CaseKey, CaseSheets> cases = openCases(connection, cohortId);
   if (cases.empty()) return requests;
+  const Occasions occasions = OccasionRepository(connection).all();
   std::map<std::string, std::string> trainees;
   for (const StoredEnrolment& enrolment : StudyRepository(connection).enrolments(cohortId))
     trainees[enrolment.id] = enrolment.traineeCode;
@@ -124,7 +126,7 @@ std::vector<ThirdRequest> thirdRequests(Workplace& workplace, const std::string&
     ThirdRequest request;
     request.assignmentId = first.id;
     request.traineeCode = trainees[key.first];
-    request.scoringPoint = key.second;
+    request.occasion = occasions.named(key.second);
     request.live = first.trialId.empty();
     for (const AssignmentStatus& status : sheets.sheets)
       request.marks += status.state == SheetState::kSubmitted ? 1 : 0;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/access/workplace.h"
+#include "assessment/study/occasion.h"
 
 namespace torsio {
 
@@ -21,7 +22,7 @@ struct ThirdRater {
 struct ThirdRequest {
   std::string assignmentId{};  ///< of the first who asked; handle for assignThird()
   std::string traineeCode{};
-  std::string scoringPoint{};
+  Occasion occasion{};
   bool live = false;  ///< on the real arm: the trainee has to be there again
   std::size_t marks = 0;
   std::vector<std::string> askedBy{};  ///< codes

@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "db/repository/desk_repository.h"
-#include "db/repository/remark_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/trial/remark_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -117,7 +117,7 @@ void scoreReferenceRun(Workplace& workplace, std::size_t number, std::int64_t sc
   const StoredReferenceRun run = runNumber(workplace.connection(), number);
   const StoredRubricRevision rubric =
       SheetRepository(workplace.connection()).revision(run.rubricRevisionId).value();
-  if (score_steps < rubric.overall.lo || score_steps > rubric.overall.hi) {
+  if (!isOnScale(score_steps, rubric.overall)) {
     throw Error(ErrorCode::kBadData, "the score lies outside the scale", Text("reference %1", number),
                 "Correct the score");
   }

@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "app/base/build_info.h"
-#include "db/repository/study_repository.h"
+#include "app/scoring/cohort_occasions.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/contracts.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
@@ -119,7 +120,7 @@ void evaluateIn(CampaignResult& result) {
   });
 }
 
-using Case = std::pair<std::string, std::size_t>;  // trainee code, position of the scoring point
+using Case = std::pair<std::string, std::size_t>;  // trainee code, position of the occasion
 
 struct ReadTraining {
   TrainingResult result;
@@ -130,12 +131,13 @@ struct ReadTraining {
 ReadTraining trainingWithHash(Connection& connection, const std::string& cohortId) {
   const std::vector<StoredGroup> groups = StudyRepository(connection).groups(cohortId);
   ReadTraining read;
+  read.result.occasions = occasionsOfCohort(connection, cohortId);
   for (const StoredTrainingMark& mark : RatingRepository(connection).marks(cohortId)) {
     read.inputs.update(mark.id);
     read.inputs.update(mark.version);
     read.inputs.update(mark.score_steps.value_or(-1));
     const std::size_t occasion =
-        positionOf(scoringPoints(), mark.scoringPoint, [](const std::string& p) { return p; });
+        positionOf(read.result.occasions, mark.scoringPoint, [](const Occasion& one) { return one.code; });
     if (!mark.score_steps) {
       ++read.notAssessable[{mark.traineeCode, occasion}];
       ++read.result.notAssessable;
@@ -156,7 +158,7 @@ ReadTraining trainingWithHash(Connection& connection, const std::string& cohortI
   return read;
 }
 
-/// Variance of every trainee's marks between the raters, divisor n, by trainee and scoring point.
+/// Variance of every trainee's marks between the raters, divisor n, by trainee and occasion.
 std::map<Case, double> betweenRaterVariances(const TrainingResult& result) {
   std::map<Case, double> means;
   for (const TraineeScore& score : result.trainees) means[{score.trainee, score.occasion}] = score.score;
@@ -173,11 +175,6 @@ std::map<Case, double> betweenRaterVariances(const TrainingResult& result) {
 }
 
 }  // namespace
-
-const std::vector<std::string>& scoringPoints() {
-  static const std::vector<std::string> kPoints{"pre", "mid", "post"};
-  return kPoints;
-}
 
 CampaignResult readCampaign(Connection& connection, const std::string& campaignId) {
   CampaignResult result = campaignWithHash(connection, campaignId).result;
@@ -220,7 +217,7 @@ TrainingResult scoreTraining(Connection& connection, const std::string& cohortId
   run.run = makeRun(ids, stamp, kTrainingFormulaVersion, "mean of the raters who marked", inputs);
   for (const TraineeScore& score : result.trainees) {
     run.trainees.push_back({enrolmentOf.at(score.trainee),
-                            scoringPoints().at(score.occasion),
+                            result.occasions.at(score.occasion).code,
                             score.score,
                             variances.at({score.trainee, score.occasion}),
                             score.n,
@@ -229,7 +226,7 @@ TrainingResult scoreTraining(Connection& connection, const std::string& cohortId
   }
   for (const GroupSummary& group : result.groups) {
     run.groups.push_back({groups.at(group.group).id,
-                          scoringPoints().at(group.occasion),
+                          result.occasions.at(group.occasion).code,
                           group.trainees,
                           group.mean,
                           group.varianceOfScores,

@@ -7,9 +7,10 @@
 
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/training_scores.h"
-#include "db/repository/evaluation_repository.h"
-#include "db/repository/id_source.h"
-#include "db/repository/rating_repository.h"
+#include "assessment/study/occasion.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/rating_repository.h"
 
 namespace torsio {
 
@@ -40,6 +41,7 @@ struct CampaignResult {
 
 /// The training study of a stored cohort.
 struct TrainingResult {
+  Occasions occasions;  ///< of the cohort, in order of time; marks and scores name their positions
   ScoreScale scale;
   std::vector<TrainingMark> marks;  ///< assessable ones
   std::vector<TraineeScore> trainees;
@@ -53,8 +55,5 @@ struct TrainingResult {
 /// Reads the marks of a cohort, computes trainee scores and group summaries, stores and returns them.
 [[nodiscard]] TrainingResult scoreTraining(Connection& connection, const std::string& cohortId, IdSource& ids,
                                            const ScoringStamp& stamp);
-
-/// The scoring points of the training study in order of time: "pre", "mid", "post" (positions 0, 1, 2).
-[[nodiscard]] const std::vector<std::string>& scoringPoints();
 
 }  // namespace torsio

@@ -12,7 +12,7 @@
 #include "app/base/build_info.h"
 #include "app/study/allocation_design.h"
 #include "app/study/drawn_seed.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -53,13 +53,11 @@ struct Field {
 Field readField(Workplace& workplace, const std::string& cohortId) {
   StudyRepository study(workplace.connection());
   Field field;
-  for (const StoredCohort& cohort : study.cohorts()) {
-    if (cohort.id == cohortId) field.cohort = cohort;
-  }
-  if (field.cohort.id.empty()) refuse("there is no such cohort", cohortId, "Choose one from the list");
+  field.cohort = study.cohort(cohortId);
   field.groups = study.groups(cohortId);
   field.enrolments = study.enrolments(cohortId);
-  std::erase_if(field.enrolments, [](const StoredEnrolment& e) { return e.state == "withdrawn"; });
+  std::erase_if(field.enrolments,
+                [](const StoredEnrolment& e) { return e.state == EnrolmentState::kWithdrawn; });
   for (StoredTrainee& trainee : PeopleRepository(workplace.connection()).trainees()) {
     field.trainees[trainee.person.id] = std::move(trainee);
   }

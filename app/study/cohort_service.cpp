@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "db/repository/curriculum_repository.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -16,13 +16,6 @@ namespace {
 
 [[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadData, what, where, remedy);
-}
-
-StoredCohort cohortOf(StudyRepository& study, const std::string& cohortId) {
-  for (StoredCohort& cohort : study.cohorts()) {
-    if (cohort.id == cohortId) return cohort;
-  }
-  refuse("there is no such cohort", cohortId, "Choose one from the list");
 }
 
 StoredEnrolment enrolmentOf(StudyRepository& study, const std::string& cohortId,
@@ -70,8 +63,9 @@ void checkPhase(Workplace& workplace, const StoredCohort& cohort, const StoredEn
     if (arm.id != armId) continue;
     const StoredPhase* phase = phaseOf(arm, exposure.phaseId);
     if (phase == nullptr) break;
-    if (exposure.kind == "rest" || phase->kind == exposure.kind) return;
-    refuse(Text("the phase is %1, the time is %2", phase->kind, exposure.kind), enrolment.traineeCode,
+    const std::string kind(storedText(phase->kind));
+    if (exposure.kind == "rest" || kind == exposure.kind) return;
+    refuse(Text("the phase is %1, the time is %2", kind, exposure.kind), enrolment.traineeCode,
            "Record it for the phase that it was spent in");
   }
   refuse("this phase belongs to another arm", enrolment.traineeCode,
@@ -89,7 +83,7 @@ std::vector<CohortRow> cohorts(Workplace& workplace) {
     CohortRow row;
     row.groups = study.groups(cohort.id);
     for (const StoredEnrolment& enrolment : study.enrolments(cohort.id)) {
-      if (enrolment.state == "withdrawn") {
+      if (enrolment.state == EnrolmentState::kWithdrawn) {
         ++row.withdrawn;
         continue;
       }
@@ -155,7 +149,7 @@ void assignCurriculum(Workplace& workplace, const std::string& cohortId, const s
   workplace.require(Operation::kStudySetup);
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
-  const StoredCohort before = cohortOf(study, cohortId);
+  const StoredCohort before = study.cohort(cohortId);
   if (!study.exposures(cohortId).empty()) {
     refuse("training has begun: the curriculum of this cohort stays", before.name,
            "Make another cohort for the other curriculum");
@@ -175,7 +169,7 @@ std::vector<std::string> enrolTrainees(Workplace& workplace, const std::string& 
   if (traineeIds.empty()) refuse("nobody was chosen", "enrolment", "Choose at least one trainee");
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
-  const StoredCohort cohort = cohortOf(study, cohortId);
+  const StoredCohort cohort = study.cohort(cohortId);
   std::set<std::string> enrolled;
   for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) enrolled.insert(enrolment.traineeId);
   PeopleRepository people(workplace.connection());
@@ -206,12 +200,9 @@ std::vector<std::string> enrolTrainees(Workplace& workplace, const std::string& 
 }
 
 void setEnrolmentState(Workplace& workplace, const std::string& cohortId, const std::string& enrolmentId,
-                       const std::string& state, const std::string& reason) {
+                       EnrolmentState state, const std::string& reason) {
   workplace.require(Operation::kStudyEnrol);
-  if (state != "enrolled" && state != "completed" && state != "withdrawn") {
-    refuse("this is no state of an enrolment", state, "Choose enrolled, completed or withdrawn");
-  }
-  if (state == "withdrawn" && reason.empty()) {
+  if (state == EnrolmentState::kWithdrawn && reason.empty()) {
     refuse("a withdrawal needs a reason", enrolmentId, "Say in a few words why");
   }
   Transaction transaction(workplace.connection());
@@ -221,8 +212,8 @@ void setEnrolmentState(Workplace& workplace, const std::string& cohortId, const 
   workplace.note({.action = "enrolment.set_state",
                   .objectKind = "enrolment",
                   .objectId = enrolmentId,
-                  .oldJson = nlohmann::json{{"state", before.state}}.dump(),
-                  .newJson = nlohmann::json{{"state", state}}.dump(),
+                  .oldJson = nlohmann::json{{"state", storedText(before.state)}}.dump(),
+                  .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
                   .reason = reason});
   transaction.commit();
 }
@@ -244,7 +235,7 @@ std::string reportDeviation(Workplace& workplace, const NewDeviation& deviation)
   }
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
-  const StoredCohort cohort = cohortOf(study, deviation.cohortId);
+  const StoredCohort cohort = study.cohort(deviation.cohortId);
   if (!deviation.enrolmentId.empty()) (void)enrolmentOf(study, cohort.id, deviation.enrolmentId);
   const std::int64_t now_us = workplace.now_us();
   const std::string id = workplace.ids().newUuid();
@@ -276,12 +267,12 @@ std::string recordExposure(Workplace& workplace, const NewExposure& exposure) {
   if (exposure.duration_us <= 0) refuse("no time was spent", "exposure", "Enter the minutes");
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
-  const StoredCohort cohort = cohortOf(study, exposure.cohortId);
+  const StoredCohort cohort = study.cohort(exposure.cohortId);
   const StoredEnrolment enrolment = enrolmentOf(study, exposure.cohortId, exposure.enrolmentId);
   if (!workplace.may(Operation::kStudySetup)) {
     workplace.requireOwn(Operation::kTrialRecordOwn, enrolment.traineeId);
   }
-  if (enrolment.state == "withdrawn") {
+  if (enrolment.state == EnrolmentState::kWithdrawn) {
     refuse("has withdrawn from the study", enrolment.traineeCode, "Nothing is recorded any more");
   }
   checkPhase(workplace, cohort, enrolment, exposure);

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "sim/scene/json_fields.h"
@@ -28,13 +28,9 @@ constexpr double kMost = 1e9;
 constexpr int kMostCount = 1'000'000;
 
 /// Whole billionths of a degree: what was written as 60 is shown as 60 again.
-double degrees(double angle_rad) {
+double writtenDegrees(double angle_rad) {
   constexpr double kDigits = 1e9;
-  return std::round(angle_rad * 180.0 / std::numbers::pi * kDigits) / kDigits;
-}
-
-double radians(double angle_deg) {
-  return angle_deg * std::numbers::pi / 180.0;
+  return std::round(degrees(angle_rad) * kDigits) / kDigits;
 }
 
 json moduleJson(const StoredModule& module) {
@@ -43,9 +39,9 @@ json moduleJson(const StoredModule& module) {
            {"scene", module.sceneId},
            {"pattern", module.patternId},
            {"exercise", module.exerciseKind},
-           {"mode", module.mode},
-           {"target_deg", degrees(module.targetAngle_rad)},
-           {"tolerance_deg", degrees(module.tolerance_rad)},
+           {"mode", storedText(module.mode)},
+           {"target_deg", writtenDegrees(module.targetAngle_rad)},
+           {"tolerance_deg", writtenDegrees(module.tolerance_rad)},
            {"hold_s", static_cast<double>(module.hold_us) / kSecond_us},
            {"requires", module.requires_},
            {"mastery", json::array()}};
@@ -69,7 +65,7 @@ json armJson(const StoredArm& arm) {
            {"rest_splittable", arm.restSplittable},
            {"phases", json::array()}};
   for (const StoredPhase& phase : arm.phases) {
-    json step{{"kind", phase.kind},
+    json step{{"kind", storedText(phase.kind)},
               {"label", phase.label},
               {"minutes", static_cast<double>(phase.duration_us) / kMinute_us}};
     if (!phase.moduleId.empty()) step["module"] = phase.moduleId;
@@ -102,6 +98,18 @@ std::int64_t microseconds(JsonFields& fields, const std::string& name, double mo
   return std::llround(fields.number(name, 0.0, most, fallback) * unit_us);
 }
 
+/// The value for which the text of a field stands, or `fallback` without one; `problem` says what is wrong
+/// with any other text.
+template <typename Value>
+Value readTerm(JsonFields& fields, const std::string& name, Value fallback, const char* problem) {
+  const std::optional<Value> value =
+      fromStoredText<Value>(fields.text(name, std::string(storedText(fallback))));
+  if (!value) {
+    fields.refuse(name, problem, "Choose one of the two");
+  }
+  return *value;
+}
+
 StoredMasteryRule readRule(const json& source, const std::string& place) {
   JsonFields fields(source, place);
   StoredMasteryRule rule;
@@ -123,7 +131,7 @@ StoredModule readModule(const json& source, const std::string& place) {
   module.sceneId = fields.text("scene", "");
   module.patternId = fields.text("pattern", "");
   module.exerciseKind = fields.text("exercise", "");
-  module.mode = fields.text("mode", module.mode);
+  module.mode = readTerm(fields, "mode", module.mode, "is neither practice nor graded");
   module.targetAngle_rad = radians(fields.number("target_deg", -kMostDegrees, kMostDegrees, 0.0));
   module.tolerance_rad = radians(fields.number("tolerance_deg", 0.0, kMostDegrees, 0.0));
   module.hold_us = microseconds(fields, "hold_s", kMostSeconds, kSecond_us, 0.0);
@@ -154,7 +162,7 @@ StoredArm readArm(const json& source, const std::string& place) {
   for (std::size_t i = 0; i < phases.size(); ++i) {
     JsonFields step(phases[i], placeIn(fields, "phases", i));
     StoredPhase phase;
-    phase.kind = step.text("kind", phase.kind);
+    phase.kind = readTerm(step, "kind", phase.kind, "is neither on the virtual nor on the real arm");
     phase.label = step.text("label", "");
     phase.duration_us = microseconds(step, "minutes", kMostMinutes, kMinute_us, 0.0);
     phase.moduleId = step.text("module", "");

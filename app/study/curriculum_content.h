@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "db/repository/curriculum_repository.h"
+#include "assessment/study/occasion.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "sim/base/text.h"
 
 namespace torsio {
@@ -23,10 +24,11 @@ struct CurriculumProblem {
   Text remedy{};
 };
 
-/// Everything that is wrong, in reading order; empty: can be published. Scenes and patterns are looked up in
-/// `assets`; with an empty path they are not checked.
+/// Lists everything that is wrong, in reading order; empty: can be published. Scenes and patterns are looked
+/// up in `assets`; with an empty path they are not checked. `known`: the occasions that it may name.
 [[nodiscard]] std::vector<CurriculumProblem> curriculumProblems(const StoredCurriculumVersion& content,
-                                                                const std::filesystem::path& assets);
+                                                                const std::filesystem::path& assets,
+                                                                const Occasions& known);
 
 /// The draft as JSON text (format "torsio curriculum 1": degrees, minutes and seconds), and back. Reading is
 /// strict: unknown and misspelt fields, wrong types and numbers out of range are refused with their place.

@@ -28,8 +28,9 @@ std::optional<std::string_view> unitOf(const std::string& metric) {
 /// Goes through a draft in reading order and collects what is wrong.
 class Examination {
  public:
-  Examination(const StoredCurriculumVersion& content, const std::filesystem::path& assets)
-      : content_(content), assets_(assets) {}
+  Examination(const StoredCurriculumVersion& content, const std::filesystem::path& assets,
+              const Occasions& known)
+      : content_(content), assets_(assets), known_(known) {}
 
   std::vector<CurriculumProblem> run() {
     if (content_.modules.empty() && content_.arms.empty()) {
@@ -87,9 +88,6 @@ class Examination {
     const std::vector<std::string>& kinds = exerciseKinds();
     if (std::find(kinds.begin(), kinds.end(), module.exerciseKind) == kinds.end()) {
       add(where, Text("has an unknown exercise \"%1\"", module.exerciseKind), "Choose one from the list");
-    }
-    if (module.mode != "practice" && module.mode != "graded") {
-      add(where, "is neither practice nor graded", "Choose one of the two");
     }
     if (module.targetAngle_rad == 0.0) add(where, "has a target of 0 degrees", "Enter how far to twist");
     if (module.tolerance_rad <= 0.0) add(where, "has no tolerance", "Enter at least one degree");
@@ -172,16 +170,13 @@ class Examination {
     for (std::size_t i = 0; i < arm.phases.size(); ++i) {
       const StoredPhase& phase = arm.phases[i];
       const Text place("%1, phase %2", where, i + 1);
-      if (phase.kind != "virtual" && phase.kind != "real") {
-        add(place, "is neither on the virtual nor on the real arm", "Choose one of the two");
-      }
       if (phase.label.empty()) add(place, "has no name", "Give it one, such as \"virtual 0-20 min\"");
       if (phase.duration_us <= 0) add(place, "takes no time", "Enter its minutes");
       if (!phase.moduleId.empty() && !modules_.contains(phase.moduleId)) {
         add(place, Text("practises \"%1\", which is no module of this curriculum", phase.moduleId),
             "Choose one from the list, or none for any module");
       }
-      if (!phase.moduleId.empty() && phase.kind == "real") {
+      if (!phase.moduleId.empty() && phase.kind == PhaseKind::kReal) {
         add(place, "names a module of the simulator, but happens on the real arm", "Remove the module");
       }
     }
@@ -196,11 +191,11 @@ class Examination {
       longest_us = std::max(longest_us, total_us);
     }
     std::int64_t before_us = -1;
-    for (const char* code : {"pre", "mid", "post"}) {
+    for (const Occasion& occasion : known_) {
       for (const StoredScoringPoint& point : content_.scoringPoints) {
-        if (point.code != code) continue;
-        const Text where("scoring point %1", code);
-        if (!seen.insert(code).second) add(where, "stands twice", "Keep one of the two");
+        if (point.code != occasion.code) continue;
+        const Text where("scoring point %1", point.code);
+        if (!seen.insert(point.code).second) add(where, "stands twice", "Keep one of the two");
         if (point.afterExposure_us <= before_us) {
           add(where, "does not come after the one before", "Give each a later time than the last");
         }
@@ -212,13 +207,14 @@ class Examination {
     }
     for (const StoredScoringPoint& point : content_.scoringPoints) {
       if (!seen.contains(point.code)) {
-        add(Text("scoring point \"%1\"", point.code), "is not known", "Choose pre, mid or post");
+        add(Text("scoring point \"%1\"", point.code), "is not known", "Choose one from the list");
       }
     }
   }
 
   const StoredCurriculumVersion& content_;
   const std::filesystem::path& assets_;
+  const Occasions& known_;
   std::set<std::string> modules_;
   std::map<std::string, std::vector<std::string>> patterns_;
   std::vector<CurriculumProblem> problems_;
@@ -232,8 +228,9 @@ const std::vector<std::string>& exerciseKinds() {
 }
 
 std::vector<CurriculumProblem> curriculumProblems(const StoredCurriculumVersion& content,
-                                                  const std::filesystem::path& assets) {
-  return Examination(content, assets).run();
+                                                  const std::filesystem::path& assets,
+                                                  const Occasions& known) {
+  return Examination(content, assets, known).run();
 }
 
 }  // namespace torsio

@@ -7,7 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "db/repository/study_repository.h"
+#include "db/repository/study/occasion_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -164,7 +165,8 @@ std::string publishCurriculum(Workplace& workplace, const std::string& curriculu
   workplace.require(Operation::kCurriculumEdit);
   Transaction transaction(workplace.connection());
   const CurriculumDraft draft = curriculumDraft(workplace, curriculumId);
-  for (const CurriculumProblem& problem : curriculumProblems(draft.content, assets)) {
+  const Occasions known = OccasionRepository(workplace.connection()).all();
+  for (const CurriculumProblem& problem : curriculumProblems(draft.content, assets, known)) {
     throw Error(ErrorCode::kBadData, problem.what, problem.where, problem.remedy);
   }
   CurriculumRepository repository(workplace.connection());

@@ -8,13 +8,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "db/repository/access_repository.h"
-#include "db/repository/evaluation_repository.h"
-#include "db/repository/field_digest.h"
-#include "db/repository/freeze_repository.h"
-#include "db/repository/rating_repository.h"
-#include "db/repository/seals.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/base/field_digest.h"
+#include "db/repository/base/seals.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/study/freeze_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 
@@ -151,13 +151,6 @@ FrozenRow rowOf(const StoredFreeze& stored, const std::string& createdBy) {
   return row;
 }
 
-StoredCohort cohortOf(Workplace& workplace, const std::string& cohortId) {
-  for (StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts()) {
-    if (cohort.id == cohortId) return cohort;
-  }
-  refuse("there is no such cohort", cohortId, "Choose one from the list");
-}
-
 std::optional<StoredFreeze> findFreeze(Workplace& workplace, const std::string& frozenId) {
   FreezeRepository repository(workplace.connection());
   for (const StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts()) {
@@ -198,7 +191,7 @@ FrozenRow freezeData(Workplace& workplace, const std::string& cohortId, const st
   if (repository.findByName(name)) {
     refuse("another data set has this name", name, "Choose another name; frozen data stay as they are");
   }
-  const StoredCohort cohort = cohortOf(workplace, cohortId);
+  const StoredCohort cohort = StudyRepository(workplace.connection()).cohort(cohortId);
   StoredFreeze freeze;
   freeze.id = workplace.ids().newUuid();
   freeze.cohortId = cohortId;

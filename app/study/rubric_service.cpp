@@ -65,7 +65,7 @@ void checkRevision(const StoredRubricRevision& revision) {
     validateScale(row.scale);
     std::set<std::int64_t> scores;
     for (const StoredAnchor& anchor : row.anchors) {
-      if (anchor.score_steps < row.scale.lo || anchor.score_steps > row.scale.hi) {
+      if (!isOnScale(anchor.score_steps, row.scale)) {
         refuse("an anchor lies outside the scale", where, "Move it, or widen the scale");
       }
       if (!scores.insert(anchor.score_steps).second) {

@@ -6,8 +6,9 @@
 #include <utility>
 
 #include "app/devices/station_device.h"
+#include "app/scoring/cohort_occasions.h"
 #include "app/study/cohort_service.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -15,7 +16,7 @@ namespace torsio {
 namespace {
 
 /// Fills the phases of one kind in order with time that names no phase.
-void fillInOrder(const StoredArm& arm, const std::string& kind, std::int64_t time_us,
+void fillInOrder(const StoredArm& arm, PhaseKind kind, std::int64_t time_us,
                  std::vector<std::int64_t>& spent_us) {
   for (std::size_t i = 0; i < arm.phases.size() && time_us > 0; ++i) {
     if (arm.phases[i].kind != kind) continue;
@@ -34,18 +35,19 @@ void countRest(const StoredArm& arm, std::int64_t duration_us, PhaseProgress& pr
 }
 
 void fillTraining(RunDayRow& row, const StoredArm& arm, const std::vector<StoredExposure>& exposures,
-                  const std::vector<StoredScoringPoint>& points) {
+                  const Occasions& occasions) {
   row.armLabel = arm.label;
   row.restAllowance_us = arm.restAllowance_us;
   row.progress = phaseProgress(arm, exposures);
   row.done = !arm.phases.empty() && row.progress.phase == arm.phases.size();
   if (!row.done && !arm.phases.empty()) {
     row.phaseLabel = arm.phases[row.progress.phase].label;
-    row.phaseKind = arm.phases[row.progress.phase].kind;
+    row.phaseKind = storedText(arm.phases[row.progress.phase].kind);
   }
-  for (const StoredScoringPoint& point : points) {
-    if (row.progress.virtual_us + row.progress.real_us >= point.afterExposure_us) {
-      row.scoringPointDue = point.code;
+  for (const Occasion& occasion : occasions) {
+    if (occasion.afterExposure_us &&
+        row.progress.virtual_us + row.progress.real_us >= *occasion.afterExposure_us) {
+      row.occasionDue = occasion;
     }
   }
 }
@@ -72,7 +74,10 @@ PhaseProgress phaseProgress(const StoredArm& arm, std::span<const StoredExposure
       spent_us[static_cast<std::size_t>(phase - arm.phases.begin())] += exposure.duration_us;
     }
   }
-  for (const auto& [kind, time_us] : unnamed_us) fillInOrder(arm, kind, time_us, spent_us);
+  for (const auto& [kind, time_us] : unnamed_us) {
+    const std::optional<PhaseKind> spentOn = fromStoredText<PhaseKind>(kind);  // empty: rest
+    if (spentOn) fillInOrder(arm, *spentOn, time_us, spent_us);
+  }
   while (progress.phase < arm.phases.size() &&
          spent_us[progress.phase] >= arm.phases[progress.phase].duration_us) {
     ++progress.phase;
@@ -91,7 +96,7 @@ struct Today {
   std::map<std::string, std::vector<StoredExposure>> exposures;
   std::map<std::string, RunningTrial> running;
   std::map<std::string, std::size_t> deviations;
-  std::map<std::pair<std::string, std::string>, std::size_t> missing;  ///< and scoring point
+  std::map<std::pair<std::string, std::string>, std::size_t> missing;  ///< and code of the occasion
 };
 
 Today readToday(Workplace& workplace, const std::string& cohortId) {
@@ -106,7 +111,7 @@ Today readToday(Workplace& workplace, const std::string& cohortId) {
   for (const StoredDeviation& deviation : study.deviations(cohortId))
     ++today.deviations[deviation.enrolmentId];
   for (const AssignmentStatus& status : SheetRepository(workplace.connection()).assignments(cohortId)) {
-    if (status.state == SheetState::kOpen || status.state == SheetState::kDraft) {
+    if (isOutstanding(status.state)) {
       ++today.missing[{status.assignment.enrolmentId, status.assignment.scoringPoint}];
     }
   }
@@ -121,16 +126,10 @@ RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId) {
   RunDayBoard board;
   board.asOfUtc_us = workplace.now_us();
   board.stations = StationRepository(workplace.connection()).board();
-  std::string versionId;
-  for (const StoredCohort& cohort : study.cohorts()) {
-    if (cohort.id != cohortId) continue;
-    board.cohortName = cohort.name;
-    versionId = cohort.curriculumVersionId;
-  }
-  if (board.cohortName.empty()) {
-    throw Error(ErrorCode::kBadData, "there is no such cohort", cohortId, "Choose one from the list");
-  }
-  const auto version = CurriculumRepository(workplace.connection()).version(versionId);
+  const StoredCohort cohort = study.cohort(cohortId);
+  board.cohortName = cohort.name;
+  const Occasions occasions = occasionsOfCohort(workplace.connection(), cohortId);
+  const auto version = CurriculumRepository(workplace.connection()).version(cohort.curriculumVersionId);
   std::map<std::string, const StoredArm*> armOfGroup;
   for (const StoredGroup& group : study.groups(cohortId)) {
     if (!version) break;
@@ -148,8 +147,8 @@ RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId) {
     row.groupCode = enrolment.groupCode;
     row.deviations = today.deviations[enrolment.id];
     if (const auto arm = armOfGroup.find(enrolment.groupId); arm != armOfGroup.end()) {
-      fillTraining(row, *arm->second, today.exposures[enrolment.id], version->scoringPoints);
-      row.sheetsMissing = today.missing[{enrolment.id, row.scoringPointDue}];
+      fillTraining(row, *arm->second, today.exposures[enrolment.id], occasions);
+      row.sheetsMissing = today.missing[{enrolment.id, row.occasionDue.code}];
     }
     if (const auto trial = today.running.find(enrolment.id); trial != today.running.end()) {
       row.runningTrialId = trial->second.trialId;
@@ -187,16 +186,19 @@ std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
   std::stable_partition(alerts.begin(), alerts.end(),
                         [](const RunDayAlert& alert) { return alert.kind == Kind::kTrialOpen; });
   std::size_t withoutGroup = 0;
-  std::map<std::string, std::size_t> sheets;
+  std::map<std::string, RunDayAlert> sheets;  // by code
   for (const RunDayRow& row : board.rows) {
-    if (row.state == "withdrawn") continue;
+    if (row.state == EnrolmentState::kWithdrawn) continue;
     if (row.groupCode.empty()) ++withoutGroup;
-    if (row.sheetsMissing > 0) sheets[row.scoringPointDue] += row.sheetsMissing;
+    if (row.sheetsMissing > 0) {
+      const auto [alert, isNew] = sheets.try_emplace(
+          row.occasionDue.code, RunDayAlert{.kind = Kind::kSheetsMissing, .occasion = row.occasionDue});
+      alert->second.count += row.sheetsMissing;
+    }
     if (!row.done && row.progress.restUsed_us > row.restAllowance_us)
       alerts.push_back({.kind = Kind::kRestTooLong, .subject = row.traineeCode});
   }
-  for (const auto& [point, count] : sheets)
-    alerts.push_back({.kind = Kind::kSheetsMissing, .scoringPoint = point, .count = count});
+  for (const auto& [code, alert] : sheets) alerts.push_back(alert);
   if (withoutGroup > 0) alerts.push_back({.kind = Kind::kNoGroup, .count = withoutGroup});
   return alerts;
 }

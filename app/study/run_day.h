@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "db/repository/curriculum_repository.h"
-#include "db/repository/station_repository.h"
-#include "db/repository/study_repository.h"
+#include "assessment/study/occasion.h"
+#include "assessment/study/protocol_terms.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/text.h"
 
 namespace torsio {
@@ -34,7 +36,7 @@ struct RunDayRow {
   std::string enrolmentId{};
   std::string traineeId{};
   std::string traineeCode{};
-  std::string state{};      ///< of the enrolment
+  EnrolmentState state = EnrolmentState::kEnrolled;
   std::string groupCode{};  ///< empty: not allocated
   std::string armLabel{};
   std::string phaseLabel{};  ///< empty: no curriculum, or all done
@@ -42,8 +44,8 @@ struct RunDayRow {
   PhaseProgress progress{};
   std::int64_t restAllowance_us = 0;
   bool done = false;              ///< all phases
-  std::string scoringPointDue{};  ///< the newest one that the exposure has reached: "pre", "mid", "post"
-  std::size_t sheetsMissing = 0;  ///< of that scoring point
+  Occasion occasionDue{};         ///< the newest one that the exposure has reached; no code: none
+  std::size_t sheetsMissing = 0;  ///< of that occasion
   std::string runningTrialId{};   ///< empty: nothing runs
   std::string station{};          ///< where it runs
   std::int64_t runningSinceUtc_us = 0;
@@ -63,19 +65,19 @@ struct RunDayAlert {
     kDeviceUnfit,    ///< the last check of a device forbids scored runs; `subject` is the station
     kTrialOpen,      ///< a recording runs on a station that gives no sign of life
     kRestTooLong,    ///< longer than the curriculum allows
-    kSheetsMissing,  ///< of a scoring point that the exposure has passed
+    kSheetsMissing,  ///< of an occasion that the exposure has passed
     kNoGroup,        ///< enrolled, but not allocated
   };
   Kind kind = Kind::kStationSilent;
   std::string subject{};  ///< station or code of the trainee
   std::string station{};
-  std::string scoringPoint{};
+  Occasion occasion{};
   std::int64_t sinceUtc_us = 0;
   std::size_t count = 0;
   Text reason{};  ///< why a device is not fit
 };
 /// Most urgent first. What does not concern one person counts once: groups that are not drawn, missing sheets
-/// by scoring point.
+/// by occasion.
 [[nodiscard]] std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board);
 
 /// Two trainees take each other's turn today; their groups stay as they were drawn. A deviation of kind

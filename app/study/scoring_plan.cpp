@@ -8,12 +8,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/scoring/scoring_service.h"
+#include "app/scoring/cohort_occasions.h"
 #include "app/study/case_order.h"
 #include "app/study/drawn_seed.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/question_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/occasion_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/question_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -31,7 +32,7 @@ constexpr std::uint64_t kLabelsOfRater = 100'000;
   throw Error(ErrorCode::kBadData, what, where, remedy);
 }
 
-/// One trainee at one scoring point.
+/// One trainee at one occasion.
 struct Case {
   StoredEnrolment enrolment;
   std::string scoringPoint;
@@ -43,18 +44,11 @@ std::string keyOf(const std::string& enrolmentId, const std::string& scoringPoin
   return enrolmentId + " " + scoringPoint;
 }
 
-StoredCohort cohortOf(StudyRepository& study, const std::string& cohortId) {
-  for (StoredCohort& cohort : study.cohorts()) {
-    if (cohort.id == cohortId) return cohort;
-  }
-  refuseParameter("there is no such cohort", cohortId, "Choose one from the list");
-}
-
 std::vector<StoredEnrolment> chosenEnrolments(StudyRepository& study, const ScoringPlan& plan) {
   std::vector<StoredEnrolment> chosen;
   for (StoredEnrolment& enrolment : study.enrolments(plan.cohortId)) {
     const bool wanted = plan.enrolmentIds.empty()
-                            ? enrolment.state != "withdrawn"
+                            ? enrolment.state != EnrolmentState::kWithdrawn
                             : std::find(plan.enrolmentIds.begin(), plan.enrolmentIds.end(), enrolment.id) !=
                                   plan.enrolmentIds.end();
     if (wanted) chosen.push_back(std::move(enrolment));
@@ -71,9 +65,10 @@ void checkPlan(Workplace& workplace, const ScoringPlan& plan) {
   if (plan.scoringPoints.empty()) {
     refuseParameter("no scoring point is chosen", "scoring points", "Choose at least one");
   }
+  const Occasions occasions = OccasionRepository(workplace.connection()).all();
   for (const std::string& point : plan.scoringPoints) {
-    if (std::find(scoringPoints().begin(), scoringPoints().end(), point) == scoringPoints().end()) {
-      refuseParameter("there is no such scoring point", point, "Choose pre, mid or post");
+    if (!occasions.contains(point)) {
+      refuseParameter("there is no such scoring point", point, "Choose one from the list");
     }
   }
   if (!SheetRepository(workplace.connection()).revision(plan.rubricRevisionId)) {
@@ -189,7 +184,7 @@ ScoringPlanOutcome createAssignments(Workplace& workplace, const ScoringPlan& pl
   workplace.require(Operation::kStudySetup);
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
-  const StoredCohort cohort = cohortOf(study, plan.cohortId);
+  const StoredCohort cohort = study.cohort(plan.cohortId);
   checkPlan(workplace, plan);
   ScoringPlanOutcome outcome;
   outcome.seed = plan.seed ? *plan.seed : drawSeed(workplace.ids());
@@ -231,6 +226,7 @@ ScoringMatrix scoringMatrix(Workplace& workplace, const std::string& cohortId) {
     codes[enrolment.id] = enrolment.traineeCode;
   }
   ScoringMatrix matrix;
+  matrix.occasions = occasionsOfCohort(workplace.connection(), cohortId);
   std::map<std::string, std::size_t> column;
   std::set<std::string> involved;
   for (const AssignmentStatus& status : all) involved.insert(status.assignment.raterId);
@@ -242,14 +238,15 @@ ScoringMatrix scoringMatrix(Workplace& workplace, const std::string& cohortId) {
   for (const AssignmentStatus& status : all) {
     const StoredAssignment& one = status.assignment;
     const bool sameLine = !matrix.lines.empty() && matrix.lines.back().enrolmentId == one.enrolmentId &&
-                          matrix.lines.back().scoringPoint == one.scoringPoint;
+                          matrix.lines.back().occasion.code == one.scoringPoint;
     if (!sameLine) {
-      matrix.lines.push_back({one.enrolmentId, codes[one.enrolmentId], one.scoringPoint,
+      matrix.lines.push_back({one.enrolmentId, codes[one.enrolmentId],
+                              matrix.occasions.named(one.scoringPoint),
                               std::vector<ScoringCell>(matrix.raters.size()), 0});
     }
     const std::size_t at = column.at(one.raterId);
     matrix.lines.back().cells[at] = cellOf(status);
-    const bool missing = status.state == SheetState::kOpen || status.state == SheetState::kDraft;
+    const bool missing = isOutstanding(status.state);
     matrix.lines.back().missing += missing ? 1 : 0;
     matrix.raters[at].open += missing ? 1 : 0;
     matrix.raters[at].submitted += status.state == SheetState::kSubmitted ? 1 : 0;
@@ -314,10 +311,10 @@ std::vector<ReleaseState> releaseStates(Workplace& workplace, const std::string&
   SheetRepository sheets(workplace.connection());
   std::vector<ReleaseState> states;
   const std::vector<AssignmentStatus> all = sheets.assignments(cohortId);
-  for (const std::string& point : scoringPoints()) {
-    ReleaseState state{point, sheets.isReleased(cohortId, point), 0, 0};
+  for (const Occasion& occasion : occasionsOfCohort(workplace.connection(), cohortId)) {
+    ReleaseState state{occasion, sheets.isReleased(cohortId, occasion.code), 0, 0};
     for (const AssignmentStatus& status : all) {
-      if (status.assignment.scoringPoint != point || status.state == SheetState::kWithdrawn) continue;
+      if (status.assignment.scoringPoint != occasion.code || status.state == SheetState::kWithdrawn) continue;
       ++state.sheets;
       if (status.state != SheetState::kSubmitted) ++state.missing;
     }
@@ -331,7 +328,7 @@ void releaseMarks(Workplace& workplace, const std::string& cohortId, const std::
   workplace.require(Operation::kMarkRelease);
   Transaction transaction(workplace.connection());
   for (const ReleaseState& state : releaseStates(workplace, cohortId)) {
-    if (state.scoringPoint != scoringPoint) continue;
+    if (state.occasion.code != scoringPoint) continue;
     if (state.released) refuse("these marks are released already", scoringPoint, "Nothing is to be done");
     if (state.missing > 0 && reason.empty()) {
       refuse(Text("%1 of %2 sheets are not submitted", state.missing, state.sheets), scoringPoint,
@@ -341,7 +338,7 @@ void releaseMarks(Workplace& workplace, const std::string& cohortId, const std::
     transaction.commit();
     return;
   }
-  refuse("there is no such scoring point", scoringPoint, "Choose pre, mid or post");
+  refuse("there is no such scoring point", scoringPoint, "Choose one from the list");
 }
 
 void retractMarks(Workplace& workplace, const std::string& cohortId, const std::string& scoringPoint,

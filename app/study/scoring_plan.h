@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "db/repository/sheet_repository.h"
+#include "assessment/study/occasion.h"
+#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 
-/// A recording that stands for a trainee at a scoring point. Cases without one are scored live, on the real
+/// A recording that stands for a trainee at an occasion. Cases without one are scored live, on the real
 /// arm.
 struct CaseRecording {
   std::string enrolmentId{};
@@ -22,7 +23,7 @@ struct CaseRecording {
 /// Who is asked to score whom, when.
 struct ScoringPlan {
   std::string cohortId{};
-  std::vector<std::string> scoringPoints{};  ///< "pre", "mid", "post"
+  std::vector<std::string> scoringPoints{};  ///< codes of occasions
   std::vector<std::string> raterIds{};
   std::vector<std::string> enrolmentIds{};  ///< empty: everybody who has not withdrawn
   std::vector<CaseRecording> recordings{};
@@ -38,12 +39,12 @@ struct ScoringPlanOutcome {
   std::uint64_t seed = 0;
 };
 
-/// Makes one assignment a rater, trainee and scoring point. Each rater gets an order of their own in which
+/// Makes one assignment a rater, trainee and occasion. Each rater gets an order of their own in which
 /// groups and stages are spread evenly over the sitting (counterbalanced), so that tiredness and drift hit
 /// all alike. Case labels ("7F") are drawn at random and tell neither stage nor group, nor does their order;
 /// a live case has one label for all raters (it is called out in the room), a recorded one another for each.
-/// Audited. kStudySetup. Throws Error{kBadParameter}: nobody to score, an unknown rater, rubric or scoring
-/// point.
+/// Audited. kStudySetup. Throws Error{kBadParameter}: nobody to score, an unknown rater, rubric or
+/// occasion.
 ScoringPlanOutcome createAssignments(Workplace& workplace, const ScoringPlan& plan);
 
 /// One cell of the matrix.
@@ -65,12 +66,13 @@ struct ScoringMatrix {
   struct Line {
     std::string enrolmentId{};
     std::string traineeCode{};
-    std::string scoringPoint{};
+    Occasion occasion{};
     std::vector<ScoringCell> cells{};  ///< one a rater
     std::size_t missing = 0;           ///< open or draft
   };
   std::vector<Rater> raters{};
-  std::vector<Line> lines{};  ///< by scoring point, then trainee
+  std::vector<Line> lines{};  ///< by occasion, then trainee
+  Occasions occasions{};      ///< of the cohort: what can be asked for
 };
 /// Who has scored whom; no marks. kStudySetup.
 [[nodiscard]] ScoringMatrix scoringMatrix(Workplace& workplace, const std::string& cohortId);
@@ -83,14 +85,14 @@ std::string reassign(Workplace& workplace, const std::string& assignmentId, cons
 
 /// What stands before a release.
 struct ReleaseState {
-  std::string scoringPoint{};
+  Occasion occasion{};
   bool released = false;
   std::size_t sheets = 0;
   std::size_t missing = 0;  ///< not submitted yet
 };
 /// In order of time. kMarkRelease.
 [[nodiscard]] std::vector<ReleaseState> releaseStates(Workplace& workplace, const std::string& cohortId);
-/// Shows the marks of a scoring point to the trainees. While sheets are missing only with a reason. Audited.
+/// Shows the marks of an occasion to the trainees. While sheets are missing only with a reason. Audited.
 /// kMarkRelease.
 void releaseMarks(Workplace& workplace, const std::string& cohortId, const std::string& scoringPoint,
                   const std::string& reason = {});

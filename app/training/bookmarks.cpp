@@ -3,14 +3,15 @@
 
 #include <cmath>
 
-#include "db/repository/remark_repository.h"
+#include "db/repository/trial/remark_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/tick_period.h"
 
 namespace torsio {
 
 std::string keepBookmark(Workplace& workplace, const TrialListing& trial, double at_s,
                          const std::string& text) {
-  const double length_s = trial.summary ? static_cast<double>(trial.summary->samples) * 1e-3 : 0.0;
+  const double length_s = trial.summary ? spanOf_s(trial.summary->samples) : 0.0;
   if (!std::isfinite(at_s) || at_s < 0.0 || at_s > length_s) {
     throw Error(ErrorCode::kBadParameter, "the moment lies outside the recording", trial.trialId,
                 "Choose a time within it");

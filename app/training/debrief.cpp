@@ -79,8 +79,8 @@ double meritOf(const Criterion& criterion, double own, double expert) {
   return criterion.weight * (higher && !negative ? std::log(a / b) : std::log(b / a));
 }
 
-/// The middle value over all twists in which it is defined.
-std::optional<double> usual(const MeasuredTrial& trial, std::string_view metric) {
+/// Median of a metric over all twists of the trial in which it is defined.
+std::optional<double> medianOf(const MeasuredTrial& trial, std::string_view metric) {
   std::vector<double> values;
   for (const MeasuredTwist& twist : trial.twists) {
     if (twist.metrics && twist.metrics->at(metric)) values.push_back(*twist.metrics->at(metric));
@@ -125,8 +125,8 @@ std::vector<Judged> judgeAll(const TrialHeader& header, std::span<const Sample> 
                              const std::vector<TwistResult>& results) {
   std::vector<Judged> all;
   for (const Criterion& criterion : kCriteria) {
-    const std::optional<double> reference = usual(expert, criterion.metric);
-    const std::optional<double> mine = usual(own, criterion.metric);
+    const std::optional<double> reference = medianOf(expert, criterion.metric);
+    const std::optional<double> mine = medianOf(own, criterion.metric);
     if (!reference || !mine) continue;
     Judged judged;
     judged.merit = meritOf(criterion, *mine, *reference);

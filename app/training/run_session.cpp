@@ -6,19 +6,17 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/base/build_info.h"
 #include "app/recording/recording_host.h"
 #include "app/study/cohort_service.h"
 #include "app/training/trainee_record.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/setting_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
+#include "sim/base/tick_period.h"
 
 namespace torsio {
 
 namespace {
-
-constexpr std::int64_t kTick_us = 1'000;
 
 /// May this run begin at all? Throws with the first thing that is missing.
 void checkPermission(const NextSteps& steps, const RunRequest& request) {
@@ -76,7 +74,8 @@ RunPlan planOf(const NextSteps& steps, const ModuleStep& step) {
 
 }  // namespace
 
-RunSession::RunSession(Workplace& workplace, const RunRequest& request, const Clock& clock, StationLine* line)
+RunSession::RunSession(Workplace& workplace, const RunRequest& request, const Clock& clock,
+                       StationWriter* line)
     : workplace_(workplace),
       clock_(&clock),
       steps_(
@@ -85,11 +84,11 @@ RunSession::RunSession(Workplace& workplace, const RunRequest& request, const Cl
       graded_(request.graded),
       run_(planOf(steps_, step_), clock),
       line_(line),
-      pulse_(workplace) {
-  pulse_.showDevice(stationDevice(request.device, workplace.now_us()));
+      heartbeat_(workplace) {
+  heartbeat_.showDevice(stationDevice(request.device, workplace.now_us()));
 }
 
-void RunSession::write(StationLine::Write write) {
+void RunSession::write(StationWriter::Write write) {
   if (line_ != nullptr) {
     line_->write(std::move(write));
   } else {
@@ -101,23 +100,27 @@ void RunSession::show(const std::string& trialId) {
   if (line_ != nullptr) {
     line_->show(trialId);
   } else {
-    pulse_.show(trialId);
+    heartbeat_.show(trialId);
   }
 }
 
-void RunSession::beat() {
-  if (line_ == nullptr) pulse_.beat();
+AttemptMode RunSession::mode() const noexcept {
+  return graded_ ? AttemptMode::kGraded : AttemptMode::kPractice;
+}
+
+void RunSession::heartbeat() {
+  if (line_ == nullptr) heartbeat_.send();
 }
 
 void RunSession::start() {
   run_.start();
   utcOffset_us_ = workplace_.now_us() - clock_->now_us();
-  const nlohmann::json what{{"module", step_.module.id}, {"mode", graded_ ? "graded" : "practice"}};
+  const nlohmann::json what{{"module", step_.module.id}, {"mode", storedText(mode())}};
   write([note = AuditNote{.action = "run.start",
                           .objectKind = "enrolment",
                           .objectId = steps_.enrolmentId,
                           .newJson = what.dump()}](Workplace& own) { own.note(note); });
-  beat();
+  heartbeat();
 }
 
 void RunSession::log(bool all) {
@@ -139,13 +142,13 @@ std::vector<RunEvent> RunSession::advance() {
   std::vector<RunEvent> events = run_.advance();
   log(run_.state() != before || run_.over());
   if (run_.over()) show("");
-  beat();
+  heartbeat();
   return events;
 }
 
 void RunSession::hold() {
   run_.hold();
-  beat();
+  heartbeat();
 }
 
 const StoredModule& RunSession::module() const {
@@ -196,35 +199,31 @@ void RunSession::stop(const std::string& reason) {
     write([note](Workplace& own) { own.note(note); });
   }
   show("");
-  beat();
+  heartbeat();
 }
 
-TrialOrder RunSession::newTrial() {
+RecordingSpec RunSession::newTrial() {
   const RunPhase& phase = run_.phase();
   const StoredModule& practised = module();
-  TrialOrder order;
-  order.header.trialId = workplace_.ids().newUuid();
-  order.header.traineeCode = steps_.traineeCode;
-  order.header.sceneId = practised.sceneId;
-  order.header.patternId = practised.patternId;
-  order.header.softwareVersion = softwareVersion();
-  order.header.phaseLabel = phase.label;
-  order.header.targetAngle_rad = practised.targetAngle_rad;
-  order.header.startedUtc_us = workplace_.now_us();
-  order.header.demonstration = steps_.demonstration;
-  order.context = {.station = workplace_.station(),
-                   .enrolmentId = steps_.enrolmentId,
-                   .moduleId = practised.id,
-                   .phaseId = phase.phaseId,
-                   .attemptMode = graded_ ? "graded" : "practice",
-                   .host = thisHost()};
-  trials_.push_back(order.header.trialId);
-  show(order.header.trialId);
-  return order;
+  RecordingSpec recording{.trialId = workplace_.ids().newUuid(),
+                          .traineeCode = steps_.traineeCode,
+                          .phaseLabel = phase.label,
+                          .targetAngle_rad = practised.targetAngle_rad,
+                          .startedUtc_us = workplace_.now_us(),
+                          .demonstration = steps_.demonstration,
+                          .context = {.station = workplace_.station(),
+                                      .enrolmentId = steps_.enrolmentId,
+                                      .moduleId = practised.id,
+                                      .phaseId = phase.phaseId,
+                                      .attemptMode = mode(),
+                                      .host = thisHost()}};
+  trials_.push_back(recording.trialId);
+  show(recording.trialId);
+  return recording;
 }
 
-std::unique_ptr<TrialSink> RunSession::sinkFor(const TrialOrder& order) const {
-  return recordingSink(workplace_.key().locator, order.context);
+std::unique_ptr<TrialSink> RunSession::sinkFor(const RecordingSpec& recording) const {
+  return recordingSink(workplace_.key().locator, recording.context);
 }
 
 std::vector<RecoveredTrial> recoverInterrupted(Workplace& workplace, const std::filesystem::path& folder) {
@@ -237,7 +236,7 @@ std::vector<RecoveredTrial> recoverInterrupted(Workplace& workplace, const std::
                    .moduleId = trial.moduleId,
                    .phaseLabel = trial.phaseLabel,
                    .startedUtc_us = trial.startedUtc_us,
-                   .recorded_s = static_cast<double>(trial.summary->samples * kTick_us) * 1e-6,
+                   .recorded_s = spanOf_s(trial.summary->samples),
                    .exposureAdded_s = static_cast<double>(settled.exposureAdded_us) * 1e-6});
   }
   return own;

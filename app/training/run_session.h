@@ -9,12 +9,14 @@
 
 #include "app/access/workplace.h"
 #include "app/devices/device_readiness.h"
-#include "app/recording/station_line.h"
-#include "app/recording/station_pulse.h"
+#include "app/recording/recording_spec.h"
+#include "app/recording/station_heartbeat.h"
 #include "app/recording/station_start.h"
+#include "app/recording/station_writer.h"
 #include "app/training/next_steps.h"
 #include "app/training/training_run.h"
-#include "db/repository/trial_repository.h"
+#include "assessment/study/protocol_terms.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
@@ -23,12 +25,6 @@ struct RunRequest {
   std::string moduleId{};
   bool graded = false;
   DeviceReadiness device{};
-};
-
-/// What a recording belongs to. Organ, parameters, device and drive are filled in by whoever runs it.
-struct TrialOrder {
-  TrialHeader header{};
-  TrialContext context{};
 };
 
 /// One run of a trainee at a station, from the permission to begin to the last logged second: the clock
@@ -43,7 +39,7 @@ class RunSession {
   /// `line`: writes what comes up in the course of the run, and gives the signs of life; it outlives the
   /// session. Null: the workplace writes at once.
   RunSession(Workplace& workplace, const RunRequest& request, const Clock& clock,
-             StationLine* line = nullptr);
+             StationWriter* line = nullptr);
 
   [[nodiscard]] const TrainingRun& run() const noexcept { return run_; }
   [[nodiscard]] const ModuleStep& step() const noexcept { return step_; }
@@ -61,18 +57,19 @@ class RunSession {
   /// Given up; `reason` goes to the study's deviations when a phase was cut short.
   void stop(const std::string& reason);
 
-  /// A new recording for the present phase. Virtual phases only.
-  [[nodiscard]] TrialOrder newTrial();
+  /// Orders a new recording for the present phase. Virtual phases only.
+  [[nodiscard]] RecordingSpec newTrial();
   /// Where it is kept: recordingSink of care/unstored_trials.h, for the recorder's thread.
-  [[nodiscard]] std::unique_ptr<TrialSink> sinkFor(const TrialOrder& order) const;
+  [[nodiscard]] std::unique_ptr<TrialSink> sinkFor(const RecordingSpec& recording) const;
   /// Ids of the recordings so far.
   [[nodiscard]] const std::vector<std::string>& trials() const noexcept { return trials_; }
 
  private:
   void log(bool all);
-  void write(StationLine::Write write);
+  void write(StationWriter::Write write);
   void show(const std::string& trialId);
-  void beat();
+  [[nodiscard]] AttemptMode mode() const noexcept;
+  void heartbeat();
 
   Workplace& workplace_;
   const Clock* clock_;
@@ -82,8 +79,8 @@ class RunSession {
   TrainingRun run_;
   std::int64_t utcOffset_us_ = 0;  // wall clock minus run clock at the start
   std::vector<std::string> trials_;
-  StationLine* line_;
-  StationPulse pulse_;  // unless there is a line
+  StationWriter* line_;
+  StationHeartbeat heartbeat_;  // unless there is a line
 };
 
 /// An interrupted run that was found at the start of the program.

@@ -18,7 +18,7 @@ struct Loading {
   double largestRate = 0.0;
   double rmsRate = 0.0;
 };
-/// Undefined for fewer than two samples.
+/// Measures a loading from its magnitudes. Undefined for fewer than two samples.
 [[nodiscard]] Outcome<Loading> loadingOf(std::span<const double> magnitude, double rate_Hz);
 
 inline constexpr double kMergeViolations_s = 0.050;
@@ -36,7 +36,8 @@ struct TwistWork {
   double returned_J = 0.0;   ///< what the tissue gave back, positive
   double loop_J = 0.0;       ///< delivered minus returned: area of the torque-angle loop
 };
-/// Torque (N m) against angle (rad), by trapezoids. Undefined for fewer than two samples.
+/// Computes the work of a twist, torque (N m) against angle (rad), by trapezoids. Undefined for fewer than
+/// two samples.
 [[nodiscard]] Outcome<TwistWork> twistWork(std::span<const double> torque_Nm,
                                            std::span<const double> angle_rad);
 

@@ -23,8 +23,9 @@ struct MetricCard {
   std::string_view version = kMetricsVersion;
 };
 
+/// Lists the cards of all metrics.
 [[nodiscard]] std::span<const MetricCard> metricCards();
-/// The card of an id; our own bug when there is none.
+/// Returns the card of an id; a missing one is a bug of Torsio.
 [[nodiscard]] const MetricCard& metricCard(std::string_view id);
 
 /// Share of the twists that were let go within the tolerance of the target, 0..1. A metric of a whole

@@ -6,23 +6,24 @@
 #include <vector>
 
 #include "assessment/statistics/values.h"
+#include "sim/base/angle.h"
 #include "sim/base/vec3.h"
 
 namespace torsio {
 
-/// Sum of the distances between neighbouring positions; the unit of the positions. Filter first: noise
-/// travels far.
+/// Sums the distances between neighbouring positions; the unit of the positions. Filter the positions
+/// first: noise adds length.
 [[nodiscard]] double pathLength(std::span<const Vec3> positions);
-/// Sum of absolute changes of an angle.
+/// Sums the absolute changes of an angle.
 [[nodiscard]] double angularPath(std::span<const double> angles);
-/// Ideal over actual path, in (0, 1]. Undefined without movement.
+/// Computes the ideal over the actual path, in (0, 1]. Undefined without movement.
 [[nodiscard]] Outcome<double> economy(double ideal, double actual);
 
 inline constexpr double kIdleAtLeast_s = 0.2;
 inline constexpr double kIdleTip_m_per_s = 0.005;
-inline constexpr double kIdleTwist_rad_per_s = 0.03490658503988659;  ///< 2 degrees a second
+inline constexpr double kIdleTwist_rad_per_s = radians(2.0);
 
-/// Time with a speed below `threshold` for at least 0.2 s at a stretch.
+/// Sums the time with a speed below `threshold` for at least 0.2 s at a stretch.
 [[nodiscard]] double idleTime(std::span<const double> speed, double threshold, double rate_Hz,
                               double atLeast_s = kIdleAtLeast_s);
 
@@ -31,26 +32,26 @@ struct SparcOptions {
   double cutoff_Hz = 10.0;
   double amplitudeThreshold = 0.05;
 };
-/// Spectral arc length of a speed profile (Balasubramanian 2012, 2015): nearer 0 is smoother, about -1.4 for
-/// one bell-shaped movement. For one movement of at most a minute. Undefined without movement or for a longer
-/// signal.
+/// Computes the spectral arc length of a speed profile (Balasubramanian 2012, 2015): nearer 0 is smoother,
+/// about -1.4 for one bell-shaped movement. For one movement of at most a minute. Undefined without
+/// movement or for a longer signal.
 [[nodiscard]] Outcome<double> spectralArcLength(std::span<const double> speed, double rate_Hz,
                                                 const SparcOptions& options = {});
 
-/// Logarithm of dimensionless jerk of a speed profile: -ln(T^3 / peak^2 x integral of (d2v/dt2)^2), by
-/// trapezoids over all samples with linearly extrapolated ends. Depends on the filter: name it. Undefined
-/// without movement.
+/// Computes the logarithm of dimensionless jerk of a speed profile: -ln(T^3 / peak^2 x integral of
+/// (d2v/dt2)^2), by trapezoids over all samples with linearly extrapolated ends. The result depends on the
+/// filter, which must be named with it. Undefined without movement.
 [[nodiscard]] Outcome<double> logDimensionlessJerk(std::span<const double> speed, double rate_Hz);
 
 inline constexpr double kPeakProminence = 0.05;  ///< of the highest speed
 inline constexpr double kPeakDistance_s = 0.1;
 
-/// Positions of speed peaks with a prominence of at least 5 % of the maximum, 0.1 s or more apart (the higher
-/// stays).
+/// Finds the positions of speed peaks with a prominence of at least 5 % of the maximum, 0.1 s or more apart
+/// (of two nearer ones the higher stays).
 [[nodiscard]] std::vector<std::size_t> speedPeaks(std::span<const double> speed, double rate_Hz);
 
-/// Root mean square of the distance of the tip from its mean distance to the twist axis: how well a circle is
-/// kept.
+/// Computes the root mean square of the distance of the tip from its mean distance to the twist axis: how
+/// well a circle is kept.
 [[nodiscard]] Outcome<double> axisWander(std::span<const Vec3> positions, const Vec3& axisPoint,
                                          const Vec3& axis);
 

@@ -24,28 +24,28 @@ struct Biquad {
   double a2 = 0.0;
 };
 
-/// Butterworth low-pass of second order for one pass.
+/// Designs a Butterworth low-pass of second order for one pass.
 [[nodiscard]] Biquad butterworth(double cutoff_Hz, double rate_Hz);
-/// For running forward and backward: designed so that the two passes together have gain 1/sqrt(2) at the
-/// cut-off (the correction acts on the warped frequency).
+/// Designs a Butterworth low-pass for running forward and backward, so that the two passes together have
+/// gain 1/sqrt(2) at the cut-off (the correction acts on the warped frequency).
 [[nodiscard]] Biquad butterworthForTwoPasses(double cutoff_Hz, double rate_Hz);
-/// Gain of one pass at a frequency.
+/// Returns the gain of one pass at a frequency.
 [[nodiscard]] double gainAt(const Biquad& filter, double frequency_Hz, double rate_Hz);
 
-/// Forward and backward, no phase shift: odd reflection of `reflected` samples (fewer when the signal is
-/// shorter) and a steady-state start.
+/// Filters forward and backward, without phase shift: odd reflection of `reflected` samples (fewer when the
+/// signal is shorter) and a steady-state start.
 [[nodiscard]] std::vector<double> filterZeroPhase(const Biquad& filter, std::span<const double> signal,
                                                   std::size_t reflected = kReflectedSamples);
-/// butterworthForTwoPasses and filterZeroPhase.
+/// Filters a signal by butterworthForTwoPasses and filterZeroPhase.
 [[nodiscard]] std::vector<double> lowPass(std::span<const double> signal, double cutoff_Hz, double rate_Hz);
 
-/// Central differences, one-sided at the ends; per second.
+/// Differentiates by central differences, one-sided at the ends; per second.
 [[nodiscard]] std::vector<double> derivative(std::span<const double> signal, double rate_Hz);
 
-/// Angle of rotation about the tool's axis (unit vector in the tool's frame), by swing and twist, in (-pi,
-/// pi].
+/// Returns the angle of rotation about the tool's axis (unit vector in the tool's frame), by swing and
+/// twist, in (-pi, pi].
 [[nodiscard]] double twistAngle(const Quat& orientation, const Vec3& axis);
-/// Adds multiples of 2 pi so that neighbours differ by at most pi.
+/// Unwraps angles: adds multiples of 2 pi so that neighbours differ by at most pi.
 [[nodiscard]] std::vector<double> unwrapped(std::span<const double> angles_rad);
 
 /// A signal on a uniform grid, or what is wrong with its time stamps.
@@ -54,15 +54,15 @@ struct UniformSignal {
   std::vector<std::vector<double>> channels;
   std::size_t lost = 0;  ///< grid points that fell into gaps of at most 20 ms and were interpolated
 };
-/// Linear interpolation of channels with common time stamps to a uniform grid. Throws Error{kBadData} when
-/// time stamps do not rise or a gap exceeds 20 ms (split there first: longGaps).
+/// Resamples channels with common time stamps to a uniform grid by linear interpolation. Throws
+/// Error{kBadData} when time stamps do not rise or a gap exceeds 20 ms (split there first: longGaps).
 [[nodiscard]] UniformSignal resampleUniform(std::span<const std::int64_t> times_us,
                                             const std::vector<std::vector<double>>& channels,
                                             double rate_Hz = 1000.0);
-/// Positions after which a gap longer than 20 ms follows.
+/// Finds the positions after which a gap longer than 20 ms follows.
 [[nodiscard]] std::vector<std::size_t> longGaps(std::span<const std::int64_t> times_us);
 
-/// Integral by trapezoids, all samples 1/rate apart.
+/// Integrates by trapezoids, all samples 1/rate apart.
 [[nodiscard]] double trapezoid(std::span<const double> signal, double rate_Hz);
 
 }  // namespace torsio

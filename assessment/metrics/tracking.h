@@ -17,7 +17,7 @@ struct TargetApproach {
   Outcome<double> settling =
       Outcome<double>::undefined("the angle did not settle");  ///< start of the last stay
 };
-/// `target` not zero, `tolerance` > 0 (contract).
+/// Measures how a target was reached. `target` not zero, `tolerance` > 0 (contract).
 [[nodiscard]] TargetApproach targetApproach(std::span<const double> angle, double target, double tolerance,
                                             double rate_Hz);
 
@@ -31,13 +31,13 @@ struct TrackingError {
   Outcome<double> rmseWithoutLag = Outcome<double>::undefined("the target does not move");
 };
 inline constexpr double kLargestLag_s = 0.5;
-/// Actual against target on the same clock. Undefined for empty signals.
+/// Compares the actual angle with the target on the same clock. Undefined for empty signals.
 [[nodiscard]] Outcome<TrackingError> trackingError(std::span<const double> actual,
                                                    std::span<const double> target, double rate_Hz);
 
-/// Standard deviation of the angle while it should be held still (divisor n - 1).
+/// Computes the standard deviation of the angle while it should be held still (divisor n - 1).
 [[nodiscard]] Outcome<double> holdSteadiness(std::span<const double> heldAngle);
-/// Largest rate at which the torque was let go, as a positive number; 0 when it never fell.
+/// Returns the largest rate at which the torque was let go, as a positive number; 0 when it never fell.
 [[nodiscard]] Outcome<double> releaseRate(std::span<const double> releasedTorque, double rate_Hz);
 
 }  // namespace torsio

@@ -14,14 +14,14 @@
 
 namespace torsio {
 
-/// How people appear. The figures are the same; what may leave the house is not.
+/// How people appear in a report. The numbers are the same; what may leave the centre differs.
 enum class ReportIdentity {
   kCoded,       ///< pseudonyms
   kNamed,       ///< the caller has put names beside the codes of the trainees; raters stay coded
   kAggregated,  ///< no line about a single person, no count of fewer than kSmallestCell
 };
 
-/// Aggregated reports say nothing about fewer people than this.
+/// Fewest people about whom an aggregated report says anything.
 inline constexpr std::int64_t kSmallestCell = 5;
 
 /// A trainee as the report shows one: a code, and a name only where the caller put it there.
@@ -82,7 +82,7 @@ struct TwistAttempt {
   bool onTarget = false;
 };
 
-/// What one recorded trial comes down to.
+/// Summary of one recorded trial.
 struct TrialDigest {
   std::string trialId;
   std::string trainee;
@@ -142,7 +142,7 @@ struct CohortInputs {
   std::size_t trainingRaters = 0;
   /// The marks behind the scores. When given, the report has a section with agreement and comparisons.
   std::vector<TrainingMark> trainingMarks;
-  /// False: the reader may not see single marks; scores, agreement and severity are shown all the same.
+  /// Whether the reader may see single marks; scores, agreement and severity are shown in any case.
   bool singleMarks = true;
 
   std::int64_t notAssessable = 0;  ///< marks that a rater could not give, with a reason
@@ -153,8 +153,8 @@ struct CohortInputs {
   Facts provenance;  ///< organ hash, parameter hash, database schema ...
 };
 
-/// The cohort report as plain values (paper sections 5.3 and 6: Figs. 15 to 23). Same inputs, same report.
-/// Throws Error{kBadData} when lists that belong together differ in length.
+/// Makes the cohort report as plain values (paper sections 5.3 and 6: Figs. 15 to 23). Same inputs, same
+/// report. Throws Error{kBadData} when lists that belong together differ in length.
 [[nodiscard]] ReportModel cohortReport(const CohortInputs& inputs);
 
 }  // namespace torsio

@@ -5,11 +5,11 @@
 
 namespace torsio {
 
-/// Shortest text that reads back as the same number, for copying and for machines.
+/// Value of `decimals` for the shortest text that reads back as the same number.
 inline constexpr int kExactDecimals = -1;
 
-/// The numbers behind a figure as a table: every value that is drawn, and nothing else. A value that does not
-/// exist is an empty cell. `decimals`: of every number, or kExactDecimals.
+/// Returns the numbers behind a figure as a table: every value that is drawn, and nothing else. A value
+/// that does not exist is an empty cell. `decimals`: of every number, or kExactDecimals.
 [[nodiscard]] ReportTable figureTable(const ReportFigure& figure, int decimals = kExactDecimals);
 
 }  // namespace torsio

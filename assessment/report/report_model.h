@@ -11,7 +11,7 @@
 
 namespace torsio {
 
-/// Lines of a label and what it says.
+/// Lines of a label and its value.
 using Facts = std::vector<std::pair<Text, Text>>;
 
 /// Where a table or figure comes from; printed beneath it.

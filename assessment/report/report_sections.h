@@ -18,7 +18,7 @@ namespace torsio {
 [[nodiscard]] ReportSection methodsSection(const CohortInputs& inputs);
 [[nodiscard]] ReportSection provenanceSection(const CohortInputs& inputs);
 
-/// Flags every figure and table of a demonstration carries.
+/// Returns the flags that every figure and table of a demonstration carries.
 [[nodiscard]] std::vector<Text> commonFlags(const CohortInputs& inputs);
 
 }  // namespace torsio

@@ -10,11 +10,13 @@
 // What several sections of the report say alike.
 namespace torsio {
 
-/// "1.234 [1.000, 1.500]", three decimals; the value alone without an interval.
+/// Formats a value with its interval, "1.234 [1.000, 1.500]", three decimals; the value alone without an
+/// interval.
 [[nodiscard]] std::string withInterval(double value, const std::optional<Interval>& interval);
-/// "not defined: every rating is the same". `reason` is that of an Outcome.
+/// Says why a statistic is missing: "not defined: every rating is the same". `reason` is that of an
+/// Outcome.
 [[nodiscard]] Text notDefined(const std::string& reason);
-/// "p < 0.001", "p = 0.032".
+/// Formats a p value with its letter: "p < 0.001", "p = 0.032".
 [[nodiscard]] std::string equalsP(double p);
 
 }  // namespace torsio

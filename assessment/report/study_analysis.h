@@ -15,8 +15,8 @@
 
 namespace torsio {
 
-/// The marks of one scoring point, trainees x raters in the order of StudyAnalysis; a mark that was not given
-/// is empty.
+/// The marks of one occasion, trainees x raters in the order of StudyAnalysis; a mark that was not given is
+/// empty.
 struct OccasionMarks {
   std::vector<std::vector<std::optional<double>>> marks;
   std::int64_t n = 0;
@@ -25,7 +25,7 @@ struct OccasionMarks {
   Outcome<KrippendorffResult> alpha = Outcome<KrippendorffResult>::undefined("not computed");
 };
 
-/// How far a rater marks above (positive: lenient) or below the others, over all trainees and scoring points
+/// How far a rater scores above (positive: lenient) or below the others, over all trainees and occasions
 /// that the rater shares with at least one other.
 struct RaterSeverity {
   std::string rater;
@@ -34,7 +34,7 @@ struct RaterSeverity {
   std::optional<Interval> interval;  ///< 95 %, Student's t over the trainees; empty with fewer than two
 };
 
-/// What the report, its figures and its table of numbers say about the training marks; computed once.
+/// Analysis of the training marks for the report, its figures and its table of numbers; computed once.
 struct StudyAnalysis {
   std::vector<std::string> trainees;  ///< codes, ascending
   std::vector<std::string> raters;

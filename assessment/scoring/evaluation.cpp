@@ -394,7 +394,7 @@ std::vector<ModelRatings> groupRatings(const EvaluationInstrument& instrument,
     if (!seen.insert({rating.model, rating.rater, rating.index}).second)
       throw Error(ErrorCode::kBadData, "the same mark appears twice", where,
                   "Keep one; a correction supersedes the earlier mark.");
-    if (rating.steps && (*rating.steps < instrument.scale.lo || *rating.steps > instrument.scale.hi))
+    if (rating.steps && !isOnScale(*rating.steps, instrument.scale))
       throw Error(ErrorCode::kBadData,
                   Text("score %1 lies outside the scale",
                        std::to_string(pointsFromSteps(*rating.steps, instrument.scale))),

@@ -15,7 +15,7 @@ namespace torsio {
 /// Version of everything in this file; stored beside each result.
 inline constexpr const char* kEvaluationFormulaVersion = "evaluation-1";
 
-/// One mark: a rater scores one index of one model. An empty score is a rating that was not given.
+/// One mark: a rater scores one index of one model. Empty steps are a mark that was not given.
 struct EvaluationRating {
   std::string model;
   std::string rater;
@@ -36,12 +36,13 @@ struct ModelRatings {
   std::vector<RaterSheet> sheets;  ///< ordered by class, then by rater
 };
 
-/// Marks by model, in the order in which the models first appear. Throws Error{kBadData} that names rater,
-/// index and model when a mark lies outside the scale, appears twice, or when a rater appears in two classes.
+/// Groups marks by model, in the order in which the models first appear. Throws Error{kBadData} that names
+/// rater, index and model when a mark lies outside the scale, appears twice, or when a rater appears in two
+/// classes.
 [[nodiscard]] std::vector<ModelRatings> groupRatings(const EvaluationInstrument& instrument,
                                                      std::span<const EvaluationRating> ratings);
 
-/// What happens when marks are missing.
+/// Policy for missing marks.
 enum class MissingPolicy {
   kRefuse,         ///< any missing mark is an error
   kAvailableCase,  ///< each index uses the marks it has; a weighted class without any mark is an error
@@ -97,7 +98,7 @@ struct ModelEvaluation {
 [[nodiscard]] ModelEvaluation evaluateModel(const EvaluationInstrument& instrument,
                                             const ModelRatings& ratings, const EvaluationPolicy& policy = {});
 
-/// The same for all models of a table of marks.
+/// Evaluates all models of a table of marks. Throws as groupRatings and evaluateModel.
 [[nodiscard]] std::vector<ModelEvaluation> evaluate(const EvaluationInstrument& instrument,
                                                     std::span<const EvaluationRating> ratings,
                                                     const EvaluationPolicy& policy = {});
@@ -107,11 +108,11 @@ struct ModelEvaluation {
 /// too large. One thread an object.
 class EvaluationKernel {
  public:
-  /// `raterClasses`: the class of each rater, in the order of the rows given to run().
+  /// Prepares the kernel. `raterClasses`: the class of each rater, in the order of the rows given to run().
   EvaluationKernel(const EvaluationInstrument& instrument, std::span<const std::size_t> raterClasses);
 
-  /// `steps`: raters x indices, row-major. Fills m and s2 (one an index) and returns N. The same values as
-  /// evaluateModel, bit for bit.
+  /// Evaluates `steps`, raters x indices, row-major: fills m and s2 (one an index) and returns N. Gives the
+  /// values of evaluateModel, bit for bit.
   double run(std::span<const std::int64_t> steps, std::span<double> m, std::span<double> s2);
 
  private:

@@ -7,9 +7,9 @@
 
 namespace torsio {
 
-/// The double nearest to numerator / denominator (ties to even), whatever their size; numerator >= 0,
-/// denominator > 0. `Integer` is a built-in unsigned type whose double fits it, or an arbitrary-precision
-/// one.
+/// Returns the double nearest to numerator / denominator (ties to even), whatever their size; numerator >=
+/// 0, denominator > 0. `Integer` is a built-in unsigned type whose double fits it, or an
+/// arbitrary-precision one.
 template <class Integer>
 [[nodiscard]] double nearestQuotient(const Integer& numerator, const Integer& denominator) {
   Integer quotient = numerator / denominator;
@@ -39,8 +39,8 @@ template <class Integer>
 
 inline constexpr std::int64_t kExactDouble = std::int64_t{1} << 53;
 
-/// The double nearest to numerator / denominator; denominator > 0. Dividing two converted integers rounds
-/// three times once they pass 2^53.
+/// Returns the double nearest to numerator / denominator; denominator > 0. Dividing two converted integers
+/// rounds three times once they pass 2^53.
 [[nodiscard]] inline double roundedQuotient(std::int64_t numerator, std::int64_t denominator) {
   if (numerator <= kExactDouble && numerator >= -kExactDouble && denominator <= kExactDouble)
     return static_cast<double>(numerator) / static_cast<double>(denominator);

@@ -37,7 +37,7 @@ std::string rangeText(const ScoreScale& scale) {
 
 std::int64_t checkedSteps(std::int64_t steps, const std::string& text, const ScoreScale& scale,
                           const std::string& where) {
-  if (steps < scale.lo || steps > scale.hi) refuseScore(text, "lies outside the scale", scale, where);
+  if (!isOnScale(steps, scale)) refuseScore(text, "lies outside the scale", scale, where);
   return steps;
 }
 

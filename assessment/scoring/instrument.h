@@ -8,23 +8,30 @@
 
 namespace torsio {
 
-/// The scale of an instrument. Scores are whole numbers of steps, so that sums are exact and a decimal
-/// such as 7.3 is not rounded on its way in: points = steps / stepsPerPoint.
+/// The scale of an instrument. Marks are whole numbers of steps, so that sums are exact and a decimal such
+/// as 7.3 is not rounded on its way in: points = steps / stepsPerPoint.
 struct ScoreScale {
   std::int64_t lo = 0;    ///< lowest score, steps
   std::int64_t hi = 100;  ///< highest score, steps
   std::int64_t stepsPerPoint = 10;
 };
 
-/// Throws Error{kBadParameter} unless lo < hi, 1 <= stepsPerPoint <= 1000 and |lo|, |hi| <= 1e6.
+/// Checks a scale. Throws Error{kBadParameter} unless lo < hi, 1 <= stepsPerPoint <= 1000 and |lo|, |hi| <=
+/// 1e6.
 void validateScale(const ScoreScale& scale);
+
+/// Says whether a scale has a score of so many steps.
+[[nodiscard]] constexpr bool isOnScale(std::int64_t steps, const ScoreScale& scale) noexcept {
+  return steps >= scale.lo && steps <= scale.hi;
+}
 
 /// A decimal number in points ("7.5") as steps. Throws Error{kBadData} with `where` when the text is no plain
 /// decimal (a decimal comma, "nan", an exponent), lies between two steps, or lies outside the scale.
 [[nodiscard]] std::int64_t stepsFromText(std::string_view text, const ScoreScale& scale,
                                          const std::string& where);
 
-/// A number in points as steps; the same refusals. The value must be the double nearest to a step.
+/// Converts a number in points to steps. Throws Error{kBadData} as stepsFromText. The value must be the
+/// double nearest to a step.
 [[nodiscard]] std::int64_t stepsFromPoints(double points, const ScoreScale& scale, const std::string& where);
 
 [[nodiscard]] inline double pointsFromSteps(std::int64_t steps, const ScoreScale& scale) {
@@ -47,22 +54,23 @@ struct EvaluationIndex {
 
 inline constexpr std::int64_t kWeightSum_milli = 1000;
 
-/// What raters are asked and how their answers are weighted. Weights in 1/1000 sum to 1000 exactly.
+/// Questions to the raters, and the weights of their answers. Weights in 1/1000 sum to 1000 exactly.
 struct EvaluationInstrument {
   ScoreScale scale;
   std::vector<RaterClass> classes;
   std::vector<EvaluationIndex> indices;
 };
 
-/// Throws Error{kBadParameter} naming the weight, class or index that breaks a rule. Never rescales.
+/// Checks an instrument. Throws Error{kBadParameter} naming the weight, class or index that breaks a rule.
+/// Never rescales.
 void validateInstrument(const EvaluationInstrument& instrument);
 
-/// Weights given as numbers (0.15): in 1/1000. Throws Error{kBadParameter} when one is negative, not finite
-/// or no multiple of 0.001, or when they do not sum to 1 within 1e-12.
+/// Converts weights given as numbers (0.15) to 1/1000. Throws Error{kBadParameter} when one is negative,
+/// not finite or no multiple of 0.001, or when they do not sum to 1 within 1e-12.
 [[nodiscard]] std::vector<std::int64_t> weightsInMilli(const std::vector<double>& weights);
 
-/// Paper 5.3: classes A, B, C with 0.2, 0.3, 0.5; nine indices with 0.15 x4, 0.10 x3, 0.05 x2; marks from 0
-/// to 10 in tenths.
+/// Returns the instrument of the paper, section 5.3: classes A, B, C with 0.2, 0.3, 0.5; nine indices with
+/// 0.15 x4, 0.10 x3, 0.05 x2; marks from 0 to 10 in tenths.
 [[nodiscard]] EvaluationInstrument paperInstrument();
 
 }  // namespace torsio

@@ -24,7 +24,7 @@ using Cell = std::tuple<std::size_t, std::size_t, std::string>;  // occasion, gr
 using Cells = std::map<Cell, std::vector<std::int64_t>>;
 
 void checkMark(const ScoreScale& scale, const TrainingMark& mark, const std::string& where) {
-  if (mark.steps < scale.lo || mark.steps > scale.hi)
+  if (!isOnScale(mark.steps, scale))
     throw Error(ErrorCode::kBadData,
                 Text("score %1 lies outside the scale", std::to_string(pointsFromSteps(mark.steps, scale))),
                 where, "Correct the mark; marks are never clamped.");

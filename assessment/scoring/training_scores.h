@@ -14,7 +14,7 @@ namespace torsio {
 
 inline constexpr const char* kTrainingFormulaVersion = "training-1";
 
-/// One mark of the training study: a chief physician rates one trainee at one scoring point.
+/// One mark of the training study: a chief physician scores one trainee at one occasion.
 struct TrainingMark {
   std::string trainee;
   std::size_t group = 0;     ///< 0 .. groups - 1
@@ -23,7 +23,7 @@ struct TrainingMark {
   std::int64_t steps = 0;
 };
 
-/// A trainee's score at one scoring point: the plain mean over the raters (paper section 6).
+/// A trainee's score at one occasion: the plain mean over the raters (paper section 6).
 struct TraineeScore {
   std::string trainee;
   std::size_t group = 0;
@@ -34,7 +34,7 @@ struct TraineeScore {
   double score = 0.0;  ///< points
 };
 
-/// One group at one scoring point. The three readings of the variance of Fig. 23 carry their divisor.
+/// One group at one occasion. The three readings of the variance of Fig. 23 carry their divisor.
 struct GroupSummary {
   std::size_t group = 0;
   std::size_t occasion = 0;
@@ -50,19 +50,21 @@ struct GroupSummary {
   double median = 0.0;
 };
 
-/// Scores of every trainee at every scoring point that has marks, ordered by occasion, group, number. Throws
-/// Error{kBadData} when a mark lies outside the scale, is given twice, or a trainee appears in two groups.
+/// Computes the scores of every trainee at every occasion that has marks, ordered by occasion, group,
+/// number. Throws Error{kBadData} when a mark lies outside the scale, is given twice, or a trainee appears
+/// in two groups.
 [[nodiscard]] std::vector<TraineeScore> traineeScores(const ScoreScale& scale,
                                                       std::span<const TrainingMark> marks);
 
-/// Summary of every group and occasion that has marks, ordered by occasion, then group. Exact sums of steps;
-/// every value is rounded once unless the rater counts differ so much that no common denominator is at hand.
+/// Summarises every group and occasion that has marks, ordered by occasion, then group. Exact sums of
+/// steps; every value is rounded once unless the rater counts differ so much that no common denominator is
+/// at hand.
 [[nodiscard]] std::vector<GroupSummary> groupSummaries(const ScoreScale& scale,
                                                        std::span<const TrainingMark> marks);
 
-/// Gains (last minus first occasion) as whole numbers that order exactly like the true differences: the
-/// difference of sums when all trainees have the same number of raters. Empty otherwise, or when an occasion
-/// is missing. Differences of doubles would break ties that exist.
+/// Returns gains (last minus first occasion) as whole numbers that order exactly like the true differences:
+/// the difference of sums when all trainees have the same number of raters. Empty otherwise, or when an
+/// occasion is missing. Differences of doubles would break existing ties.
 [[nodiscard]] std::optional<std::vector<std::int64_t>> exactGains(std::span<const TraineeScore> scores,
                                                                   std::size_t from, std::size_t to,
                                                                   std::size_t group);

@@ -29,7 +29,9 @@ Moments momentsOf(const std::vector<double>& x, const std::vector<double>& y) {
   m.meanY = meanOf(y);
   m.xx = sumOfSquares(x);
   m.yy = sumOfSquares(y);
-  for (std::size_t i = 0; i < x.size(); ++i) m.xy += (x[i] - m.meanX) * (y[i] - m.meanY);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    m.xy += (x[i] - m.meanX) * (y[i] - m.meanY);
+  }
   return m;
 }
 
@@ -37,14 +39,17 @@ Outcome<FTest> slopesTest(const std::vector<Moments>& groups, double residual, d
   const double k = static_cast<double>(groups.size());
   double separate = 0.0;
   for (const Moments& m : groups) {
-    if (m.xx == 0.0) return Outcome<FTest>::undefined("the scores before do not vary in one group");
+    if (m.xx == 0.0) {
+      return Outcome<FTest>::undefined("the scores before do not vary in one group");
+    }
     separate += m.yy - m.xy * m.xy / m.xx;
   }
   FTest test;
   test.df1 = k - 1.0;
   test.df2 = n - 2.0 * k;
-  if (test.df2 <= 0.0 || !(separate > 0.0))
+  if (test.df2 <= 0.0 || !(separate > 0.0)) {
     return Outcome<FTest>::undefined("too few trainees for separate slopes");
+  }
   test.f = (residual - separate) / test.df1 / (separate / test.df2);
   test.p = fUpper(std::max(0.0, test.f), test.df1, test.df2);
   return test;
@@ -52,7 +57,7 @@ Outcome<FTest> slopesTest(const std::vector<Moments>& groups, double residual, d
 
 void addPairs(const std::vector<Moments>& groups, const Moments& within, double t, Ancova& out) {
   std::vector<double> p;
-  for (std::size_t i = 0; i < groups.size(); ++i)
+  for (std::size_t i = 0; i < groups.size(); ++i) {
     for (std::size_t j = i + 1; j < groups.size(); ++j) {
       AdjustedDifference pair;
       pair.first = i;
@@ -67,21 +72,28 @@ void addPairs(const std::vector<Moments>& groups, const Moments& within, double 
       p.push_back(pair.p);
       out.pairs.push_back(pair);
     }
+  }
   const std::vector<double> adjusted = adjustHolm(p);
-  for (std::size_t i = 0; i < adjusted.size(); ++i) out.pairs[i].pHolm = adjusted[i];
+  for (std::size_t i = 0; i < adjusted.size(); ++i) {
+    out.pairs[i].pHolm = adjusted[i];
+  }
 }
 
 }  // namespace
 
 Outcome<Ancova> ancova(const Groups& before, const Groups& after, double confidence) {
   TORSIO_EXPECTS(before.size() == after.size());
-  if (before.size() < 2) return Outcome<Ancova>::undefined("there are fewer than two groups");
+  if (before.size() < 2) {
+    return Outcome<Ancova>::undefined("there are fewer than two groups");
+  }
   std::vector<Moments> groups;
   Moments within;
   std::vector<double> allX;
   std::vector<double> allY;
   for (std::size_t g = 0; g < before.size(); ++g) {
-    if (before[g].empty()) return Outcome<Ancova>::undefined("a group is empty");
+    if (before[g].empty()) {
+      return Outcome<Ancova>::undefined("a group is empty");
+    }
     groups.push_back(momentsOf(before[g], after[g]));
     within.xx += groups.back().xx;
     within.xy += groups.back().xy;
@@ -93,12 +105,17 @@ Outcome<Ancova> ancova(const Groups& before, const Groups& after, double confide
   const double k = static_cast<double>(groups.size());
   Ancova out;
   out.residualDf = total.n - k - 1.0;
-  if (out.residualDf <= 0.0) return Outcome<Ancova>::undefined("there are too few trainees");
-  if (within.xx == 0.0) return Outcome<Ancova>::undefined("the scores before do not vary within groups");
+  if (out.residualDf <= 0.0) {
+    return Outcome<Ancova>::undefined("there are too few trainees");
+  }
+  if (within.xx == 0.0) {
+    return Outcome<Ancova>::undefined("the scores before do not vary within groups");
+  }
   out.slope = within.xy / within.xx;
   const double residual = within.yy - out.slope * within.xy;
-  if (!(residual > 0.0))
+  if (!(residual > 0.0)) {
     return Outcome<Ancova>::undefined("the scores after follow the scores before exactly");
+  }
   out.residualVariance = residual / out.residualDf;
   out.slopeError = std::sqrt(out.residualVariance / within.xx);
   const double withoutGroups = total.yy - total.xy * total.xy / total.xx;

@@ -40,9 +40,9 @@ struct Ancova {
   double partialEtaSquared = 0.0;
 };
 
-/// `before[g][i]` and `after[g][i]` belong to the same trainee; means over raters, never single marks.
-/// Undefined for fewer than two groups, an empty group, too few trainees, or when the scores before do not
-/// vary within groups.
+/// Compares groups by analysis of covariance. `before[g][i]` and `after[g][i]` belong to the same trainee;
+/// means over raters, never single marks. Undefined for fewer than two groups, an empty group, too few
+/// trainees, or when the scores before do not vary within groups.
 [[nodiscard]] Outcome<Ancova> ancova(const Groups& before, const Groups& after,
                                      double confidence = kUsualConfidence);
 

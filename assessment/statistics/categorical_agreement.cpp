@@ -17,7 +17,9 @@ namespace {
 /// Squared difference between the values numbered c and k.
 double difference2(AlphaMetric metric, std::size_t c, std::size_t k, const std::vector<double>& values,
                    const std::vector<double>& counts) {
-  if (c == k) return 0.0;
+  if (c == k) {
+    return 0.0;
+  }
   switch (metric) {
     case AlphaMetric::kNominal:
       return 1.0;
@@ -30,7 +32,9 @@ double difference2(AlphaMetric metric, std::size_t c, std::size_t k, const std::
     }
     case AlphaMetric::kOrdinal: {
       double between = 0.0;
-      for (std::size_t g = std::min(c, k); g <= std::max(c, k); ++g) between += counts[g];
+      for (std::size_t g = std::min(c, k); g <= std::max(c, k); ++g) {
+        between += counts[g];
+      }
       between -= 0.5 * (counts[c] + counts[k]);
       return between * between;
     }
@@ -40,8 +44,11 @@ double difference2(AlphaMetric metric, std::size_t c, std::size_t k, const std::
 
 std::vector<double> valuesOfUnit(const IncompleteRatings& ratings, std::size_t unit) {
   std::vector<double> values;
-  for (const auto& coder : ratings)
-    if (coder[unit]) values.push_back(*coder[unit]);
+  for (const auto& coder : ratings) {
+    if (coder[unit]) {
+      values.push_back(*coder[unit]);
+    }
+  }
   return values;
 }
 
@@ -49,21 +56,31 @@ std::vector<double> valuesOfUnit(const IncompleteRatings& ratings, std::size_t u
 
 Outcome<KrippendorffResult> krippendorffAlpha(const IncompleteRatings& ratings, AlphaMetric metric) {
   using Undefined = Outcome<KrippendorffResult>;
-  if (ratings.size() < 2) return Undefined::undefined("there are fewer than two coders");
+  if (ratings.size() < 2) {
+    return Undefined::undefined("there are fewer than two coders");
+  }
   const std::size_t units = ratings.front().size();
   std::set<double> distinct;
   std::vector<std::vector<double>> pairable;
-  for (const auto& coder : ratings) TORSIO_EXPECTS(coder.size() == units);
+  for (const auto& coder : ratings) {
+    TORSIO_EXPECTS(coder.size() == units);
+  }
   KrippendorffResult out;
   for (std::size_t u = 0; u < units; ++u) {
     const std::vector<double> values = valuesOfUnit(ratings, u);
-    if (values.size() < 2) continue;
+    if (values.size() < 2) {
+      continue;
+    }
     distinct.insert(values.begin(), values.end());
     out.pairable += std::ssize(values);
     pairable.push_back(values);
   }
-  if (pairable.empty()) return Undefined::undefined("no unit has two ratings");
-  if (distinct.size() < 2) return Undefined::undefined("every rating is the same");
+  if (pairable.empty()) {
+    return Undefined::undefined("no unit has two ratings");
+  }
+  if (distinct.size() < 2) {
+    return Undefined::undefined("every rating is the same");
+  }
   out.values.assign(distinct.begin(), distinct.end());
   const std::size_t size = out.values.size();
   const auto numberOf = [&](double x) {
@@ -72,22 +89,28 @@ Outcome<KrippendorffResult> krippendorffAlpha(const IncompleteRatings& ratings, 
   };
   out.coincidences = NumberTable(size, size);
   std::vector<double> counts(size, 0.0);
-  for (const std::vector<double>& unit : pairable)
+  for (const std::vector<double>& unit : pairable) {
     for (std::size_t i = 0; i < unit.size(); ++i) {
       counts[numberOf(unit[i])] += 1.0;
-      for (std::size_t j = 0; j < unit.size(); ++j)
-        if (i != j)
+      for (std::size_t j = 0; j < unit.size(); ++j) {
+        if (i != j) {
           out.coincidences.at(numberOf(unit[i]), numberOf(unit[j])) +=
               1.0 / static_cast<double>(unit.size() - 1);
+        }
+      }
     }
+  }
   const double n = static_cast<double>(out.pairable);
-  for (std::size_t c = 0; c < size; ++c)
+  for (std::size_t c = 0; c < size; ++c) {
     for (std::size_t k = 0; k < size; ++k) {
       const double d = difference2(metric, c, k, out.values, counts);
       out.observed += out.coincidences.at(c, k) * d / n;
       out.expected += counts[c] * counts[k] * d / (n * (n - 1.0));
     }
-  if (out.expected == 0.0) return Undefined::undefined("the values do not differ under this metric");
+  }
+  if (out.expected == 0.0) {
+    return Undefined::undefined("the values do not differ under this metric");
+  }
   out.alpha = 1.0 - out.observed / out.expected;
   return out;
 }
@@ -95,7 +118,9 @@ Outcome<KrippendorffResult> krippendorffAlpha(const IncompleteRatings& ratings, 
 Outcome<AlphaBootstrap> krippendorffInterval(const IncompleteRatings& ratings, AlphaMetric metric,
                                              std::uint64_t seed, int resamples, double confidence) {
   const Outcome<KrippendorffResult> point = krippendorffAlpha(ratings, metric);
-  if (!point) return Outcome<AlphaBootstrap>::undefined(point.reason());
+  if (!point) {
+    return Outcome<AlphaBootstrap>::undefined(point.reason());
+  }
   Random random(seed);
   const std::size_t units = ratings.front().size();
   AlphaBootstrap out;
@@ -105,13 +130,21 @@ Outcome<AlphaBootstrap> krippendorffInterval(const IncompleteRatings& ratings, A
   for (int b = 0; b < resamples; ++b) {
     for (std::size_t u = 0; u < units; ++u) {
       const std::size_t from = random.bounded(units);
-      for (std::size_t coder = 0; coder < ratings.size(); ++coder) sample[coder][u] = ratings[coder][from];
+      for (std::size_t coder = 0; coder < ratings.size(); ++coder) {
+        sample[coder][u] = ratings[coder][from];
+      }
     }
     const Outcome<KrippendorffResult> alpha = krippendorffAlpha(sample, metric);
-    if (alpha) alphas.push_back(alpha->alpha);
-    if (!alpha) ++out.undefined;
+    if (alpha) {
+      alphas.push_back(alpha->alpha);
+    }
+    if (!alpha) {
+      ++out.undefined;
+    }
   }
-  if (alphas.empty()) return Outcome<AlphaBootstrap>::undefined("no resample has any variation");
+  if (alphas.empty()) {
+    return Outcome<AlphaBootstrap>::undefined("no resample has any variation");
+  }
   const double tail = 0.5 * (1.0 - confidence);
   out.interval = {*quantile(alphas, tail), *quantile(alphas, 1.0 - tail)};
   return out;
@@ -122,33 +155,41 @@ namespace {
 Outcome<KappaResult> kappaWithAgreement(const NumberTable& counts, const NumberTable& w, double confidence) {
   const std::size_t size = counts.rows();
   double n = 0.0;
-  for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t j = 0; j < size; ++j) n += counts.at(i, j);
-  if (n == 0.0) return Outcome<KappaResult>::undefined("there are no ratings");
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j) {
+      n += counts.at(i, j);
+    }
+  }
+  if (n == 0.0) {
+    return Outcome<KappaResult>::undefined("there are no ratings");
+  }
   std::vector<double> rows(size, 0.0);
   std::vector<double> columns(size, 0.0);
-  for (std::size_t i = 0; i < size; ++i)
+  for (std::size_t i = 0; i < size; ++i) {
     for (std::size_t j = 0; j < size; ++j) {
       rows[i] += counts.at(i, j) / n;
       columns[j] += counts.at(i, j) / n;
     }
+  }
   KappaResult out;
   std::vector<double> rowWeights(size, 0.0);
   std::vector<double> columnWeights(size, 0.0);
-  for (std::size_t i = 0; i < size; ++i)
+  for (std::size_t i = 0; i < size; ++i) {
     for (std::size_t j = 0; j < size; ++j) {
       out.observed += w.at(i, j) * counts.at(i, j) / n;
       out.expected += w.at(i, j) * rows[i] * columns[j];
       rowWeights[i] += w.at(i, j) * columns[j];
       columnWeights[j] += w.at(i, j) * rows[i];
     }
-  if (out.expected >= 1.0)
+  }
+  if (out.expected >= 1.0) {
     return Outcome<KappaResult>::undefined("both raters use one and the same category only");
+  }
   out.kappa = (out.observed - out.expected) / (1.0 - out.expected);
   // Fleiss, Cohen and Everitt (1969).
   double spread = 0.0;
   double spreadUnderNull = 0.0;
-  for (std::size_t i = 0; i < size; ++i)
+  for (std::size_t i = 0; i < size; ++i) {
     for (std::size_t j = 0; j < size; ++j) {
       const double margins = rowWeights[i] + columnWeights[j];
       const double d = w.at(i, j) - margins * (1.0 - out.kappa);
@@ -156,11 +197,14 @@ Outcome<KappaResult> kappaWithAgreement(const NumberTable& counts, const NumberT
       spread += counts.at(i, j) / n * d * d;
       spreadUnderNull += rows[i] * columns[j] * d0 * d0;
     }
+  }
   const double centre = out.kappa - out.expected * (1.0 - out.kappa);
   const double scale = std::sqrt(n) * (1.0 - out.expected);
   out.error = std::sqrt(std::max(0.0, spread - centre * centre)) / scale;
   out.errorUnderNull = std::sqrt(std::max(0.0, spreadUnderNull - out.expected * out.expected)) / scale;
-  if (out.errorUnderNull > 0.0) out.z = out.kappa / out.errorUnderNull;
+  if (out.errorUnderNull > 0.0) {
+    out.z = out.kappa / out.errorUnderNull;
+  }
   const double reach = normalQuantile(0.5 * (1.0 + confidence)) * out.error;
   out.interval = {out.kappa - reach, out.kappa + reach};
   return out;
@@ -170,17 +214,24 @@ Outcome<KappaResult> kappaWithAgreement(const NumberTable& counts, const NumberT
 
 Outcome<KappaResult> cohenKappa(const NumberTable& table, KappaWeights weights, double confidence) {
   TORSIO_EXPECTS(table.rows() == table.columns());
-  if (table.rows() < 2) return Outcome<KappaResult>::undefined("there are fewer than two categories");
+  if (table.rows() < 2) {
+    return Outcome<KappaResult>::undefined("there are fewer than two categories");
+  }
   NumberTable agreement(table.rows(), table.rows());
   const double span = static_cast<double>(table.rows() - 1);
-  for (std::size_t i = 0; i < table.rows(); ++i)
+  for (std::size_t i = 0; i < table.rows(); ++i) {
     for (std::size_t j = 0; j < table.rows(); ++j) {
       const double distance = (static_cast<double>(i) - static_cast<double>(j)) / span;
       double w = i == j ? 1.0 : 0.0;
-      if (weights == KappaWeights::kLinear) w = 1.0 - std::abs(distance);
-      if (weights == KappaWeights::kQuadratic) w = 1.0 - distance * distance;
+      if (weights == KappaWeights::kLinear) {
+        w = 1.0 - std::abs(distance);
+      }
+      if (weights == KappaWeights::kQuadratic) {
+        w = 1.0 - distance * distance;
+      }
       agreement.at(i, j) = w;
     }
+  }
   return kappaWithAgreement(table, agreement, confidence);
 }
 
@@ -189,21 +240,34 @@ Outcome<KappaResult> cohenKappa(const NumberTable& table, const NumberTable& dis
   TORSIO_EXPECTS(table.rows() == table.columns() && disagreement.rows() == table.rows() &&
                  disagreement.columns() == table.rows());
   double largest = 0.0;
-  for (std::size_t i = 0; i < table.rows(); ++i)
-    for (std::size_t j = 0; j < table.rows(); ++j) largest = std::max(largest, disagreement.at(i, j));
-  if (largest == 0.0) return Outcome<KappaResult>::undefined("no disagreement has any weight");
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    for (std::size_t j = 0; j < table.rows(); ++j) {
+      largest = std::max(largest, disagreement.at(i, j));
+    }
+  }
+  if (largest == 0.0) {
+    return Outcome<KappaResult>::undefined("no disagreement has any weight");
+  }
   NumberTable agreement(table.rows(), table.rows());
-  for (std::size_t i = 0; i < table.rows(); ++i)
-    for (std::size_t j = 0; j < table.rows(); ++j) agreement.at(i, j) = 1.0 - disagreement.at(i, j) / largest;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    for (std::size_t j = 0; j < table.rows(); ++j) {
+      agreement.at(i, j) = 1.0 - disagreement.at(i, j) / largest;
+    }
+  }
   return kappaWithAgreement(table, agreement, confidence);
 }
 
 Outcome<FleissResult> fleissKappa(const NumberTable& counts) {
-  if (counts.rows() < 1 || counts.columns() < 2)
+  if (counts.rows() < 1 || counts.columns() < 2) {
     return Outcome<FleissResult>::undefined("kappa needs subjects and at least two categories");
+  }
   double m = 0.0;
-  for (const double count : counts.row(0)) m += count;
-  if (m < 2.0) return Outcome<FleissResult>::undefined("there are fewer than two raters");
+  for (const double count : counts.row(0)) {
+    m += count;
+  }
+  if (m < 2.0) {
+    return Outcome<FleissResult>::undefined("there are fewer than two raters");
+  }
   const double n = static_cast<double>(counts.rows());
   FleissResult out;
   std::vector<double> shares(counts.columns(), 0.0);
@@ -218,9 +282,10 @@ Outcome<FleissResult> fleissKappa(const NumberTable& counts) {
       shares[j] += count / (n * m);
       disagreements[j] += count * (m - count);
     }
-    if (sum != m)
+    if (sum != m) {
       throw Error(ErrorCode::kBadData, "the subjects were not all rated by the same number of raters",
                   Text("row %1", i + 1), "Use Krippendorff's alpha for incomplete ratings.");
+    }
     out.observed += (squares - m) / (m * (m - 1.0)) / n;
   }
   double pq = 0.0;
@@ -232,9 +297,13 @@ Outcome<FleissResult> fleissKappa(const NumberTable& counts) {
     pq += p * q;
     skew += p * q * (q - p);
     out.byCategory.push_back(std::nullopt);
-    if (p > 0.0 && p < 1.0) out.byCategory[j] = 1.0 - disagreements[j] / (n * m * (m - 1.0) * p * q);
+    if (p > 0.0 && p < 1.0) {
+      out.byCategory[j] = 1.0 - disagreements[j] / (n * m * (m - 1.0) * p * q);
+    }
   }
-  if (pq == 0.0) return Outcome<FleissResult>::undefined("only one category was used");
+  if (pq == 0.0) {
+    return Outcome<FleissResult>::undefined("only one category was used");
+  }
   out.kappa = (out.observed - out.expected) / (1.0 - out.expected);
   out.errorByCategory = std::sqrt(2.0 / (n * m * (m - 1.0)));
   out.errorUnderNull = out.errorByCategory * std::sqrt(pq * pq - skew) / pq;

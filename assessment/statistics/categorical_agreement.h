@@ -22,8 +22,8 @@ struct KrippendorffResult {
 
 using IncompleteRatings = std::vector<std::vector<std::optional<double>>>;  ///< coders x units
 
-/// Krippendorff's alpha for any pattern of missing ratings. Undefined when fewer than two values can be
-/// paired or all are the same (agreement without variation is not perfect reliability).
+/// Computes Krippendorff's alpha for any pattern of missing ratings. Undefined when fewer than two values
+/// can be paired or all are the same (agreement without variation is not perfect reliability).
 [[nodiscard]] Outcome<KrippendorffResult> krippendorffAlpha(const IncompleteRatings& codersByUnit,
                                                             AlphaMetric metric);
 
@@ -50,12 +50,13 @@ struct KappaResult {
   Interval interval;
 };
 
-/// Two raters; `table`: counts, categories of the first rater x categories of the second, the full list of
-/// categories even when one is unused. Undefined for an empty table or when both raters use one category
-/// only.
+/// Computes Cohen's kappa of two raters. `table`: counts, categories of the first rater x categories of the
+/// second, the full list of categories even when one is unused. Undefined for an empty table or when both
+/// raters use one category only.
 [[nodiscard]] Outcome<KappaResult> cohenKappa(const NumberTable& table, KappaWeights weights,
                                               double confidence = kUsualConfidence);
-/// The same with own disagreements (0 on the diagonal); agreement is 1 - disagreement / largest disagreement.
+/// Computes Cohen's kappa with disagreements of the caller's (0 on the diagonal); agreement is 1 -
+/// disagreement / largest disagreement.
 [[nodiscard]] Outcome<KappaResult> cohenKappa(const NumberTable& table, const NumberTable& disagreement,
                                               double confidence = kUsualConfidence);
 
@@ -69,9 +70,9 @@ struct FleissResult {
   double errorByCategory = 0.0;
 };
 
-/// Many exchangeable raters; `counts`: subjects x categories, every row with the same number of raters (at
-/// least two). Throws Error{kBadData} when the rows differ in their sums. Undefined when only one category
-/// was used.
+/// Computes Fleiss' kappa of many exchangeable raters. `counts`: subjects x categories, every row with the
+/// same number of raters (at least two). Throws Error{kBadData} when the rows differ in their sums.
+/// Undefined when only one category was used.
 [[nodiscard]] Outcome<FleissResult> fleissKappa(const NumberTable& counts);
 
 }  // namespace torsio

@@ -34,10 +34,14 @@ std::optional<State> evaluate(const Curve& curve, std::span<const double> x, std
     const auto at = static_cast<std::size_t>(i);
     const double value = curve({b.data(), derivatives.size()}, x[at], derivatives);
     out.residuals[i] = y[at] - value;
-    for (Index j = 0; j < b.size(); ++j) out.jacobian(i, j) = derivatives[static_cast<std::size_t>(j)];
+    for (Index j = 0; j < b.size(); ++j) {
+      out.jacobian(i, j) = derivatives[static_cast<std::size_t>(j)];
+    }
   }
   out.rss = out.residuals.squaredNorm();
-  if (!std::isfinite(out.rss) || !out.jacobian.allFinite()) return std::nullopt;
+  if (!std::isfinite(out.rss) || !out.jacobian.allFinite()) {
+    return std::nullopt;
+  }
   return out;
 }
 
@@ -49,8 +53,9 @@ Eigen::VectorXd dampedStep(const State& state, double lambda) {
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n + p);
   stacked.topRows(n) = state.jacobian;
   right.head(n) = state.residuals;
-  for (Index j = 0; j < p; ++j)
+  for (Index j = 0; j < p; ++j) {
     stacked(n + j, j) = std::sqrt(lambda) * std::max(1e-300, state.jacobian.col(j).norm());
+  }
   return stacked.colPivHouseholderQr().solve(right);
 }
 
@@ -70,7 +75,9 @@ void finish(const State& state, const Eigen::VectorXd& b, CurveFit& out) {
   for (Index i = 0; i < b.size(); ++i) {
     out.parameters.push_back(b[i]);
     out.errors.push_back(std::sqrt(covariance(i, i)));
-    for (Index j = 0; j < b.size(); ++j) out.covariance.push_back(covariance(i, j));
+    for (Index j = 0; j < b.size(); ++j) {
+      out.covariance.push_back(covariance(i, j));
+    }
   }
 }
 
@@ -79,15 +86,20 @@ void finish(const State& state, const Eigen::VectorXd& b, CurveFit& out) {
 Outcome<CurveFit> fitCurve(const Curve& curve, std::span<const double> x, std::span<const double> y,
                            std::span<const double> start) {
   TORSIO_EXPECTS(x.size() == y.size());
-  if (x.size() < start.size() + 2)
+  if (x.size() < start.size() + 2) {
     return Outcome<CurveFit>::undefined("there are too few points for the parameters");
+  }
   Eigen::VectorXd b = Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Index>(start.size()));
   std::optional<State> state = evaluate(curve, x, y, b);
-  if (!state) return Outcome<CurveFit>::undefined("the start lies outside the domain of the curve");
+  if (!state) {
+    return Outcome<CurveFit>::undefined("the start lies outside the domain of the curve");
+  }
   double lambda = 1e-3;
   for (int iteration = 1; iteration <= kMaxIterations; ++iteration) {
     const Eigen::VectorXd step = dampedStep(*state, lambda);
-    if (!step.allFinite()) return Outcome<CurveFit>::undefined("the parameters cannot be told apart");
+    if (!step.allFinite()) {
+      return Outcome<CurveFit>::undefined("the parameters cannot be told apart");
+    }
     const Eigen::VectorXd next = b + step;
     const std::optional<State> trial = evaluate(curve, x, y, next);
     const bool better = trial && trial->rss <= state->rss;
@@ -100,12 +112,15 @@ Outcome<CurveFit> fitCurve(const Curve& curve, std::span<const double> x, std::s
       lambda *= 10.0;
     }
     if (tiny || lambda > 1e14) {
-      if (!(state->rss > 0.0)) return Outcome<CurveFit>::undefined("the curve passes through every point");
+      if (!(state->rss > 0.0)) {
+        return Outcome<CurveFit>::undefined("the curve passes through every point");
+      }
       CurveFit out;
       out.iterations = iteration;
       finish(*state, b, out);
-      if (!std::all_of(out.errors.begin(), out.errors.end(), [](double e) { return std::isfinite(e); }))
+      if (!std::all_of(out.errors.begin(), out.errors.end(), [](double e) { return std::isfinite(e); })) {
         return Outcome<CurveFit>::undefined("the parameters cannot be told apart");
+      }
       return out;
     }
   }
@@ -127,7 +142,9 @@ Curve familyCurve(LearningFamily family, bool withAsymptote) {
   return [=](std::span<const double> b, double t, std::span<double> d) {
     const std::size_t first = withAsymptote ? 1 : 0;
     const double form = shape(family, b[first + 1], t);
-    if (withAsymptote) d[0] = 1.0;
+    if (withAsymptote) {
+      d[0] = 1.0;
+    }
     d[first] = form;
     d[first + 1] = b[first] * shapeByRate(family, b[first + 1], t);
     return (withAsymptote ? b[0] : 0.0) + b[first] * form;
@@ -141,19 +158,29 @@ Outcome<CurveFit> bestFit(LearningFamily family, std::span<const double> t, std:
   std::string reason = "no start converges";
   for (const double rate : {0.05, 0.2, 0.5, 1.0, 2.0}) {
     std::vector<double> form;
-    for (const double at : t) form.push_back(shape(family, rate, at));
+    for (const double at : t) {
+      form.push_back(shape(family, rate, at));
+    }
     const double meanForm = meanOf(form);
     const double meanY = meanOf(y);
     double product = 0.0;
-    for (std::size_t i = 0; i < form.size(); ++i) product += (form[i] - meanForm) * (y[i] - meanY);
+    for (std::size_t i = 0; i < form.size(); ++i) {
+      product += (form[i] - meanForm) * (y[i] - meanY);
+    }
     const double slope = product / std::max(1e-300, sumOfSquares(form));
     const std::vector<double> start = asymptote ? std::vector<double>{meanY - slope * meanForm, slope, rate}
                                                 : std::vector<double>{meanY / meanForm, rate};
     const Outcome<CurveFit> fit = fitCurve(familyCurve(family, asymptote), t, y, start);
-    if (!fit) reason = fit.reason();
-    if (fit && (!best || fit->rss < best->rss)) best = *fit;
+    if (!fit) {
+      reason = fit.reason();
+    }
+    if (fit && (!best || fit->rss < best->rss)) {
+      best = *fit;
+    }
   }
-  if (!best) return Outcome<CurveFit>::undefined(reason);
+  if (!best) {
+    return Outcome<CurveFit>::undefined(reason);
+  }
   return *best;
 }
 
@@ -162,11 +189,16 @@ Outcome<CurveFit> bestFit(LearningFamily family, std::span<const double> t, std:
 Outcome<LearningCurve> fitLearningCurve(LearningFamily family, std::span<const double> attempt,
                                         std::span<const double> value, bool asymptoteNotNegative) {
   TORSIO_EXPECTS(attempt.size() == value.size());
-  if (attempt.size() < kFewestAttempts)
+  if (attempt.size() < kFewestAttempts) {
     return Outcome<LearningCurve>::undefined("fewer than eight attempts cannot tell three parameters apart");
-  for (const double t : attempt) TORSIO_EXPECTS(t >= 1.0);
+  }
+  for (const double t : attempt) {
+    TORSIO_EXPECTS(t >= 1.0);
+  }
   const Outcome<CurveFit> free = bestFit(family, attempt, value, true);
-  if (!free) return Outcome<LearningCurve>::undefined(free.reason());
+  if (!free) {
+    return Outcome<LearningCurve>::undefined(free.reason());
+  }
   LearningCurve out;
   out.family = family;
   out.asymptoteAtZero = asymptoteNotNegative && free->parameters[0] < 0.0;
@@ -178,7 +210,9 @@ Outcome<LearningCurve> fitLearningCurve(LearningFamily family, std::span<const d
     return out;
   }
   const Outcome<CurveFit> held = bestFit(family, attempt, value, false);
-  if (!held) return Outcome<LearningCurve>::undefined(held.reason());
+  if (!held) {
+    return Outcome<LearningCurve>::undefined(held.reason());
+  }
   out.fit = *held;
   out.gain = held->parameters[0];
   out.rate = held->parameters[1];
@@ -194,9 +228,11 @@ Interval learningBandAt(const LearningCurve& curve, double t, double confidence)
   std::vector<double> gradient(p);
   const double value = familyCurve(curve.family, !curve.asymptoteAtZero)(curve.fit.parameters, t, gradient);
   double variance = 0.0;
-  for (std::size_t i = 0; i < p; ++i)
-    for (std::size_t j = 0; j < p; ++j)
+  for (std::size_t i = 0; i < p; ++i) {
+    for (std::size_t j = 0; j < p; ++j) {
       variance += gradient[i] * gradient[j] * curve.fit.covariance[i * p + j];
+    }
+  }
   const double df = static_cast<double>(curve.fit.n - p);
   const double reach = tQuantile(0.5 * (1.0 + confidence), df) * std::sqrt(std::max(0.0, variance));
   return {value - reach, value + reach};
@@ -204,20 +240,27 @@ Interval learningBandAt(const LearningCurve& curve, double t, double confidence)
 
 Outcome<LogLogLine> logLogLine(std::span<const double> attempt, std::span<const double> value) {
   TORSIO_EXPECTS(attempt.size() == value.size());
-  if (attempt.size() < 3) return Outcome<LogLogLine>::undefined("there are fewer than three attempts");
+  if (attempt.size() < 3) {
+    return Outcome<LogLogLine>::undefined("there are fewer than three attempts");
+  }
   std::vector<double> x;
   std::vector<double> y;
   for (std::size_t i = 0; i < attempt.size(); ++i) {
-    if (!(attempt[i] > 0.0 && value[i] > 0.0))
+    if (!(attempt[i] > 0.0 && value[i] > 0.0)) {
       return Outcome<LogLogLine>::undefined("a value is not positive");
+    }
     x.push_back(std::log(attempt[i]));
     y.push_back(std::log(value[i]));
   }
   const double xx = sumOfSquares(x);
   const double yy = sumOfSquares(y);
-  if (xx == 0.0 || yy == 0.0) return Outcome<LogLogLine>::undefined("the values do not vary");
+  if (xx == 0.0 || yy == 0.0) {
+    return Outcome<LogLogLine>::undefined("the values do not vary");
+  }
   double xy = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) xy += (x[i] - meanOf(x)) * (y[i] - meanOf(y));
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xy += (x[i] - meanOf(x)) * (y[i] - meanOf(y));
+  }
   LogLogLine out;
   out.slope = xy / xx;
   out.intercept = meanOf(y) - out.slope * meanOf(x);

@@ -25,8 +25,9 @@ struct CurveFit {
   int iterations = 0;
 };
 
-/// Least squares by Levenberg and Marquardt from one start, with the derivatives given. Undefined when there
-/// are not more points than parameters plus one, or when the iteration does not settle.
+/// Fits a curve by least squares, Levenberg and Marquardt from one start, with the derivatives given.
+/// Undefined when there are not more points than parameters plus one, or when the iteration does not
+/// settle.
 [[nodiscard]] Outcome<CurveFit> fitCurve(const Curve& curve, std::span<const double> x,
                                          std::span<const double> y, std::span<const double> start);
 
@@ -44,17 +45,18 @@ struct LearningCurve {
   CurveFit fit;                  ///< parameters c, a, rate; a, rate when the asymptote is held at 0
 };
 
-/// Fewer attempts cannot tell three parameters apart.
+/// Fewest attempts that can tell three parameters apart.
 inline constexpr std::size_t kFewestAttempts = 8;
 
-/// One trainee's learning curve; `attempt` counts from 1. Each trainee is fitted alone: a mean of
+/// Fits one trainee's learning curve; `attempt` counts from 1. Each trainee is fitted alone: a mean of
 /// exponentials looks like a power law. Undefined for fewer than eight attempts or when no start converges.
 [[nodiscard]] Outcome<LearningCurve> fitLearningCurve(LearningFamily family, std::span<const double> attempt,
                                                       std::span<const double> value,
                                                       bool asymptoteNotNegative = true);
 
-/// The curve at t, and the confidence band of the mean by the delta method.
+/// Evaluates the curve at t.
 [[nodiscard]] double learningCurveAt(const LearningCurve& curve, double t);
+/// Returns the confidence band of the mean at t, by the delta method.
 [[nodiscard]] Interval learningBandAt(const LearningCurve& curve, double t,
                                       double confidence = kUsualConfidence);
 
@@ -64,7 +66,8 @@ struct LogLogLine {
   double ratePerDoubling = 0.0;  ///< 2^slope
   double rSquared = 0.0;
 };
-/// Straight line through the logarithms: forces the asymptote 0. Undefined unless all values are positive.
+/// Fits a straight line through the logarithms, which forces the asymptote 0. Undefined unless all values
+/// are positive.
 [[nodiscard]] Outcome<LogLogLine> logLogLine(std::span<const double> attempt, std::span<const double> value);
 
 }  // namespace torsio

@@ -42,7 +42,9 @@ TabularCusum tabularCusum(std::span<const double> values, double target, double 
     point.upperRun = point.upper > 0.0 ? last.upperRun + 1 : 0;
     point.lowerRun = point.lower > 0.0 ? last.lowerRun + 1 : 0;
     out.points.push_back(point);
-    if (!out.firstSignal && (point.upper > limit || point.lower > limit)) out.firstSignal = out.points.size();
+    if (!out.firstSignal && (point.upper > limit || point.lower > limit)) {
+      out.firstSignal = out.points.size();
+    }
     last = point;
   }
   return out;
@@ -55,12 +57,14 @@ double averageRunLengthOneSided(double k, double h, double shift) {
   std::vector<double> nodes;
   std::vector<double> weights;
   const double half = 0.5 * h / kPanels;
-  for (int panel = 0; panel < kPanels; ++panel)
-    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
+  for (int panel = 0; panel < kPanels; ++panel) {
+    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
       for (const double side : {-1.0, 1.0}) {
         nodes.push_back(half * (2.0 * panel + 1.0 + side * Rule::abscissa()[i]));
         weights.push_back(half * Rule::weights()[i]);
       }
+    }
+  }
   // L(u) = 1 + L(0) Phi(k - shift - u) + integral over (0, h) of L(x) phi(x + k - shift - u) dx; L(0) comes
   // first.
   const auto n = static_cast<Eigen::Index>(nodes.size());
@@ -78,15 +82,6 @@ double averageRunLengthOneSided(double k, double h, double shift) {
 
 double averageRunLengthTwoSided(double k, double h, double shift) {
   return 1.0 / (1.0 / averageRunLengthOneSided(k, h, shift) + 1.0 / averageRunLengthOneSided(k, h, -shift));
-}
-
-double averageRunLengthSiegmund(double k, double h, double shift) {
-  const auto oneSided = [&](double drift) {
-    const double b = h + 1.166;
-    if (drift == 0.0) return b * b;
-    return (std::exp(-2.0 * drift * b) + 2.0 * drift * b - 1.0) / (2.0 * drift * drift);
-  };
-  return 1.0 / (1.0 / oneSided(shift - k) + 1.0 / oneSided(-shift - k));
 }
 
 BinaryCusum binaryCusum(const std::vector<bool>& failed, double acceptable, double unacceptable, double alpha,
@@ -115,7 +110,9 @@ LcCusum lcCusum(const std::vector<bool>& failed, const LcCusumDesign& design) {
   for (const bool failure : failed) {
     sum = std::max(0.0, sum + (failure ? weights.failure : weights.success));
     out.sums.push_back(sum);
-    if (!out.competentAt && sum >= design.limit - kRounding) out.competentAt = out.sums.size();
+    if (!out.competentAt && sum >= design.limit - kRounding) {
+      out.competentAt = out.sums.size();
+    }
   }
   return out;
 }
@@ -129,16 +126,18 @@ double lcCusumProbability(const LcCusumDesign& design, double failureRate, std::
   double declared = 0.0;
   for (std::size_t attempt = 0; attempt < attempts; ++attempt) {
     std::map<std::pair<int, int>, double> next;
-    for (const auto& [state, probability] : states)
+    for (const auto& [state, probability] : states) {
       for (const bool failure : {false, true}) {
         const std::pair<int, int> to = {state.first + (failure ? 0 : 1), state.second + (failure ? 1 : 0)};
         const double sum = to.first * weights.success + to.second * weights.failure;
         const double share = probability * (failure ? failureRate : 1.0 - failureRate);
-        if (sum >= design.limit - kRounding)
+        if (sum >= design.limit - kRounding) {
           declared += share;
-        else
+        } else {
           next[sum <= kRounding ? std::pair{0, 0} : to] += share;
+        }
       }
+    }
     states = std::move(next);
   }
   return declared;
@@ -156,7 +155,9 @@ std::optional<double> chooseLcCusumLimit(double adequate, double inadequate, std
     design.limit = hundredths / 100.0;
     return lcCusumProbability(design, inadequate, attempts);
   };
-  if (high < 1 || passes(high) > falsePass) return std::nullopt;
+  if (high < 1 || passes(high) > falsePass) {
+    return std::nullopt;
+  }
   while (high - low > 1) {
     const int middle = (low + high) / 2;
     (passes(middle) <= falsePass ? high : low) = middle;
@@ -171,14 +172,11 @@ RelapseWatch watchForRelapse(const std::vector<bool>& failed, const LcCusumDesig
   for (const bool failure : failed) {
     sum = std::max(0.0, sum - (failure ? weights.failure : weights.success));
     out.sums.push_back(sum);
-    if (!out.alarmAt && sum >= design.limit - kRounding) out.alarmAt = out.sums.size();
+    if (!out.alarmAt && sum >= design.limit - kRounding) {
+      out.alarmAt = out.sums.size();
+    }
   }
   return out;
-}
-
-double riskAdjustedWeight(bool failed, double predictedRisk, double oddsRatio) {
-  TORSIO_EXPECTS(predictedRisk >= 0.0 && predictedRisk <= 1.0 && oddsRatio > 0.0);
-  return (failed ? std::log(oddsRatio) : 0.0) - std::log(1.0 - predictedRisk + oddsRatio * predictedRisk);
 }
 
 }  // namespace torsio

@@ -19,26 +19,25 @@ struct TabularCusum {
   std::vector<TabularCusumPoint> points;
   std::optional<std::size_t> firstSignal;  ///< number of the value, from 1
 };
-/// `reference` K and `limit` H in the unit of the values (k sigma, h sigma; 0.5 and 4 or 5 are usual). Sigma
-/// from trials during learning is too large.
+/// Computes a tabular CUSUM. `reference` K and `limit` H in the unit of the values (k sigma, h sigma; 0.5
+/// and 4 or 5 are usual). Sigma from trials during learning is too large.
 [[nodiscard]] TabularCusum tabularCusum(std::span<const double> values, double target, double reference,
                                         double limit);
 
-/// Average run length of the one-sided and two-sided CUSUM of normal values, in units of sigma, from the
-/// integral equation (Gauss-Legendre collocation).
+/// Computes the average run length of the one-sided and two-sided CUSUM of normal values, in units of
+/// sigma, from the integral equation (Gauss-Legendre collocation).
 [[nodiscard]] double averageRunLengthOneSided(double k, double h, double shift);
 [[nodiscard]] double averageRunLengthTwoSided(double k, double h, double shift);
-/// Siegmund's approximation of the two-sided run length, for comparison.
-[[nodiscard]] double averageRunLengthSiegmund(double k, double h, double shift);
 
-/// Success and failure, as the surgical literature draws it: a failure adds 1 - s, a success subtracts s.
+/// CUSUM of success and failure, as the surgical literature draws it: a failure adds 1 - s, a success
+/// subtracts s.
 struct BinaryCusum {
   double s = 0.0;
   double h0 = 0.0;  ///< crossing this many below: performance as good as p0
   double h1 = 0.0;  ///< crossing this many above: as bad as p1
   std::vector<double> sums;
 };
-/// `acceptable` p0 < `unacceptable` p1 failure rates.
+/// Computes the CUSUM of successes and failures for the failure rates `acceptable` p0 < `unacceptable` p1.
 [[nodiscard]] BinaryCusum binaryCusum(const std::vector<bool>& failed, double acceptable, double unacceptable,
                                       double alpha, double beta);
 
@@ -57,25 +56,22 @@ struct LcCusum {
 };
 [[nodiscard]] LcCusum lcCusum(const std::vector<bool>& failed, const LcCusumDesign& design);
 
-/// Exact probability that a trainee with the given failure rate is declared competent within so many
-/// attempts.
+/// Computes the exact probability that a trainee with the given failure rate is declared competent within
+/// so many attempts.
 [[nodiscard]] double lcCusumProbability(const LcCusumDesign& design, double failureRate,
                                         std::size_t attempts);
 
-/// The smallest limit, in steps of 0.01, at which an inadequate trainee passes with at most `falsePass`;
-/// empty when even the largest reachable sum would be too low.
+/// Chooses the smallest limit, in steps of 0.01, at which an inadequate trainee passes with at most
+/// `falsePass`; empty when even the largest reachable sum would be too low.
 [[nodiscard]] std::optional<double> chooseLcCusumLimit(double adequate, double inadequate,
                                                        std::size_t attempts, double falsePass);
 
-/// After competence: S = max(0, S + W') with the weights reversed; an alarm says that the skill has decayed.
+/// Watch for relapse after competence: S = max(0, S + W') with the weights reversed; an alarm says that the
+/// skill has decayed.
 struct RelapseWatch {
   std::vector<double> sums;
   std::optional<std::size_t> alarmAt;
 };
 [[nodiscard]] RelapseWatch watchForRelapse(const std::vector<bool>& failed, const LcCusumDesign& design);
-
-/// Weight of one outcome at predicted risk p when the odds of failure are multiplied by `oddsRatio` (Steiner
-/// 2000).
-[[nodiscard]] double riskAdjustedWeight(bool failed, double predictedRisk, double oddsRatio);
 
 }  // namespace torsio

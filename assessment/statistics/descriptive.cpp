@@ -20,12 +20,15 @@ DoubledRanks ranksOf(std::span<const T> values) {
   out.ranks.resize(values.size());
   for (std::size_t first = 0; first < order.size();) {
     std::size_t end = first;
-    while (end < order.size() && !(values[order[first]] < values[order[end]])) ++end;
+    while (end < order.size() && !(values[order[first]] < values[order[end]])) {
+      ++end;
+    }
     const auto ties = static_cast<std::int64_t>(end - first);
     out.tieTerm += ties * ties * ties - ties;
     // Ranks first + 1 .. end have the middle (first + 1 + end) / 2.
-    for (std::size_t i = first; i < end; ++i)
+    for (std::size_t i = first; i < end; ++i) {
       out.ranks[order[i]] = static_cast<std::int64_t>(first + 1 + end);
+    }
     first = end;
   }
   return out;
@@ -59,13 +62,17 @@ double sumOfSquares(std::span<const double> values) {
 }
 
 std::optional<double> sampleVariance(std::span<const double> values) {
-  if (values.size() < 2) return std::nullopt;
+  if (values.size() < 2) {
+    return std::nullopt;
+  }
   return sumOfSquares(values) / static_cast<double>(values.size() - 1);
 }
 
 std::optional<double> sampleDeviation(std::span<const double> values) {
   const std::optional<double> variance = sampleVariance(values);
-  if (!variance) return std::nullopt;
+  if (!variance) {
+    return std::nullopt;
+  }
   return std::sqrt(*variance);
 }
 
@@ -92,10 +99,14 @@ std::optional<std::vector<std::int64_t>> asWholeNumbers(std::span<const double> 
     for (const double x : values) {
       const double scaled = x * scale;
       const double nearest = std::round(scaled);
-      if (std::abs(scaled) > kLargest || std::abs(scaled - nearest) > kRounding * std::abs(scaled)) break;
+      if (std::abs(scaled) > kLargest || std::abs(scaled - nearest) > kRounding * std::abs(scaled)) {
+        break;
+      }
       whole.push_back(static_cast<std::int64_t>(nearest));
     }
-    if (whole.size() == values.size()) return whole;
+    if (whole.size() == values.size()) {
+      return whole;
+    }
   }
   return std::nullopt;
 }

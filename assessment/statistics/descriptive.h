@@ -8,14 +8,15 @@
 
 namespace torsio {
 
-/// Mean with compensated summation; values must not be empty.
+/// Computes the mean with compensated summation; values must not be empty.
 [[nodiscard]] double meanOf(std::span<const double> values);
-/// Sum of squares about the mean, in two passes with correction: large offsets do no harm.
+/// Computes the sum of squares about the mean, in two passes with correction, so that large offsets do no
+/// harm.
 [[nodiscard]] double sumOfSquares(std::span<const double> values);
-/// Variance with divisor n - 1; empty for fewer than two values.
+/// Computes the variance with divisor n - 1; empty for fewer than two values.
 [[nodiscard]] std::optional<double> sampleVariance(std::span<const double> values);
 [[nodiscard]] std::optional<double> sampleDeviation(std::span<const double> values);
-/// Middle value; values must not be empty.
+/// Returns the middle value; values must not be empty.
 [[nodiscard]] double medianOf(std::span<const double> values);
 
 /// Ranks times two: whole numbers even where ties share a middle rank.
@@ -24,13 +25,13 @@ struct DoubledRanks {
   std::int64_t tieTerm = 0;  ///< sum of t^3 - t over groups of t equal values
 };
 
-/// Ranks equal only what is equal. Differences of decimals must be formed in whole numbers first (see
+/// Ranks values; only equal doubles tie. Differences of decimals must be formed in whole numbers first (see
 /// exactGains): 6.9 - 5.1 and 7.0 - 5.2 are not the same double.
 [[nodiscard]] DoubledRanks doubledRanks(std::span<const double> values);
 [[nodiscard]] DoubledRanks doubledRanks(std::span<const std::int64_t> values);
 
-/// Decimals as whole numbers: every value times the smallest power of ten, up to 10^6, that makes all of them
-/// whole to within rounding of the double. Empty when a value has more decimals.
+/// Converts decimals to whole numbers: every value times the smallest power of ten, up to 10^6, that makes
+/// all of them whole to within rounding of the double. Empty when a value has more decimals.
 [[nodiscard]] std::optional<std::vector<std::int64_t>> asWholeNumbers(std::span<const double> values);
 
 }  // namespace torsio

@@ -4,15 +4,11 @@
 #include <cmath>
 #include <cstdint>
 
-#include <boost/math/distributions/beta.hpp>
-#include <boost/math/distributions/binomial.hpp>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
-#include <boost/math/distributions/hypergeometric.hpp>
 #include <boost/math/distributions/non_central_f.hpp>
 #include <boost/math/distributions/non_central_t.hpp>
 #include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/poisson.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -31,7 +27,6 @@ using Normal = bm::normal_distribution<double, Policy>;
 using StudentT = bm::students_t_distribution<double, Policy>;
 using FisherF = bm::fisher_f_distribution<double, Policy>;
 using ChiSquared = bm::chi_squared_distribution<double, Policy>;
-using Beta = bm::beta_distribution<double, Policy>;
 using NoncentralT = bm::non_central_t_distribution<double, Policy>;
 using NoncentralF = bm::non_central_f_distribution<double, Policy>;
 
@@ -43,22 +38,27 @@ template <class Function>
 double integrate(const Function& f, double from, double to, int panels) {
   const double width = (to - from) / panels;
   double sum = 0.0;
-  for (int i = 0; i < panels; ++i)
+  for (int i = 0; i < panels; ++i) {
     sum += bm::quadrature::gauss<double, 20>::integrate(f, from + width * i, from + width * (i + 1));
+  }
   return sum;
 }
 
 /// P(range of k standard normal values > w) = k integral phi(z) [Phi(z)^(k-1) - (Phi(z) - Phi(z - w))^(k-1)]
 /// dz: the complement under the integral keeps small tails accurate.
 double rangeUpper(double w, int groups) {
-  if (w <= 0.0) return 1.0;
+  if (w <= 0.0) {
+    return 1.0;
+  }
   const auto integrand = [&](double z) {
     const double upper = normalCdf(z);
     const double lower = normalCdf(z - w);
     // a^(k-1) - b^(k-1) = (a - b) sum a^i b^(k-2-i), with a - b = Phi(z - w)
     double sum = 0.0;
     const double inside = upper - lower;
-    for (int i = 0; i <= groups - 2; ++i) sum += std::pow(upper, i) * std::pow(inside, groups - 2 - i);
+    for (int i = 0; i <= groups - 2; ++i) {
+      sum += std::pow(upper, i) * std::pow(inside, groups - 2 - i);
+    }
     return normalDensity(z) * lower * sum;
   };
   constexpr double kReach = 8.5;
@@ -85,9 +85,6 @@ double normalTwoSided(double z) {
   return 2.0 * normalUpper(std::abs(z));
 }
 
-double tCdf(double t, double df) {
-  return bm::cdf(StudentT(df), t);
-}
 double tQuantile(double p, double df) {
   TORSIO_EXPECTS(p > 0.0 && p < 1.0);
   return bm::quantile(StudentT(df), p);
@@ -96,9 +93,6 @@ double tTwoSided(double t, double df) {
   return 2.0 * bm::cdf(bm::complement(StudentT(df), std::abs(t)));
 }
 
-double fCdf(double f, double df1, double df2) {
-  return bm::cdf(FisherF(df1, df2), f);
-}
 double fUpper(double f, double df1, double df2) {
   return bm::cdf(bm::complement(FisherF(df1, df2), f));
 }
@@ -109,17 +103,6 @@ double fQuantile(double p, double df1, double df2) {
 double chiSquaredUpper(double x, double df) {
   return bm::cdf(bm::complement(ChiSquared(df), x));
 }
-double chiSquaredQuantile(double p, double df) {
-  return bm::quantile(ChiSquared(df), p);
-}
-
-double betaCdf(double x, double a, double b) {
-  return bm::cdf(Beta(a, b), x);
-}
-double betaQuantile(double p, double a, double b) {
-  return bm::quantile(Beta(a, b), p);
-}
-
 double noncentralTCdf(double t, double df, double noncentrality) {
   return bm::cdf(NoncentralT(df, noncentrality), t);
 }
@@ -139,32 +122,27 @@ double noncentralityOfT(double t, double df, double p) {
   const auto excess = [&](double d) { return noncentralTCdf(t, df, d) - p; };
   double low = t - 2.0;
   double high = t + 2.0;
-  for (double step = 2.0; excess(low) < 0.0; step *= 1.5) low -= step;
-  for (double step = 2.0; excess(high) > 0.0; step *= 1.5) high += step;
+  for (double step = 2.0; excess(low) < 0.0; step *= 1.5) {
+    low -= step;
+  }
+  for (double step = 2.0; excess(high) > 0.0; step *= 1.5) {
+    high += step;
+  }
   std::uintmax_t iterations = 200;
   const auto [a, b] =
       bm::tools::toms748_solve(excess, low, high, bm::tools::eps_tolerance<double>(50), iterations);
   return 0.5 * (a + b);
 }
 
-double binomialCdf(int successes, int trials, double p) {
-  return bm::cdf(bm::binomial_distribution<double, Policy>(trials, p), successes);
-}
-double poissonCdf(int events, double mean) {
-  return bm::cdf(bm::poisson_distribution<double, Policy>(mean), events);
-}
-double hypergeometricCdf(int k, int white, int black, int drawn) {
-  using Hypergeometric = bm::hypergeometric_distribution<double, Policy>;
-  return bm::cdf(Hypergeometric(static_cast<unsigned>(white), static_cast<unsigned>(drawn),
-                                static_cast<unsigned>(white + black)),
-                 static_cast<unsigned>(k));
-}
-
 double studentizedRangeUpper(double q, int groups, double df) {
   TORSIO_EXPECTS(groups >= 2 && df >= 1.0);
-  if (q <= 0.0) return 1.0;
+  if (q <= 0.0) {
+    return 1.0;
+  }
   constexpr double kAsGoodAsKnown = 1e6;  // the scale no longer matters in double precision
-  if (df > kAsGoodAsKnown) return rangeUpper(q, groups);
+  if (df > kAsGoodAsKnown) {
+    return rangeUpper(q, groups);
+  }
   const double logScale = std::log(2.0) + 0.5 * df * std::log(0.5 * df) - std::lgamma(0.5 * df);
   const auto integrand = [&](double s) {
     const double logDensity = logScale + (df - 1.0) * std::log(s) - 0.5 * df * s * s;
@@ -179,7 +157,9 @@ double studentizedRangeQuantile(double p, int groups, double df) {
   TORSIO_EXPECTS(p > 0.0 && p < 1.0);
   const auto excess = [&](double q) { return studentizedRangeUpper(q, groups, df) - (1.0 - p); };
   double high = 4.0;
-  while (excess(high) > 0.0) high *= 2.0;
+  while (excess(high) > 0.0) {
+    high *= 2.0;
+  }
   std::uintmax_t iterations = 100;
   const auto [a, b] =
       bm::tools::toms748_solve(excess, 1e-6, high, bm::tools::eps_tolerance<double>(44), iterations);

@@ -11,37 +11,26 @@ namespace torsio {
 [[nodiscard]] double normalCdf(double x);
 [[nodiscard]] double normalUpper(double x);
 [[nodiscard]] double normalQuantile(double p);
-/// Two-sided p value of a standard normal statistic.
+/// Returns the two-sided p value of a standard normal statistic.
 [[nodiscard]] double normalTwoSided(double z);
 
-[[nodiscard]] double tCdf(double t, double df);
 [[nodiscard]] double tQuantile(double p, double df);
 [[nodiscard]] double tTwoSided(double t, double df);
 
-[[nodiscard]] double fCdf(double f, double df1, double df2);
 [[nodiscard]] double fUpper(double f, double df1, double df2);
 [[nodiscard]] double fQuantile(double p, double df1, double df2);
 
 [[nodiscard]] double chiSquaredUpper(double x, double df);
-[[nodiscard]] double chiSquaredQuantile(double p, double df);
-
-[[nodiscard]] double betaCdf(double x, double a, double b);
-[[nodiscard]] double betaQuantile(double p, double a, double b);
 
 [[nodiscard]] double noncentralTCdf(double t, double df, double noncentrality);
 [[nodiscard]] double noncentralTUpper(double t, double df, double noncentrality);
 [[nodiscard]] double noncentralTQuantile(double p, double df, double noncentrality);
 [[nodiscard]] double noncentralFCdf(double f, double df1, double df2, double noncentrality);
-/// The noncentrality d for which P(T <= t; df, d) = p.
+/// Returns the noncentrality d for which P(T <= t; df, d) = p.
 [[nodiscard]] double noncentralityOfT(double t, double df, double p);
 
-[[nodiscard]] double binomialCdf(int successes, int trials, double p);
-[[nodiscard]] double poissonCdf(int events, double mean);
-/// P(X <= k), X white balls among `drawn` from `white` white and `black` black ones.
-[[nodiscard]] double hypergeometricCdf(int k, int white, int black, int drawn);
-
-/// Upper tail of the studentised range of `groups` means with `df` error degrees of freedom: Gauss-Legendre
-/// over both integrals, absolute error below 1e-12.
+/// Returns the upper tail of the studentised range of `groups` means with `df` error degrees of freedom:
+/// Gauss-Legendre over both integrals, absolute error below 1e-12.
 [[nodiscard]] double studentizedRangeUpper(double q, int groups, double df);
 [[nodiscard]] double studentizedRangeQuantile(double p, int groups, double df);
 

@@ -11,7 +11,9 @@ namespace {
 
 double squaredAbout(const std::vector<double>& means, double grand) {
   double sum = 0.0;
-  for (const double mean : means) sum += (mean - grand) * (mean - grand);
+  for (const double mean : means) {
+    sum += (mean - grand) * (mean - grand);
+  }
   return sum;
 }
 
@@ -22,8 +24,11 @@ void finish(GStudy& study) {
 }
 
 void setVariance(GStudy& study, const std::string& effect, double variance) {
-  for (GComponent& component : study.components)
-    if (component.effect == effect) component.variance = variance;
+  for (GComponent& component : study.components) {
+    if (component.effect == effect) {
+      component.variance = variance;
+    }
+  }
   study.negativeComponent = study.negativeComponent || variance < 0.0;
 }
 
@@ -32,7 +37,9 @@ double positive(const GStudy& study, const std::string& effect) {
 }
 
 Outcome<DStudy> coefficients(double persons, double relative, double absolute) {
-  if (persons + relative <= 0.0) return Outcome<DStudy>::undefined("neither persons nor errors vary");
+  if (persons + relative <= 0.0) {
+    return Outcome<DStudy>::undefined("neither persons nor errors vary");
+  }
   DStudy out;
   out.relativeError = relative;
   out.absoluteError = absolute;
@@ -62,8 +69,8 @@ CrossedMeans crossedMeans(const std::vector<NumberTable>& x) {
   const double dp = static_cast<double>(np);
   const double dr = static_cast<double>(nr);
   const double dO = static_cast<double>(no);
-  for (std::size_t o = 0; o < no; ++o)
-    for (std::size_t p = 0; p < np; ++p)
+  for (std::size_t o = 0; o < no; ++o) {
+    for (std::size_t p = 0; p < np; ++p) {
       for (std::size_t r = 0; r < nr; ++r) {
         const double value = x[o].at(p, r);
         m.p[p] += value / (dr * dO);
@@ -73,6 +80,8 @@ CrossedMeans crossedMeans(const std::vector<NumberTable>& x) {
         m.po.at(p, o) += value / dr;
         m.ro.at(r, o) += value / dp;
       }
+    }
+  }
   m.grand = meanOf(m.p);
   return m;
 }
@@ -80,11 +89,12 @@ CrossedMeans crossedMeans(const std::vector<NumberTable>& x) {
 double interaction(const NumberTable& cells, const std::vector<double>& a, const std::vector<double>& b,
                    double grand) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
+  for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
       const double d = cells.at(i, j) - a[i] - b[j] + grand;
       sum += d * d;
     }
+  }
   return sum;
 }
 
@@ -104,14 +114,19 @@ const GComponent& GStudy::at(const std::string& effect) const {
 }
 
 Outcome<GStudy> gStudyPR(const NumberTable& x) {
-  if (x.rows() < 2 || x.columns() < 2)
+  if (x.rows() < 2 || x.columns() < 2) {
     return Outcome<GStudy>::undefined("a study needs at least two persons and two raters");
+  }
   const double np = static_cast<double>(x.rows());
   const double nr = static_cast<double>(x.columns());
   std::vector<double> p;
   std::vector<double> r;
-  for (std::size_t i = 0; i < x.rows(); ++i) p.push_back(meanOf(x.row(i)));
-  for (std::size_t j = 0; j < x.columns(); ++j) r.push_back(meanOf(x.column(j)));
+  for (std::size_t i = 0; i < x.rows(); ++i) {
+    p.push_back(meanOf(x.row(i)));
+  }
+  for (std::size_t j = 0; j < x.columns(); ++j) {
+    r.push_back(meanOf(x.column(j)));
+  }
   const double grand = meanOf(p);
   GStudy out;
   out.components = {{"p", nr * squaredAbout(p, grand), np - 1.0},
@@ -132,21 +147,24 @@ Outcome<DStudy> dStudyPR(const GStudy& study, double raters) {
 }
 
 Outcome<GStudy> gStudyPRO(const std::vector<NumberTable>& byOccasion) {
-  if (byOccasion.size() < 2 || byOccasion.front().rows() < 2 || byOccasion.front().columns() < 2)
+  if (byOccasion.size() < 2 || byOccasion.front().rows() < 2 || byOccasion.front().columns() < 2) {
     return Outcome<GStudy>::undefined("a study needs at least two persons, two raters and two occasions");
+  }
   TORSIO_EXPECTS(sameShape(byOccasion));
   const CrossedMeans m = crossedMeans(byOccasion);
   const double np = static_cast<double>(m.p.size());
   const double nr = static_cast<double>(m.r.size());
   const double no = static_cast<double>(m.o.size());
   double residual = 0.0;
-  for (std::size_t o = 0; o < m.o.size(); ++o)
-    for (std::size_t p = 0; p < m.p.size(); ++p)
+  for (std::size_t o = 0; o < m.o.size(); ++o) {
+    for (std::size_t p = 0; p < m.p.size(); ++p) {
       for (std::size_t r = 0; r < m.r.size(); ++r) {
         const double d = byOccasion[o].at(p, r) - m.pr.at(p, r) - m.po.at(p, o) - m.ro.at(r, o) + m.p[p] +
                          m.r[r] + m.o[o] - m.grand;
         residual += d * d;
       }
+    }
+  }
   GStudy out;
   out.components = {{"p", nr * no * squaredAbout(m.p, m.grand), np - 1.0},
                     {"r", np * no * squaredAbout(m.r, m.grand), nr - 1.0},
@@ -180,8 +198,9 @@ Outcome<DStudy> dStudyPRO(const GStudy& study, double raters, double occasions) 
 }
 
 Outcome<GStudy> gStudyPRinT(const std::vector<NumberTable>& byTask) {
-  if (byTask.size() < 2 || byTask.front().rows() < 2 || byTask.front().columns() < 2)
+  if (byTask.size() < 2 || byTask.front().rows() < 2 || byTask.front().columns() < 2) {
     return Outcome<GStudy>::undefined("a study needs at least two persons, two tasks and two raters a task");
+  }
   TORSIO_EXPECTS(sameShape(byTask));
   const std::size_t persons = byTask.front().rows();
   const std::size_t raters = byTask.front().columns();
@@ -202,7 +221,9 @@ Outcome<GStudy> gStudyPRinT(const std::vector<NumberTable>& byTask) {
       pt.at(i, task) = personMeans.back();
       p[i] += personMeans.back() / nt;
     }
-    for (std::size_t j = 0; j < raters; ++j) raterMeans.push_back(meanOf(x.column(j)));
+    for (std::size_t j = 0; j < raters; ++j) {
+      raterMeans.push_back(meanOf(x.column(j)));
+    }
     const double taskMean = meanOf(personMeans);
     t.push_back(taskMean);
     raterSquares += np * squaredAbout(raterMeans, taskMean);

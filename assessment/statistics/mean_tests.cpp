@@ -42,36 +42,54 @@ bool everyGroupHas(const Groups& groups, std::size_t n) {
 }  // namespace
 
 Outcome<TTest> welchT(std::span<const double> x, std::span<const double> y, double confidence) {
-  if (x.size() < 2 || y.size() < 2) return Outcome<TTest>::undefined(kTooFew);
+  if (x.size() < 2 || y.size() < 2) {
+    return Outcome<TTest>::undefined(kTooFew);
+  }
   const double a = *sampleVariance(x) / countOf(x);
   const double b = *sampleVariance(y) / countOf(y);
-  if (a + b == 0.0) return Outcome<TTest>::undefined(kNoSpread);
+  if (a + b == 0.0) {
+    return Outcome<TTest>::undefined(kNoSpread);
+  }
   const double df = (a + b) * (a + b) / (a * a / (countOf(x) - 1.0) + b * b / (countOf(y) - 1.0));
   return finished(meanOf(x) - meanOf(y), std::sqrt(a + b), df, confidence);
 }
 
 Outcome<TTest> studentT(std::span<const double> x, std::span<const double> y, double confidence) {
-  if (x.size() < 2 || y.size() < 2) return Outcome<TTest>::undefined(kTooFew);
+  if (x.size() < 2 || y.size() < 2) {
+    return Outcome<TTest>::undefined(kTooFew);
+  }
   const double variance = pooledVariance(x, y);
-  if (variance == 0.0) return Outcome<TTest>::undefined(kNoSpread);
+  if (variance == 0.0) {
+    return Outcome<TTest>::undefined(kNoSpread);
+  }
   return finished(meanOf(x) - meanOf(y), std::sqrt(variance * (1.0 / countOf(x) + 1.0 / countOf(y))),
                   countOf(x) + countOf(y) - 2.0, confidence);
 }
 
 Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y, double confidence) {
   TORSIO_EXPECTS(x.size() == y.size());
-  if (x.size() < 2) return Outcome<TTest>::undefined("there are fewer than two pairs");
+  if (x.size() < 2) {
+    return Outcome<TTest>::undefined("there are fewer than two pairs");
+  }
   std::vector<double> differences;
-  for (std::size_t i = 0; i < x.size(); ++i) differences.push_back(x[i] - y[i]);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    differences.push_back(x[i] - y[i]);
+  }
   const double variance = *sampleVariance(differences);
-  if (variance == 0.0) return Outcome<TTest>::undefined("the differences do not vary");
+  if (variance == 0.0) {
+    return Outcome<TTest>::undefined("the differences do not vary");
+  }
   return finished(meanOf(differences), std::sqrt(variance / countOf(x)), countOf(x) - 1.0, confidence);
 }
 
 Outcome<HedgesG> hedgesG(std::span<const double> x, std::span<const double> y, double confidence) {
-  if (x.size() < 2 || y.size() < 2) return Outcome<HedgesG>::undefined(kTooFew);
+  if (x.size() < 2 || y.size() < 2) {
+    return Outcome<HedgesG>::undefined(kTooFew);
+  }
   const double variance = pooledVariance(x, y);
-  if (variance == 0.0) return Outcome<HedgesG>::undefined(kNoSpread);
+  if (variance == 0.0) {
+    return Outcome<HedgesG>::undefined(kNoSpread);
+  }
   const double df = countOf(x) + countOf(y) - 2.0;
   const double scale = std::sqrt(1.0 / countOf(x) + 1.0 / countOf(y));
   HedgesG out;
@@ -91,11 +109,17 @@ Outcome<HedgesG> hedgesG(std::span<const double> x, std::span<const double> y, d
 }
 
 Outcome<OneWayAnova> oneWayAnova(const Groups& groups) {
-  if (groups.size() < 2) return Outcome<OneWayAnova>::undefined("there are fewer than two groups");
-  if (!everyGroupHas(groups, 1)) return Outcome<OneWayAnova>::undefined("a group is empty");
+  if (groups.size() < 2) {
+    return Outcome<OneWayAnova>::undefined("there are fewer than two groups");
+  }
+  if (!everyGroupHas(groups, 1)) {
+    return Outcome<OneWayAnova>::undefined("a group is empty");
+  }
   OneWayAnova out;
   std::vector<double> all;
-  for (const std::vector<double>& group : groups) all.insert(all.end(), group.begin(), group.end());
+  for (const std::vector<double>& group : groups) {
+    all.insert(all.end(), group.begin(), group.end());
+  }
   const double grand = meanOf(all);
   for (const std::vector<double>& group : groups) {
     const double shift = meanOf(group) - grand;
@@ -104,8 +128,9 @@ Outcome<OneWayAnova> oneWayAnova(const Groups& groups) {
   }
   out.df1 = static_cast<double>(groups.size() - 1);
   out.df2 = countOf(all) - static_cast<double>(groups.size());
-  if (out.df2 <= 0.0 || out.ssWithin == 0.0)
+  if (out.df2 <= 0.0 || out.ssWithin == 0.0) {
     return Outcome<OneWayAnova>::undefined("the values do not vary within groups");
+  }
   out.msBetween = out.ssBetween / out.df1;
   out.msWithin = out.ssWithin / out.df2;
   out.f = out.msBetween / out.msWithin;
@@ -118,15 +143,21 @@ Outcome<OneWayAnova> oneWayAnova(const Groups& groups) {
 }
 
 Outcome<FTest> welchAnova(const Groups& groups) {
-  if (groups.size() < 2) return Outcome<FTest>::undefined("there are fewer than two groups");
-  if (!everyGroupHas(groups, 2)) return Outcome<FTest>::undefined(kTooFew);
+  if (groups.size() < 2) {
+    return Outcome<FTest>::undefined("there are fewer than two groups");
+  }
+  if (!everyGroupHas(groups, 2)) {
+    return Outcome<FTest>::undefined(kTooFew);
+  }
   const double k = static_cast<double>(groups.size());
   std::vector<double> weights;
   double weightSum = 0.0;
   double mean = 0.0;
   for (const std::vector<double>& group : groups) {
     const double variance = *sampleVariance(group);
-    if (variance == 0.0) return Outcome<FTest>::undefined("a group does not vary");
+    if (variance == 0.0) {
+      return Outcome<FTest>::undefined("a group does not vary");
+    }
     weights.push_back(countOf(group) / variance);
     weightSum += weights.back();
     mean += weights.back() * meanOf(group);
@@ -149,20 +180,30 @@ Outcome<FTest> welchAnova(const Groups& groups) {
 }
 
 Outcome<FTest> brownForsythe(const Groups& groups) {
-  if (!everyGroupHas(groups, 1)) return Outcome<FTest>::undefined("a group is empty");
+  if (!everyGroupHas(groups, 1)) {
+    return Outcome<FTest>::undefined("a group is empty");
+  }
   Groups distances = groups;
   for (std::vector<double>& group : distances) {
     const double median = medianOf(group);
-    for (double& x : group) x = std::abs(x - median);
+    for (double& x : group) {
+      x = std::abs(x - median);
+    }
   }
   const Outcome<OneWayAnova> anova = oneWayAnova(distances);
-  if (!anova) return Outcome<FTest>::undefined(anova.reason());
+  if (!anova) {
+    return Outcome<FTest>::undefined(anova.reason());
+  }
   return FTest{anova->f, anova->df1, anova->df2, anova->p};
 }
 
 Outcome<ChiSquaredTest> bartlett(const Groups& groups) {
-  if (groups.size() < 2) return Outcome<ChiSquaredTest>::undefined("there are fewer than two groups");
-  if (!everyGroupHas(groups, 2)) return Outcome<ChiSquaredTest>::undefined(kTooFew);
+  if (groups.size() < 2) {
+    return Outcome<ChiSquaredTest>::undefined("there are fewer than two groups");
+  }
+  if (!everyGroupHas(groups, 2)) {
+    return Outcome<ChiSquaredTest>::undefined(kTooFew);
+  }
   double dfSum = 0.0;
   double pooled = 0.0;
   double logs = 0.0;
@@ -170,7 +211,9 @@ Outcome<ChiSquaredTest> bartlett(const Groups& groups) {
   for (const std::vector<double>& group : groups) {
     const double df = countOf(group) - 1.0;
     const double variance = *sampleVariance(group);
-    if (variance == 0.0) return Outcome<ChiSquaredTest>::undefined("a group does not vary");
+    if (variance == 0.0) {
+      return Outcome<ChiSquaredTest>::undefined("a group does not vary");
+    }
     dfSum += df;
     pooled += df * variance;
     logs += df * std::log(variance);
@@ -207,26 +250,34 @@ PairComparison comparedPair(const Groups& groups, std::size_t i, std::size_t j, 
 
 Outcome<std::vector<PairComparison>> tukeyPairs(const Groups& groups, double confidence) {
   const Outcome<OneWayAnova> anova = oneWayAnova(groups);
-  if (!anova) return Outcome<std::vector<PairComparison>>::undefined(anova.reason());
+  if (!anova) {
+    return Outcome<std::vector<PairComparison>>::undefined(anova.reason());
+  }
   std::vector<PairComparison> out;
-  for (std::size_t i = 0; i < groups.size(); ++i)
+  for (std::size_t i = 0; i < groups.size(); ++i) {
     for (std::size_t j = i + 1; j < groups.size(); ++j) {
       const double error = std::sqrt(anova->msWithin * (1.0 / countOf(groups[i]) + 1.0 / countOf(groups[j])));
       out.push_back(comparedPair(groups, i, j, error, anova->df2, confidence));
     }
+  }
   return out;
 }
 
 Outcome<std::vector<PairComparison>> gamesHowellPairs(const Groups& groups, double confidence) {
   using Undefined = Outcome<std::vector<PairComparison>>;
   std::vector<PairComparison> out;
-  for (std::size_t i = 0; i < groups.size(); ++i)
+  for (std::size_t i = 0; i < groups.size(); ++i) {
     for (std::size_t j = i + 1; j < groups.size(); ++j) {
       const Outcome<TTest> test = welchT(groups[i], groups[j]);
-      if (!test) return Undefined::undefined(test.reason());
+      if (!test) {
+        return Undefined::undefined(test.reason());
+      }
       out.push_back(comparedPair(groups, i, j, test->error, test->df, confidence));
     }
-  if (out.empty()) return Undefined::undefined("there are fewer than two groups");
+  }
+  if (out.empty()) {
+    return Undefined::undefined("there are fewer than two groups");
+  }
   return out;
 }
 
@@ -234,7 +285,9 @@ namespace {
 
 double polynomial(std::initializer_list<double> coefficients, double x) {
   double value = 0.0;
-  for (auto it = std::rbegin(coefficients); it != std::rend(coefficients); ++it) value = value * x + *it;
+  for (auto it = std::rbegin(coefficients); it != std::rend(coefficients); ++it) {
+    value = value * x + *it;
+  }
   return value;
 }
 
@@ -266,29 +319,38 @@ std::vector<double> shapiroWeights(std::size_t count) {
     share -= 2.0 * second * second;
   }
   const double factor = std::sqrt(rest / share);
-  for (std::size_t i = from; i < half; ++i) a.push_back(-m[i] / factor);
+  for (std::size_t i = from; i < half; ++i) {
+    a.push_back(-m[i] / factor);
+  }
   return a;
 }
 
 }  // namespace
 
 Outcome<NormalityTest> shapiroWilk(std::span<const double> values) {
-  if (values.size() < 4 || values.size() > 5000)
+  if (values.size() < 4 || values.size() > 5000) {
     return Outcome<NormalityTest>::undefined("the test is made for 4 to 5000 values");
+  }
   std::vector<double> x(values.begin(), values.end());
   std::sort(x.begin(), x.end());
   const double squares = sumOfSquares(x);
-  if (squares == 0.0) return Outcome<NormalityTest>::undefined(kNoSpread);
+  if (squares == 0.0) {
+    return Outcome<NormalityTest>::undefined(kNoSpread);
+  }
   const std::vector<double> a = shapiroWeights(x.size());
   double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * (x[x.size() - 1 - i] - x[i]);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum += a[i] * (x[x.size() - 1 - i] - x[i]);
+  }
   NormalityTest out;
   out.w = sum * sum / squares;
   const double n = static_cast<double>(x.size());
   double z = std::log(1.0 - out.w);
   if (x.size() <= 11) {
     const double gamma = -2.273 + 0.459 * n;
-    if (z >= gamma) return NormalityTest{out.w, 1e-99};
+    if (z >= gamma) {
+      return NormalityTest{out.w, 1e-99};
+    }
     const double mean = polynomial({0.5440, -0.39978, 0.025054, -6.714e-4}, n);
     const double deviation = std::exp(polynomial({1.3822, -0.77857, 0.062767, -0.0020322}, n));
     z = (-std::log(gamma - z) - mean) / deviation;

@@ -20,13 +20,15 @@ struct TTest {
   Interval interval;
 };
 
-/// Unequal variances (the default for two groups). Undefined for fewer than two values a group or no
-/// variation.
+/// Compares two means with unequal variances by Welch's t test (the default for two groups). Undefined for
+/// fewer than two values a group or no variation.
 [[nodiscard]] Outcome<TTest> welchT(std::span<const double> x, std::span<const double> y,
                                     double confidence = kUsualConfidence);
-/// Pooled variance.
+/// Compares two means with pooled variance by Student's t test. Undefined as welchT.
 [[nodiscard]] Outcome<TTest> studentT(std::span<const double> x, std::span<const double> y,
                                       double confidence = kUsualConfidence);
+/// Compares paired values by the t test of their differences. Undefined for fewer than two pairs or
+/// differences that do not vary.
 [[nodiscard]] Outcome<TTest> pairedT(std::span<const double> x, std::span<const double> y,
                                      double confidence = kUsualConfidence);
 
@@ -41,6 +43,7 @@ struct HedgesG {
   double error = 0.0;       ///< large-sample standard error of g
   Interval normalInterval;  ///< for comparison with programs that use it
 };
+/// Computes Hedges' g of two groups, first minus second. Undefined as welchT.
 [[nodiscard]] Outcome<HedgesG> hedgesG(std::span<const double> x, std::span<const double> y,
                                        double confidence = kUsualConfidence);
 
@@ -57,7 +60,8 @@ struct OneWayAnova {
   double omegaSquared = 0.0;
   double epsilonSquared = 0.0;
 };
-/// Equal variances. Undefined for fewer than two groups, an empty group, or no variation within groups.
+/// Compares means with equal variances by analysis of variance. Undefined for fewer than two groups, an
+/// empty group, or no variation within groups.
 [[nodiscard]] Outcome<OneWayAnova> oneWayAnova(const Groups& groups);
 
 struct FTest {
@@ -66,9 +70,10 @@ struct FTest {
   double df2 = 0.0;
   double p = 0.0;
 };
-/// Unequal variances (the default for three groups). Undefined when a group does not vary.
+/// Compares means with unequal variances by Welch's analysis of variance (the default for three groups).
+/// Undefined when a group does not vary.
 [[nodiscard]] Outcome<FTest> welchAnova(const Groups& groups);
-/// Equality of spread: analysis of variance of distances from the group medians.
+/// Tests equality of spread: analysis of variance of distances from the group medians.
 [[nodiscard]] Outcome<FTest> brownForsythe(const Groups& groups);
 
 struct ChiSquaredTest {
@@ -76,7 +81,7 @@ struct ChiSquaredTest {
   double df = 0.0;
   double p = 0.0;
 };
-/// Equality of variances of normal groups; never a gate for choosing a test.
+/// Tests equality of variances of normal groups; not for choosing another test.
 [[nodiscard]] Outcome<ChiSquaredTest> bartlett(const Groups& groups);
 
 struct PairComparison {
@@ -88,10 +93,10 @@ struct PairComparison {
   double p = 0.0;  ///< adjusted for all pairs
   Interval interval;
 };
-/// All pairs with equal variances (Tukey-Kramer), ordered (0,1), (0,2), ..., (1,2).
+/// Compares all pairs with equal variances (Tukey-Kramer), ordered (0,1), (0,2), ..., (1,2).
 [[nodiscard]] Outcome<std::vector<PairComparison>> tukeyPairs(const Groups& groups,
                                                               double confidence = kUsualConfidence);
-/// All pairs with unequal variances; follows Welch's analysis of variance.
+/// Compares all pairs with unequal variances; follows Welch's analysis of variance.
 [[nodiscard]] Outcome<std::vector<PairComparison>> gamesHowellPairs(const Groups& groups,
                                                                     double confidence = kUsualConfidence);
 
@@ -99,8 +104,8 @@ struct NormalityTest {
   double w = 0.0;
   double p = 0.0;
 };
-/// Shapiro and Wilk's test (Royston 1995) for 4 to 5000 values; for looking at residuals, not for choosing
-/// tests.
+/// Tests 4 to 5000 values for normality by Shapiro and Wilk (Royston 1995); for examining residuals, not
+/// for choosing tests.
 [[nodiscard]] Outcome<NormalityTest> shapiroWilk(std::span<const double> values);
 
 }  // namespace torsio

@@ -56,7 +56,9 @@ Cells cellsOf(const std::vector<NumberTable>& groups) {
     out.sizes.push_back(static_cast<double>(x.rows()));
     out.n += out.sizes.back();
     out.means.emplace_back();
-    for (std::size_t t = 0; t < m; ++t) out.means.back().push_back(meanOf(x.column(t)));
+    for (std::size_t t = 0; t < m; ++t) {
+      out.means.back().push_back(meanOf(x.column(t)));
+    }
     out.groupMeans.push_back(meanOf(out.means.back()));
   }
   const std::size_t k = groups.size();
@@ -104,11 +106,15 @@ Sphericity sphericityOf(const Cells& cells) {
   const double pe = p * out.greenhouseGeisser;
   out.huynhFeldt = ((cells.n - k + 1.0) * pe - 2.0) / (p * (dfe - pe));
   out.huynhFeldtOriginal = (cells.n * pe - 2.0) / (p * (dfe - pe));
-  if (p < 2.0) return out;
+  if (p < 2.0) {
+    return out;
+  }
   // The determinant over the contrasts is the product of the eigenvalues other than the zero of the centring.
   const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(s).eigenvalues();
   double logDeterminant = 0.0;
-  for (Index i = 1; i < m; ++i) logDeterminant += std::log(std::max(values[i], 1e-300));
+  for (Index i = 1; i < m; ++i) {
+    logDeterminant += std::log(std::max(values[i], 1e-300));
+  }
   const double logW = logDeterminant - p * std::log(s.trace() / p);
   out.mauchlyW = std::exp(logW);
   out.mauchlyChiSquared = -(dfe - (2.0 * p * p + p + 2.0) / (6.0 * p)) * logW;
@@ -141,17 +147,23 @@ void correct(const Sphericity& sphericity, AnovaEffect& within) {
 
 Outcome<MixedAnova> mixedAnova(const std::vector<NumberTable>& groups) {
   using Undefined = Outcome<MixedAnova>;
-  if (groups.empty() || groups.front().columns() < 2)
+  if (groups.empty() || groups.front().columns() < 2) {
     return Undefined::undefined("there are fewer than two occasions");
-  for (const NumberTable& group : groups)
-    if (group.rows() < 2) return Undefined::undefined("a group has fewer than two trainees");
+  }
+  for (const NumberTable& group : groups) {
+    if (group.rows() < 2) {
+      return Undefined::undefined("a group has fewer than two trainees");
+    }
+  }
   const Cells cells = cellsOf(groups);
   const double k = static_cast<double>(groups.size());
   const double dfSubjects = cells.n - k;
-  if (dfSubjects < cells.m)
+  if (dfSubjects < cells.m) {
     return Undefined::undefined("there are too few trainees for the number of occasions");
-  if (!(cells.ssError > 0.0) || !(cells.ssSubjects > 0.0))
+  }
+  if (!(cells.ssError > 0.0) || !(cells.ssSubjects > 0.0)) {
     return Undefined::undefined("there is no residual variation");
+  }
   const double dfTime = cells.m - 1.0;
   const double dfError = dfSubjects * dfTime;
   MixedAnova out;

@@ -32,7 +32,9 @@ std::vector<double> stepUp(std::span<const double> p, Factor factor) {
 
 std::vector<double> adjustBonferroni(std::span<const double> p) {
   std::vector<double> out;
-  for (const double value : p) out.push_back(std::min(1.0, value * static_cast<double>(p.size())));
+  for (const double value : p) {
+    out.push_back(std::min(1.0, value * static_cast<double>(p.size())));
+  }
   return out;
 }
 

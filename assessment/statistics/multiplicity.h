@@ -6,7 +6,8 @@
 
 namespace torsio {
 
-/// Adjusted p values in the order given; the family must be fixed before anybody looks at the data.
+/// Adjusts p values by Bonferroni, in the order given; the family must be fixed before anybody looks at the
+/// data.
 [[nodiscard]] std::vector<double> adjustBonferroni(std::span<const double> p);
 [[nodiscard]] std::vector<double> adjustHolm(std::span<const double> p);      ///< family-wise error
 [[nodiscard]] std::vector<double> adjustHochberg(std::span<const double> p);  ///< independent tests

@@ -13,14 +13,19 @@ namespace torsio {
 
 namespace {
 
+constexpr double kFewestPairs = 1.5;  // at most two after rounding up
+
 double powerOfT(double noncentrality, double df, double alpha) {
   const double critical = tQuantile(1.0 - 0.5 * alpha, df);
   return noncentralTUpper(critical, df, noncentrality) + noncentralTCdf(-critical, df, noncentrality);
 }
 
-/// Root of a rising function above `low`.
+/// Root of a rising function above `low`; `low` itself where the function is not negative there.
 template <class Function>
 double solveRising(const Function& f, double low) {
+  if (f(low) >= 0.0) {
+    return low;
+  }
   double high = 2.0 * low + 1.0;
   while (f(high) < 0.0) {
     low = high;
@@ -60,6 +65,11 @@ double detectablePairedT(double pairs, double power, double alpha) {
   return solveRising([&](double d) { return powerPairedT(pairs, d, alpha) - power; }, 0.0);
 }
 
+double sizePairedT(double d, double power, double alpha) {
+  TORSIO_EXPECTS(d > 0.0 && power > alpha && power < 1.0);
+  return solveRising([&](double pairs) { return powerPairedT(pairs, d, alpha) - power; }, kFewestPairs);
+}
+
 double powerAnova(int groups, double n, double f, double alpha) {
   TORSIO_EXPECTS(groups >= 2 && n > 1.0);
   const double k = static_cast<double>(groups);
@@ -72,6 +82,11 @@ double powerAnova(int groups, double n, double f, double alpha) {
 double sizeAnova(int groups, double f, double power, double alpha) {
   TORSIO_EXPECTS(f > 0.0 && power > alpha && power < 1.0);
   return solveRising([&](double n) { return powerAnova(groups, n, f, alpha) - power; }, 1.5);
+}
+
+double detectableAnova(int groups, double n, double power, double alpha) {
+  TORSIO_EXPECTS(power > alpha && power < 1.0);
+  return solveRising([&](double f) { return powerAnova(groups, n, f, alpha) - power; }, 0.0);
 }
 
 double sizeWithCovariate(double sizeWithout, double rho) {

@@ -30,12 +30,21 @@ double stepQuantile(const std::vector<double>& x, double p, QuantileRule rule) {
   const double position = rule == QuantileRule::kType3 ? n * p - 0.5 : n * p;
   const double j = std::floor(position + kFuzz);
   double h = 0.0;
-  if (rule == QuantileRule::kType1) h = position > j + kFuzz ? 1.0 : 0.0;
-  if (rule == QuantileRule::kType2) h = position > j + kFuzz ? 1.0 : 0.5;
-  if (rule == QuantileRule::kType3)
+  if (rule == QuantileRule::kType1) {
+    h = position > j + kFuzz ? 1.0 : 0.0;
+  }
+  if (rule == QuantileRule::kType2) {
+    h = position > j + kFuzz ? 1.0 : 0.5;
+  }
+  if (rule == QuantileRule::kType3) {
     h = (std::abs(position - j) > kFuzz || std::fmod(std::abs(j), 2.0) == 1.0) ? 1.0 : 0.0;
-  if (h == 0.0) return at(x, j);
-  if (h == 1.0) return at(x, j + 1.0);
+  }
+  if (h == 0.0) {
+    return at(x, j);
+  }
+  if (h == 1.0) {
+    return at(x, j + 1.0);
+  }
   return 0.5 * (at(x, j) + at(x, j + 1.0));
 }
 
@@ -67,12 +76,15 @@ double plottingPosition(double n, double p, QuantileRule rule) {
 }
 
 double quantileOfSorted(const std::vector<double>& x, double p, QuantileRule rule) {
-  if (rule == QuantileRule::kType1 || rule == QuantileRule::kType2 || rule == QuantileRule::kType3)
+  if (rule == QuantileRule::kType1 || rule == QuantileRule::kType2 || rule == QuantileRule::kType3) {
     return stepQuantile(x, p, rule);
+  }
   const double position = plottingPosition(static_cast<double>(x.size()), p, rule);
   const double j = std::floor(position + kFuzz);
   double h = position - j;
-  if (std::abs(h) < kFuzz) h = 0.0;
+  if (std::abs(h) < kFuzz) {
+    h = 0.0;
+  }
   const double low = at(x, j);
   const double high = at(x, j + 1.0);
   return h == 0.0 ? low : low + h * (high - low);
@@ -82,22 +94,16 @@ double quantileOfSorted(const std::vector<double>& x, double p, QuantileRule rul
 
 std::optional<double> quantile(std::span<const double> values, double p, QuantileRule rule) {
   TORSIO_EXPECTS(p >= 0.0 && p <= 1.0);
-  if (values.empty()) return std::nullopt;
+  if (values.empty()) {
+    return std::nullopt;
+  }
   return quantileOfSorted(sorted(values), p, rule);
 }
 
-std::optional<std::array<double, 5>> tukeyFiveNumbers(std::span<const double> values) {
-  if (values.empty()) return std::nullopt;
-  const std::vector<double> x = sorted(values);
-  const double n = static_cast<double>(x.size());
-  const double depth = std::floor((n + 3.0) / 2.0) / 2.0;
-  const auto half = [&x](double d) { return 0.5 * (at(x, std::floor(d)) + at(x, std::ceil(d))); };
-  return std::array<double, 5>{x.front(), half(depth), half((n + 1.0) / 2.0), half(n + 1.0 - depth),
-                               x.back()};
-}
-
 std::optional<BoxNumbers> boxNumbers(std::span<const double> values, QuantileRule rule) {
-  if (values.empty()) return std::nullopt;
+  if (values.empty()) {
+    return std::nullopt;
+  }
   const std::vector<double> x = sorted(values);
   BoxNumbers box;
   box.n = std::ssize(x);
@@ -115,7 +121,9 @@ std::optional<BoxNumbers> boxNumbers(std::span<const double> values, QuantileRul
       box.outliers.push_back(value);
       continue;
     }
-    if (!inside) box.whiskerLow = value;
+    if (!inside) {
+      box.whiskerLow = value;
+    }
     inside = true;
     box.whiskerHigh = value;
   }

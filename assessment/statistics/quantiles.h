@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -14,16 +13,12 @@ enum class QuantileRule : int { kType1 = 1, kType2, kType3, kType4, kType5, kTyp
 
 inline constexpr QuantileRule kReportQuantileRule = QuantileRule::kType7;
 
-/// The p-quantile, 0 <= p <= 1, of finite values in any order; empty for no values.
+/// Returns the p-quantile, 0 <= p <= 1, of finite values in any order; empty for no values.
 [[nodiscard]] std::optional<double> quantile(std::span<const double> values, double p,
                                              QuantileRule rule = kReportQuantileRule);
 
-/// Tukey's five numbers: minimum, lower hinge, median, upper hinge, maximum. Hinges differ from quartiles of
-/// type 7.
-[[nodiscard]] std::optional<std::array<double, 5>> tukeyFiveNumbers(std::span<const double> values);
-
-/// What a box plot draws: box at the quartiles, whiskers to the most extreme value within 1.5 interquartile
-/// ranges of the box, everything beyond drawn singly.
+/// Numbers that a box plot draws: box at the quartiles, whiskers to the most extreme value within 1.5
+/// interquartile ranges of the box, everything beyond drawn singly.
 struct BoxNumbers {
   std::int64_t n = 0;
   double min = 0.0;

@@ -23,8 +23,8 @@ struct MannWhitney {
   double pCorrected = 0.0;
   double z = 0.0;
   double pNormal = 0.0;
-  /// Exact conditional distribution given the ties, by counting whole numbers; empty when there are more than
-  /// 2^53 arrangements.
+  /// Number of arrangements of the exact conditional distribution given the ties, counted in whole numbers;
+  /// empty when there are more than 2^53.
   std::optional<std::int64_t> arrangements;
   std::optional<std::int64_t> countTwoSided;  ///< arrangements at least as far from the middle
   std::optional<std::int64_t> countGreater;   ///< arrangements with u at least as large
@@ -33,7 +33,8 @@ struct MannWhitney {
   double hodgesLehmann = 0.0;                     ///< median of all x - y
   std::optional<Interval> hodgesLehmannInterval;  ///< exact, without ties only
 };
-/// Undefined for an empty group or when all values are the same.
+/// Compares two groups by Mann and Whitney's test. Undefined for an empty group or when all values are the
+/// same.
 [[nodiscard]] Outcome<MannWhitney> mannWhitney(std::span<const double> x, std::span<const double> y,
                                                double confidence = kUsualConfidence);
 
@@ -42,11 +43,11 @@ struct PermutationTest {
   std::int64_t total = 0;
   double p = 0.0;
 };
-/// Difference of means of whole numbers over all arrangements, by dynamic programming; never a difference of
-/// doubles. Undefined when the sums are too large or the arrangements too many to count.
+/// Tests the difference of means of whole numbers over all arrangements, by dynamic programming; never a
+/// difference of doubles. Undefined when the sums are too large or the arrangements too many to count.
 [[nodiscard]] Outcome<PermutationTest> permutationTest(std::span<const std::int64_t> x,
                                                        std::span<const std::int64_t> y);
-/// Sign changes of paired differences.
+/// Tests paired differences over all changes of sign.
 [[nodiscard]] Outcome<PermutationTest> pairedPermutationTest(std::span<const std::int64_t> differences);
 
 struct SignedRank {
@@ -57,8 +58,8 @@ struct SignedRank {
   double pGreater = 0.0;
   double hodgesLehmann = 0.0;  ///< median of the pairwise means of differences
 };
-/// Exact, also with ties. `differences` must be free of rounding noise. Undefined when all are zero or n
-/// > 60.
+/// Tests paired differences by Wilcoxon's signed ranks, exact also with ties. `differences` must be free of
+/// rounding noise. Undefined when all are zero or n > 60.
 [[nodiscard]] Outcome<SignedRank> signedRank(std::span<const double> differences);
 
 struct DunnPair {
@@ -86,7 +87,8 @@ struct KruskalWallis {
   std::optional<double> pExact;  ///< for at most two million arrangements
   std::vector<DunnPair> pairs;   ///< on the joint ranks
 };
-/// Undefined for fewer than two groups, an empty group, or when all values are the same.
+/// Compares groups by Kruskal and Wallis' test. Undefined for fewer than two groups, an empty group, or
+/// when all values are the same.
 [[nodiscard]] Outcome<KruskalWallis> kruskalWallis(const Groups& groups);
 
 struct Friedman {
@@ -98,7 +100,8 @@ struct Friedman {
   std::optional<double> imanDavenport;  ///< F; empty when every block ranks alike (W = 1)
   std::optional<double> pImanDavenport;
 };
-/// `values`: blocks (raters) x treatments (models). Undefined when every block ties everything.
+/// Compares treatments within blocks by Friedman's test. `values`: blocks (raters) x treatments (models).
+/// Undefined when every block ties everything.
 [[nodiscard]] Outcome<Friedman> friedman(const NumberTable& values);
 
 }  // namespace torsio

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <Eigen/Dense>
 
+#include "assessment/statistics/rating_plan.h"
 #include "sim/base/error.h"
 #include "sim/base/text.h"
 
@@ -14,12 +14,10 @@ namespace torsio {
 
 namespace {
 
-using Ratings = std::vector<std::vector<std::optional<int>>>;
 using Eigen::Index;
 
 constexpr int kMaxIterations = 200;
 constexpr double kConverged = 1e-12;  // largest Newton step, logits
-constexpr double kAtInfinity = 40.0;  // no rating scale reaches this many logits
 
 /// Probabilities of the categories at location ability - severity.
 struct Category {
@@ -54,88 +52,14 @@ Category categoryAt(double location, const std::vector<double>& tau) {
   return out;
 }
 
-/// Sets extreme persons and raters aside until none is left: without one, another may have become extreme.
-class Plan {
- public:
-  Plan(const Ratings& ratings, int highest)
-      : ratings_(ratings),
-        highest_(highest),
-        persons(ratings.size(), RaschStatus::kEstimated),
-        raters(ratings.empty() ? 0 : ratings.front().size(), RaschStatus::kEstimated) {
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (std::size_t n = 0; n < persons.size(); ++n)
-        changed = judge(persons[n], personRatings(n), true) || changed;
-      for (std::size_t r = 0; r < raters.size(); ++r)
-        changed = judge(raters[r], raterRatings(r), false) || changed;
-    }
-  }
-
-  [[nodiscard]] bool used(std::size_t n, std::size_t r) const {
-    return ratings_[n][r] && persons[n] == RaschStatus::kEstimated && raters[r] == RaschStatus::kEstimated;
-  }
-
-  [[nodiscard]] bool connected() const {
-    std::vector<std::size_t> root(persons.size() + raters.size());
-    std::iota(root.begin(), root.end(), std::size_t{0});
-    const auto find = [&](std::size_t i) {
-      while (root[i] != i) i = root[i];
-      return i;
-    };
-    for (std::size_t n = 0; n < persons.size(); ++n)
-      for (std::size_t r = 0; r < raters.size(); ++r)
-        if (used(n, r)) root[find(n)] = find(persons.size() + r);
-    std::optional<std::size_t> part;
-    for (std::size_t i = 0; i < root.size(); ++i) {
-      const RaschStatus status = i < persons.size() ? persons[i] : raters[i - persons.size()];
-      if (status != RaschStatus::kEstimated) continue;
-      if (part && *part != find(i)) return false;
-      part = find(i);
-    }
-    return true;
-  }
-
-  const Ratings& ratings_;
-  int highest_;
-  std::vector<RaschStatus> persons;
-  std::vector<RaschStatus> raters;
-
- private:
-  [[nodiscard]] std::vector<int> personRatings(std::size_t n) const {
-    std::vector<int> out;
-    for (std::size_t r = 0; r < raters.size(); ++r)
-      if (ratings_[n][r] && raters[r] == RaschStatus::kEstimated) out.push_back(*ratings_[n][r]);
-    return out;
-  }
-  [[nodiscard]] std::vector<int> raterRatings(std::size_t r) const {
-    std::vector<int> out;
-    for (std::size_t n = 0; n < persons.size(); ++n)
-      if (ratings_[n][r] && persons[n] == RaschStatus::kEstimated) out.push_back(*ratings_[n][r]);
-    return out;
-  }
-  bool judge(RaschStatus& status, const std::vector<int>& marks, bool person) const {
-    if (status != RaschStatus::kEstimated) return false;
-    if (marks.empty()) {
-      status = RaschStatus::kNoRatings;
-      return true;
-    }
-    const auto [low, high] = std::minmax_element(marks.begin(), marks.end());
-    // A rater who gives the lowest category only is infinitely severe.
-    if (*high == 0) status = person ? RaschStatus::kExtremeLow : RaschStatus::kExtremeHigh;
-    if (*low == highest_) status = person ? RaschStatus::kExtremeHigh : RaschStatus::kExtremeLow;
-    return status != RaschStatus::kEstimated;
-  }
-};
-
 /// Free parameters: abilities, then severities and thresholds without their last, which makes the sums 0.
 class JointModel {
  public:
-  JointModel(const Plan& plan, int highest) : plan_(plan), thresholds_(static_cast<std::size_t>(highest)) {
-    for (std::size_t n = 0; n < plan.persons.size(); ++n)
-      if (plan.persons[n] == RaschStatus::kEstimated) persons_.push_back(n);
-    for (std::size_t r = 0; r < plan.raters.size(); ++r)
-      if (plan.raters[r] == RaschStatus::kEstimated) raters_.push_back(r);
-  }
+  explicit JointModel(const RatingPlan& plan)
+      : plan_(plan),
+        thresholds_(static_cast<std::size_t>(plan.highest())),
+        persons_(plan.estimatedPersons()),
+        raters_(plan.estimatedRaters()) {}
 
   [[nodiscard]] Index size() const {
     return static_cast<Index>(persons_.size() + raters_.size() + thresholds_ - 2);
@@ -151,43 +75,61 @@ class JointModel {
   }
   [[nodiscard]] std::vector<double> tau(const Eigen::VectorXd& x) const {
     std::vector<double> out;
-    for (std::size_t k = 0; k < thresholds_; ++k)
+    for (std::size_t k = 0; k < thresholds_; ++k) {
       out.push_back(constrained(x, persons_.size() + raters_.size() - 1, thresholds_, k));
+    }
     return out;
   }
 
   double evaluate(const Eigen::VectorXd& x, Eigen::VectorXd* gradient, Eigen::MatrixXd* information) const {
     const std::vector<double> thresholds = tau(x);
     double logLikelihood = 0.0;
-    if (gradient != nullptr) gradient->setZero(size());
-    if (information != nullptr) information->setZero(size(), size());
-    for (std::size_t i = 0; i < persons_.size(); ++i)
+    if (gradient != nullptr) {
+      gradient->setZero(size());
+    }
+    if (information != nullptr) {
+      information->setZero(size(), size());
+    }
+    for (std::size_t i = 0; i < persons_.size(); ++i) {
       for (std::size_t j = 0; j < raters_.size(); ++j) {
-        if (!plan_.used(persons_[i], raters_[j])) continue;
-        const int mark = *plan_.ratings_[persons_[i]][raters_[j]];
+        if (!plan_.used(persons_[i], raters_[j])) {
+          continue;
+        }
+        const int mark = plan_.mark(persons_[i], raters_[j]);
         const Category at = categoryAt(ability(x, i) - severity(x, j), thresholds);
         logLikelihood += std::log(at.p[static_cast<std::size_t>(mark)]);
-        if (gradient == nullptr) continue;
+        if (gradient == nullptr) {
+          continue;
+        }
         // Each category k has the log weight s_k . x with a design row s_k; gradient and information are the
         // mean and covariance of these rows.
         Eigen::VectorXd mean = Eigen::VectorXd::Zero(size());
-        for (std::size_t k = 0; k < at.p.size(); ++k) mean += at.p[k] * design(i, j, k);
+        for (std::size_t k = 0; k < at.p.size(); ++k) {
+          mean += at.p[k] * design(i, j, k);
+        }
         *gradient += design(i, j, static_cast<std::size_t>(mark)) - mean;
-        if (information == nullptr) continue;
+        if (information == nullptr) {
+          continue;
+        }
         for (std::size_t k = 0; k < at.p.size(); ++k) {
           const Eigen::VectorXd d = design(i, j, k) - mean;
           *information += at.p[k] * d * d.transpose();
         }
       }
+    }
     return logLikelihood;
   }
 
  private:
   [[nodiscard]] static double constrained(const Eigen::VectorXd& x, std::size_t from, std::size_t count,
                                           std::size_t which) {
-    if (which + 1 < count) return x[static_cast<Index>(from + which)];
+    if (which + 1 < count) {
+      return x[static_cast<Index>(from + which)];
+    }
     double sum = 0.0;
-    for (std::size_t i = 0; i + 1 < count; ++i) sum += x[static_cast<Index>(from + i)];
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+      sum += x[static_cast<Index>(from + i)];
+    }
     return -sum;
   }
 
@@ -197,7 +139,9 @@ class JointModel {
       row[static_cast<Index>(from + which)] += weight;
       return;
     }
-    for (std::size_t i = 0; i + 1 < count; ++i) row[static_cast<Index>(from + i)] -= weight;
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+      row[static_cast<Index>(from + i)] -= weight;
+    }
   }
 
   [[nodiscard]] Eigen::VectorXd design(std::size_t i, std::size_t j, std::size_t category) const {
@@ -205,36 +149,43 @@ class JointModel {
     const double k = static_cast<double>(category);
     row[static_cast<Index>(i)] = k;
     add(row, persons_.size(), raters_.size(), j, -k);
-    for (std::size_t step = 0; step < category; ++step)
+    for (std::size_t step = 0; step < category; ++step) {
       add(row, persons_.size() + raters_.size() - 1, thresholds_, step, -1.0);
+    }
     return row;
   }
 
-  const Plan& plan_;
+  const RatingPlan& plan_;
   std::size_t thresholds_;
   std::vector<std::size_t> persons_;
   std::vector<std::size_t> raters_;
 };
 
-/// Newton with step halving; the log-likelihood is concave. Empty when the maximum lies at infinity.
+/// Newton with step halving; the log-likelihood is concave and has one maximum. Empty when rounding keeps the
+/// iteration from settling.
 std::optional<int> maximise(const JointModel& model, Eigen::VectorXd& x) {
   Eigen::VectorXd gradient;
   Eigen::MatrixXd information;
   double value = model.evaluate(x, &gradient, &information);
   for (int iteration = 1; iteration <= kMaxIterations; ++iteration) {
     const Eigen::LDLT<Eigen::MatrixXd> solver(information);
-    if (solver.info() != Eigen::Success) return std::nullopt;
+    if (solver.info() != Eigen::Success) {
+      return std::nullopt;
+    }
     Eigen::VectorXd step = solver.solve(gradient);
-    if (!step.allFinite()) return std::nullopt;
+    if (!step.allFinite()) {
+      return std::nullopt;
+    }
     double next = model.evaluate(x + step, nullptr, nullptr);
     for (int halving = 0; halving < 40 && !(next >= value - 1e-12 * std::abs(value)); ++halving) {
       step *= 0.5;
       next = model.evaluate(x + step, nullptr, nullptr);
     }
     x += step;
-    if (x.cwiseAbs().maxCoeff() > kAtInfinity) return std::nullopt;
     value = model.evaluate(x, &gradient, &information);
-    if (step.cwiseAbs().maxCoeff() < kConverged) return iteration;
+    if (step.cwiseAbs().maxCoeff() < kConverged) {
+      return iteration;
+    }
   }
   return std::nullopt;
 }
@@ -246,21 +197,23 @@ struct FitSums {
   double n = 0.0;
 };
 
-void report(const JointModel& model, const Plan& plan, const Eigen::VectorXd& x, RaschResult& out) {
+void report(const JointModel& model, const RatingPlan& plan, const Eigen::VectorXd& x, RaschResult& out) {
   out.thresholds = model.tau(x);
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;
   out.logLikelihood = model.evaluate(x, &gradient, &information);
   const Eigen::MatrixXd covariance = information.inverse();
-  std::vector<FitSums> raterSums(plan.raters.size());
+  std::vector<FitSums> raterSums(plan.raters().size());
   for (std::size_t i = 0; i < model.persons().size(); ++i) {
     FitSums sums;
     RaschPerson& person = out.persons[model.persons()[i]];
     for (std::size_t j = 0; j < model.raters().size(); ++j) {
       const std::size_t r = model.raters()[j];
-      if (!plan.used(model.persons()[i], r)) continue;
+      if (!plan.used(model.persons()[i], r)) {
+        continue;
+      }
       const Category at = categoryAt(model.ability(x, i) - model.severity(x, j), out.thresholds);
-      const double d = static_cast<double>(*plan.ratings_[model.persons()[i]][r]) - at.mean;
+      const double d = static_cast<double>(plan.mark(model.persons()[i], r)) - at.mean;
       for (FitSums* to : {&sums, &raterSums[r]}) {
         to->squares += d * d;
         to->variances += at.variance;
@@ -285,43 +238,71 @@ void report(const JointModel& model, const Plan& plan, const Eigen::VectorXd& x,
   }
 }
 
-}  // namespace
-
-Outcome<RaschResult> manyFacetRasch(const Ratings& ratings, int highest) {
-  using Undefined = Outcome<RaschResult>;
-  TORSIO_EXPECTS(highest >= 1);
-  std::vector<bool> seen(static_cast<std::size_t>(highest) + 1, false);
+/// Throws Error{kBadData} for a category that the scale does not have.
+void requireCategories(const CategoryRatings& ratings, int highest) {
   for (std::size_t n = 0; n < ratings.size(); ++n) {
     TORSIO_EXPECTS(ratings[n].size() == ratings.front().size());
-    for (const std::optional<int>& mark : ratings[n])
-      if (mark && (*mark < 0 || *mark > highest))
+    for (const std::optional<int>& mark : ratings[n]) {
+      if (mark && (*mark < 0 || *mark > highest)) {
         throw Error(ErrorCode::kBadData, "a rating lies outside the categories", Text("person %1", n + 1),
                     Text("Give categories from 0 to %1.", highest));
+      }
+    }
   }
-  const Plan plan(ratings, highest);
-  for (std::size_t n = 0; n < plan.persons.size(); ++n)
-    for (std::size_t r = 0; r < plan.raters.size(); ++r)
-      if (plan.used(n, r)) seen[static_cast<std::size_t>(*ratings[n][r])] = true;
-  if (!plan.connected())
-    return Undefined::undefined("the rating plan falls into parts that share no person and no rater");
-  const JointModel model(plan, highest);
-  if (model.persons().size() < 2 || model.raters().size() < 2)
-    return Undefined::undefined("fewer than two persons or raters have ratings that are not extreme");
-  for (std::size_t k = 0; k < seen.size(); ++k)
-    if (!seen[k])
-      return Undefined::undefined(
-          filledIn("category %1 is never used: collapse categories first", {std::to_string(k)}));
+}
+
+/// Why the model has no estimate for these ratings; empty when it has one.
+std::optional<std::string> obstacle(const RatingPlan& plan) {
+  if (!plan.connected()) {
+    return "the rating plan falls into parts that share no person and no rater";
+  }
+  const std::vector<std::size_t> persons = plan.estimatedPersons();
+  const std::vector<std::size_t> raters = plan.estimatedRaters();
+  if (persons.size() < 2 || raters.size() < 2) {
+    return "fewer than two persons or raters have ratings that are not extreme";
+  }
+  std::vector<bool> seen(static_cast<std::size_t>(plan.highest()) + 1, false);
+  for (const std::size_t n : persons) {
+    for (const std::size_t r : raters) {
+      if (plan.used(n, r)) {
+        seen[static_cast<std::size_t>(plan.mark(n, r))] = true;
+      }
+    }
+  }
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    if (!seen[k]) {
+      return filledIn("category %1 is never used: collapse categories first", {std::to_string(k)});
+    }
+  }
+  if (const std::optional<std::string> loose = plan.unbounded()) {
+    return filledIn("the likelihood has no finite maximum: nothing in the ratings bounds %1", {*loose});
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Outcome<RaschResult> manyFacetRasch(const CategoryRatings& ratings, int highest) {
+  using Undefined = Outcome<RaschResult>;
+  TORSIO_EXPECTS(highest >= 1);
+  requireCategories(ratings, highest);
+  const RatingPlan plan(ratings, highest);
+  if (const std::optional<std::string> reason = obstacle(plan)) {
+    return Undefined::undefined(*reason);
+  }
+  const JointModel model(plan);
   Eigen::VectorXd x = Eigen::VectorXd::Zero(model.size());
   const std::optional<int> iterations = maximise(model, x);
-  if (!iterations)
-    return Undefined::undefined("the likelihood has no finite maximum: the data are too orderly");
+  if (!iterations) {
+    return Undefined::undefined("the estimates lie too far apart to be computed");
+  }
   RaschResult out;
   out.iterations = *iterations;
-  for (const RaschStatus status : plan.persons) {
+  for (const RaschStatus status : plan.persons()) {
     out.persons.emplace_back();
     out.persons.back().status = status;
   }
-  for (const RaschStatus status : plan.raters) {
+  for (const RaschStatus status : plan.raters()) {
     out.raters.emplace_back();
     out.raters.back().status = status;
   }

@@ -5,17 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "assessment/statistics/rating_plan.h"
 #include "assessment/statistics/values.h"
 
 namespace torsio {
-
-/// Why a person or a rater has no estimate of its own.
-enum class RaschStatus {
-  kEstimated,
-  kExtremeLow,   ///< every rating in the lowest category: minus infinity
-  kExtremeHigh,  ///< every rating in the highest category: plus infinity
-  kNoRatings,
-};
 
 struct RaschPerson {
   RaschStatus status = RaschStatus::kEstimated;
@@ -46,9 +39,9 @@ struct RaschResult {
 /// Many-facet rating scale model, ln(P_k / P_(k-1)) = ability - severity - tau_k, by joint maximum likelihood
 /// (Newton). `ratings`: persons x raters, categories 0 .. `highest`, holes allowed. Persons and raters with
 /// only extreme ratings are set aside in turn and reported. Undefined when the rating plan falls into parts
-/// that cannot be compared, when a category is never used (collapse categories first), or when the maximum
-/// lies at infinity. Joint estimates are too far apart for short designs; no correction is applied.
-[[nodiscard]] Outcome<RaschResult> manyFacetRasch(const std::vector<std::vector<std::optional<int>>>& ratings,
-                                                  int highest);
+/// that cannot be compared, when a category is never used (collapse categories first), or when the likelihood
+/// has no finite maximum, which is decided exactly beforehand. Joint estimates are too far apart for short
+/// designs; no correction is applied.
+[[nodiscard]] Outcome<RaschResult> manyFacetRasch(const CategoryRatings& ratings, int highest);
 
 }  // namespace torsio

@@ -27,18 +27,27 @@ TwoWay twoWay(const NumberTable& x) {
   ss.k = static_cast<double>(x.columns());
   std::vector<double> rowMeans;
   std::vector<double> columnMeans;
-  for (std::size_t i = 0; i < x.rows(); ++i) rowMeans.push_back(meanOf(x.row(i)));
-  for (std::size_t j = 0; j < x.columns(); ++j) columnMeans.push_back(meanOf(x.column(j)));
+  for (std::size_t i = 0; i < x.rows(); ++i) {
+    rowMeans.push_back(meanOf(x.row(i)));
+  }
+  for (std::size_t j = 0; j < x.columns(); ++j) {
+    columnMeans.push_back(meanOf(x.column(j)));
+  }
   const double grand = meanOf(rowMeans);
-  for (const double mean : rowMeans) ss.rows += ss.k * (mean - grand) * (mean - grand);
-  for (const double mean : columnMeans) ss.columns += ss.n * (mean - grand) * (mean - grand);
-  for (std::size_t i = 0; i < x.rows(); ++i)
+  for (const double mean : rowMeans) {
+    ss.rows += ss.k * (mean - grand) * (mean - grand);
+  }
+  for (const double mean : columnMeans) {
+    ss.columns += ss.n * (mean - grand) * (mean - grand);
+  }
+  for (std::size_t i = 0; i < x.rows(); ++i) {
     for (std::size_t j = 0; j < x.columns(); ++j) {
       const double residual = x.at(i, j) - rowMeans[i] - columnMeans[j] + grand;
       const double inside = x.at(i, j) - rowMeans[i];
       ss.error += residual * residual;
       ss.within += inside * inside;
     }
+  }
   return ss;
 }
 
@@ -92,7 +101,9 @@ void addAgreement(IccResult& out, double tail) {
   out.agreementDf = v;
   out.agreementSingle.estimate = r;
   out.agreementMean.estimate = (out.bms - out.ems) / (out.bms + (out.jms - out.ems) / n);
-  if (!(v > 0.0) || !std::isfinite(v)) return;
+  if (!(v > 0.0) || !std::isfinite(v)) {
+    return;
+  }
   const double f1 = fQuantile(1.0 - tail, n - 1.0, v);
   const double f2 = fQuantile(1.0 - tail, v, n - 1.0);
   const double spread = k * out.jms + (k * n - k - n) * out.ems;
@@ -105,10 +116,16 @@ void addAgreement(IccResult& out, double tail) {
 }  // namespace
 
 Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings, double confidence) {
-  if (ratings.rows() < 2) return Outcome<IccResult>::undefined("there are fewer than two targets");
-  if (ratings.columns() < 2) return Outcome<IccResult>::undefined("there are fewer than two raters");
+  if (ratings.rows() < 2) {
+    return Outcome<IccResult>::undefined("there are fewer than two targets");
+  }
+  if (ratings.columns() < 2) {
+    return Outcome<IccResult>::undefined("there are fewer than two raters");
+  }
   const TwoWay ss = twoWay(ratings);
-  if (ss.rows + ss.within == 0.0) return Outcome<IccResult>::undefined("every rating is the same");
+  if (ss.rows + ss.within == 0.0) {
+    return Outcome<IccResult>::undefined("every rating is the same");
+  }
   IccResult out;
   out.targets = ratings.rows();
   out.raters = ratings.columns();
@@ -117,11 +134,13 @@ Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings, double conf
   out.jms = ss.columns / (ss.k - 1.0);
   out.ems = ss.error / ((ss.n - 1.0) * (ss.k - 1.0));
   constexpr double kRounding = 1e-13;  // of the total: what remains of a residual that is truly zero
-  if (ss.error <= kRounding * (ss.rows + ss.within))
+  if (ss.error <= kRounding * (ss.rows + ss.within)) {
     return Outcome<IccResult>::undefined(
         "the raters differ by constants only, so there is no residual variance");
-  if (ss.rows <= kRounding * (ss.rows + ss.within))
+  }
+  if (ss.rows <= kRounding * (ss.rows + ss.within)) {
     return Outcome<IccResult>::undefined("the targets do not differ");
+  }
   const double tail = 0.5 * (1.0 - confidence);
   addOneWay(out, tail);
   addConsistency(out, tail);
@@ -141,43 +160,57 @@ std::optional<double> alphaOf(const NumberTable& x, std::optional<std::size_t> w
   double itemVariances = 0.0;
   double items = 0.0;
   for (std::size_t j = 0; j < x.columns(); ++j) {
-    if (without == j) continue;
+    if (without == j) {
+      continue;
+    }
     const std::vector<double> column = x.column(j);
     itemVariances += *sampleVariance(column);
-    for (std::size_t i = 0; i < x.rows(); ++i) sums[i] += column[i];
+    for (std::size_t i = 0; i < x.rows(); ++i) {
+      sums[i] += column[i];
+    }
     items += 1.0;
   }
   const double total = *sampleVariance(sums);
-  if (items < 2.0 || total == 0.0) return std::nullopt;
+  if (items < 2.0 || total == 0.0) {
+    return std::nullopt;
+  }
   return items / (items - 1.0) * (1.0 - itemVariances / total);
 }
 
 std::optional<double> standardizedAlpha(const NumberTable& x) {
   double correlations = 0.0;
   double pairs = 0.0;
-  for (std::size_t a = 0; a < x.columns(); ++a)
+  for (std::size_t a = 0; a < x.columns(); ++a) {
     for (std::size_t b = a + 1; b < x.columns(); ++b) {
       const std::vector<double> u = x.column(a);
       const std::vector<double> v = x.column(b);
       const double meanU = meanOf(u);
       const double meanV = meanOf(v);
       double product = 0.0;
-      for (std::size_t i = 0; i < u.size(); ++i) product += (u[i] - meanU) * (v[i] - meanV);
+      for (std::size_t i = 0; i < u.size(); ++i) {
+        product += (u[i] - meanU) * (v[i] - meanV);
+      }
       const double scale = std::sqrt(sumOfSquares(u) * sumOfSquares(v));
-      if (scale == 0.0) return std::nullopt;
+      if (scale == 0.0) {
+        return std::nullopt;
+      }
       correlations += product / scale;
       pairs += 1.0;
     }
+  }
   return spearmanBrown(correlations / pairs, static_cast<double>(x.columns()));
 }
 
 }  // namespace
 
 Outcome<CronbachResult> cronbachAlpha(const NumberTable& answers, double confidence) {
-  if (answers.rows() < 2 || answers.columns() < 2)
+  if (answers.rows() < 2 || answers.columns() < 2) {
     return Outcome<CronbachResult>::undefined("alpha needs at least two persons and two items");
+  }
   const std::optional<double> alpha = alphaOf(answers, std::nullopt);
-  if (!alpha) return Outcome<CronbachResult>::undefined("the sums over the items do not vary");
+  if (!alpha) {
+    return Outcome<CronbachResult>::undefined("the sums over the items do not vary");
+  }
   CronbachResult out;
   out.alpha = *alpha;
   const double df1 = static_cast<double>(answers.rows() - 1);
@@ -185,14 +218,17 @@ Outcome<CronbachResult> cronbachAlpha(const NumberTable& answers, double confide
   const double tail = 0.5 * (1.0 - confidence);
   out.interval = {1.0 - (1.0 - *alpha) * fQuantile(1.0 - tail, df1, df2),
                   1.0 - (1.0 - *alpha) * fQuantile(tail, df1, df2)};
-  for (std::size_t j = 0; j < answers.columns(); ++j) out.alphaWithout.push_back(alphaOf(answers, j));
+  for (std::size_t j = 0; j < answers.columns(); ++j) {
+    out.alphaWithout.push_back(alphaOf(answers, j));
+  }
   out.standardized = standardizedAlpha(answers);
   return out;
 }
 
 Outcome<KendallResult> kendallW(const NumberTable& ratings) {
-  if (ratings.rows() < 2 || ratings.columns() < 2)
+  if (ratings.rows() < 2 || ratings.columns() < 2) {
     return Outcome<KendallResult>::undefined("concordance needs at least two targets and two raters");
+  }
   const double n = static_cast<double>(ratings.rows());
   const double m = static_cast<double>(ratings.columns());
   std::vector<std::int64_t> doubledSums(ratings.rows(), 0);
@@ -200,7 +236,9 @@ Outcome<KendallResult> kendallW(const NumberTable& ratings) {
   for (std::size_t j = 0; j < ratings.columns(); ++j) {
     const DoubledRanks ranks = doubledRanks(ratings.column(j));
     ties += ranks.tieTerm;
-    for (std::size_t i = 0; i < ratings.rows(); ++i) doubledSums[i] += ranks.ranks[i];
+    for (std::size_t i = 0; i < ratings.rows(); ++i) {
+      doubledSums[i] += ranks.ranks[i];
+    }
   }
   KendallResult out;
   out.tieTerm = static_cast<double>(ties);
@@ -210,7 +248,9 @@ Outcome<KendallResult> kendallW(const NumberTable& ratings) {
     out.s += 0.25 * d * d;
   }
   const double denominator = m * m * (n * n * n - n) - m * out.tieTerm;
-  if (denominator <= 0.0) return Outcome<KendallResult>::undefined("every rater ties all targets");
+  if (denominator <= 0.0) {
+    return Outcome<KendallResult>::undefined("every rater ties all targets");
+  }
   out.w = 12.0 * out.s / denominator;
   out.wUncorrected = 12.0 * out.s / (m * m * (n * n * n - n));
   out.df = n - 1.0;
@@ -222,8 +262,9 @@ Outcome<KendallResult> kendallW(const NumberTable& ratings) {
 Outcome<BlandAltmanResult> blandAltman(std::span<const double> x, std::span<const double> y,
                                        double multiplier, double confidence) {
   TORSIO_EXPECTS(x.size() == y.size());
-  if (x.size() < 2)
+  if (x.size() < 2) {
     return Outcome<BlandAltmanResult>::undefined("limits of agreement need at least two pairs");
+  }
   BlandAltmanResult out;
   out.n = x.size();
   const double n = static_cast<double>(x.size());
@@ -249,8 +290,9 @@ Outcome<BlandAltmanResult> blandAltman(std::span<const double> x, std::span<cons
   if (spread > 0.0) {
     const double meanOfMeans = meanOf(means);
     double product = 0.0;
-    for (std::size_t i = 0; i < means.size(); ++i)
+    for (std::size_t i = 0; i < means.size(); ++i) {
       product += (means[i] - meanOfMeans) * (differences[i] - out.meanDifference);
+    }
     out.slope = product / spread;
   }
   return out;

@@ -42,8 +42,8 @@ struct IccResult {
   double semAgreement = 0.0;    ///< sqrt(rater variance + EMS); negative rater variance counts as 0
 };
 
-/// `ratings`: targets x raters, complete. Undefined with fewer than two of either, without any variation, or
-/// when the residual variance is zero.
+/// Computes the six intraclass correlations. `ratings`: targets x raters, complete. Undefined with fewer
+/// than two of either, without any variation, or when the residual variance is zero.
 [[nodiscard]] Outcome<IccResult> intraclassCorrelation(const NumberTable& ratings,
                                                        double confidence = kUsualConfidence);
 
@@ -54,7 +54,8 @@ struct CronbachResult {
   std::optional<double> standardized;               ///< from the mean correlation between items
 };
 
-/// `answers`: persons x items. Undefined with fewer than two of either or when the sums do not vary.
+/// Computes Cronbach's alpha. `answers`: persons x items. Undefined with fewer than two of either or when
+/// the sums do not vary.
 [[nodiscard]] Outcome<CronbachResult> cronbachAlpha(const NumberTable& answers,
                                                     double confidence = kUsualConfidence);
 
@@ -68,7 +69,8 @@ struct KendallResult {
   double p = 0.0;
 };
 
-/// Concordance of raters; `ratings`: targets x raters. Undefined when every rater ties all targets.
+/// Computes Kendall's concordance W of raters; `ratings`: targets x raters. Undefined when every rater ties
+/// all targets.
 [[nodiscard]] Outcome<KendallResult> kendallW(const NumberTable& ratings);
 
 struct BlandAltmanResult {
@@ -87,13 +89,13 @@ struct BlandAltmanResult {
 
 inline constexpr double kAgreementLimit = 1.96;
 
-/// Differences x - y against pair means. Undefined for fewer than two pairs.
+/// Analyses differences x - y against pair means by Bland and Altman. Undefined for fewer than two pairs.
 [[nodiscard]] Outcome<BlandAltmanResult> blandAltman(std::span<const double> x, std::span<const double> y,
                                                      double multiplier = kAgreementLimit,
                                                      double confidence = kUsualConfidence);
 
-/// Every rater against the mean of the others; a mean that contains the rater would agree by construction.
-/// `ratings`: targets x raters, at least two raters.
+/// Compares every rater with the mean of the others; a mean that contains the rater would agree by
+/// construction. `ratings`: targets x raters, at least two raters.
 [[nodiscard]] std::vector<Outcome<BlandAltmanResult>> blandAltmanAgainstPanel(const NumberTable& ratings);
 
 }  // namespace torsio

@@ -22,8 +22,12 @@ std::vector<double> drawAll(std::size_t n, const ResampledStatistic& statistic) 
   for (;;) {
     out.push_back(statistic(rows));
     std::size_t digit = 0;
-    while (digit < n && ++rows[digit] == n) rows[digit++] = 0;
-    if (digit == n) return out;
+    while (digit < n && ++rows[digit] == n) {
+      rows[digit++] = 0;
+    }
+    if (digit == n) {
+      return out;
+    }
   }
 }
 
@@ -33,7 +37,9 @@ std::vector<double> drawSome(std::size_t n, const ResampledStatistic& statistic,
   std::vector<double> out;
   std::vector<std::size_t> rows(n, 0);
   for (std::int64_t b = 0; b < options.resamples; ++b) {
-    for (std::size_t& row : rows) row = random.bounded(n);
+    for (std::size_t& row : rows) {
+      row = random.bounded(n);
+    }
     out.push_back(statistic(rows));
   }
   return out;
@@ -46,12 +52,17 @@ Interval atLevels(const std::vector<double>& values, double low, double high) {
 }  // namespace
 
 Outcome<Jackknife> jackknife(std::size_t trainees, const ResampledStatistic& statistic) {
-  if (trainees < 3) return Outcome<Jackknife>::undefined("there are fewer than three trainees");
+  if (trainees < 3) {
+    return Outcome<Jackknife>::undefined("there are fewer than three trainees");
+  }
   std::vector<double> values;
   for (std::size_t out = 0; out < trainees; ++out) {
     std::vector<std::size_t> rows;
-    for (std::size_t i = 0; i < trainees; ++i)
-      if (i != out) rows.push_back(i);
+    for (std::size_t i = 0; i < trainees; ++i) {
+      if (i != out) {
+        rows.push_back(i);
+      }
+    }
     values.push_back(statistic(rows));
   }
   const double mean = meanOf(values);
@@ -62,7 +73,9 @@ Outcome<Jackknife> jackknife(std::size_t trainees, const ResampledStatistic& sta
     squares += d * d;
     cubes += d * d * d;
   }
-  if (squares == 0.0) return Outcome<Jackknife>::undefined("the statistic does not change with any trainee");
+  if (squares == 0.0) {
+    return Outcome<Jackknife>::undefined("the statistic does not change with any trainee");
+  }
   const double n = static_cast<double>(trainees);
   return Jackknife{std::sqrt((n - 1.0) / n * squares), cubes / (6.0 * std::pow(squares, 1.5))};
 }
@@ -70,7 +83,9 @@ Outcome<Jackknife> jackknife(std::size_t trainees, const ResampledStatistic& sta
 Outcome<Bootstrap> bootstrap(std::size_t trainees, const ResampledStatistic& statistic,
                              const BootstrapOptions& options) {
   const Outcome<Jackknife> leaveOut = jackknife(trainees, statistic);
-  if (!leaveOut) return Outcome<Bootstrap>::undefined(leaveOut.reason());
+  if (!leaveOut) {
+    return Outcome<Bootstrap>::undefined(leaveOut.reason());
+  }
   const double n = static_cast<double>(trainees);
   TORSIO_EXPECTS(!options.everyResample || std::pow(n, n) <= kMostResamples);
   TORSIO_EXPECTS(options.resamples >= 1);
@@ -87,13 +102,15 @@ Outcome<Bootstrap> bootstrap(std::size_t trainees, const ResampledStatistic& sta
   const double rounding = 1e-12 * std::max(1.0, std::abs(out.estimate));
   double below = 0.0;
   for (const double value : values) {
-    if (value < out.estimate - rounding)
+    if (value < out.estimate - rounding) {
       below += 1.0;
-    else if (value <= out.estimate + rounding)
+    } else if (value <= out.estimate + rounding) {
       below += 0.5;
+    }
   }
-  if (below == 0.0 || below == count)
+  if (below == 0.0 || below == count) {
     return Outcome<Bootstrap>::undefined("every resample lies on the same side of the estimate");
+  }
   const double tail = 0.5 * (1.0 - options.confidence);
   out.percentile = atLevels(values, tail, 1.0 - tail);
   out.basic = {2.0 * out.estimate - out.percentile.upper, 2.0 * out.estimate - out.percentile.lower};
@@ -110,13 +127,19 @@ Outcome<Bootstrap> bootstrap(std::size_t trainees, const ResampledStatistic& sta
 
 Outcome<Correlation> pearson(std::span<const double> x, std::span<const double> y, double confidence) {
   TORSIO_EXPECTS(x.size() == y.size());
-  if (x.size() < 2) return Outcome<Correlation>::undefined("there are fewer than two pairs");
+  if (x.size() < 2) {
+    return Outcome<Correlation>::undefined("there are fewer than two pairs");
+  }
   const double meanX = meanOf(x);
   const double meanY = meanOf(y);
   const double scale = std::sqrt(sumOfSquares(x) * sumOfSquares(y));
-  if (scale == 0.0) return Outcome<Correlation>::undefined("one of the two does not vary");
+  if (scale == 0.0) {
+    return Outcome<Correlation>::undefined("one of the two does not vary");
+  }
   double product = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) product += (x[i] - meanX) * (y[i] - meanY);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    product += (x[i] - meanX) * (y[i] - meanY);
+  }
   Correlation out;
   out.r = std::clamp(product / scale, -1.0, 1.0);
   if (x.size() > 3 && std::abs(out.r) < 1.0) {

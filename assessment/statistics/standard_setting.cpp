@@ -26,17 +26,26 @@ void addLogistic(std::span<const double> novices, std::span<const double> master
       h01 += p * (1.0 - p) * x;
       h11 += p * (1.0 - p) * x * x;
     };
-    for (const double score : novices) add(score, 0.0);
-    for (const double score : masters) add(score, 1.0);
+    for (const double score : novices) {
+      add(score, 0.0);
+    }
+    for (const double score : masters) {
+      add(score, 1.0);
+    }
     const double determinant = h00 * h11 - h01 * h01;
-    if (!(determinant > 1e-12 * h00 * h11) || !(h00 > 1e-9)) return;
+    if (!(determinant > 1e-12 * h00 * h11) || !(h00 > 1e-9)) {
+      return;
+    }
     const double step0 = (h11 * g0 - h01 * g1) / determinant;
     const double step1 = (h00 * g1 - h01 * g0) / determinant;
     b0 += step0;
     b1 += step1;
-    if (std::abs(step0) > 1e-13 * (1.0 + std::abs(b0)) || std::abs(step1) > 1e-13 * (1.0 + std::abs(b1)))
+    if (std::abs(step0) > 1e-13 * (1.0 + std::abs(b0)) || std::abs(step1) > 1e-13 * (1.0 + std::abs(b1))) {
       continue;
-    if (!(b1 > 0.0)) return;
+    }
+    if (!(b1 > 0.0)) {
+      return;
+    }
     out.cutLogistic = centre - b0 / b1;
     out.logistic = {b0 - b1 * centre, b1};
     const double v00 = h11 / determinant;
@@ -52,17 +61,20 @@ void addLogistic(std::span<const double> novices, std::span<const double> master
 Outcome<ContrastingGroups> contrastingGroups(std::span<const double> novices,
                                              std::span<const double> masters) {
   using Undefined = Outcome<ContrastingGroups>;
-  if (novices.size() < 2 || masters.size() < 2)
+  if (novices.size() < 2 || masters.size() < 2) {
     return Undefined::undefined("a group has fewer than two trainees");
+  }
   ContrastingGroups out;
   out.meanNovices = meanOf(novices);
   out.meanMasters = meanOf(masters);
   out.deviationNovices = *sampleDeviation(novices);
   out.deviationMasters = *sampleDeviation(masters);
-  if (out.deviationNovices == 0.0 || out.deviationMasters == 0.0)
+  if (out.deviationNovices == 0.0 || out.deviationMasters == 0.0) {
     return Undefined::undefined("a group does not vary");
-  if (out.meanNovices >= out.meanMasters)
+  }
+  if (out.meanNovices >= out.meanMasters) {
     return Undefined::undefined("masters do not score higher than novices");
+  }
   out.midpoint = 0.5 * (out.meanNovices + out.meanMasters);
   // Equal log densities: a x^2 + b x + c = 0.
   const double va = out.deviationNovices * out.deviationNovices;
@@ -82,8 +94,9 @@ Outcome<ContrastingGroups> contrastingGroups(std::span<const double> novices,
     out.cutNormal = between(first) ? first : second;
     out.otherRoot = between(first) ? second : first;
   }
-  if (!between(out.cutNormal))
+  if (!between(out.cutNormal)) {
     return Undefined::undefined("the fitted normals do not cross between the means");
+  }
   out.falsePass = normalUpper((out.cutNormal - out.meanNovices) / out.deviationNovices);
   out.falseFail = normalCdf((out.cutNormal - out.meanMasters) / out.deviationMasters);
   addLogistic(novices, masters, out);
@@ -91,7 +104,9 @@ Outcome<ContrastingGroups> contrastingGroups(std::span<const double> novices,
 }
 
 Outcome<Angoff> angoff(const NumberTable& percent) {
-  if (percent.rows() == 0) return Outcome<Angoff>::undefined("there are no judges");
+  if (percent.rows() == 0) {
+    return Outcome<Angoff>::undefined("there are no judges");
+  }
   Angoff out;
   for (std::size_t judge = 0; judge < percent.rows(); ++judge) {
     double sum = 0.0;
@@ -104,7 +119,9 @@ Outcome<Angoff> angoff(const NumberTable& percent) {
   out.cut = meanOf(out.judgeTotals);
   out.percent = 100.0 * out.cut / static_cast<double>(percent.columns());
   out.deviation = sampleDeviation(out.judgeTotals);
-  if (out.deviation) out.error = *out.deviation / std::sqrt(static_cast<double>(percent.rows()));
+  if (out.deviation) {
+    out.error = *out.deviation / std::sqrt(static_cast<double>(percent.rows()));
+  }
   return out;
 }
 
@@ -112,15 +129,23 @@ Outcome<BorderlineRegression> borderlineRegression(std::span<const double> globa
                                                    std::span<const double> score, double borderline) {
   using Undefined = Outcome<BorderlineRegression>;
   TORSIO_EXPECTS(globalRating.size() == score.size());
-  if (score.size() < 3) return Undefined::undefined("there are fewer than three trainees");
+  if (score.size() < 3) {
+    return Undefined::undefined("there are fewer than three trainees");
+  }
   const double xx = sumOfSquares(globalRating);
   const double yy = sumOfSquares(score);
-  if (xx == 0.0) return Undefined::undefined("every global rating is the same");
-  if (yy == 0.0) return Undefined::undefined("every score is the same");
+  if (xx == 0.0) {
+    return Undefined::undefined("every global rating is the same");
+  }
+  if (yy == 0.0) {
+    return Undefined::undefined("every score is the same");
+  }
   const double meanX = meanOf(globalRating);
   const double meanY = meanOf(score);
   double xy = 0.0;
-  for (std::size_t i = 0; i < score.size(); ++i) xy += (globalRating[i] - meanX) * (score[i] - meanY);
+  for (std::size_t i = 0; i < score.size(); ++i) {
+    xy += (globalRating[i] - meanX) * (score[i] - meanY);
+  }
   BorderlineRegression out;
   out.slope = xy / xx;
   out.intercept = meanY - out.slope * meanX;
@@ -138,8 +163,12 @@ Outcome<ProficiencyThreshold> proficiencyThreshold(std::span<const double> exper
   constexpr double kOutlier = 1.96;
   std::vector<double> x(experts.begin(), experts.end());
   for (double& value : x) {
-    if (!options.logScale) continue;
-    if (!(value > 0.0)) return Undefined::undefined("a value is not positive");
+    if (!options.logScale) {
+      continue;
+    }
+    if (!(value > 0.0)) {
+      return Undefined::undefined("a value is not positive");
+    }
     value = std::log(value);
   }
   ProficiencyThreshold out;
@@ -149,10 +178,14 @@ Outcome<ProficiencyThreshold> proficiencyThreshold(std::span<const double> exper
     out.dropped = std::erase_if(x, [&](double value) { return std::abs(value - mean) > reach; });
   }
   out.experts = x.size();
-  if (x.size() < 2) return Undefined::undefined("there are fewer than two experts");
+  if (x.size() < 2) {
+    return Undefined::undefined("there are fewer than two experts");
+  }
   const double mean = meanOf(x);
   out.deviation = *sampleDeviation(x);
-  if (out.deviation == 0.0) return Undefined::undefined("the experts do not differ");
+  if (out.deviation == 0.0) {
+    return Undefined::undefined("the experts do not differ");
+  }
   const double n = static_cast<double>(x.size());
   out.toleranceFactor =
       noncentralTQuantile(options.confidence, n - 1.0, normalQuantile(options.coverage) * std::sqrt(n)) /
@@ -179,7 +212,9 @@ std::optional<std::size_t> proficientAt(std::span<const double> attempts, double
       run = passed ? run + 1 : 0;
       established = run >= consecutive;
     }
-    if (established && later >= further) return i + 1;
+    if (established && later >= further) {
+      return i + 1;
+    }
   }
   return std::nullopt;
 }

@@ -27,7 +27,7 @@ class Outcome {
   }
   [[nodiscard]] const T* operator->() const { return &value(); }
   [[nodiscard]] const T& operator*() const { return value(); }
-  /// Why there is no value: a clause without full stop, "every rating is the same".
+  /// Returns why there is no value: a clause without full stop, "every rating is the same".
   [[nodiscard]] const std::string& reason() const noexcept { return reason_; }
 
  private:
@@ -48,12 +48,14 @@ class NumberTable {
  public:
   NumberTable() = default;
   NumberTable(std::size_t rows, std::size_t columns) : columns_(columns), values_(rows * columns, 0.0) {}
-  /// Throws ContractError when the rows differ in length.
+  /// Makes a table. Throws ContractError when the rows differ in length.
   explicit NumberTable(const std::vector<std::vector<double>>& rows) {
     columns_ = rows.empty() ? 0 : rows.front().size();
     for (const std::vector<double>& row : rows) {
       TORSIO_EXPECTS(row.size() == columns_);
-      for (const double value : row) values_.push_back(value);
+      for (const double value : row) {
+        values_.push_back(value);
+      }
     }
   }
 
@@ -69,7 +71,9 @@ class NumberTable {
   }
   [[nodiscard]] std::vector<double> column(std::size_t c) const {
     std::vector<double> out;
-    for (std::size_t r = 0; r < rows(); ++r) out.push_back(at(r, c));
+    for (std::size_t r = 0; r < rows(); ++r) {
+      out.push_back(at(r, c));
+    }
     return out;
   }
 

@@ -63,7 +63,23 @@ std::int64_t imbalanceOf(const std::vector<std::int64_t>& counts, Imbalance meas
   return std::ssize(counts) * squares - sum * sum;
 }
 
+void checkBlockSizes(const std::vector<std::size_t>& sizes, std::size_t arms) {
+  if (sizes.empty()) refuseDesign("no block size is given", "Give one or more block sizes.");
+  for (const std::size_t size : sizes)
+    if (size == 0 || size % arms != 0)
+      refuseDesign(Text("block size %1 is no multiple of the number of arms", size),
+                   "Give multiples of the number of arms.");
+}
+
 }  // namespace
+
+bool usesFactors(AllocationMethod method) noexcept {
+  return method == AllocationMethod::kStratifiedBlocks || method == AllocationMethod::kMinimisation;
+}
+
+bool usesBlocks(AllocationMethod method) noexcept {
+  return method == AllocationMethod::kStratifiedBlocks || method == AllocationMethod::kPermutedBlocks;
+}
 
 void validateDesign(const AllocationDesign& design) {
   const std::size_t arms = design.arms.size();
@@ -71,30 +87,23 @@ void validateDesign(const AllocationDesign& design) {
   for (const AllocationFactor& factor : design.factors)
     if (factor.levels.empty())
       refuseDesign(Text("factor \"%1\" has no levels", factor.name), "List its levels.");
-  switch (design.method) {
-    case AllocationMethod::kCompletePermutation:
-      if (design.participants == 0 || design.participants % arms != 0)
-        refuseDesign("the number of participants is no multiple of the number of arms",
-                     "Choose permuted blocks, or enrol equal arms.");
-      break;
-    case AllocationMethod::kStratifiedBlocks:
-      if (design.factors.empty())
-        refuseDesign("stratified blocks need a factor", "Name a factor with its levels.");
-      [[fallthrough]];
-    case AllocationMethod::kPermutedBlocks:
-      if (design.blockSizes.empty()) refuseDesign("no block size is given", "Give one or more block sizes.");
-      for (const std::size_t size : design.blockSizes)
-        if (size == 0 || size % arms != 0)
-          refuseDesign(Text("block size %1 is no multiple of the number of arms", size),
-                       "Give multiples of the number of arms.");
-      break;
-    case AllocationMethod::kMinimisation:
-      if (design.factors.empty())
-        refuseDesign("minimisation needs a factor", "Name a factor with its levels.");
-      if (design.bestArm_tenths < 5 || design.bestArm_tenths > 9)
-        refuseDesign("the probability of the best arm must lie between 0.5 and 0.9; 1 could be predicted",
-                     "Choose 0.8.");
-      break;
+  if (usesFactors(design.method) && design.factors.empty()) {
+    refuseDesign(design.method == AllocationMethod::kMinimisation ? Text("minimisation needs a factor")
+                                                                  : Text("stratified blocks need a factor"),
+                 "Name a factor with its levels.");
+  }
+  if (usesBlocks(design.method)) {
+    checkBlockSizes(design.blockSizes, arms);
+  }
+  if (design.method == AllocationMethod::kCompletePermutation &&
+      (design.participants == 0 || design.participants % arms != 0)) {
+    refuseDesign("the number of participants is no multiple of the number of arms",
+                 "Choose permuted blocks, or enrol equal arms.");
+  }
+  if (design.method == AllocationMethod::kMinimisation &&
+      (design.bestArm_tenths < 5 || design.bestArm_tenths > 9)) {
+    refuseDesign("the probability of the best arm must lie between 0.5 and 0.9; 1 could be predicted",
+                 "Choose 0.8.");
   }
 }
 

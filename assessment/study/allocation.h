@@ -23,6 +23,11 @@ enum class AllocationMethod {
   kMinimisation,      ///< Pocock and Simon 1975: the arm that leaves the margins most even, with chance
 };
 
+/// Says whether a method balances by factors: strata, or margins of minimisation.
+[[nodiscard]] bool usesFactors(AllocationMethod method) noexcept;
+/// Says whether a method draws block by block and so needs block sizes.
+[[nodiscard]] bool usesBlocks(AllocationMethod method) noexcept;
+
 enum class Imbalance { kRange, kVariance };
 
 /// Something known of a person before allocation: sex, experience.
@@ -40,21 +45,21 @@ struct AllocationDesign {
   std::vector<AllocationFactor> factors;  ///< strata, or the margins of minimisation
   std::int64_t bestArm_tenths = 8;        ///< kMinimisation: probability of the best arm in tenths, 5 to 9
   Imbalance imbalance = Imbalance::kRange;
-  /// kStratifiedBlocks: persons in each stratum, when all are known. The last, incomplete block of every
-  /// stratum is then replaced by one permutation over all strata, so that the arms come out even. Empty:
-  /// closed blocks.
+  /// With kStratifiedBlocks: persons in each stratum, when all are known. The last, incomplete block of
+  /// every stratum is then replaced by one permutation over all strata, so that the arms come out even.
+  /// Empty: closed blocks.
   std::map<std::string, std::size_t> stratumTotals;
 };
 
-/// Throws Error{kBadParameter}: fewer than two arms, block sizes that are no multiple of the arms, a factor
-/// without levels, a probability of 1, a permutation for nobody.
+/// Checks a design. Throws Error{kBadParameter}: fewer than two arms, block sizes that are no multiple of
+/// the arms, a factor without levels, a probability of 1, a permutation for nobody.
 void validateDesign(const AllocationDesign& design);
 
-/// Everything that decides the allocation except the seed, as one line of text.
+/// Writes everything that decides the allocation except the seed as one line of text.
 [[nodiscard]] std::string designText(const AllocationDesign& design);
 
-/// Published before the first person is enrolled: BLAKE2b-256 over study, design and seed. Whoever is given
-/// the seed at the end can check that it was not chosen afterwards.
+/// Computes the commitment that is published before the first person is enrolled: BLAKE2b-256 over study,
+/// design and seed. Whoever is given the seed at the end can check that it was not chosen afterwards.
 [[nodiscard]] std::string seedCommitment(const AllocationDesign& design, std::uint64_t seed);
 
 struct AllocationPerson {
@@ -89,15 +94,15 @@ struct AllocationRecord {
 
 [[nodiscard]] std::string recordHash(const AllocationRecord& record);
 
-/// Hands out arms one by one. The sequence depends on design, seed, and the order and factor levels of the
-/// persons; nothing can be read ahead from outside. One thread.
+/// Assigns study arms one by one. The sequence depends on design, seed, and the order and factor levels of
+/// the persons; later assignments cannot be read from outside. One thread.
 class Allocator {
  public:
-  /// Throws Error{kBadParameter} for a design that breaks its rules.
+  /// Makes an allocator. Throws Error{kBadParameter} for a design that breaks its rules.
   Allocator(AllocationDesign design, std::uint64_t seed);
 
-  /// Throws Error{kBadData} when the person is already allocated, has no level for a factor, or the list is
-  /// used up.
+  /// Assigns a person. Throws Error{kBadData} when the person is already allocated, has no level for a
+  /// factor, or the list is used up.
   AllocationRecord assign(const AllocationPerson& person, const AllocationStamp& stamp = {});
 
   [[nodiscard]] const AllocationDesign& design() const noexcept { return design_; }

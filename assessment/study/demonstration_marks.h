@@ -19,16 +19,15 @@ struct DemonstrationPeople {
   std::vector<std::vector<std::string>> raterClasses;  ///< who marks the models, one list a rater class
 };
 
-/// Simulated marks of the training study at three scoring points, whole points on the scale, from the rule
-/// that demonstrationTrainingRule() states. Same seed, same marks. Ordered by occasion, group, trainee,
-/// rater.
+/// Simulates marks of the training study at three occasions, whole points on the scale, from the rule that
+/// demonstrationTrainingRule() states. Same seed, same marks. Ordered by occasion, group, trainee, rater.
 [[nodiscard]] std::vector<TrainingMark> demonstrationTrainingMarks(const ScoreScale& scale,
                                                                    const DemonstrationPeople& people,
                                                                    std::uint64_t seed);
-/// The rule in words, for the report.
+/// States the rule of the training marks in words, for the report.
 [[nodiscard]] Text demonstrationTrainingRule();
 
-/// Simulated marks of every rater for every index of every model (PM, FEM, MSM; others like MSM), whole
+/// Simulates marks of every rater for every index of every model (PM, FEM, MSM; others like MSM), whole
 /// points.
 [[nodiscard]] std::vector<EvaluationRating> demonstrationEvaluationMarks(
     const EvaluationInstrument& instrument, const DemonstrationPeople& people,

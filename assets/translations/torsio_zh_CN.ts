@@ -104,25 +104,6 @@
     </message>
 </context>
 <context>
-    <name>CarePage</name>
-    <message>
-        <source>trainee</source>
-        <translation>学员</translation>
-    </message>
-    <message>
-        <source>rater</source>
-        <translation>评分者</translation>
-    </message>
-    <message>
-        <source>left the centre</source>
-        <translation>已离开中心</translation>
-    </message>
-    <message>
-        <source>consent withdrawn</source>
-        <translation>已撤回同意</translation>
-    </message>
-</context>
-<context>
     <name>ComparePage</name>
     <message>
         <source>Compare models</source>
@@ -513,6 +494,73 @@
     </message>
 </context>
 <context>
+    <name>RecordDialogs</name>
+    <message>
+        <source>trainee</source>
+        <translation>学员</translation>
+    </message>
+    <message>
+        <source>rater</source>
+        <translation>评分者</translation>
+    </message>
+    <message>
+        <source>left the centre</source>
+        <translation>已离开中心</translation>
+    </message>
+    <message>
+        <source>consent withdrawn</source>
+        <translation>已撤回同意</translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation> 天</translation>
+    </message>
+    <message>
+        <source>Days: %1</source>
+        <translation>天数：%1</translation>
+    </message>
+    <message>
+        <source>lawful basis</source>
+        <translation>法律依据</translation>
+    </message>
+    <message>
+        <source>Lawful basis: %1</source>
+        <translation>法律依据：%1</translation>
+    </message>
+    <message>
+        <source>Rules for keeping records</source>
+        <translation>记录保存规则</translation>
+    </message>
+    <message>
+        <source>After this long without activity a record is listed for review. Nothing is erased by itself.</source>
+        <translation>超过此期限无活动的记录将列入审查。任何内容都不会自动删除。</translation>
+    </message>
+    <message>
+        <source>Keep these rules</source>
+        <translation>保存这些规则</translation>
+    </message>
+    <message>
+        <source>Move to another group</source>
+        <translation>调整到其他组</translation>
+    </message>
+    <message>
+        <source>%1 was put into a group by the draw. A move by hand stands beside the drawn record for good, with its reason, and weakens the study.</source>
+        <translation>%1 由随机抽取分入某组。手动调整及其原因将与抽取记录一并永久保存，并会削弱研究的可信度。</translation>
+    </message>
+    <message>
+        <source>&amp;Group</source>
+        <translation>组别(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Reason</source>
+        <translation>原因(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>调整</translation>
+    </message>
+</context>
+<context>
     <name>RosterTexts</name>
     <message>
         <source>Staff or student number</source>
@@ -816,6 +864,10 @@
 <context>
     <name>Services</name>
     <message>
+        <source>Choose another name</source>
+        <translation>请另选名称</translation>
+    </message>
+    <message>
         <source>Effectiveness</source>
         <translation>有效性</translation>
     </message>
@@ -824,8 +876,20 @@
         <translation>力反馈</translation>
     </message>
     <message>
+        <source>Give every occasion another code</source>
+        <translation>请为每个评分时点指定不同的代码</translation>
+    </message>
+    <message>
+        <source>Occasion of scoring added</source>
+        <translation>已添加评分时点</translation>
+    </message>
+    <message>
         <source>Real-time performance</source>
         <translation>实时性</translation>
+    </message>
+    <message>
+        <source>Rule for keeping records taken away</source>
+        <translation>已取消记录保存规则</translation>
     </message>
     <message>
         <source>System stability</source>
@@ -850,6 +914,14 @@
     <message>
         <source>Texture</source>
         <translation>纹理质感</translation>
+    </message>
+    <message>
+        <source>an occasion has no code of its own</source>
+        <translation>某个评分时点没有自己的代码</translation>
+    </message>
+    <message>
+        <source>another occasion has this name</source>
+        <translation>另一评分时点已使用此名称</translation>
     </message>
     <message>
         <source>interns</source>
@@ -1426,10 +1498,6 @@
     <message>
         <source>Choose one of the two</source>
         <translation>请选择其中之一</translation>
-    </message>
-    <message>
-        <source>Choose pre, mid or post</source>
-        <translation>请选择训练前、训练中或训练后</translation>
     </message>
     <message>
         <source>Choose prerequisites from the list</source>
@@ -3780,6 +3848,10 @@
         <translation>无法读取步骤编号或 compatible_from</translation>
     </message>
     <message>
+        <source>occasion</source>
+        <translation>评分时点</translation>
+    </message>
+    <message>
         <source>on target every time, held steadily, gentle throughout</source>
         <translation>每次都达到目标，保持稳定，始终轻柔</translation>
     </message>
@@ -4366,6 +4438,10 @@
     <message>
         <source>the number %1 stands on line %2 already</source>
         <translation>编号 %1 已在第 %2 行出现</translation>
+    </message>
+    <message>
+        <source>the occasion has no name</source>
+        <translation>评分时点没有名称</translation>
     </message>
     <message>
         <source>the organ has no longest direction: its two largest extents are as %1 to 1, at least 1.2 is needed</source>
@@ -8738,6 +8814,18 @@ Only a keeper of the allocation previews, locks and draws. Whoever has the role 
         <source>Who was put where</source>
         <translation>分组记录</translation>
     </message>
+    <message>
+        <source>Mo&amp;ve by hand…</source>
+        <translation>手动调整(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Puts a trainee into another group than the draw did, with a reason</source>
+        <translation>将学员调整到与抽取结果不同的组，并注明原因</translation>
+    </message>
+    <message>
+        <source>Moved by hand; the drawn record stays beside it</source>
+        <translation>已手动调整；抽取记录仍予保留</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::AngleDial</name>
@@ -9374,6 +9462,14 @@ MSM = 质点弹簧</translation>
     <message>
         <source>No record is due.</source>
         <translation>没有到期的记录。</translation>
+    </message>
+    <message>
+        <source>R&amp;ules…</source>
+        <translation>规则(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>How long records are kept, and on what lawful basis</source>
+        <translation>记录保存多久，依据何种法律依据</translation>
     </message>
 </context>
 <context>
@@ -10111,6 +10207,18 @@ MSM = 质点弹簧</translation>
         <source>No curriculum yet. Begin with the template of the paper&apos;s three arms.</source>
         <translation>尚无课程。可从论文的三组方案模板开始。</translation>
     </message>
+    <message>
+        <source>Add an occasion</source>
+        <translation>添加评分时点</translation>
+    </message>
+    <message>
+        <source>It comes after all others, for every curriculum from now on, and is never taken away. What is it called?</source>
+        <translation>它排在所有其他评分时点之后，今后的所有课程均可使用，且不会被移除。它叫什么名称？</translation>
+    </message>
+    <message>
+        <source>Occasion added: %1</source>
+        <translation>已添加评分时点：%1</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::CurriculumEditor</name>
@@ -10163,6 +10271,10 @@ MSM = 质点弹簧</translation>
     <message>
         <source>What is still to mend</source>
         <translation>尚待修正</translation>
+    </message>
+    <message>
+        <source>Add an &amp;occasion…</source>
+        <translation>添加评分时点(&amp;O)…</translation>
     </message>
 </context>
 <context>
@@ -13293,6 +13405,54 @@ MSM = 质点弹簧</translation>
         <source>%1 people written to %2</source>
         <translation>已将 %1 人写入 %2</translation>
     </message>
+    <message>
+        <source>Export this person’s recor&amp;d…</source>
+        <translation>导出此人的记录(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Everything the record holds about one person, for themselves</source>
+        <translation>记录中有关此人的全部内容，供其本人使用</translation>
+    </message>
+    <message>
+        <source>Erase on re&amp;quest…</source>
+        <translation>应要求删除(&amp;Q)…</translation>
+    </message>
+    <message>
+        <source>Export this person’s record</source>
+        <translation>导出此人的记录</translation>
+    </message>
+    <message>
+        <source>A new folder takes everything about %1: tables, recordings and a list of all files. It holds the name; hand it to nobody else.</source>
+        <translation>新文件夹将包含有关 %1 的全部内容：表格、录制和文件清单。其中含有姓名，请勿交给他人。</translation>
+    </message>
+    <message>
+        <source>New folder for the record of %1</source>
+        <translation>存放 %1 记录的新文件夹</translation>
+    </message>
+    <message>
+        <source>Folder (*)</source>
+        <translation>文件夹 (*)</translation>
+    </message>
+    <message>
+        <source>Exporting a record</source>
+        <translation>正在导出记录</translation>
+    </message>
+    <message>
+        <source>%1 tables and %2 recordings written to %3</source>
+        <translation>已将 %1 个表格和 %2 个录制写入 %3</translation>
+    </message>
+    <message>
+        <source>Erase on request</source>
+        <translation>应要求删除</translation>
+    </message>
+    <message>
+        <source>Name, number and recordings of %1 are erased for good. Marks stay without a person, so that statistics remain right. This cannot be taken back.</source>
+        <translation>%1 的姓名、编号和录制将被永久删除。评分会保留但不再关联到个人，以保证统计正确。此操作无法撤销。</translation>
+    </message>
+    <message>
+        <source>The record is erased</source>
+        <translation>记录已删除</translation>
+    </message>
 </context>
 <context>
     <name>torsio::gui::RosterPreviewPage</name>
@@ -13953,6 +14113,30 @@ MSM = 质点弹簧</translation>
     <message>
         <source>No rater has been asked yet. Press Ask raters: each gets the cases in an order of their own.</source>
         <translation>尚未邀请评分者。请按“邀请评分者”：每人的病例顺序各不相同。</translation>
+    </message>
+    <message>
+        <source>Scoring &amp;sheet…</source>
+        <translation>评分表(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Takes the next revision of the scoring sheet from a file</source>
+        <translation>从文件读取评分表的下一修订版</translation>
+    </message>
+    <message>
+        <source>Revise the scoring sheet</source>
+        <translation>修订评分表</translation>
+    </message>
+    <message>
+        <source>Scoring sheet (*.json)</source>
+        <translation>评分表 (*.json)</translation>
+    </message>
+    <message>
+        <source>%1: revision %2 is used from now on</source>
+        <translation>%1：今后使用修订版 %2</translation>
+    </message>
+    <message>
+        <source>Raters who are asked from now on fill in the new sheet. Sheets that were asked for before stay as they are; both revisions are kept for good.</source>
+        <translation>今后受邀的评分者填写新评分表。此前已邀请的评分表保持不变；两个修订版均永久保留。</translation>
     </message>
 </context>
 <context>

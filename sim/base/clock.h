@@ -29,7 +29,8 @@ class ManualClock final : public Clock {
   std::int64_t now_us_;
 };
 
-/// Wall-clock time, microseconds since 1970-01-01 UTC. For records, never for measuring durations.
+/// Returns the wall-clock time, microseconds since 1970-01-01 UTC. For records, never for measuring
+/// durations.
 [[nodiscard]] std::int64_t utcNow_us() noexcept;
 
 }  // namespace torsio

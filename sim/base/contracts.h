@@ -8,7 +8,8 @@ namespace torsio {
 
 }  // namespace torsio
 
-/// Precondition on our own code; always on. Not for user input (throw Error), not in the servo tick.
+/// Checks a precondition on our own code; always on. Not for user input (throw Error), not in the servo
+/// tick.
 #define TORSIO_EXPECTS(condition)                                               \
   do {                                                                          \
     if (!(condition)) ::torsio::contractBroken(#condition, __FILE__, __LINE__); \

@@ -68,11 +68,11 @@ struct ToolState {
 };
 static_assert(std::is_trivially_copyable_v<ToolState>);
 
-/// The one border at which device readings become integers. A non-finite or out-of-range reading repeats the
-/// pose of `previous` and sets kDeviceInvalid. noexcept: runs in the servo tick.
+/// Quantises a device reading; the only place where readings become integers. A non-finite or out-of-range
+/// reading repeats the pose of `previous` and sets kDeviceInvalid. noexcept: runs in the servo tick.
 [[nodiscard]] DeviceSample quantize(const DeviceReading& reading, const DeviceSample& previous) noexcept;
 
-/// Exact inverse up to the step; the quaternion is normalised.
+/// Decodes a sample: the inverse of quantize up to the step, with the quaternion normalised.
 [[nodiscard]] ToolState toolState(const DeviceSample& sample) noexcept;
 
 }  // namespace torsio

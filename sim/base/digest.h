@@ -18,10 +18,10 @@ class Digest {
   Digest();
   void update(std::span<const std::byte> bytes) noexcept;
   void update(std::string_view text) noexcept;
-  /// Little-endian bytes of a number; doubles by their bit pattern.
+  /// Adds the little-endian bytes of a number; of a double its bit pattern.
   void update(std::int64_t value) noexcept;
   void update(double value) noexcept;
-  /// The hash of everything so far; further updates may follow.
+  /// Returns the hash of everything added so far; further updates may follow.
   [[nodiscard]] Value value() const noexcept;
   [[nodiscard]] std::string hex() const;
 

@@ -25,7 +25,7 @@ enum class ErrorCode : int {
   kInternal = 70,       ///< our own bug (ContractError)
 };
 
-/// What happened, where, and what the user can do: every refusal of input carries the three.
+/// A refusal of input: what happened, where, and what the user can do.
 class Error : public std::runtime_error {
  public:
   /// `what`: one sentence without a full stop. `where`: file, line, vertex, column or "".
@@ -34,14 +34,18 @@ class Error : public std::runtime_error {
   Error(ErrorCode code, Text what, Text where, Text remedy);
 
   [[nodiscard]] ErrorCode code() const noexcept { return code_; }
-  /// The three in English, as in what().
+  /// Returns in English what happened.
   [[nodiscard]] const std::string& happened() const noexcept { return happened_; }
+  /// Returns in English where it happened, or "".
   [[nodiscard]] const std::string& where() const noexcept { return where_; }
+  /// Returns in English what the user can do, or "".
   [[nodiscard]] const std::string& remedy() const noexcept { return remedy_; }
 
-  /// The three as texts, for another language.
+  /// Returns what happened as a text, which can be said in another language.
   [[nodiscard]] const Text& happenedText() const noexcept { return happenedText_; }
+  /// Returns where it happened as a text.
   [[nodiscard]] const Text& whereText() const noexcept { return whereText_; }
+  /// Returns what the user can do as a text.
   [[nodiscard]] const Text& remedyText() const noexcept { return remedyText_; }
 
  private:
@@ -54,7 +58,7 @@ class Error : public std::runtime_error {
   std::string remedy_;
 };
 
-/// A promise between two parts of Torsio was broken: our bug, never the user's input.
+/// Thrown when a promise between two parts of Torsio was broken: a bug of Torsio, never the user's input.
 class ContractError : public std::logic_error {
  public:
   using std::logic_error::logic_error;

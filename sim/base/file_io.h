@@ -9,17 +9,18 @@
 
 namespace torsio {
 
-/// The whole file as bytes. Throws Error (kFileMissing, kFileUnreadable).
+/// Reads the whole file as bytes. Throws Error (kFileMissing, kFileUnreadable).
 [[nodiscard]] std::string readFile(const std::filesystem::path& file);
 
 /// Writes through a temporary file beside `file` and renames it, so that no half file is ever seen.
 /// Throws Error (kFileUnwritable); then the old file, if any, is untouched.
 void writeFileAtomically(const std::filesystem::path& file, std::string_view bytes);
 
-/// The same, with `write` filling the stream. `write` may throw; then nothing is left behind.
+/// Writes what `write` puts into the stream through a temporary file beside `file`. `write` may throw; then
+/// nothing is left behind. Throws Error (kFileUnwritable).
 void writeFileAtomically(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 
-/// The temporary name that an external writer (PDF, database) should use before renaming to `file`.
+/// Returns the temporary name that an external writer (PDF, database) should use before renaming to `file`.
 [[nodiscard]] std::filesystem::path temporaryBeside(const std::filesystem::path& file);
 
 /// Creates the folder with its parents if it is missing. Throws Error (kFileUnwritable).

@@ -15,14 +15,14 @@ class LatestValue {
   static_assert(std::is_trivially_copyable_v<T>, "only plain values cross threads");
 
  public:
-  /// Writer only.
+  /// Publishes a new value. Writer thread only.
   void publish(const T& value) noexcept {
     buffers_[writing_] = value;
     const std::uint32_t previous = shared_.exchange(writing_ | kFresh, std::memory_order_acq_rel);
     writing_ = previous & kIndex;
   }
 
-  /// Reader only. The newest published value; the initial `T{}` before the first one.
+  /// Returns the newest published value, `T{}` before the first one. Reader thread only.
   [[nodiscard]] const T& latest() noexcept {
     if ((shared_.load(std::memory_order_relaxed) & kFresh) != 0) {
       const std::uint32_t previous = shared_.exchange(reading_, std::memory_order_acq_rel);

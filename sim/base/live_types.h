@@ -10,10 +10,9 @@
 namespace torsio {
 
 /// Version of the rules by which a tick answers; stamped on every sample, so that a trial replays by the
-/// rules that it was recorded with. 1: the tip is a sphere, the contact force a plain spring, nothing watches
-/// the energy. 2: jaw and shaft collide, contact is a virtual coupling to a surface that gives way, passivity
-/// is kept.
-inline constexpr std::uint32_t kServoRules = 2;
+/// rules that it was recorded with. 1: jaw and shaft collide, contact is a virtual coupling to a surface that
+/// gives way, passivity is kept.
+inline constexpr std::uint32_t kServoRules = 1;
 
 /// Stages of one exercise (paper Fig. 6): no force and no deformation before contact.
 enum class ExercisePhase : std::uint8_t {
@@ -39,7 +38,7 @@ struct TwistResponse {
   friend constexpr bool operator==(const TwistResponse&, const TwistResponse&) = default;
 };
 
-/// A force for the device, already limited. The only thing that flows back.
+/// A force for the device, already limited: the only thing that flows back to it.
 struct ForceCommand {
   Vec3 force_N;
   std::uint32_t limits = 0;  ///< ForceLimit bits: what the governor did
@@ -118,7 +117,7 @@ struct Sample {
   friend bool operator==(const Sample&, const Sample&) = default;
 };
 
-/// Snapshot for views; may be overwritten before anyone looked.
+/// Snapshot of a tick for views; it may be overwritten before a view reads it.
 struct LiveState {
   std::int64_t time_us = 0;
   std::int64_t tick = 0;
@@ -134,10 +133,11 @@ struct LiveState {
   std::int64_t lateTicks = 0;
   std::uint32_t deviceStatus = kDeviceOk;  ///< DeviceStatus bits of the last reading
   std::uint32_t contact = kContactNone;    ///< ToolContact bits
-  /// Under the jaw and under the shaft.
+  /// Where the surface gives way under the jaw and under the shaft.
   std::array<ContactPatch, 2> patches{};
   ExerciseTimes times;
-  /// Energy that the hand has put into the rendered force since it was last zero; below 0 it got more back.
+  /// Energy that the hand has put into the rendered force since that force was last zero; below 0 the hand
+  /// got more back.
   double portEnergy_J = 0.0;
 };
 

@@ -32,23 +32,23 @@ constexpr Quat conjugate(const Quat& q) noexcept {
 inline double norm(const Quat& q) noexcept {
   return std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
 }
-/// Scaled to unit length; the zero quaternion becomes the identity.
+/// Returns `q` scaled to unit length; the zero quaternion becomes the identity.
 inline Quat normalized(const Quat& q) noexcept {
   const double n = norm(q);
   return n > 0.0 ? Quat{q.w / n, q.x / n, q.y / n, q.z / n} : Quat{};
 }
-/// q v q*, for a unit quaternion.
+/// Rotates `v` by the unit quaternion `q`: q v q*.
 constexpr Vec3 rotate(const Quat& q, const Vec3& v) noexcept {
   const Vec3 u{q.x, q.y, q.z};
   const Vec3 t = 2.0 * cross(u, v);
   return v + q.w * t + cross(u, t);
 }
-/// Rotation by `angle_rad` about the unit vector `axis` (portable sine and cosine).
+/// Returns the rotation by `angle_rad` about the unit vector `axis` (portable sine and cosine).
 inline Quat axisAngle(const Vec3& axis, double angle_rad) noexcept {
   const SinCos half = portableSinCos(0.5 * angle_rad);
   return {half.cos, half.sin * axis.x, half.sin * axis.y, half.sin * axis.z};
 }
-/// Rotation of `v` by `angle_rad` about the unit vector `axis` through the origin (Rodrigues).
+/// Rotates `v` by `angle_rad` about the unit vector `axis` through the origin (Rodrigues).
 inline Vec3 rotateAbout(const Vec3& v, const Vec3& axis, double angle_rad) noexcept {
   const SinCos a = portableSinCos(angle_rad);
   return v * a.cos + cross(axis, v) * a.sin + axis * (dot(axis, v) * (1.0 - a.cos));

@@ -15,16 +15,17 @@ class Random {
   explicit Random(std::uint64_t seed) : engine_(seed) {}
 
   [[nodiscard]] std::uint64_t next() { return engine_(); }
-  /// Uniform integer in [0, n), n >= 1, by rejection: no modulo bias.
+  /// Draws a uniform integer in [0, n), n >= 1, by rejection: no modulo bias.
   [[nodiscard]] std::uint64_t bounded(std::uint64_t n);
-  /// Uniform in [0, 1) with 53 random bits.
+  /// Draws a uniform number in [0, 1) with 53 random bits.
   [[nodiscard]] double uniform();
-  /// Standard normal deviate (polar method, portable logarithm).
+  /// Draws a standard normal deviate (polar method, portable logarithm).
   [[nodiscard]] double normal();
-  /// A generator for a part of the work: same seed and stream, same numbers, whatever was drawn before.
+  /// Makes a generator for one part of the work: same seed and stream, same numbers, whatever was drawn
+  /// before.
   [[nodiscard]] static Random forStream(std::uint64_t seed, std::uint64_t stream);
 
-  /// Fisher-Yates from the back: for i = n..2 swap(i - 1, bounded(i)).
+  /// Shuffles `items` by Fisher and Yates from the back: for i = n..2 swap(i - 1, bounded(i)).
   template <typename T>
   void shuffle(std::span<T> items) {
     for (std::size_t i = items.size(); i >= 2; --i) std::swap(items[i - 1], items[bounded(i)]);

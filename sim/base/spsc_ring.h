@@ -18,12 +18,13 @@ class SpscRing {
   static_assert(std::is_trivially_copyable_v<T>, "only plain values cross threads");
 
  public:
-  /// `capacity`: elements held at most, >= 1.
+  /// Makes an empty ring that holds at most `capacity` >= 1 elements.
   explicit SpscRing(std::size_t capacity) : slots_(capacity + 1), data_(std::make_unique<T[]>(capacity + 1)) {
     TORSIO_EXPECTS(capacity >= 1);
   }
 
-  /// Producer only. False when full: the element is refused and counted.
+  /// Appends an element. False when the ring is full: the element is refused and counted. Producer thread
+  /// only.
   [[nodiscard]] bool push(const T& value) noexcept {
     const std::size_t head = head_.load(std::memory_order_relaxed);
     const std::size_t next = head + 1 == slots_ ? 0 : head + 1;
@@ -36,7 +37,7 @@ class SpscRing {
     return true;
   }
 
-  /// Consumer only. False when empty.
+  /// Takes the oldest element. False when the ring is empty. Consumer thread only.
   [[nodiscard]] bool pop(T& value) noexcept {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);
     if (tail == head_.load(std::memory_order_acquire)) return false;
@@ -45,7 +46,7 @@ class SpscRing {
     return true;
   }
 
-  /// How many elements were refused since construction. Any thread.
+  /// Returns how many elements were refused since construction. Any thread.
   [[nodiscard]] std::size_t refused() const noexcept { return refused_.load(std::memory_order_relaxed); }
 
  private:

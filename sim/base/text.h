@@ -11,10 +11,10 @@
 
 namespace torsio {
 
-/// A sentence with the places for what it speaks of: `Text("trial %1 is sealed", id)`. English stands in the
-/// pattern; whoever shows the text may put the pattern of another language in its place before the arguments
-/// enter (app/gui/shell/spoken.h). Arguments are texts themselves. A plain literal or string is a text as
-/// well. tests/support/service_texts.h reads the patterns out of the sources.
+/// A sentence with places for its arguments: `Text("trial %1 is sealed", id)`. English stands in the
+/// pattern; whoever shows the text may replace the pattern by that of another language before the arguments
+/// enter. Arguments are texts themselves. A plain literal or string is a text as well.
+/// tests/support/service_texts.h reads the patterns out of the sources.
 class Text {
  public:
   Text() = default;
@@ -28,9 +28,9 @@ class Text {
   [[nodiscard]] const std::string& pattern() const noexcept { return pattern_; }
   [[nodiscard]] const std::vector<Text>& arguments() const noexcept { return arguments_; }
   [[nodiscard]] bool empty() const noexcept { return pattern_.empty(); }
-  /// The English sentence.
+  /// Returns the English sentence with its arguments.
   [[nodiscard]] std::string str() const;
-  /// Whether both say the same in English.
+  /// Compares what both texts say in English.
   friend bool operator==(const Text& a, const Text& b) { return a.str() == b.str(); }
   friend std::ostream& operator<<(std::ostream& out, const Text& text) { return out << text.str(); }
 
@@ -43,7 +43,8 @@ class Text {
   std::vector<Text> arguments_;
 };
 
-/// `pattern` with `%1` to `%9` replaced by the arguments in one pass; a place without an argument stays.
+/// Returns `pattern` with `%1` to `%9` replaced by the arguments in one pass; a place without an argument
+/// stays.
 [[nodiscard]] std::string filledIn(std::string_view pattern, const std::vector<std::string>& arguments);
 
 }  // namespace torsio

@@ -54,7 +54,7 @@ constexpr Vec3 cross(const Vec3& a, const Vec3& b) noexcept {
 inline double norm(const Vec3& a) noexcept {
   return std::sqrt(dot(a, a));
 }
-/// Unit vector along `a`; the zero vector stays zero.
+/// Returns the unit vector along `a`; the zero vector stays zero.
 inline Vec3 normalized(const Vec3& a) noexcept {
   const double n = norm(a);
   return n > 0.0 ? a / n : Vec3{};
@@ -62,7 +62,7 @@ inline Vec3 normalized(const Vec3& a) noexcept {
 inline bool isFinite(const Vec3& a) noexcept {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
-/// Some unit vector perpendicular to the unit vector `t`; continuous except near t = +-x.
+/// Returns some unit vector perpendicular to the unit vector `t`; continuous except near t = +-x.
 inline Vec3 anyPerpendicular(const Vec3& t) noexcept {
   const Vec3 helper = std::abs(t.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   return normalized(cross(t, helper));

@@ -8,7 +8,7 @@
 
 namespace torsio {
 
-/// What a device can do; assumed values are said to be assumed.
+/// What a device can do. A driver that assumes a value says so.
 struct DeviceCapabilities {
   std::string model;        ///< "Scripted hand", "Mouse and keyboard", "Touch" ...
   double maxForce_N = 3.3;  ///< nominal, norm
@@ -18,6 +18,8 @@ struct DeviceCapabilities {
   Vec3 workspaceMax_m{10.0, 10.0, 10.0};
   bool rendersForce = false;  ///< false: force is shown, not felt
   bool realTime = true;       ///< false: may be driven faster than the wall clock
+  /// How its motion becomes the twist. Not every device can be led round an organ.
+  TwistDrive drive = TwistDrive::kTangential;
 };
 
 /// A hand-held device with up to six sensed degrees of freedom and a three-axis force. Vendor types never
@@ -30,10 +32,10 @@ class HapticDevice {
   virtual ~HapticDevice() = default;
 
   [[nodiscard]] virtual const DeviceCapabilities& capabilities() const noexcept = 0;
-  /// The reading for servo time `time_us`, which never decreases from call to call. Servo thread; no
-  /// allocation, no lock, no log.
+  /// Returns the reading for servo time `time_us`, which never decreases from call to call. Servo thread;
+  /// no allocation, no lock, no log.
   [[nodiscard]] virtual DeviceSample read(std::int64_t time_us) noexcept = 0;
-  /// The force to render until the next write. Servo thread; no allocation, no lock, no log.
+  /// Sets the force to render until the next write. Servo thread; no allocation, no lock, no log.
   virtual void write(const ForceCommand& command) noexcept = 0;
   /// Lets go of the hand at once and until the next write: a watchdog calls it when the tick stalls, from a
   /// thread of its own while read or write may hang. Never waits. A device whose force ends by itself when

@@ -18,7 +18,7 @@ void packColumn(std::span<const std::int64_t> column, std::vector<std::uint8_t>&
 [[nodiscard]] std::span<const std::uint8_t> unpackColumn(std::span<const std::uint8_t> packed,
                                                          std::span<std::int64_t> column);
 
-/// Bytes that packColumn appends at most for a column of this length.
+/// Returns the most bytes that packColumn appends for a column of this length.
 [[nodiscard]] std::size_t largestPackedColumn(std::size_t length) noexcept;
 
 }  // namespace torsio

@@ -14,14 +14,14 @@ class ContentHash {
  public:
   explicit ContentHash(const TrialHeader& header);
   void add(const TrialChunk& chunk);
-  /// The last link, 64 hexadecimal digits.
+  /// Returns the last link, 64 hexadecimal digits.
   [[nodiscard]] const std::string& hex() const noexcept { return link_; }
 
  private:
   std::string link_;
 };
 
-/// The content hash that `trial` should carry in its summary.
+/// Computes the content hash that `trial` should carry in its summary.
 [[nodiscard]] std::string contentHash(const Trial& trial);
 
 /// Checks the content hash, every chunk's digest and the sample count. Throws Error{kVerifyFailed} saying

@@ -16,7 +16,7 @@ class MemoryTrialSink final : public TrialSink {
   void append(const TrialChunk& chunk) override { trial_.chunks.push_back(chunk); }
   void finish(const TrialSummary& summary) override { trial_.summary = summary; }
 
-  /// What came so far; interrupted until finish().
+  /// Returns the trial as far as it was recorded; its outcome is interrupted until finish().
   [[nodiscard]] const Trial& trial() const noexcept { return trial_; }
 
  private:

@@ -21,7 +21,7 @@
 
 namespace torsio {
 
-/// Samples that the ring between servo and recorder should hold: eight seconds of a slow disk.
+/// Samples that the ring between servo and recorder should hold: a disk may be slow for eight seconds.
 inline constexpr std::size_t kRecordingRing = 8'192;
 
 struct RecorderOptions {
@@ -44,31 +44,33 @@ struct RecordingResult {
 /// when the sink gives up half way.
 class Recorder {
  public:
-  /// `ring` and `sink` outlive the recorder. Samples refused by the ring before now are not counted.
+  /// Makes the recorder of one trial. `ring` and `sink` outlive it. Samples that the ring refused earlier
+  /// are not counted.
   Recorder(SpscRing<Sample>& ring, TrialSink& sink, TrialHeader header, RecorderOptions options = {});
-  /// Without finish() the trial stays as the sink has it: interrupted, with all chunks handed on so far.
+  /// Ends the recorder. Without finish() the trial stays as the sink has it: interrupted, with all chunks
+  /// handed on so far.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Runs in its own thread from now on.
+  /// Starts recording in a thread of its own.
   void start();
-  /// Drains the ring and hands on what is complete; tries once more what the sink refused. Never throws for
-  /// the sink's sake. Not after start().
+  /// Drains the ring and hands complete chunks to the sink; offers once more what the sink refused. A sink
+  /// that fails never makes it throw. Not after start().
   void pump();
-  /// Hands on the rest and the summary. Throws Error{kFileUnwritable} when neither sink nor file took the
-  /// trial.
+  /// Hands the rest and the summary to the sink. Throws Error{kFileUnwritable} when neither sink nor file
+  /// took the trial.
   [[nodiscard]] RecordingResult finish(TrialOutcome outcome, std::int64_t lateTicks);
 
-  /// Samples taken from the ring so far. Any thread.
+  /// Returns the number of samples taken from the ring so far. Any thread.
   [[nodiscard]] std::int64_t samples() const noexcept { return taken_.load(std::memory_order_relaxed); }
-  /// True once the sink has given up and a file takes the trial. Any thread.
+  /// Tells whether the sink has given up and a file takes the trial. Any thread.
   [[nodiscard]] bool spilling() const noexcept { return spilling_.load(std::memory_order_relaxed); }
 
  private:
   void run();
   void pack();
-  /// False when the sink refused something.
+  /// Hands complete chunks to the sink; false when it refused one.
   bool deliver();
   void finishSink();
   void spill();

@@ -15,9 +15,9 @@ inline constexpr std::int64_t kSamplesPerChunk = 1000;
 /// Samples a chunk may hold at most.
 inline constexpr std::int64_t kLargestChunk = 60'000;
 
-/// Steps in which a chunk stores what the model answered. Everything that went into the model (device,
-/// command) and every integer is stored exactly; the exact doubles of the answer are stored as a digest, and
-/// a replay finds them again bit for bit (replay_trial.h).
+/// Steps in which a chunk stores the answers of the model. Everything that went into the model (device,
+/// command) and every integer is stored exactly; the exact doubles of the answer are stored as a digest,
+/// and a replay finds them again bit for bit (replay_trial.h).
 inline constexpr double kAngleStep_rad = 1e-7;
 inline constexpr double kTorqueStep_Nm = 1e-6;
 inline constexpr double kForceStep_N = 1e-5;
@@ -29,20 +29,20 @@ inline constexpr double kArcStep_m = 1e-6;
 /// Any one thread; allocates.
 [[nodiscard]] TrialChunk encodeChunk(std::int64_t index, std::span<const Sample> samples);
 
-/// The samples of a chunk, with their answers in steps. Throws Error{kBadData} for anything that encodeChunk
-/// cannot have made: wrong digest, other version, damaged bytes, values out of range.
+/// Decodes the samples of a chunk, with their answers in steps. Throws Error{kBadData} for anything that
+/// encodeChunk cannot have made: wrong digest, other version, damaged bytes, values out of range.
 [[nodiscard]] std::vector<Sample> decodeChunk(const TrialChunk& chunk);
 
-/// All samples of a trial in order. Throws Error{kBadData}, also for chunks out of order.
+/// Decodes all samples of a trial in order. Throws Error{kBadData}, also for chunks out of order.
 [[nodiscard]] std::vector<Sample> decodeTrial(const Trial& trial);
 
-/// `sample` with its answers rounded to the stored steps: what decoding gives back.
+/// Returns `sample` with its answers rounded to the stored steps: what decoding gives back.
 [[nodiscard]] Sample inStoredSteps(const Sample& sample) noexcept;
 
-/// The digest in TrialChunk::digest: over index, first tick, sample count and bytes.
+/// Computes TrialChunk::digest: over index, first tick, sample count and bytes.
 [[nodiscard]] std::string chunkDigest(const TrialChunk& chunk);
 
-/// The digest in TrialChunk::outputDigest: over the exact bits of response and sent force of every sample.
+/// Computes TrialChunk::outputDigest: over the exact bits of response and sent force of every sample.
 [[nodiscard]] std::string outputDigest(std::span<const Sample> samples);
 
 }  // namespace torsio

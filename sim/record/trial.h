@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "sim/base/live_types.h"
+#include "sim/base/tick_period.h"
 
 namespace torsio {
 
-/// What the force governor must know of the device: part of the trial, because it shapes the recorded force.
-/// The defaults are those of a device without limits of its own (nominal values of a Touch, no workspace
-/// box).
+/// Limits of the device that the force governor keeps: part of the trial, because they shape the recorded
+/// force. The defaults are those of a device without limits of its own (nominal values of a Touch, no
+/// workspace box).
 struct DeviceLimits {
   double maxForce_N = 3.3;  ///< norm, short bursts
   double continuousForce_N = 0.88;
@@ -22,7 +23,7 @@ struct DeviceLimits {
   friend bool operator==(const DeviceLimits&, const DeviceLimits&) = default;
 };
 
-/// Everything that must be known to replay a trial. Written before the first sample.
+/// Everything that must be known to replay a trial, stored before the first sample.
 struct TrialHeader {
   std::string trialId;      ///< UUID made by the application
   std::string traineeCode;  ///< pseudonym, never a name
@@ -38,9 +39,10 @@ struct TrialHeader {
   TwistDrive drive = TwistDrive::kTangential;
   double targetAngle_rad = 0.0;
   double forceScale = 1.0;
-  std::int64_t tickPeriod_us = 1000;
+  std::int64_t tickPeriod_us = kTickPeriod_us;
   std::int64_t startedUtc_us = 0;
   bool demonstration = false;  ///< simulated people: shown as such everywhere
+  friend bool operator==(const TrialHeader&, const TrialHeader&) = default;
 };
 
 /// One second of samples, encoded (sample_codec.h). Immutable once made.
@@ -55,7 +57,7 @@ struct TrialChunk {
 
 enum class TrialOutcome : std::uint8_t { kCompleted, kInterrupted };
 
-/// Written after the last sample.
+/// What is known of a trial at its end, stored after the last sample.
 struct TrialSummary {
   std::int64_t samples = 0;
   std::int64_t refusedSamples = 0;  ///< not recorded because the ring was full; 0 in a sound trial
@@ -71,8 +73,8 @@ struct Trial {
   TrialSummary summary;
 };
 
-/// Where a recording goes. Called from the recorder's thread, in this order, once each but append.
-/// Throws Error when it cannot keep what it was given; the recorder then retries and spills.
+/// Where a recording goes. The recorder's thread calls the functions in the order given, each once except
+/// append. Throws Error when it cannot keep what it was given; the recorder then retries and spills.
 class TrialSink {
  public:
   virtual ~TrialSink() = default;

@@ -9,13 +9,15 @@
 
 namespace torsio {
 
-/// Header, chunk and summary as bytes: little-endian numbers, doubles by their bit pattern, texts with their
-/// length before them. The same value gives the same bytes on every machine, so that they can be hashed.
+/// Writes header, chunk and summary as bytes: little-endian numbers, doubles by their bit pattern, texts
+/// with their length before them. The same value gives the same bytes on every machine, so that they can be
+/// hashed.
 [[nodiscard]] std::vector<std::byte> toBytes(const TrialHeader& header);
 [[nodiscard]] std::vector<std::byte> toBytes(const TrialChunk& chunk);
 [[nodiscard]] std::vector<std::byte> toBytes(const TrialSummary& summary);
 
-/// Exact inverses. Throw Error{kBadData} for bytes that toBytes cannot have made.
+/// Read header, chunk and summary from the bytes of toBytes. Throw Error{kBadData} for bytes that toBytes
+/// cannot have made.
 [[nodiscard]] TrialHeader headerFromBytes(std::span<const std::byte> bytes);
 [[nodiscard]] TrialChunk chunkFromBytes(std::span<const std::byte> bytes);
 [[nodiscard]] TrialSummary summaryFromBytes(std::span<const std::byte> bytes);

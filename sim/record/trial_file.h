@@ -15,8 +15,8 @@ namespace torsio {
 /// file has the ending ".part", so that a crash leaves a readable file that nobody takes for a whole one.
 class TrialFileSink final : public TrialSink {
  public:
-  /// Nothing is written before begin(). `file`: its folder must exist. `context`: kept with the trial, any
-  /// text that readers understand; empty: none.
+  /// Makes a sink for `file`, whose folder must exist; nothing is written before begin(). `context` is kept
+  /// with the trial: any text that readers understand; empty: none.
   explicit TrialFileSink(std::filesystem::path file, std::string context = {});
 
   void begin(const TrialHeader& header) override;
@@ -39,11 +39,12 @@ struct TrialFile {
   bool finished = false;  ///< false: cut off
 };
 
-/// Reads a trial file as readTrialFile does. Throws the same.
+/// Reads a trial file with its context. Otherwise as readTrialFile, with the same errors.
 [[nodiscard]] TrialFile openTrialFile(const std::filesystem::path& file);
 
-/// Reads a trial file, whole or cut off after any record: then the outcome is kInterrupted and the content
-/// hash that of what is there. Throws Error (kFileMissing, kFileUnreadable, kBadData).
+/// Reads a trial file, whole or cut off after any record. The outcome of one that was cut off is
+/// kInterrupted, its content hash that of the records that are there. Throws Error (kFileMissing,
+/// kFileUnreadable, kBadData).
 [[nodiscard]] Trial readTrialFile(const std::filesystem::path& file);
 
 }  // namespace torsio

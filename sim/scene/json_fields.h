@@ -21,21 +21,21 @@ namespace torsio {
 /// fields that nobody asked for, so that a misspelt one never passes silently.
 class JsonFields {
  public:
-  /// `json` outlives the reader. `where`: file and place for messages.
+  /// Makes a reader of `json`, which outlives it. `where`: file and place for messages.
   JsonFields(const nlohmann::json& json, std::string where);
 
   [[nodiscard]] bool has(const std::string& name) const;
   [[nodiscard]] std::string text(const std::string& name);
   [[nodiscard]] std::string text(const std::string& name, const std::string& fallback);
-  /// Finite and within [low, high].
+  /// Reads a finite number within [low, high].
   [[nodiscard]] double number(const std::string& name, double low, double high);
   [[nodiscard]] double number(const std::string& name, double low, double high, double fallback);
   [[nodiscard]] int integer(const std::string& name, int low, int high, int fallback);
   [[nodiscard]] Vec3 vector(const std::string& name);
-  /// One of `names`; returns its position.
+  /// Reads one of `names`; returns its position.
   [[nodiscard]] std::size_t choice(const std::string& name, const std::vector<std::string>& names,
                                    std::size_t fallback);
-  /// The child object or array; it must exist.
+  /// Returns the child object or array, which must exist.
   [[nodiscard]] const nlohmann::json& child(const std::string& name);
   [[nodiscard]] const std::string& where() const noexcept { return where_; }
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
-#include "sim/base/portable_math.h"
 #include "sim/geometry/mesh/mesh_import.h"
 #include "sim/scene/json_fields.h"
 
@@ -92,8 +92,8 @@ PatternDescription readPattern(const nlohmann::json& json, const std::string& wh
   pattern.ends = fields.choice("ends", {"clamped-free", "both-held"}, 0) == 0 ? EndCondition::kClampedFree
                                                                               : EndCondition::kBothHeld;
   pattern.graspArc = fields.number("grasp", 0.01, 1.0);
-  pattern.targetAngle_rad = fields.number("angle_deg", -kLargestAngle_deg, kLargestAngle_deg) * kDegree;
-  pattern.tolerance_rad = fields.number("tolerance_deg", 0.1, 90.0) * kDegree;
+  pattern.targetAngle_rad = radians(fields.number("angle_deg", -kLargestAngle_deg, kLargestAngle_deg));
+  pattern.tolerance_rad = radians(fields.number("tolerance_deg", 0.1, 90.0));
   pattern.forceLimit_N = fields.number("force_limit_n", 0.1, 100.0);
   pattern.torqueLimit_Nm = fields.number("torque_limit_nm", 0.001, 100.0);
   pattern.source = fields.text("source");

@@ -18,13 +18,14 @@ enum class AxisElsewhere {
   kBend,  ///< at half length, from the inside of the organ's bend to the outside: the short axis
 };
 
-/// A pattern as the file has it.
+/// A pattern as the scene file has it.
 struct PatternDescription {
   TwistPattern pattern;
   std::vector<AxisElsewhere> elsewhere;  ///< one an operation; kEnds where it has no straight axis
 };
 
-/// A scene file (assets/scenes/<id>.json) with the files it names resolved, before any geometry is built.
+/// A scene file (assets/scenes/<id>.json) with the paths of the files that it names, before any geometry is
+/// built.
 struct SceneDescription {
   std::string id;
   std::string title;
@@ -38,18 +39,20 @@ struct SceneDescription {
   std::vector<PatternDescription> patterns;  ///< at least one, ids all different
 };
 
-/// Throws Error{kFileMissing} naming the known scenes, {kBadData} naming file and field: malformed JSON,
-/// unknown, missing or wrong field, unknown material or instrument, number out of range.
+/// Reads the scene file with this id. Throws Error{kFileMissing} naming the known scenes, {kBadData} naming
+/// file and field: malformed JSON, unknown, missing or wrong field, unknown material or instrument, number
+/// out of range.
 [[nodiscard]] SceneDescription readSceneFile(const std::filesystem::path& assets, const std::string& id);
 
-/// All materials of assets/scenes/materials.json. Throws as above.
+/// Reads all materials of assets/scenes/materials.json. Throws Error{kFileMissing, kBadData} as
+/// readSceneFile.
 [[nodiscard]] std::vector<Material> readMaterials(const std::filesystem::path& assets);
 
-/// The material with this id. Throws Error{`code`} at `where`, naming those there are.
+/// Returns the material with this id. Throws Error{`code`} at `where`, naming the known ones.
 [[nodiscard]] Material findMaterial(const std::filesystem::path& assets, const std::string& id,
                                     ErrorCode code, const std::string& where);
 
-/// "a, b, c".
+/// Joins names to "a, b, c".
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 
 }  // namespace torsio

@@ -7,8 +7,8 @@
 
 namespace torsio {
 
-/// Everything that decides what the model answers, as one line of JSON with its fields in a fixed order:
-/// equal parameters give equal text on every machine. `usersOrgan`: the organ is a user's mesh.
+/// Writes everything that decides what the model answers as one line of JSON with its fields in a fixed
+/// order: equal parameters give equal text on every machine. `usersOrgan`: the organ is a user's mesh.
 [[nodiscard]] std::string parametersText(const SceneDescription& scene, const TwistPattern& pattern,
                                          bool usersOrgan);
 

@@ -28,13 +28,14 @@ inline constexpr double kCouplingTime_s = 0.0005;
 /// A plain value: IEEE basic operations only.
 class ContactCoupling {
  public:
-  /// `surface_N_per_m`: k > 0; the tick period > 0.
+  /// Makes a coupling to a surface of stiffness k = `surface_N_per_m` > 0; the tick period > 0.
   constexpr ContactCoupling(double surface_N_per_m, std::int64_t tickPeriod_us) noexcept
       : surface_N_per_m_(surface_N_per_m),
         spring_N_per_m_(kCouplingRatio * surface_N_per_m),
         damper_N_per_m_(spring_N_per_m_ * kCouplingTime_s / (static_cast<double>(tickPeriod_us) * 1e-6)) {}
 
-  /// The next tick at this depth, m; 0 or less: no contact. Returns by how much the surface gives way, m.
+  /// Steps to the next tick at this depth, m; 0 or less: no contact. Returns by how much the surface gives
+  /// way, m.
   constexpr double step(double depth_m) noexcept {
     if (!(depth_m > 0.0)) {
       depth_m_ = 0.0;
@@ -47,7 +48,7 @@ class ContactCoupling {
     return surface_m_;
   }
 
-  /// Of the last step, N.
+  /// Returns the force of the last step, N.
   [[nodiscard]] constexpr double force_N() const noexcept { return surface_N_per_m_ * surface_m_; }
   [[nodiscard]] constexpr double indentation_m() const noexcept { return surface_m_; }
   [[nodiscard]] constexpr double surface_N_per_m() const noexcept { return surface_N_per_m_; }

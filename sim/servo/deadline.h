@@ -9,7 +9,7 @@ namespace torsio {
 /// What a thread needs from the system to keep a rate. deadline_posix.cpp on Linux and other POSIX systems,
 /// deadline_portable.cpp elsewhere.
 
-/// Nanoseconds on the clock that the deadlines are given in.
+/// Returns the nanoseconds of the clock in which deadlines are given.
 [[nodiscard]] std::int64_t deadlineNow_ns() noexcept;
 
 /// Sleeps until the deadline; returns at once when it has passed.
@@ -22,8 +22,8 @@ enum class RealTimeRank { kServo, kWatchdog };
 /// permit real-time scheduling: the thread then runs like any other.
 bool requestRealTime(RealTimeRank rank = RealTimeRank::kServo) noexcept;
 
-/// Asks that what a servo thread works on stays in memory, so that no tick waits for a disk: the calling
-/// thread's stack, touched once, and one object. Let go of at the end of its life, in the same thread. The
+/// Keeps in memory what a servo thread works on, so that no tick waits for a disk: the calling thread's
+/// stack, touched once, and one object. The lock ends with the life of the object, in the same thread. The
 /// whole process is not locked: libraries that hand pages back to the system (the window's script engine)
 /// cannot live with that.
 class LockedMemory {
@@ -33,7 +33,8 @@ class LockedMemory {
   LockedMemory(const LockedMemory&) = delete;
   LockedMemory& operator=(const LockedMemory&) = delete;
 
-  /// False when the system did not permit it: everything works, a tick may once wait for a page.
+  /// Tells whether the system permitted the lock. Without it everything works, but a tick may have to wait
+  /// for a page.
   [[nodiscard]] bool locked() const noexcept { return locked_; }
 
  private:

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "sim/base/live_types.h"
+#include "sim/base/tick_period.h"
 #include "sim/scene/scene.h"
 #include "sim/servo/contact_coupling.h"
 #include "sim/servo/tool_touch.h"
@@ -26,7 +27,7 @@ enum ExerciseEvent : std::uint32_t {
   kEventShaftLeft = 1U << 7,
 };
 
-/// Events of one tick with their time, for whoever must not miss one.
+/// Events of one tick with their time, for readers that must not miss one.
 struct ExerciseMoment {
   std::int64_t tick = 0;
   std::int64_t time_us = 0;
@@ -36,35 +37,38 @@ struct ExerciseMoment {
 };
 static_assert(std::is_trivially_copyable_v<ExerciseMoment>);
 
-/// Stiffness that a steady push meets, softer than any device's limit; the device's own limit caps it. By
-/// rules 1 that of a plain spring, by rules 2 that of the coupling (contact_coupling.h).
+/// Stiffness that a steady push meets, softer than any device's limit, which caps it. By rules 1 it is the
+/// stiffness of a plain spring, by rules 2 that of the coupling (contact_coupling.h).
 inline constexpr double kContactStiffness_N_per_m = 400.0;
 static_assert(kSurfaceStiffness_N_per_m * kCouplingRatio / (1.0 + kCouplingRatio) ==
               kContactStiffness_N_per_m);
 /// Spring that keeps the jaw on the grasped section: along the axis and towards or away from it. Round the
 /// axis the tip is free: there the twist itself pulls back.
 inline constexpr double kGripStiffness_N_per_m = 100.0;
-/// The jaw slips off when it is pulled this far from the grasped section.
+/// Distance from the grasped section at which the jaw slips off.
 inline constexpr double kSlipWay_m = 0.020;
-/// A contact ends only this far above the surface, so that tremor does not end it; its force ends at once.
+/// Height above the surface at which a contact ends, so that tremor does not end it; the force ends at the
+/// surface.
 inline constexpr double kContactHysteresis_m = 0.0005;
-/// The jaw counts as closed above the first and as open below the second closure.
+/// Closure above which the jaw counts as closed.
 inline constexpr double kJawCloses = 0.5;
+/// Closure below which the jaw counts as open.
 inline constexpr double kJawOpens = 0.4;
-/// The tangential drive holds its angle while the tip is nearer to the axis than this.
+/// Distance from the axis within which the tangential drive holds its angle.
 inline constexpr double kNearAxis_m = 0.002;
-/// Time constant of the elastic return after a release, and the angle below which the organ is at rest.
+/// Time constant of the elastic return after a release.
 inline constexpr double kReturnTime_s = 0.12;
+/// Angle below which the organ is at rest.
 inline constexpr double kAtRest_rad = 1e-3;
 
 struct ExerciseOptions {
   TwistDrive drive = TwistDrive::kTangential;
-  double maxStiffness_N_per_m = 500.0;  ///< of the device; > 0
-  std::int64_t tickPeriod_us = 1000;    ///< > 0
-  std::uint32_t rules = kServoRules;    ///< 1 .. kServoRules: older ones replay older trials
+  double maxStiffness_N_per_m = 500.0;          ///< of the device; > 0
+  std::int64_t tickPeriod_us = kTickPeriod_us;  ///< > 0
+  std::uint32_t rules = kServoRules;            ///< 1 .. kServoRules: older ones replay older trials
 };
 
-/// Answer of one tick.
+/// Answer of the exercise in one tick.
 struct ExerciseStep {
   TwistResponse response;
   ExercisePhase phase = ExercisePhase::kTracking;
@@ -80,40 +84,40 @@ struct ExerciseStep {
 /// left it, each through a virtual coupling of its own; the blades do not while they hold tissue
 /// (docs/contact.md). A device without torque feels the push on the shaft as a force at the tip.
 ///
-/// A plain value: a copy continues on its own. It knows neither time nor thread; one step is one tick. What
-/// it computes consists of IEEE basic operations and portable functions, so that a replay repeats it bit for
-/// bit.
+/// A plain value: a copy continues on its own. An exercise knows neither time nor thread; one step is one
+/// tick. Its computations consist of IEEE basic operations and portable functions, so that a replay repeats
+/// it bit for bit.
 class Exercise {
  public:
   /// Throws Error{kBadParameter}.
   explicit Exercise(const ExerciseOptions& options);
 
-  /// Servo thread; noexcept, no allocation.
+  /// Steps the exercise by one tick. Servo thread; noexcept, no allocation.
   [[nodiscard]] ExerciseStep step(const ToolState& tool, const Scene& scene) noexcept;
 
-  /// Lets go in the next step, as if the jaw had opened; it must open and close to grip again.
+  /// Lets go in the next step, as if the jaw had opened; the jaw must open and close to grip again.
   void releaseTissue() noexcept { releaseAsked_ = true; }
 
   [[nodiscard]] ExercisePhase phase() const noexcept { return phase_; }
-  /// The organ's deformation now.
+  /// Returns the present deformation of the organ.
   [[nodiscard]] const TwistState& twist() const noexcept { return twist_; }
 
  private:
   [[nodiscard]] bool updateJaw(const ToolState& tool) noexcept;
-  /// By rules 1: a sphere at the tip, taken back to the organ at rest.
+  /// Finds the contact by rules 1: a sphere at the tip, mapped back to the organ at rest.
   [[nodiscard]] ToolTouch touchWithTip(const Vec3& tip_m, const Scene& scene) const noexcept;
-  /// The surface point that a closing jaw would hold.
+  /// Finds the surface point that a closing jaw would hold.
   [[nodiscard]] std::optional<SurfacePoint> graspable(const ToolShape& shape, const ToolState& tool,
                                                       const ToolTouch& at, const Scene& scene) const noexcept;
   [[nodiscard]] bool grip(const Vec3& held_m, const ToolState& tool, const Scene& scene) noexcept;
   [[nodiscard]] double driveAngle(const ToolState& tool) const noexcept;
   /// Turns the organ with the tool. False when the jaw slipped off.
   [[nodiscard]] bool follow(const ToolState& tool) noexcept;
-  /// Way of the tip along and across the axis since the grip.
+  /// Returns the way of the tip along and across the axis since the grip.
   [[nodiscard]] Vec3 gripOffset(const ToolState& tool) const noexcept;
   void letGo(std::uint32_t why, std::uint32_t& events) noexcept;
   void relax(bool touching, std::uint32_t& events) noexcept;
-  /// The transition of this tick, if any.
+  /// Makes the transition of this tick, if any.
   void moveOn(double gap_m, const std::optional<SurfacePoint>& held, const ToolState& tool,
               const Scene& scene, std::uint32_t& events) noexcept;
   void noteContacts(const ToolTouch& at, ExerciseStep& answer) noexcept;
@@ -123,7 +127,6 @@ class Exercise {
                                          std::array<ContactPatch, 2>& patches) noexcept;
 
   ExerciseOptions options_;
-  double contactStiffness_N_per_m_;  // rules 1
   ContactCoupling jaw_;
   ContactCoupling shaft_;
   bool shaftTouched_ = false;

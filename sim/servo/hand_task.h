@@ -6,9 +6,9 @@
 
 namespace torsio {
 
-/// The task of the scene's twist pattern for a scripted hand: grasps the section at pattern.graspArc where
-/// the surface faces away from the axis of the twist and the way to it is free, and turns by the target.
-/// Throws Error{kBadParameter} when no point of that section can be reached.
+/// Makes the task of the scene's twist pattern for a scripted hand, which grasps the section at
+/// pattern.graspArc where the surface faces away from the axis of the twist and the way to it is free, and
+/// turns by the target. Throws Error{kBadParameter} when no point of that section can be reached.
 [[nodiscard]] HandTask handTask(const Scene& scene);
 
 }  // namespace torsio

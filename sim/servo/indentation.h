@@ -16,10 +16,11 @@ inline constexpr double kPatchShare = 6.0;
 /// back by F = 2 pi S w0 / ln(R / a) = k w0, with the k of the contact force (contact_coupling.h): the force
 /// that is felt and the dent that is seen are one membrane's.
 
-/// Displacement of a point of the deformed surface, m; the zero vector outside the patch. Any thread.
+/// Computes the displacement of a point of the deformed surface, m; the zero vector outside the patch. Any
+/// thread.
 [[nodiscard]] Vec3 indentationAt(const ContactPatch& patch, const Vec3& point_m) noexcept;
 
-/// Tension of that membrane, N/m, for a surface of stiffness k.
+/// Computes the tension of the membrane under `patch`, N/m, for a surface of stiffness k.
 [[nodiscard]] double membraneTension_N_per_m(const ContactPatch& patch, double surface_N_per_m) noexcept;
 
 /// Presses the dents of `state` into the vertices of the deformed organ: x, y, z of vertex v at xyz[v
@@ -28,7 +29,7 @@ inline constexpr double kPatchShare = 6.0;
 bool indentSurface(const LiveState& state, std::span<float> xyz, int stride = 3,
                    double unit_m = 1.0) noexcept;
 
-/// The same on double-precision vertices in metres.
+/// Presses the dents of `state` into double-precision vertices in metres; false when nothing is touched.
 bool indentSurface(const LiveState& state, std::span<Vec3> vertices_m) noexcept;
 
 }  // namespace torsio

@@ -26,7 +26,7 @@ void requireSameScene(const Scene& scene, const TrialHeader& header) {
 }
 
 void requireKnownRules(const std::vector<Sample>& recorded, const TrialHeader& header) {
-  const auto known = [](const Sample& sample) { return sample.rules >= 1 && sample.rules <= kServoRules; };
+  const auto known = [](const Sample& sample) { return sample.rules == kServoRules; };
   if (std::all_of(recorded.begin(), recorded.end(), known)) return;
   throw Error(ErrorCode::kVerifyFailed, "the trial was recorded by rules that this version does not know",
               Text("trial %1", header.trialId),
@@ -77,12 +77,7 @@ class Rerun {
  public:
   Rerun(const Scene& scene, const TrialHeader& header, const std::vector<Sample>& recorded)
       : device_(deviceSamples(recorded), capabilitiesOf(header)),
-        loop_({.device = &device_, .scene = &scene, .commands = &commands_},
-              {.drive = header.drive,
-               .targetAngle_rad = header.targetAngle_rad,
-               .forceScale = header.forceScale,
-               .tickPeriod_us = header.tickPeriod_us,
-               .rules = recorded.empty() ? kServoRules : recorded.front().rules}) {}
+        loop_({.device = &device_, .scene = &scene, .commands = &commands_}, optionsOf(header, recorded)) {}
 
   const Sample& next(const Sample& recorded) {
     if (recorded.command.kind != ServoCommand::Kind::kNone) (void)commands_.push(recorded.command);
@@ -91,6 +86,11 @@ class Rerun {
   }
 
  private:
+  static ServoOptions optionsOf(const TrialHeader& header, const std::vector<Sample>& recorded) {
+    ServoOptions options = servoOptions(header);
+    if (!recorded.empty()) options.rules = recorded.front().rules;
+    return options;
+  }
   static std::vector<DeviceSample> deviceSamples(const std::vector<Sample>& recorded) {
     std::vector<DeviceSample> samples;
     samples.reserve(recorded.size());

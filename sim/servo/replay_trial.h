@@ -10,7 +10,7 @@
 
 namespace torsio {
 
-/// The first place at which a replay says something else than the record.
+/// The first difference between a replay and the record.
 struct ReplayDifference {
   std::int64_t tick = 0;
   std::string field;  ///< "torque", "phase" ...; "exact answers" when only the last bits differ
@@ -28,7 +28,7 @@ struct ReplayReport {
   std::optional<std::int64_t> gapAfterTick;  ///< the record lacks samples from here: replay stops
   std::optional<ReplayDifference> first;
 
-  /// Bit for bit what was recorded, from an intact record without a gap.
+  /// Tells whether the replay gave bit for bit what was recorded, from an intact record without a gap.
   [[nodiscard]] bool identical() const noexcept {
     return contentIntact && !gapAfterTick && differentSamples == 0 && differentChunks == 0;
   }

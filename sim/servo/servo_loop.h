@@ -7,6 +7,7 @@
 #include "sim/base/latest_value.h"
 #include "sim/base/live_types.h"
 #include "sim/base/spsc_ring.h"
+#include "sim/base/tick_period.h"
 #include "sim/device/haptic_device.h"
 #include "sim/device/safety/force_governor.h"
 #include "sim/device/safety/passivity.h"
@@ -20,15 +21,18 @@ struct ServoOptions {
   TwistDrive drive = TwistDrive::kTangential;
   double targetAngle_rad = 0.0;
   double forceScale = 1.0;  ///< 0..1, shown; the material is never rescaled
-  std::int64_t tickPeriod_us = 1000;
+  std::int64_t tickPeriod_us = kTickPeriod_us;
   std::uint32_t rules = kServoRules;  ///< 1 .. kServoRules; older ones replay older trials
 };
+
+/// Gives the options with which a trial of this header runs, when it is recorded and when it is replayed.
+[[nodiscard]] ServoOptions servoOptions(const TrialHeader& header) noexcept;
 
 /// The part of the device's capabilities that a trial must remember (TrialHeader::deviceLimits).
 [[nodiscard]] DeviceLimits deviceLimits(const DeviceCapabilities& capabilities) noexcept;
 
-/// One exercise at 1 kHz. It has no thread: ServoThread calls tick() on deadlines, replay and tests call it
-/// with a manual clock. All pointees outlive the loop.
+/// One exercise at 1 kHz. The loop has no thread: ServoThread calls tick() on deadlines, replay and tests
+/// call it with a manual clock. All pointees outlive the loop.
 class ServoLoop {
  public:
   struct Links {
@@ -40,26 +44,27 @@ class ServoLoop {
     SpscRing<ExerciseMoment>* events = nullptr;  ///< may be null: each tick in which something happened
   };
 
-  /// Throws Error{kBadParameter} for options out of range or a device whose limits make no sense.
+  /// Wires the loop. Throws Error{kBadParameter} for options out of range or a device whose limits make no
+  /// sense.
   ServoLoop(const Links& links, const ServoOptions& options);
 
-  /// Drain one command, read, collide, step the tissue, keep it passive, govern, write, record, publish.
-  /// `time_us` never decreases; it is the time of the sample, whatever the device says. Allocates nothing,
-  /// locks nothing, logs nothing; on any doubt the force is zero.
+  /// Runs one tick: drain one command, read, collide, step the tissue, keep the contact passive, govern,
+  /// write, record, publish. `time_us` never decreases; it is the time of the sample, whatever the device
+  /// reports. Allocates nothing, locks nothing, logs nothing; on any doubt the force is zero.
   void tick(std::int64_t time_us) noexcept;
 
   [[nodiscard]] const Sample& lastSample() const noexcept { return sample_; }
-  /// ExerciseEvent bits of the last tick.
+  /// Returns the ExerciseEvent bits of the last tick.
   [[nodiscard]] std::uint32_t lastEvents() const noexcept { return events_; }
-  /// When the stages were last reached.
+  /// Returns when the stages of the exercise were last reached.
   [[nodiscard]] const ExerciseTimes& times() const noexcept { return times_; }
-  /// Of the passivity observer, J.
+  /// Returns the energy of the passivity observer, J.
   [[nodiscard]] double portEnergy_J() const noexcept { return passivity_.energy_J(); }
   /// Asks the device to let go of the hand until the next write: for a watchdog. Any thread.
   void dropForce() noexcept { links_.device->dropForce(); }
   [[nodiscard]] std::int64_t tickPeriod_us() const noexcept { return options_.tickPeriod_us; }
   [[nodiscard]] GovernorState governorState() const noexcept { return governor_.state(); }
-  /// Ticks that did not come in time: whole periods missing between two ticks.
+  /// Returns the number of ticks that did not come in time: whole periods missing between two ticks.
   [[nodiscard]] std::int64_t lateTicks() const noexcept { return lateTicks_; }
   [[nodiscard]] std::int64_t ticks() const noexcept { return nextTick_; }
 
@@ -67,7 +72,8 @@ class ServoLoop {
   [[nodiscard]] ServoCommand nextCommand() noexcept;
   void obey(const ServoCommand& command) noexcept;
   void countLate(std::int64_t time_us) noexcept;
-  /// The wanted force of this tick, scaled and kept passive; NaN when the tissue answered nonsense.
+  /// Returns the wanted force of this tick, scaled and kept passive; NaN when the answer of the tissue is
+  /// not finite.
   [[nodiscard]] Vec3 wantedForce_N(const ExerciseStep& step, const ToolState& tool,
                                    std::uint32_t& limits) noexcept;
   void noteEvents(const ExerciseStep& step) noexcept;

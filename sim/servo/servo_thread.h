@@ -17,31 +17,32 @@ namespace torsio {
 /// hand when a tick does not end (servo_watchdog.h).
 class ServoThread {
  public:
-  /// `loop` outlives the thread and is touched by nobody else while it runs. `period_us` > 0.
+  /// Makes a thread for `loop` that does not run yet. `loop` outlives the thread and is touched by nobody
+  /// else while it runs. `period_us` > 0.
   ServoThread(ServoLoop& loop, std::int64_t period_us);
-  /// Stops.
+  /// Stops the thread.
   ~ServoThread();
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
 
-  /// Begins with a tick at time 0. Not while running.
+  /// Starts the thread with a tick at time 0. Not while running.
   void start();
-  /// Returns after the last tick; the loop is free again.
+  /// Stops the thread and returns after its last tick; the loop is free again.
   void stop() noexcept;
 
-  /// True when the system granted real-time scheduling.
+  /// Tells whether the system granted real-time scheduling.
   [[nodiscard]] bool realTime() const noexcept { return realTime_.load(std::memory_order_relaxed); }
-  /// True when the system granted to keep the servo's stack and state in memory.
+  /// Tells whether the system granted to keep the servo's stack and state in memory.
   [[nodiscard]] bool memoryLocked() const noexcept { return memoryLocked_.load(std::memory_order_relaxed); }
-  /// From each deadline to the beginning of its tick. Any thread.
+  /// Returns the delays from each deadline to the beginning of its tick. Any thread.
   [[nodiscard]] TimingSummary wakeUp() const noexcept { return wakeUp_.summary(); }
   [[nodiscard]] const TimingHistogram& wakeUpHistogram() const noexcept { return wakeUp_; }
-  /// Duration of the ticks. Any thread.
+  /// Returns the durations of the ticks. Any thread.
   [[nodiscard]] TimingSummary duration() const noexcept { return duration_.summary(); }
   [[nodiscard]] const TimingHistogram& durationHistogram() const noexcept { return duration_; }
-  /// Deadlines that were skipped. Any thread.
+  /// Returns the number of deadlines that were skipped. Any thread.
   [[nodiscard]] std::int64_t skipped() const noexcept { return skipped_.load(std::memory_order_relaxed); }
-  /// Ticks during which the watchdog had to drop the force. Any thread.
+  /// Returns the number of ticks during which the watchdog had to drop the force. Any thread.
   [[nodiscard]] std::int64_t stalls() const noexcept { return watchdog_.stalls(); }
 
  private:

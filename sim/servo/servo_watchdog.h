@@ -8,8 +8,8 @@
 
 namespace torsio {
 
-/// A tick that has not ended so long after the last one counts as stalled: the age at which the governor,
-/// too, has faded a force to nothing (kStaleFadeEnds_us).
+/// Time after the last tick at which one that has not ended counts as stalled: the age at which the
+/// governor, too, has faded a force to nothing (kStaleFadeEnds_us).
 inline constexpr std::int64_t kStall_ns = 25'000'000;
 
 /// Lets go of the hand when the tick stalls. The governor cannot: it runs inside the tick, so a tick that
@@ -21,23 +21,24 @@ inline constexpr std::int64_t kStall_ns = 25'000'000;
 /// beat() and check() are the whole logic and take the time as an argument; start() adds the thread.
 class ServoWatchdog {
  public:
-  /// `dropForce`: called from check(), once a stall; must not wait.
+  /// Makes a watchdog that calls `dropForce` from check(), once a stall; the function must not wait.
   explicit ServoWatchdog(std::function<void()> dropForce);
-  /// Stops.
+  /// Stops the watchdog.
   ~ServoWatchdog();
   ServoWatchdog(const ServoWatchdog&) = delete;
   ServoWatchdog& operator=(const ServoWatchdog&) = delete;
 
-  /// The servo lives. Servo thread; never waits, allocates nothing.
+  /// Notes that the servo is alive. Servo thread; never waits, allocates nothing.
   void beat(std::int64_t now_ns) noexcept { lastBeat_ns_.store(now_ns, std::memory_order_relaxed); }
-  /// Looks whether it does. One thread; before the first beat nothing is watched.
+  /// Checks whether the servo is alive and drops the force if not. One thread; before the first beat
+  /// nothing is watched.
   void check(std::int64_t now_ns) noexcept;
 
-  /// Looks five times within a stall's time until stop(), in a thread of its own.
+  /// Starts a thread that calls check() five times within kStall_ns, until stop().
   void start();
   void stop() noexcept;
 
-  /// Stalls since construction. Any thread.
+  /// Returns the number of stalls since construction. Any thread.
   [[nodiscard]] std::int64_t stalls() const noexcept { return stalls_.load(std::memory_order_relaxed); }
 
  private:

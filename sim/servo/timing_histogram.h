@@ -9,8 +9,8 @@
 
 namespace torsio {
 
-/// What a histogram says. Quantiles are upper bounds: the upper edge of the bucket they fall into, but never
-/// above the largest value.
+/// Summary of a histogram. Quantiles are upper bounds: the upper edge of the bucket they fall into, but
+/// never above the largest value.
 struct TimingSummary {
   std::int64_t count = 0;
   double median_us = 0.0;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "sim/base/angle.h"
 #include "sim/base/device_sample.h"
 #include "sim/geometry/mesh/segment.h"
 #include "sim/geometry/query/surface_point.h"
@@ -13,12 +14,14 @@
 
 namespace torsio {
 
-/// The jaw of assets/instruments/grasper.json: hinge behind the tip, turn of each blade when it is open.
+/// Distance of the jaw's hinge behind the tip: `jaws.pivot_mm` of assets/instruments/grasper.json, as
+/// tests/sim/servo/tool_touch_test.cpp checks.
 inline constexpr double kJawLength_m = 0.020;
-inline constexpr double kJawOpening_rad = 25.0 * kDegree;
-/// A blade is thinner than the closed jaw: share of the tip's radius.
+/// Turn of each blade when the jaw is open: `jaws.opening_deg` of the same file.
+inline constexpr double kJawOpening_rad = radians(25.0);
+/// Radius of a blade as a share of the tip's radius: a blade is thinner than the closed jaw.
 inline constexpr double kBladeShare = 0.6;
-/// Surfaces farther from blade and shaft than this are not looked for.
+/// Distance from blade and shaft within which surfaces are searched.
 inline constexpr double kLookAhead_m = 0.001;
 
 /// The instrument as the collision sees it, world frame: a sphere at the tip, where the blades meet; two
@@ -34,10 +37,10 @@ struct ToolShape {
   double bladeRadius_m = 0.0;
 };
 
-/// Any thread.
+/// Returns the shape of `instrument` in the pose and with the grip of `tool`. Any thread.
 [[nodiscard]] ToolShape toolShape(const ToolState& tool, const Instrument& instrument) noexcept;
 
-/// One part of the instrument and the deformed surface, world frame.
+/// Contact of one part of the instrument with the deformed surface, world frame.
 struct PartTouch {
   double gap_m = std::numeric_limits<double>::infinity();  ///< between them; negative: that deep inside
   Vec3 point_m;                                            ///< of the surface
@@ -45,15 +48,16 @@ struct PartTouch {
   double radius_m = 0.0;                                   ///< of the part
 };
 
+/// What each part of the instrument touches.
 struct ToolTouch {
   PartTouch tip;    ///< the sphere at the tip; of a deformed organ infinite gap beyond a centimetre
   PartTouch jaw;    ///< the deeper of tip and blades
   PartTouch shaft;  ///< infinite gap beyond kLookAhead_m
 };
 
-/// Where the instrument touches the organ as `twist` has left it. A part whose axis lies outside has the
-/// depth of the capsule; one whose axis has entered is as deep as the deepest of some points of the axis near
-/// the place of entry. `holding`: the blades are in the tissue and do not collide.
+/// Finds where the instrument touches the organ as `twist` has left it. A part whose axis lies outside has
+/// the depth of the capsule; one whose axis has entered is as deep as the deepest of some points of the
+/// axis near the place of entry. `holding`: the blades are in the tissue and do not collide.
 ///
 /// At rest the rest hierarchy answers (CollisionMesh::nearest), else DeformedSurface over the vertices as the
 /// model moves them: the surface that is drawn. noexcept, allocation-free; runs in the servo tick, 3 to 10 us
@@ -61,8 +65,9 @@ struct ToolTouch {
 [[nodiscard]] ToolTouch touchTool(const ToolShape& shape, const Scene& scene, const TwistState& twist,
                                   bool holding) noexcept;
 
-/// The surface point that closing the jaw would take hold of, of the organ at rest: the nearest to the mouth
-/// within `gripReach_m` of the tip's radius, if it lies between the open blades; nothing else can be held.
+/// Finds the surface point of the organ at rest that closing the jaw would take hold of: the nearest to the
+/// mouth within `gripReach_m` of the tip's radius, if it lies between the open blades; nothing else can be
+/// held.
 [[nodiscard]] std::optional<SurfacePoint> tissueInMouth(const ToolShape& shape, const ToolState& tool,
                                                         const Scene& scene) noexcept;
 

@@ -170,6 +170,27 @@ TEST(Allocator, RefusesDesignsAndPersonsThatBreakTheRules) {
   EXPECT_THROW((void)allocator.assign({"p2", {0}}), Error);
 }
 
+TEST(AllocationMethods, SayWhetherTheyUseFactorsAndBlocks) {
+  EXPECT_FALSE(usesFactors(AllocationMethod::kCompletePermutation));
+  EXPECT_FALSE(usesFactors(AllocationMethod::kPermutedBlocks));
+  EXPECT_TRUE(usesFactors(AllocationMethod::kStratifiedBlocks));
+  EXPECT_TRUE(usesFactors(AllocationMethod::kMinimisation));
+  EXPECT_FALSE(usesBlocks(AllocationMethod::kCompletePermutation));
+  EXPECT_TRUE(usesBlocks(AllocationMethod::kPermutedBlocks));
+  EXPECT_TRUE(usesBlocks(AllocationMethod::kStratifiedBlocks));
+  EXPECT_FALSE(usesBlocks(AllocationMethod::kMinimisation));
+}
+
+TEST(Allocator, RefusesAMethodWithoutTheFactorsOrBlocksThatItUses) {
+  AllocationDesign strata = design(AllocationMethod::kStratifiedBlocks);
+  strata.factors = {kSex};
+  EXPECT_THROW(Allocator(strata, 1), Error);  // no block size
+  strata.blockSizes = {3};
+  EXPECT_NO_THROW(Allocator(strata, 1));
+  strata.factors.clear();
+  EXPECT_THROW(Allocator(strata, 1), Error);
+}
+
 TEST(SeedCommitment, DependsOnSeedAndDesign) {
   AllocationDesign one = design(AllocationMethod::kPermutedBlocks);
   one.blockSizes = {3};

@@ -118,8 +118,6 @@ TEST(AverageRunLength, AgreesInAndOutOfControl) {
     EXPECT_TRUE(
         matches(averageRunLengthTwoSided(0.5, h, shift), e.at("two_sided").get<double>(), c.tolerance))
         << name;
-    EXPECT_TRUE(matches(averageRunLengthSiegmund(0.5, h, shift), e.at("siegmund_two").get<double>(), 1e-9))
-        << name;
   }
   EXPECT_TRUE(
       matches(averageRunLengthOneSided(0.5, 4, 0), c.expected.at("one_sided_h4").get<double>(), c.tolerance));
@@ -191,21 +189,6 @@ TEST(WatchForRelapse, AlarmsAfterFailuresAndNotAfterSuccesses) {
   EXPECT_FALSE(watchForRelapse(std::vector<bool>(50, false), {0.1, 0.2, 1.25}).alarmAt.has_value());
   EXPECT_EQ(watchForRelapse({false, true, true, true}, {0.1, 0.2, 1.25}).alarmAt,
             3U);  // 2 ln 2 = 1.386 >= 1.25
-}
-
-TEST(RiskAdjustedWeight, AgreesWithSteinersScores) {
-  const ReferenceCase c = referenceCase("learning", "ra_cusum_scores_steiner");
-  for (const double parsonnet : {0.0, 50.0})
-    for (const bool died : {false, true})
-      for (const char* ratio : {"2", "0.5"}) {
-        const double risk = 1.0 / (1.0 + std::exp(3.68 - 0.077 * parsonnet));
-        std::string name = parsonnet == 0.0 ? "parsonnet0_y" : "parsonnet50_y";
-        name += died ? "1_RA" : "0_RA";
-        name += ratio;
-        EXPECT_TRUE(matches(riskAdjustedWeight(died, risk, std::stod(ratio)),
-                            c.expected.at(name).get<double>(), c.tolerance))
-            << name;
-      }
 }
 
 TEST(ContrastingGroups, AgreesForTheNormalAndTheLogisticCut) {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "assessment/statistics/generalizability.h"
 #include "assessment/statistics/rasch.h"
 #include "sim/base/error.h"
+#include "sim/base/random.h"
 #include "tests/assessment/reference_case.h"
 
 namespace torsio {
@@ -170,6 +174,131 @@ TEST(ManyFacetRasch, EstimatesAnIncompletePlan) {
   EXPECT_NEAR(sum, 0.0, 1e-12);
   // A fair average undoes the luck of the draw of raters: higher ability, higher fair average.
   EXPECT_GT(*got->persons[10].fairAverage, *got->persons[3].fairAverage);
+}
+
+using Marks = std::vector<std::vector<std::optional<int>>>;
+
+/// Neither a person nor a rater with the lowest or the highest category only, and every category used: what
+/// the model sets aside or refuses before it asks for a maximum.
+bool plain(const Marks& marks, int highest) {
+  std::vector<int> used(static_cast<std::size_t>(highest) + 1, 0);
+  const auto extreme = [&](const std::vector<std::optional<int>>& line) {
+    int low = highest;
+    int high = 0;
+    for (const std::optional<int>& mark : line) {
+      low = std::min(low, mark.value_or(low));
+      high = std::max(high, mark.value_or(high));
+    }
+    return high == 0 || low == highest;
+  };
+  for (const auto& person : marks) {
+    if (extreme(person)) {
+      return false;
+    }
+    for (const std::optional<int>& mark : person) {
+      used[static_cast<std::size_t>(mark.value_or(0))] += mark.has_value() ? 1 : 0;
+    }
+  }
+  for (std::size_t r = 0; r < marks.front().size(); ++r) {
+    std::vector<std::optional<int>> column;
+    for (const auto& person : marks) {
+      column.push_back(person[r]);
+    }
+    if (extreme(column)) {
+      return false;
+    }
+  }
+  return std::count(used.begin(), used.end(), 0) == 0;
+}
+
+/// Six persons, three raters, categories 0 to 3, a sixth of the marks missing.
+Marks randomMarks(Random& random) {
+  for (;;) {
+    Marks marks(6, std::vector<std::optional<int>>(3));
+    for (auto& person : marks) {
+      const int skill = static_cast<int>(random.bounded(3));
+      for (auto& mark : person) {
+        if (random.bounded(6) != 0) {
+          mark = std::clamp(skill + static_cast<int>(random.bounded(3)) - 1, 0, 3);
+        }
+      }
+    }
+    if (plain(marks, 3)) {
+      return marks;
+    }
+  }
+}
+
+/// Whether abilities, severities 0, b1, b2 and thresholds 0, t2, t3 can all grow in this proportion without
+/// making one mark less likely. Far out the most likely category is the one between whose thresholds
+/// ability - severity lies.
+bool mayGrow(const Marks& marks, const std::array<int, 3>& severity, const std::array<int, 3>& threshold) {
+  constexpr int kFar = 1000;
+  for (const auto& person : marks) {
+    int low = -kFar;
+    int high = kFar;
+    for (std::size_t r = 0; r < 3; ++r) {
+      if (const std::optional<int> mark = person[r]) {
+        low = *mark > 0 ? std::max(low, severity[r] + threshold[static_cast<std::size_t>(*mark) - 1]) : low;
+        high = *mark < 3 ? std::min(high, severity[r] + threshold[static_cast<std::size_t>(*mark)]) : high;
+      }
+    }
+    if (low > high) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Tries all directions of small whole numbers: the corners of a cone bounded by differences of four unknowns
+/// have no larger ones.
+bool growsForEver(const Marks& marks) {
+  constexpr int kReach = 4;
+  for (int b1 = -kReach; b1 <= kReach; ++b1) {
+    for (int b2 = -kReach; b2 <= kReach; ++b2) {
+      for (int t2 = 0; t2 <= kReach; ++t2) {
+        for (int t3 = t2; t3 <= kReach; ++t3) {
+          const bool still = b1 == 0 && b2 == 0 && t2 == 0 && t3 == 0;
+          if (!still && mayGrow(marks, {0, b1, b2}, {0, t2, t3})) {
+            return true;
+          }
+        }
+      }
+    }
+  }
+  return false;
+}
+
+TEST(ManyFacetRasch, IsEstimatedExactlyWhereTheLikelihoodHasAFiniteMaximum) {
+  Random random(400);
+  int refused = 0;
+  int wrong = 0;
+  for (int set = 0; set < 400; ++set) {
+    const Marks marks = randomMarks(random);
+    const bool endless = growsForEver(marks);
+
+    const Outcome<RaschResult> got = manyFacetRasch(marks, 3);
+
+    refused += endless ? 1 : 0;
+    wrong += static_cast<bool>(got) == endless ? 1 : 0;
+    EXPECT_EQ(static_cast<bool>(got), !endless) << "set " << set << ": " << got.reason();
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_LT(refused, 400);
+  EXPECT_EQ(wrong, 0) << "of 400, " << refused << " without a finite maximum";
+}
+
+TEST(ManyFacetRasch, NamesTheRatersWhomNothingBounds) {
+  // Raters 1 and 2 bound each other, so do 3 and 4. The only person whom both pairs rate has 0 from 1 and 1 from
+  // 3: a plan of one piece, but 3 and 4 may be more lenient than 1 and 2 by any amount.
+  const std::optional<int> hole;
+  const Marks marks = {
+      {0, 1, hole, hole}, {1, 0, hole, hole}, {hole, hole, 0, 1}, {hole, hole, 1, 0}, {0, hole, 1, hole}};
+
+  const Outcome<RaschResult> got = manyFacetRasch(marks, 1);
+
+  ASSERT_FALSE(got);
+  EXPECT_THAT(got.reason(), ::testing::HasSubstr("bounds rater 3 and rater 4"));
 }
 
 }  // namespace

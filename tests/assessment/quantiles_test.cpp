@@ -24,9 +24,6 @@ TEST(Quantile, FollowsAllNineRules) {
                             rules.tolerance))
             << data << " type " << type << " p " << p[i];
     }
-    const std::array<double, 5> five = tukeyFiveNumbers(values).value();
-    const std::vector<double> hinges = numbers(rules.expected.at(data).at("fivenum"));
-    for (std::size_t i = 0; i < 5; ++i) EXPECT_TRUE(matches(five[i], hinges[i], rules.tolerance));
   }
 }
 
@@ -53,9 +50,6 @@ TEST(BoxNumbers, GivesTheBoxesOfExampleThree) {
     EXPECT_TRUE(matches(box.whiskerHigh, expected.at("whisker_hi").get<double>(), kTolerance));
     EXPECT_TRUE(matches(box.mean, expected.at("mean").get<double>(), kTolerance));
     EXPECT_TRUE(box.outliers.empty());
-    const std::array<double, 5> five = tukeyFiveNumbers(composites).value();
-    const std::vector<double> hinges = numbers(expected.at("hinges"));
-    for (std::size_t i = 0; i < 5; ++i) EXPECT_TRUE(matches(five[i], hinges[i], kTolerance));
   }
 }
 

@@ -7,47 +7,30 @@
 #include <ctime>
 
 #include "app/recording/expert_run.h"
+#include "app/recording/recorded_run.h"
 #include "app/training/attempts.h"
 #include "app/training/debrief.h"
+#include "sim/base/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/memory_trial_sink.h"
-#include "sim/record/recorder.h"
 #include "sim/record/sample_codec.h"
 #include "sim/servo/hand_task.h"
-#include "sim/servo/servo_loop.h"
 
 namespace {
 
 using namespace torsio;
 
 constexpr double kPromise_s = 5.0;
-constexpr std::int64_t kTick_us = 1'000;
 
 Trial longRun(const Scene& scene, std::int64_t minutes) {
   ScriptedHandOptions hand;
   hand.task = handTask(scene);
   hand.duration_s = static_cast<double>(minutes) * 60.0;
-  ScriptedHand device(hand);
-  TrialHeader header;
-  header.trialId = "bench";
-  header.sceneId = scene.id;
-  header.patternId = scene.pattern.id;
-  header.organHash = scene.organHash;
-  header.parameterHash = scene.parameterHash;
-  header.parametersJson = scene.parametersJson;
-  header.targetAngle_rad = scene.pattern.targetAngle_rad;
   MemoryTrialSink sink;
-  SpscRing<Sample> ring(kRecordingRing);
-  Recorder recorder(ring, sink, header);
-  ServoOptions options;
-  options.drive = header.drive;
-  options.targetAngle_rad = header.targetAngle_rad;
-  ServoLoop servo({.device = &device, .scene = &scene, .recording = &ring}, options);
-  for (std::int64_t tick = 0; tick < minutes * 60'000; ++tick) {
-    servo.tick(tick * kTick_us);
-    if (tick % 1000 == 999) recorder.pump();
-  }
-  static_cast<void>(recorder.finish(TrialOutcome::kCompleted, 0));
+  RecordedRun run(borrowed(scene), std::make_unique<ScriptedHand>(hand), {.trialId = "bench"},
+                  borrowed<TrialSink>(sink));
+  run.step(ticksIn(hand.duration_s));
+  static_cast<void>(run.finish(TrialOutcome::kCompleted));
   return sink.trial();
 }
 

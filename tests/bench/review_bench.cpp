@@ -82,8 +82,7 @@ Trial recorded(const std::filesystem::path& assets, double duration_s) {
   request.assets = assets;
   request.id = "arm";
   ScriptedTrial script;
-  script.trialId = "bench";
-  script.phaseLabel = "bench";
+  script.recording = {.trialId = "bench", .phaseLabel = "bench"};
   script.duration_s = duration_s;
   MemoryTrialSink sink;
   recordScriptedTrial(loadScene(request), script, sink);

@@ -19,8 +19,8 @@
 
 #include "app/gui/scene/instrument_geometry.h"
 #include "app/gui/scene/scene_view.h"
-#include "app/gui/simulator/live_run.h"
 #include "app/gui/widgets/theme.h"
+#include "app/recording/recorded_run.h"
 #include "sim/base/error.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
@@ -83,14 +83,9 @@ std::unique_ptr<ScriptedHand> handFor(const Scene& scene, double seconds) {
   return std::make_unique<ScriptedHand>(hand);
 }
 
-std::unique_ptr<LiveRun> runOf(const std::shared_ptr<const Scene>& scene, double seconds) {
-  RunSetup setup;
-  setup.drive = TwistDrive::kTangential;
-  setup.targetAngle_rad = scene->pattern.targetAngle_rad;
-  TrialHeader header;
-  header.trialId = "bench";
-  return std::make_unique<LiveRun>(scene, setup, header, std::make_unique<NoSink>(),
-                                   handFor(*scene, seconds));
+std::unique_ptr<RecordedRun> runOf(const std::shared_ptr<const Scene>& scene, double seconds) {
+  return std::make_unique<RecordedRun>(scene, handFor(*scene, seconds), RecordingSpec{.trialId = "bench"},
+                                       std::make_shared<NoSink>());
 }
 
 /// Until something happens; with a time limit Qt would spin and take the processor from the renderer.
@@ -107,7 +102,7 @@ double processor_s() {
 /// `view` null: nothing is drawn.
 Outcome measure(const std::shared_ptr<const Scene>& scene, SceneView* view, double seconds) {
   Outcome outcome;
-  const std::unique_ptr<LiveRun> run = runOf(scene, seconds + kPatience_s);
+  const std::unique_ptr<RecordedRun> run = runOf(scene, seconds + kPatience_s);
   run->start();
   QElapsedTimer clock;
   clock.start();

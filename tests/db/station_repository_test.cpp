@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/station_repository.h"
+#include "db/repository/trial/station_repository.h"
 
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 
@@ -18,7 +18,7 @@ TEST_F(StationRepositoryTest, ShowsWhichStationOwnsARunningTrial) {
   trials.begin(sampleHeader(id, "T-01"));
   StationRepository stations(connection);
 
-  stations.beat({.station = "room 2", .trialId = id, .userId = "u", .heartbeatUtc_us = kSampleTime_us});
+  stations.heartbeat({.station = "room 2", .trialId = id, .userId = "u", .heartbeatUtc_us = kSampleTime_us});
 
   // Another station looks at the board.
   Connection other = open();
@@ -41,7 +41,7 @@ TEST_F(StationRepositoryTest, NobodyOwnsATrialThatEndedOrWhoseStationFellSilent)
   TrialRepository trials(connection, {"room 2", ""});
   trials.begin(sampleHeader(id, "T-01"));
   StationRepository stations(connection);
-  stations.beat({.station = "room 2", .trialId = id, .heartbeatUtc_us = kSampleTime_us});
+  stations.heartbeat({.station = "room 2", .trialId = id, .heartbeatUtc_us = kSampleTime_us});
   EXPECT_FALSE(stations.ownerOf(id, kSampleTime_us + 1).has_value());
   ASSERT_TRUE(stations.ownerOf(id, kSampleTime_us).has_value());
 
@@ -54,9 +54,9 @@ TEST_F(StationRepositoryTest, NobodyOwnsATrialThatEndedOrWhoseStationFellSilent)
 TEST_F(StationRepositoryTest, EachSignOfLifeOverwritesTheOneBefore) {
   Connection connection = openWithSchema();
   StationRepository stations(connection);
-  stations.beat({.station = "b", .userId = "u", .softwareVersion = "0.1", .heartbeatUtc_us = 1});
-  stations.beat({.station = "a", .heartbeatUtc_us = 2});
-  stations.beat({.station = "b", .softwareVersion = "0.2", .heartbeatUtc_us = 3});
+  stations.heartbeat({.station = "b", .userId = "u", .softwareVersion = "0.1", .heartbeatUtc_us = 1});
+  stations.heartbeat({.station = "a", .heartbeatUtc_us = 2});
+  stations.heartbeat({.station = "b", .softwareVersion = "0.2", .heartbeatUtc_us = 3});
 
   const std::vector<StationState> board = stations.board();
   ASSERT_EQ(board.size(), 2U);
@@ -66,20 +66,21 @@ TEST_F(StationRepositoryTest, EachSignOfLifeOverwritesTheOneBefore) {
   EXPECT_EQ(board[1].heartbeatUtc_us, 3);
   stations.leave("a");
   EXPECT_FALSE(stations.find("a").has_value());
-  EXPECT_EQ(faultFrom([&] { stations.beat({.station = "c", .trialId = "none"}); }), DbFault::kForeignKey);
+  EXPECT_EQ(faultFrom([&] { stations.heartbeat({.station = "c", .trialId = "none"}); }),
+            DbFault::kForeignKey);
 }
 
 TEST_F(StationRepositoryTest, KeepsWhatAStationSaysAboutItsDevice) {
   Connection connection = openWithSchema();
   StationRepository stations(connection);
-  stations.beat({.station = "office", .heartbeatUtc_us = 1});
-  stations.beat({.station = "room 1",
-                 .heartbeatUtc_us = 1,
-                 .deviceJson = "[\"Touch\"]",
-                 .deviceHaptic = true,
-                 .deviceLight = "red",
-                 .deviceProblemJson = "[\"cable\"]",
-                 .deviceCheckedUtc_us = kSampleTime_us});
+  stations.heartbeat({.station = "office", .heartbeatUtc_us = 1});
+  stations.heartbeat({.station = "room 1",
+                      .heartbeatUtc_us = 1,
+                      .deviceJson = "[\"Touch\"]",
+                      .deviceHaptic = true,
+                      .deviceLight = "red",
+                      .deviceProblemJson = "[\"cable\"]",
+                      .deviceCheckedUtc_us = kSampleTime_us});
 
   const std::vector<StationState> board = stations.board();
 
@@ -92,11 +93,12 @@ TEST_F(StationRepositoryTest, KeepsWhatAStationSaysAboutItsDevice) {
   EXPECT_EQ(board[1].deviceLight, "red");
   EXPECT_EQ(board[1].deviceProblemJson, "[\"cable\"]");
   EXPECT_EQ(board[1].deviceCheckedUtc_us, kSampleTime_us);
-  stations.beat(
+  stations.heartbeat(
       {.station = "room 1", .heartbeatUtc_us = 2, .deviceJson = "[\"Touch\"]", .deviceLight = "green"});
   EXPECT_EQ(stations.find("room 1")->deviceLight, "green");
   EXPECT_EQ(stations.find("room 1")->deviceProblemJson, "");
-  EXPECT_EQ(faultFrom([&] { stations.beat({.station = "c", .deviceLight = "purple"}); }), DbFault::kCheck);
+  EXPECT_EQ(faultFrom([&] { stations.heartbeat({.station = "c", .deviceLight = "purple"}); }),
+            DbFault::kCheck);
 }
 
 }  // namespace

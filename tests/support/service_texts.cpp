@@ -337,17 +337,37 @@ void readServiceTexts(const std::string& source, const std::string& file, Servic
     return;
   }
   Reader(tokens, file, texts).run();
-  static constexpr std::array<std::string_view, 3> kReport{"assessment/report/", "app/session/reporting/",
-                                                           "app/session/demonstration.cpp"};
+  static constexpr std::array<std::string_view, 3> kReport{"assessment/report/", "app/reporting/",
+                                                           "app/demonstration/demonstration.cpp"};
   if (std::any_of(kReport.begin(), kReport.end(), [&](auto part) { return file.starts_with(part); }))
     Reader(tokens, file, texts).runReport();
 }
 
 ServiceTexts readServiceTexts(const fs::path& root) {
-  static constexpr std::array<const char*, 13> kFolders{
-      "sim/base",         "sim/device",       "sim/geometry",  "sim/scene",         "db",
-      "app/session",      "app/report",       "app/gui",       "assessment/report", "assessment/statistics",
-      "assessment/study", "assets/curricula", "assets/rubrics"};
+  static constexpr std::array<const char*, 24> kFolders{"sim/base",
+                                                        "sim/device",
+                                                        "sim/geometry",
+                                                        "sim/scene",
+                                                        "db",
+                                                        "app/access",
+                                                        "app/base",
+                                                        "app/demonstration",
+                                                        "app/devices",
+                                                        "app/maintenance",
+                                                        "app/people",
+                                                        "app/recording",
+                                                        "app/reporting",
+                                                        "app/review",
+                                                        "app/scoring",
+                                                        "app/study",
+                                                        "app/training",
+                                                        "app/report",
+                                                        "app/gui",
+                                                        "assessment/report",
+                                                        "assessment/statistics",
+                                                        "assessment/study",
+                                                        "assets/curricula",
+                                                        "assets/rubrics"};
   ServiceTexts texts;
   for (const char* folder : kFolders) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "sim/base/angle.h"
 #include "sim/base/portable_math.h"
 #include "sim/geometry/query/collision_mesh.h"
 #include "tools/organs/arm_shape.h"
@@ -68,7 +69,7 @@ double edgeLength_mm(const Vec3& p, double wristZ, double websZ) {
 
 // The point of the skin that a ray from the axis meets, at height `z` and direction `angle_deg`.
 Vec3 skinAt(const ArmShape& shape, double z, double angle_deg) {
-  const SinCos a = portableSinCos(angle_deg * kDegree);
+  const SinCos a = portableSinCos(radians(angle_deg));
   double inside = 0.0;
   double outside = 80.0;
   for (int i = 0; i < 60; ++i) {

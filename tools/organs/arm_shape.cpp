@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "sim/base/angle.h"
 #include "sim/base/portable_math.h"
 
 namespace torsio {
@@ -91,9 +92,9 @@ double chain(std::span<const RoundCone> cones, const Vec3& p, double width) {
 std::vector<RoundCone> finger(const Vec3& crease, double splay_rad, double length, double radiusRoot,
                               double radiusTip) {
   constexpr std::array<double, 3> kSegments{0.45, 0.29, 0.26};
-  constexpr std::array<double, 3> kBend{15 * kDegree, 35 * kDegree,
-                                        45 * kDegree};  // 15, 20, 10 one after another
-  constexpr double kRoot = 24.0;                        // how far the finger reaches into the palm
+  constexpr std::array<double, 3> kBend{radians(15), radians(35),
+                                        radians(45)};  // 15, 20, 10 one after another
+  constexpr double kRoot = 24.0;                       // how far the finger reaches into the palm
   const SinCos splay = portableSinCos(splay_rad);
   const Vec3 straight{splay.sin, 0.0, splay.cos};
   std::vector<RoundCone> cones{{crease - kRoot * straight, crease, radiusRoot, radiusRoot}};
@@ -129,7 +130,7 @@ ArmShape::ArmShape(const ArmMeasures& m)
     const Root& r = kRoots[k];
     const Vec3 crease{w * r.x, 0.0, z + r.height * palm};
     fingers_[k] =
-        finger(crease, r.splay_deg * kDegree, m.fingerLength_mm[k + 1], w * r.radiusRoot, w * r.radiusTip);
+        finger(crease, radians(r.splay_deg), m.fingerLength_mm[k + 1], w * r.radiusRoot, w * r.radiusTip);
     const Vec3 knuckle{0.93 * w * r.x, 7.5, crease.z - 0.18 * palm};
     knuckles_[k] = {knuckle, knuckle + Vec3{0, 0, 6}, 8.5 * w, 7.5 * w};
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/base/angle.h"
 #include "sim/base/portable_math.h"
 
 namespace torsio {
@@ -109,7 +110,7 @@ Grasper makeGrasper() {
   grasper.jawPivot_m = {0, 0, kMillimetre_m * kPivot_mm};
   grasper.shaftLength_m = kMillimetre_m * kLength_mm;
   grasper.shaftRadius_m = kMillimetre_m * kRadius_mm;
-  grasper.jawOpening_rad = 25.0 * kDegree;
+  grasper.jawOpening_rad = radians(25.0);
   return grasper;
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "sim/base/portable_math.h"
+#include "sim/base/angle.h"
 #include "sim/geometry/mesh/mesh_export.h"
 #include "tools/organs/arm.h"
 #include "tools/organs/grasper.h"
@@ -67,7 +67,7 @@ std::string markersJson(const Arm& arm) {
     one.raw("number", std::to_string(m.number))
         .text("name", m.name)
         .raw("position_mm", millimetres(m.position_m));
-    one.raw("angle_deg", hundredths(m.angle_rad / kDegree));
+    one.raw("angle_deg", hundredths(degrees(m.angle_rad)));
     markers += (markers.size() > 1 ? ",\n    " : "\n    ") + one.lines();
   }
   JsonObject json;
@@ -85,7 +85,7 @@ std::string markersJson(const Arm& arm) {
 std::string grasperJson(const Grasper& g) {
   JsonObject jaws("    ");
   jaws.raw("pivot_mm", millimetres(g.jawPivot_m)).raw("axis", vectorText({1, 0, 0}));
-  jaws.raw("opening_deg", hundredths(g.jawOpening_rad / kDegree));
+  jaws.raw("opening_deg", hundredths(degrees(g.jawOpening_rad)));
   JsonObject meshes("    ");
   meshes.text("shaft", "grasper_shaft.ply").text("upper_jaw", "grasper_jaw_upper.ply");
   meshes.text("lower_jaw", "grasper_jaw_lower.ply");

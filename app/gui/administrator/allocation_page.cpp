@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/administrator/allocation_page.h"
 
+#include <algorithm>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
@@ -13,6 +15,7 @@
 
 #include "app/gui/administrator/office_parts.h"
 #include "app/gui/administrator/printed_cards.h"
+#include "app/gui/administrator/record_dialogs.h"
 #include "app/gui/administrator/study_words.h"
 #include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
@@ -31,14 +34,6 @@ namespace {
 constexpr AllocationMethod kMethods[] = {AllocationMethod::kCompletePermutation,
                                          AllocationMethod::kStratifiedBlocks,
                                          AllocationMethod::kPermutedBlocks, AllocationMethod::kMinimisation};
-
-bool usesFactors(AllocationMethod method) {
-  return method == AllocationMethod::kStratifiedBlocks || method == AllocationMethod::kMinimisation;
-}
-
-bool usesBlocks(AllocationMethod method) {
-  return method == AllocationMethod::kStratifiedBlocks || method == AllocationMethod::kPermutedBlocks;
-}
 
 }  // namespace
 
@@ -64,7 +59,9 @@ AllocationPage::AllocationPage(ShellContext& shell)
       balanceTitle_(new QLabel(this)),
       balance_(new DataTable(QStringLiteral("allocation-balance"), this)),
       recordsTitle_(new QLabel(this)),
-      records_(new DataTable(QStringLiteral("allocation-records"), this)) {
+      records_(new DataTable(QStringLiteral("allocation-records"), this)),
+      move_(listButton(records_)) {
+  move_->setObjectName(QStringLiteral("moveByHand"));
   for (const AllocationMethod method : kMethods) method_->addItem(QString(), static_cast<int>(method));
   for (const std::string& name : allocationFactorNames()) factors_[name] = new QCheckBox(this);
   auto* choices = new QHBoxLayout;
@@ -106,6 +103,8 @@ AllocationPage::AllocationPage(ShellContext& shell)
   connect(reveal_, &QPushButton::clicked, this, &AllocationPage::askReveal);
   connect(cards_, &QPushButton::clicked, this, &AllocationPage::askCards);
   connect(check_, &QPushButton::clicked, this, &AllocationPage::check);
+  connect(move_, &QPushButton::clicked, this, &AllocationPage::askMove);
+  connect(records_, &DataTable::currentChanged, this, &AllocationPage::showFields);
   retranslate();
 }
 
@@ -184,6 +183,7 @@ void AllocationPage::showFields() {
                       workplace.may(Operation::kAllocationReveal));
   cards_->setEnabled(!designs_.empty() && designs_.back().records > 0 && run);
   check_->setEnabled(!designs_.empty());
+  move_->setEnabled(run && !records_->currentId().isEmpty());
 }
 
 bool AllocationPage::preview() {
@@ -221,6 +221,7 @@ void AllocationPage::showBalance() {
 }
 
 void AllocationPage::showDesign() {
+  drawn_.clear();
   std::vector<Row> rows;
   QString text =
       tr("No design is locked yet. Preview the balance, then lock: the seed is drawn and sealed at that "
@@ -239,7 +240,8 @@ void AllocationPage::showDesign() {
       codes[enrolment.id] = enrolment.traineeCode;
     for (const CohortRow& cohort : cohorts(shell().workplace()))
       for (const StoredGroup& group : cohort.groups) groups[group.id] = group.code;
-    for (const StoredAllocation& record : allocations(shell().workplace(), row.stored.id))
+    drawn_ = allocations(shell().workplace(), row.stored.id);
+    for (const StoredAllocation& record : drawn_)
       rows.push_back({shown(record.id),
                       {{QString::number(record.sequence), static_cast<qlonglong>(record.sequence)},
                        {shown(codes[record.enrolmentId])},
@@ -288,6 +290,37 @@ bool AllocationPage::allocateEverybody() {
     const std::size_t people = allocateAll(shell().workplace(), chosenId(cohort_));
     read();
     shell().notify(tr("%n trainee(s) allocated", nullptr, static_cast<int>(people)));
+  });
+}
+
+bool AllocationPage::moveByHand(const std::string& enrolmentId, const std::string& groupId,
+                                const std::string& reason) {
+  return attempt(shell(), [&] {
+    overrideAllocation(shell().workplace(), chosenId(cohort_), enrolmentId, groupId, reason);
+    read();
+    shell().notify(tr("Moved by hand; the drawn record stays beside it"));
+  });
+}
+
+void AllocationPage::askMove() {
+  const std::string id = records_->currentId().toStdString();
+  const auto record =
+      std::find_if(drawn_.begin(), drawn_.end(), [&](const StoredAllocation& one) { return one.id == id; });
+  if (record == drawn_.end()) return;
+  attempt(shell(), [&] {
+    const std::string enrolmentId = record->enrolmentId;
+    std::string present;  // where the newest record puts them
+    for (const StoredAllocation& one : drawn_)
+      if (one.enrolmentId == enrolmentId) present = one.groupId;
+    QString code;
+    for (const StoredEnrolment& one : enrolments(shell().workplace(), chosenId(cohort_)))
+      if (one.id == enrolmentId) code = shown(one.traineeCode);
+    std::vector<StoredGroup> groups;
+    for (const CohortRow& cohort : cohorts(shell().workplace()))
+      if (cohort.cohort.id == chosenId(cohort_)) groups = cohort.groups;
+    std::erase_if(groups, [&](const StoredGroup& group) { return group.id == present; });
+    if (const std::optional<GroupMove> move = askGroupMove(this, code, groups))
+      moveByHand(enrolmentId, move->groupId, move->reason);
   });
 }
 
@@ -353,6 +386,8 @@ void AllocationPage::retranslate() {
   cards_->setToolTip(tr("A page with a label and a card for each envelope, to print"));
   reveal_->setText(tr("&Open the seal\u2026"));
   check_->setText(tr("Chec&k the draw"));
+  move_->setText(tr("Mo&ve by hand\u2026"));
+  move_->setToolTip(tr("Puts a trainee into another group than the draw did, with a reason"));
   balance_->setColumns({{tr("Detail")},
                         {tr("Value")},
                         {tr("Trainees"), true},

@@ -41,6 +41,8 @@ class AllocationPage : public Page {
   /// The sealed cards as a PDF to print.
   bool writeCards(const std::filesystem::path& file);
   bool reveal(const std::string& reason = {});
+  /// Puts a trainee into another group than the draw did.
+  bool moveByHand(const std::string& enrolmentId, const std::string& groupId, const std::string& reason);
 
   [[nodiscard]] QComboBox& method() const noexcept { return *method_; }
   [[nodiscard]] DataTable& balance() const noexcept { return *balance_; }
@@ -57,9 +59,11 @@ class AllocationPage : public Page {
   void askLock();
   void askReveal();
   void askCards();
+  void askMove();
   void check();
 
   std::vector<AllocationDesignRow> designs_;
+  std::vector<StoredAllocation> drawn_;  // of the design that counts
   std::optional<BalancePreview> preview_;
   std::map<std::string, QCheckBox*> factors_;
   PageHeading* heading_;
@@ -83,6 +87,7 @@ class AllocationPage : public Page {
   DataTable* balance_;
   QLabel* recordsTitle_;
   DataTable* records_;
+  QPushButton* move_;
 };
 
 }  // namespace torsio::gui

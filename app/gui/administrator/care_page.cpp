@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/record_dialogs.h"
 #include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/card.h"
@@ -30,14 +31,6 @@ namespace {
 
 constexpr int kDiskParts = 1000;
 constexpr std::int64_t kYear_us = 365LL * 86'400 * 1'000'000;
-
-QString categoryName(const std::string& code) {
-  if (code == kRetainTrainee) return CarePage::tr("trainee");
-  if (code == kRetainRater) return CarePage::tr("rater");
-  if (code == kRetainLeft) return CarePage::tr("left the centre");
-  if (code == kRetainWithdrawn) return CarePage::tr("consent withdrawn");
-  return shown(code);
-}
 
 bool isFile(const std::string& locator) {
   return QFileInfo(shown(locator)).isFile();
@@ -67,7 +60,9 @@ CarePage::CarePage(ShellContext& shell)
       queue_(new DataTable(QStringLiteral("retention"), this)),
       keep_(listButton(queue_)),
       lock_(listButton(queue_)),
-      erase_(listButton(queue_)) {
+      erase_(listButton(queue_)),
+      rules_(listButton(queue_)) {
+  rules_->setObjectName(QStringLiteral("retentionRules"));
   queueTitle_->setObjectName(QStringLiteral("cardTitle"));
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
@@ -85,6 +80,7 @@ CarePage::CarePage(ShellContext& shell)
   connect(keep_, &QPushButton::clicked, this, &CarePage::keepLonger);
   connect(lock_, &QPushButton::clicked, this, &CarePage::lock);
   connect(erase_, &QPushButton::clicked, this, &CarePage::erase);
+  connect(rules_, &QPushButton::clicked, this, &CarePage::changeRules);
   connect(queue_, &DataTable::currentChanged, this, &CarePage::showButtons);
   retranslate();
 }
@@ -134,7 +130,7 @@ void CarePage::read() {
     for (const RetentionItem& item : due_)
       rows.push_back({shown(item.personId),
                       {{shown(item.code)},
-                       {categoryName(item.category)},
+                       {retentionCategoryName(item.category)},
                        {orDash(item.basis)},
                        timeCell(item.sinceUtc_us),
                        timeCell(item.dueUtc_us),
@@ -200,6 +196,7 @@ void CarePage::showButtons() {
           : tr("This record lies on a database server. Its administrator backs it up and restores it with "
                "the "
                "server's own tools."));
+  rules_->setEnabled(workplace.may(Operation::kRetentionManage));
   const RetentionItem* item = current();
   for (QPushButton* button : {keep_, lock_}) button->setEnabled(item != nullptr);
   lock_->setText(item != nullptr && item->held ? tr("&Release\u2026") : tr("&Lock\u2026"));
@@ -284,6 +281,18 @@ void CarePage::askRemoveDemonstration() {
   if (reason) removeDemonstration(*reason);
 }
 
+void CarePage::changeRules() {
+  attempt(shell(), [&] {
+    const std::optional<RetentionRulesEdit> edit =
+        askRetentionRules(this, retentionRules(shell().workplace()));
+    if (!edit) return;
+    for (const RetentionRule& rule : edit->set)
+      setRetentionRule(shell().workplace(), rule.category, rule.keep_days, rule.basis);
+    for (const std::string& category : edit->removed) removeRetentionRule(shell().workplace(), category);
+    read();
+  });
+}
+
 void CarePage::keepLonger() {
   const RetentionItem* item = current();
   if (item == nullptr) return;
@@ -350,6 +359,8 @@ void CarePage::retranslate() {
   queueTitle_->setText(tr("Records due for review"));
   keep_->setText(tr("&Keep longer\u2026"));
   erase_->setText(tr("&Erase\u2026"));
+  rules_->setText(tr("R&ules\u2026"));
+  rules_->setToolTip(tr("How long records are kept, and on what lawful basis"));
   queue_->setColumns({{tr("Person")},
                       {tr("Why")},
                       {tr("Lawful basis")},

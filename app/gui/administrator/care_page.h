@@ -50,6 +50,7 @@ class CarePage : public Page {
   void askBackUp();
   void askTest();
   void askRemoveDemonstration();
+  void changeRules();
   void keepLonger();
   void lock();
   void erase();
@@ -79,6 +80,7 @@ class CarePage : public Page {
   QPushButton* keep_;
   QPushButton* lock_;
   QPushButton* erase_;
+  QPushButton* rules_;
 };
 
 }  // namespace torsio::gui

@@ -27,6 +27,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/study/occasion_service.h"
 
 namespace torsio::gui {
 
@@ -89,6 +90,7 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
     dirty_ = true;
     showButtons();
   });
+  connect(editor_, &CurriculumEditor::occasionWanted, this, &CurriculaPage::askOccasion);
   retranslate();
 }
 
@@ -105,6 +107,7 @@ bool CurriculaPage::leave() {
 void CurriculaPage::read() {
   attempt(shell(), [&] {
     rows_ = torsio::curricula(shell().workplace());
+    editor_->setOccasions(knownOccasions(shell().workplace()));
     show();
   });
 }
@@ -384,6 +387,21 @@ void CurriculaPage::askNew() {
     connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     if (dialog.exec() == QDialog::Accepted) add(name->text().trimmed().toStdString(), chosenId(from));
+  });
+}
+
+void CurriculaPage::askOccasion() {
+  bool given = false;
+  const QString label =
+      QInputDialog::getText(this, tr("Add an occasion"),
+                            tr("It comes after all others, for every curriculum from now on, and is never "
+                               "taken away. What is it called?"),
+                            QLineEdit::Normal, QString(), &given);
+  if (!given) return;
+  attempt(shell(), [&] {
+    const Occasion added = addOccasion(shell().workplace(), label.trimmed().toStdString());
+    editor_->setOccasions(knownOccasions(shell().workplace()));
+    shell().notify(tr("Occasion added: %1").arg(occasionName(added)));
   });
 }
 

@@ -55,6 +55,7 @@ class CurriculaPage : public Page {
   [[nodiscard]] QString draftWords(const CurriculumRow& row) const;
   [[nodiscard]] QString versionWords(const CurriculumRow& row, const CurriculumVersionRow& version) const;
   void askNew();
+  void askOccasion();
   void askPublish();
   void askClose();
   [[nodiscard]] const CurriculumRow* current() const;

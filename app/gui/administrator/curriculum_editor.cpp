@@ -10,6 +10,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/curriculum_parts.h"
@@ -26,19 +27,21 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr std::array<const char*, 3> kPointCodes{"pre", "mid", "post"};
-constexpr std::array<double, 3> kUsualMinutes{0.0, 20.0, 40.0};  // paper section 6
+constexpr double kUsualStep_min = 20.0;  // paper section 6: before, after 20 and after 40 minutes
 constexpr double kMostMinutes = 100'000.0;
 
-std::vector<StoredScoringPoint>::iterator pointOf(StoredCurriculumVersion& content, const char* code) {
+std::vector<StoredScoringPoint>::iterator pointOf(StoredCurriculumVersion& content, const std::string& code) {
   return std::find_if(content.scoringPoints.begin(), content.scoringPoints.end(),
                       [&](const StoredScoringPoint& point) { return point.code == code; });
 }
 
-/// Where a point belongs among those that are there: before all that come later in the study.
-std::vector<StoredScoringPoint>::iterator placeOf(StoredCurriculumVersion& content, std::size_t point) {
-  for (std::size_t later = point + 1; later < kPointCodes.size(); ++later)
-    if (const auto at = pointOf(content, kPointCodes[later]); at != content.scoringPoints.end()) return at;
+/// Finds where an occasion belongs among those that are there: before all that come later in the study.
+std::vector<StoredScoringPoint>::iterator placeOf(StoredCurriculumVersion& content,
+                                                  const Occasions& occasions, std::size_t point) {
+  for (std::size_t later = point + 1; later < occasions.size(); ++later) {
+    const auto at = pointOf(content, occasions.at(later).code);
+    if (at != content.scoringPoints.end()) return at;
+  }
   return content.scoringPoints.end();
 }
 
@@ -50,6 +53,7 @@ CurriculumEditor::CurriculumEditor(std::filesystem::path assets, QWidget* parent
       exercises_(new ExerciseEditor(assets_, content_)),
       groups_(new GroupEditor(content_)),
       pointsText_(sentence(nullptr)),
+      addOccasion_(new QPushButton),
       problemList_(new QListWidget) {
   addTab(exercises_, QString());
   addTab(groups_, QString());
@@ -72,22 +76,41 @@ QWidget* CurriculumEditor::pointsTab() {
   column->setContentsMargins(0, 2 * kSpace, 0, 0);
   column->setSpacing(2 * kSpace);
   column->addWidget(pointsText_);
-  auto* grid = new QGridLayout;
-  grid->setSpacing(kSpace);
-  grid->setColumnStretch(2, 1);
-  for (std::size_t i = 0; i < kPoints; ++i) {
-    wanted_[i] = new QCheckBox;
-    after_[i] = numberField(0.0, kMostMinutes, 1);
-    after_[i]->setMinimumWidth(24 * kSpace);
-    const int row = static_cast<int>(i);
-    grid->addWidget(wanted_[i], row, 0);
-    grid->addWidget(after_[i], row, 1);
-    connect(wanted_[i], &QCheckBox::toggled, this, [this, i] { takePoint(i); });
-    connect(after_[i], &QDoubleSpinBox::valueChanged, this, [this, i] { takePoint(i); });
-  }
-  column->addLayout(grid);
+  pointGrid_ = new QGridLayout;
+  pointGrid_->setSpacing(kSpace);
+  pointGrid_->setColumnStretch(2, 1);
+  column->addLayout(pointGrid_);
+  addOccasion_->setObjectName(QStringLiteral("addOccasion"));
+  column->addWidget(addOccasion_, 0, Qt::AlignLeft);
   column->addStretch(1);
+  connect(addOccasion_, &QPushButton::clicked, this, &CurriculumEditor::occasionWanted);
   return page;
+}
+
+void CurriculumEditor::addPointRow(std::size_t point) {
+  PointRow row{new QCheckBox, numberField(0.0, kMostMinutes, 1)};
+  row.after->setMinimumWidth(24 * kSpace);
+  pointGrid_->addWidget(row.wanted, static_cast<int>(point), 0);
+  pointGrid_->addWidget(row.after, static_cast<int>(point), 1);
+  connect(row.wanted, &QCheckBox::toggled, this, [this, point] { takePoint(point); });
+  connect(row.after, &QDoubleSpinBox::valueChanged, this, [this, point] { takePoint(point); });
+  points_.push_back(row);
+}
+
+void CurriculumEditor::setOccasions(Occasions occasions) {
+  if (std::equal(occasions.begin(), occasions.end(), occasions_.begin(), occasions_.end())) return;
+  for (const PointRow& row : points_) {
+    delete row.wanted;
+    delete row.after;
+  }
+  points_.clear();
+  occasions_ = std::move(occasions);
+  for (std::size_t i = 0; i < occasions_.size(); ++i) {
+    addPointRow(i);
+  }
+  namePoints();
+  fillPoints();
+  judge();
 }
 
 void CurriculumEditor::setContent(const StoredCurriculumVersion& content) {
@@ -106,28 +129,30 @@ void CurriculumEditor::setReadOnly(bool readOnly) {
 
 void CurriculumEditor::fillPoints() {
   filling_ = true;
-  for (std::size_t i = 0; i < kPoints; ++i) {
-    const auto point = pointOf(content_, kPointCodes[i]);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const auto point = pointOf(content_, occasions_.at(i).code);
     const bool wanted = point != content_.scoringPoints.end();
-    wanted_[i]->setChecked(wanted);
-    after_[i]->setEnabled(wanted);
-    after_[i]->setValue(wanted ? static_cast<double>(point->afterExposure_us) / kMicrosecondsOfMinute
-                               : kUsualMinutes[i]);
+    points_[i].wanted->setChecked(wanted);
+    points_[i].after->setEnabled(wanted);
+    points_[i].after->setValue(wanted ? static_cast<double>(point->afterExposure_us) / kMicrosecondsOfMinute
+                                      : kUsualStep_min * static_cast<double>(i));
   }
   filling_ = false;
 }
 
 void CurriculumEditor::takePoint(std::size_t point) {
   if (filling_) return;
-  const char* code = kPointCodes[point];
+  const std::string& code = occasions_.at(point).code;
+  const PointRow& row = points_[point];
   auto stored = pointOf(content_, code);
-  after_[point]->setEnabled(wanted_[point]->isChecked());
-  if (!wanted_[point]->isChecked()) {
+  row.after->setEnabled(row.wanted->isChecked());
+  if (!row.wanted->isChecked()) {
     if (stored != content_.scoringPoints.end()) content_.scoringPoints.erase(stored);
   } else {
     if (stored == content_.scoringPoints.end())
-      stored = content_.scoringPoints.insert(placeOf(content_, point), StoredScoringPoint{code, 0});
-    stored->afterExposure_us = std::llround(after_[point]->value() * kMicrosecondsOfMinute);
+      stored =
+          content_.scoringPoints.insert(placeOf(content_, occasions_, point), StoredScoringPoint{code, 0});
+    stored->afterExposure_us = std::llround(row.after->value() * kMicrosecondsOfMinute);
   }
   changed();
 }
@@ -138,7 +163,7 @@ void CurriculumEditor::changed() {
 }
 
 void CurriculumEditor::judge() {
-  problems_ = curriculumProblems(content_, assets_);
+  problems_ = curriculumProblems(content_, assets_, occasions_);
   problemList_->clear();
   for (const CurriculumProblem& problem : problems_)
     problemList_->addItem(
@@ -155,16 +180,22 @@ void CurriculumEditor::retranslate() {
   pointsText_->setText(
       tr("When the raters score everybody, counted in minutes of training (rest does not "
          "count). The paper scores before, after 20 and after 40 minutes."));
-  for (std::size_t i = 0; i < kPoints; ++i) {
-    wanted_[i]->setText(scoringPointName(kPointCodes[i]));
-    after_[i]->setPrefix(tr("after "));
-    after_[i]->setSuffix(tr(" min"));
-    after_[i]->setAccessibleName(tr("Minutes of training before: %1").arg(scoringPointName(kPointCodes[i])));
-  }
+  addOccasion_->setText(tr("Add an &occasion\u2026"));
+  namePoints();
   exercises_->retranslate();
   groups_->retranslate();
   problemList_->setAccessibleName(tr("What is still to mend"));
   judge();
+}
+
+void CurriculumEditor::namePoints() {
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const QString name = occasionName(occasions_.at(i));
+    points_[i].wanted->setText(name);
+    points_[i].after->setPrefix(tr("after "));
+    points_[i].after->setSuffix(tr(" min"));
+    points_[i].after->setAccessibleName(tr("Minutes of training before: %1").arg(name));
+  }
 }
 
 }  // namespace torsio::gui

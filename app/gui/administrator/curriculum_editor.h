@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <vector>
 
@@ -12,7 +11,9 @@
 class QCheckBox;
 class QDoubleSpinBox;
 class QLabel;
+class QGridLayout;
 class QListWidget;
+class QPushButton;
 
 namespace torsio::gui {
 
@@ -20,7 +21,7 @@ class ExerciseEditor;
 class GroupEditor;
 
 /// The parts of a curriculum to fill in: exercises with targets and mastery, groups with phases and rest,
-/// scoring points, and in words what still keeps it from being published. What is shown and not touched comes
+/// occasions, and in words what still keeps it from being published. What is shown and not touched comes
 /// out as it went in.
 class CurriculumEditor : public QTabWidget {
   Q_OBJECT
@@ -28,6 +29,8 @@ class CurriculumEditor : public QTabWidget {
  public:
   CurriculumEditor(std::filesystem::path assets, QWidget* parent = nullptr);
 
+  /// Offers these occasions; call it before setContent().
+  void setOccasions(Occasions occasions);
   void setContent(const StoredCurriculumVersion& content);
   [[nodiscard]] const StoredCurriculumVersion& content() const noexcept { return content_; }
   [[nodiscard]] const std::vector<CurriculumProblem>& problems() const noexcept { return problems_; }
@@ -36,17 +39,25 @@ class CurriculumEditor : public QTabWidget {
 
  Q_SIGNALS:
   void edited();
+  /// Somebody wants an occasion that the record does not know yet.
+  void occasionWanted();
 
  private:
-  static constexpr std::size_t kPoints = 3;  // pre, mid, post
+  struct PointRow {
+    QCheckBox* wanted;
+    QDoubleSpinBox* after;
+  };
 
   QWidget* pointsTab();
   void fillPoints();
+  void addPointRow(std::size_t point);
   void takePoint(std::size_t point);
+  void namePoints();
   void changed();
   void judge();
 
   std::filesystem::path assets_;
+  Occasions occasions_;
   StoredCurriculumVersion content_;
   std::vector<CurriculumProblem> problems_;
   bool filling_ = false;
@@ -54,8 +65,9 @@ class CurriculumEditor : public QTabWidget {
   ExerciseEditor* exercises_;
   GroupEditor* groups_;
   QLabel* pointsText_;
-  std::array<QCheckBox*, kPoints> wanted_{};
-  std::array<QDoubleSpinBox*, kPoints> after_{};
+  QGridLayout* pointGrid_ = nullptr;
+  std::vector<PointRow> points_;  // one an occasion
+  QPushButton* addOccasion_;
   QListWidget* problemList_;
 };
 

@@ -16,7 +16,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 
 namespace torsio::gui {
 
@@ -69,7 +69,7 @@ void DevicesPage::check() {
       },
       [this, result] {
         result_ = *result;
-        if (StationLine* line = shell().line(); line != nullptr)
+        if (StationWriter* line = shell().line(); line != nullptr)
           line->showDevice(stationDevice(hapticReadiness(*result), shell().workplace().now_us()));
         show();
       });

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -27,6 +26,7 @@
 #include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/scene/scene.h"
 
@@ -34,7 +34,6 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kFirstTarget_deg = 60.0;
 constexpr double kFirstTolerance_deg = 5.0;
 constexpr int kMostAttempts = 1'000'000;
@@ -146,11 +145,14 @@ void ExerciseEditor::connectFields() {
   };
   choice(pattern_, &StoredModule::patternId);
   choice(kind_, &StoredModule::exerciseKind);
-  choice(mode_, &StoredModule::mode);
-  const auto angle = [this](QDoubleSpinBox* box, double StoredModule::*field) {
-    connect(box, &QDoubleSpinBox::valueChanged, this, [=, this](double value) {
-      take([=](StoredModule& module) { module.*field = value * kDegree; });
+  connect(mode_, &QComboBox::activated, this, [this] {
+    take([this](StoredModule& module) {
+      module.mode = fromStoredText<AttemptMode>(chosenId(mode_)).value_or(module.mode);
     });
+  });
+  const auto angle = [this](QDoubleSpinBox* box, double StoredModule::*field) {
+    connect(box, &QDoubleSpinBox::valueChanged, this,
+            [=, this](double value) { take([=](StoredModule& module) { module.*field = radians(value); }); });
   };
   angle(target_, &StoredModule::targetAngle_rad);
   angle(tolerance_, &StoredModule::tolerance_rad);
@@ -228,8 +230,8 @@ void ExerciseEditor::show() {
   code_->setText(shown(module->code));
   title_->setText(shown(module->title));
   showPlaces(*module);
-  target_->setValue(module->targetAngle_rad / kDegree);
-  tolerance_->setValue(module->tolerance_rad / kDegree);
+  target_->setValue(degrees(module->targetAngle_rad));
+  tolerance_->setValue(degrees(module->tolerance_rad));
   hold_->setValue(static_cast<double>(module->hold_us) / kMicrosecondsOfSecond);
   force_->setValue(module->maxForce_N.value_or(0.0));
   torque_->setValue(module->maxTorque_Nm.value_or(0.0));
@@ -254,7 +256,7 @@ void ExerciseEditor::showPlaces(const StoredModule& module) {
   kind_->clear();
   for (const std::string& kind : exerciseKinds()) kind_->addItem(exerciseKindName(kind), shown(kind));
   chooseOrAdd(kind_, module.exerciseKind);
-  chooseOrAdd(mode_, module.mode);
+  chooseOrAdd(mode_, std::string(storedText(module.mode)));
 }
 
 void ExerciseEditor::showPrerequisites(const StoredModule& module) {
@@ -407,8 +409,8 @@ void ExerciseEditor::add() {
     module.sceneId = sceneIds(assets_).front();
     module.patternId = patternIds(assets_, module.sceneId).front();
     module.exerciseKind = exerciseKinds().front();
-    module.targetAngle_rad = kFirstTarget_deg * kDegree;
-    module.tolerance_rad = kFirstTolerance_deg * kDegree;
+    module.targetAngle_rad = radians(kFirstTarget_deg);
+    module.tolerance_rad = radians(kFirstTolerance_deg);
   }
   content_.modules.push_back(std::move(module));
   select(static_cast<int>(content_.modules.size()) - 1);
@@ -471,8 +473,8 @@ void ExerciseEditor::retranslate() {
   for (QDoubleSpinBox* box : {force_, torque_}) box->setSpecialValueText(tr("no limit"));
   attempts_->setSpecialValueText(tr("no limit"));
   mode_->clear();
-  mode_->addItem(tr("practice"), QStringLiteral("practice"));
-  mode_->addItem(tr("graded"), QStringLiteral("graded"));
+  mode_->addItem(tr("practice"), shown(std::string(storedText(AttemptMode::kPractice))));
+  mode_->addItem(tr("graded"), shown(std::string(storedText(AttemptMode::kGraded))));
   list_->setAccessibleName(tr("Exercises, in their order"));
   after_->setAccessibleName(tr("Opens only after these are mastered"));
   mastery_->setAccessibleName(tr("Rules of mastery"));

@@ -19,6 +19,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/page_heading.h"
+#include "app/maintenance/person_package.h"
 
 namespace torsio::gui {
 
@@ -47,11 +48,17 @@ RosterPage::RosterPage(ShellContext& shell)
       names_(new QCheckBox(this)),
       edit_(nullptr),
       state_(nullptr),
-      export_(nullptr) {
+      export_(nullptr),
+      package_(nullptr),
+      erase_(nullptr) {
   table_->addTool(names_);
   edit_ = listButton(table_);
   state_ = listButton(table_);
   export_ = listButton(table_);
+  package_ = listButton(table_);
+  erase_ = listButton(table_);
+  package_->setObjectName(QStringLiteral("exportPerson"));
+  erase_->setObjectName(QStringLiteral("erasePerson"));
   import_->setProperty("primary", true);
   heading_->addAction(add_);
   heading_->addAction(import_);
@@ -66,6 +73,8 @@ RosterPage::RosterPage(ShellContext& shell)
   connect(edit_, &QPushButton::clicked, this, &RosterPage::edit);
   connect(state_, &QPushButton::clicked, this, &RosterPage::switchState);
   connect(export_, &QPushButton::clicked, this, &RosterPage::exportList);
+  connect(package_, &QPushButton::clicked, this, &RosterPage::askExportPerson);
+  connect(erase_, &QPushButton::clicked, this, &RosterPage::askErasePerson);
   connect(names_, &QCheckBox::toggled, this, &RosterPage::read);
   connect(table_, &DataTable::currentChanged, this, &RosterPage::showButtons);
   connect(table_, &DataTable::activated, this, &RosterPage::edit);
@@ -74,6 +83,8 @@ RosterPage::RosterPage(ShellContext& shell)
 
 void RosterPage::enter(const QVariant&) {
   names_->setVisible(shell().workplace().may(Operation::kPersonViewIdentity));
+  package_->setVisible(shell().workplace().may(Operation::kPersonExport));
+  erase_->setVisible(shell().workplace().may(Operation::kPersonErase));
   for (QPushButton* button : {import_, add_, edit_, state_}) {
     button->setVisible(shell().workplace().may(Operation::kPersonEdit));
   }
@@ -89,6 +100,9 @@ void RosterPage::retranslate() {
   names_->setText(tr("Show na&mes"));
   edit_->setText(tr("&Change\u2026"));
   export_->setText(tr("&Export\u2026"));
+  package_->setText(tr("Export this person\u2019s recor&d\u2026"));
+  package_->setToolTip(tr("Everything the record holds about one person, for themselves"));
+  erase_->setText(tr("Erase on re&quest\u2026"));
   table_->setColumns({{tr("Code")},
                       {tr("Name")},
                       {tr("Number")},
@@ -141,12 +155,21 @@ void RosterPage::show() {
   showButtons();
 }
 
+const NamedPersonRow* RosterPage::current() const {
+  const std::string id = table_->currentId().toStdString();
+  const auto person = std::find_if(people_.begin(), people_.end(),
+                                   [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
+  return person == people_.end() ? nullptr : &*person;
+}
+
 void RosterPage::showButtons() {
   const std::string id = table_->currentId().toStdString();
   const auto person = std::find_if(people_.begin(), people_.end(),
                                    [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
   edit_->setEnabled(person != people_.end());
   state_->setEnabled(person != people_.end());
+  package_->setEnabled(person != people_.end());
+  erase_->setEnabled(person != people_.end());
   const bool left = person != people_.end() && person->row.person.state != "active";
   state_->setText(left ? tr("Came &back\u2026") : tr("Has &left\u2026"));
 }
@@ -201,6 +224,56 @@ void RosterPage::switchState() {
     if (!reason) return;
     setPersonState(shell().workplace(), id, active ? "left" : "active", *reason);
     read();
+  } catch (...) {
+    shell().report(std::current_exception());
+  }
+}
+
+void RosterPage::askExportPerson() {
+  const NamedPersonRow* person = current();
+  if (person == nullptr) return;
+  const QString code = QString::fromStdString(person->row.person.code);
+  const std::optional<std::string> reason =
+      askReason(this, tr("Export this person\u2019s record"),
+                tr("A new folder takes everything about %1: tables, recordings and a list of all files. It "
+                   "holds the name; hand it to nobody else.")
+                    .arg(code));
+  if (!reason) return;
+  const QString folder = askFileToSave(this, tr("New folder for the record of %1").arg(code),
+                                       QStringLiteral("record-%1").arg(code), tr("Folder (*)"));
+  if (!folder.isEmpty()) exportPerson(std::filesystem::path(folder.toStdString()), *reason);
+}
+
+void RosterPage::exportPerson(const std::filesystem::path& folder, const std::string& reason) {
+  const NamedPersonRow* person = current();
+  if (person == nullptr) return;
+  const auto package = std::make_shared<PersonPackage>();
+  shell().run(
+      tr("Exporting a record"),
+      [id = person->row.person.id, folder, reason, package](Workplace& workplace, const ProgressCallback&) {
+        *package = exportPersonPackage(workplace, id, folder, reason);
+      },
+      [this, package] {
+        shell().notify(tr("%1 tables and %2 recordings written to %3")
+                           .arg(package->tables)
+                           .arg(package->recordings)
+                           .arg(QString::fromStdString(package->folder.string())));
+      });
+}
+
+void RosterPage::askErasePerson() {
+  const NamedPersonRow* person = current();
+  if (person == nullptr) return;
+  const std::optional<std::string> reason =
+      askReason(this, tr("Erase on request"),
+                tr("Name, number and recordings of %1 are erased for good. Marks stay without a person, so "
+                   "that statistics remain right. This cannot be taken back.")
+                    .arg(QString::fromStdString(person->row.person.code)));
+  if (!reason) return;
+  try {
+    erasePersonRecord(shell().workplace(), person->row.person.id, *reason);
+    read();
+    shell().notify(tr("The record is erased"));
   } catch (...) {
     shell().report(std::current_exception());
   }

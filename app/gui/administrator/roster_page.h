@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+#include <string>
 #include <vector>
 
 #include "app/gui/base/page.h"
@@ -24,6 +26,9 @@ class RosterPage : public Page {
   void enter(const QVariant& argument) override;
   void retranslate() override;
 
+  /// Writes everything about the chosen person into a new folder.
+  void exportPerson(const std::filesystem::path& folder, const std::string& reason);
+
  private:
   void read();
   void show();
@@ -33,6 +38,9 @@ class RosterPage : public Page {
   void edit();
   void switchState();
   void exportList();
+  void askExportPerson();
+  void askErasePerson();
+  [[nodiscard]] const NamedPersonRow* current() const;
 
   std::vector<NamedPersonRow> people_;  // identities empty while names are hidden
   PageHeading* heading_;
@@ -43,6 +51,8 @@ class RosterPage : public Page {
   QPushButton* edit_;
   QPushButton* state_;
   QPushButton* export_;
+  QPushButton* package_;
+  QPushButton* erase_;
 };
 
 }  // namespace torsio::gui

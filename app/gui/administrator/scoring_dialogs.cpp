@@ -77,11 +77,11 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
   table->selectAll(atWork);
   dialog.column->addWidget(table, 1);
   std::vector<std::pair<std::string, QCheckBox*>> points;
-  for (const char* code : {"pre", "mid", "post"}) {
-    auto* box = new QCheckBox(scoringPointName(code), &dialog);
+  for (const Occasion& occasion : matrix.occasions) {
+    auto* box = new QCheckBox(occasionName(occasion), &dialog);
     box->setChecked(true);
     dialog.column->addWidget(box);
-    points.emplace_back(code, box);
+    points.emplace_back(occasion.code, box);
   }
   QPushButton* ask = dialog.finish(words(QT_TRANSLATE_NOOP("Scoring", "Ask")));
   const auto showAsk = [ask, table] { ask->setEnabled(!table->selectedIds().isEmpty()); };
@@ -99,13 +99,13 @@ std::optional<SheetMoved> askReassignment(QWidget* parent, const ScoringMatrix& 
                                           const ScoringMatrix::Line& line) {
   Question dialog(parent, words(QT_TRANSLATE_NOOP("Scoring", "Reassign a sheet")),
                   words(QT_TRANSLATE_NOOP("Scoring", "%1, %2"))
-                      .arg(shown(line.traineeCode), scoringPointName(line.scoringPoint)));
+                      .arg(shown(line.traineeCode), occasionName(line.occasion)));
   auto* from = new QComboBox(&dialog);
   auto* to = new QComboBox(&dialog);
   to->addItem(words(QT_TRANSLATE_NOOP("Scoring", "nobody: take it back only")), QString());
   for (std::size_t r = 0; r < matrix.raters.size(); ++r) {
     const ScoringCell& cell = line.cells[r];
-    const bool open = cell.state == SheetState::kOpen || cell.state == SheetState::kDraft;
+    const bool open = isOutstanding(cell.state);
     if (!cell.assignmentId.empty() && open)
       from->addItem(words(QT_TRANSLATE_NOOP("Scoring", "%1 (%2)"))
                         .arg(shown(matrix.raters[r].code), sheetStateName(cell.state)),
@@ -137,10 +137,10 @@ std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<Relea
     point->addItem(
         words(state.released ? QT_TRANSLATE_NOOP("Scoring", "%1: released, take back")
                              : QT_TRANSLATE_NOOP("Scoring", "%1: release, %2 of %3 sheets missing"))
-            .arg(scoringPointName(state.scoringPoint))
+            .arg(occasionName(state.occasion))
             .arg(state.missing)
             .arg(state.sheets),
-        shown(state.scoringPoint));
+        shown(state.occasion.code));
   auto* reason = new QLineEdit(&dialog);
   auto* form = new QFormLayout;
   form->addRow(words(QT_TRANSLATE_NOOP("Scoring", "&Scoring point")), point);
@@ -157,7 +157,7 @@ std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<Relea
   check();
   if (dialog.exec() != QDialog::Accepted) return std::nullopt;
   const ReleaseState& chosen = states[static_cast<std::size_t>(point->currentIndex())];
-  return ReleaseChange{chosen.scoringPoint, !chosen.released, reason->text().trimmed().toStdString()};
+  return ReleaseChange{chosen.occasion.code, !chosen.released, reason->text().trimmed().toStdString()};
 }
 
 namespace {
@@ -167,11 +167,11 @@ Row rowOf(const ThirdRequest& request) {
   QStringList reasons;
   for (const std::string& code : request.askedBy) by << shown(code);
   for (const std::string& reason : request.reasons) reasons << shown(reason);
-  const QString point = scoringPointName(request.scoringPoint);
+  const QString point = occasionName(request.occasion);
   return {shown(request.assignmentId),
           {{shown(request.traineeCode)},
            {request.live ? words(QT_TRANSLATE_NOOP("Scoring", "%1, live")).arg(point) : point,
-            shown(request.scoringPoint)},
+            shown(request.occasion.code)},
            {by.join(QStringLiteral(", "))},
            {reasons.join(QStringLiteral(" \u00B7 ")), {}, reasons.join(QLatin1Char('\n'))},
            timeCell(request.askedUtc_us)}};

@@ -17,7 +17,7 @@ struct RatersAsked {
   std::vector<std::string> raterIds{};
   std::vector<std::string> scoringPoints{};
 };
-/// Who is asked, and for which scoring points. Chosen already: those of `matrix` who have open sheets; nobody
+/// Who is asked, and at which occasions. Chosen already: those of `matrix` who have open sheets; nobody
 /// when nothing is open. Empty: given up.
 [[nodiscard]] std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<PersonRow>& raters,
                                                       const ScoringMatrix& matrix);

@@ -10,13 +10,16 @@
 #include "app/gui/administrator/office_parts.h"
 #include "app/gui/administrator/scoring_dialogs.h"
 #include "app/gui/administrator/study_words.h"
+#include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/administrator/warm_up_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
+#include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/page_heading.h"
 #include "app/people/people_service.h"
 #include "app/study/rubric_service.h"
 #include "sim/base/error.h"
+#include "sim/base/file_io.h"
 
 namespace torsio::gui {
 
@@ -44,6 +47,7 @@ ScoringPage::ScoringPage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
       warmUp_(new QPushButton(this)),
+      revise_(new QPushButton(this)),
       ask_(new QPushButton(this)),
       cohortLabel_(nullptr),
       cohort_(new QComboBox(this)),
@@ -53,6 +57,8 @@ ScoringPage::ScoringPage(ShellContext& shell)
       release_(listButton(table_)),
       third_(listButton(table_)) {
   ask_->setProperty("primary", true);
+  revise_->setObjectName(QStringLiteral("reviseRubric"));
+  heading_->addAction(revise_);
   heading_->addAction(warmUp_);
   heading_->addAction(ask_);
   auto* choices = new QHBoxLayout;
@@ -71,6 +77,7 @@ ScoringPage::ScoringPage(ShellContext& shell)
   connect(reassign_, &QPushButton::clicked, this, &ScoringPage::reassignSheet);
   connect(release_, &QPushButton::clicked, this, &ScoringPage::release);
   connect(third_, &QPushButton::clicked, this, &ScoringPage::assignThirdRater);
+  connect(revise_, &QPushButton::clicked, this, &ScoringPage::askRevision);
   connect(warmUp_, &QPushButton::clicked, this, &ScoringPage::showWarmUp);
   connect(table_, &DataTable::currentChanged, this, &ScoringPage::showButtons);
   retranslate();
@@ -115,7 +122,7 @@ void ScoringPage::show() {
       const ScoringMatrix::Line& line = matrix_->lines[i];
       Row row{QString::number(i),
               {{shown(line.traineeCode)},
-               {scoringPointName(line.scoringPoint), shown(line.scoringPoint)},
+               {occasionName(line.occasion), shown(line.occasion.code)},
                {line.missing == 0 ? QStringLiteral("\u2013") : QString::number(line.missing),
                 static_cast<qlonglong>(line.missing)}}};
       for (const ScoringCell& cell : line.cells)
@@ -140,6 +147,7 @@ void ScoringPage::showButtons() {
   const std::size_t at = table_->currentId().isEmpty() ? SIZE_MAX : table_->currentId().toULongLong();
   reassign_->setEnabled(matrix_ && at < matrix_->lines.size() && matrix_->lines[at].missing > 0);
   release_->setEnabled(!releases_.empty());
+  revise_->setEnabled(workplace.may(Operation::kCurriculumEdit));
   warmUp_->setEnabled(workplace.may(Operation::kStudySetup));
   // A number that is not 0 calls; without requests there is nothing to press.
   third_->setVisible(!thirds_.empty());
@@ -155,6 +163,28 @@ std::string ScoringPage::rubricRevision() {
     return addRubric(shell().workplace(), templates.front().title, templates.front().revision);
   }
   return all.front().revisions.back().id;
+}
+
+bool ScoringPage::revise(const std::filesystem::path& file, const std::string& note) {
+  return attempt(shell(), [&] {
+    static_cast<void>(rubricRevision());  // the shipped one, when there is none yet
+    const RubricTemplate next = parseRubric(readFile(file), file.stem().string());
+    const RubricRow rubric = rubrics(shell().workplace()).front();
+    reviseRubric(shell().workplace(), rubric.id, next.revision, note);
+    shell().notify(tr("%1: revision %2 is used from now on")
+                       .arg(shown(rubric.name))
+                       .arg(rubric.revisions.back().number + 1));
+  });
+}
+
+void ScoringPage::askRevision() {
+  const QString file = askFileToOpen(this, tr("Revise the scoring sheet"), tr("Scoring sheet (*.json)"));
+  if (file.isEmpty()) return;
+  const std::optional<std::string> note = askReason(
+      this, tr("Revise the scoring sheet"),
+      tr("Raters who are asked from now on fill in the new sheet. Sheets that were asked for before "
+         "stay as they are; both revisions are kept for good."));
+  if (note) revise(std::filesystem::path(file.toStdString()), *note);
 }
 
 bool ScoringPage::ask(const std::vector<std::string>& raterIds,
@@ -229,6 +259,8 @@ void ScoringPage::retranslate() {
   heading_->setTexts(tr("Scoring"),
                      tr("Who scores whom, and how far it has come. Marks are not shown here."));
   warmUp_->setText(tr("&Warm-up\u2026"));
+  revise_->setText(tr("Scoring &sheet\u2026"));
+  revise_->setToolTip(tr("Takes the next revision of the scoring sheet from a file"));
   warmUp_->setToolTip(tr("The reference runs that every physician scores first"));
   ask_->setText(tr("&Ask raters\u2026"));
   third_->setToolTip(tr("Physicians could not agree and ask for one more"));

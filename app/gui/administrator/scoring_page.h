@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/gui/base/page.h"
@@ -17,7 +19,7 @@ namespace torsio::gui {
 class DataTable;
 class PageHeading;
 
-/// Who scores whom and how far it has come: trainees and scoring points against raters. No marks are shown
+/// Who scores whom and how far it has come: trainees and occasions against raters. No marks are shown
 /// here.
 class ScoringPage : public Page {
   Q_OBJECT
@@ -29,13 +31,17 @@ class ScoringPage : public Page {
   void retranslate() override;
 
   [[nodiscard]] DataTable& matrix() const noexcept { return *table_; }
-  /// Asks the raters for every trainee of the cohort at these scoring points.
+  /// Asks the raters for every trainee of the cohort at these occasions.
   bool ask(const std::vector<std::string>& raterIds, const std::vector<std::string>& scoringPoints);
+
+  /// Takes the next revision of the scoring sheet from a file like those of assets/rubrics.
+  bool revise(const std::filesystem::path& file, const std::string& note);
 
  private:
   void read();
   void show();
   void showButtons();
+  void askRevision();
   void askRaters();
   void reassignSheet();
   void release();
@@ -48,6 +54,7 @@ class ScoringPage : public Page {
   std::vector<ThirdRequest> thirds_;
   PageHeading* heading_;
   QPushButton* warmUp_;
+  QPushButton* revise_;
   QPushButton* ask_;
   QLabel* cohortLabel_;
   QComboBox* cohort_;

@@ -27,20 +27,22 @@ QString named(Names names, const std::string& code) {
 
 }  // namespace
 
-QString scoringPointName(const std::string& code) {
+QString occasionName(const Occasion& occasion) {
   static const std::pair<const char*, const char*> kNames[] = {
       {"pre", QT_TRANSLATE_NOOP("Study", "before training")},
       {"mid", QT_TRANSLATE_NOOP("Study", "half-way")},
       {"post", QT_TRANSLATE_NOOP("Study", "after training")}};
-  return named(kNames, code);
+  for (const auto& [known, name] : kNames)
+    if (occasion.code == known) return words(name);
+  return named({}, occasion.label);
 }
 
-QString enrolmentStateName(const std::string& code) {
+QString enrolmentStateName(EnrolmentState state) {
   static const std::pair<const char*, const char*> kNames[] = {
       {"enrolled", QT_TRANSLATE_NOOP("Study", "enrolled")},
       {"completed", QT_TRANSLATE_NOOP("Study", "completed")},
       {"withdrawn", QT_TRANSLATE_NOOP("Study", "withdrew")}};
-  return named(kNames, code);
+  return named(kNames, std::string(storedText(state)));
 }
 
 QString factorName(const std::string& code) {
@@ -106,10 +108,10 @@ QString versionStateName(const std::string& code) {
   return named(kNames, code);
 }
 
-QString phaseKindName(const std::string& code) {
+QString phaseKindName(PhaseKind kind) {
   static const std::pair<const char*, const char*> kNames[] = {
       {"virtual", QT_TRANSLATE_NOOP("Study", "simulator")}, {"real", QT_TRANSLATE_NOOP("Study", "real arm")}};
-  return named(kNames, code);
+  return named(kNames, std::string(storedText(kind)));
 }
 
 QString exerciseKindName(const std::string& code) {

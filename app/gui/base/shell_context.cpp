@@ -8,7 +8,7 @@
 #include <QElapsedTimer>
 
 #include "app/gui/base/spoken.h"
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 
 namespace torsio::gui {
 

@@ -17,7 +17,7 @@
 #include "app/gui/widgets/theme.h"
 
 namespace torsio {
-class StationLine;
+class StationWriter;
 }
 
 namespace torsio::gui {
@@ -49,8 +49,8 @@ class ShellContext : public QObject {
 
   /// For what nobody waits for (signs of life, training time); null: the workplace writes at once. It
   /// outlives the context.
-  [[nodiscard]] StationLine* line() const noexcept { return line_; }
-  void setLine(StationLine* line) noexcept { line_ = line; }
+  [[nodiscard]] StationWriter* line() const noexcept { return line_; }
+  void setLine(StationWriter* line) noexcept { line_ = line; }
   /// Whether the database is known to be away: then the GUI thread must not ask it anything.
   [[nodiscard]] bool databaseAway() const;
 
@@ -93,7 +93,7 @@ class ShellContext : public QObject {
   Workplace& workplace_;
   std::filesystem::path assets_;
   ThemeKind theme_;
-  StationLine* line_ = nullptr;
+  StationWriter* line_ = nullptr;
   QThreadPool workers_;
   int jobs_ = 0;
   std::atomic<bool> cancelled_{false};

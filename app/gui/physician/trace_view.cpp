@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <QLocale>
@@ -11,6 +10,7 @@
 #include <QPainter>
 
 #include "app/gui/physician/review_words.h"
+#include "sim/base/angle.h"
 
 namespace torsio::gui {
 
@@ -19,7 +19,6 @@ namespace {
 constexpr int kLaneGap = 6;
 constexpr int kWatchedHeight = 4;
 constexpr std::size_t kMostStretches = 65'536;  // a dozen for each pixel of the widest screen
-constexpr double kRadToDeg = 180.0 / std::numbers::pi;
 constexpr std::int64_t kTickSteps_us[] = {1'000'000,  2'000'000,   5'000'000,   10'000'000,  30'000'000,
                                           60'000'000, 120'000'000, 300'000'000, 600'000'000, 1'800'000'000};
 
@@ -35,7 +34,7 @@ void TraceCollector::add(std::span<const Sample> samples) {
   for (const Sample& sample : samples) {
     if (!begun_) begin_us_ = sample.device.time_us;
     begun_ = true;
-    const std::array<float, 3> now{static_cast<float>(sample.response.angle_rad * kRadToDeg),
+    const std::array<float, 3> now{static_cast<float>(degrees(sample.response.angle_rad)),
                                    static_cast<float>(sample.response.torque_Nm),
                                    static_cast<float>(norm(sample.force_N))};
     data_.duration_us = sample.device.time_us - begin_us_;

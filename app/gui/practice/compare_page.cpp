@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <QComboBox>
@@ -26,6 +25,7 @@
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/picture.h"
+#include "sim/base/angle.h"
 
 namespace torsio::gui {
 
@@ -35,7 +35,6 @@ constexpr int kSteps = 1000;
 constexpr double kBeyondTarget = 1.2;
 constexpr std::size_t kTimesKept = 31;
 constexpr int kStripFrames = 5;
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -185,7 +184,7 @@ void ComparePage::show(Side& side) {
   const Scene& scene = *side.scene.scene;
   const TwistState state = scene.model.stateForTorque(graspOf(scene), torque_Nm_);
   const QLocale locale;
-  side.angle->setText(tr("Angle  %1\u00b0").arg(locale.toString(state.graspAngle_rad * kDegPerRad, 'f', 1)));
+  side.angle->setText(tr("Angle  %1\u00b0").arg(locale.toString(degrees(state.graspAngle_rad), 'f', 1)));
   side.shear->setText(
       tr("Largest shear  %1 kPa").arg(locale.toString(scene.model.peakShear_Pa(state) / 1000.0, 'f', 2)));
   side.time->setText(tr("Computed in  %1 \u00b5s").arg(locale.toString(median(side.times_us), 'f', 0)));

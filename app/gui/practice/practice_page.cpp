@@ -10,6 +10,7 @@
 #include "app/gui/simulator/scripted_twist.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/recording/trial_store.h"
+#include "sim/base/tick_period.h"
 
 namespace torsio::gui {
 
@@ -53,17 +54,16 @@ PracticePage::~PracticePage() = default;
 TrialRecording PracticePage::recording() {
   store_ = std::make_shared<TrialStore>(shell().workplace().key().locator);
   TrialRecording recording;
-  recording.open = [store = store_, own = own_](const TrialHeader& header) {
-    own->insert(header.trialId);
+  recording.open = [store = store_, own = own_](const RecordingSpec& spec) {
+    own->insert(spec.trialId);
     return store->newSink();
   };
   recording.list = [store = store_, own = own_] {
-    const std::int64_t tickPeriod_us = TrialHeader{}.tickPeriod_us;  // the simulator records at no other
     std::vector<RecordedTrial> trials;
     for (const TrialListing& trial : store->list()) {
       if (!trial.summary || !own->contains(trial.trialId)) continue;
-      const double duration_s = static_cast<double>(trial.summary->samples * tickPeriod_us) * 1e-6;
-      trials.push_back({trial.trialId, trial.sceneId, trial.patternId, trial.startedUtc_us, duration_s});
+      trials.push_back({trial.trialId, trial.sceneId, trial.patternId, trial.startedUtc_us,
+                        spanOf_s(trial.summary->samples)});
     }
     return trials;
   };

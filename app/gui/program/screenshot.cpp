@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include <QCoreApplication>
@@ -13,10 +14,11 @@
 #include <QTimer>
 
 #include "app/gui/simulator/film_strip.h"
-#include "app/gui/simulator/live_run.h"
 #include "app/gui/simulator/scripted_twist.h"
 #include "app/gui/widgets/picture.h"
+#include "app/recording/recorded_run.h"
 #include "sim/base/error.h"
+#include "sim/device/virtual/pointer_device.h"
 
 namespace torsio::gui {
 
@@ -116,9 +118,9 @@ FrameRate measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& re
   LiveState state = scriptedTwist(*controller.scene(), angleOf(request, window));
   const double widest_rad = state.response.angle_rad;
   // The window shows scripted states, so that every machine draws the same; the servo works beside it.
-  RunSetup start;
-  start.start.position_m = controller.parkingPoint_m();
-  LiveRun servo(controller.sharedScene(), start);
+  Pose parked;
+  parked.position_m = controller.parkingPoint_m();
+  RecordedRun servo(controller.sharedScene(), std::make_unique<PointerDevice>(parked), {}, nullptr);
   servo.start();
   FrameRate rate;
   // Ends each wait; with a time limit Qt would spin and take the processor from the renderer.

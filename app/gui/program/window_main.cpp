@@ -2,7 +2,6 @@
 #include "app/gui/program/window_main.h"
 
 #include <cstdio>
-#include <numbers>
 #include <optional>
 
 #include <QApplication>
@@ -20,6 +19,7 @@
 #include "app/gui/shell/shell_window.h"
 #include "app/recording/trial_store.h"
 #include "app/report/typeface.h"
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -99,7 +99,7 @@ ScreenshotRequest pictureOf(const QCommandLineParser& parser, const SceneRequest
   picture.file = std::filesystem::path(parser.value(QStringLiteral("screenshot")).toStdString());
   picture.scene = scene;
   if (parser.isSet(QStringLiteral("angle"))) {
-    picture.angle_rad = numberOf(parser, QStringLiteral("angle")) * std::numbers::pi / 180.0;
+    picture.angle_rad = radians(numberOf(parser, QStringLiteral("angle")));
   }
   picture.size = sizeOf(parser.value(QStringLiteral("size")));
   picture.sceneOnly = parser.isSet(QStringLiteral("scene-only"));

@@ -8,6 +8,7 @@
 
 #include <qfloat16.h>
 
+#include "sim/base/angle.h"
 #include "sim/base/contracts.h"
 
 namespace torsio::gui {
@@ -39,17 +40,26 @@ struct Lamp {
   Radiance radiance;
 };
 
-constexpr float kDegree = kPi / 180.0F;
+constexpr float kRadiansPerDegree_f = static_cast<float>(kRadiansPerDegree);
 
 const std::array<Lamp, 4>& lamps() {
   static const std::array<Lamp, 4> kLamps = {{
       {unit({-0.35F, 0.85F, 0.55F}),
-       15.0F * kDegree,
-       7.0F * kDegree,
-       {14.0F, 13.6F, 13.0F}},                                                             // operating lamp
-      {unit({0.75F, 0.55F, 0.55F}), 11.0F * kDegree, 9.0F * kDegree, {4.6F, 4.8F, 5.2F}},  // second lamp
-      {unit({-0.95F, 0.05F, 0.30F}), 20.0F * kDegree, 16.0F * kDegree, {1.1F, 1.2F, 1.35F}},  // wall panel
-      {unit({0.25F, 0.25F, -0.95F}), 18.0F * kDegree, 14.0F * kDegree, {2.2F, 2.3F, 2.5F}},   // from behind
+       15.0F * kRadiansPerDegree_f,
+       7.0F * kRadiansPerDegree_f,
+       {14.0F, 13.6F, 13.0F}},  // operating lamp
+      {unit({0.75F, 0.55F, 0.55F}),
+       11.0F * kRadiansPerDegree_f,
+       9.0F * kRadiansPerDegree_f,
+       {4.6F, 4.8F, 5.2F}},  // second lamp
+      {unit({-0.95F, 0.05F, 0.30F}),
+       20.0F * kRadiansPerDegree_f,
+       16.0F * kRadiansPerDegree_f,
+       {1.1F, 1.2F, 1.35F}},  // wall panel
+      {unit({0.25F, 0.25F, -0.95F}),
+       18.0F * kRadiansPerDegree_f,
+       14.0F * kRadiansPerDegree_f,
+       {2.2F, 2.3F, 2.5F}},  // from behind
   }};
   return kLamps;
 }

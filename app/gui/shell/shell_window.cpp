@@ -21,7 +21,7 @@
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 
 namespace torsio::gui {
 
@@ -78,7 +78,7 @@ ShellWindow::ShellWindow(const ShellSetup& setup)
   retranslate();
   qApp->installEventFilter(this);
   connect(&second_, &QTimer::timeout, this, &ShellWindow::watchIdleness);
-  connect(&second_, &QTimer::timeout, this, &ShellWindow::beat);
+  connect(&second_, &QTimer::timeout, this, &ShellWindow::heartbeat);
   second_.start(1000);
   restoreGeometry(preferences_.layout(QStringLiteral("window")).toByteArray());
 }
@@ -214,7 +214,7 @@ void ShellWindow::start() {
   openDatabase();
 }
 
-void ShellWindow::beat() {
+void ShellWindow::heartbeat() {
   if (!line_) return;
   line_->signIn(workplace_->actor());
   showAnswers(line_->answers());
@@ -241,7 +241,7 @@ void ShellWindow::reconnect() {
   try {
     workplace_->reconnect();
   } catch (...) {
-    answered_ = false;  // away again; the next beat that is answered tries anew
+    answered_ = false;  // away again; the next heartbeat that is answered tries anew
   }
 }
 

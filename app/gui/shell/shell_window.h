@@ -19,7 +19,7 @@
 #include "app/gui/shell/desk.h"
 #include "app/gui/shell/first_run_panel.h"
 #include "app/gui/shell/preferences.h"
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 
 class QLabel;
 class QStackedWidget;
@@ -78,9 +78,9 @@ class ShellWindow : public QWidget {
   void watchIdleness();
   /// About once a second: tells the line to the database who is here, says calmly when it does not answer,
   /// and puts in order what had to wait once it does. Waits for nothing.
-  void beat();
+  void heartbeat();
   /// Null until the recordings of earlier starts are settled.
-  [[nodiscard]] StationLine* line() noexcept { return line_.get(); }
+  [[nodiscard]] StationWriter* line() noexcept { return line_.get(); }
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -132,8 +132,8 @@ class ShellWindow : public QWidget {
   IdleGuard idle_;
   QTimer second_;
   std::unique_ptr<Workplace> workplace_;
-  std::unique_ptr<StationLine> line_;
-  bool answered_ = true;    // the database, at the last beat
+  std::unique_ptr<StationWriter> line_;
+  bool answered_ = true;    // the database, at the last heartbeat
   bool settleDue_ = false;  // recordings may have gone to files meanwhile
   std::vector<Text> kept_;  // recordings that could not be stored; told until somebody signs in
   std::shared_ptr<std::atomic<bool>> setUpCancelled_ = std::make_shared<std::atomic<bool>>(false);

@@ -16,8 +16,8 @@
 #include "app/gui/shell/shell_window.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
-#include "app/recording/station_line.h"
 #include "app/recording/station_start.h"
+#include "app/recording/station_writer.h"
 
 namespace torsio::gui {
 
@@ -86,11 +86,11 @@ void ShellWindow::settle() {
 }
 
 void ShellWindow::startLine() {
-  line_ = std::make_unique<StationLine>(key(), setup_.linePatience);
+  line_ = std::make_unique<StationWriter>(key(), setup_.linePatience);
   answered_ = true;
   settleDue_ = false;
   if (desk_ != nullptr) desk_->context().setLine(line_.get());
-  beat();
+  heartbeat();
 }
 
 /// After the database was away: recordings of the meantime wait in files.

@@ -2,7 +2,6 @@
 #include "app/gui/simulator/exercise_panel.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -15,12 +14,12 @@
 #include "app/gui/base/asset_names.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/theme.h"
+#include "sim/base/angle.h"
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr int kEnglishRole = Qt::UserRole + 1;
 constexpr double kLargestTarget_deg = 360.0;
 
@@ -96,7 +95,7 @@ ExercisePanel::ExercisePanel(QWidget* parent)
     Q_EMIT formulationChosen(static_cast<Formulation>(formulation_->itemData(index).toInt()));
   });
   connect(target_, &QDoubleSpinBox::valueChanged, this,
-          [this](double degrees) { Q_EMIT targetChosen(degrees * kRadPerDeg); });
+          [this](double target_deg) { Q_EMIT targetChosen(radians(target_deg)); });
 }
 
 void ExercisePanel::retranslate() {
@@ -149,7 +148,7 @@ void ExercisePanel::showScene(const Scene& scene, double target_rad, bool ownOrg
   pattern_->setCurrentIndex(pattern_->findData(QString::fromStdString(scene.pattern.id)));
   pattern_->setToolTip(QString::fromStdString(scene.pattern.source));
   formulation_->setCurrentIndex(formulation_->findData(static_cast<int>(scene.model.options().formulation)));
-  target_->setValue(std::round(target_rad / kRadPerDeg));
+  target_->setValue(std::round(degrees(target_rad)));
 }
 
 void ExercisePanel::setChangeable(bool changeable) {

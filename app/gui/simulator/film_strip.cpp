@@ -10,6 +10,7 @@
 
 #include "app/gui/scene/scene_view.h"
 #include "app/report/typeface.h"
+#include "sim/base/angle.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio::gui {
@@ -19,9 +20,8 @@ namespace {
 constexpr int kGap = 8;
 constexpr int kFrameWidth = 480;
 constexpr std::size_t kFramesInARow = 4;
-constexpr double kDegPerRad = 180.0 / std::numbers::pi;
 constexpr double kStep_rad = std::numbers::pi / 6.0;
-constexpr double kNear_rad = 0.5 / kDegPerRad;  // a last step of half a degree shows nothing new
+constexpr double kNear_rad = radians(0.5);  // a last step of half a degree shows nothing new
 
 }  // namespace
 
@@ -110,10 +110,10 @@ std::vector<StripFrame> captureStrip(SceneView& view, const Scene& scene, double
 }
 
 QString angleCaption(double angle_rad) {
-  const double degrees = std::round(angle_rad * kDegPerRad * 10.0) / 10.0;
-  const bool whole = degrees == std::round(degrees);
-  const QString size = QLocale().toString(std::abs(degrees), 'f', whole ? 0 : 1) + QChar(0x00B0);
-  return degrees < 0.0 ? QChar(0x2212) + size : size;  // a minus, not a hyphen
+  const double shown_deg = std::round(degrees(angle_rad) * 10.0) / 10.0;
+  const bool whole = shown_deg == std::round(shown_deg);
+  const QString size = QLocale().toString(std::abs(shown_deg), 'f', whole ? 0 : 1) + QChar(0x00B0);
+  return shown_deg < 0.0 ? QChar(0x2212) + size : size;  // a minus, not a hyphen
 }
 
 }  // namespace torsio::gui

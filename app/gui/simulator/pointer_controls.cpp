@@ -12,27 +12,27 @@
 
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
+#include "sim/base/angle.h"
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 constexpr double kKeyPixels_per_s = 140.0;
 constexpr double kKeyDepth_m_per_s = 0.05;
-constexpr double kKeyRoll_rad_per_s = 60.0 * kRadPerDeg;
-constexpr double kKeyTilt_rad_per_s = 40.0 * kRadPerDeg;
+constexpr double kKeyRoll_rad_per_s = radians(60.0);
+constexpr double kKeyTilt_rad_per_s = radians(40.0);
 constexpr double kKeyOrbit_px_per_s = 220.0;
 constexpr double kWheelDepth_m = 0.004;  // one notch
-constexpr double kWheelRoll_rad = 5.0 * kRadPerDeg;
-constexpr double kDragRoll_rad_per_px = 0.5 * kRadPerDeg;
-constexpr double kSteepestTilt_rad = 80.0 * kRadPerDeg;
+constexpr double kWheelRoll_rad = radians(5.0);
+constexpr double kDragRoll_rad_per_px = radians(0.5);
+constexpr double kSteepestTilt_rad = radians(80.0);
 // The stylus comes from the lower right, so that the shaft never hides the tip.
-constexpr double kRestYaw_rad = 34.0 * kRadPerDeg;
-constexpr double kRestPitch_rad = 38.0 * kRadPerDeg;
+constexpr double kRestYaw_rad = radians(34.0);
+constexpr double kRestPitch_rad = radians(38.0);
 
 constexpr double kSettleTime_s = 0.12;  // of the tilt, as the tissue itself returns
-constexpr double kSettled_rad = 0.2 * kRadPerDeg;
+constexpr double kSettled_rad = radians(0.2);
 constexpr double kLean = 0.6;    // share of the surface's normal in the direction of the shaft
 constexpr float kEndOn = 0.25F;  // looking along the axis: no side of the tissue is the near one
 

@@ -13,12 +13,13 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/level_bar.h"
 #include "app/gui/widgets/theme.h"
+#include "sim/base/tick_period.h"
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr double kTickBudget_us = 1000.0;
+constexpr auto kTickBudget_us = static_cast<double>(kTickPeriod_us);
 
 /// A new text only when it differs: labels lay themselves out anew otherwise, at every frame.
 void setIfNew(QLabel* label, const QString& text) {

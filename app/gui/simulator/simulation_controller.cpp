@@ -6,11 +6,11 @@
 
 #include <QUuid>
 
-#include "app/base/build_info.h"
 #include "app/gui/base/spoken.h"
 #include "sim/base/clock.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
+#include "sim/base/tick_period.h"
 
 namespace torsio::gui {
 
@@ -57,8 +57,6 @@ SimulationController::SimulationController(SceneLoader loader, TrialRecording re
 SimulationController::~SimulationController() {
   workers_.clear();
   workers_.waitForDone();
-  run_.reset();
-  haptic_.reset();
 }
 
 void SimulationController::report(const std::exception_ptr& thrown) {
@@ -80,7 +78,7 @@ void SimulationController::tellSpilled(const RecordingResult& result) {
 }
 
 void SimulationController::load(const SceneRequest& request) {
-  if (mode_ == Mode::kRecording) {
+  if (mode() == Mode::kRecording) {
     Q_EMIT noticed(tr("Stop the recording before choosing another exercise."));
     return;
   }
@@ -120,69 +118,113 @@ void SimulationController::loadFor(const SceneRequest& request, std::shared_ptr<
 }
 
 void SimulationController::adopt(const SceneRequest& request, LoadedScene loaded) {
-  TORSIO_EXPECTS(mode_ != Mode::kRecording);
+  TORSIO_EXPECTS(mode() != Mode::kRecording);
   replace(request, std::move(loaded), std::nullopt);
 }
 
 void SimulationController::freeze(const LiveState& state) {
-  TORSIO_EXPECTS(mode_ == Mode::kPractice);
-  run_.reset();
-  frozen_ = state;
+  enter(stage::Still{state});
 }
 
 void SimulationController::replace(const SceneRequest& request, LoadedScene loaded,
                                    std::optional<TrialPlayback> playback) {
-  endRun();  // the servo must not see the scene change
-  retireHaptic();
-  frozen_.reset();
-  playback_ = std::move(playback);
+  retireHaptic(takeHaptic());  // its workspace lies about the old scene
   request_ = request;
   request_.formulation = loaded.scene->model.options().formulation;
   loaded_ = std::move(loaded);
-  target_rad_ = playback_ ? playback_->header().targetAngle_rad : loaded_.scene->pattern.targetAngle_rad;
-  if (playback_) {
-    playback_->setPlaying(true);
-    mode_ = Mode::kReplay;
+  if (playback) {
+    target_rad_ = playback->header().targetAngle_rad;
+    playback->setPlaying(true);
+    enter(stage::Replaying{std::move(*playback)});
   } else {
-    mode_ = Mode::kPractice;
-    practise();
+    target_rad_ = loaded_.scene->pattern.targetAngle_rad;
+    practise(nullptr);
   }
   Q_EMIT sceneChanged();
   Q_EMIT modeChanged();
   openHaptic();
 }
 
-RunSetup SimulationController::setup() const {
-  RunSetup setup;
-  setup.start.position_m = parkingPoint_m();
-  setup.targetAngle_rad = target_rad_;
-  if (led_) setup.drive = TwistDrive::kTangential;
-  return setup;
+void SimulationController::enter(SimulationStage next) {
+  TORSIO_EXPECTS(mayFollow(stage(), kindOf(next)));
+  const Mode before = mode();
+  const QString model = hapticModel();
+  stage_ = std::move(next);  // a run that went on has stopped here
+  if (stage::Running* now = running(); now != nullptr && realTime_) {
+    now->run->start();
+  }
+  if (model != hapticModel()) {
+    Q_EMIT hapticModelChanged();
+  }
+  if (before != mode()) {
+    Q_EMIT modeChanged();
+  }
 }
 
-void SimulationController::startRun(std::unique_ptr<LiveRun> run) {
-  run_ = std::move(run);
-  run_->steer(pointer_);
-  if (realTime_) run_->start();
+SimulationController::Mode SimulationController::mode() const noexcept {
+  switch (stage()) {
+    case StageKind::kEmpty:
+      break;
+    case StageKind::kPractising:
+    case StageKind::kStill:
+      return Mode::kPractice;
+    case StageKind::kRecording:
+    case StageKind::kTraining:
+      return Mode::kRecording;
+    case StageKind::kReplaying:
+      return Mode::kReplay;
+  }
+  return Mode::kEmpty;
 }
 
-/// Free practice with what is at hand.
-void SimulationController::practise() {
-  led_ = haptic_ != nullptr;
-  lostSaid_ = false;
-  startRun(std::make_unique<LiveRun>(loaded_.scene, setup(), std::move(haptic_)));
+const stage::Running* SimulationController::running() const noexcept {
+  if (const auto* practising = std::get_if<stage::Practising>(&stage_)) return practising;
+  if (const auto* recording = std::get_if<stage::Recording>(&stage_)) return recording;
+  return std::get_if<stage::Training>(&stage_);
 }
 
-/// The device of free practice outlives its runs: opening it takes seconds.
-void SimulationController::endRun() {
-  if (run_ && openHaptic_) haptic_ = run_->releaseDevice();
-  run_.reset();
+stage::Running* SimulationController::running() noexcept {
+  return const_cast<stage::Running*>(std::as_const(*this).running());
 }
 
-void SimulationController::setMode(Mode mode) {
-  if (mode == mode_) return;
-  mode_ = mode;
-  Q_EMIT modeChanged();
+RecordedRun* SimulationController::run() noexcept {
+  return running() != nullptr ? running()->run.get() : nullptr;
+}
+
+TrialPlayback* SimulationController::playback() noexcept {
+  auto* replaying = std::get_if<stage::Replaying>(&stage_);
+  return replaying != nullptr ? &replaying->playback : nullptr;
+}
+
+stage::Running SimulationController::newRun(std::unique_ptr<HapticDevice> device,
+                                            const RecordingSpec& recording,
+                                            std::shared_ptr<TrialSink> sink) const {
+  stage::Running running;
+  if (!device) {
+    Pose parked;
+    parked.position_m = parkingPoint_m();
+    auto pointer = std::make_unique<PointerDevice>(parked);
+    pointer->publish(pointer_);
+    running.pointer = pointer.get();
+    device = std::move(pointer);
+  }
+  running.run = std::make_unique<RecordedRun>(loaded_.scene, std::move(device), recording, std::move(sink));
+  return running;
+}
+
+/// `device` null: with the pointer.
+void SimulationController::practise(std::unique_ptr<HapticDevice> device) {
+  enter(stage::Practising{newRun(std::move(device), {.targetAngle_rad = target_rad_}, nullptr)});
+}
+
+/// Closes the recording that goes on. Empty: it could not be kept (failed() has said so).
+std::optional<RecordingResult> SimulationController::finishRun(TrialOutcome outcome) {
+  try {
+    return running()->run->finish(outcome);
+  } catch (...) {
+    report(std::current_exception());
+    return std::nullopt;
+  }
 }
 
 Vec3 SimulationController::parkingPoint_m() const {
@@ -199,21 +241,24 @@ Vec3 SimulationController::parkingPoint_m() const {
 
 void SimulationController::advance(double elapsed_s) {
   watchDevice();
-  if (!playback_) return;
-  const bool was = playback_->playing();
-  playback_->advance(elapsed_s);
-  if (was != playback_->playing()) Q_EMIT modeChanged();
+  TrialPlayback* played = playback();
+  if (played == nullptr) return;
+  const bool was = played->playing();
+  played->advance(elapsed_s);
+  if (was != played->playing()) Q_EMIT modeChanged();
 }
 
 LiveState SimulationController::state() {
-  if (playback_) return playback_->state();
-  if (frozen_) return *frozen_;
-  return run_ ? run_->latest() : LiveState{};
+  if (const TrialPlayback* played = playback()) return played->state();
+  if (const auto* still = std::get_if<stage::Still>(&stage_)) return still->shown;
+  return run() != nullptr ? run()->latest() : LiveState{};
 }
 
 bool SimulationController::toolRidesOnTissue() const noexcept {
-  if (frozen_) return false;
-  return playback_ ? playback_->header().drive == TwistDrive::kRoll : !led_;
+  if (const auto* replaying = std::get_if<stage::Replaying>(&stage_)) {
+    return replaying->playback.header().drive == TwistDrive::kRoll;
+  }
+  return running() != nullptr && running()->run->header().drive == TwistDrive::kRoll;
 }
 
 std::optional<SurfacePoint> SimulationController::nearby(const LiveState& state) const {
@@ -226,18 +271,20 @@ std::optional<SurfacePoint> SimulationController::nearby(const LiveState& state)
 
 void SimulationController::steer(const PointerInput& input) {
   pointer_ = input;
-  if (run_) run_->steer(input);
+  if (stage::Running* now = running(); now != nullptr && now->pointer != nullptr) {
+    now->pointer->publish(input);
+  }
 }
 
 void SimulationController::releaseTissue() {
-  if (run_ && !run_->command({.kind = ServoCommand::Kind::kReleaseTissue})) {
+  if (run() != nullptr && !run()->command({.kind = ServoCommand::Kind::kReleaseTissue})) {
     Q_EMIT noticed(tr("The simulation is busy; please try again."));
   }
 }
 
 void SimulationController::setTarget(double target_rad) {
-  if (!run_ || mode_ == Mode::kRecording) return;
-  if (!run_->command({.kind = ServoCommand::Kind::kSetTarget, .value = target_rad})) {
+  if (stage() != StageKind::kPractising) return;
+  if (!run()->command({.kind = ServoCommand::Kind::kSetTarget, .value = target_rad})) {
     Q_EMIT noticed(tr("The simulation is busy; please try again."));
     return;
   }
@@ -245,97 +292,72 @@ void SimulationController::setTarget(double target_rad) {
 }
 
 void SimulationController::startRecording() {
-  if (mode_ != Mode::kPractice || loading()) return;
-  TrialHeader header;
-  header.trialId = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
-  header.sceneId = scene()->id;
-  header.patternId = scene()->pattern.id;
-  header.organHash = scene()->organHash;
-  header.parameterHash = scene()->parameterHash;
-  header.parametersJson = scene()->parametersJson;
-  header.softwareVersion = softwareVersion();
-  header.startedUtc_us = utcNow_us();
-  header.targetAngle_rad = target_rad_;
+  if (stage() != StageKind::kPractising || loading()) return;
+  const RecordingSpec recording{
+      .trialId = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString(),
+      .targetAngle_rad = target_rad_,
+      .startedUtc_us = utcNow_us(),
+  };
+  std::unique_ptr<TrialSink> sink;
   try {
-    std::unique_ptr<TrialSink> sink = recording_.open ? recording_.open(header) : nullptr;
-    if (!sink) {
-      Q_EMIT noticed(tr("There is no place to keep a recording."));
-      return;
-    }
-    endRun();
-    led_ = haptic_ != nullptr;
-    header.drive = setup().drive;
-    startRun(std::make_unique<LiveRun>(loaded_.scene, setup(), std::move(header), std::move(sink),
-                                       std::move(haptic_)));
+    sink = recording_.open ? recording_.open(recording) : nullptr;
   } catch (...) {
     report(std::current_exception());
-    if (!run_) practise();
     return;
   }
-  setMode(Mode::kRecording);
+  if (!sink) {
+    Q_EMIT noticed(tr("There is no place to keep a recording."));
+    return;
+  }
+  std::unique_ptr<HapticDevice> device = takeHaptic();
+  try {
+    enter(stage::Recording{newRun(std::move(device), recording, std::move(sink))});
+  } catch (...) {
+    report(std::current_exception());
+    practise(nullptr);
+  }
 }
 
 void SimulationController::stopRecording() {
-  if (mode_ != Mode::kRecording) return;
-  try {
-    const RecordingResult result = run_->finish(TrialOutcome::kCompleted);
-    const double duration_s = static_cast<double>(result.summary.samples) * 1e-3;
-    if (result.spillFile) {
-      tellSpilled(result);
+  if (stage() != StageKind::kRecording) return;
+  if (const std::optional<RecordingResult> result = finishRun(TrialOutcome::kCompleted)) {
+    if (result->spillFile) {
+      tellSpilled(*result);
     } else {
-      Q_EMIT noticed(
-          tr("Recorded %1 s to %2").arg(duration_s, 0, 'f', 1).arg(QString::fromStdString(recording_.place)));
+      Q_EMIT noticed(tr("Recorded %1 s to %2")
+                         .arg(spanOf_s(result->summary.samples), 0, 'f', 1)
+                         .arg(QString::fromStdString(recording_.place)));
     }
-  } catch (...) {
-    report(std::current_exception());
   }
-  endRun();
-  practise();
-  setMode(Mode::kPractice);
+  practise(takeHaptic());
 }
 
-bool SimulationController::startTraining(TrialHeader header, std::unique_ptr<TrialSink> sink,
+bool SimulationController::startTraining(const RecordingSpec& recording, std::unique_ptr<TrialSink> sink,
                                          std::unique_ptr<HapticDevice> device) {
-  if (mode_ != Mode::kPractice || loading() || scene() == nullptr) return false;
-  header.organHash = scene()->organHash;
-  header.parameterHash = scene()->parameterHash;
-  header.parametersJson = scene()->parametersJson;
-  target_rad_ = header.targetAngle_rad;
-  led_ = device != nullptr;
-  lostSaid_ = false;
-  frozen_.reset();
-  run_.reset();
-  startRun(std::make_unique<LiveRun>(loaded_.scene, setup(), std::move(header), std::move(sink),
-                                     std::move(device)));
-  setMode(Mode::kRecording);
+  if (mode() != Mode::kPractice || loading()) return false;
+  stage::Training training{newRun(std::move(device), recording, std::move(sink))};
+  target_rad_ = training.run->header().targetAngle_rad;
+  enter(std::move(training));
   return true;
 }
 
 std::optional<RecordingResult> SimulationController::endTraining(TrialOutcome outcome) {
-  if (mode_ != Mode::kRecording) return std::nullopt;
-  std::optional<RecordingResult> result;
-  try {
-    result = run_->finish(outcome);
-    if (result->spillFile) tellSpilled(*result);
-  } catch (...) {
-    report(std::current_exception());
-  }
-  run_.reset();
-  led_ = false;
+  if (stage() != StageKind::kTraining) return std::nullopt;
+  std::optional<RecordingResult> result = finishRun(outcome);
+  if (result && result->spillFile) tellSpilled(*result);
   LiveState still;
   still.tool.position_m = parkingPoint_m();
   still.targetAngle_rad = target_rad_;
-  frozen_ = still;
-  setMode(Mode::kPractice);
+  enter(stage::Still{still});
   return result;
 }
 
 double SimulationController::recorded_s() {
-  return mode_ == Mode::kRecording ? static_cast<double>(run_->latest().tick) * 1e-3 : 0.0;
+  return mode() == Mode::kRecording ? spanOf_s(run()->latest().tick) : 0.0;
 }
 
 void SimulationController::openReplay(const Trial& trial) {
-  if (mode_ == Mode::kRecording) {
+  if (mode() == Mode::kRecording) {
     Q_EMIT noticed(tr("Stop the recording before replaying another one."));
     return;
   }
@@ -351,24 +373,16 @@ void SimulationController::openReplay(const Trial& trial) {
 }
 
 void SimulationController::closeReplay() {
-  if (!playback_) return;
-  playback_.reset();
+  if (stage() != StageKind::kReplaying) return;
   target_rad_ = scene()->pattern.targetAngle_rad;
-  practise();
-  setMode(Mode::kPractice);
+  practise(nullptr);
   Q_EMIT sceneChanged();
 }
 
 void SimulationController::shutDown() {
-  if (mode_ == Mode::kRecording) {
-    try {
-      static_cast<void>(run_->finish(TrialOutcome::kInterrupted));
-    } catch (...) {
-      report(std::current_exception());
-    }
-  }
-  run_.reset();
-  setMode(scene() != nullptr ? Mode::kPractice : Mode::kEmpty);
+  if (stage() == StageKind::kEmpty) return;
+  if (mode() == Mode::kRecording) static_cast<void>(finishRun(TrialOutcome::kInterrupted));
+  enter(stage::Still{state()});
 }
 
 }  // namespace torsio::gui

@@ -14,8 +14,7 @@
 
 #include "app/gui/base/problem.h"
 #include "app/gui/scene/scene_view.h"
-#include "app/gui/simulator/live_run.h"
-#include "app/gui/simulator/trial_playback.h"
+#include "app/gui/simulator/simulation_stage.h"
 #include "app/gui/simulator/trial_recording.h"
 #include "sim/scene/scene.h"
 
@@ -41,6 +40,7 @@ class SimulationController : public QObject {
   Q_OBJECT
 
  public:
+  /// What a view must know of the stage.
   enum class Mode { kEmpty, kPractice, kRecording, kReplay };
 
   SimulationController(SceneLoader loader, TrialRecording recording, QObject* parent = nullptr);
@@ -54,9 +54,9 @@ class SimulationController : public QObject {
   void load(const SceneRequest& request);
   /// Shows a scene that was loaded already.
   void adopt(const SceneRequest& request, LoadedScene loaded);
-  /// Shows one instant, the exercise at rest behind it: for pictures. Until the next scene.
+  /// Shows one instant in place of free practice: for pictures. Until the next scene.
   void freeze(const LiveState& state);
-  [[nodiscard]] bool frozen() const noexcept { return frozen_.has_value(); }
+  [[nodiscard]] bool frozen() const noexcept { return stage() == StageKind::kStill; }
   [[nodiscard]] bool loading() const noexcept { return wanted_ != delivered_; }
   /// The request of the scene that is shown.
   [[nodiscard]] const SceneRequest& request() const noexcept { return request_; }
@@ -64,7 +64,9 @@ class SimulationController : public QObject {
   [[nodiscard]] const Scene* scene() const noexcept { return loaded_.scene.get(); }
   [[nodiscard]] const std::shared_ptr<const Scene>& sharedScene() const noexcept { return loaded_.scene; }
   [[nodiscard]] const ViewScene& viewScene() const noexcept { return loaded_.view; }
-  [[nodiscard]] Mode mode() const noexcept { return mode_; }
+  [[nodiscard]] Mode mode() const noexcept;
+  /// Names what goes on; mode() without what only this class tells apart.
+  [[nodiscard]] StageKind stage() const noexcept { return kindOf(stage_); }
 
   /// Once a frame, before state(): moves a replay on.
   void advance(double elapsed_s);
@@ -82,21 +84,20 @@ class SimulationController : public QObject {
   /// and the pointer serves until it is there, when there is none (noticed() says so), and after it was lost.
   /// Empty: the device is given back, at once.
   void useHapticDevice(HapticOpener opener);
-  /// Model of the haptic device in use; empty: the pointer.
-  [[nodiscard]] const QString& hapticModel() const noexcept { return hapticModel_; }
+  /// Model of the haptic device of free practice; empty: the pointer.
+  [[nodiscard]] QString hapticModel() const;
 
   void steer(const PointerInput& input);
   void releaseTissue();
   void setTarget(double target_rad);
   [[nodiscard]] double target_rad() const noexcept { return target_rad_; }
 
-  /// The exercise starts anew and is recorded from its first tick.
+  /// Free practice starts anew and is recorded from its first tick.
   void startRecording();
   void stopRecording();
-  /// A run whose header and sink say what it belongs to; organ, device and drive are filled in here. `device`
-  /// null: the pointer. False while no scene is ready or another recording goes on. Throws what the device
-  /// does.
-  [[nodiscard]] bool startTraining(TrialHeader header, std::unique_ptr<TrialSink> sink,
+  /// Begins a trainee's run on the scene that is shown. `device` null: the pointer. False while no scene is
+  /// ready or another recording goes on. Throws what the device does; then nothing has changed.
+  [[nodiscard]] bool startTraining(const RecordingSpec& recording, std::unique_ptr<TrialSink> sink,
                                    std::unique_ptr<HapticDevice> device);
   /// Ends such a run; the organ then stands still until the next one. Empty: none went on, or it could not be
   /// kept (failed() has said so).
@@ -109,13 +110,14 @@ class SimulationController : public QObject {
   void openReplay(const Trial& trial);
   void closeReplay();
   /// Null when nothing is played.
-  [[nodiscard]] TrialPlayback* playback() noexcept { return playback_ ? &*playback_ : nullptr; }
+  [[nodiscard]] TrialPlayback* playback() noexcept;
 
-  /// Ends a running trial as interrupted: when the window closes.
+  /// Ends a running trial as interrupted, and nothing moves any more until the next scene: when the window
+  /// closes.
   void shutDown();
 
-  /// For tests that drive the servo themselves; null in a replay.
-  [[nodiscard]] LiveRun* run() noexcept { return run_.get(); }
+  /// For tests that drive the servo themselves; null when nothing runs.
+  [[nodiscard]] RecordedRun* run() noexcept;
 
  Q_SIGNALS:
   void loadingChanged(bool loading);
@@ -133,17 +135,20 @@ class SimulationController : public QObject {
  private:
   void replace(const SceneRequest& request, LoadedScene loaded, std::optional<TrialPlayback> playback);
   void loadFor(const SceneRequest& request, std::shared_ptr<const Trial> trial);
-  void startRun(std::unique_ptr<LiveRun> run);
-  void practise();
-  void endRun();
+  /// The only way from one stage to the next.
+  void enter(SimulationStage next);
+  [[nodiscard]] stage::Running* running() noexcept;
+  [[nodiscard]] const stage::Running* running() const noexcept;
+  [[nodiscard]] stage::Running newRun(std::unique_ptr<HapticDevice> device, const RecordingSpec& recording,
+                                      std::shared_ptr<TrialSink> sink) const;
+  void practise(std::unique_ptr<HapticDevice> device);
+  [[nodiscard]] std::optional<RecordingResult> finishRun(TrialOutcome outcome);
   void openHaptic();
   void tookHaptic(std::unique_ptr<HapticDevice> device, const QString& problem);
-  void retireHaptic();
+  [[nodiscard]] std::unique_ptr<HapticDevice> takeHaptic();
+  void retireHaptic(std::unique_ptr<HapticDevice> device);
   void watchDevice();
   void loseHaptic();
-  void setHapticModel(const QString& model);
-  [[nodiscard]] RunSetup setup() const;
-  void setMode(Mode mode);
   void report(const std::exception_ptr& thrown);
   void tell(const Problem& problem);
   void tellSpilled(const RecordingResult& result);
@@ -156,18 +161,11 @@ class SimulationController : public QObject {
   std::uint64_t delivered_ = 0;  // number of the last load that ended
   SceneRequest request_;
   LoadedScene loaded_;
-  Mode mode_ = Mode::kEmpty;
   double target_rad_ = 0.0;
-  PointerInput pointer_;
-  std::unique_ptr<LiveRun> run_;
-  std::optional<TrialPlayback> playback_;
-  std::optional<LiveState> frozen_;
-  bool led_ = false;                      // the device is led round the organ; a pointer turns in place
-  HapticOpener openHaptic_;               // empty: free practice with the pointer
-  std::unique_ptr<HapticDevice> haptic_;  // between two runs of free practice
-  QString hapticModel_;
+  PointerInput pointer_;  // the newest
+  SimulationStage stage_;
+  HapticOpener openHaptic_;         // empty: free practice with the pointer
   std::uint64_t hapticWanted_ = 0;  // number of the newest attempt to open it
-  bool lostSaid_ = false;
 };
 
 }  // namespace torsio::gui

@@ -11,21 +11,17 @@ void SimulationController::useHapticDevice(HapticOpener opener) {
   const bool was = static_cast<bool>(openHaptic_);
   if (was && !opener) {
     ++hapticWanted_;
-    if (mode_ == Mode::kPractice && run_) {
-      endRun();
-      haptic_.reset();  // another page may open it right away
-      openHaptic_ = nullptr;
-      practise();
+    if (stage() == StageKind::kPractising) {
+      takeHaptic().reset();  // another page may open it right away
+      practise(nullptr);
     }
-    haptic_.reset();
-    setHapticModel({});
   }
   openHaptic_ = std::move(opener);
   openHaptic();
 }
 
 void SimulationController::openHaptic() {
-  if (!openHaptic_ || scene() == nullptr || mode_ == Mode::kReplay || !hapticModel_.isEmpty()) return;
+  if (!openHaptic_ || scene() == nullptr || mode() == Mode::kReplay || !hapticModel().isEmpty()) return;
   workers_.start([this, ticket = ++hapticWanted_, open = openHaptic_, scene = loaded_.scene] {
     // In a box, because a queued call must be copyable.
     const auto device = std::make_shared<std::unique_ptr<HapticDevice>>();
@@ -53,60 +49,59 @@ void SimulationController::tookHaptic(std::unique_ptr<HapticDevice> device, cons
     return;
   }
   const QString model = QString::fromStdString(device->capabilities().model);
-  if (mode_ != Mode::kPractice || frozen_)
+  if (stage() != StageKind::kPractising) {
     return;  // it is given back, and asked for again with the next scene
-  haptic_ = std::move(device);
-  run_.reset();
-  practise();
-  setHapticModel(model);
+  }
+  practise(std::move(device));
   Q_EMIT noticed(tr("You practise with %1. The force is felt").arg(model));
 }
 
-/// Its workspace lies about the old scene.
-void SimulationController::retireHaptic() {
+/// Stops a run of free practice that goes on with the haptic device, and hands that out: it outlives the
+/// runs, because opening it takes seconds. Null: there is none, or nobody wants it any more.
+std::unique_ptr<HapticDevice> SimulationController::takeHaptic() {
+  stage::Running* now = stage() == StageKind::kTraining ? nullptr : running();
+  if (now == nullptr || !now->usesHaptic()) return nullptr;
+  std::unique_ptr<HapticDevice> device = now->run->releaseDevice();
+  return openHaptic_ ? std::move(device) : nullptr;
+}
+
+/// Closes it in the background: that may take as long as opening it.
+void SimulationController::retireHaptic(std::unique_ptr<HapticDevice> device) {
   ++hapticWanted_;
-  if (haptic_) {
-    workers_.start(
-        [old = std::make_shared<std::unique_ptr<HapticDevice>>(std::move(haptic_))] { old->reset(); });
-  }
-  led_ = false;
-  setHapticModel({});
+  if (!device) return;
+  workers_.start(
+      [old = std::make_shared<std::unique_ptr<HapticDevice>>(std::move(device))] { old->reset(); });
 }
 
 void SimulationController::watchDevice() {
-  if (!led_ || !run_ || lostSaid_) return;
-  if ((run_->latest().deviceStatus & kDeviceLost) == 0) return;
-  lostSaid_ = true;
-  if (openHaptic_) {
+  stage::Running* now = running();
+  if (now == nullptr || !now->usesHaptic()) return;
+  if ((now->run->latest().deviceStatus & kDeviceLost) == 0) return;
+  auto* training = std::get_if<stage::Training>(&stage_);
+  if (training == nullptr) {
     loseHaptic();
-  } else {
+  } else if (!training->lossTold) {
+    training->lossTold = true;
     Q_EMIT deviceLost();
   }
 }
 
 /// The servo has set the force to zero already: a lost device gets none.
 void SimulationController::loseHaptic() {
-  const bool recorded = mode_ == Mode::kRecording;
-  if (recorded) {
-    try {
-      static_cast<void>(run_->finish(TrialOutcome::kInterrupted));
-    } catch (...) {
-      report(std::current_exception());
-    }
-  }
-  endRun();
-  retireHaptic();
-  practise();
-  setMode(Mode::kPractice);
+  const bool recorded = stage() == StageKind::kRecording;
+  if (recorded) static_cast<void>(finishRun(TrialOutcome::kInterrupted));
+  retireHaptic(takeHaptic());
+  practise(nullptr);
   Q_EMIT noticed(recorded ? tr("The haptic device was lost. The recording until then is kept; you go on with "
                                "the mouse")
                           : tr("The haptic device was lost. Its force is off; you go on with the mouse"));
 }
 
-void SimulationController::setHapticModel(const QString& model) {
-  if (model == hapticModel_) return;
-  hapticModel_ = model;
-  Q_EMIT hapticModelChanged();
+QString SimulationController::hapticModel() const {
+  const bool free = stage() == StageKind::kPractising || stage() == StageKind::kRecording;
+  const stage::Running* now = free ? running() : nullptr;
+  if (now == nullptr || !now->usesHaptic()) return {};
+  return QString::fromStdString(now->run->header().deviceModel);
 }
 
 }  // namespace torsio::gui

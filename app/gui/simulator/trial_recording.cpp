@@ -48,9 +48,9 @@ std::vector<RecordedTrial> listFolder(const std::string& folder) {
 TrialRecording trialFiles(const std::string& folder) {
   TrialRecording recording;
   recording.place = folder;
-  recording.open = [folder](const TrialHeader& header) -> std::unique_ptr<TrialSink> {
+  recording.open = [folder](const RecordingSpec& spec) -> std::unique_ptr<TrialSink> {
     ensureFolder(folder);
-    return std::make_unique<TrialFileSink>(fileOf(folder, header.trialId));
+    return std::make_unique<TrialFileSink>(fileOf(folder, spec.trialId));
   };
   recording.list = [folder] { return listFolder(folder); };
   recording.load = [folder](const std::string& id) { return readTrialFile(fileOf(folder, id)); };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/recording/recording_spec.h"
 #include "sim/record/trial.h"
 
 namespace torsio::gui {
@@ -26,7 +27,7 @@ struct RecordedTrial {
 struct TrialRecording {
   /// A sink for a new trial: the recorder hands it header, chunks and summary. Null while nothing can be
   /// kept.
-  std::function<std::unique_ptr<TrialSink>(const TrialHeader&)> open;
+  std::function<std::unique_ptr<TrialSink>(const RecordingSpec&)> open;
   /// Newest first.
   std::function<std::vector<RecordedTrial>()> list;
   std::function<Trial(const std::string& id)> load;

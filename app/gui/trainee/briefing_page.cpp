@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/trainee/briefing_page.h"
 
-#include <numbers>
-
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -19,13 +17,13 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/recording/expert_run.h"
+#include "sim/base/angle.h"
 
 namespace torsio::gui {
 
 namespace {
 
 constexpr int kPanelWidth = 340;
-constexpr double kDegree = 180.0 / std::numbers::pi;
 
 }  // namespace
 
@@ -142,8 +140,8 @@ void BriefingPage::fill() {
   what_->setTitle(tr("What is asked for"));
   how_->setTitle(tr("How to do it"));
   QStringList task{tr("Twist to %1\u00b0 and let go within %2\u00b0.")
-                       .arg(step_.module.targetAngle_rad * kDegree, 0, 'f', 0)
-                       .arg(step_.module.tolerance_rad * kDegree, 0, 'f', 0)
+                       .arg(degrees(step_.module.targetAngle_rad), 0, 'f', 0)
+                       .arg(degrees(step_.module.tolerance_rad), 0, 'f', 0)
                        .replace(QLatin1Char('-'), QChar(0x2212))};
   if (step_.module.hold_us > 0)
     task << tr("Hold for %1 s before you let go.")

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <QKeyEvent>
 #include <QLocale>
@@ -13,12 +12,12 @@
 #include <QWheelEvent>
 
 #include "app/gui/trainee/station_words.h"
+#include "sim/base/angle.h"
 
 namespace torsio::gui {
 
 namespace {
 
-constexpr double kDegree = 180.0 / std::numbers::pi;
 constexpr double kLeft = 58.0;
 constexpr double kRight = 16.0;
 constexpr double kTop = 22.0;
@@ -107,11 +106,11 @@ DebriefPlot::Lane DebriefPlot::angleLane() const {
   const double height_ = height() - kTop - kBottom - kBetween;
   Lane lane{QRectF(kLeft, kTop, width() - kLeft - kRight, height_ * 0.66), 0.0, 0.0};
   for (const double angle : debrief_.own.angle_rad) {
-    lane.low = std::min(lane.low, angle * kDegree);
-    lane.high = std::max(lane.high, angle * kDegree);
+    lane.low = std::min(lane.low, degrees(angle));
+    lane.high = std::max(lane.high, degrees(angle));
   }
-  const double target = debrief_.target_rad * kDegree;
-  const double band = debrief_.tolerance_rad * kDegree;
+  const double target = degrees(debrief_.target_rad);
+  const double band = degrees(debrief_.tolerance_rad);
   lane.low = std::min(lane.low, target - band);
   lane.high = std::max(lane.high, target + band);
   const double room = 0.08 * std::max(10.0, lane.high - lane.low);
@@ -187,11 +186,10 @@ void DebriefPlot::paintEvent(QPaintEvent*) {
   if (debrief_.target_rad != 0.0) {
     QColor band = theme_->good;
     band.setAlphaF(0.20F);
-    painter.fillRect(
-        QRectF(QPointF(kLeft, yOf(angle, (debrief_.target_rad + debrief_.tolerance_rad) * kDegree)),
-               QPointF(angle.area.right(),
-                       yOf(angle, (debrief_.target_rad - debrief_.tolerance_rad) * kDegree))),
-        band);
+    painter.fillRect(QRectF(QPointF(kLeft, yOf(angle, degrees(debrief_.target_rad + debrief_.tolerance_rad))),
+                            QPointF(angle.area.right(),
+                                    yOf(angle, degrees(debrief_.target_rad - debrief_.tolerance_rad)))),
+                     band);
   }
   if (debrief_.forceLimit_N > 0.0) {
     painter.setPen(QPen(theme_->caution, 1.5, Qt::DashLine));
@@ -201,10 +199,10 @@ void DebriefPlot::paintEvent(QPaintEvent*) {
   if (expertVisible_ && !debrief_.expert.empty()) {
     painter.setPen(QPen(theme_->quietText, 1.6, Qt::DashLine));
     for (const double grip_s : debrief_.grips_s)
-      drawCurve(painter, angle, debrief_.expert.time_s, debrief_.expert.angle_rad, kDegree, grip_s);
+      drawCurve(painter, angle, debrief_.expert.time_s, debrief_.expert.angle_rad, kDegreesPerRadian, grip_s);
   }
   painter.setPen(QPen(theme_->accent, 2.0));
-  drawCurve(painter, angle, debrief_.own.time_s, debrief_.own.angle_rad, kDegree, 0.0);
+  drawCurve(painter, angle, debrief_.own.time_s, debrief_.own.angle_rad, kDegreesPerRadian, 0.0);
   painter.setPen(QPen(theme_->accent, 1.4));
   drawCurve(painter, force, debrief_.own.time_s, debrief_.own.force_N, 1.0, 0.0);
   for (const DebriefBookmark& mark : debrief_.bookmarks) {

@@ -16,7 +16,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 #include "app/training/run_session.h"
 
 namespace torsio::gui {
@@ -107,7 +107,7 @@ void DeviceCheckPage::check() {
 
 void DeviceCheckPage::found(const DeviceReadiness& readiness) {
   StationDesk::of(shell()).readiness = readiness;
-  if (StationLine* line = shell().line(); line != nullptr)
+  if (StationWriter* line = shell().line(); line != nullptr)
     line->showDevice(stationDevice(readiness, shell().workplace().now_us()));
 }
 

@@ -24,7 +24,7 @@
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/level_bar.h"
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -89,7 +89,7 @@ QWidget* RunPage::createNotice() {
   column->addStretch(3);
   connect(goOn_, &QPushButton::clicked, this, [this] {
     if (waiting_) {
-      giveUp();
+      cancelWaiting();
     } else if (session_) {
       follow(session_->resume());
     }
@@ -238,7 +238,7 @@ void RunPage::haveDevice() {
 }
 
 /// Nothing has begun: the trainee does not want to wait for the device.
-void RunPage::giveUp() {
+void RunPage::cancelWaiting() {
   opening_.cancel();
   waiting_ = false;
   session_.reset();
@@ -250,13 +250,15 @@ void RunPage::record() {
     fetchDevice();
     return;
   }
-  const TrialOrder order = session_->newTrial();
+  const RecordingSpec recording = session_->newTrial();
   std::unique_ptr<HapticDevice> device = device_ ? *std::exchange(device_, std::nullopt) : nullptr;
   haptic_ = device != nullptr;
-  if (!scene_->controller().startTraining(order.header, session_->sinkFor(order), std::move(device))) return;
-  lastTrial_ = QString::fromStdString(order.header.trialId);
+  if (!scene_->controller().startTraining(recording, session_->sinkFor(recording), std::move(device))) {
+    return;
+  }
+  lastTrial_ = QString::fromStdString(recording.trialId);
   const StoredModule& module = session_->step().module;
-  dial_->setTarget(order.header.targetAngle_rad, module.tolerance_rad);
+  dial_->setTarget(scene_->controller().target_rad(), module.tolerance_rad);
   torque_->setLimit(module.maxTorque_Nm.value_or(0.0));
   force_->setLimit(module.maxForce_N.value_or(0.0));
   scene_->view().setFocus();
@@ -343,7 +345,7 @@ void RunPage::finish() {
   endRecording(TrialOutcome::kCompleted);
   StationDesk::of(shell()).lastScene = scene_->controller().sharedScene();
   session_.reset();
-  if (StationLine* line = shell().line(); line != nullptr) static_cast<void>(line->settled(kLastWrites));
+  if (StationWriter* line = shell().line(); line != nullptr) static_cast<void>(line->settled(kLastWrites));
   inFile_ = inFile_ || shell().databaseAway();
   if (inFile_) {
     showState();

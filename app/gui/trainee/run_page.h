@@ -57,7 +57,7 @@ class RunPage : public Page {
   void start();
   void fetchDevice();
   void haveDevice();
-  void giveUp();
+  void cancelWaiting();
   void record();
   void follow(const std::vector<RunEvent>& events);
   void endRecording(TrialOutcome outcome);

@@ -3,7 +3,7 @@
 
 #include "app/devices/haptic_station.h"
 #include "app/gui/base/shell_context.h"
-#include "app/recording/station_line.h"
+#include "app/recording/station_writer.h"
 
 namespace torsio::gui {
 

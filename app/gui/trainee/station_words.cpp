@@ -3,17 +3,17 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <QDateTime>
 #include <QLocale>
 #include <QStringList>
 
+#include "sim/base/angle.h"
+
 namespace torsio::gui {
 
 namespace {
 
-constexpr double kDegree = 180.0 / std::numbers::pi;
 constexpr double kClearlyBetter = 0.15;  // of the logarithm: about a sixth
 
 struct MetricWords {
@@ -29,15 +29,15 @@ constexpr std::array<MetricWords, 20> kMetrics{{
     {"time.total", QT_TRANSLATE_NOOP("StationWords", "Time of a twist"), "s", 1.0, 1},
     {"twist.time_to_target", QT_TRANSLATE_NOOP("StationWords", "Time to target"), "s", 1.0, 1},
     {"twist.settling", QT_TRANSLATE_NOOP("StationWords", "Settling time"), "s", 1.0, 1},
-    {"twist.overshoot", QT_TRANSLATE_NOOP("StationWords", "Overshoot"), "\u00b0", kDegree, 1},
-    {"twist.hold_steadiness", QT_TRANSLATE_NOOP("StationWords", "Steadiness of the hold"), "\u00b0", kDegree,
-     2},
+    {"twist.overshoot", QT_TRANSLATE_NOOP("StationWords", "Overshoot"), "\u00b0", kDegreesPerRadian, 1},
+    {"twist.hold_steadiness", QT_TRANSLATE_NOOP("StationWords", "Steadiness of the hold"), "\u00b0",
+     kDegreesPerRadian, 2},
     {"twist.sparc", QT_TRANSLATE_NOOP("StationWords", "Smoothness"), "", 1.0, 2},
     {"twist.ldlj", QT_TRANSLATE_NOOP("StationWords", "Smoothness (jerk)"), "", 1.0, 1},
     {"twist.economy", QT_TRANSLATE_NOOP("StationWords", "Economy of turning"), "%", 100.0, 0},
     {"twist.peaks", QT_TRANSLATE_NOOP("StationWords", "Sub-movements"), "", 1.0, 0},
-    {"twist.path", QT_TRANSLATE_NOOP("StationWords", "Angular path"), "\u00b0", kDegree, 0},
-    {"twist.rmse", QT_TRANSLATE_NOOP("StationWords", "Tracking error"), "\u00b0", kDegree, 1},
+    {"twist.path", QT_TRANSLATE_NOOP("StationWords", "Angular path"), "\u00b0", kDegreesPerRadian, 0},
+    {"twist.rmse", QT_TRANSLATE_NOOP("StationWords", "Tracking error"), "\u00b0", kDegreesPerRadian, 1},
     {"twist.excursions", QT_TRANSLATE_NOOP("StationWords", "Excursions"), "", 1.0, 0},
     {"tip.path", QT_TRANSLATE_NOOP("StationWords", "Path of the tip"), "mm", 1000.0, 0},
     {"force.peak", QT_TRANSLATE_NOOP("StationWords", "Peak force"), "N", 1.0, 2},

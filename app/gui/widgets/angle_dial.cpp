@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
+
+#include "sim/base/angle.h"
 
 namespace torsio::gui {
 
@@ -17,10 +18,6 @@ constexpr int kDiameter = 146;
 constexpr double kRing = 10.0;
 constexpr double kTargetReach = 5.0;  // the target's mark sticks out of the ring this far
 constexpr double kLeastTolerance_deg = 1.0;
-
-double degrees(double rad) {
-  return rad * 180.0 / std::numbers::pi;
-}
 
 /// An arc from the top, clockwise for positive angles, as QPainter wants it.
 void drawArc(QPainter& painter, const QRectF& box, double from_deg, double span_deg) {

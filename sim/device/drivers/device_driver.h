@@ -13,7 +13,7 @@
 
 namespace torsio {
 
-/// Everything that any driver may want; each takes its part.
+/// Everything that any driver may need to open a device; each driver reads its part.
 struct DeviceRequest {
   Pose start;                          ///< pointer, idle: the pose before the first input
   ScriptedHandOptions hand;            ///< scripted
@@ -30,13 +30,13 @@ struct DeviceDriver {
   bool available = false;
   Text finding;  ///< why, or why not; a sentence without a full stop
   Text remedy;   ///< what to do; "" when available
-  /// Throws Error{kDevice} or Error{kBadParameter}. An hdapi device still has to be started
-  /// (HdapiDevice::start).
+  /// Opens the device. Throws Error{kDevice} or Error{kBadParameter}. An hdapi device still has to be
+  /// started (HdapiDevice::start).
   std::function<std::unique_ptr<HapticDevice>(const DeviceRequest&)> open;
 };
 
-/// All drivers, best first, and whether each could be used now. Loads the vendor's library if there is one
-/// (never unloaded), but opens no device. `library`: its path or name, "" for the usual ones.
+/// Lists all drivers, best first, and whether each could be used now. Loads the vendor's library if there
+/// is one (never unloaded), but opens no device. `library`: its path or name, "" for the usual ones.
 [[nodiscard]] std::vector<DeviceDriver> deviceDrivers(const std::string& library = "");
 
 }  // namespace torsio

@@ -7,14 +7,14 @@
 
 namespace torsio {
 
-/// A switch bounces for a few milliseconds; nobody presses twice within this time.
+/// Time within which a switch bounces and nobody presses twice.
 inline constexpr std::int64_t kButtonBounce_us = 5'000;
 
 /// Debounces buttons without delaying them: a change counts at once, further changes of the same button are
 /// ignored for kButtonBounce_us, then the button's level counts again. Servo thread; a plain value.
 class ButtonFilter {
  public:
-  /// The mask of pressed buttons at `now_us`; bits beyond the first kButtons are dropped.
+  /// Returns the mask of pressed buttons at `now_us`; bits beyond the first kButtons are dropped.
   std::uint32_t filter(std::uint32_t raw, std::int64_t now_us) noexcept {
     for (std::size_t i = 0; i < kButtons; ++i) {
       const std::uint32_t bit = 1U << i;

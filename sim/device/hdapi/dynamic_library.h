@@ -14,11 +14,11 @@ struct LoadedLibrary {
 };
 
 /// Loads `name` (a path, or a file name that the system searches) with all its references resolved and
-/// without showing its symbols to others. It stays loaded until the process ends: the vendor's driver fails
-/// when it is loaded a second time after having been unloaded.
+/// without showing its symbols to others. The library stays loaded until the process ends: the vendor's
+/// driver fails when it is loaded a second time after having been unloaded.
 [[nodiscard]] LoadedLibrary loadLibrary(const std::string& name);
 
-/// Address of a function of a loaded library; null when it has none of that name.
+/// Returns the address of a function of a loaded library; null when the library has none of that name.
 [[nodiscard]] void* librarySymbol(void* handle, const char* name) noexcept;
 
 }  // namespace torsio

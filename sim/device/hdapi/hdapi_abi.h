@@ -110,8 +110,8 @@ inline constexpr ErrorCode kInvalidPriority = 0x0500;
 inline constexpr ErrorCode kSchedulerFull = 0x0501;
 inline constexpr ErrorCode kInvalidLicense = 0x0600;
 
-/// The functions of the loaded library. X(result, name, parameters) for each; the first list must be
-/// complete, of the second any may be null.
+/// Lists the functions of the loaded library as X(result, name, parameters). All of TORSIO_HD_MANDATORY
+/// must be there; of TORSIO_HD_OPTIONAL any may be null.
 #define TORSIO_HD_MANDATORY(X)                                                                              \
   X(Handle, hdInitDevice, (const char* configName))                                                         \
   X(void, hdDisableDevice, (Handle device))                                                                 \

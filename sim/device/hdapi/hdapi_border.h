@@ -28,16 +28,16 @@ struct DevicePlacement {
 
 /// Distance from the middle of the gimbal to the tip of the stylus (third-party figure; measure your own).
 inline constexpr double kStylusTip_m = 0.039;
-/// A column of a rotation matrix may differ from unit length by this: the library computes in double, so
-/// anything more is not a rotation.
+/// Largest deviation of a column of a rotation matrix from unit length: the library computes in double, so
+/// a larger one is no rotation.
 inline constexpr double kRotationTolerance = 1e-3;
 
-/// The only place where the vendor's millimetres and device axes become metres of the world: pose of the
-/// stylus tip. Empty when the transform is not a rigid motion (not finite, not orthonormal).
+/// Returns the pose of the stylus tip: the only place where the vendor's millimetres and device axes become
+/// metres of the world. Empty when the transform is not a rigid motion (not finite, not orthonormal).
 [[nodiscard]] std::optional<Pose> worldPose(const HdapiFrame& frame,
                                             const DevicePlacement& placement) noexcept;
 
-/// ... and the way back: a force in the world, as the vendor's library wants it (N, device axes).
+/// Returns a force of the world as the vendor's library takes it (N, device axes).
 [[nodiscard]] std::array<double, 3> deviceForce(const Vec3& world_N,
                                                 const DevicePlacement& placement) noexcept;
 
@@ -49,26 +49,28 @@ struct WorldBox {
 [[nodiscard]] WorldBox worldBox(const std::array<double, 6>& box_mm,
                                 const DevicePlacement& placement) noexcept;
 
-/// How a model reports the three gimbal angles: true angle = scale * reported + offset, wrapped to +-pi, in
-/// the Touch's convention (from neutral: right +, up -, clockwise +).
+/// Convention by which a model reports the three gimbal angles: true angle = scale * reported + offset,
+/// wrapped to +-pi, in the Touch's convention (from neutral: right +, up -, clockwise +).
 struct GimbalProfile {
   std::string model;
   std::array<double, 3> scale{1.0, 1.0, 1.0};
   std::array<double, 3> offset_rad{};
 };
-/// The FireWire Omni reports other offsets and directions than the Touch; the numbers are one published
-/// unit's and are replaced by the docked reference. Every model but "PHANTOM Omni" counts as a Touch.
+/// Returns the gimbal profile of a model. The FireWire Omni reports other offsets and directions than the
+/// Touch; the numbers are one published unit's and are replaced by the docked reference. Every model but
+/// "PHANTOM Omni" counts as a Touch.
 [[nodiscard]] GimbalProfile gimbalProfile(const std::string& model);
 [[nodiscard]] std::array<double, 3> trueGimbal_rad(const GimbalProfile& profile,
                                                    const std::array<double, 3>& reported_rad) noexcept;
 
-/// The stylus in the inkwell (recorded on a Touch): middle of the gimbal, device frame, mm.
+/// Place of the stylus in the inkwell (recorded on a Touch): middle of the gimbal, device frame, mm.
 inline constexpr std::array<double, 3> kInkwell_mm{0.0, -65.5107, -88.1142};
-/// The stylus counts as docked within this distance of it.
+/// Distance from kInkwell_mm within which the stylus counts as docked.
 inline constexpr double kInkwellReach_mm = 15.0;
 [[nodiscard]] bool isDocked(const HdapiFrame& frame) noexcept;
 
-/// The pose that the joint and gimbal angles of a Touch mean (angles in rad, result in mm, device frame):
+/// Computes the pose that follows from the joint and gimbal angles of a Touch (angles in rad, result in mm,
+/// device frame):
 ///   x = -sin q1 (L cos q2 + L sin q3)
 ///   y = L sin q2 - L cos q3 + 23.35
 ///   z = cos q1 (L cos q2 + L sin q3) - 168.35,  L = 133.35

@@ -15,16 +15,17 @@ enum class CalibrationState : std::uint8_t {
   kFailed,  ///< the device refused several times; waits until the user asks for another try
 };
 
-/// The device is asked this often; it calibrates itself whenever the stylus sits in the inkwell.
+/// Time between two questions for the state of calibration; the device calibrates itself whenever the
+/// stylus sits in the inkwell.
 inline constexpr std::int64_t kCalibrationCheck_us = 1'000'000;
-/// After so many refused updates in a row the flow waits for the user.
+/// Number of refused updates in a row after which the flow waits for the user.
 inline constexpr int kCalibrationTries = 5;
 
 /// The steps from an unknown to a calibrated device, without any call of the library: the servo frame asks,
-/// this decides. Servo thread; a plain value.
+/// the flow decides. Servo thread; a plain value.
 class CalibrationFlow {
  public:
-  /// True when the device should be asked now.
+  /// Tells whether the device should be asked now.
   [[nodiscard]] bool due(std::int64_t now_us) const noexcept {
     return state_ != CalibrationState::kFailed && (!asked_ || now_us - asked_us_ >= kCalibrationCheck_us);
   }
@@ -43,12 +44,12 @@ class CalibrationFlow {
     }
     return false;
   }
-  /// What the update brought. Whether the device is calibrated is asked anew after the usual pause.
+  /// Takes the result of the update. Whether the device is calibrated is asked anew after the usual pause.
   void updated(bool refused) noexcept {
     tries_ = refused ? tries_ + 1 : 0;
     if (tries_ >= kCalibrationTries) state_ = CalibrationState::kFailed;
   }
-  /// The user asks for another try.
+  /// Begins anew because the user asks for another attempt.
   void retry() noexcept { *this = {}; }
 
   [[nodiscard]] CalibrationState state() const noexcept { return state_; }

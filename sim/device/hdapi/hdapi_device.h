@@ -10,9 +10,9 @@
 
 namespace torsio {
 
-/// In mailbox operation a reading that is not renewed for this long is marked stale ...
+/// Age at which a reading that is not renewed is marked stale in mailbox operation.
 inline constexpr std::int64_t kReadingStale_us = 5'000;
-/// ... and after this long the device counts as lost.
+/// Age of a reading at which the device counts as lost in mailbox operation.
 inline constexpr std::int64_t kReadingLost_us = 250'000;
 
 /// PHANTOM Omni or 3D Systems Touch through the vendor's library. Two ways to run:
@@ -51,24 +51,25 @@ class HdapiDevice final : public HapticDevice {
  public:
   /// Opens the device, force off. `api`: complete (HdapiLibrary). Throws Error{kDevice}.
   HdapiDevice(const hd::Api& api, const HdapiOptions& options);
-  /// close().
+  /// Closes the device as close() does.
   ~HdapiDevice() override;
 
   /// Starts the servo, driven by `tick` or, without one, over mailboxes. Once. Throws Error{kDevice}.
   void start(const HdapiTick& tick = {});
-  /// Begins to close in a thread of its own and returns as soon as the tick function is done for good; the
-  /// library may take as long as it wants. Not from within the tick function.
+  /// Begins to close in a thread of its own and returns as soon as the tick function will not be called
+  /// again; the library may take longer. Not from within the tick function.
   void beginClose();
   /// beginClose(), then waits, the first time for at most HdapiOptions::patience_us. False when the library
   /// did not let go (unplugged devices block it): the process must end before the device can be opened again.
   bool close();
 
-  /// Wish for force output. It is granted while the device is calibrated, quick and cool, and always ramped.
+  /// Asks for force output. Force is granted while the device is calibrated, quick and cool, and always
+  /// ramped.
   void enableForce(bool on) noexcept { session_->servo().wishForce(on); }
-  /// Another round of attempts after CalibrationState::kFailed.
+  /// Begins another round of calibration attempts after CalibrationState::kFailed.
   void retryCalibration() noexcept { session_->servo().wishCalibration(); }
   [[nodiscard]] HdapiSnapshot snapshot() noexcept;
-  /// The oldest event not yet taken; false when there is none.
+  /// Takes the oldest event not yet taken; false when there is none.
   [[nodiscard]] bool nextEvent(HdapiEvent& event) noexcept { return session_->servo().nextEvent(event); }
   [[nodiscard]] const HdapiIdentity& identity() const noexcept { return session_->identity(); }
 
@@ -77,7 +78,7 @@ class HdapiDevice final : public HapticDevice {
   }
   [[nodiscard]] DeviceSample read(std::int64_t time_us) noexcept override;
   void write(const ForceCommand& command) noexcept override;
-  /// The frame that hangs ends with zero force, and so does every other until the gate has opened anew.
+  /// Ends a frame that hangs with zero force, and every other until the gate has opened anew.
   void dropForce() noexcept override { session_->servo().dropForce(); }
 
  private:

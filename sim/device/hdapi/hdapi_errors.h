@@ -24,10 +24,10 @@ enum class HdapiErrorClass : std::uint8_t {
 
 [[nodiscard]] HdapiErrorClass hdapiErrorClass(hd::ErrorCode code) noexcept;
 
-/// Plain words for a code: "the connection to the device broke off".
+/// Says an error code in plain words: "the connection to the device broke off".
 [[nodiscard]] Text hdapiErrorText(hd::ErrorCode code);
 
-/// More errors than this are never taken in one tick, so that a tick cannot be held up by the library.
+/// Most errors that are taken in one tick, so that the library cannot hold up a tick.
 inline constexpr std::size_t kMostErrorsAtOnce = 16;
 
 /// The errors that one emptying of the stack brought, in the order in which they happened.
@@ -37,7 +37,7 @@ struct HdapiErrors {
   HdapiErrorClass worst = HdapiErrorClass::kNone;
 
   [[nodiscard]] bool any(HdapiErrorClass wanted) const noexcept;
-  /// Code of the first entry of the worst class; kSuccess when there is none.
+  /// Returns the code of the first entry of the worst class; kSuccess when there is none.
   [[nodiscard]] hd::ErrorCode worstCode() const noexcept;
 };
 

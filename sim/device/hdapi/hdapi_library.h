@@ -29,7 +29,7 @@ struct HdapiLibrary {
   Text remedy;                               ///< what to do; "" when loaded
 };
 
-/// Names of the vendor's library on this system, most current first.
+/// Lists the names of the vendor's library on this system, most current first.
 [[nodiscard]] std::vector<std::string> hdapiLibraryNames();
 
 /// Fills the table through `symbol` (name to address or null) and lists what is absent.

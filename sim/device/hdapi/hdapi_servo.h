@@ -20,8 +20,7 @@
 namespace torsio {
 
 /// Called once a tick in the vendor's servo thread, between the reading and the sending of a frame. noexcept
-/// by contract; no allocation, no lock. A ServoCallback is driven by
-/// `{[](void* self, std::int64_t) { (void)ServoCallback::invoke(self); }, &callback}`.
+/// by contract; no allocation, no lock.
 struct HdapiTick {
   void (*run)(void* context, std::int64_t time_us) = nullptr;
   void* context = nullptr;
@@ -34,8 +33,8 @@ struct HdapiSetup {
   DevicePlacement placement;
   GimbalProfile gimbal;
   double maxForce_N = 3.3;
-  bool hasTemperature = true;    ///< the library answers when asked for it
-  bool hasInkwellSwitch = true;  ///< the same
+  bool hasTemperature = true;    ///< the library answers when asked for the temperature
+  bool hasInkwellSwitch = true;  ///< the library answers when asked for the inkwell switch
 };
 
 /// A force on its way to the device, numbered so that an old one is recognised.
@@ -44,33 +43,34 @@ struct HdapiForce {
   std::uint64_t number = 0;
 };
 
-/// A force that was not renewed for this long is not sent any more.
+/// Age at which a force that was not renewed is no longer sent.
 inline constexpr std::int64_t kForceExpires_us = 20'000;
-/// Motors warmer than the first value fold the force back, until they are colder than the second one (rule of
-/// the vendor's own sample).
+/// Temperature of a motor above which the force is folded back (rule of the vendor's own sample).
 inline constexpr double kWarmAbove = 0.7;
+/// Temperature below which all motors must be before the full force returns.
 inline constexpr double kWarmUntilBelow = 0.5;
-/// No hand moves the stylus faster than this; a faster step is a jump of the calibration.
+/// Speed that no hand exceeds; a faster step is a jump of the calibration.
 inline constexpr double kFastestHand_m_per_s = 10.0;
-/// ... and for this long after a jump the pose is not trusted.
+/// Time for which the pose is not trusted after a jump.
 inline constexpr std::int64_t kJumpSettles_us = 100'000;
-/// The jaw follows stylus button 1 within this time, closing and opening.
+/// Time within which the jaw follows stylus button 1, closing and opening.
 inline constexpr std::int64_t kGripTime_us = 100'000;
 
-/// Everything that happens in the vendor's servo thread: one frame a tick, errors, calibration, the border to
-/// SI and the force. It alone calls the library while the scheduler runs; other threads leave wishes in
-/// atomics and read mailboxes.
+/// Everything that happens in the vendor's servo thread: one frame a tick, errors, calibration, the border
+/// to SI and the force. Only this object calls the library while the scheduler runs; other threads leave
+/// wishes in atomics and read mailboxes.
 class HdapiServo {
  public:
   HdapiServo(const hd::Api& api, const HdapiSetup& setup, const Clock& clock);
 
-  /// Any thread, before the scheduler starts.
+  /// Sets the tick function. Any thread, before the scheduler starts.
   void setTick(const HdapiTick& tick) noexcept { tick_ = tick; }
 
   // --- vendor's servo thread ---
-  /// One tick; kCallbackDone when the connection is over. Allocates nothing, locks nothing, logs nothing.
+  /// Runs one frame; returns kCallbackDone when the connection is over. Allocates nothing, locks nothing,
+  /// logs nothing.
   hd::CallbackCode frame() noexcept;
-  /// True once a frame with zero force went out after revokeTick().
+  /// Tells whether a frame with zero force went out after revokeTick().
   [[nodiscard]] bool silent() const noexcept { return silent_.load(std::memory_order_acquire); }
 
   // --- inside the tick function ---
@@ -90,12 +90,12 @@ class HdapiServo {
   [[nodiscard]] bool nextEvent(HdapiEvent& event) noexcept { return events_.pop(event); }
   void wishForce(bool on) noexcept { forceWished_.store(on, std::memory_order_relaxed); }
   void wishCalibration() noexcept { calibrationWished_.store(true, std::memory_order_relaxed); }
-  /// Ends the frames: zero force from the next one on. After it returned the tick function is never called
+  /// Ends the frames: zero force from the next one on. After the return the tick function is never called
   /// again. Not from within the tick function.
   void revokeTick() noexcept;
-  /// Zero force from the frame in progress or, outside of one, from the next on, until the gate has opened
-  /// anew. Any thread; calls nothing of the library, which belongs to the servo thread: while a frame hangs,
-  /// only the device's own protection is left.
+  /// Sends zero force from the frame in progress or, outside of one, from the next on, until the gate has
+  /// opened anew. Any thread; calls nothing of the library, which belongs to the servo thread: while a
+  /// frame hangs, only the device's own protection is left.
   void dropForce() noexcept { dropAsked_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool lost() const noexcept { return lost_.load(std::memory_order_acquire); }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/base/error.h"
+#include "sim/base/tick_period.h"
 
 namespace torsio {
 
@@ -15,7 +16,7 @@ namespace {
 // valid handle is 0; nobody has a thousand devices.
 constexpr hd::Handle kLargestHandle = 1024;
 constexpr int kInitTries = 3;
-constexpr hd::ULong kWantedRate_Hz = 1000;
+constexpr hd::ULong kWantedRate_Hz = 1'000'000 / kTickPeriod_us;
 constexpr double kMillimetre_m = 1e-3;
 constexpr double kPerMillimetre_per_m = 1e3;
 // Nominal box of the Omni and the Touch about the device's origin: 160 x 120 x 70 mm.

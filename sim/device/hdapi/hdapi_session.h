@@ -15,8 +15,8 @@
 namespace torsio {
 
 struct HdapiOptions {
-  /// The name that the vendor's set-up tool gave the device. It is tried first, then the default device.
-  /// Empty: the default device first, then the vendor's two customary names.
+  /// Name that the vendor's set-up tool gave the device; tried first, then the default device. Empty: the
+  /// default device first, then the vendor's two customary names.
   std::string deviceName;
   Quat deviceToWorld = DevicePlacement{}.deviceToWorld;
   Vec3 workspaceCentre_m;                ///< world point for the centre of the usable workspace
@@ -25,7 +25,7 @@ struct HdapiOptions {
   std::shared_ptr<const Clock> clock;    ///< null: the machine's monotonic clock
 };
 
-/// What the device says about itself, and what had to be assumed because it said nothing sensible.
+/// What the device reports about itself, and what had to be assumed because its report made no sense.
 struct HdapiIdentity {
   std::string model;
   std::string vendor;
@@ -40,21 +40,22 @@ struct HdapiIdentity {
 };
 
 /// One connection to one device, from hdInitDevice to hdDisableDevice, and the order of everything between:
-/// init, capabilities, callback, scheduler; then zero force, scheduler, callback, device. The library allows
-/// one servo loop a process, so there is one session at a time. Its calls belong to one thread; the servo's
-/// own (HdapiServo) to the vendor's.
+/// init, capabilities, callback, scheduler; then zero force, scheduler, callback, device. The library
+/// allows one servo loop a process, so there is one session at a time. The calls of a session belong to one
+/// thread; those of HdapiServo to the vendor's.
 class HdapiSession {
  public:
   /// Opens the device with its force off. Throws Error{kDevice}: no device, in use, no licence.
   HdapiSession(const hd::Api& api, const HdapiOptions& options);
-  /// tearDown().
+  /// Ends the session as tearDown() does.
   ~HdapiSession();
   HdapiSession(const HdapiSession&) = delete;
   HdapiSession& operator=(const HdapiSession&) = delete;
 
   /// Starts the vendor's servo loop. Throws Error{kDevice}; then everything is torn down again.
   void start(const HdapiTick& tick);
-  /// Zero force, stop, unschedule, disable, in this order; once. Blocks as long as the library does.
+  /// Ends the session: zero force, stop, unschedule, disable, in this order; once. Blocks as long as the
+  /// library does.
   void tearDown() noexcept;
 
   [[nodiscard]] HdapiServo& servo() noexcept { return *servo_; }

@@ -21,7 +21,7 @@ enum class HdapiState : std::uint8_t {
   kClosed,
 };
 
-/// What the servo thread says about itself once a tick; the newest one counts.
+/// State of the servo thread, published once a tick; the newest counts.
 struct HdapiSnapshot {
   HdapiState state = HdapiState::kOpened;
   CalibrationState calibration = CalibrationState::kUnknown;
@@ -41,7 +41,7 @@ struct HdapiSnapshot {
   TickStatistics timing;
 };
 
-/// Something that happened in the servo thread and must not be overwritten.
+/// An event of the servo thread, which must not be overwritten by a later one.
 struct HdapiEvent {
   enum class Kind : std::uint8_t { kButtons, kError, kCalibration, kRollStop, kJump, kGap, kLost };
   Kind kind = Kind::kError;

@@ -5,10 +5,11 @@
 #include <type_traits>
 
 #include "sim/base/live_types.h"
+#include "sim/base/tick_period.h"
 
 namespace torsio {
 
-/// How far the engage ramp has come.
+/// State of the governor's engage ramp.
 enum class GovernorState : std::uint8_t {
   kOff,        ///< switched off by the user: no force
   kEngaging,   ///< the gain rises from 0 to 1
@@ -23,21 +24,23 @@ struct GovernorLimits {
   double continuousForce_N = 0.88;           ///< may be held for ever; 0 < continuous <= maximum
   Vec3 workspaceMin_m{-10.0, -10.0, -10.0};  ///< usable box, world frame
   Vec3 workspaceMax_m{10.0, 10.0, 10.0};
-  std::int64_t tickPeriod_us = 1000;  ///< > 0
+  std::int64_t tickPeriod_us = kTickPeriod_us;  ///< > 0
 };
 
-/// No force is let through after a gap between ticks longer than this: the coupling must start anew.
+/// Longest gap between ticks after which force is still let through; after a longer one the coupling starts
+/// anew.
 inline constexpr std::int64_t kLongestTickGap_us = 5'000;
-/// A force older than the first age fades and is gone at the second.
+/// Age from which a force fades.
 inline constexpr std::int64_t kStaleFadeBegins_us = 5'000;
+/// Age at which a force has faded to nothing.
 inline constexpr std::int64_t kStaleFadeEnds_us = 25'000;
-/// After a stall the faded force takes this long to come back.
+/// Time that the faded force takes to come back after a stall.
 inline constexpr std::int64_t kStaleRecovery_us = 100'000;
-/// Outside the usable box the force falls to zero over this way.
+/// Distance outside the usable box over which the force falls to zero.
 inline constexpr double kWorkspaceFade_m = 0.010;
-/// Thermal fold-back: the allowed force shrinks and recovers by these factors a tick (the rule of the
-/// vendor's own sample).
+/// Factor a tick by which the allowed force shrinks in thermal fold-back (rule of the vendor's own sample).
 inline constexpr double kThermalFoldBack = 0.999;
+/// Factor a tick by which the allowed force recovers after thermal fold-back.
 inline constexpr double kThermalRecovery = 1.001;
 /// Time constant of the leaky mean of the squared force (motor heat). Assumed: no figure is published.
 inline constexpr double kHeatTime_s = 60.0;
@@ -46,14 +49,16 @@ inline constexpr double kHeatMargin = 0.25;
 /// Largest change of the sent force: 3.3 N take 33 ms. No published limit exists for the Touch; at the
 /// stiffest contact (500 N/m) a hand at 0.2 m/s stays just below it.
 inline constexpr double kSlewLimit_N_per_s = 100.0;
+/// Time of the ramp by which the force comes in when it is switched on.
 inline constexpr std::int64_t kEngageTime_us = 500'000;
+/// Time of the ramp by which the force goes when it is switched off.
 inline constexpr std::int64_t kReleaseTime_us = 100'000;
-/// After a fault the inputs must be sound for this long before the governor engages again ...
+/// Time for which the inputs must be sound after a fault before the governor engages again.
 inline constexpr std::int64_t kInhibitTime_us = 1'000'000;
-/// ... and after more faults than this it waits until the force is switched off and on.
+/// Number of faults after which the governor waits until the force is switched off and on.
 inline constexpr int kFaultsForgiven = 3;
 
-/// What the governor looks at in one tick.
+/// What the governor reads in one tick.
 struct GovernorInput {
   std::int64_t now_us = 0;       ///< time of this tick
   std::int64_t computed_us = 0;  ///< time for which the wanted force was computed
@@ -65,29 +70,32 @@ struct GovernorInput {
 /// Makes every force safe for hand and device, in this order: finite check, staleness fade, workspace fade,
 /// thermal fold-back, continuous-energy budget, norm clamp (direction kept), slew limit, engage ramp.
 ///
-/// A plain value: copying it copies its memory. It knows the time only from its input and computes with IEEE
-/// basic operations and square roots, so that a replay repeats it bit for bit. Servo thread; noexcept, no
-/// allocation. The sent force changes by at most kSlewLimit_N_per_s, except that a fault, a lost device or a
-/// gap between ticks cuts it to zero at once.
+/// A plain value: copying it copies its memory. The governor knows the time only from its input and
+/// computes with IEEE basic operations and square roots, so that a replay repeats it bit for bit. Servo
+/// thread; noexcept, no allocation. The sent force changes by at most kSlewLimit_N_per_s, except that a
+/// fault, a lost device or a gap between ticks cuts it to zero at once.
 class ForceGovernor {
  public:
-  /// Throws Error{kBadParameter} for limits that are not finite or not in order.
+  /// Makes a governor for a device. Throws Error{kBadParameter} for limits that are not finite or not in
+  /// order.
   explicit ForceGovernor(const GovernorLimits& limits);
 
-  /// Switches the force on (engage ramp; also forgives all faults) or off (release ramp). On at the start.
+  /// Switches the force on (engage ramp; also forgives all faults) or off (release ramp). A new governor is
+  /// on.
   void enable(bool on) noexcept;
-  /// The force to send, with the ForceLimit bits of every stage that acted.
+  /// Returns the force to send, with the ForceLimit bits of every stage that acted.
   [[nodiscard]] ForceCommand govern(const GovernorInput& input) noexcept;
 
   [[nodiscard]] GovernorState state() const noexcept { return state_; }
   [[nodiscard]] const GovernorLimits& limits() const noexcept { return limits_; }
-  /// Leaky mean of the squared sent force, N^2; never above the square of the continuous force for long.
+  /// Returns the leaky mean of the squared sent force, N^2; never above the square of the continuous force
+  /// for long.
   [[nodiscard]] double heat_N2() const noexcept { return heat_N2_; }
 
  private:
-  /// False when the state, a fault or the device's status forbids any force.
+  /// Tells whether force may pass: false when the state, a fault or the device's status forbids it.
   [[nodiscard]] bool letsThrough(const GovernorInput& input, std::uint32_t& bits) noexcept;
-  /// The stages from the staleness fade to the norm clamp.
+  /// Applies the stages from the staleness fade to the norm clamp.
   [[nodiscard]] Vec3 limited(const GovernorInput& input, double staleness, std::uint32_t& bits) noexcept;
   [[nodiscard]] double staleGain(const GovernorInput& input, std::int64_t step_us) noexcept;
   [[nodiscard]] double workspaceGain(const Vec3& tip_m) const noexcept;

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "sim/base/live_types.h"
+#include "sim/base/tick_period.h"
 
 namespace torsio {
 
@@ -15,7 +16,7 @@ namespace torsio {
 inline constexpr double kLargestDamping_Ns_per_m = 4.0;
 
 struct PassivityOptions {
-  std::int64_t tickPeriod_us = 1000;  ///< > 0
+  std::int64_t tickPeriod_us = kTickPeriod_us;  ///< > 0
   /// Ticks between the tick that computes a force and the way of the hand that it acts on; 0: at once. At
   /// most kLongestLatency_ticks.
   int latency_ticks = 0;
@@ -40,18 +41,19 @@ class PassivityController {
  public:
   static constexpr int kLongestLatency_ticks = 16;
 
-  /// Throws Error{kBadParameter}.
+  /// Makes a controller without stored energy. Throws Error{kBadParameter} for options out of range.
   explicit PassivityController(const PassivityOptions& options);
 
-  /// Once a tick, before the governor: the wanted force, damped where energy was generated. Sets
-  /// kForcePassivity in `limits` then. `sound`: false while the device delivers no position (the observer
+  /// Returns the wanted force, damped where energy was generated; kForcePassivity is then set in `limits`.
+  /// Once a tick, before the governor. `sound`: false while the device delivers no position (the observer
   /// begins anew).
   [[nodiscard]] Vec3 control(std::int64_t now_us, const Vec3& tip_m, const Vec3& wanted_N, bool sound,
                              std::uint32_t& limits) noexcept;
-  /// What the governor made of it, once a tick after control().
+  /// Takes the force that the governor really sent, once a tick after control().
   void sent(const Vec3& force_N) noexcept;
 
-  /// Energy that the hand has put in since the force was last zero, J; below 0 it got more back.
+  /// Returns the energy that the hand has put in since the force was last zero, J; below 0 the hand got
+  /// more back.
   [[nodiscard]] double energy_J() const noexcept { return energy_J_; }
 
  private:

@@ -7,20 +7,20 @@
 
 namespace torsio {
 
-/// Upper edges of the classes in which times between ticks and durations of ticks are counted; the last class
-/// has none.
+/// Upper edges of the classes in which times between ticks and durations of ticks are counted; the last
+/// class has no upper edge.
 inline constexpr std::array<std::int64_t, 9> kTimingEdges_us{100,   250,   500,   900,   1'100,
                                                              1'500, 2'500, 5'000, 20'000};
 using TimingClasses = std::array<std::int64_t, kTimingEdges_us.size() + 1>;
 
-/// Index of the class of a time: the first edge that is not below it.
+/// Returns the index of the class of a time: the first edge that is not below it.
 [[nodiscard]] constexpr std::size_t timingClass(std::int64_t time_us) noexcept {
   std::size_t i = 0;
   while (i < kTimingEdges_us.size() && time_us > kTimingEdges_us[i]) ++i;
   return i;
 }
 
-/// What is known about the regularity of the servo. A plain value, filled by the servo thread.
+/// Regularity of the servo: intervals, durations, rate. A plain value, filled by the servo thread.
 struct TickStatistics {
   std::int64_t ticks = 0;
   std::int64_t late = 0;        ///< ticks that came later than 1.5 periods after the one before
@@ -35,19 +35,19 @@ struct TickStatistics {
 };
 
 inline constexpr std::int64_t kServoPeriod_us = 1'000;
-/// After a pause longer than this the coupling has to start anew.
+/// Longest pause between ticks after which the coupling goes on; after a longer one it starts anew.
 inline constexpr std::int64_t kServoGap_us = 5'000;
-/// A callback should use well under its tick.
+/// Time that a callback should use at most: well under its tick.
 inline constexpr std::int64_t kServoBudget_us = 500;
-/// The rate is judged over windows of this length ...
+/// Length of the windows over which the rate is judged.
 inline constexpr std::int64_t kRateWindow_us = 500'000;
-/// ... and below this one no force is rendered (the vendor discourages 500 Hz already).
+/// Rate below which no force is rendered (the vendor discourages 500 Hz already).
 inline constexpr double kLowestRate_Hz = 800.0;
 
 /// Fills the statistics from the beginnings and ends of ticks.
 class TickMeter {
  public:
-  /// Time since the tick before, 0 for the first one.
+  /// Begins a tick; returns the time since the tick before, 0 for the first one.
   std::int64_t begin(std::int64_t now_us) noexcept {
     const std::int64_t interval_us = values_.ticks == 0 ? 0 : now_us - begun_us_;
     if (values_.ticks == 0) window_us_ = now_us;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "sim/base/angle.h"
 #include "sim/base/portable_math.h"
 #include "sim/base/random.h"
 
@@ -31,17 +32,17 @@ HandMotion handMotion(double skill) noexcept {
   motion.reach_s = between(1.6, 0.9);
   motion.approach_s = between(0.9, 0.5);
   motion.jaw_s = between(0.40, 0.22);
-  motion.meanTwist_rad_per_s = between(35.0 * kDegree, 75.0 * kDegree);
+  motion.meanTwist_rad_per_s = between(radians(35.0), radians(75.0));
   motion.correction_s = between(0.8, 0.5);
   motion.hold_s = between(1.4, 0.9);
   motion.overshoot = between(0.14, 0.015);
-  motion.angleError_rad = between(7.0 * kDegree, 1.2 * kDegree);
+  motion.angleError_rad = between(radians(7.0), radians(1.2));
   motion.graspError_m = between(0.003, 0.0006);
   motion.pressError_m = between(0.0004, 0.0001);
   motion.tremor_m = between(0.00025, 0.00006);
-  motion.tremor_rad = between(0.35 * kDegree, 0.08 * kDegree);
+  motion.tremor_rad = between(radians(0.35), radians(0.08));
   motion.drift_m = between(0.0004, 0.0001);
-  motion.drift_rad = between(1.4 * kDegree, 0.25 * kDegree);
+  motion.drift_rad = between(radians(1.4), radians(0.25));
   return motion;
 }
 

@@ -14,10 +14,11 @@ struct HandProfile {
   double tremorFrequency_Hz = 10.0;  ///< centre of the person's physiological tremor, 8..12
 };
 
-/// The person with this seed: initial skill 0.05..0.30, final 0.80..0.98, learning time 9..22 min.
+/// Makes the person with this seed: initial skill 0.05..0.30, final 0.80..0.98, learning time 9..22 min.
 [[nodiscard]] HandProfile handProfile(std::uint64_t seed);
 
-/// Skill after so many minutes of practice: final - (final - initial) exp(-t / learning time).
+/// Returns the skill after `practised_min` minutes of practice: final - (final - initial) exp(-t / learning
+/// time).
 [[nodiscard]] double skillAfter(const HandProfile& profile, double practised_min) noexcept;
 
 /// How a hand of one skill moves; linear in skill between a novice (0) and an expert (1).
@@ -32,10 +33,10 @@ struct HandMotion {
   double angleError_rad = 0.0;  ///< standard deviation of the final angle
   double graspError_m = 0.0;    ///< standard deviation of the grasp point along the surface
   double pressError_m = 0.0;    ///< standard deviation of the pressing depth
-  double tremor_m = 0.0;        ///< root mean square an axis, 8-12 Hz
-  double tremor_rad = 0.0;      ///< the same of the orientation
-  double drift_m = 0.0;         ///< root mean square an axis, 0.1-0.5 Hz
-  double drift_rad = 0.0;       ///< the same of the twist angle
+  double tremor_m = 0.0;        ///< of the position, root mean square an axis, 8-12 Hz
+  double tremor_rad = 0.0;      ///< of the orientation, root mean square an axis, 8-12 Hz
+  double drift_m = 0.0;         ///< of the position, root mean square an axis, 0.1-0.5 Hz
+  double drift_rad = 0.0;       ///< of the twist angle, root mean square, 0.1-0.5 Hz
 };
 
 [[nodiscard]] HandMotion handMotion(double skill) noexcept;

@@ -5,7 +5,7 @@
 
 namespace torsio {
 
-/// Nobody holds the instrument: it stays where it was put. For pictures, views and tests.
+/// A device that nobody holds: the instrument stays where it was put. For pictures, views and tests.
 ///
 /// | channel     | direction | unit | value                      |
 /// |-------------|-----------|------|----------------------------|

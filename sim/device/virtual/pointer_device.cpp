@@ -22,6 +22,7 @@ bool isFinite(const PointerInput& input) noexcept {
 
 PointerDevice::PointerDevice(const Pose& start) : view_(normalized(start.orientation)) {
   capabilities_.model = "Mouse and keyboard";
+  capabilities_.drive = TwistDrive::kRoll;  // a mouse cannot be led round an organ: it turns
   target_.position_m = start.position_m;
   halfway_ = target_;
   steering_ = target_;

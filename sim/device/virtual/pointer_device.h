@@ -9,7 +9,8 @@
 
 namespace torsio {
 
-/// What a view knows of mouse and keyboard. Sent whenever something changed; the newest one counts.
+/// State of mouse and keyboard as a view knows it. Views send it whenever something changed; the newest
+/// counts.
 struct PointerInput {
   bool present = false;       ///< false: the pointer is elsewhere, the instrument stays and its jaw opens
   Vec3 onPlane_m;             ///< the pointer on the working plane, world frame
@@ -25,7 +26,8 @@ static_assert(std::is_trivially_copyable_v<PointerInput>);
 
 /// Time constant of the smoothing: a view delivers 60 positions a second, the servo needs 1000.
 inline constexpr double kPointerSmoothing_s = 0.015;
-/// A pointer that leaves the view and comes back elsewhere must not throw the instrument through the organ.
+/// Largest speed of the instrument, so that a pointer that leaves the view and comes back elsewhere does
+/// not throw it through the organ.
 inline constexpr double kPointerSpeedLimit_m_per_s = 1.5;
 
 /// Mouse and keyboard as a hand-held device with six degrees of freedom. The stylus points into the picture;
@@ -43,10 +45,10 @@ inline constexpr double kPointerSpeedLimit_m_per_s = 1.5;
 /// | force       | taken     | N    | not rendered (shown by the views)                  |
 class PointerDevice final : public HapticDevice {
  public:
-  /// `start`: the pose before the first input.
+  /// Makes a device that rests at `start` until the first input.
   explicit PointerDevice(const Pose& start);
 
-  /// One view thread. Never waits.
+  /// Hands over the newest input. From one view thread; never waits.
   void publish(const PointerInput& input) noexcept { inputs_.publish(input); }
 
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return capabilities_; }

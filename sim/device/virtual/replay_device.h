@@ -21,7 +21,7 @@ namespace torsio {
 /// | force       | taken     | N               | ignored                                      |
 class ReplayDevice final : public HapticDevice {
  public:
-  /// `capabilities`: those of the device that was recorded.
+  /// Makes a device that gives `samples`, with the `capabilities` of the device that was recorded.
   ReplayDevice(std::vector<DeviceSample> samples, DeviceCapabilities capabilities);
 
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return capabilities_; }

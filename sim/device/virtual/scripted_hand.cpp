@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -17,7 +18,7 @@ constexpr double kHover_m = 0.030;   // height of the tip above the surface befo
 constexpr double kPress_m = 0.0012;  // mean depth of the tip in the organ when the jaw closes
 constexpr double kPause_s = 0.4;
 constexpr double kLift_s = 0.5;
-constexpr double kReturn_rad_per_s = 120.0 * kDegree;
+constexpr double kReturn_rad_per_s = radians(120.0);
 constexpr double kShortestTwist_s = 1.0;
 constexpr double kClosestGrasp_m = 1e-4;  // nearer to the axis "outward" has no direction
 constexpr double kLongest_s = 86400.0;

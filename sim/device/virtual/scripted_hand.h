@@ -12,7 +12,8 @@
 
 namespace torsio {
 
-/// What the hand is asked to do, as plain geometry in the world frame. sim/servo makes it from a scene.
+/// Task of a scripted hand as plain geometry in the world frame; handTask (sim/servo/hand_task.h) makes it
+/// from a scene.
 struct HandTask {
   Vec3 start_m;                       ///< where the tip rests between two twists; away from the organ
   Vec3 graspPoint_m;                  ///< on the organ's surface, not on the axis
@@ -34,9 +35,9 @@ struct ScriptedHandOptions {
 
 /// A hand that twists by a plan: minimum-jerk reach to above the grasp point, approach into contact, grip,
 /// minimum-jerk twist with overshoot and correction, hold, release, retreat; again until the duration ends.
-/// Band-limited tremor (8-12 Hz) and drift (0.1-0.5 Hz) ride on it; skill grows with practice. The plan is
-/// made at construction from seed and parameters; time 0 is the first read. The hand does not give way to
-/// forces.
+/// Band-limited tremor (8-12 Hz) and drift (0.1-0.5 Hz) are added to the plan; skill grows with practice.
+/// The plan is made at construction from seed and parameters; time 0 is the first read. The hand does not
+/// give way to forces.
 ///
 /// | channel     | direction | unit | value                                                   |
 /// |-------------|-----------|------|---------------------------------------------------------|
@@ -49,20 +50,21 @@ struct ScriptedHandOptions {
 /// | force       | taken     | N    | ignored                                                 |
 class ScriptedHand final : public HapticDevice {
  public:
-  /// Throws Error{kBadParameter}: grasp point on the axis, axis not unit, times not positive.
+  /// Plans the whole movement. Throws Error{kBadParameter}: grasp point on the axis, axis not unit, times
+  /// not positive.
   explicit ScriptedHand(const ScriptedHandOptions& options);
 
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return capabilities_; }
   [[nodiscard]] DeviceSample read(std::int64_t time_us) noexcept override;
   void write(const ForceCommand&) noexcept override {}
 
-  /// Twists in the plan.
+  /// Returns the number of twists in the plan.
   [[nodiscard]] std::size_t cycles() const noexcept { return cycles_.size(); }
-  /// Angle at which twist `cycle` is held, without tremor and drift.
+  /// Returns the angle at which twist `cycle` is held, without tremor and drift.
   [[nodiscard]] double heldAngle_rad(std::size_t cycle) const { return cycles_.at(cycle).held_rad; }
-  /// Skill during twist `cycle`.
+  /// Returns the skill during twist `cycle`.
   [[nodiscard]] double skill(std::size_t cycle) const { return cycles_.at(cycle).skill; }
-  /// When twist `cycle` begins and ends, seconds after the first read.
+  /// Returns when twist `cycle` begins and ends, seconds after the first read.
   [[nodiscard]] std::array<double, 2> span_s(std::size_t cycle) const;
 
  private:

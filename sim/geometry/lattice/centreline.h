@@ -23,16 +23,17 @@ class Centreline {
  public:
   Centreline() = default;
 
-  /// Curved: `line_m` runs from the fixed to the free end, at least 2 points. It is resampled, smoothed over
-  /// `smoothing_m` (its ends stay, a straight line stays as it is) and given `intervals` equal steps with
-  /// rotation-minimising frames (double reflection). The frame at the fraction `e1At` of the length has its
-  /// e1 nearest to `e1`; zero: any. `arcs_m` receives the arc length of each point of `line_m`, never
-  /// decreasing, 0 and the length for the ends.
+  /// Makes a curved centreline. `line_m` runs from the fixed to the free end, at least 2 points. The line
+  /// is resampled, smoothed over `smoothing_m` (its ends stay, a straight line stays as it is) and given
+  /// `intervals` equal steps with rotation-minimising frames (double reflection). The frame at the fraction
+  /// `e1At` of the length has its e1 nearest to `e1`; zero: any. `arcs_m` receives the arc length of each
+  /// point of `line_m`, never decreasing, 0 and the length for the ends.
   [[nodiscard]] static Centreline curved(std::span<const Vec3> line_m, double smoothing_m, int intervals,
                                          const Vec3& e1, double e1At, std::vector<double>& arcs_m);
 
-  /// Straight: all frames parallel, arc length is the height above the first plane. `centres_m`: one a
-  /// station, equally spaced along the unit vector `axis`, at least 2. They may wander sideways.
+  /// Makes a straight centreline: all frames parallel, arc length is the height above the first plane.
+  /// `centres_m`: one a station, equally spaced along the unit vector `axis`, at least 2. The centres may
+  /// wander sideways.
   [[nodiscard]] static Centreline straightAlong(const Vec3& axis, double length_m,
                                                 std::span<const Vec3> centres_m, const Vec3& e1);
 
@@ -40,15 +41,16 @@ class Centreline {
   [[nodiscard]] double length_m() const noexcept { return length_m_; }
   [[nodiscard]] std::span<const AxisFrame> stations() const noexcept { return stations_; }
 
-  /// Frame at an arc length, clamped to [0, length].
+  /// Returns the frame at an arc length, clamped to [0, length].
   [[nodiscard]] AxisFrame frameAt(double arc_m) const noexcept;
-  /// Arc length of the point of the line nearest to `point_m`; straight: its height, clamped.
+  /// Returns the arc length of the point of the line nearest to `point_m`; on a straight line the height of
+  /// the point, clamped.
   [[nodiscard]] double nearestArc_m(const Vec3& point_m) const noexcept;
 
  private:
   void setSlopes();
   void transportFrames(const Vec3& e1, double e1At);
-  /// Cubic Hermite curve between station i and the next; x in 0..1.
+  /// Evaluates the cubic Hermite curve between station i and the next; x in 0..1.
   [[nodiscard]] Vec3 point(std::size_t i, double x) const noexcept;
   [[nodiscard]] Vec3 slope(std::size_t i, double x) const noexcept;
   [[nodiscard]] double footInInterval(std::size_t i, const Vec3& point_m) const noexcept;

@@ -10,7 +10,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
-#include "sim/geometry/mesh/level_loops.h"
+#include "sim/geometry/lattice/level_loops.h"
 
 namespace torsio {
 

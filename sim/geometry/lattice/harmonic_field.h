@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/geometry/mesh/end_caps.h"
+#include "sim/geometry/lattice/end_caps.h"
 #include "sim/geometry/mesh/surface_topology.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 
@@ -19,14 +19,15 @@ namespace torsio {
 struct HarmonicField {
   std::vector<double> level;      ///< u
   std::vector<double> angle_rad;  ///< means nothing inside the caps, away from their rims
-  /// One a half-edge: the angle rises by angle(target) - angle(origin) + 2 pi turns along it.
+  /// Whole turns, one number a half-edge: the angle rises by angle(target) - angle(origin) + 2 pi turns
+  /// along it.
   std::vector<std::int8_t> turns;
 
-  /// Rise of the angle along a half-edge.
+  /// Returns the rise of the angle along a half-edge.
   [[nodiscard]] double rise_rad(const SurfaceTopology& topology, std::uint32_t half) const noexcept;
 };
 
-/// True when the triangle lies between the caps: its corners do not all belong to the same one.
+/// Tells whether the triangle lies between the caps: its corners do not all belong to the same one.
 [[nodiscard]] bool isSideTriangle(const TriangleMesh::Triangle& triangle, std::span<const LatticePart> parts);
 
 /// Solves for both coordinates. With `level` given (one a vertex, from the straight axis) only the angle is

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
 #include "sim/geometry/lattice/straight_axis.h"
@@ -25,8 +26,8 @@ constexpr double kStride = 0.25;       // of a section's radius: over this way i
 constexpr double kSpeck = 1e-3;        // of the perimeter: a loop of rounding noise
 constexpr double kSharpestTurn_rad = 0.5 * kPi;  // of the axis within one mean radius of the section
 
-std::string degrees(double angle_rad) {
-  return std::to_string(std::lround(angle_rad / kDegree)) + " degrees";
+std::string inDegrees(double angle_rad) {
+  return std::to_string(std::lround(degrees(angle_rad))) + " degrees";
 }
 std::string millimetres(double length_m) {
   char text[32];
@@ -340,8 +341,8 @@ class FieldBuilder {
     throw Error(ErrorCode::kBadMesh,
                 Text("the centreline has a kink: it turns by %1 within one radius (%2) of the organ, %3 from "
                      "the fixed end; at most %4 are allowed",
-                     degrees(turn.angle_rad), millimetres(turn.radius_m), millimetres(turn.arc_m),
-                     degrees(kSharpestTurn_rad)),
+                     inDegrees(turn.angle_rad), millimetres(turn.radius_m), millimetres(turn.arc_m),
+                     inDegrees(kSharpestTurn_rad)),
                 "", "Move the end points so that the axis follows the organ, or cut the organ at the kink.");
   }
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "sim/geometry/lattice/end_caps.h"
 #include "sim/geometry/lattice/harmonic_field.h"
+#include "sim/geometry/lattice/level_loops.h"
 #include "sim/geometry/lattice/section_lattice.h"
 #include "sim/geometry/lattice/section_outline.h"
-#include "sim/geometry/mesh/end_caps.h"
-#include "sim/geometry/mesh/level_loops.h"
 #include "sim/geometry/mesh/surface_topology.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 
@@ -28,29 +28,31 @@ struct LatticeField {
   /// Levels of the traced stations, 0 to 1, ascending, and the arc length of each, never decreasing.
   std::vector<double> stationLevels;
   std::vector<double> stationArcs_m;
-  /// kArcLength: wayAtAngles of each station, kWaySteps + 1 entries a station.
+  /// With kArcLength: wayAtAngles of each station, kWaySteps + 1 entries a station.
   std::vector<std::vector<double>> stationWays;
-  /// kArcLength: shareOfWay of ridge 0 at each station, without jumps of a whole turn.
+  /// With kArcLength: shareOfWay of ridge 0 at each station, without jumps of a whole turn.
   std::vector<double> stationStarts;
 
   explicit LatticeField(const TriangleMesh& surface) : mesh(surface), topology(mesh) {}
 
   [[nodiscard]] double arcAtLevel_m(double level) const;
   [[nodiscard]] double levelAtArc(double arc_m) const;
-  /// Ridge angle of a point with the given harmonic coordinates (kArcLength), [0, 2 pi).
+  /// Returns the ridge angle of a point with the given harmonic coordinates (kArcLength), [0, 2 pi).
   [[nodiscard]] double ridgeAngle_rad(double level, double angle_rad) const;
-  /// The loop of the section at an arc length. Throws Error{kBadMesh} unless it is the only one.
+  /// Returns the loop of the section at an arc length. Throws Error{kBadMesh} unless the section is one
+  /// loop.
   [[nodiscard]] LevelLoop loopAt(double arc_m, const std::string& name) const;
 };
 
-/// The loop that runs once about the organ. Loops about specks of rounding noise are let pass; throws
-/// Error{kBadMesh} for none or for others, naming the section and what to do in that mode.
+/// Returns the loop that runs once about the organ. Loops about specks of rounding noise are ignored;
+/// throws Error{kBadMesh} when there is no loop or a further one, naming the section and what to do in that
+/// mode.
 LevelLoop theOneLoop(std::vector<LevelLoop> loops, LatticeMode mode, const std::string& name);
 
-/// "section 3 of 25 (16.7 mm from the fixed end)"; j counts from 0.
+/// Names a section: "section 3 of 25 (16.7 mm from the fixed end)"; j counts from 0.
 [[nodiscard]] std::string sectionName(int j, int sections, double arc_m);
 
-/// Caps or end planes, field, axis and ridge rule of an organ.
+/// Builds caps or end planes, field, axis and ridge rule of an organ.
 [[nodiscard]] LatticeField buildLatticeField(const TriangleMesh& mesh, const LatticeOptions& options);
 
 }  // namespace torsio

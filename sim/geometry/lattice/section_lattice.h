@@ -11,7 +11,7 @@
 
 #include "sim/base/vec3.h"
 #include "sim/geometry/lattice/centreline.h"
-#include "sim/geometry/mesh/end_caps.h"
+#include "sim/geometry/lattice/end_caps.h"
 #include "sim/geometry/mesh/triangle_mesh.h"
 
 namespace torsio {
@@ -78,46 +78,49 @@ struct LatticeField;
 /// naming the value and the limit.
 class SectionLattice {
  public:
-  /// `mesh`: closed, manifold, outward-oriented, genus 0 (requireOrgan).
+  /// Builds the lattice of `mesh`: closed, manifold, outward-oriented, genus 0 (requireOrgan).
   SectionLattice(const TriangleMesh& mesh, const LatticeOptions& options);
 
   [[nodiscard]] int ridges() const noexcept { return options_.ridges; }
   [[nodiscard]] int sections() const noexcept { return options_.sections; }
-  /// S = (M - 1) N (Eq. 13).
+  /// Returns the number of patches, S = (M - 1) N (Eq. 13).
   [[nodiscard]] int patches() const noexcept { return (options_.sections - 1) * options_.ridges; }
-  /// As asked for.
+  /// Returns the options as they were given.
   [[nodiscard]] const LatticeOptions& options() const noexcept { return options_; }
-  /// As built: kArcLength although kAngle was asked for when some section is not star-shaped.
+  /// Returns the spacing of the ridges as built: kArcLength although kAngle was asked for when some section
+  /// is not star-shaped.
   [[nodiscard]] RidgeSpacing spacing() const noexcept { return spacing_; }
   [[nodiscard]] double length_m() const noexcept { return centreline_.length_m(); }
 
-  /// Arc length of section j: j length / (M - 1) (Eq. 14 with the clamp at 0).
+  /// Returns the arc length of section j: j length / (M - 1) (Eq. 14 with the clamp at 0).
   [[nodiscard]] double sectionArc_m(int j) const;
-  /// Key point A_K(H_i) of ridge K = ridge + 1, i = M - j. World frame, rest, on the mesh.
+  /// Returns the key point A_K(H_i) of ridge K = ridge + 1, i = M - j. World frame, rest, on the mesh.
   [[nodiscard]] Vec3 keyPoint_m(int ridge, int j) const;
-  /// "A_K(H_i)" of the paper's Fig. 3: K = ridge + 1, i = M - j, so that H_1 is the free end.
+  /// Returns the label "A_K(H_i)" of the paper's Fig. 3: K = ridge + 1, i = M - j, so that H_1 is the free
+  /// end.
   [[nodiscard]] std::string keyPointLabel(int ridge, int j) const;
-  /// The real outline of section j in its frame: (x, y) along e1, e2 from the centre, anticlockwise about the
-  /// tangent, not closed (first point not repeated), metres. Starts on ridge 0 and holds every key point,
-  /// at least kFewestOutlinePoints equal steps of the ridge angle, and every corner of the mesh's section in
-  /// between: its area is that of the section.
+  /// Returns the real outline of section j in its frame: (x, y) along e1, e2 from the centre, anticlockwise
+  /// about the tangent, not closed (first point not repeated), metres. Starts on ridge 0 and holds every
+  /// key point, at least kFewestOutlinePoints equal steps of the ridge angle, and every corner of the
+  /// mesh's section in between: its area is that of the section.
   [[nodiscard]] std::span<const Point2> outline_m(int j) const;
-  /// Ridge angle of each outline point of section j, strictly increasing from 0, below 2 pi.
+  /// Returns the ridge angle of each outline point of section j, strictly increasing from 0, below 2 pi.
   [[nodiscard]] std::span<const double> outlineAngles_rad(int j) const;
-  /// One coordinate a mesh vertex, in the order of the mesh.
+  /// Returns the coordinates of the mesh's vertices, in their order.
   [[nodiscard]] std::span<const LatticeCoordinate> vertexCoordinates() const noexcept { return coordinates_; }
   [[nodiscard]] std::span<const LatticePart> vertexParts() const noexcept { return parts_; }
 
-  /// The surface point with these coordinates (inverse of vertexCoordinates on the side of the organ).
-  /// `arc_m` is clamped to [0, length]; allocates, not for the tick.
+  /// Returns the surface point with these coordinates (inverse of vertexCoordinates on the side of the
+  /// organ). `arc_m` is clamped to [0, length]; allocates, not for the tick.
   [[nodiscard]] LatticePoint surfacePoint(const LatticeCoordinate& coordinate) const;
 
-  /// True when all sections are parallel planes (kStraightAxis, or kAutomatic on a straight bar).
+  /// Tells whether all sections are parallel planes (kStraightAxis, or kAutomatic on a straight bar).
   [[nodiscard]] bool straight() const noexcept { return centreline_.straight(); }
   [[nodiscard]] const Centreline& centreline() const noexcept { return centreline_; }
-  /// Frame at an arc length, clamped to [0, length]. Allocation-free: runs in the servo tick.
+  /// Returns the frame at an arc length, clamped to [0, length]. Allocation-free: runs in the servo tick.
   [[nodiscard]] AxisFrame frameAt(double arc_m) const noexcept { return centreline_.frameAt(arc_m); }
-  /// Arc length of the centreline point nearest to `point_m`. Allocation-free: runs in the servo tick.
+  /// Returns the arc length of the centreline point nearest to `point_m`. Allocation-free: runs in the
+  /// servo tick.
   [[nodiscard]] double nearestArc_m(const Vec3& point_m) const noexcept {
     return centreline_.nearestArc_m(point_m);
   }

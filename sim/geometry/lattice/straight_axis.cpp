@@ -12,7 +12,7 @@
 
 #include "sim/base/error.h"
 #include "sim/geometry/mesh/flat_faces.h"
-#include "sim/geometry/mesh/level_loops.h"
+#include "sim/geometry/lattice/level_loops.h"
 
 namespace torsio {
 

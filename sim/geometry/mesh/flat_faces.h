@@ -19,11 +19,11 @@ struct FlatFace {
   double area_m2 = 0.0;
 };
 
-/// All flat faces with at least a thousandth of the surface's area, largest first. "Flat" allows for
+/// Finds all flat faces with at least a thousandth of the surface's area, largest first. "Flat" allows for
 /// coordinates rounded to a hundred-thousandth of the organ's size.
 [[nodiscard]] std::vector<FlatFace> findFlatFaces(const TriangleMesh& mesh, const SurfaceTopology& topology);
 
-/// Index of the triangle nearest to a point.
+/// Returns the index of the triangle nearest to a point.
 [[nodiscard]] std::uint32_t nearestTriangle(const TriangleMesh& mesh, const Vec3& point_m);
 
 }  // namespace torsio

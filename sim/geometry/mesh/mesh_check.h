@@ -11,9 +11,9 @@
 
 namespace torsio {
 
-/// Limits of what is accepted as an organ. Lengths in metres.
-inline constexpr double kSmallestOrgan_m = 0.03;     ///< largest side of the bounding box
-inline constexpr double kLargestOrgan_m = 2.0;       ///< the same
+/// Limits within which a mesh is accepted as an organ. Lengths in metres.
+inline constexpr double kSmallestOrgan_m = 0.03;     ///< of the largest side of the bounding box
+inline constexpr double kLargestOrgan_m = 2.0;       ///< of the largest side of the bounding box
 inline constexpr double kLargestCoordinate_m = 100;  ///< importers keep single precision
 inline constexpr std::size_t kMostTriangles = 2'000'000;
 inline constexpr std::size_t kFewestTriangles = 200;
@@ -21,7 +21,7 @@ inline constexpr double kSmallPieceShare =
     0.05;  ///< separate pieces up to this share of the area are dropped
 inline constexpr double kThinnestOrgan_m = 0.0005;  ///< mean thickness 2 V / A
 
-/// What can be said of a mesh as it is, without changing it.
+/// Findings about a mesh as it is.
 struct MeshReport {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
@@ -48,19 +48,21 @@ struct MeshReport {
   [[nodiscard]] bool closed() const noexcept { return triangles > 0 && boundaryEdges == 0; }
   [[nodiscard]] bool manifold() const noexcept { return nonManifoldEdges == 0 && nonManifoldVertices == 0; }
   [[nodiscard]] bool oriented() const noexcept { return inconsistentEdges == 0; }
-  /// Handles of a closed manifold surface: 0 for a sphere, 1 for a torus; -1 when it has no genus.
+  /// Returns the number of handles of a closed manifold surface: 0 for a sphere, 1 for a torus; -1 when it
+  /// has no genus.
   [[nodiscard]] std::int64_t genus() const noexcept;
   [[nodiscard]] double largestSide_m() const noexcept;
 };
 
-/// Never throws for a bad mesh and changes nothing. O(T log T).
+/// Examines a mesh without changing it; never throws for a bad one. O(T log T).
 [[nodiscard]] MeshReport checkMesh(const TriangleMesh& mesh);
 
-/// Throws Error{kBadMesh} when the mesh is empty or has an index out of range, a coordinate that is not
-/// finite, or too many triangles. `where` names the file.
+/// Checks that a mesh can be read at all. Throws Error{kBadMesh} when it is empty or has an index out of
+/// range, a coordinate that is not finite, or too many triangles. `where` names the file.
 void requireSound(const TriangleMesh& mesh, const std::string& where);
 
-/// Throws Error{kBadMesh} for a coordinate beyond kLargestCoordinate_m.
+/// Checks that a mesh lies near the origin. Throws Error{kBadMesh} for a coordinate beyond
+/// kLargestCoordinate_m.
 void requireNearOrigin(const TriangleMesh& mesh, const std::string& where);
 
 /// Repairs what can be repaired without guessing (double vertices and faces, orientation, small separate

@@ -17,18 +17,18 @@ enum class PlyFormat { kBinary, kAscii };
 struct MeshExportOptions {
   PlyFormat format = PlyFormat::kBinary;  ///< PLY only
   std::vector<std::string> comments;      ///< lines for the head of the file
-  /// Red, green, blue, one a vertex, or empty. PLY only.
+  /// Colours, red, green and blue, one a vertex, or empty. PLY only.
   std::span<const std::array<std::uint8_t, 3>> colours;
 };
 
-/// The PLY file as bytes: single precision, millimetres, little endian when binary; the same bytes on every
-/// platform.
+/// Writes a mesh as the bytes of a PLY file: single precision, millimetres, little endian when binary; the
+/// same bytes on every platform.
 [[nodiscard]] std::string plyBytes(const TriangleMesh& mesh, const MeshExportOptions& options = {});
 
-/// The Wavefront OBJ file as text, millimetres.
+/// Writes a mesh as the text of a Wavefront OBJ file, millimetres.
 [[nodiscard]] std::string objText(const TriangleMesh& mesh, const MeshExportOptions& options = {});
 
-/// Written through a temporary file. Throws Error{kFileUnwritable}.
+/// Writes a mesh to a PLY file, through a temporary file. Throws Error{kFileUnwritable}.
 void writePly(const std::filesystem::path& file, const TriangleMesh& mesh,
               const MeshExportOptions& options = {});
 void writeObj(const std::filesystem::path& file, const TriangleMesh& mesh,

@@ -22,7 +22,8 @@ struct MeshImportOptions {
 [[nodiscard]] TriangleMesh importMesh(const std::filesystem::path& file,
                                       const MeshImportOptions& options = {}, MeshRepairs* repairs = nullptr);
 
-/// Metres in one "m", "cm", "mm" or "um" (the values of --organ-unit). Throws Error{kBadParameter}.
+/// Returns the metres in one "m", "cm", "mm" or "um" (the values of --organ-unit). Throws
+/// Error{kBadParameter}.
 [[nodiscard]] double lengthUnit_m(std::string_view name);
 
 }  // namespace torsio

@@ -22,7 +22,7 @@ struct MeshRepairs {
   std::size_t unusedVertices = 0;
 
   [[nodiscard]] bool any() const noexcept;
-  /// One line for people, empty when nothing was repaired.
+  /// Describes the repairs in one line, empty when nothing was repaired.
   [[nodiscard]] std::string text() const;
 };
 
@@ -35,12 +35,12 @@ struct EdgeUse {
   bool ascending = false;  ///< the triangle runs from low to high
 };
 
-/// All sides of all triangles, equal edges next to each other, in a fixed order. All
-/// indices must be in range.
+/// Lists all sides of all triangles, equal edges next to each other, in a fixed order. All indices must be
+/// in range.
 [[nodiscard]] std::vector<EdgeUse> sortedEdges(const TriangleMesh& mesh);
 
-/// Index of the connected piece (through shared vertices) of each triangle, numbered from 0 in the order of
-/// their first triangle.
+/// Returns for each triangle the index of its connected piece (through shared vertices), numbered from 0 in
+/// the order of their first triangle.
 [[nodiscard]] std::vector<std::uint32_t> componentOfTriangles(const TriangleMesh& mesh);
 
 /// Joins vertices not further apart than `tolerance_m` >= 0 to the first of them, keeping the order.
@@ -63,7 +63,7 @@ void removeDegenerateFaces(TriangleMesh& mesh, MeshRepairs& repairs);
 /// Removes vertices that no triangle uses, keeping the order.
 void removeUnusedVertices(TriangleMesh& mesh, MeshRepairs& repairs);
 
-/// True when the height of the triangle is below a millionth of its longest side.
+/// Tells whether the height of the triangle is below a millionth of its longest side.
 [[nodiscard]] bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) noexcept;
 
 }  // namespace torsio

@@ -20,8 +20,9 @@ struct NearestOnTriangle {
   std::uint8_t feature = 0;          ///< 0..2 corner, 3..5 the edge that starts at corner 0..2, 6 the face
 };
 
-/// By Voronoi regions (Ericson, Real-Time Collision Detection, 2005, section 5.1.5). A triangle without area
-/// may give NaN, which is never nearer than a neighbour. Allocation-free.
+/// Finds the closest point of a triangle by Voronoi regions (Ericson, Real-Time Collision Detection, 2005,
+/// section 5.1.5). A triangle without area may give NaN, which is never nearer than a neighbour.
+/// Allocation-free.
 [[nodiscard]] inline NearestOnTriangle nearestOnTriangle(const Vec3& p, const TriangleCorners& t) noexcept {
   const auto at = [&p](const Vec3& point, double u, double v, double w, std::uint8_t feature) {
     const Vec3 d = p - point;

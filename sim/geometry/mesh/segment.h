@@ -10,11 +10,12 @@ struct Segment {
   Vec3 from_m;
   Vec3 to_m;
 
-  /// The point at the fraction `along` of the way, 0..1.
+  /// Returns the point at the fraction `along` of the way, 0..1.
   [[nodiscard]] constexpr Vec3 at(double along) const noexcept { return from_m + (to_m - from_m) * along; }
 };
 
-/// Where along the segment it is nearest to a point, 0..1; 0 when both ends are the same.
+/// Returns the fraction along the segment of the place nearest to a point, 0..1; 0 when both ends are the
+/// same.
 [[nodiscard]] constexpr double nearestAlong(const Segment& segment, const Vec3& point_m) noexcept {
   const Vec3 way = segment.to_m - segment.from_m;
   const double length2 = dot(way, way);

@@ -10,8 +10,8 @@
 
 namespace torsio {
 
-/// A closed surface cut into connected patches of some 32 triangles, and these joined to connected groups of
-/// some 16, so that a deformed surface can be asked without moving all of it: one vertex of each group and
+/// A closed surface cut into connected patches of some 32 triangles, and these joined to connected groups
+/// of some 16, so that queries of a deformed surface need not move all of it: one vertex of each group and
 /// patch (its seed) is moved, and the rest lies within the radius times the stretch of the surface
 /// (deformed_surface.h). Immutable.
 class SurfacePatches {
@@ -46,14 +46,14 @@ class SurfacePatches {
     double apart_m = 0.0;
   };
 
-  /// `mesh`: closed. Throws Error{kBadMesh} for more than about a million triangles.
+  /// Cuts a closed mesh into patches. Throws Error{kBadMesh} for more than about a million triangles.
   explicit SurfacePatches(const TriangleMesh& mesh);
 
-  /// In the order of their groups.
+  /// Returns the patches in the order of their groups.
   [[nodiscard]] std::span<const Patch> patches() const noexcept { return patches_; }
   [[nodiscard]] std::span<const Group> groups() const noexcept { return groups_; }
   [[nodiscard]] std::span<const Neighbours> neighbours() const noexcept { return neighbours_; }
-  /// Vertices of the mesh that the patch's facets name by their place here.
+  /// Returns the vertices of a patch; its facets name them by their place in this list.
   [[nodiscard]] std::span<const std::uint32_t> vertices(const Patch& patch) const noexcept {
     return std::span(vertices_).subspan(patch.firstVertex, patch.vertexCount);
   }
@@ -63,7 +63,7 @@ class SurfacePatches {
   [[nodiscard]] const TriangleMesh::Triangle& corners(std::uint32_t triangle) const noexcept {
     return triangles_[triangle];
   }
-  /// Triangles round a vertex.
+  /// Returns the triangles round a vertex.
   [[nodiscard]] std::span<const std::uint32_t> ring(std::uint32_t vertex) const noexcept {
     return std::span(ring_).subspan(ringBegins_[vertex], ringBegins_[vertex + 1] - ringBegins_[vertex]);
   }

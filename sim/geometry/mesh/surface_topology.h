@@ -9,14 +9,14 @@
 
 namespace torsio {
 
-/// Who is next to whom on a closed, oriented, manifold surface. Half-edge 3 t + k runs from corner k of
-/// triangle t to corner k + 1.
+/// Neighbourhood of triangles, edges and vertices on a closed, oriented, manifold surface. Half-edge 3 t +
+/// k runs from corner k of triangle t to corner k + 1.
 class SurfaceTopology {
  public:
   using Index = std::uint32_t;
 
-  /// Throws Error{kBadMesh} for an open, non-manifold or inconsistently oriented edge, an index out of range
-  /// or a vertex that is not finite. O(T log T).
+  /// Builds the topology of a mesh. Throws Error{kBadMesh} for an open, non-manifold or inconsistently
+  /// oriented edge, an index out of range or a vertex that is not finite. O(T log T).
   explicit SurfaceTopology(const TriangleMesh& mesh);
 
   [[nodiscard]] static Index next(Index half) noexcept { return half % 3 == 2 ? half - 2 : half + 1; }
@@ -26,7 +26,7 @@ class SurfaceTopology {
   [[nodiscard]] Index target(Index half) const noexcept { return origin_[next(half)]; }
   [[nodiscard]] Index halfEdges() const noexcept { return static_cast<Index>(origin_.size()); }
   [[nodiscard]] Index vertices() const noexcept { return static_cast<Index>(firstOutgoing_.size() - 1); }
-  /// The half-edges that start at a vertex: one a neighbour.
+  /// Returns the half-edges that start at a vertex, one a neighbour.
   [[nodiscard]] std::span<const Index> outgoing(Index vertex) const noexcept {
     return {outgoing_.data() + firstOutgoing_[vertex], outgoing_.data() + firstOutgoing_[vertex + 1]};
   }
@@ -41,13 +41,13 @@ class SurfaceTopology {
   std::vector<Index> outgoing_;
 };
 
-/// Length of the shortest way along edges from any of `sources` to every vertex (Dijkstra), metres; infinity
-/// where there is none.
+/// Computes the length of the shortest way along edges from any of `sources` to every vertex (Dijkstra),
+/// metres; infinity where there is none.
 [[nodiscard]] std::vector<double> edgeDistances_m(const TriangleMesh& mesh, const SurfaceTopology& topology,
                                                   std::span<const std::uint32_t> sources);
 
-/// The vertices that hang together with `seed` among those whose `open` is not 0; they are closed by it. None
-/// when `seed` is closed.
+/// Takes the vertices that are connected with `seed` among those whose `open` is not 0, and sets theirs to
+/// 0. None when that of `seed` is 0.
 [[nodiscard]] std::vector<std::uint32_t> takeConnected(const SurfaceTopology& topology,
                                                        std::vector<std::uint8_t>& open, std::uint32_t seed);
 

@@ -13,11 +13,11 @@ class TextLines {
  public:
   explicit TextLines(std::string_view text) : rest_(text) {}
 
-  /// The next line without its end; nothing after the last.
+  /// Returns the next line without its end; nothing after the last.
   [[nodiscard]] std::optional<std::string_view> next();
-  /// Number of the line returned last, from 1.
+  /// Returns the number of the line returned last, from 1.
   [[nodiscard]] std::uint64_t number() const noexcept { return number_; }
-  /// What has not been returned yet.
+  /// Returns the text after the line returned last.
   [[nodiscard]] std::string_view rest() const noexcept { return rest_; }
 
  private:
@@ -25,13 +25,15 @@ class TextLines {
   std::uint64_t number_ = 0;
 };
 
-/// The words of a line between white space. `words` is cleared first: one vector serves a whole file.
+/// Splits a line into its words between white space. `words` is cleared first: one vector serves a whole
+/// file.
 void splitWords(std::string_view line, std::vector<std::string_view>& words);
 
-/// A non-negative integer of digits only; above 10^12 the answer is 10^12, so that products cannot overflow.
+/// Reads a non-negative integer of digits only; above 10^12 the result is 10^12, so that products cannot
+/// overflow.
 [[nodiscard]] std::optional<std::uint64_t> parseCount(std::string_view word);
 
-/// True for a number as C reads it, including nan and inf.
+/// Tells whether a word is a number as C reads one, including nan and inf.
 [[nodiscard]] bool isNumber(std::string_view word);
 
 }  // namespace torsio

@@ -18,13 +18,13 @@ struct TriangleMesh {
   std::vector<Triangle> triangles;
 };
 
-/// Area-weighted unit normals, one a vertex, pointing outwards.
+/// Computes area-weighted unit normals, one a vertex, pointing outwards.
 [[nodiscard]] std::vector<Vec3> vertexNormals(const TriangleMesh& mesh);
 
-/// Enclosed volume in m^3 (divergence theorem); negative when the surface is inside out.
+/// Computes the enclosed volume in m^3 (divergence theorem); negative when the surface is inside out.
 [[nodiscard]] double signedVolume_m3(const TriangleMesh& mesh);
 
-/// Hash over the exact vertices and triangles: names the organ in every recorded trial.
+/// Computes the hash over the exact vertices and triangles: names the organ in every recorded trial.
 [[nodiscard]] std::string contentHash(const TriangleMesh& mesh);
 
 }  // namespace torsio

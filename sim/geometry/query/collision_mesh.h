@@ -17,23 +17,25 @@ namespace torsio {
 /// one with the lowest index is taken, and all arithmetic is IEEE basic operations in a fixed order.
 class CollisionMesh {
  public:
-  /// `mesh`: closed and consistently oriented (requireOrgan), at least 4 triangles; copied.
+  /// Builds the hierarchy of `mesh`, which is copied: closed and consistently oriented (requireOrgan), at
+  /// least 4 triangles.
   explicit CollisionMesh(const TriangleMesh& mesh);
   ~CollisionMesh();
   CollisionMesh(CollisionMesh&&) noexcept;
   CollisionMesh& operator=(CollisionMesh&&) noexcept;
 
-  /// The nearest surface point. The sign comes from the pseudonormal of the face, edge or vertex on which it
-  /// lies (Baerentzen and Aanaes 2005), which is exact for a closed surface; on the surface itself the
-  /// distance is zero. A point that is not finite gets an infinite distance.
+  /// Returns the nearest surface point. The sign of the distance comes from the pseudonormal of the face,
+  /// edge or vertex on which the point lies (Baerentzen and Aanaes 2005), which is exact for a closed
+  /// surface; on the surface itself the distance is zero. A point that is not finite gets an infinite
+  /// distance.
   [[nodiscard]] SurfacePoint closest(const Vec3& point_m) const noexcept;
 
-  /// The closest pair of surface and segment, when it is nearer than `reach_m`; a small reach makes it quick.
-  /// The sign belongs to the segment's point. A segment that pierces the surface has distance 0 there; a
-  /// surface that is merely touched by a segment inside has a negative one.
+  /// Returns the closest pair of surface and segment when it is nearer than `reach_m`; a small reach makes
+  /// the query quick. The sign of the distance belongs to the segment's point. A segment that pierces the
+  /// surface has distance 0 there; a surface that is merely touched by a segment inside has a negative one.
   [[nodiscard]] SegmentHit nearest(const Segment& segment, double reach_m) const noexcept;
 
-  /// For queries of the surface in a deformed state (deformed_surface.h).
+  /// Returns the patches for queries of the surface in a deformed state (deformed_surface.h).
   [[nodiscard]] const SurfacePatches& patches() const noexcept { return patches_; }
 
  private:

@@ -11,16 +11,16 @@
 
 namespace torsio {
 
-/// Where the vertices of the mesh are now. Called in the servo tick.
+/// Access to the present places of the vertices of the mesh. Called in the servo tick.
 struct VertexPlaces {
   const void* self = nullptr;
   Vec3 (*at)(const void* self, std::uint32_t vertex) noexcept = nullptr;
 };
 
 /// A surface in one deformed state, for the queries of one tick: exact on the triangles of the moved
-/// vertices, yet only some hundred of them are moved. On construction one seed a group of patches is moved; a
-/// query visits groups and patches nearest first and moves the vertices of those that can hold the answer.
-/// What is moved stays for the next queries, with its exact radius.
+/// vertices, yet only some hundred of them are moved. On construction one seed a group of patches is moved;
+/// a query visits groups and patches nearest first and moves the vertices of those that can hold the
+/// answer. Moved patches stay for the next queries, with their exact radius.
 ///
 /// A patch is taken to lie within its rest radius times the stretch about its seed: the largest ratio of
 /// moved to resting distance between neighbouring seeds, with a margin of 30 %, which the stretch within
@@ -32,13 +32,13 @@ struct VertexPlaces {
 /// order.
 class DeformedSurface {
  public:
-  /// `patches` and what `places` points to outlive the object.
+  /// Moves the seeds of all groups. `patches` and what `places` points to outlive the object.
   DeformedSurface(const SurfacePatches& patches, const VertexPlaces& places) noexcept;
 
-  /// The closest pair of surface and segment when it is nearer than `reach_m`; signs and normals as
+  /// Returns the closest pair of surface and segment when it is nearer than `reach_m`; signs and normals as
   /// CollisionMesh::nearest.
   [[nodiscard]] SegmentHit nearest(const Segment& segment, double reach_m) noexcept;
-  /// As CollisionMesh::closest.
+  /// Returns the nearest point of the deformed surface; signs and normals as CollisionMesh::closest.
   [[nodiscard]] SurfacePoint closest(const Vec3& point_m) noexcept;
 
  private:
@@ -54,7 +54,7 @@ class DeformedSurface {
 
   [[nodiscard]] Vec3 place(std::uint32_t vertex) const noexcept { return places_.at(places_.self, vertex); }
   void openGroup(std::size_t group) noexcept;
-  /// Moves the patch's vertices unless they are moved already; where they begin in moved_m_.
+  /// Moves the patch's vertices unless they are moved already; returns where they begin in moved_m_.
   std::uint32_t movePatch(std::size_t patch) noexcept;
   [[nodiscard]] Vec3 faceNormal(std::uint32_t triangle) const noexcept;
   [[nodiscard]] Vec3 featureNormal(std::uint32_t triangle, std::uint8_t feature) const noexcept;

@@ -17,8 +17,8 @@ struct NearestToSegment {
 /// Squared distance below which the segment counts as piercing: rounding of coordinates of 0.1 m.
 inline constexpr double kPierced_m2 = 1e-24;
 
-/// Where along `segment` it is nearest to the line piece a-b (Ericson, Real-Time Collision Detection, 2005,
-/// section 5.1.9); the segment has a length.
+/// Returns where along `segment` the point nearest to the edge a-b lies (Ericson, Real-Time Collision
+/// Detection, 2005, section 5.1.9); the segment has a length.
 [[nodiscard]] inline double alongNearestToEdge(const Segment& segment, const Vec3& a,
                                                const Vec3& b) noexcept {
   const Vec3 d1 = segment.to_m - segment.from_m;
@@ -40,8 +40,9 @@ inline constexpr double kPierced_m2 = 1e-24;
   return s;
 }
 
-/// The closest pair lies at an end of the segment, where it passes an edge, or where it pierces the plane:
-/// the best of those is exact. Allocation-free, IEEE basic operations in a fixed order.
+/// Finds the closest pair of a segment and a triangle. The pair lies at an end of the segment, where the
+/// segment passes an edge, or where it pierces the plane: the best of those is exact. Allocation-free, IEEE
+/// basic operations in a fixed order.
 [[nodiscard]] inline NearestToSegment nearestToSegment(const Segment& segment,
                                                        const TriangleCorners& t) noexcept {
   NearestToSegment best;

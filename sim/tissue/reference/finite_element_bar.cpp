@@ -10,6 +10,7 @@
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
 
@@ -22,7 +23,7 @@ constexpr double kConverged = 1e-9;
 /// Floor of the residual over G times the area of the section, for a bar that is not turned at all.
 constexpr double kRoundOff = 1e-12;
 /// Points tell angles apart only to full turns: more than half a turn in a layer would pass for less.
-constexpr double kMostPerLayer_rad = 90.0 * kDegree;
+constexpr double kMostPerLayer_rad = radians(90.0);
 constexpr int kMostIterations = 40;
 constexpr int kMostHalvings = 12;
 

@@ -15,7 +15,7 @@ struct BarMaterial {
   double poissonRatio = 0.45;       ///< 0 <= nu < 0.5
 };
 
-/// What a bar under large twist shows.
+/// Result of a bar under large twist.
 struct BarTwist {
   double torque_Nm = 0.0;
   double radiusChange = 0.0;    ///< largest |r / R - 1| of the points of the outline, all layers
@@ -29,23 +29,24 @@ struct BarTwist {
 /// servo tick.
 class FiniteElementBar {
  public:
-  /// `outline` in metres, anticlockwise, star-shaped about the axis at (0, 0). Throws Error{kBadParameter}.
+  /// Makes a bar. `outline` in metres, anticlockwise, star-shaped about the axis at (0, 0). Throws
+  /// Error{kBadParameter}.
   FiniteElementBar(std::span<const Point2> outline, double length_m, BarElement element,
                    const BarDivision& division, const BarMaterial& material);
 
-  /// Torque at the turned end by linear elasticity, sigma = 2 G eps + lambda tr(eps) I, with the linearised
-  /// rotation u = angle (-y, x, 0) of that end: T = 2 E / angle, E = u K u / 2 the strain energy. One sparse
-  /// LDLT solve; the torque is proportional to the angle. Throws Error{kBadParameter} for an angle that is
-  /// not finite.
+  /// Computes the torque at the turned end by linear elasticity, sigma = 2 G eps + lambda tr(eps) I, with
+  /// the linearised rotation u = angle (-y, x, 0) of that end: T = 2 E / angle, E = u K u / 2 the strain
+  /// energy. One sparse LDLT solve; the torque is proportional to the angle. Throws Error{kBadParameter}
+  /// for an angle that is not finite.
   [[nodiscard]] double linearTorque_Nm(double angle_rad) const;
 
-  /// The same end turned by a true rotation, compressible neo-Hookean material
-  /// W = G/2 (tr F^T F - 3) - G ln J + lambda/2 (ln J)^2, total Lagrangian, Newton's method with a step
-  /// halved while a cell would turn inside out or the residual would grow. The angle is reached in `steps`
-  /// equal sub-steps (15 degrees each do well), each started from the last one turned on by its share. T is
-  /// the moment of the nodal forces of the turned end. Throws Error{kBadParameter} for bad input (also 90
-  /// degrees or more in one layer), and Error{kBadParameter} that names the sub-step when the iteration does
-  /// not converge.
+  /// Computes the torque at the end turned by a true rotation: compressible neo-Hookean material W = G/2
+  /// (tr F^T F - 3) - G ln J + lambda/2 (ln J)^2, total Lagrangian, Newton's method with a step halved
+  /// while a cell would turn inside out or the residual would grow. The angle is reached in `steps` equal
+  /// sub-steps (15 degrees each do well), each started from the last one turned on by its share. T is the
+  /// moment of the nodal forces of the turned end. Throws Error{kBadParameter} for bad input (also 90
+  /// degrees or more in one layer), and Error{kBadParameter} that names the sub-step when the iteration
+  /// does not converge.
   [[nodiscard]] BarTwist neoHookeanTorque(double angle_rad, int steps) const;
 
   [[nodiscard]] const BarMesh& mesh() const noexcept { return mesh_; }
@@ -57,7 +58,7 @@ class FiniteElementBar {
   int layers_ = 0;
 };
 
-/// Corners of a regular polygon about (0, 0), anticlockwise, the first on the x axis. Throws
+/// Returns the corners of a regular polygon about (0, 0), anticlockwise, the first on the x axis. Throws
 /// Error{kBadParameter} for fewer than 3 points or a radius that is not positive.
 [[nodiscard]] std::vector<Point2> regularOutline(int points, double radius_m);
 

@@ -19,8 +19,8 @@ struct PaperOptions {
   /// to the clamp. 0: uniform (beta infinite). Up to 1, so that the angle stays monotone; negative: the rate
   /// grows towards the free end.
   double rateExponent = 0.0;
-  /// F-Lfrozen: the sag L is that of q/f = kappa0 in every section. With false it follows q/f, which then
-  /// cancels: Eq. 18 has no effect.
+  /// F-Lfrozen. True: the sag L is that of q/f = kappa0 in every section. False: the sag follows q/f, which
+  /// then cancels, and Eq. 18 has no effect.
   bool freezeSag = true;
   double pressureOverTension_per_m = 1.0;  ///< F-kappa0: q/f at the free end; cancels in every result
   bool clampLift = false;                  ///< dZ of Eq. 23 also at the clamp, as printed
@@ -40,22 +40,23 @@ struct PaperTwist {
       lift_m2;  ///< 2 theta_i L f / q (Eq. 23 with F-divG): dZ = lift h / sqrt(X^2 + Y^2 + h^2)
 };
 
-/// Eqs. 14, 17-19 and the factor of 23. `sections`: from the clamp (j = 0) to the free end, at least 2.
-/// theta_i = M_T kappa_i / (4 V_i G), kappa_i = kappa0 e^((i - 1) / beta), V_i = L_i S_i / 3.
-/// Throws Error{kBadParameter}: G or length not positive, a section without sag or area, rateExponent outside
-/// -20..1.
+/// Computes Eqs. 14, 17-19 and the factor of 23. `sections`: from the clamp (j = 0) to the free end, at
+/// least 2. theta_i = M_T kappa_i / (4 V_i G), kappa_i = kappa0 e^((i - 1) / beta), V_i = L_i S_i / 3.
+/// Throws Error{kBadParameter}: G or length not positive, a section without sag or area, rateExponent
+/// outside -20..1.
 [[nodiscard]] PaperTwist paperTwist(std::span<const PaperSection> sections, double length_m,
                                     double shearModulus_Pa, const PaperOptions& options = {});
 
-/// beta below which H_i theta_i of a uniform cylinder is not monotone: 1 / ln((M - 1) / (M - 2)); 0 for M
-/// = 2.
+/// Returns the beta below which H_i theta_i of a uniform cylinder is not monotone: 1 / ln((M - 1) / (M -
+/// 2)); 0 for M = 2.
 [[nodiscard]] double smallestMonotoneBeta(int sections);
 
-/// alpha of Eq. 20 in (-pi, pi], with F-atan2 and F-centroid: (x, y) is measured from the section's centroid.
+/// Computes alpha of Eq. 20 in (-pi, pi], with F-atan2 and F-centroid: (x, y) is measured from the
+/// section's centroid.
 [[nodiscard]] double paperAlpha(double x_m, double y_m) noexcept;
 
-/// (dX, dY, dZ) of Eqs. 21-23 in the section's frame, for a point (x, y) from the centroid, the angle
-/// phi = H theta and the lift of PaperTwist (each times the torque).
+/// Computes (dX, dY, dZ) of Eqs. 21-23 in the section's frame, for a point (x, y) from the centroid, the
+/// angle phi = H theta and the lift of PaperTwist (each times the torque).
 [[nodiscard]] Vec3 paperDisplacement(double x_m, double y_m, double angle_rad, double lift_m2,
                                      double spacing_m) noexcept;
 

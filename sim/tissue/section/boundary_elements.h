@@ -16,8 +16,8 @@ struct BoundaryFields {
   std::vector<std::vector<double>> slope;    ///< |grad z|, per loop and edge (from point i to i + 1)
 };
 
-/// Boundary elements for lap z = -1 on any section. With H = z + r^2/4, which is harmonic and known on the
-/// outline (r^2/4), Green's identity at the middle x of each edge
+/// Solves lap z = -1 on any section by boundary elements. With H = z + r^2/4, which is harmonic and known
+/// on the outline (r^2/4), Green's identity at the middle x of each edge
 ///   H(x)/2 = sum over edges (integral G dH/dn - integral H dG/dn),  G = -ln(r)/(2 pi),
 /// gives dH/dn, constant on each edge. All integrals are in closed form, H is taken as the exact parabola on
 /// each edge. On hole k, H = r^2/4 + c_k with the closing condition: integral dH/dn = 0. Then

@@ -9,7 +9,7 @@
 
 namespace torsio {
 
-/// What the outline and the holes show of the fields, in the lengths of the SectionShape.
+/// Values of the fields on the outline and the holes, in the lengths of the SectionShape.
 struct BoundaryValues {
   std::vector<std::vector<double>> warping;  ///< psi per loop and given point
   std::vector<std::vector<double>> shear;    ///< |tau| per loop and given point
@@ -20,7 +20,7 @@ struct BoundaryValues {
 
 [[nodiscard]] BoundaryValues boundaryValues(const SectionShape& shape, const QuadraticFields& fields);
 
-/// `fields`: on the loops of the shape with every edge halved.
+/// Reads the boundary values out of `fields`, given on the loops of the shape with every edge halved.
 [[nodiscard]] BoundaryValues boundaryValues(const SectionShape& shape, const BoundaryFields& fields);
 
 }  // namespace torsio

@@ -27,17 +27,18 @@ struct PlaneMesh {
   std::vector<double> loopLength;              ///< per loop
 };
 
-/// Appends the points of a loop; returns the index of the first. Loops are added in order: outline, holes.
+/// Appends the points of a loop; returns the index of the first point. Loops are added in this order:
+/// outline, holes.
 int addLoop(PlaneMesh& mesh, const BoundaryLoop& boundary);
 
 /// Fills `neighbours` from `triangles`.
 void linkNeighbours(PlaneMesh& mesh);
 
-/// Way along the loop halfway between two neighbouring boundary points.
+/// Returns the way along the loop halfway between two neighbouring boundary points.
 [[nodiscard]] double middleArc(const PlaneMesh& mesh, int a, int b);
 
 /// Splits each marked triangle (and those that conformity asks for) through the middle of its longest edge
-/// (Rivara): the smallest angle stays above half of what it was at the start, the polygon stays the same.
+/// (Rivara): the smallest angle stays above half of its first value, the polygon does not change.
 void bisect(PlaneMesh& mesh, std::span<const char> marked);
 
 }  // namespace torsio

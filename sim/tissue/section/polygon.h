@@ -24,27 +24,28 @@ struct PolygonMoments {
 
 [[nodiscard]] PolygonMoments polygonMoments(std::span<const Point2> polygon);
 
-/// Length of the closed outline.
+/// Returns the length of the closed outline.
 [[nodiscard]] double perimeter(std::span<const Point2> polygon);
 
-/// Twice the signed area of the triangle a, b, c: positive when anticlockwise.
+/// Returns twice the signed area of the triangle a, b, c: positive when anticlockwise.
 [[nodiscard]] inline double orientation(const Point2& a, const Point2& b, const Point2& c) noexcept {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// Two edges (by index of their first point) of one polygon that cross, touch or run back on each other;
-/// none for a simple polygon. Edges that share a point may share nothing else.
+/// Finds two edges (by index of their first point) of one polygon that cross, touch or run back on each
+/// other; none for a simple polygon. Edges that share a point may share nothing else.
 [[nodiscard]] std::optional<std::pair<int, int>> firstSelfCrossing(std::span<const Point2> polygon);
 
-/// An edge of `a` and an edge of `b` that have a point in common; none when the two do not touch.
+/// Finds an edge of `a` and an edge of `b` that have a point in common; none when the two do not touch.
 [[nodiscard]] std::optional<std::pair<int, int>> firstCrossing(std::span<const Point2> a,
                                                                std::span<const Point2> b);
 
-/// Whether `point` lies inside the polygon (a point on an edge may count as either).
+/// Tells whether `point` lies inside the polygon (a point on an edge may count as either).
 [[nodiscard]] bool contains(std::span<const Point2> polygon, const Point2& point);
 
-/// Smallest sine of the angle between an edge and the ray from `centre` to one of its ends; positive exactly
-/// when the anticlockwise polygon is star-shaped about `centre`, small when a ray grazes an edge.
+/// Returns the smallest sine of the angle between an edge and the ray from `centre` to one of its ends;
+/// positive exactly when the anticlockwise polygon is star-shaped about `centre`, small when a ray grazes
+/// an edge.
 [[nodiscard]] double grazingSine(std::span<const Point2> polygon, const Point2& centre);
 
 }  // namespace torsio

@@ -8,9 +8,9 @@
 
 namespace torsio {
 
-/// Delaunay triangulation of any simple outline (anticlockwise) with holes (clockwise) inside it. Boundary
-/// edges stay as they are; points are added inside until the triangles are well shaped. None when rounding
-/// leaves no ear to cut, which takes edges that all but touch.
+/// Triangulates any simple outline (anticlockwise) with holes (clockwise) inside it by Delaunay's rule.
+/// Boundary edges stay as they are; points are added inside until the triangles are well shaped. Returns
+/// none when rounding leaves no ear to cut, which happens only when edges all but touch.
 [[nodiscard]] std::optional<PlaneMesh> polygonMesh(const BoundaryLoop& outline,
                                                    std::span<const BoundaryLoop> holes);
 

@@ -33,7 +33,7 @@ class QuadraticElements {
   QuadraticElements(QuadraticElements&&) noexcept;
   QuadraticElements& operator=(QuadraticElements&&) noexcept;
 
-  /// `holeAreas`: one a hole of the mesh, positive.
+  /// Solves both fields on `mesh`. `holeAreas`: one a hole of the mesh, positive.
   [[nodiscard]] QuadraticFields solve(const PlaneMesh& mesh, std::span<const double> holeAreas);
 
  private:

@@ -18,8 +18,8 @@ struct SampledLoop {
   std::vector<bool> sharpTurn;  ///< per corner: turns by 90 degrees or more
 };
 
-/// A section made ready: checked, moved to its centroid and scaled to an outline area of 1, so that metres
-/// and unit shapes run through the same numbers.
+/// A section prepared for the solvers: checked, moved to its centroid and scaled to an outline area of 1,
+/// so that metres and unit shapes run through the same numbers.
 struct SectionShape {
   double unit = 1.0;  ///< given length = unit x length here
   Point2 origin{};    ///< centroid of the material, in given coordinates

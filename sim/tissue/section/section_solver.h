@@ -15,7 +15,7 @@ enum class SectionMethod {
   kAutomatic,         ///< finite elements; boundary elements where no mesh can be cut
 };
 
-/// What the membrane analogy says about one section, for G = 1 and unit twist rate. Lengths in the unit of
+/// Properties of one section by the membrane analogy, for G = 1 and unit twist rate. Lengths in the unit of
 /// the outline (metres in scenes): area [L^2], torsion constant [L^4], sag [L^2 per unit q/f], psi [L^2],
 /// shear [L].
 struct SectionProperties {
@@ -32,22 +32,24 @@ struct SectionProperties {
   double warpingMax = 0.0;             ///< largest psi
   std::vector<double> outlineWarping;  ///< psi at each outline point given
   std::vector<double> outlineShear;    ///< |tau| at each outline point given (see solveSection)
-  std::vector<std::vector<double>> holeWarping;  ///< the same, per hole
-  std::vector<std::vector<double>> holeShear;
+  std::vector<std::vector<double>> holeWarping;  ///< psi at each point given, per hole
+  std::vector<std::vector<double>> holeShear;    ///< |tau| at each point given, per hole
   /// Centre about which psi has no moment (integral psi x = integral psi y = 0), in the outline's
   /// coordinates. Found by finite elements only; the centroid otherwise.
   std::array<double, 2> shearCentre{};
-  /// Boundary elements: lower and upper are J -+ its change on twice the points, an estimate only.
+  /// Method that was used. With boundary elements lower and upper are J minus and plus its change on twice
+  /// the points, an estimate only.
   SectionMethod methodUsed = SectionMethod::kFiniteElements;
 };
 
 struct SectionSolverOptions {
   SectionMethod method = SectionMethod::kAutomatic;
-  /// Long edges are divided until the outline has about this many points; given points are never left out.
+  /// Number of points that the outline is brought to by dividing long edges; given points are never left
+  /// out.
   int outlinePoints = 128;
   int rings = 8;  ///< of the polar mesh of a star-shaped outline
-  /// Elements are split where they need it until (upper - lower) / J is at most this: the mean is then within
-  /// half of it, 1e-4, of the true J.
+  /// Largest (upper - lower) / J, until which elements are split where needed: the mean is then within half
+  /// of it, 1e-4, of the true J.
   double bracket = 2e-4;
   int maxNodes = 60000;  ///< splitting stops here; the bracket then stays wider, and stays rigorous
 };
@@ -60,7 +62,7 @@ class SectionField {
     double warping = 0.0;           ///< psi
     std::array<double, 2> shear{};  ///< (tau_xz, tau_yz) for G = 1, unit twist rate
   };
-  /// None outside the material.
+  /// Returns both fields at a point; none outside the material.
   [[nodiscard]] std::optional<Value> at(const std::array<double, 2>& point) const;
 
   std::vector<std::array<double, 2>> nodes;
@@ -73,13 +75,14 @@ class SectionField {
 /// factorisation, which is most of the work. One thread at a time; results do not depend on the order.
 class SectionSolver {
  public:
-  /// Throws Error{kBadParameter} for options out of range.
+  /// Makes a solver. Throws Error{kBadParameter} for options out of range.
   explicit SectionSolver(const SectionSolverOptions& options = {});
   ~SectionSolver();
   SectionSolver(SectionSolver&&) noexcept;
   SectionSolver& operator=(SectionSolver&&) noexcept;
 
-  /// See solveSection. `field` (optional): filled with the fields inside; emptied by boundary elements.
+  /// Solves one section as solveSection does. `field` (optional): filled with the fields inside; emptied by
+  /// boundary elements.
   [[nodiscard]] SectionProperties solve(std::span<const std::array<double, 2>> outline,
                                         std::span<const std::vector<std::array<double, 2>>> holes = {},
                                         SectionField* field = nullptr);

@@ -13,7 +13,7 @@ namespace torsio {
 /// Matern 3/2 (1 + sqrt3 u) exp(-sqrt3 u); Matern 5/2 (1 + sqrt5 u + 5u^2/3) exp(-sqrt5 u).
 enum class Covariance { kGaussian, kExponential, kSpherical, kMatern32, kMatern52 };
 
-/// C at `lag` >= 0 for `range` > 0. The variogram of Eq. 3 is gamma = 1 - C.
+/// Returns the covariance C at `lag` >= 0 for `range` > 0. The variogram of Eq. 3 is gamma = 1 - C.
 [[nodiscard]] double covarianceAt(Covariance covariance, double lag, double range);
 
 /// Trend that the weights reproduce exactly.
@@ -24,8 +24,8 @@ enum class Drift {
 
 struct KrigingOptions {
   Covariance covariance = Covariance::kMatern52;
-  /// Range as a multiple of the mean sample spacing: keeps the condition number independent of the number of
-  /// samples.
+  /// Range as a multiple of the mean sample spacing, which keeps the condition number independent of the
+  /// number of samples.
   double rangeInSpacings = 20.0;
   double nugget = 0.0;  ///< relative to the sill; raised only when a pivot fails
   Drift drift = Drift::kLinear;
@@ -44,21 +44,23 @@ struct KrigingWeights {
 /// copies and threads may share it.
 class Kriging1d {
  public:
-  /// `samples`: strictly increasing, finite, at least 2. Throws Error{kBadParameter}; also when the
-  /// covariance matrix stays singular with the largest nugget tried (a range far beyond the samples).
+  /// Prepares kriging from `samples`: strictly increasing, finite, at least 2. Throws Error{kBadParameter};
+  /// also when the covariance matrix stays singular with the largest nugget tried (a range far beyond the
+  /// samples).
   Kriging1d(std::span<const double> samples, const KrigingOptions& options = {});
 
-  /// Queries outside the samples are clamped to the nearer end.
+  /// Solves for the weights of a query; one outside the samples is clamped to the nearer end.
   [[nodiscard]] KrigingWeights weights(double query) const;
-  /// `values`: one a sample.
+  /// Estimates the value at a query from `values`, one a sample.
   [[nodiscard]] double estimate(double query, std::span<const double> values) const;
   [[nodiscard]] std::span<const double> samples() const noexcept { return samples_; }
   [[nodiscard]] const KrigingOptions& options() const noexcept { return options_; }
-  /// Samples that take part in one estimate: the window, or all.
+  /// Returns how many samples take part in one estimate: the window, or all.
   [[nodiscard]] int windowSize() const noexcept { return window_; }
-  /// The nugget asked for, or the first of 1e-12, 1e-11 .. 1e-8 with which every pivot held.
+  /// Returns the nugget asked for, or the first of 1e-12, 1e-11 .. 1e-8 with which every pivot held.
   [[nodiscard]] double nuggetUsed() const noexcept { return nuggetUsed_; }
-  /// Condition number (estimate in the 1-norm) of the worst covariance matrix in use, nugget included.
+  /// Returns the condition number (estimate in the 1-norm) of the worst covariance matrix in use, nugget
+  /// included.
   [[nodiscard]] double conditionNumber() const noexcept { return conditionNumber_; }
 
  private:
@@ -86,18 +88,18 @@ class KrigingTable {
 
   [[nodiscard]] int size() const noexcept { return static_cast<int>(first_.size()); }
   [[nodiscard]] int width() const noexcept { return width_; }
-  /// First sample of each query's row.
+  /// Returns the first sample of each query's row.
   [[nodiscard]] std::span<const int> first() const noexcept { return first_; }
-  /// All weights, row after row.
+  /// Returns all weights, row after row.
   [[nodiscard]] std::span<const double> lambda() const noexcept { return lambda_; }
   [[nodiscard]] std::span<const double> row(int query) const noexcept {
     return std::span(lambda_).subspan(static_cast<std::size_t>(query) * static_cast<std::size_t>(width_),
                                       static_cast<std::size_t>(width_));
   }
 
-  /// Estimate of query number `query` from `values` (one a sample). Allocates nothing.
+  /// Returns the estimate of query number `query` from `values` (one a sample). Allocates nothing.
   [[nodiscard]] double estimate(int query, std::span<const double> values) const noexcept;
-  /// All estimates; `out` has one entry a query. Allocates nothing.
+  /// Computes all estimates into `out`, one entry a query. Allocates nothing.
   void estimate(std::span<const double> values, std::span<double> out) const;
 
  private:
@@ -113,12 +115,14 @@ struct RidgeDisplacement {
   std::span<const double> dz;
 };
 
-/// (dX*, dY*, dZ*) of query number `query` by Eq. 15 as printed: each component kriged on its own. Far from
-/// rigid at large twist (the estimate leaves the circle); kriging the angle is the default of the product.
+/// Computes (dX*, dY*, dZ*) of query number `query` by Eq. 15 as printed: each component kriged on its own.
+/// Far from rigid at large twist (the estimate leaves the circle); kriging the angle is the default of the
+/// product.
 [[nodiscard]] std::array<double, 3> krigeComponents(const KrigingTable& table, int query,
                                                     const RidgeDisplacement& ridge) noexcept;
 
-/// The same without a table: weights solved for this one query (the yardstick of the benchmark).
+/// Computes (dX*, dY*, dZ*) of one query by Eq. 15 without a table: the weights are solved for this query
+/// (the yardstick of the benchmark).
 [[nodiscard]] std::array<double, 3> krigeComponents(const Kriging1d& kriging, double query,
                                                     const RidgeDisplacement& ridge);
 

@@ -15,7 +15,7 @@ enum class EndCondition {
   kBothHeld,     ///< fixed at both ends: the stomach between cardia and pylorus
 };
 
-/// What Saint-Venant's torsion needs of one section (section_solver.h), about its centroid.
+/// Properties of one section that Saint-Venant's torsion needs (section_solver.h), about its centroid.
 struct TorsionSection {
   double torsionConstant_m4 = 0.0;  ///< J
   double polarMoment_m4 = 0.0;      ///< Ip >= J, equal for a circle
@@ -24,10 +24,11 @@ struct TorsionSection {
 
 /// Corrections to 1 / (G J), all off unless asked for.
 struct TorsionCorrections {
-  /// Multiplies 1 / (G J) by 1 + (2/3) r'^2, r the radius of the circle of equal area: the mean turn of a
-  /// flat section of an exact cone (1.0206 against 1.0207 at 10 degrees half-angle).
+  /// Whether 1 / (G J) is multiplied by 1 + (2/3) r'^2, r the radius of the circle of equal area: the mean
+  /// turn of a flat section of an exact cone (1.0206 against 1.0207 at 10 degrees half-angle).
   bool taper = false;
-  /// A clamped end keeps a non-circular section flat, which stiffens as if the bar were about 0.1 R shorter.
+  /// Whether a clamped end keeps a non-circular section flat, which stiffens the bar as if it were about
+  /// 0.1 R shorter.
   bool restrainedEnds = false;
 };
 
@@ -35,13 +36,13 @@ struct TorsionCorrections {
 /// are linear along a taper and therefore reproduced exactly there.
 class SectionProfile {
  public:
-  /// `arcs_m` strictly increasing, one a section, at least 2. Throws Error{kBadParameter} for a section whose
-  /// J or area is not positive.
+  /// Makes the profile; `arcs_m` strictly increasing, one a section, at least 2. Throws
+  /// Error{kBadParameter} for a section whose J or area is not positive.
   SectionProfile(std::span<const double> arcs_m, std::span<const TorsionSection> sections,
                  const KrigingOptions& kriging);
 
   [[nodiscard]] TorsionSection at(double arc_m) const;
-  /// Radius of the circle of equal area.
+  /// Returns the radius of the circle of equal area.
   [[nodiscard]] double radius_m(double arc_m) const;
 
  private:
@@ -52,19 +53,19 @@ class SectionProfile {
   double smallest_ = 0.0;
 };
 
-/// The compliance coordinate C(s_j) = integral from 0 to s_j of ds / (G J), rad/(N m), at sections s_j = j
-/// length / (sections - 1), by Gauss's rule on the profile: exact to 1e-9 for tapers. Throws
+/// Computes the compliance coordinate C(s_j) = integral from 0 to s_j of ds / (G J), rad/(N m), at sections
+/// s_j = j length / (sections - 1), by Gauss's rule on the profile: exact to 1e-9 for tapers. Throws
 /// Error{kBadParameter}: G or length not positive and finite.
 [[nodiscard]] std::vector<double> sectionCompliances(const SectionProfile& profile, int sections,
                                                      double length_m, double shearModulus_Pa,
                                                      EndCondition ends,
                                                      const TorsionCorrections& corrections = {});
 
-/// The compliance coordinate between the sections: kriged from the M values onto a fine grid of nodes that
-/// contains the sections, kept from falling, at least 257 nodes.
+/// Computes the compliance coordinate between the sections: kriged from the M values onto a fine grid of
+/// nodes that contains the sections, kept from falling, at least 257 nodes.
 [[nodiscard]] std::vector<double> krigedNodes(std::span<const double> atSections, double length_m,
                                               const KrigingOptions& kriging, bool monotone);
-/// Nodes of krigedNodes for M sections.
+/// Returns the number of nodes of krigedNodes for M sections.
 [[nodiscard]] int fineNodes(int sections) noexcept;
 
 /// Green's function of the bar: the angle at x when the section at g is turned, as a share of the angle at g.
@@ -79,27 +80,32 @@ class TorsionTable {
   };
 
   TorsionTable() = default;
-  /// `compliance`: at equally spaced nodes from `first` on, not falling, with some rise. `paperAngles`:
-  /// values are H theta of the paper, which need not rise; sections beyond the grasp follow it rigidly.
+  /// Makes the table. `compliance`: at equally spaced nodes from `first` on, not falling, with some rise.
+  /// `paperAngles`: values are H theta of the paper, which need not rise; sections beyond the grasp follow
+  /// it rigidly.
   TorsionTable(double first, double step, std::vector<double> compliance, EndCondition ends,
                const Foundation& foundation, bool paperAngles = false);
 
-  /// phi(g) for 1 N m at g: A(g) B(g), rad/(N m). `g` is kept off the held ends (kHeldMargin).
+  /// Returns phi(g) for 1 N m at g: A(g) B(g), rad/(N m). `g` is kept off the held ends (kHeldMargin).
   [[nodiscard]] double compliance(double g) const noexcept;
-  /// phi(x) / phi(g) and its derivative with x (one-sided from the fixed end at g itself).
+  /// Returns the share phi(x) / phi(g) and its derivative with x (one-sided from the fixed end at g
+  /// itself).
   [[nodiscard]] ValueSlope share(double x, double g) const noexcept;
-  /// The same, but the slope is blended over `width` about g, so that what hangs on it does not jump there.
+  /// Returns the share phi(x) / phi(g) with its slope blended over `width` about g, so that quantities that
+  /// follow the slope do not jump there.
   [[nodiscard]] ValueSlope blendedShare(double x, double g, double width) const noexcept;
-  /// A(x), B(x): the factors themselves.
+  /// Returns the factor A(x).
   [[nodiscard]] ValueSlope rising(double x) const noexcept { return rising_.at(x); }
+  /// Returns the factor B(x).
   [[nodiscard]] ValueSlope falling(double x) const noexcept { return falling_.at(x); }
-  /// Where a grasp at `g` acts: off the held ends.
+  /// Returns where a grasp at `g` acts: off the held ends.
   [[nodiscard]] double graspAt(double g) const noexcept;
-  /// True when A = C and B is linear in C: what the fast view kernels assume.
+  /// Tells whether A = C and B is linear in C, as the fast view kernels assume.
   [[nodiscard]] bool plain() const noexcept { return plain_; }
   [[nodiscard]] EndCondition ends() const noexcept { return ends_; }
 
-  /// A grasp on a held end would need an infinite torque: it is taken this share of the length inside.
+  /// Share of the length by which a grasp on a held end is moved inside, because there it would need an
+  /// infinite torque.
   static constexpr double kHeldMargin = 0.005;
 
  private:

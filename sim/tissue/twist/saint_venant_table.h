@@ -16,11 +16,11 @@ struct ValueSlope {
 class HermiteTable {
  public:
   HermiteTable() = default;
-  /// `values`: at least 2, at first, first + step ... `monotone`: slopes are limited so that rising or
-  /// falling values are never overshot (Fritsch and Carlson 1980).
+  /// Makes the function from `values`: at least 2, at first, first + step ... `monotone`: slopes are
+  /// limited so that rising or falling values are never overshot (Fritsch and Carlson 1980).
   HermiteTable(double first, double step, std::vector<double> values, bool monotone);
 
-  /// Outside the nodes the nearer end value, slope 0.
+  /// Returns value and slope at x; outside the nodes the nearer end value and slope 0.
   [[nodiscard]] ValueSlope at(double x) const noexcept;
   [[nodiscard]] double value(double x) const noexcept { return at(x).value; }
 

@@ -13,7 +13,7 @@ struct TissueBenchOptions {
   int sections = 360;
 };
 
-/// One measured number and what it should be.
+/// One measured number with its target.
 struct TissueBenchRow {
   std::string name;  ///< "lattice_over_triad" ...
   double value = 0.0;

@@ -13,7 +13,7 @@ class CorePin {
   CorePin(const CorePin&) = delete;
   CorePin& operator=(const CorePin&) = delete;
 
-  /// -1 where the platform cannot pin, or forbids it.
+  /// Returns the core; -1 where the platform cannot pin, or forbids it.
   [[nodiscard]] int core() const noexcept { return core_; }
 
  private:
@@ -22,7 +22,7 @@ class CorePin {
   std::unique_ptr<Saved> saved_;
 };
 
-/// Of the last minute; -1 where the platform does not tell.
+/// Returns the load average of the last minute; -1 where the platform does not tell.
 [[nodiscard]] double loadAverage();
 
 }  // namespace torsio

@@ -29,13 +29,14 @@ enum class PaperInterpolation {
   kComponents,  ///< dX, dY, dZ along each ridge (Eq. 15), straight across to the next: as printed
 };
 
-/// What a section turns about; the two differ by a tilt of the section.
+/// Centre that a section turns about; the two differ by a tilt of the section.
 enum class TwistCentre {
   kCentreline,   ///< the section's centre on the organ's axis (its centroid), as in the paper
   kShearCentre,  ///< where a torque alone bends nothing
 };
 
-/// All that changes while tissue is twisted: one grasp. Trivially copyable: can be saved, replayed, compared.
+/// One grasp: all that changes while tissue is twisted. Trivially copyable: can be saved, replayed,
+/// compared.
 struct TwistState {
   double graspArc_m = 0.0;
   double graspAngle_rad = 0.0;
@@ -43,7 +44,7 @@ struct TwistState {
 };
 static_assert(std::is_trivially_copyable_v<TwistState>);
 
-/// Stiffness that a haptic device renders cleanly; the arm of the grasp force is kept from falling below
+/// Stiffness that a haptic device renders cleanly; the lever arm of the grasp force does not fall below
 /// sqrt(K / cap).
 inline constexpr double kStiffnessCap_N_per_m = 500.0;
 
@@ -51,7 +52,7 @@ struct TwistModelOptions {
   Formulation formulation = Formulation::kSaintVenant;
   EndCondition ends = EndCondition::kClampedFree;
   bool warping = true;  ///< dZ = theta psi (Saint-Venant only)
-  /// What a twist does, in this order; empty: one elastic operation about the centreline.
+  /// Operations of a twist in their order; empty: one elastic operation about the centreline.
   std::vector<TwistOperation> operations;
 
   KrigingOptions kriging;  ///< along the organ: C(s), section properties, the paper's components
@@ -60,8 +61,8 @@ struct TwistModelOptions {
   /// 0.3-2.
   double foundationLengths = 0.0;
   TorsionCorrections corrections;
-  /// Axial stretch of a bar with free ends, (1 + theta^2 Ip / (2 A))^(1/3). One operation about the
-  /// centreline, clamped-free, only.
+  /// Whether a bar with free ends stretches axially by (1 + theta^2 Ip / (2 A))^(1/3). One operation about
+  /// the centreline, clamped-free, only.
   bool poynting = false;
   /// Shear strain at which the torque has doubled against the linear law: T = (phi / C)(1 + (gamma /
   /// this)^2); 0: linear.
@@ -69,15 +70,15 @@ struct TwistModelOptions {
   double stiffnessCap_N_per_m = kStiffnessCap_N_per_m;
   PaperOptions paper;
   PaperInterpolation paperInterpolation = PaperInterpolation::kAngle;
-  /// Membrane problems solved along the organ; the properties between are kriged.
+  /// Number of membrane problems solved along the organ; the properties between them are kriged.
   int solvedSections = 49;
-  /// Of each membrane problem: an outline with more points is drawn again with this many, of the same area
-  /// (J within 3e-4 on a stomach of 228 points a section).
+  /// Most points of the outline in a membrane problem: one with more is drawn again with this many, of the
+  /// same area (J within 3e-4 on a stomach of 228 points a section).
   int sectionPoints = 128;
   SectionSolverOptions sectionSolver{.rings = 4};
 };
 
-/// What one state does to the whole organ. For reports; allocates.
+/// Effect of one state on the whole organ. For reports.
 struct TwistSummary {
   double torque_Nm = 0.0;
   double maxDisplacement_m = 0.0;  ///< of a mesh vertex (Eq. 24)
@@ -88,43 +89,45 @@ struct TwistSummary {
   double peakShearStrain = 0.0;
 };
 
-/// How the organ answers a twist. Immutable after construction, copies share their tables; every query below
-/// is noexcept and allocates nothing unless it says otherwise. What the servo records comes from these
+/// How the organ answers a twist. Immutable after construction, copies share their tables; every query
+/// below is noexcept and allocates nothing unless it says otherwise. Recordings come from these
 /// double-precision functions, which use + - * /, square roots and portable_math.h only: the same bits on
 /// every machine. The wide single-precision kernels serve views only (twist_model_view.h).
 ///
 /// A grasp on a held end would need an infinite torque; it acts 0.5 % of the length inside.
 class TwistModel {
  public:
-  /// Throws Error{kBadParameter} for G <= 0, a section without area, or options out of range.
+  /// Builds the model. Throws Error{kBadParameter} for G <= 0, a section without area, or options out of
+  /// range.
   TwistModel(const TriangleMesh& mesh, const SectionLattice& lattice, const Material& material,
              const TwistModelOptions& options);
 
   [[nodiscard]] const TwistModelOptions& options() const noexcept { return options_; }
   [[nodiscard]] const SectionLattice& lattice() const noexcept { return lattice_; }
   [[nodiscard]] const Material& material() const noexcept { return material_; }
-  /// The operations in force: options().operations, or the one elastic twist about the centreline.
+  /// Returns the operations in force: options().operations, or the one elastic twist about the centreline.
   [[nodiscard]] std::span<const TwistOperation> operations() const noexcept;
 
-  /// Angle at section g for one newton metre applied there, rad/(N m) (section G: phi_g = T C_g). Several
-  /// operations act like springs on one shaft: 1 / C = sum of ratio^2 / C_k.
+  /// Returns the angle at section g for one newton metre applied there, rad/(N m) (section G: phi_g = T
+  /// C_g). Several operations act like springs on one shaft: 1 / C = sum of ratio^2 / C_k.
   [[nodiscard]] double graspCompliance(double graspArc_m) const noexcept;
-  /// Torque that holds the state, N m.
+  /// Returns the torque that holds the state, N m.
   [[nodiscard]] double torque_Nm(const TwistState& state) const noexcept;
-  /// The state that a torque at this arc length leads to (the paper's forward problem: M_T is given).
-  /// Throws Error{kBadParameter} for a torque that is not finite.
+  /// Returns the state that a torque at this arc length leads to (the paper's forward problem: M_T is
+  /// given). Throws Error{kBadParameter} for a torque that is not finite.
   [[nodiscard]] TwistState stateForTorque(double graspArc_m, double torque_Nm) const;
-  /// Twist angle at arc length s, rad: the sum over the operations, each at the centreline point of s.
+  /// Returns the twist angle at arc length s, rad: the sum over the operations, each at the centreline
+  /// point of s.
   [[nodiscard]] double angleAt(double arc_m, const TwistState& state) const noexcept;
-  /// d angle / ds about the organ's own axis, rad/m.
+  /// Returns the twist rate, d angle / ds about the organ's own axis, rad/m.
   [[nodiscard]] double twistRateAt(double arc_m, const TwistState& state) const noexcept;
-  /// The axis that a grasp at this arc length turns about: the frame of the centreline, or of the straight
-  /// axis (tangent along it, centre at the foot of the grasped section) of the operation with the largest
-  /// ratio.
+  /// Returns the axis that a grasp at this arc length turns about: the frame of the centreline, or of the
+  /// straight axis (tangent along it, centre at the foot of the grasped section) of the operation with the
+  /// largest ratio.
   [[nodiscard]] AxisFrame graspFrame(double graspArc_m) const noexcept;
-  /// Tangential force on the tool that grips at `grip_m` (deformed world position), N: magnitude torque /
-  /// arm, direction against the twist. Nearer to the axis than rho = sqrt(K / stiffness cap) it falls as
-  /// torque arm / rho^2, so that no displacement meets more than the cap.
+  /// Returns the tangential force on the tool that grips at `grip_m` (deformed world position), N:
+  /// magnitude torque / arm, direction against the twist. Nearer to the axis than rho = sqrt(K / stiffness
+  /// cap) the force falls as torque arm / rho^2, so that no displacement meets more than the cap.
   [[nodiscard]] Vec3 graspForce_N(const TwistState& state, const Vec3& grip_m) const noexcept;
 
   /// Maps a world point near the deformed organ back to where it would be at rest: the inverse of
@@ -132,21 +135,21 @@ class TwistModel {
   [[nodiscard]] Vec3 toRest_m(const Vec3& deformed_m, const TwistState& state) const noexcept;
   /// Maps a rest point of the organ (and directions with it) to its twisted place, without warping.
   [[nodiscard]] Vec3 toDeformed_m(const Vec3& rest_m, const TwistState& state) const noexcept;
-  /// All mesh vertices, twisted and warped. `out_m` has one entry a mesh vertex.
+  /// Computes all mesh vertices, twisted and warped, into `out_m`, one entry a mesh vertex.
   void deform(const TwistState& state, std::span<Vec3> out_m) const noexcept;
 
-  /// Shear stress of each patch of the lattice (Eq. 13), Pa: G |theta| times the slope of the stress function
-  /// on the outline (Eq. 12). `out_Pa`: lattice().patches() entries, patch of ridge K, K + 1 and sections j,
-  /// j + 1 at [j N + K].
+  /// Computes the shear stress of each patch of the lattice (Eq. 13), Pa: G |theta| times the slope of the
+  /// stress function on the outline (Eq. 12). `out_Pa`: lattice().patches() entries, patch of ridge K, K +
+  /// 1 and sections j, j + 1 at [j N + K].
   void patchShear(const TwistState& state, std::span<double> out_Pa) const noexcept;
-  /// Largest shear stress of the organ's surface, Pa; for tissue-safety limits in the tick.
+  /// Returns the largest shear stress of the organ's surface, Pa; for tissue-safety limits in the tick.
   [[nodiscard]] double peakShear_Pa(const TwistState& state) const noexcept;
 
-  /// Allocates; not for the tick.
+  /// Summarises a state. Allocates; not for the tick.
   [[nodiscard]] TwistSummary summary(const TwistState& state) const;
 
   struct Tables;
-  /// For twist_model_view.cpp.
+  /// Returns the tables, for twist_model_view.cpp.
   [[nodiscard]] const Tables& tables() const noexcept { return *tables_; }
 
  private:

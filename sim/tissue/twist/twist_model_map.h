@@ -7,34 +7,35 @@
 
 namespace torsio {
 
-/// One state of a twist as a map of space: what is the same for all points is worked out on construction.
-/// Lives on the stack of a query; noexcept, allocation-free, portable arithmetic only.
+/// One state of a twist as a map of space; values common to all points are computed on construction. Lives
+/// on the stack of a query; noexcept, allocation-free, portable arithmetic only.
 class TwistMap {
  public:
   TwistMap(const TwistModel::Tables& tables, const SectionLattice& lattice, const TwistState& state) noexcept;
 
-  /// True when nothing moves: points are handed back bit by bit.
+  /// Tells whether nothing moves: points then come back bit by bit.
   [[nodiscard]] bool identity() const noexcept { return identity_; }
-  /// Where a rest point with this arc length goes; `line`: centreAt(arc_m), where it is known.
+  /// Returns where a rest point with this arc length goes; `line`: centreAt(arc_m), where it is known.
   [[nodiscard]] Vec3 forward(const Vec3& rest_m, double arc_m) const noexcept;
   [[nodiscard]] Vec3 forward(const Vec3& rest_m, double arc_m, TwistLine line) const noexcept;
   [[nodiscard]] Vec3 backward(const Vec3& deformed_m) const noexcept;
-  /// A vertex with its warping (Saint-Venant) or lift (paper).
+  /// Returns the place of a vertex with its warping (Saint-Venant) or lift (paper).
   [[nodiscard]] Vec3 vertex(const TwistVertex& vertex) const noexcept;
 
-  /// Distance from the axis after each operation over that before it, all multiplied: 1 for finite rotations.
+  /// Returns the distance from the axis after each operation over that before it, all multiplied: 1 for
+  /// finite rotations.
   [[nodiscard]] double radiusGrowth(const Vec3& rest_m, double arc_m) const noexcept;
-  /// Sum of the operations' angles at a point of the centreline.
+  /// Returns the sum of the operations' angles at a point of the centreline.
   [[nodiscard]] double angle(double arc_m) const noexcept;
-  /// Turn per length about the organ's own axis.
+  /// Returns the turn per length about the organ's own axis.
   [[nodiscard]] double rate(double arc_m) const noexcept;
-  /// The part of the operations about the centreline, which warps the sections; it does not jump at the
-  /// grasp.
+  /// Returns the rate of the operations about the centreline, which warp the sections; it does not jump at
+  /// the grasp.
   [[nodiscard]] double warpingRate(double arc_m) const noexcept;
-  /// Angle of operation k at its peak.
+  /// Returns the angle of operation k at its peak.
   [[nodiscard]] double fullAngle(std::size_t k) const noexcept { return steps_[k].angle_rad; }
 
-  /// The line that the section at an arc length turns about.
+  /// Returns the line that the section at an arc length turns about.
   [[nodiscard]] TwistLine centreAt(double arc_m) const noexcept;
 
  private:

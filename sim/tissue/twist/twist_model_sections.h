@@ -12,7 +12,7 @@
 
 namespace torsio {
 
-/// What the membrane solver said about one section of the lattice.
+/// Result of the membrane solver for one section of the lattice.
 struct SolvedSection {
   int index = 0;  ///< j
   TorsionSection torsion;
@@ -45,8 +45,9 @@ class SolvedSections {
   [[nodiscard]] double sag_m2(double arc_m) const;
   [[nodiscard]] double maxShear_m(double arc_m) const;
   [[nodiscard]] std::array<double, 2> shearCentre_m(double arc_m) const;
-  /// psi and |tau| on kAngles ridge angles at an arc length.
+  /// Returns psi on kAngles ridge angles at an arc length.
   [[nodiscard]] std::vector<double> warping_m2(double arc_m) const;
+  /// Returns |tau| on kAngles ridge angles at an arc length.
   [[nodiscard]] std::vector<double> shear_m(double arc_m) const;
 
  private:
@@ -67,10 +68,11 @@ class SolvedSections {
   std::vector<std::vector<double>> shearShare_;    // |tau| / J^(1/4)
 };
 
-/// `values` at increasing `angles_rad` of [0, 2 pi) on `count` equal steps, linear between, periodic.
+/// Resamples `values` at increasing `angles_rad` of [0, 2 pi) to `count` equal steps, linear between,
+/// periodic.
 [[nodiscard]] std::vector<double> onEqualAngles(std::span<const double> angles_rad,
                                                 std::span<const double> values, int count);
-/// Periodic linear look-up in a table over [0, 2 pi).
+/// Looks up periodically and linearly in a table over [0, 2 pi).
 [[nodiscard]] double atAngle(std::span<const double> table, double angle_rad) noexcept;
 
 }  // namespace torsio

@@ -32,7 +32,7 @@ struct RidgePlace {
   double share = 0.0;  ///< towards the next ridge
 };
 
-/// What TwistModel works out once. Everything the queries need; immutable.
+/// Everything that the queries of TwistModel need, computed once; immutable.
 struct TwistModel::Tables {
   std::vector<TwistOperation> definitions;
   std::vector<PreparedOperation> operations;
@@ -74,7 +74,7 @@ struct TwistModel::Tables {
   std::vector<double> patchShear_Pa_m;  ///< |tau| for unit twist rate
 };
 
-/// Works out everything. Throws as TwistModel's constructor.
+/// Computes the tables of a model. Throws as TwistModel's constructor.
 [[nodiscard]] TwistModel::Tables makeTwistTables(const TriangleMesh& mesh, const SectionLattice& lattice,
                                                  const Material& material, const TwistModelOptions& options);
 

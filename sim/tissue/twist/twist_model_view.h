@@ -19,21 +19,22 @@ class TwistView {
 
   [[nodiscard]] int vertices() const noexcept { return vertices_; }
   [[nodiscard]] Isa isa() const noexcept { return isa_; }
-  /// True when a whole frame is one pass of the kernels; false when the model needs more per vertex (an
-  /// elastic foundation, operations that look for their place on the curved organ, component kriging): some
-  /// ms a frame for 100,000 vertices instead of some 0.1 ms.
+  /// Tells whether a whole frame is one pass of the kernels; it is not when the model needs more per vertex
+  /// (an elastic foundation, operations that look for their place on the curved organ, component kriging):
+  /// some ms a frame for 100,000 vertices instead of some 0.1 ms.
   [[nodiscard]] bool fast() const noexcept { return path_ != Path::kAngles && path_ != Path::kSlow; }
 
   /// Writes x, y, z of vertex v at xyz[v stride]; `stride` floats, at least 3. Allocates nothing.
   void update(const TwistState& state, std::span<float> xyz, int stride = 3) noexcept;
 
-  /// The frame in the kernels' own layout, 3 x 16 a block (twist_kernels.h): what update() interleaves.
+  /// Computes the frame in the kernels' own layout, 3 x 16 a block (twist_kernels.h), which update()
+  /// interleaves.
   [[nodiscard]] std::span<const float> updateBlocks(const TwistState& state) noexcept;
 
  private:
   enum class Path {
-    kCurved,    ///< one twist about the centreline, then straight axes
-    kAngles,    ///< the same with the angle of each vertex worked out in double precision
+    kCurved,  ///< one twist about the centreline, then straight axes
+    kAngles,  ///< one twist about the centreline with the angle of each vertex worked out in double precision
     kStraight,  ///< straight axes only
     kPaper,     ///< the paper's linear displacements
     kSlow,      ///< every vertex by TwistModel::deform

@@ -8,13 +8,13 @@
 
 namespace torsio {
 
-/// What one operation turns the organ about.
+/// Axis that one operation turns the organ about.
 enum class TwistAxis {
   kCentreline,  ///< the organ's own axis: every section turns in its own plane
   kStraight,    ///< a straight line in space through two anatomical landmarks
 };
 
-/// What the angle of a straight-axis operation depends on.
+/// Coordinate that the angle of a straight-axis operation depends on.
 enum class TwistCoordinate {
   kAlongAxis,  ///< the way along the axis: every volume is kept exactly (det F = 1)
   kArc,        ///< the organ's own arc length, as at a hinge: det F is reported, not 1
@@ -37,8 +37,8 @@ struct TwistOperation {
   Vec3 axisTo_m;    ///< kStraight: and runs through here (fraction 1)
   TwistCoordinate coordinate = TwistCoordinate::kAlongAxis;  ///< kStraight only
   TwistProfile profile = TwistProfile::kElastic;
-  /// Held up to here. Fraction of the organ's length from its fixed end (kCentreline, kArc) or of the way
-  /// axisFrom -> axisTo (kAlongAxis; may leave 0..1).
+  /// Place up to which the organ is held. Fraction of the organ's length from its fixed end (kCentreline,
+  /// kArc) or of the way axisFrom -> axisTo (kAlongAxis; may leave 0..1).
   double from = 0.0;
   double to = 1.0;             ///< the other end of the twisted part, > from
   std::optional<double> peak;  ///< where the full angle is reached, in (from, to]; none: at the grasp
@@ -47,13 +47,15 @@ struct TwistOperation {
 
 inline constexpr int kMostOperations = 8;
 
-/// Share of the full angle at fraction `x` for every profile but kElastic; `peak` in (from, to].
+/// Returns the share of the full angle at fraction `x` for every profile but kElastic; `peak` in (from,
+/// to].
 [[nodiscard]] double profileShare(const TwistOperation& operation, double x, double peak) noexcept;
-/// d profileShare / dx.
+/// Returns d profileShare / dx.
 [[nodiscard]] double profileSlope(const TwistOperation& operation, double x, double peak) noexcept;
 
-/// Throws Error{kBadParameter} naming the operation (counted from 1), the value and the limit: not finite,
-/// axis points closer than 1 mm, to <= from, peak outside (from, to], arc fractions outside 0..1, ratio 0.
+/// Checks the operations of a pattern. Throws Error{kBadParameter} naming the operation (counted from 1),
+/// the value and the limit: not finite, axis points closer than 1 mm, to <= from, peak outside (from, to],
+/// arc fractions outside 0..1, ratio 0.
 void checkOperations(std::span<const TwistOperation> operations);
 
 }  // namespace torsio

@@ -8,11 +8,12 @@
 
 namespace torsio {
 
-/// The widest set that this processor and operating system can run and this binary was built with.
+/// Returns the widest instruction set that this processor and operating system can run and this binary was
+/// built with.
 [[nodiscard]] Isa bestIsa() noexcept;
-/// All sets usable here, narrowest first; never empty.
+/// Lists all instruction sets usable here, narrowest first; never empty.
 [[nodiscard]] std::span<const Isa> usableIsas() noexcept;
-/// "portable", "avx2", "avx512": in benchmark results.
+/// Returns the name of a set in benchmark results: "portable", "avx2", "avx512".
 [[nodiscard]] std::string_view isaName(Isa isa) noexcept;
 
 }  // namespace torsio

@@ -5,9 +5,9 @@
 
 namespace torsio {
 
-/// Vertices are kept in blocks of sixteen: within a block each coordinate is sixteen consecutive floats
-/// ("array of structures of arrays"). One stream per block instead of sixteen, so that no two streams start
-/// at equal addresses modulo 4 KiB, which would thrash a first-level cache.
+/// Number of vertices in a block: within a block each coordinate is sixteen consecutive floats ("array of
+/// structures of arrays"). One stream per block instead of sixteen, so that no two streams start at equal
+/// addresses modulo 4 KiB, which would thrash a first-level cache.
 inline constexpr int kKernelBlock = 16;
 
 /// One frame of a twist about the centreline: the angle at a vertex of compliance C is
@@ -59,31 +59,34 @@ struct KrigedComponents {
 /// inputs and outputs do not overlap unless said. What enters a recorded sample never comes from here: the
 /// last bit depends on the instruction set.
 struct TwistKernels {
-  /// in: foot[3] radius[3] tangent[3] compliance psiRate = 11 x 16 a block; out: 3 x 16 a block.
-  /// x' = foot + cos(phi) radius + sin(phi) tangent x radius + rate psiRate tangent.
+  /// Moves vertices by a twist about the centreline, with warping. in: foot[3] radius[3] tangent[3]
+  /// compliance psiRate = 11 x 16 a block; out: 3 x 16 a block. x' = foot + cos(phi) radius + sin(phi)
+  /// tangent x radius + rate psiRate tangent.
   void (*curvedWarp)(const float* in, int blocks, const TwistFrame& frame, float* out);
-  /// The same without warp: 10 x 16 a block.
+  /// Moves vertices by a twist about the centreline, without warping: in as curvedWarp without psiRate, 10
+  /// x 16 a block.
   void (*curved)(const float* in, int blocks, const TwistFrame& frame, float* out);
-  /// in: as curvedWarp; angle and rate per vertex: 2 x 16 a block.
+  /// Moves vertices by given angles. in: as curvedWarp; angle and rate per vertex: 2 x 16 a block.
   void (*givenAngles)(const float* in, const float* anglesAndRates, int blocks, float* out);
-  /// in: rest[3] tangentCrossRadius[3] unitAngle arc lift[3] = 11 x 16 a block; out: 3 x 16.
+  /// Moves vertices by the paper's linear rotation. in: rest[3] tangentCrossRadius[3] unitAngle arc lift[3]
+  /// = 11 x 16 a block; out: 3 x 16.
   void (*paperLinear)(const float* in, int blocks, const PaperFrame& frame, float* out);
-  /// in, out: 3 x 16 a block; may be the same.
+  /// Moves vertices by a twist about a straight axis. in, out: 3 x 16 a block; may be the same.
   void (*straight)(const float* in, int blocks, const StraightFrame& frame, float* out);
-  /// A lattice section by section, each section padded to whole blocks of 3 x 16; motions: 12 numbers a
-  /// section, rows of the matrix, then the translation.
+  /// Moves a lattice section by section, each section padded to whole blocks of 3 x 16; motions: 12 numbers
+  /// a section, rows of the matrix, then the translation.
   void (*lattice)(const float* in, int sections, int blocksPerSection, const float* motions, float* out);
   void (*latticeDouble)(const double* in, int sections, int blocksPerSection, const double* motions,
                         double* out);
-  /// Live kriging of displacement components; out: [vertex][3].
+  /// Computes displacement components by live kriging; out: [vertex][3].
   void (*componentKriging)(const KrigedComponents& components, int vertices, float* out);
-  /// Blocks 3 x 16 to interleaved xyz every `stride` floats; `vertices` are written.
+  /// Writes blocks of 3 x 16 as interleaved xyz every `stride` floats; `vertices` are written.
   void (*interleave)(const float* in, int vertices, float* out, int stride);
-  /// out = a + factor b, the STREAM triad: what memory can do at best.
+  /// Computes out = a + factor b, the STREAM triad: the best that memory can do.
   void (*triad)(const float* a, const float* b, float factor, int count, float* out);
 };
 
-/// Throws nothing; `isa` must be one of usableIsas().
+/// Returns the kernels for `isa`, which must be one of usableIsas(). Throws nothing.
 [[nodiscard]] const TwistKernels& twistKernels(Isa isa) noexcept;
 
 }  // namespace torsio

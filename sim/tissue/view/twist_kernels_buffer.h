@@ -15,8 +15,9 @@ class KernelBuffer {
 
  public:
   KernelBuffer() = default;
-  /// `lead`: numbers left free in front, a multiple of 64 bytes: staggers the starts of several buffers, so
-  /// that they do not meet in the same lines of the first-level cache.
+  /// Makes a buffer of `count` numbers. `lead`: numbers left free in front, a multiple of 64 bytes, which
+  /// staggers the starts of several buffers, so that they do not meet in the same lines of the first-level
+  /// cache.
   explicit KernelBuffer(std::size_t count, std::size_t lead = 0)
       : memory_(new (std::align_val_t{kAlignment}) T[count + lead]()), lead_(lead), size_(count) {}
 

@@ -15,42 +15,19 @@
 #include "app/recording/pipeline.h"
 #include "sim/base/error.h"
 #include "sim/record/trial_file.h"
-#include "tests/app/cli/program.h"
+#include "tests/app/cli/table_commands.h"
 
 namespace torsio {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using test::emptyFolder;
 using test::ProgramRun;
 using test::runTorsio;
 
+using AssessmentCommands = test::TableCommands;
+
 constexpr double kPublished = 1e-8;  // the sources below print eight or nine digits
-
-class AssessmentCommands : public testing::Test {
- protected:
-  fs::path folder_ = emptyFolder("assessment");
-
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return (folder_ / name).string();
-  }
-  json answer(const std::string& arguments, int code = 0) const {
-    const ProgramRun run = runTorsio(arguments, folder_);
-    EXPECT_EQ(run.code, code) << run.err;
-    return run.out.empty() ? json() : json::parse(run.out);
-  }
-  void expectRefused(const std::string& arguments, const std::vector<std::string>& mentions) const {
-    SCOPED_TRACE(arguments);
-    const ProgramRun run = runTorsio(arguments, folder_);
-    EXPECT_EQ(run.code, static_cast<int>(ErrorCode::kBadData)) << run.err;
-    EXPECT_EQ(run.out, "");
-    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
-    for (const std::string& mention : mentions)
-      EXPECT_NE(run.err.find(mention), std::string::npos) << mention << " is not in " << run.err;
-  }
-};
 
 /// 20 interns, 10 deputy chiefs and 10 chiefs, who give 7, 8 and 9 for everything.
 std::string paperTable() {
@@ -411,12 +388,12 @@ TEST_F(AssessmentCommands, MetricsMeasureEveryTwistOfATrialFile) {
   const fs::path file = folder_ / "trial.bin";
   TrialFileSink sink(file);
   ScriptedTrial trial;
-  trial.trialId = "00000000-0000-4000-8000-000000000006";
+  trial.recording.trialId = "00000000-0000-4000-8000-000000000006";
   trial.duration_s = 20.0;
   const TrialSummary summary = recordScriptedTrial(scene, trial, sink);
 
   const json out = answer("metrics --cards --scene --force-limit 0.01 " + file.string());
-  EXPECT_EQ(out["trial"], trial.trialId);
+  EXPECT_EQ(out["trial"], trial.recording.trialId);
   EXPECT_EQ(out["samples"], summary.samples);
   EXPECT_NEAR(out["whole"]["time.total"]["value"].get<double>(), 20.0, 0.01);
   ASSERT_GE(out["twists"].size(), 1U);

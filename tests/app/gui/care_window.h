@@ -18,8 +18,8 @@
 #include "app/gui/administrator/office_pages.h"
 #include "app/gui/shell/shell_window.h"
 #include "app/people/people_service.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/trial/station_repository.h"
 
 namespace torsio::gui {
 
@@ -148,7 +148,7 @@ class CarePages : public ::testing::Test {
 
   void showsOtherStation() {
     StationState other{.station = "room 2", .heartbeatUtc_us = window_->workplace()->now_us()};
-    StationRepository(window_->workplace()->connection()).beat(other);
+    StationRepository(window_->workplace()->connection()).heartbeat(other);
   }
 
   [[nodiscard]] int filesBeside() const {

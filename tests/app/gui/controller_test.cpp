@@ -32,7 +32,7 @@ struct Shelf {
   TrialRecording recording() {
     TrialRecording result;
     result.place = "memory";
-    result.open = [this](const TrialHeader&) {
+    result.open = [this](const RecordingSpec&) {
       trials.push_back(std::make_shared<MemoryTrialSink>());
       return std::make_unique<Sink>(trials.back());
     };
@@ -46,7 +46,6 @@ class Controller : public ::testing::Test {
   SimulationController controller_{loadBar, shelf_.recording()};
   int failures_ = 0;
   QString happened_;
-  std::int64_t time_us_ = 0;
 
   void SetUp() override {
     controller_.setRealTime(false);
@@ -60,11 +59,8 @@ class Controller : public ::testing::Test {
     controller_.load(request);
     ASSERT_TRUE(eventually([this] { return !controller_.loading(); }));
   }
-  void tick(int ticks) {
-    for (int i = 0; i < ticks; ++i, time_us_ += 1000) controller_.run()->loop().tick(time_us_);
-  }
+  void tick(int ticks) { controller_.run()->step(ticks); }
   Trial record(int ticks) {
-    time_us_ = 0;
     controller_.startRecording();
     tick(ticks);
     controller_.stopRecording();

@@ -2,7 +2,6 @@
 // Mouse and keys over the view, as the events of a real widget. The view shows its sentence instead of the
 // scene here; camera and controls are the same.
 #include <cmath>
-#include <numbers>
 
 #include <QApplication>
 #include <QKeyEvent>
@@ -13,6 +12,7 @@
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/scene/view_frame.h"
 #include "app/gui/simulator/pointer_controls.h"
+#include "sim/base/angle.h"
 
 namespace torsio::gui {
 namespace {
@@ -129,7 +129,7 @@ TEST_F(Controls, HeldKeysMoveWithTimeNotWithKeyRepeats) {
   key(QEvent::KeyRelease, Qt::Key_E);
   controls_.advance(5.0);
 
-  EXPECT_NEAR(half, 30.0 * std::numbers::pi / 180.0, 1e-6);
+  EXPECT_NEAR(half, radians(30.0), 1e-6);
   EXPECT_NEAR(controls_.input().roll_rad, 2.0 * half, 1e-6);
 }
 
@@ -141,9 +141,9 @@ TEST_F(Controls, TurningWhatIsHeldTurnsTheToolAboutTheTissuesAxis) {
 
   // Twelve notches of five degrees, then as many back and further: unwrapped on the way.
   for (int i = 0; i < 12; ++i) wheel(1, Qt::ShiftModifier);
-  EXPECT_NEAR(turnAbout(axis, gripped, orientation()), 60.0 * std::numbers::pi / 180.0, kAngle);
+  EXPECT_NEAR(turnAbout(axis, gripped, orientation()), radians(60.0), kAngle);
   for (int i = 0; i < 30; ++i) wheel(-1, Qt::ShiftModifier);
-  EXPECT_NEAR(turnAbout(axis, gripped, orientation()), -90.0 * std::numbers::pi / 180.0, kAngle);
+  EXPECT_NEAR(turnAbout(axis, gripped, orientation()), radians(-90.0), kAngle);
 }
 
 TEST_F(Controls, AnglesGoOnSmoothlyThroughMoreThanATurn) {
@@ -175,7 +175,7 @@ TEST_F(Controls, DraggingTurnsTheNearSideOfTheTissueWithTheMouse) {
 
   // To the right: the front of an upright organ goes to the patient's left, which is positive about the
   // head's direction. The tip stays where it holds.
-  EXPECT_NEAR(turnAbout(upright, gripped, orientation()), 50.0 * std::numbers::pi / 180.0, kAngle);
+  EXPECT_NEAR(turnAbout(upright, gripped, orientation()), radians(50.0), kAngle);
   EXPECT_EQ(controls_.input().onPlane_m, before);
 }
 

@@ -2,33 +2,31 @@
 #include "app/gui/simulator/film_strip.h"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "sim/base/angle.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio::gui {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-std::vector<double> degrees(const std::vector<double>& angles_rad) {
+std::vector<double> roundedDegrees(const std::vector<double>& angles_rad) {
   std::vector<double> rounded;
-  for (const double angle_rad : angles_rad) rounded.push_back(std::round(angle_rad / kDegree * 1e6) / 1e6);
+  for (const double angle_rad : angles_rad) rounded.push_back(std::round(degrees(angle_rad) * 1e6) / 1e6);
   return rounded;
 }
 
 TEST(FilmStrip, StepsByThirtyDegreesAndEndsAtTheLastAngle) {
-  EXPECT_EQ(degrees(stripAngles_rad(90.0 * kDegree)), (std::vector<double>{0, 30, 60, 90}));
-  EXPECT_EQ(degrees(stripAngles_rad(-70.0 * kDegree)), (std::vector<double>{0, -30, -60, -70}));
+  EXPECT_EQ(roundedDegrees(stripAngles_rad(radians(90.0))), (std::vector<double>{0, 30, 60, 90}));
+  EXPECT_EQ(roundedDegrees(stripAngles_rad(radians(-70.0))), (std::vector<double>{0, -30, -60, -70}));
   EXPECT_EQ(stripAngles_rad(0.0).size(), 1U);
 }
 
 TEST(FilmStrip, CaptionsHaveNoNeedlessDigits) {
   EXPECT_EQ(angleCaption(-0.0), QStringLiteral("0\u00b0"));
-  EXPECT_EQ(angleCaption(60.0 * kDegree), QStringLiteral("60\u00b0"));
-  EXPECT_EQ(angleCaption(22.5 * kDegree), QStringLiteral("22.5\u00b0"));
+  EXPECT_EQ(angleCaption(radians(60.0)), QStringLiteral("60\u00b0"));
+  EXPECT_EQ(angleCaption(radians(22.5)), QStringLiteral("22.5\u00b0"));
 }
 
 TEST(FilmStrip, FindsWhenARecordingFirstReachesEachAngle) {
@@ -40,8 +38,8 @@ TEST(FilmStrip, FindsWhenARecordingFirstReachesEachAngle) {
     Sample sample;
     sample.tick = tick;
     sample.device.time_us = 1000 * tick;
-    sample.response.angle_rad =
-        kDegree * (tick <= 2000 ? 0.03 * static_cast<double>(tick) : 0.02 * static_cast<double>(5000 - tick));
+    sample.response.angle_rad = kRadiansPerDegree * (tick <= 2000 ? 0.03 * static_cast<double>(tick)
+                                                                  : 0.02 * static_cast<double>(5000 - tick));
     samples.push_back(sample);
   }
   for (std::int64_t index = 0; index * kSamplesPerChunk < 5000; ++index) {

@@ -61,7 +61,6 @@ class HapticPractice : public ::testing::Test {
   std::shared_ptr<MemoryTrialSink> kept_ = std::make_shared<MemoryTrialSink>();
   SimulationController controller_{loadBar, recording()};
   QString said_;
-  std::int64_t time_us_ = 0;
 
   TrialRecording recording() {
     struct Sink final : TrialSink {
@@ -72,7 +71,7 @@ class HapticPractice : public ::testing::Test {
       std::shared_ptr<MemoryTrialSink> to;
     };
     TrialRecording keep;
-    keep.open = [this](const TrialHeader&) { return std::make_unique<Sink>(kept_); };
+    keep.open = [this](const RecordingSpec&) { return std::make_unique<Sink>(kept_); };
     return keep;
   }
   HapticOpener opener() {
@@ -92,9 +91,7 @@ class HapticPractice : public ::testing::Test {
     load("bar");
     ASSERT_TRUE(eventually([this] { return !controller_.hapticModel().isEmpty(); }));
   }
-  void tick(int ticks) {
-    for (int i = 0; i < ticks; ++i, time_us_ += 1000) controller_.run()->loop().tick(time_us_);
-  }
+  void tick(int ticks) { controller_.run()->step(ticks); }
 };
 
 TEST_F(HapticPractice, UsesTheDeviceOnceItIsOpen) {
@@ -135,7 +132,6 @@ TEST_F(HapticPractice, GoesOnWithTheMouseWhenTheDeviceIsLost) {
   EXPECT_EQ(controller_.mode(), Mode::kPractice);
   EXPECT_EQ(hand_->lastForce_N, Vec3{});
   EXPECT_TRUE(eventually([this] { return hand_->closed == 1; }));
-  time_us_ = 0;
   tick(5);
   EXPECT_EQ(controller_.state().tick, 4);  // the pointer's exercise runs
   EXPECT_TRUE(controller_.toolRidesOnTissue());
@@ -185,9 +181,8 @@ TEST_F(HapticPractice, ATrainingRunSaysOnceThatItsDeviceIsLost) {
   load("bar");
   int lost = 0;
   QObject::connect(&controller_, &SimulationController::deviceLost, &controller_, [&lost] { ++lost; });
-  TrialHeader header;
-  header.trialId = "run";
-  ASSERT_TRUE(controller_.startTraining(header, recording().open(header), std::make_unique<Stylus>(hand_)));
+  const RecordingSpec run{.trialId = "run"};
+  ASSERT_TRUE(controller_.startTraining(run, recording().open(run), std::make_unique<Stylus>(hand_)));
   tick(5);
   hand_->unplugged = true;
   tick(1);

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/gui/trainee_station.h"
 
@@ -49,10 +49,7 @@ class Wired final : public HapticDevice {
 /// The device is unplugged, and everybody gets to know.
 void unplug(Station& station, Wire& wire) {
   wire.unplugged = true;
-  LiveRun* live = station.run().scene().controller().run();
-  const std::int64_t first = live->loop().ticks();
-  for (std::int64_t tick = 0; tick < 20; ++tick) live->loop().tick((first + tick) * 1000);
-  live->pump();
+  station.run().scene().controller().run()->step(20);
   station.run().scene().frame(0.016);
 }
 
@@ -113,7 +110,7 @@ TEST(RunDevice, PracticeThatLosesItsDeviceGoesOnWithTheMouse) {
 
 TEST(RunDevice, TheClockWaitsForTheDeviceAndTheWindowDoesNot) {
   TrainingCentre::Setup setup;
-  setup.phases = {{.kind = "virtual", .label = "virtual 1 min", .duration_us = kMinute_us}};
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}};
   setup.restAllowance_us = 30 * kSecond_us;
   TrainingCentre centre(setup);
   Station station(centre);

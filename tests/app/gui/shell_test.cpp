@@ -29,8 +29,8 @@
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/shell_window.h"
 #include "app/gui/shell/sign_in_panel.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 
@@ -537,7 +537,7 @@ TEST_F(Shell, AnOpenStationGivesSignsOfLifeUntilItIsClosed) {
   EXPECT_EQ(stations.find("test")->userId, "");
 
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
-  window_->beat();
+  window_->heartbeat();
   ASSERT_TRUE(window_->line()->settled(kLong));
   EXPECT_EQ(stations.find("test")->userId, window_->workplace()->actor().userId);
   ASSERT_TRUE(window_->close());
@@ -664,14 +664,14 @@ struct Gate {
 TEST_F(Shell, ADatabaseThatHangsIsSaidCalmlyAndHoldsUpNobody) {
   ShellSetup with = setup();
   using namespace std::chrono_literals;
-  with.linePatience = {.again = 10ms, .pulse = 10ms, .silence = 100ms, .farewell = 50ms};
+  with.linePatience = {.again = 10ms, .heartbeat = 10ms, .silence = 100ms, .farewell = 50ms};
   openFoundedCentre(with);
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   const auto gate = std::make_shared<Gate>();
   gate->set(false);
   window_->line()->write([gate](Workplace&) { gate->pass(); });
   const auto tells = [this](const char* part) {
-    window_->beat();
+    window_->heartbeat();
     return says(*window_, QLatin1String(part));
   };
 

@@ -110,10 +110,8 @@ class Station {
   void train(std::int64_t span_us) {
     ASSERT_TRUE(soon([&] { return !run().fetchesDevice(); }));
     for (std::int64_t t = 0; t < span_us; t += torsio::testing::kSecond_us) {
-      if (LiveRun* live = run().scene().controller().run(); live != nullptr && live->recorded()) {
-        const std::int64_t first = live->loop().ticks();
-        for (std::int64_t tick = 0; tick < 1000; ++tick) live->loop().tick((first + tick) * 1000);
-        live->pump();
+      if (RecordedRun* live = run().scene().controller().run(); live != nullptr && live->recorded()) {
+        live->step(ticksIn(1.0));
       }
       clock->advance_us(torsio::testing::kSecond_us);
       centre_.passTime_us(torsio::testing::kSecond_us);

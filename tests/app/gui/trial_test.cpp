@@ -7,11 +7,12 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
-#include "app/gui/simulator/live_run.h"
 #include "app/gui/simulator/scripted_twist.h"
 #include "app/gui/simulator/trial_playback.h"
 #include "app/gui/simulator/trial_recording.h"
+#include "app/recording/recorded_run.h"
 #include "sim/base/error.h"
+#include "sim/device/virtual/pointer_device.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/sample_codec.h"
 #include "sim/servo/replay_trial.h"
@@ -25,64 +26,43 @@ constexpr double kTwist_rad = 0.7;
 // The pointer device follows with two filters of 15 ms: after 300 ms less than 1e-6 of the way is left.
 constexpr double kSettled_rad = 1e-4;
 
-/// A sink that outlives the run that writes into it.
-class SharedSink final : public TrialSink {
- public:
-  explicit SharedSink(std::shared_ptr<MemoryTrialSink> kept) : kept_(std::move(kept)) {}
-  void begin(const TrialHeader& header) override { kept_->begin(header); }
-  void append(const TrialChunk& chunk) override { kept_->append(chunk); }
-  void finish(const TrialSummary& summary) override { kept_->finish(summary); }
-
- private:
-  std::shared_ptr<MemoryTrialSink> kept_;
-};
-
-TrialHeader headerOf(const std::string& trialId) {
-  TrialHeader header;
-  header.trialId = trialId;
-  header.sceneId = "bar";
-  header.patternId = "quarter";
-  return header;
-}
-
 class PointerRun : public ::testing::Test {
  protected:
   std::shared_ptr<const Scene> scene_ = std::make_shared<const Scene>(barScene());
   Pose start_{.position_m = {0.0, -kBarRadius_m - 0.010, kGraspHeight_m}, .orientation = {}};
   PointerInput input_;
-  std::int64_t time_us_ = 0;
+  PointerDevice* pointer_ = nullptr;  // of the newest run
 
-  RunSetup setup() const { return {.start = start_, .drive = TwistDrive::kRoll, .targetAngle_rad = 1.0}; }
-
-  void run(LiveRun& run, int ticks) {
-    for (int i = 0; i < ticks; ++i) {
-      run.loop().tick(time_us_);
-      time_us_ += 1000;
-    }
+  /// A run with the pointer; `kept` null: nothing is recorded.
+  std::unique_ptr<RecordedRun> newRun(const std::shared_ptr<TrialSink>& kept = nullptr) {
+    auto pointer = std::make_unique<PointerDevice>(start_);
+    pointer_ = pointer.get();
+    return std::make_unique<RecordedRun>(scene_, std::move(pointer),
+                                         RecordingSpec{.trialId = "one", .targetAngle_rad = 1.0}, kept);
   }
 
   /// Reach, grip, turn about the bar's axis (camera upright in front: its y is the bar's axis).
-  void twist(LiveRun& live) {
+  void twist(RecordedRun& live) {
     input_.present = true;
     input_.view = Quat{0.70710678118654752, 0.70710678118654752, 0.0, 0.0};
     input_.onPlane_m = {0.0, -kBarRadius_m - 0.002, kGraspHeight_m};
-    live.steer(input_);
-    run(live, 300);
+    pointer_->publish(input_);
+    live.step(300);
     input_.grip = 1.0;
-    live.steer(input_);
-    run(live, 300);
+    pointer_->publish(input_);
+    live.step(300);
     input_.yaw_rad = kTwist_rad;
-    live.steer(input_);
-    run(live, 300);
+    pointer_->publish(input_);
+    live.step(300);
   }
 };
 
 TEST_F(PointerRun, AMouseReachesGripsAndTwistsTheBarByTurning) {
-  LiveRun live(scene_, setup());
+  const std::unique_ptr<RecordedRun> live = newRun();
 
-  twist(live);
+  twist(*live);
 
-  const LiveState state = live.latest();
+  const LiveState state = live->latest();
   EXPECT_EQ(state.phase, ExercisePhase::kTwisting);
   EXPECT_NEAR(state.response.angle_rad, kTwist_rad, kSettled_rad);
   EXPECT_GT(state.response.torque_Nm, 0.0);
@@ -90,36 +70,33 @@ TEST_F(PointerRun, AMouseReachesGripsAndTwistsTheBarByTurning) {
 }
 
 TEST_F(PointerRun, OpeningTheJawLetsTheTissueReturn) {
-  LiveRun live(scene_, setup());
-  twist(live);
+  const std::unique_ptr<RecordedRun> live = newRun();
+  twist(*live);
 
   input_.grip = 0.0;
-  live.steer(input_);
-  run(live, 2000);
+  pointer_->publish(input_);
+  live->step(2000);
 
-  EXPECT_EQ(live.latest().response.angle_rad, 0.0);
-  EXPECT_NE(live.latest().phase, ExercisePhase::kTwisting);
+  EXPECT_EQ(live->latest().response.angle_rad, 0.0);
+  EXPECT_NE(live->latest().phase, ExercisePhase::kTwisting);
 }
 
 TEST_F(PointerRun, ACommandReachesTheServo) {
-  LiveRun live(scene_, setup());
-  twist(live);
+  const std::unique_ptr<RecordedRun> live = newRun();
+  twist(*live);
 
-  ASSERT_TRUE(live.command({.kind = ServoCommand::Kind::kReleaseTissue}));
-  run(live, 1);
+  ASSERT_TRUE(live->command({.kind = ServoCommand::Kind::kReleaseTissue}));
+  live->step();
 
-  EXPECT_EQ(live.latest().phase, ExercisePhase::kReleased);
+  EXPECT_EQ(live->latest().phase, ExercisePhase::kReleased);
 }
 
 TEST_F(PointerRun, IsRecordedFromTheFirstTickAndReplaysBitForBit) {
   auto kept = std::make_shared<MemoryTrialSink>();
-  TrialHeader header = headerOf("one");
-  header.organHash = scene_->organHash;
-  header.parameterHash = scene_->parameterHash;
   {
-    LiveRun live(scene_, setup(), header, std::make_unique<SharedSink>(kept));
-    twist(live);
-    const RecordingResult result = live.finish(TrialOutcome::kCompleted);
+    const std::unique_ptr<RecordedRun> live = newRun(kept);
+    twist(*live);
+    const RecordingResult result = live->finish(TrialOutcome::kCompleted);
     EXPECT_EQ(result.summary.samples, 900);
     EXPECT_EQ(result.summary.refusedSamples, 0);
   }
@@ -138,11 +115,11 @@ class RecordedTwist : public PointerRun {
 
   void SetUp() override {
     auto kept = std::make_shared<MemoryTrialSink>();
-    LiveRun live(scene_, setup(), headerOf("two"), std::make_unique<SharedSink>(kept));
-    twist(live);
-    ASSERT_TRUE(live.command({.kind = ServoCommand::Kind::kSetTarget, .value = 0.5}));
-    run(live, 100);
-    static_cast<void>(live.finish(TrialOutcome::kCompleted));
+    const std::unique_ptr<RecordedRun> live = newRun(kept);
+    twist(*live);
+    ASSERT_TRUE(live->command({.kind = ServoCommand::Kind::kSetTarget, .value = 0.5}));
+    live->step(100);
+    static_cast<void>(live->finish(TrialOutcome::kCompleted));
     trial_ = kept->trial();
   }
 };
@@ -199,7 +176,7 @@ TEST_F(RecordedTwist, TrialFilesAreListedNewestFirstAndReadBack) {
     TrialHeader header = trial_.header;
     header.startedUtc_us = started_us;
     header.trialId = "at-" + std::to_string(started_us);
-    const std::unique_ptr<TrialSink> sink = files.open(header);
+    const std::unique_ptr<TrialSink> sink = files.open({.trialId = header.trialId});
     sink->begin(header);
     for (const TrialChunk& chunk : trial_.chunks) sink->append(chunk);
     sink->finish(trial_.summary);

@@ -34,9 +34,9 @@
 #include "app/study/campaign_service.h"
 #include "app/study/cohort_service.h"
 #include "assessment/study/demonstration_marks.h"
-#include "db/repository/evaluation_repository.h"
-#include "db/repository/sheet_repository.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/file_io.h"
 #include "tests/app/cli/program.h"
 #include "tests/app/gui/office_desk.h"
@@ -175,10 +175,10 @@ void runTheDay(Office& office, const std::string& cohortId) {
   DeviceReadiness unfit{.device = Text("Touch"), .haptic = true};
   unfit.findings = {{"connected", Light::kRed, Text("no device answers"), ""}};
   storeDevice(stationDevice(unfit, now_us), room);
-  StationRepository(office.centre.connection()).beat(room);
+  StationRepository(office.centre.connection()).heartbeat(room);
   StationState yesterday{.station = "room 3", .heartbeatUtc_us = now_us};
   storeDevice(stationDevice(pointerReadiness(true), now_us - 86'400'000'000), yesterday);
-  StationRepository(office.centre.connection()).beat(yesterday);
+  StationRepository(office.centre.connection()).heartbeat(yesterday);
   auto page = office.open<RunDayPage>("administrator", QString::fromStdString(cohortId));
   EXPECT_EQ(page->table().visibleRows(), static_cast<int>(kTrainees));
   ASSERT_EQ(page->stations().visibleRows(), 2);

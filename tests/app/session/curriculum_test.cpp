@@ -7,6 +7,7 @@
 #include "app/study/curriculum_service.h"
 #include "app/study/rubric_service.h"
 #include "db/connection/db_error.h"
+#include "db/repository/study/occasion_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/session/office_centre.h"
 
@@ -38,7 +39,10 @@ TEST(CurriculumTemplates, AllCanBePublished) {
 
   ASSERT_GE(templates.size(), 2U);
   for (const CurriculumTemplate& one : templates) {
-    EXPECT_TRUE(curriculumProblems(one.content, centre.assets()).empty()) << one.id;
+    EXPECT_TRUE(
+        curriculumProblems(one.content, centre.assets(), OccasionRepository(centre.connection()).all())
+            .empty())
+        << one.id;
   }
 }
 
@@ -100,7 +104,8 @@ TEST(CurriculumContent, NamesEveryProblemWithItsPlaceAndRemedy) {
   broken.arms.push_back({"", "G1", "", 0, false, {{"", "watching", "", 0, "Z9"}}});
   broken.scoringPoints = {{"mid", 5}, {"pre", 5}, {"later", 1}};
 
-  const auto problems = curriculumProblems(broken, centre.assets());
+  const auto problems =
+      curriculumProblems(broken, centre.assets(), OccasionRepository(centre.connection()).all());
 
   EXPECT_TRUE(mentions(problems, "module A1", "unknown scene \"liver\""));
   EXPECT_TRUE(mentions(problems, "module A2", "lacks"));
@@ -120,7 +125,9 @@ TEST(CurriculumContent, FindsModulesThatWaitForEachOther) {
   StoredCurriculumVersion circle = shipped(centre, "first-steps");
   circle.modules[0].requires_ = {"A3"};
 
-  EXPECT_TRUE(mentions(curriculumProblems(circle, centre.assets()), "A1", "wait for each other"));
+  EXPECT_TRUE(
+      mentions(curriculumProblems(circle, centre.assets(), OccasionRepository(centre.connection()).all()),
+               "A1", "wait for each other"));
 }
 
 TEST(CurriculumService, DraftBecomesAVersionThatRunsAndCloses) {

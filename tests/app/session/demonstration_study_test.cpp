@@ -10,7 +10,8 @@
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/run_day.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/study/occasion_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "tests/app/session/office_centre.h"
 
 namespace torsio {
@@ -46,7 +47,7 @@ TEST(DemonstrationStudy, FollowsTheProtocolThatItsBoardShows) {
   std::size_t rests = 0;
   for (const RunDayRow& row : board.rows) {
     EXPECT_TRUE(row.done) << row.traineeCode;
-    EXPECT_EQ(row.scoringPointDue, "post");
+    EXPECT_EQ(row.occasionDue.code, "post");
     EXPECT_EQ(row.progress.virtual_us + row.progress.real_us, 40 * kMinute_us);
     virtual_us[row.groupCode] += row.progress.virtual_us;
     rests += row.progress.rests;
@@ -76,7 +77,9 @@ TEST(DemonstrationStudy, EveryTrialNamesItsExerciseAndItsPhase) {
   EXPECT_EQ(trials[version->arms[0].phases[0].id], 10U);
   EXPECT_EQ(trials[version->arms[0].phases[1].id], 10U);
   EXPECT_EQ(trials[version->arms[1].phases[0].id], 10U);
-  EXPECT_TRUE(curriculumProblems(publishedContent(centre.workplace(), version->id), centre.assets()).empty());
+  EXPECT_TRUE(curriculumProblems(publishedContent(centre.workplace(), version->id), centre.assets(),
+                                 OccasionRepository(centre.connection()).all())
+                  .empty());
 }
 
 }  // namespace

@@ -35,6 +35,7 @@
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/frozen_data.h"
+#include "app/study/occasion_service.h"
 #include "app/study/rubric_service.h"
 #include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
@@ -136,6 +137,8 @@ std::vector<ServiceCall> officeCalls() {
       {O::kRetentionManage, "eraseDue, on trial",
        [](Workplace& w, Path) { (void)eraseDue(w, {}, "", true); }},
       {O::kRetentionManage, "retentionRules", [](Workplace& w, Path) { (void)retentionRules(w); }},
+      {O::kRetentionManage, "removeRetentionRule",
+       [](Workplace& w, Path) { removeRetentionRule(w, kNoSuch); }},
       {O::kRetentionManage, "setRetentionRule",
        [](Workplace& w, Path) { setRetentionRule(w, kNoSuch, 30, "law"); }},
       {O::kRetentionManage, "extendRecord", [](Workplace& w, Path) { extendRecord(w, kNoSuch, 0, "why"); }},
@@ -157,6 +160,8 @@ std::vector<ServiceCall> studyCalls() {
       {O::kPersonViewCoded, "publishedContent",
        [](Workplace& w, Path) { (void)publishedContent(w, kNoSuch); }},
       {O::kCurriculumEdit, "addCurriculum", [](Workplace& w, Path) { (void)addCurriculum(w, "", ""); }},
+      {O::kPersonViewCoded, "knownOccasions", [](Workplace& w, Path) { (void)knownOccasions(w); }},
+      {O::kCurriculumEdit, "addOccasion", [](Workplace& w, Path) { (void)addOccasion(w, ""); }},
       {O::kCurriculumEdit, "publishCurriculum",
        [](Workplace& w, Path) { (void)publishCurriculum(w, kNoSuch, "", {}); }},
       {O::kCurriculumEdit, "runCurriculum", [](Workplace& w, Path) { runCurriculum(w, kNoSuch); }},
@@ -172,7 +177,7 @@ std::vector<ServiceCall> studyCalls() {
       {O::kStudySetup, "runDayBoard", [](Workplace& w, Path) { (void)runDayBoard(w, kNoSuch); }},
       {O::kStudyEnrol, "enrolTrainees", [](Workplace& w, Path) { (void)enrolTrainees(w, kNoSuch, {}); }},
       {O::kStudyEnrol, "setEnrolmentState",
-       [](Workplace& w, Path) { setEnrolmentState(w, kNoSuch, kNoSuch, "completed", ""); }},
+       [](Workplace& w, Path) { setEnrolmentState(w, kNoSuch, kNoSuch, EnrolmentState::kCompleted, ""); }},
       {O::kAllocationRun, "previewBalance", [](Workplace& w, Path) { (void)previewBalance(w, {}); }},
       {O::kAllocationRun, "lockAllocation", [](Workplace& w, Path) { (void)lockAllocation(w, {}); }},
       {O::kAllocationRun, "allocateOne", [](Workplace& w, Path) { (void)allocateOne(w, kNoSuch, kNoSuch); }},

@@ -35,13 +35,14 @@ TEST(RecordingSize, AnHourTakesAtMostSixtyMegabytes) {
   request.id = "arm";
   const Scene scene = loadScene(request);
   ScriptedTrial trial;
-  trial.trialId = centre.workplace().ids().newUuid();
-  trial.traineeCode = "T-01";
+  trial.recording = {.trialId = centre.workplace().ids().newUuid(),
+                     .traineeCode = "T-01",
+                     .startedUtc_us = testing::kCentreTime_us,
+                     .context = {.station = "station 1"}};
   trial.duration_s = kStretch_s;
-  trial.startedUtc_us = testing::kCentreTime_us;
   const double before = size_bytes(centre.connection());
   const std::unique_ptr<TrialSink> sink =
-      recordingSink(centre.locator(), {.station = "station 1"}, centre.folder());
+      recordingSink(centre.locator(), trial.recording.context, centre.folder());
 
   const TrialSummary summary = recordScriptedTrial(scene, trial, *sink);
 

@@ -7,11 +7,11 @@
 #include "app/base/build_info.h"
 #include "app/recording/pipeline.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/access_repository.h"
-#include "db/repository/desk_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/study_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "tests/sim/servo/bar_scene.h"
 
 namespace torsio::testing {
@@ -124,16 +124,17 @@ void ReviewCentre::addTrials(const Setup& setup) {
   const Scene& scene = setup.scene != nullptr ? *setup.scene : bar();
   for (std::size_t i = 0; i < enrolmentIds_.size(); ++i) {
     ScriptedTrial trial;
-    trial.trialId = ids_->newUuid();
-    trial.traineeCode = traineeCodes_[i];
-    trial.phaseLabel = kPhase;
+    trial.recording = {.trialId = ids_->newUuid(),
+                       .traineeCode = traineeCodes_[i],
+                       .phaseLabel = kPhase,
+                       .startedUtc_us = kReviewTime_us,
+                       .context = {.station = "station-7", .enrolmentId = enrolmentIds_[i]}};
     trial.personSeed = 40 + i;
     trial.trialSeed = 40 + i;
     trial.duration_s = setup.trial_s;
-    trial.startedUtc_us = kReviewTime_us;
-    TrialRepository repository(*connection_, {.station = "station-7", .enrolmentId = enrolmentIds_[i]});
+    TrialRepository repository(*connection_, trial.recording.context);
     recordScriptedTrial(scene, trial, repository);
-    trialIds_.push_back(trial.trialId);
+    trialIds_.push_back(trial.recording.trialId);
   }
 }
 

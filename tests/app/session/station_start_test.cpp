@@ -10,14 +10,16 @@
 
 #include "app/base/build_info.h"
 #include "app/recording/recording_host.h"
-#include "app/recording/station_pulse.h"
+#include "app/recording/station_heartbeat.h"
 #include "app/recording/trial_store.h"
 #include "app/training/run_session.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
+#include "sim/base/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/recorder.h"
@@ -62,34 +64,42 @@ class StationStartTest : public ::testing::Test {
 
   static TrainingCentre::Setup setup() {
     TrainingCentre::Setup setup;
-    setup.phases = {{.kind = "virtual", .label = "virtual 10 min", .duration_us = 10 * kMinute_us}};
+    setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 10 min", .duration_us = 10 * kMinute_us}};
     return setup;
   }
 
   /// What a run at this station would record.
-  TrialOrder newOrder() {
+  RecordingSpec newRecording() {
     const ManualClock clock;
     RunSession session(centre_.workplace(), {centre_.module("first"), true, deviceWith(Light::kGreen)},
                        clock);
     session.start();
-    TrialOrder order = session.newTrial();
-    order.header.parametersJson = testing::trainingBar().parametersJson;
-    return order;
+    return session.newTrial();
+  }
+
+  static ScriptedHand hand() {
+    ScriptedHandOptions options;
+    options.task = handTask(testing::trainingBar());
+    options.duration_s = 60.0;
+    return ScriptedHand(options);
+  }
+
+  /// The header that the recorder gives such a recording.
+  static TrialHeader headerOf(const RecordingSpec& spec) {
+    return headerFor(testing::trainingBar(), hand().capabilities(), spec);
   }
 
   /// Records `seconds` of a scripted hand into `sink`; a second is handed on as soon as it is complete.
-  /// Without `finish` the program dies there.
-  std::optional<RecordingResult> record(const TrialOrder& order, TrialSink& sink, int seconds, bool finish) {
-    const Scene& scene = testing::trainingBar();
-    ScriptedHandOptions hand;
-    hand.task = handTask(scene);
-    hand.duration_s = 60.0;
-    ScriptedHand device(hand);
+  /// Without `finish` the program dies there. A recorder that gives up at once, so that the file begins with
+  /// the first second.
+  std::optional<RecordingResult> record(const RecordingSpec& spec, TrialSink& sink, int seconds,
+                                        bool finish) {
+    ScriptedHand device = hand();
     SpscRing<Sample> ring(kRecordingRing);
-    Recorder recorder(ring, sink, order.header, {.attempts = 1, .spillFolder = folder()});
-    ServoLoop servo({.device = &device, .scene = &scene, .recording = &ring}, {});
+    Recorder recorder(ring, sink, headerOf(spec), {.attempts = 1, .spillFolder = folder()});
+    ServoLoop servo({.device = &device, .scene = &testing::trainingBar(), .recording = &ring}, {});
     for (std::int64_t tick = 0; tick < seconds * 1000; ++tick) {
-      servo.tick(tick * 1000);
+      servo.tick(tick * kTickPeriod_us);
       if (tick % 1000 == 999) recorder.pump();
     }
     if (!finish) return std::nullopt;
@@ -97,12 +107,12 @@ class StationStartTest : public ::testing::Test {
   }
 
   /// The same while the database is away, in the sense that nobody can open it.
-  std::optional<RecordingResult> recordWithoutDatabase(const TrialOrder& order, int seconds, bool finish) {
+  std::optional<RecordingResult> recordWithoutDatabase(const RecordingSpec& spec, int seconds, bool finish) {
     const fs::path database = centre_.locator();
     const fs::path aside = database.string() + ".away";
-    const std::unique_ptr<TrialSink> sink = recordingSink(centre_.locator(), order.context, folder());
+    const std::unique_ptr<TrialSink> sink = recordingSink(centre_.locator(), spec.context, folder());
     fs::rename(database, aside);
-    std::optional<RecordingResult> result = record(order, *sink, seconds, finish);
+    std::optional<RecordingResult> result = record(spec, *sink, seconds, finish);
     fs::rename(aside, database);
     return result;
   }
@@ -133,8 +143,8 @@ class StationStartTest : public ::testing::Test {
 };
 
 TEST_F(StationStartTest, ARecordingFromAFileCountsAsItWouldHaveWithoutTheFailure) {
-  const TrialOrder order = newOrder();
-  const std::optional<RecordingResult> result = recordWithoutDatabase(order, 4, true);
+  const RecordingSpec spec = newRecording();
+  const std::optional<RecordingResult> result = recordWithoutDatabase(spec, 4, true);
   ASSERT_TRUE(result->spillFile.has_value());
   EXPECT_EQ(result->spillFile->parent_path(), folder());
 
@@ -146,19 +156,19 @@ TEST_F(StationStartTest, ARecordingFromAFileCountsAsItWouldHaveWithoutTheFailure
   EXPECT_EQ(start.trials[0].exposureAdded_us, 4 * kSecond_us);
   EXPECT_EQ(logged_us(), 4 * kSecond_us);
   TrialRepository trials(centre_.connection());
-  EXPECT_EQ(trials.context(order.header.trialId), order.context);
-  const Trial stored = trials.load(order.header.trialId);
+  EXPECT_EQ(trials.context(spec.trialId), spec.context);
+  const Trial stored = trials.load(spec.trialId);
   EXPECT_EQ(stored.summary.outcome, TrialOutcome::kCompleted);
   EXPECT_NO_THROW(verifyContent(stored));
   EXPECT_FALSE(fs::exists(*result->spillFile));
   EXPECT_TRUE(note("trial.import").has_value());
-  EXPECT_TRUE(AuditRepository(centre_.connection()).verify().empty());
+  EXPECT_TRUE(verifyAuditTrail(centre_.connection()).empty());
 }
 
 TEST_F(StationStartTest, TheFileIsStoredBeforeTheTrialCouldBeClosedAsInterrupted) {
-  const TrialOrder order = newOrder();
-  TrialRepository(centre_.connection(), order.context).begin(order.header);  // then the database went away
-  ASSERT_TRUE(recordWithoutDatabase(order, 3, true)->spillFile.has_value());
+  const RecordingSpec spec = newRecording();
+  TrialRepository(centre_.connection(), spec.context).begin(headerOf(spec));  // then the database went away
+  ASSERT_TRUE(recordWithoutDatabase(spec, 3, true)->spillFile.has_value());
   centre_.passTime_us(kMinute_us);
 
   const StationStart start = settle();
@@ -170,15 +180,15 @@ TEST_F(StationStartTest, TheFileIsStoredBeforeTheTrialCouldBeClosedAsInterrupted
 }
 
 TEST_F(StationStartTest, AFileThatWasCutOffComesInAsInterruptedOnceItRests) {
-  const TrialOrder order = newOrder();
-  recordWithoutDatabase(order, 3, false);
+  const RecordingSpec spec = newRecording();
+  recordWithoutDatabase(spec, 3, false);
 
   EXPECT_TRUE(settle().trials.empty());  // somebody may still be writing
   letFilesRest();
   const std::vector<RecoveredTrial> found = recoverInterrupted(centre_.workplace(), folder());
 
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].trialId, order.header.trialId);
+  EXPECT_EQ(found[0].trialId, spec.trialId);
   EXPECT_EQ(found[0].moduleId, centre_.module("first"));
   EXPECT_EQ(found[0].recorded_s, 3.0);
   EXPECT_EQ(found[0].exposureAdded_s, 3.0);
@@ -186,10 +196,10 @@ TEST_F(StationStartTest, AFileThatWasCutOffComesInAsInterruptedOnceItRests) {
 }
 
 TEST_F(StationStartTest, AFileThatDiffersFromTheRecordIsKeptAndSaidPlainly) {
-  const TrialOrder order = newOrder();
-  const fs::path file = *recordWithoutDatabase(order, 3, true)->spillFile;
-  TrialRepository trials(centre_.connection(), order.context);
-  trials.begin(order.header);
+  const RecordingSpec spec = newRecording();
+  const fs::path file = *recordWithoutDatabase(spec, 3, true)->spillFile;
+  TrialRepository trials(centre_.connection(), spec.context);
+  trials.begin(headerOf(spec));
   ASSERT_EQ(trials.closeInterrupted("station 1", INT64_MAX).size(), 1U);  // another program was faster
 
   const StationStart start = settle();
@@ -201,17 +211,17 @@ TEST_F(StationStartTest, AFileThatDiffersFromTheRecordIsKeptAndSaidPlainly) {
   EXPECT_NE(start.kept[0].str().find("Its file is kept: " + file.string()), std::string::npos)
       << start.kept[0];
   EXPECT_TRUE(fs::exists(file));
-  EXPECT_EQ(trials.load(order.header.trialId).summary.samples, 0);
+  EXPECT_EQ(trials.load(spec.trialId).summary.samples, 0);
   EXPECT_FALSE(note("trial.import").has_value());
 }
 
 TEST_F(StationStartTest, ADamagedFileIsKeptAndTheOthersComeIn) {
-  const TrialOrder damaged = newOrder();
+  const RecordingSpec damaged = newRecording();
   const fs::path file = *recordWithoutDatabase(damaged, 2, true)->spillFile;
   std::string bytes = readFile(file);
   bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
   writeFileAtomically(file, bytes);
-  ASSERT_TRUE(recordWithoutDatabase(newOrder(), 2, true)->spillFile.has_value());
+  ASSERT_TRUE(recordWithoutDatabase(newRecording(), 2, true)->spillFile.has_value());
 
   const StationStart start = settle();
 
@@ -223,10 +233,10 @@ TEST_F(StationStartTest, ADamagedFileIsKeptAndTheOthersComeIn) {
 
 TEST_F(StationStartTest, FilesOfAnotherDatabaseArePassedOver) {
   TrainingCentre other;
-  const TrialOrder order = newOrder();
+  const RecordingSpec spec = newRecording();
   const std::unique_ptr<TrialSink> sink =
-      recordingSink((centre_.folder() / "elsewhere.sqlite").string(), order.context, folder());
-  const fs::path file = *record(order, *sink, 2, true)->spillFile;
+      recordingSink((centre_.folder() / "elsewhere.sqlite").string(), spec.context, folder());
+  const fs::path file = *record(spec, *sink, 2, true)->spillFile;
 
   const StationStart start = settle();
 
@@ -236,8 +246,8 @@ TEST_F(StationStartTest, FilesOfAnotherDatabaseArePassedOver) {
 }
 
 TEST_F(StationStartTest, NobodyNeedsToBeSignedInAndTheRecordSaysSo) {
-  const TrialOrder order = newOrder();
-  ASSERT_TRUE(recordWithoutDatabase(order, 2, true)->spillFile.has_value());
+  const RecordingSpec spec = newRecording();
+  ASSERT_TRUE(recordWithoutDatabase(spec, 2, true)->spillFile.has_value());
   centre_.workplace().setActor({});
 
   ASSERT_EQ(settle().trials.size(), 1U);
@@ -259,39 +269,38 @@ TEST_F(StationStartTest, ARunShowsItselfOnTheBoardAndGoesFromItAtTheEnd) {
   EXPECT_EQ(board.find("station 1")->trialId, "");
   EXPECT_EQ(board.find("station 1")->userId, centre_.workplace().actor().userId);
   EXPECT_EQ(board.find("station 1")->softwareVersion, softwareVersion());
-  const TrialOrder order = session.newTrial();
+  const RecordingSpec spec = session.newTrial();
   second();
   EXPECT_EQ(board.find("station 1")->trialId, "");  // the recorder has not begun it yet
-  TrialRepository(centre_.connection(), order.context).begin(order.header);
+  TrialRepository(centre_.connection(), spec.context).begin(headerOf(spec));
   second();
-  EXPECT_EQ(board.find("station 1")->trialId, order.header.trialId);
+  EXPECT_EQ(board.find("station 1")->trialId, spec.trialId);
   const std::int64_t first_us = board.find("station 1")->heartbeatUtc_us;
   for (int i = 0; i < 25; ++i) second();
-  EXPECT_EQ(board.find("station 1")->heartbeatUtc_us, first_us + 2 * kPulse_us);
-  EXPECT_TRUE(
-      board.ownerOf(order.header.trialId, centre_.workplace().now_us() - kStationSilence_us).has_value());
+  EXPECT_EQ(board.find("station 1")->heartbeatUtc_us, first_us + 2 * kHeartbeat_us);
+  EXPECT_TRUE(board.ownerOf(spec.trialId, centre_.workplace().now_us() - kStationSilence_us).has_value());
   session.stop("power");
   EXPECT_EQ(board.find("station 1")->trialId, "");
 }
 
 TEST_F(StationStartTest, AStationThatIsClosedDownLeavesTheBoard) {
-  StationPulse pulse(centre_.workplace());
-  pulse.beat();
+  StationHeartbeat heartbeat(centre_.workplace());
+  heartbeat.send();
   ASSERT_TRUE(StationRepository(centre_.connection()).find("station 1").has_value());
 
-  pulse.leave();
+  heartbeat.leave();
 
   EXPECT_FALSE(StationRepository(centre_.connection()).find("station 1").has_value());
 }
 
 TEST_F(StationStartTest, EveryRecordingSaysOnWhichMachineItWasMade) {
-  const TrialOrder order = newOrder();
-  EXPECT_EQ(order.context.host, thisHost());
-  EXPECT_FALSE(order.context.host.name.empty());
-  EXPECT_FALSE(order.context.host.os.empty());
-  EXPECT_FALSE(order.context.host.cpu.empty());
+  const RecordingSpec spec = newRecording();
+  EXPECT_EQ(spec.context.host, thisHost());
+  EXPECT_FALSE(spec.context.host.name.empty());
+  EXPECT_FALSE(spec.context.host.os.empty());
+  EXPECT_FALSE(spec.context.host.cpu.empty());
   TrialStore store(centre_.locator());
-  TrialHeader practice = order.header;
+  TrialHeader practice = headerOf(spec);
   practice.trialId = SystemIdSource().newUuid();
   practice.traineeCode.clear();
 

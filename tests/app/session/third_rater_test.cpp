@@ -10,10 +10,10 @@
 #include "app/review/review_queue.h"
 #include "app/review/warm_up.h"
 #include "app/study/scoring_plan.h"
-#include "db/repository/desk_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/study_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/session/audit_entries.h"
 #include "tests/app/session/review_centre.h"
@@ -81,7 +81,7 @@ TEST_F(Disagreement, IsListedOnceForAllWhoAskAndOffersWhoWasNotAskedBefore) {
 
   ASSERT_EQ(requests.size(), 1U);
   EXPECT_EQ(requests[0].traineeCode, "TR-4100");
-  EXPECT_EQ(requests[0].scoringPoint, "mid");
+  EXPECT_EQ(requests[0].occasion.code, "mid");
   EXPECT_FALSE(requests[0].live);
   EXPECT_EQ(requests[0].marks, 2U);
   EXPECT_EQ(requests[0].askedBy, (std::vector<std::string>{"CH-100", "CH-101"}));

@@ -4,14 +4,15 @@
 #include <utility>
 
 #include "app/base/build_info.h"
+#include "app/recording/recorded_run.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/access_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/trial/trial_repository.h"
+#include "sim/base/angle.h"
+#include "sim/base/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
-#include "sim/record/recorder.h"
 #include "sim/servo/hand_task.h"
-#include "sim/servo/servo_loop.h"
 #include "tests/sim/servo/bar_scene.h"
 
 namespace torsio::testing {
@@ -29,9 +30,9 @@ StoredModule moduleOf(const std::string& id, const std::string& code, const std:
   module.sceneId = setup.sceneId;
   module.patternId = setup.patternId;
   module.exerciseKind = "twist to target";
-  module.mode = mode;
+  module.mode = fromStoredText<AttemptMode>(mode).value();
   module.targetAngle_rad = trainingBar().pattern.targetAngle_rad;
-  module.tolerance_rad = 5.0 * kDegree;
+  module.tolerance_rad = radians(5.0);
   module.maxForce_N = 4.0;  // the scripted hand presses until the device saturates at 3.3 N
   module.mastery.push_back(
       {.metric = "twist.on_target", .threshold = 0.5, .unit = "1", .consecutive = inARow});
@@ -200,36 +201,20 @@ std::string TrainingCentre::attempt(const std::string& moduleCode, const std::st
   hand.profile = {.initialSkill = skill, .finalSkill = skill, .learningTime_min = 1.0};
   hand.duration_s = duration_s;
   hand.seed = static_cast<std::uint64_t>(now_us_);
-  ScriptedHand device(hand);
-  TrialHeader header;
-  header.trialId = ids_->newUuid();
-  header.traineeCode = workplace_->actor().login;
-  header.sceneId = scene.id;
-  header.patternId = scene.pattern.id;
-  header.organHash = scene.organHash;
-  header.parameterHash = scene.parameterHash;
-  header.parametersJson = scene.parametersJson;
-  header.deviceModel = device.capabilities().model;
-  header.softwareVersion = softwareVersion();
-  header.targetAngle_rad = scene.pattern.targetAngle_rad;
-  header.startedUtc_us = now_us_;
-  TrialRepository sink(*connection_, {.station = "station 1",
-                                      .enrolmentId = enrolment(header.traineeCode),
-                                      .moduleId = module(moduleCode),
-                                      .phaseId = phaseId,
-                                      .attemptMode = mode});
-  SpscRing<Sample> ring(kRecordingRing);
-  Recorder recorder(ring, sink, header);
-  ServoLoop servo({.device = &device, .scene = &scene, .recording = &ring},
-                  {.targetAngle_rad = header.targetAngle_rad});
-  const auto ticks = static_cast<std::int64_t>(duration_s * 1e3);
-  for (std::int64_t tick = 0; tick < ticks; ++tick) {
-    servo.tick(tick * 1000);
-    if (tick % 1000 == 999) recorder.pump();
-  }
-  static_cast<void>(recorder.finish(TrialOutcome::kCompleted, 0));
-  now_us_ += ticks * 1000 + kMinute_us;
-  return header.trialId;
+  const RecordingSpec recording{.trialId = ids_->newUuid(),
+                                .traineeCode = workplace_->actor().login,
+                                .startedUtc_us = now_us_,
+                                .context = {.station = "station 1",
+                                            .enrolmentId = enrolment(workplace_->actor().login),
+                                            .moduleId = module(moduleCode),
+                                            .phaseId = phaseId,
+                                            .attemptMode = fromStoredText<AttemptMode>(mode)}};
+  RecordedRun run(borrowed(scene), std::make_unique<ScriptedHand>(hand), recording,
+                  std::make_shared<TrialRepository>(*connection_, recording.context));
+  run.step(ticksIn(duration_s));
+  static_cast<void>(run.finish(TrialOutcome::kCompleted));
+  now_us_ += ticksIn(duration_s) * kTickPeriod_us + kMinute_us;
+  return recording.trialId;
 }
 
 }  // namespace torsio::testing

@@ -9,6 +9,7 @@
 #include "app/recording/expert_run.h"
 #include "app/training/debrief.h"
 #include "app/training/trend.h"
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/record/sample_codec.h"
 #include "sim/servo/replay_trial.h"
@@ -30,7 +31,7 @@ TEST(ExpertRun, IsOneTwistThatReachesTheTargetAndReplaysBitForBit) {
   const auto farthest = std::max_element(
       samples.begin(), samples.end(),
       [](const Sample& a, const Sample& b) { return a.response.angle_rad < b.response.angle_rad; });
-  EXPECT_NEAR(farthest->response.angle_rad, trainingBar().pattern.targetAngle_rad, 5.0 * kDegree);
+  EXPECT_NEAR(farthest->response.angle_rad, trainingBar().pattern.targetAngle_rad, radians(5.0));
   EXPECT_EQ(trial.header.phaseLabel, kExpertPhase);
   EXPECT_EQ(trial.summary.outcome, TrialOutcome::kCompleted);
   EXPECT_TRUE(replayTrial(trainingBar(), trial).identical());
@@ -102,7 +103,7 @@ TEST(Debrief, ATwistThatTheEndOfTheRunCutsOffIsNotJudged) {
   samples.erase(gripped, samples.end());
 
   const Debrief told = makeDebrief(trial.header, samples, {}, &trial);
-  const Attempt attempt = measureAttempt(trial.header, samples, 5.0 * kDegree, {}, {});
+  const Attempt attempt = measureAttempt(trial.header, samples, radians(5.0), {}, {});
 
   EXPECT_TRUE(told.twists.empty());
   EXPECT_TRUE(told.strengths.empty());

@@ -8,11 +8,11 @@
 #include <QProcess>
 #include <gtest/gtest.h>
 
+#include "app/recording/recorded_run.h"
 #include "app/training/run_session.h"
+#include "sim/base/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
-#include "sim/record/recorder.h"
 #include "sim/servo/hand_task.h"
-#include "sim/servo/servo_loop.h"
 #include "tests/app/session/training_centre.h"
 
 namespace torsio {
@@ -34,21 +34,16 @@ constexpr int kPatience_ms = 60'000;
   ManualClock clock;
   RunSession session(centre.workplace(), {centre.module("first"), true, deviceWith(Light::kGreen)}, clock);
   session.start();
-  const TrialOrder order = session.newTrial();
-  const std::unique_ptr<TrialSink> sink = session.sinkFor(order);
+  const RecordingSpec recording = session.newTrial();
   const Scene& scene = testing::trainingBar();
   ScriptedHandOptions hand;
   hand.task = handTask(scene);
   hand.duration_s = 600.0;
-  ScriptedHand device(hand);
-  SpscRing<Sample> ring(kRecordingRing);
-  Recorder recorder(ring, *sink, order.header);
-  ServoLoop servo({.device = &device, .scene = &scene, .recording = &ring}, {});
-  for (std::int64_t tick = 0;; ++tick) {
-    servo.tick(tick * 1000);
-    clock.advance_us(1000);
-    if (tick % 1000 != 999) continue;
-    recorder.pump();
+  RecordedRun run(borrowed(scene), std::make_unique<ScriptedHand>(hand), recording,
+                  session.sinkFor(recording));
+  for (;;) {
+    run.step(ticksIn(1.0));
+    clock.advance_us(kSecond_us);
     static_cast<void>(session.advance());
     std::cout << "second\n" << std::flush;
   }
@@ -76,7 +71,7 @@ std::int64_t logged_us(TrainingCentre& centre) {
 
 TEST(KilledRun, IsThereAsInterruptedAndItsTimeCounts) {
   TrainingCentre::Setup setup;
-  setup.phases = {{.kind = "virtual", .label = "virtual 10 min", .duration_us = 10 * kMinute_us}};
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 10 min", .duration_us = 10 * kMinute_us}};
   TrainingCentre centre(setup);
   trainAndKill(centre, 33);  // one piece of exposure was logged, three seconds were not
   centre.passTime_us(utcNow_us() - kCentreTime_us + kMinute_us);

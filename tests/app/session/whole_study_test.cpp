@@ -18,8 +18,9 @@
 #include "app/study/frozen_data.h"
 #include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/system/audit_verification.h"
 #include "sim/base/error.h"
 #include "tests/app/session/office_centre.h"
 
@@ -232,8 +233,8 @@ TEST(CampaignService, RefusesAClassWithAWeightAndNobodyInIt) {
 
 TEST(PhaseProgress, CountsNamedUnnamedAndRestTime) {
   const StoredArm arm{.restAllowance_us = 5 * kMinute_us,
-                      .phases = {{"p1", "virtual", "first", 20 * kMinute_us, ""},
-                                 {"p2", "real", "second", 20 * kMinute_us, ""}}};
+                      .phases = {{"p1", PhaseKind::kVirtual, "first", 20 * kMinute_us, ""},
+                                 {"p2", PhaseKind::kReal, "second", 20 * kMinute_us, ""}}};
   const auto spent = [](const char* kind, const char* phase, std::int64_t minutes) {
     return StoredExposure{.phaseId = phase, .kind = kind, .duration_us = minutes * kMinute_us};
   };
@@ -257,7 +258,8 @@ TEST(RunDayBoard, ShowsPhaseExposureRestAndMissingSheets) {
   createAssignments(workplace, study.plan());
   const std::string id = study.enrolmentIds[0];
   const StoredArm arm = study.armOf(id);
-  recordExposure(workplace, {study.cohortId, id, arm.phases[0].id, arm.phases[0].kind, 0, 20 * kMinute_us});
+  recordExposure(workplace, {study.cohortId, id, arm.phases[0].id,
+                             std::string(storedText(arm.phases[0].kind)), 0, 20 * kMinute_us});
   recordExposure(workplace, {study.cohortId, id, "", "rest", 0, 2 * kMinute_us});
   reportDeviation(workplace, {.cohortId = study.cohortId, .enrolmentId = id, .kind = "late"});
 
@@ -269,7 +271,7 @@ TEST(RunDayBoard, ShowsPhaseExposureRestAndMissingSheets) {
   EXPECT_EQ(row->phaseLabel, arm.phases[1].label);
   EXPECT_EQ(row->progress.virtual_us + row->progress.real_us, 20 * kMinute_us);
   EXPECT_EQ(row->progress.restUsed_us, 2 * kMinute_us);
-  EXPECT_EQ(row->scoringPointDue, "mid");
+  EXPECT_EQ(row->occasionDue.code, "mid");
   EXPECT_EQ(row->sheetsMissing, 3U);
   EXPECT_EQ(row->deviations, 1U);
   EXPECT_TRUE(row->runningTrialId.empty());
@@ -288,7 +290,7 @@ TEST(RunDayBoard, ShowsWhoRunsAtWhichStation) {
   TrialRepository(study.centre.connection(), {.station = "station 2", .enrolmentId = study.enrolmentIds[0]})
       .begin(header);
   StationRepository(study.centre.connection())
-      .beat({.station = "station 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
+      .heartbeat({.station = "station 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
 
   const RunDayBoard board = runDayBoard(workplace, study.cohortId);
 
@@ -317,8 +319,8 @@ TEST(RunDayBoard, WarnsOfSilentStationsFirstThenOfWhatIsMissing) {
   TrialRepository(study.centre.connection(), {.station = "room 2", .enrolmentId = study.enrolmentIds[0]})
       .begin(header);
   StationRepository stations(study.centre.connection());
-  stations.beat({.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us});
-  stations.beat({.station = "room 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
+  stations.heartbeat({.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us});
+  stations.heartbeat({.station = "room 2", .trialId = trialId, .heartbeatUtc_us = testing::kOfficeTime_us});
 
   RunDayBoard board = runDayBoard(workplace, study.cohortId);
   board.asOfUtc_us = testing::kOfficeTime_us + kStationSilence_us;
@@ -346,7 +348,7 @@ TEST(RunDayBoard, TellsOfADeviceThatIsNotFitWhileItsStationAnswers) {
                    {"rate", Light::kRed, Text("%1; below %2 Hz", "700 Hz", 800), ""}}};
   StationState state{.station = "room 1", .heartbeatUtc_us = testing::kOfficeTime_us};
   storeDevice(stationDevice(unfit, testing::kOfficeTime_us - 1), state);
-  StationRepository(study.centre.connection()).beat(state);
+  StationRepository(study.centre.connection()).heartbeat(state);
 
   RunDayBoard board = runDayBoard(workplace, study.cohortId);
   board.asOfUtc_us = testing::kOfficeTime_us;
@@ -402,7 +404,7 @@ TEST(CohortService, RefusesTimeInAPhaseOfAnotherArmOrKind) {
   Workplace& workplace = study.centre.as("administrator");
   const std::string id = study.enrolmentIds[0];
   const StoredArm arm = study.armOf(id);
-  const char* other = arm.phases[0].kind == "virtual" ? "real" : "virtual";
+  const char* other = arm.phases[0].kind == PhaseKind::kVirtual ? "real" : "virtual";
 
   EXPECT_THROW(recordExposure(workplace, {study.cohortId, id, arm.phases[0].id, other, 0, kMinute_us}),
                Error);
@@ -454,9 +456,10 @@ TEST(Audit, AWholeStudyLeavesAnEntryForEveryChangeAndVerifies) {
   createAssignments(workplace, study.plan());
   for (const std::string& enrolment : study.enrolmentIds) {
     for (const StoredPhase& phase : study.armOf(enrolment).phases) {
-      recordExposure(workplace, {study.cohortId, enrolment, phase.id, phase.kind, 0, phase.duration_us});
+      recordExposure(workplace, {study.cohortId, enrolment, phase.id, std::string(storedText(phase.kind)), 0,
+                                 phase.duration_us});
     }
-    setEnrolmentState(workplace, study.cohortId, enrolment, "completed", "");
+    setEnrolmentState(workplace, study.cohortId, enrolment, EnrolmentState::kCompleted, "");
   }
   reportDeviation(workplace, {.cohortId = study.cohortId, .kind = "other", .description = "power cut"});
   for (const char* point : {"pre", "mid", "post"}) {
@@ -469,7 +472,7 @@ TEST(Audit, AWholeStudyLeavesAnEntryForEveryChangeAndVerifies) {
   revealSeed(study.centre.as("allocator"),
              allocationDesigns(study.centre.as("allocator"), study.cohortId).at(0).stored.id);
 
-  EXPECT_TRUE(AuditRepository(study.centre.connection()).verify().empty());
+  EXPECT_TRUE(verifyAuditTrail(study.centre.connection()).empty());
   const std::map<std::string, std::int64_t> expected{{"person.add", 9},
                                                      {"rubric.add", 1},
                                                      {"curriculum.add", 1},

@@ -2,6 +2,7 @@
 // Cases B1 to B2 and K1 to K3 of the haptics plan: buttons, pose and roll at the border.
 #include <cmath>
 
+#include "sim/base/angle.h"
 #include "sim/base/random.h"
 #include "tests/sim/device/hdapi_bench.h"
 
@@ -165,12 +166,12 @@ TEST_F(HdapiGives, K2_FollowsTheRollToBothStopsAndReportsThem) {
   int stops = 0;
   for (int degree = -1; degree >= -150; --degree) {
     // Docked with the roll at 0: a clockwise gimbal angle turns left-handed about the stylus's z axis.
-    ASSERT_NEAR(rollTo(degree * kDegree).roll_rad, -degree * kDegree, kQuantum_rad);
+    ASSERT_NEAR(rollTo(radians(degree)).roll_rad, radians(-degree), kQuantum_rad);
     stops += device->snapshot().rollAtStop ? 1 : 0;
   }
   EXPECT_EQ(stops, 2);  // 149 and 150 degrees
   for (int degree = -150; degree <= 150; ++degree) {
-    ASSERT_NEAR(rollTo(degree * kDegree).roll_rad, -degree * kDegree, kQuantum_rad);
+    ASSERT_NEAR(rollTo(radians(degree)).roll_rad, radians(-degree), kQuantum_rad);
   }
 
   EXPECT_TRUE(device->snapshot().rollAtStop);
@@ -182,9 +183,9 @@ TEST_F(HdapiGives, K2_CountsNoFalseTurnUnderNoise) {
   rollTo(0.0);
   Random random(7);
   for (int i = 0; i < 3'000; ++i) {
-    const double true_rad = 149.0 * kDegree * std::sin(0.004 * i);
-    const double seen_rad = true_rad + 0.5 * kDegree * random.normal();
-    ASSERT_NEAR(rollTo(seen_rad).roll_rad, -true_rad, 3.0 * kDegree) << i;  // six standard deviations
+    const double true_rad = radians(149.0) * std::sin(0.004 * i);
+    const double seen_rad = true_rad + radians(0.5) * random.normal();
+    ASSERT_NEAR(rollTo(seen_rad).roll_rad, -true_rad, radians(3.0)) << i;  // six standard deviations
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -18,7 +19,7 @@ ScriptedHandOptions quarterTurn(std::uint64_t seed) {
   options.seed = seed;
   options.task.start_m = {0.14, 0.0, 0.20};
   options.task.graspPoint_m = {0.04, 0.0, 0.20};
-  options.task.targetAngle_rad = 90.0 * kDegree;
+  options.task.targetAngle_rad = radians(90.0);
   options.profile = handProfile(seed);
   return options;
 }
@@ -81,7 +82,7 @@ TEST(ScriptedHand, ReachesContactGripsTwistsReleasesAndComesBack) {
   // than 2 mm, so the jaw closes in contact or within its reach of 4 mm.
   EXPECT_EQ(closings, 1);
   EXPECT_NEAR(gripRadius_m, 0.0413, 0.002);
-  EXPECT_NEAR(largestAngle_rad, 90.0 * kDegree, 40.0 * kDegree);
+  EXPECT_NEAR(largestAngle_rad, radians(90.0), radians(40.0));
   EXPECT_NEAR(norm(states.front().pose.position_m - Vec3{0.14, 0.0, 0.20}), 0.0, 1e-6);
   EXPECT_NEAR(norm(states.back().pose.position_m - Vec3{0.14, 0.0, 0.20}), 0.0, 1e-6);
 }
@@ -92,7 +93,7 @@ TEST(ScriptedHand, TurnsTheStylusWithTheTwistAndPointsItAtTheAxis) {
   options.profile.finalSkill = 1.0;
   ScriptedHand hand(options);
   // An expert trembles by 0.08 degrees a channel and misses the grasp point by less than 2 mm in 40.
-  const double tolerance = 4.0 * kDegree;
+  const double tolerance = radians(4.0);
 
   for (const ToolState& state : play(hand, hand.span_s(0)[1])) {
     if (state.grip < 0.5) continue;
@@ -207,8 +208,8 @@ TEST(ScriptedHand, MirrorsItsTwistForAMirroredTarget) {
   for (const ToolState& state : play(back, back.span_s(0)[1])) {
     if (state.grip > 0.5) least_rad = std::min(least_rad, angleAboutZ(state.pose.position_m));
   }
-  EXPECT_LT(least_rad, -50.0 * kDegree);
-  EXPECT_NEAR(there.heldAngle_rad(0) - 90.0 * kDegree, back.heldAngle_rad(0) + 90.0 * kDegree, 1e-12);
+  EXPECT_LT(least_rad, radians(-50.0));
+  EXPECT_NEAR(there.heldAngle_rad(0) - radians(90.0), back.heldAngle_rad(0) + radians(90.0), 1e-12);
 }
 
 TEST(ScriptedHand, GraspsFromEveryDirection) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/angle.h"
 #include "sim/device/virtual/idle_device.h"
 #include "sim/device/virtual/pointer_device.h"
 #include "sim/device/virtual/replay_device.h"
@@ -81,7 +82,7 @@ TEST_F(PointerDeviceTest, WaitsAtItsStartUntilThePointerAppears) {
 TEST_F(PointerDeviceTest, FollowsThePointerOnThePlaneAndTheWheelIntoThePicture) {
   PointerInput input = at({0.02, 0.03, 0.1});
   input.depth_m = 0.01;
-  input.view = axisAngle({1.0, 0.0, 0.0}, 90.0 * kDegree);  // the camera looks along +y
+  input.view = axisAngle({1.0, 0.0, 0.0}, radians(90.0));  // the camera looks along +y
   device.publish(input);
 
   const ToolState state = settle();
@@ -93,21 +94,21 @@ TEST_F(PointerDeviceTest, FollowsThePointerOnThePlaneAndTheWheelIntoThePicture) 
 
 TEST_F(PointerDeviceTest, TurnsTheStylusByKeysInThreeAngles) {
   PointerInput input = at({});
-  input.roll_rad = 400.0 * kDegree;
+  input.roll_rad = radians(400.0);
   device.publish(input);
   const ToolState rolled = settle();
   input.roll_rad = 0.0;
-  input.yaw_rad = 90.0 * kDegree;
+  input.yaw_rad = radians(90.0);
   device.publish(input);
   const ToolState yawed = settle();
   input.yaw_rad = 0.0;
-  input.pitch_rad = 90.0 * kDegree;
+  input.pitch_rad = radians(90.0);
   device.publish(input);
   const ToolState pitched = settle();
 
-  EXPECT_NEAR(rolled.roll_rad, 400.0 * kDegree, 1e-6);  // unwrapped
+  EXPECT_NEAR(rolled.roll_rad, radians(400.0), 1e-6);  // unwrapped
   EXPECT_NEAR(norm(rotate(rolled.pose.orientation, {1, 0, 0}) -
-                   Vec3{std::cos(40.0 * kDegree), std::sin(40.0 * kDegree), 0.0}),
+                   Vec3{std::cos(radians(40.0)), std::sin(radians(40.0)), 0.0}),
               0.0, 1e-6);
   EXPECT_NEAR(norm(rotate(yawed.pose.orientation, {0, 0, -1}) - Vec3{-1, 0, 0}), 0.0, 1e-6);
   EXPECT_NEAR(norm(rotate(pitched.pose.orientation, {0, 0, -1}) - Vec3{0, 1, 0}), 0.0, 1e-6);

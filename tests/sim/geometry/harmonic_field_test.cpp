@@ -8,7 +8,7 @@
 
 #include "sim/base/portable_math.h"
 #include "sim/base/random.h"
-#include "sim/geometry/mesh/level_loops.h"
+#include "sim/geometry/lattice/level_loops.h"
 #include "tests/support/procedural_mesh.h"
 
 namespace torsio {

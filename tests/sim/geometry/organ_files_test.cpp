@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "sim/base/angle.h"
 #include "sim/base/file_io.h"
 #include "sim/base/portable_math.h"
 #include "sim/geometry/mesh/mesh_check.h"
@@ -78,7 +79,7 @@ TEST_P(OrganFile, HasWellShapedTrianglesAndNoSharpFold) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 e = normalized(mesh.vertices_m[t[(k + 1) % 3]] - mesh.vertices_m[t[k]]);
       const Vec3 f = normalized(mesh.vertices_m[t[(k + 2) % 3]] - mesh.vertices_m[t[k]]);
-      sharpest = std::min(sharpest, std::acos(dot(e, f)) / kDegree);
+      sharpest = std::min(sharpest, degrees(std::acos(dot(e, f))));
     }
   }
   const std::vector<EdgeUse> edges = sortedEdges(mesh);
@@ -119,7 +120,7 @@ TEST(ArmMarkers, LieOnTheSkinAtTheirAngles) {
     EXPECT_EQ(marker.at("number").get<int>(), ++number);
     constexpr double kWritten_m = 2e-5;  // written in hundredths of a millimetre
     EXPECT_LT(std::abs(skin.closest(p).distance_m), kWritten_m) << marker;
-    const double angle = std::atan2(p.y, p.x) - marker.at("angle_deg").get<double>() * kDegree;
+    const double angle = std::atan2(p.y, p.x) - radians(marker.at("angle_deg").get<double>());
     EXPECT_NEAR(std::cos(angle), 1.0, 1e-5) << marker;
   }
 }

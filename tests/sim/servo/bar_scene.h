@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "sim/base/angle.h"
 #include "sim/scene/scene.h"
 #include "tests/support/procedural_mesh.h"
 
@@ -29,7 +30,7 @@ inline Scene barScene(TriangleMesh mesh = testing::prism(testing::circleOutline(
   TwistPattern pattern;
   pattern.id = "quarter";
   pattern.graspArc = 0.8;
-  pattern.targetAngle_rad = 90.0 * kDegree;
+  pattern.targetAngle_rad = radians(90.0);
   Material material;
   material.id = "test";
   material.shearModulus_Pa = kBarShear_Pa;

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"
 #include "sim/servo/indentation.h"
@@ -62,7 +63,7 @@ class ExerciseTest : public ::testing::Test {
   }
   /// Turns the gripped tool in steps of a degree.
   ExerciseStep turn(double from_rad, double to_rad) {
-    const double step_rad = to_rad > from_rad ? kDegree : -kDegree;
+    const double step_rad = to_rad > from_rad ? radians(1.0) : radians(-1.0);
     ExerciseStep answer;
     for (double a = from_rad; (to_rad - a) * step_rad > 0.0; a += step_rad) {
       answer = step(onSurface(a, 0.001, 1.0));
@@ -171,18 +172,6 @@ TEST_F(ExerciseTest, GivesWayUnderTheTipByTheForceOverTheStiffness) {
   EXPECT_EQ(patch.radius_m, kPatchShare * kTipRadius_m);
 }
 
-TEST_F(ExerciseTest, FollowsOlderRulesWhenAsked) {
-  exercise = Exercise({.rules = 1});
-
-  const ExerciseStep answer = step(onSurface(0.0, 0.001));
-
-  EXPECT_NEAR(answer.response.force_N.x, 0.4, 400.0 * kFlat_m);  // a plain spring, at once
-  EXPECT_EQ(answer.contact, 0U);
-  EXPECT_EQ(answer.patches[0], ContactPatch{});
-  EXPECT_THROW(Exercise({.rules = kServoRules + 1}), Error);
-  EXPECT_THROW(Exercise({.rules = 0}), Error);
-}
-
 TEST_F(ExerciseTest, KeepsTheContactSpringBelowTheDevicesStiffness) {
   exercise = Exercise({.maxStiffness_N_per_m = 100.0});
 
@@ -239,10 +228,10 @@ TEST_F(ExerciseTest, GripsWithTheButtonLikeWithTheJaw) {
 TEST_F(ExerciseTest, TurnsTheOrganWithTheTipRoundItsAxis) {
   gripAt(0.0);
 
-  const ExerciseStep answer = turn(0.0, 90.0 * kDegree);
+  const ExerciseStep answer = turn(0.0, radians(90.0));
 
-  const double expected_Nm = barStiffness_Nm(kArc_m) * 90.0 * kDegree;
-  EXPECT_NEAR(answer.response.angle_rad, 90.0 * kDegree, kRounding);
+  const double expected_Nm = barStiffness_Nm(kArc_m) * radians(90.0);
+  EXPECT_NEAR(answer.response.angle_rad, radians(90.0), kRounding);
   EXPECT_NEAR(answer.response.torque_Nm, expected_Nm, kPolygon * expected_Nm);
   // The tool feels torque over arm against its motion: it stands at +y and moved towards -x.
   const double force_N = answer.response.torque_Nm / (kBarRadius_m + kTipRadius_m - 0.001);
@@ -253,9 +242,9 @@ TEST_F(ExerciseTest, TurnsTheOrganWithTheTipRoundItsAxis) {
 TEST_F(ExerciseTest, CountsMoreThanOneTurn) {
   gripAt(0.0);
 
-  const ExerciseStep answer = turn(0.0, 540.0 * kDegree);
+  const ExerciseStep answer = turn(0.0, radians(540.0));
 
-  EXPECT_NEAR(answer.response.angle_rad, 540.0 * kDegree, 1e-9);
+  EXPECT_NEAR(answer.response.angle_rad, radians(540.0), 1e-9);
 }
 
 TEST_F(ExerciseTest, TurnsTheOrganWithTheStylusWhenItIsDrivenByRoll) {
@@ -265,11 +254,11 @@ TEST_F(ExerciseTest, TurnsTheOrganWithTheStylusWhenItIsDrivenByRoll) {
   for (int degrees = 1; degrees <= 400; ++degrees) {
     // A swing across the axis must not count as a turn about it.
     const Quat swing = axisAngle({1.0, 0.0, 0.0}, 0.3 * std::sin(0.05 * degrees));
-    tool.pose.orientation = swing * axisAngle({0.0, 0.0, 1.0}, degrees * kDegree) * inwards(0.0);
+    tool.pose.orientation = swing * axisAngle({0.0, 0.0, 1.0}, radians(degrees)) * inwards(0.0);
     answer = step(tool);
   }
 
-  EXPECT_NEAR(answer.response.angle_rad, 400.0 * kDegree, 1e-9);
+  EXPECT_NEAR(answer.response.angle_rad, radians(400.0), 1e-9);
   EXPECT_EQ(answer.phase, ExercisePhase::kTwisting);
 }
 
@@ -277,13 +266,13 @@ TEST_F(ExerciseTest, HoldsTheOrganByRollWhetherTheTipStaysOrGoesRound) {
   gripAt(0.0, TwistDrive::kRoll);
   ExerciseStep answer;
   for (int degrees = 1; degrees <= 90; ++degrees) {
-    ToolState tool = onSurface(degrees * kDegree, 0.001, 1.0);
-    tool.pose.orientation = axisAngle({0.0, 0.0, 1.0}, degrees * kDegree) * inwards(0.0);
+    ToolState tool = onSurface(radians(degrees), 0.001, 1.0);
+    tool.pose.orientation = axisAngle({0.0, 0.0, 1.0}, radians(degrees)) * inwards(0.0);
     answer = step(tool);
   }
 
   EXPECT_EQ(answer.phase, ExercisePhase::kTwisting);
-  EXPECT_NEAR(answer.response.angle_rad, 90.0 * kDegree, 1e-9);
+  EXPECT_NEAR(answer.response.angle_rad, radians(90.0), 1e-9);
 }
 
 TEST_F(ExerciseTest, MeasuresThePureRollExactly) {
@@ -298,10 +287,10 @@ TEST_F(ExerciseTest, MeasuresThePureRollExactly) {
 TEST_F(ExerciseTest, AnswersMirroredMotionWithMirroredTorqueAndForce) {
   gripAt(0.0);
   std::vector<ExerciseStep> there;
-  for (int i = 0; i <= 120; ++i) there.push_back(step(onSurface(i * kDegree, 0.001, 1.0)));
+  for (int i = 0; i <= 120; ++i) there.push_back(step(onSurface(radians(i), 0.001, 1.0)));
   gripAt(0.0);
   for (int i = 0; i <= 120; ++i) {
-    const TwistResponse back = step(onSurface(-i * kDegree, 0.001, 1.0)).response;
+    const TwistResponse back = step(onSurface(radians(-i), 0.001, 1.0)).response;
     const TwistResponse& forth = there[static_cast<std::size_t>(i)].response;
 
     ASSERT_NEAR(back.angle_rad, -forth.angle_rad, kRounding);
@@ -313,8 +302,8 @@ TEST_F(ExerciseTest, AnswersMirroredMotionWithMirroredTorqueAndForce) {
 
 TEST_F(ExerciseTest, ReturnsElasticallyAfterTheReleaseAndThenTracks) {
   gripAt(0.0);
-  (void)turn(0.0, 90.0 * kDegree);
-  ToolState away = onSurface(90.0 * kDegree, -0.05);
+  (void)turn(0.0, radians(90.0));
+  ToolState away = onSurface(radians(90.0), -0.05);
 
   const ExerciseStep released = step(away);
   double before_rad = released.response.angle_rad;
@@ -340,14 +329,14 @@ TEST_F(ExerciseTest, ReturnsElasticallyAfterTheReleaseAndThenTracks) {
 
 TEST_F(ExerciseTest, LetsGoWhenAViewAsksAndGripsOnlyAfterTheJawOpenedAgain) {
   gripAt(0.0);
-  (void)turn(0.0, 20.0 * kDegree);
+  (void)turn(0.0, radians(20.0));
   exercise.releaseTissue();
-  const ExerciseStep released = step(onSurface(20.0 * kDegree, 0.001, 1.0));
+  const ExerciseStep released = step(onSurface(radians(20.0), 0.001, 1.0));
   ExerciseStep answer = released;
-  for (int i = 0; i < 2'000; ++i) answer = step(onSurface(20.0 * kDegree, 0.001, 1.0));
+  for (int i = 0; i < 2'000; ++i) answer = step(onSurface(radians(20.0), 0.001, 1.0));
   const ExercisePhase stillClosed = answer.phase;
-  (void)step(onSurface(20.0 * kDegree, 0.001, 0.0));
-  (void)step(onSurface(20.0 * kDegree, 0.001, 1.0));
+  (void)step(onSurface(radians(20.0), 0.001, 0.0));
+  (void)step(onSurface(radians(20.0), 0.001, 1.0));
 
   EXPECT_EQ(released.phase, ExercisePhase::kReleased);
   EXPECT_EQ(stillClosed, ExercisePhase::kContact);
@@ -380,10 +369,10 @@ TEST_F(ExerciseTest, PullsTheJawBackToTheSectionAndSlipsOffBeyondItsWay) {
 
 TEST_F(ExerciseTest, FeelsTheTwistedSurfaceWhileTheOrganReturns) {
   gripAt(0.0);
-  (void)turn(0.0, 90.0 * kDegree);
+  (void)turn(0.0, radians(90.0));
 
   // Open jaw, still pressed in: the round section looks the same twisted, the force stays normal.
-  const ExerciseStep released = step(onSurface(90.0 * kDegree, 0.001));
+  const ExerciseStep released = step(onSurface(radians(90.0), 0.001));
 
   EXPECT_EQ(released.phase, ExercisePhase::kReleased);
   EXPECT_NEAR(released.response.depth_m, 0.001, kFlat_m);

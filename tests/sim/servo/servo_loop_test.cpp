@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/device/virtual/idle_device.h"
 #include "sim/device/virtual/scripted_hand.h"
@@ -93,7 +94,7 @@ TEST(ServoLoop, TakesAScriptedHandThroughAllPhasesOfAnExercise) {
   const std::set<ExercisePhase> seen(phases.begin(), phases.end());
   EXPECT_EQ(seen.size(), 4U);
   EXPECT_EQ(phases.back(), ExercisePhase::kTracking);
-  EXPECT_NEAR(largest_rad, 90.0 * kDegree, 35.0 * kDegree);
+  EXPECT_NEAR(largest_rad, radians(90.0), radians(35.0));
   EXPECT_GT(largest_N, 0.5);
   EXPECT_LE(largest_N, 3.3 + 1e-9);
 }
@@ -347,7 +348,7 @@ TEST(HandTask, GraspsTheSectionOfThePatternFromOutside) {
   EXPECT_NEAR(task.graspPoint_m.z, 0.8 * kBarLength_m, 1e-6);
   EXPECT_NEAR(std::abs(task.axisDirection.z), 1.0, 1e-9);
   EXPECT_NEAR(std::hypot(task.start_m.x, task.start_m.y), kBarRadius_m + 0.090, 1e-4);
-  EXPECT_EQ(task.targetAngle_rad, 90.0 * kDegree);
+  EXPECT_EQ(task.targetAngle_rad, radians(90.0));
 }
 
 }  // namespace

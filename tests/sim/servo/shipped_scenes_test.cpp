@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/angle.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"
@@ -64,8 +65,7 @@ TEST(ShippedScenes, LetASkilledHandDoEveryPattern) {
       EXPECT_FALSE(events & kEventSlipped);
       // A hand of skill 0.9 misses by less than 6 degrees and overshoots by less than 6 %; the way of the tip
       // round a bent organ differs from the plan's circle by the grip's own deviation.
-      EXPECT_NEAR(angle_rad, pattern.targetAngle_rad,
-                  0.1 * std::abs(pattern.targetAngle_rad) + 6.0 * kDegree);
+      EXPECT_NEAR(angle_rad, pattern.targetAngle_rad, 0.1 * std::abs(pattern.targetAngle_rad) + radians(6.0));
       EXPECT_GT(torque_Nm, 0.001);
       EXPECT_EQ(loop.lastSample().phase, ExercisePhase::kTracking);
     }

@@ -13,8 +13,11 @@
 #include <fcl/geometry/shape/capsule.h>
 #include <fcl/narrowphase/distance.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "sim/base/file_io.h"
 #include "sim/base/random.h"
+#include "sim/geometry/mesh/mesh_import.h"
 #include "tests/sim/servo/bar_scene.h"
 
 namespace torsio {
@@ -180,6 +183,31 @@ TEST(ToolTouch, OpensTheBladesByTheGrip) {
   EXPECT_EQ(open.blades[0].to_m.y, -open.blades[1].to_m.y);
   EXPECT_NEAR(norm(closed.blades[0].to_m), 0.0, 1e-15);
   EXPECT_EQ(open.shaft.from_m, (Vec3{0.0, 0.0, kJawLength_m}));
+}
+
+/// The jaw is a constant of the tick, because it is no part of a trial's parameter hash (docs/contact.md).
+TEST(ToolTouch, TheJawOfTheTickIsThatOfTheShippedGrasper) {
+  const std::filesystem::path folder = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets" / "instruments";
+  const nlohmann::json file = nlohmann::json::parse(readFile(folder / "grasper.json"));
+  const TriangleMesh blade = importMesh(folder / file.at("meshes").at("upper_jaw").get<std::string>(),
+                                        {.scale_m = 1e-3, .organ = false});
+
+  // The hinge lies behind the tip, on the shaft; the blades turn about the tool's x axis.
+  EXPECT_EQ(file.at("jaws").at("pivot_mm"), nlohmann::json({0.0, 0.0, kJawLength_m * 1e3}));
+  EXPECT_EQ(file.at("jaws").at("axis"), nlohmann::json({1.0, 0.0, 0.0}));
+  EXPECT_DOUBLE_EQ(radians(file.at("jaws").at("opening_deg").get<double>()), kJawOpening_rad);
+
+  // The capsule of a blade is thicker than the drawn blade is flat (2.22 mm) and thinner than it is wide
+  // (4.6 mm): 2 * 0.6 * 2.5 mm = 3 mm.
+  Vec3 low_m = blade.vertices_m.front();
+  Vec3 high_m = low_m;
+  for (const Vec3& v : blade.vertices_m) {
+    low_m = {std::min(low_m.x, v.x), std::min(low_m.y, v.y), std::min(low_m.z, v.z)};
+    high_m = {std::max(high_m.x, v.x), std::max(high_m.y, v.y), std::max(high_m.z, v.z)};
+  }
+  const double capsule_m = 2.0 * kBladeShare * file.at("tip_radius_mm").get<double>() * 1e-3;
+  EXPECT_GT(capsule_m, high_m.y - low_m.y);
+  EXPECT_LT(capsule_m, high_m.x - low_m.x);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
 
@@ -196,7 +197,7 @@ std::string refusedAt(const std::function<void()>& action) {
 
 TEST(FiniteElementBar, NamesTheSubStepThatDoesNotConverge) {
   const FiniteElementBar bar = roundBar(BarElement::kTetrahedron4, 12, 2, 12, 0.45);
-  const double nearlyThreeTurns_rad = 1070.0 * kDegree;
+  const double nearlyThreeTurns_rad = radians(1070.0);
 
   EXPECT_EQ(refusedAt([&] { static_cast<void>(bar.neoHookeanTorque(nearlyThreeTurns_rad, 1)); }),
             "sub-step 1 of 1");

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/angle.h"
 #include "sim/tissue/section/plane_mesh.h"
 #include "sim/tissue/section/polar_mesh.h"
 #include "sim/tissue/section/polygon.h"
@@ -99,7 +100,7 @@ double smallestAngle(const PlaneMesh& mesh) {
       const Point2& b = mesh.points[static_cast<std::size_t>(t[(k + 1) % 3])];
       const Point2& c = mesh.points[static_cast<std::size_t>(t[(k + 2) % 3])];
       const double dot = (b[0] - a[0]) * (c[0] - a[0]) + (b[1] - a[1]) * (c[1] - a[1]);
-      least = std::min(least, std::atan2(orientation(a, b, c), dot) / kDegree);
+      least = std::min(least, degrees(std::atan2(orientation(a, b, c), dot)));
     }
   return least;
 }

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "tests/sim/tissue/twist_bars.h"
 #include "tests/support/allocation_count.h"
@@ -54,7 +55,7 @@ TEST(TwistModel, ZeroAngleIsTheIdentityBitwise) {
 TEST(TwistModel, AFiniteTurnKeepsTheDistanceFromTheAxisToFourUnitsInTheLastPlace) {
   const Bar bar = roundBar();
   for (const double degrees : {1.0, 45.0, 180.0, 360.0, -270.0}) {
-    const TwistState state{bar.length_m(), degrees * kDegree};
+    const TwistState state{bar.length_m(), radians(degrees)};
     for (const Vec3& p : bar.mesh.vertices_m) {
       const Vec3 q = bar.model.toDeformed_m(p, state);
       const Vec3 centre = bar.model.lattice().frameAt(bar.model.lattice().nearestArc_m(p)).centre_m;
@@ -71,7 +72,7 @@ TEST(TwistModel, OnAStraightAxisEveryVolumeIsKept) {
   // discretisation error. The third column's part in the plane does not enter.
   constexpr double kStep = 0.01;
   for (const double degrees : {10.0, 90.0, 360.0}) {
-    const TwistState state{0.8 * bar.length_m(), degrees * kDegree};
+    const TwistState state{0.8 * bar.length_m(), radians(degrees)};
     for (double z = 0.02; z < 0.24; z += 0.013) {
       const auto column = [&](const Vec3& way) {
         const Vec3 at{0.013, -0.009, z};
@@ -190,7 +191,7 @@ TEST(TwistModel, ToRestUndoesToDeformed) {
   shear.centre = TwistCentre::kShearCentre;
   const auto worst = [](const Bar& bar, double degrees) {
     double error = 0.0;
-    const TwistState state{0.6 * bar.length_m(), degrees * kDegree};
+    const TwistState state{0.6 * bar.length_m(), radians(degrees)};
     for (const Vec3& p : bar.mesh.vertices_m) {
       error = std::max(error, norm(bar.model.toRest_m(bar.model.toDeformed_m(p, state), state) - p));
     }
@@ -261,7 +262,7 @@ TEST(TwistModel, ARoundBarDoesNotWarp) {
 TEST(TwistModel, TheGraspForceIsTorqueOverArmAgainstTheTwist) {
   const Bar bar = roundBar();
   const double g = 0.8 * kBarLength_m;
-  const TwistState state{g, 90.0 * kDegree};
+  const TwistState state{g, radians(90.0)};
   const Vec3 grip{0.0, 0.040, g};
 
   const Vec3 force = bar.model.graspForce_N(state, grip);
@@ -274,7 +275,7 @@ TEST(TwistModel, TheGraspForceIsTorqueOverArmAgainstTheTwist) {
   EXPECT_GT(force.x, 0.0);
   EXPECT_NEAR(force.y, 0.0, 1e-15);
   EXPECT_EQ(force.z, 0.0);
-  EXPECT_NEAR(norm(bar.model.graspForce_N({g, -90.0 * kDegree}, grip) + force), 0.0, 1e-15);
+  EXPECT_NEAR(norm(bar.model.graspForce_N({g, radians(-90.0)}, grip) + force), 0.0, 1e-15);
 }
 
 TEST(TwistModel, NoDisplacementOfTheGripMeetsMoreThanTheStiffnessCap) {
@@ -298,7 +299,7 @@ TEST(TwistModel, NoDisplacementOfTheGripMeetsMoreThanTheStiffnessCap) {
 TEST(TwistModel, TheLargestDisplacementIsTheChordOfTheTurn) {
   const Bar bar = roundBar();
 
-  const TwistSummary summary = bar.model.summary({kBarLength_m, 60.0 * kDegree});
+  const TwistSummary summary = bar.model.summary({kBarLength_m, radians(60.0)});
 
   // Eq. 24 for a point at distance r turned by phi: D = 2 r sin(phi / 2) = 0.04 m at 60 degrees.
   EXPECT_NEAR(summary.maxDisplacement_m, 0.040, 1e-6);
@@ -397,7 +398,7 @@ TEST(TwistModel, TheTaperTermIsTheMeanTurnOfAFlatSectionOfACone) {
   TwistModelOptions options;
   options.corrections.taper = true;
   // Half-angle 5 degrees: 40 mm narrowing by tan(5 deg) 0.25 m = 21.87 mm.
-  const double ratio = (kBarRadius_m - std::tan(5.0 * kDegree) * kBarLength_m) / kBarRadius_m;
+  const double ratio = (kBarRadius_m - std::tan(radians(5.0)) * kBarLength_m) / kBarRadius_m;
 
   const double with = roundBar(options, ratio).model.graspCompliance(kBarLength_m);
   const double without = roundBar({}, ratio).model.graspCompliance(kBarLength_m);
@@ -455,7 +456,7 @@ TEST(TwistModel, ThePapersFormulationTurnsARoundBarOneAndAHalfTimesAsFar) {
   EXPECT_NEAR(paper.model.graspCompliance(kBarLength_m) / usual.model.graspCompliance(kBarLength_m), 1.5,
               2e-3)
       << "the cone of Eq. 19";
-  const TwistState state{kBarLength_m, 90.0 * kDegree};
+  const TwistState state{kBarLength_m, radians(90.0)};
   const Vec3 p{kBarRadius_m, 0.0, kBarLength_m};
   const Vec3 q = paper.model.toDeformed_m(p, state);
   EXPECT_NEAR(axisDistance(q) / kBarRadius_m, 1.862, 5e-4);

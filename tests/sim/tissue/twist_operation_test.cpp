@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/pose.h"
 #include "tests/sim/tissue/twist_bars.h"
@@ -125,16 +126,16 @@ TEST(TwistPattern, OperationsAreComposedInTheListedOrderAndNeverAdded) {
   const Bar yThenX = roundBar(with({rigid({0, 1, 0}), rigid({1, 0, 0})}));
   const std::array<Vec3, 3> units{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   for (const auto& [degrees, commutator, sum] : table) {
-    const TwistState state{0.1, degrees * kDegree};
+    const TwistState state{0.1, radians(degrees)};
     std::array<Vec3, 3> difference;
     std::array<Vec3, 3> added;
     for (std::size_t i = 0; i < 3; ++i) {
       // Given: the two turns by hand.
-      const Vec3 x = rotateAbout(units[i], units[0], degrees * kDegree);
-      const Vec3 xy = rotateAbout(x, units[1], degrees * kDegree);
+      const Vec3 x = rotateAbout(units[i], units[0], radians(degrees));
+      const Vec3 xy = rotateAbout(x, units[1], radians(degrees));
       EXPECT_NEAR(norm(xThenY.model.toDeformed_m(units[i], state) - xy), 0.0, 1e-15);
       difference[i] = xThenY.model.toDeformed_m(units[i], state) - yThenX.model.toDeformed_m(units[i], state);
-      added[i] = xy - (x + rotateAbout(units[i], units[1], degrees * kDegree) - units[i]);
+      added[i] = xy - (x + rotateAbout(units[i], units[1], radians(degrees)) - units[i]);
     }
     EXPECT_NEAR(spectralNorm(difference), commutator, 8e-4);  // the table's last digit
     EXPECT_NEAR(spectralNorm(added), sum, 8e-4);

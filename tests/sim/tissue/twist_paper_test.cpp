@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/angle.h"
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
 #include "sim/tissue/reference/paper_formulation.h"
@@ -144,7 +145,7 @@ TEST(PaperFormulation, TheRadiusGrowsByTheRootOfOnePlusPhiSquared) {
                                                      {15, 1.0337}, {30, 1.129},   {45, 1.272},
                                                      {90, 1.862},  {180, 3.297},  {360, 6.362}};
   for (const auto& [degrees, growth] : table) {
-    const double phi = degrees * kDegree;
+    const double phi = radians(degrees);
     const double x = 0.6 * kRadius;
     const double y = -0.8 * kRadius;
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/angle.h"
 #include "sim/base/pose.h"
 #include "sim/tissue/twist/twist_model_view.h"
 #include "tests/sim/tissue/twist_bars.h"
@@ -104,7 +105,7 @@ TEST_P(TwistViewOf, EveryModelIsDrawnWhereTheDoublePathPutsIt) {
     for (const double degrees : {-90.0, 360.0}) {
       // The straight axes look their share up in 2048 straight pieces: 1e-6 of the angle at 0.1 m.
       const double table = c.name.find("chord") != std::string::npos ? 1e-6 : 0.0;
-      EXPECT_LT(worstAgainstDouble(bar, {0.6 * bar.length_m(), degrees * kDegree}, GetParam()),
+      EXPECT_LT(worstAgainstDouble(bar, {0.6 * bar.length_m(), radians(degrees)}, GetParam()),
                 kFloatError_m + table)
           << c.name << " " << degrees;
     }

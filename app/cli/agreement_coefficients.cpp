@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Coefficients of scores on a scale: the overview, ICC, Krippendorff, Bland-Altman.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/agreement_methods.h"
+#include "app/cli/json_output.h"
+#include "assessment/statistics/reliability.h"
+
+namespace torsio::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Outcome<IccResult> intraclass(const RatingGrid& grid) {
+  const Outcome<NumberTable> complete = completeTable(grid);
+  return complete ? intraclassCorrelation(*complete) : Outcome<IccResult>::undefined(complete.reason());
+}
+
+Json formJson(const IccForm& form) {
+  const std::string reason = "the error variance is zero";
+  Json out{{"estimate", form.estimate}};
+  out["lower"] = form.interval ? Json(form.interval->lower) : undefinedJson(reason);
+  out["upper"] = form.interval ? Json(form.interval->upper) : undefinedJson(reason);
+  return out;
+}
+
+Json formsJson(const Outcome<IccResult>& icc) {
+  Json out;
+  const auto add = [&](const char* name, IccForm IccResult::*form) {
+    out[name] = icc ? formJson((*icc).*form) : undefinedJson(icc.reason());
+  };
+  add("ICC(1,1)", &IccResult::oneWaySingle);
+  add("ICC(2,1)", &IccResult::agreementSingle);
+  add("ICC(3,1)", &IccResult::consistencySingle);
+  add("ICC(1,k)", &IccResult::oneWayMean);
+  add("ICC(2,k)", &IccResult::agreementMean);
+  add("ICC(3,k)", &IccResult::consistencyMean);
+  return out;
+}
+
+Json measurementErrorJson(const Outcome<IccResult>& icc) {
+  return outcomeJson(icc, [](const IccResult& result) {
+    return Json{{"agreement", result.semAgreement}, {"consistency", result.semConsistency}};
+  });
+}
+
+bool anyNegative(const RatingGrid& grid) {
+  return std::any_of(grid.ratersByTarget.begin(), grid.ratersByTarget.end(), [](const auto& rater) {
+    return std::any_of(rater.begin(), rater.end(), [](const auto& score) { return score && *score < 0.0; });
+  });
+}
+
+/// What `show` makes of each metric; a ratio scale has no negative scores.
+template <class Show>
+Json byMetric(const RatingGrid& grid, const Show& show) {
+  Json out;
+  out["nominal"] = show(AlphaMetric::kNominal);
+  out["ordinal"] = show(AlphaMetric::kOrdinal);
+  out["interval"] = show(AlphaMetric::kInterval);
+  out["ratio"] =
+      anyNegative(grid) ? undefinedJson("a ratio scale has no negative scores") : show(AlphaMetric::kRatio);
+  return out;
+}
+
+Json limitsJson(const BlandAltmanResult& result) {
+  Json out{{"n", result.n}, {"mean_difference", result.meanDifference}, {"sd", result.deviation}};
+  out["limits"] = intervalJson(result.limits);
+  out["mean_interval"] = intervalJson(result.meanInterval);
+  out["lower_limit_interval"] = intervalJson(result.lowerLimitInterval);
+  out["upper_limit_interval"] = intervalJson(result.upperLimitInterval);
+  out["limit_error"] = result.limitError;
+  out["limit_error_exact"] = result.limitErrorExact;
+  out["slope"] = numberJson(result.slope, "the means of the pairs do not vary");
+  return out;
+}
+
+Json panelJson(const RatingGrid& grid) {
+  const Outcome<NumberTable> complete = completeTable(grid);
+  if (!complete) {
+    return undefinedJson(complete.reason());
+  }
+  if (grid.raters.size() < 3) {
+    return undefinedJson("two raters make no panel: see the pair");
+  }
+  Json list = Json::array();
+  const std::vector<Outcome<BlandAltmanResult>> results = blandAltmanAgainstPanel(*complete);
+  for (std::size_t r = 0; r < results.size(); ++r) {
+    Json entry{{"rater", grid.raters[r]}};
+    entry.update(outcomeJson(results[r], limitsJson));
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+}  // namespace
+
+Json overviewJson(const RatingGrid& grid) {
+  const Outcome<NumberTable> complete = completeTable(grid);
+  const Outcome<IccResult> icc = intraclass(grid);
+  const auto kendall = complete ? kendallW(*complete) : Outcome<KendallResult>::undefined(complete.reason());
+  const auto cronbach =
+      complete ? cronbachAlpha(*complete) : Outcome<CronbachResult>::undefined(complete.reason());
+  Json out;
+  out["icc"] = formsJson(icc);
+  out["krippendorff"] = byMetric(grid, [&](AlphaMetric metric) {
+    return outcomeJson(krippendorffAlpha(grid.ratersByTarget, metric),
+                       [](const KrippendorffResult& result) { return Json(result.alpha); });
+  });
+  out["kendall_w"] = outcomeJson(kendall, [](const KendallResult& w) {
+    return Json{{"w", w.w}, {"chi_squared", w.chiSquared}, {"df", w.df}, {"p", w.p}};
+  });
+  out["cronbach"] = outcomeJson(cronbach, [](const CronbachResult& alpha) {
+    return Json{{"alpha", alpha.alpha}, {"lower", alpha.interval.lower}, {"upper", alpha.interval.upper}};
+  });
+  out["sem"] = measurementErrorJson(icc);
+  return out;
+}
+
+Json intraclassJson(const RatingGrid& grid) {
+  const Outcome<IccResult> icc = intraclass(grid);
+  Json out;
+  out["icc"] = formsJson(icc);
+  out["mean_squares"] = outcomeJson(icc, [](const IccResult& result) {
+    return Json{{"targets", result.bms},
+                {"within_targets", result.wms},
+                {"raters", result.jms},
+                {"error", result.ems}};
+  });
+  out["tests"] = outcomeJson(icc, [](const IccResult& result) {
+    return Json{{"one_way", {{"statistic", result.fOneWay}, {"p", result.pOneWay}}},
+                {"two_way", {{"statistic", result.fTwoWay}, {"p", result.pTwoWay}}},
+                {"raters", {{"statistic", result.fRaters}, {"p", result.pRaters}}}};
+  });
+  out["variances"] = outcomeJson(icc, [](const IccResult& result) {
+    return Json{{"targets", result.varianceTargets},
+                {"raters", result.varianceRaters},
+                {"error", result.varianceResidual}};
+  });
+  out["sem"] = measurementErrorJson(icc);
+  return out;
+}
+
+Json krippendorffJson(const RatingGrid& grid, const AgreementOptions& options) {
+  Json out;
+  out["krippendorff"] = byMetric(grid, [&](AlphaMetric metric) {
+    return outcomeJson(krippendorffAlpha(grid.ratersByTarget, metric), [&](const KrippendorffResult& result) {
+      Json entry{{"alpha", result.alpha},
+                 {"observed", result.observed},
+                 {"expected", result.expected},
+                 {"pairable", result.pairable}};
+      entry["bootstrap"] =
+          outcomeJson(krippendorffInterval(grid.ratersByTarget, metric, options.seed, options.resamples),
+                      [](const AlphaBootstrap& bootstrap) {
+                        Json interval = intervalJson(bootstrap.interval);
+                        interval["resamples"] = bootstrap.resamples;
+                        interval["without_variation"] = bootstrap.undefined;
+                        return interval;
+                      });
+      return entry;
+    });
+  });
+  out["seed"] = options.seed;
+  return out;
+}
+
+Json blandAltmanJson(const RatingGrid& grid) {
+  Json out;
+  out["pairs"] = Json::array();
+  for (std::size_t i = 0; i < grid.raters.size(); ++i) {
+    for (std::size_t j = i + 1; j < grid.raters.size(); ++j) {
+      const SharedScores shared = sharedScores(grid, i, j);
+      Json entry{{"raters", {grid.raters[i], grid.raters[j]}}};
+      entry.update(outcomeJson(blandAltman(shared.first, shared.second), limitsJson));
+      out["pairs"].push_back(std::move(entry));
+    }
+  }
+  out["against_panel"] = panelJson(grid);
+  out["multiplier"] = kAgreementLimit;
+  return out;
+}
+
+}  // namespace torsio::cli

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/base/csv_table.h"
+#include "app/cli/commands.h"
+#include "app/cli/json_output.h"
+#include "assessment/statistics/standard_setting.h"
+#include "sim/base/error.h"
+
+namespace torsio::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct StandardArguments {
+  std::string file;
+  std::string method;
+  std::string better = "lower";
+  ProficiencyOptions proficiency;
+  std::optional<double> borderline;
+};
+
+/// Refuses a second row with the same name; one name is one person.
+class NamesOnce {
+ public:
+  NamesOnce(const CsvTable& table, const std::string& column) : table_(table), column_(column) {}
+
+  void take(std::size_t row) {
+    const auto [first, isNew] = rowOf_.emplace(table_.text(row, column_), row);
+    if (!isNew) {
+      table_.refuse(
+          row,
+          column_ + " \"" + first->first + "\" stands a second time, first in " + table_.where(first->second),
+          "Keep one row for each " + column_);
+    }
+  }
+
+ private:
+  const CsvTable& table_;
+  std::string column_;
+  std::map<std::string, std::size_t> rowOf_;
+};
+
+Json contrastingGroupsJson(const CsvTable& table) {
+  std::vector<double> novices;
+  std::vector<double> masters;
+  NamesOnce subjects(table, "subject");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    subjects.take(row);
+    const std::string& group = table.text(row, "group");
+    if (group != "novice" && group != "master") {
+      table.refuse(row, "\"" + group + "\" is no group of this method", "Write novice or master");
+    }
+    (group == "novice" ? novices : masters).push_back(table.number(row, "score"));
+  }
+  return outcomeJson(contrastingGroups(novices, masters), [&](const ContrastingGroups& result) {
+    Json out{{"cut", result.cutNormal}};
+    out["false_pass"] = result.falsePass;
+    out["false_fail"] = result.falseFail;
+    out["other_crossing"] = numberJson(result.otherRoot, "the groups have the same spread");
+    const std::string apart = "the groups do not overlap";
+    out["logistic"] = {{"cut", numberJson(result.cutLogistic, apart)}};
+    if (result.cutLogistic) {
+      out["logistic"].update({{"intercept", result.logistic[0]},
+                              {"slope", result.logistic[1]},
+                              {"intercept_error", result.logisticErrors[0]},
+                              {"slope_error", result.logisticErrors[1]}});
+    }
+    out["midpoint"] = result.midpoint;
+    out["novices"] = {{"n", novices.size()}, {"mean", result.meanNovices}, {"sd", result.deviationNovices}};
+    out["masters"] = {{"n", masters.size()}, {"mean", result.meanMasters}, {"sd", result.deviationMasters}};
+    return out;
+  });
+}
+
+std::size_t positionOf(std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) {
+    return static_cast<std::size_t>(found - names.begin());
+  }
+  names.push_back(name);
+  return names.size() - 1;
+}
+
+Json angoffJson(const CsvTable& table) {
+  std::vector<std::string> judges;
+  std::vector<std::string> items;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> rowOf;  // judge, item
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::size_t judge = positionOf(judges, table.text(row, "judge"));
+    const std::size_t item = positionOf(items, table.text(row, "item"));
+    const auto [first, isNew] = rowOf.emplace(std::pair{judge, item}, row);
+    if (!isNew) {
+      table.refuse(row,
+                   "judge \"" + judges[judge] + "\" judges item \"" + items[item] +
+                       "\" a second time, first in " + table.where(first->second),
+                   "Keep one percentage for each judge and item");
+    }
+  }
+  NumberTable percent(judges.size(), items.size());
+  for (std::size_t judge = 0; judge < judges.size(); ++judge) {
+    for (std::size_t item = 0; item < items.size(); ++item) {
+      const auto found = rowOf.find({judge, item});
+      if (found == rowOf.end()) {
+        throw Error(ErrorCode::kBadData,
+                    "judge \"" + judges[judge] + "\" has no percentage for item \"" + items[item] + "\"",
+                    table.name(), "Every judge judges every item");
+      }
+      const double value = table.number(found->second, "percent");
+      if (value < 0.0 || value > 100.0) {
+        table.refuse(found->second,
+                     "the percentage " + table.cell(found->second, "percent") + " lies outside 0 to 100",
+                     "Give the chance of a borderline trainee in percent");
+      }
+      percent.at(judge, item) = value;
+    }
+  }
+  return outcomeJson(angoff(percent), [&](const Angoff& result) {
+    Json out{{"cut", result.cut}, {"items", items.size()}, {"percent", result.percent}};
+    const std::string alone = "there is only one judge";
+    out["sd"] = numberJson(result.deviation, alone);
+    out["error"] = numberJson(result.error, alone);
+    out["judges"] = Json::array();
+    for (std::size_t judge = 0; judge < judges.size(); ++judge) {
+      out["judges"].push_back({{"judge", judges[judge]}, {"cut", result.judgeTotals[judge]}});
+    }
+    return out;
+  });
+}
+
+Json borderlineJson(const CsvTable& table, double borderline) {
+  std::vector<double> ratings;
+  std::vector<double> scores;
+  NamesOnce subjects(table, "subject");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    subjects.take(row);
+    ratings.push_back(table.number(row, "global"));
+    scores.push_back(table.number(row, "score"));
+  }
+  return outcomeJson(
+      borderlineRegression(ratings, scores, borderline), [&](const BorderlineRegression& result) {
+        return Json{
+            {"cut", result.cut},        {"error", result.error},         {"borderline", borderline},
+            {"slope", result.slope},    {"intercept", result.intercept}, {"r_squared", result.rSquared},
+            {"subjects", scores.size()}};
+      });
+}
+
+Json proficiencyJson(const CsvTable& table, const ProficiencyOptions& options) {
+  std::vector<double> values;
+  NamesOnce experts(table, "expert");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    experts.take(row);
+    values.push_back(table.number(row, "value"));
+  }
+  return outcomeJson(proficiencyThreshold(values, options), [&](const ProficiencyThreshold& result) {
+    return Json{{"mean", result.mean},
+                {"one_sd", result.oneDeviation},
+                {"two_sd", result.twoDeviations},
+                {"tolerance_bound", result.toleranceBound},
+                {"tolerance_factor", result.toleranceFactor},
+                {"sd", result.deviation},
+                {"sd_of", options.logScale ? "logarithms" : "values"},
+                {"experts", result.experts},
+                {"dropped", result.dropped},
+                {"coverage", options.coverage},
+                {"confidence", options.confidence}};
+  });
+}
+
+Json standardJson(const StandardArguments& arguments) {
+  const auto read = [&](std::initializer_list<std::string_view> columns) {
+    CsvTable table = CsvTable::read(arguments.file, columns);
+    noteIgnoredColumns(table);
+    return table;
+  };
+  if (arguments.method == "contrasting-groups") {
+    return contrastingGroupsJson(read({"subject", "group", "score"}));
+  }
+  if (arguments.method == "angoff") {
+    return angoffJson(read({"judge", "item", "percent"}));
+  }
+  if (arguments.method == "borderline-regression") {
+    if (!arguments.borderline) {
+      throw Error(ErrorCode::kUsage, "the method needs the global rating of a borderline trainee",
+                  "standard-setting --method borderline-regression", "Give --borderline");
+    }
+    return borderlineJson(read({"subject", "global", "score"}), *arguments.borderline);
+  }
+  ProficiencyOptions options = arguments.proficiency;
+  options.better = arguments.better == "lower" ? Better::kLower : Better::kHigher;
+  return proficiencyJson(read({"expert", "value"}), options);
+}
+
+/// Options that would be ignored in silence.
+void requireOptionsThatCount(const CLI::App& command, const std::string& method) {
+  const auto refuse = [&](const std::string& name, const std::string& owner) {
+    if (command.count(name) > 0 && method != owner) {
+      throw Error(ErrorCode::kUsage, "the method " + method + " does not read " + name,
+                  "standard-setting " + name, "Give --method " + owner + " or leave the option out");
+    }
+  };
+  refuse("--borderline", "borderline-regression");
+  for (const char* name : {"--better", "--log", "--drop-outliers", "--coverage", "--certainty"}) {
+    refuse(name, "proficiency");
+  }
+}
+
+}  // namespace
+
+void addStandardSetting(CLI::App& program) {
+  auto arguments = std::make_shared<StandardArguments>();
+  CLI::App* command =
+      program.add_subcommand("standard-setting", "Where to draw the line between pass and fail");
+  command->add_option("FILE", arguments->file, "CSV; its columns depend on the method, see docs/cli.md")
+      ->required();
+  command->add_option("--method", arguments->method, "How the standard is set")
+      ->check(CLI::IsMember({"contrasting-groups", "angoff", "borderline-regression", "proficiency"}))
+      ->required();
+  command->add_option("--borderline", arguments->borderline,
+                      "borderline-regression: the global rating that means borderline");
+  command->add_option("--better", arguments->better, "proficiency: whether lower or higher values are better")
+      ->check(CLI::IsMember({"lower", "higher"}))
+      ->capture_default_str();
+  command->add_flag("--log", arguments->proficiency.logScale,
+                    "proficiency: compute on logarithms, as for times");
+  command->add_flag("--drop-outliers", arguments->proficiency.dropOutliers,
+                    "proficiency: leave out experts beyond 1.96 standard deviations, once");
+  command
+      ->add_option("--coverage", arguments->proficiency.coverage,
+                   "proficiency: share of experts within the bound")
+      ->check(CLI::Range(0.5, 0.999))
+      ->capture_default_str();
+  command
+      ->add_option("--certainty", arguments->proficiency.confidence, "proficiency: confidence of the bound")
+      ->check(CLI::Range(0.5, 0.999))
+      ->capture_default_str();
+  command->callback([arguments, command] {
+    requireOptionsThatCount(*command, arguments->method);
+    Json out{{"method", arguments->method}};
+    out["standard"] = standardJson(*arguments);
+    printJson(out);
+  });
+}
+
+}  // namespace torsio::cli

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tests of the same subjects at several occasions, and bootstrap intervals: compare-groups --paired,
+// --bootstrap.
+#include <cmath>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/cli/comparison_methods.h"
+#include "app/cli/json_output.h"
+#include "assessment/statistics/descriptive.h"
+#include "assessment/statistics/rank_tests.h"
+#include "assessment/statistics/resampling.h"
+
+namespace torsio::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Scores of the same subjects, first and last.
+struct PairedScores {
+  std::vector<double> before;
+  std::vector<double> after;
+};
+
+/// Differences in whole steps of the scale; a step is 10^-6 or more.
+struct WholeDifferences {
+  std::vector<std::int64_t> steps;
+  double step = 1.0;
+};
+
+PairedScores firstAndLast(const std::vector<std::vector<double>>& scores) {
+  PairedScores out;
+  for (const std::vector<double>& row : scores) {
+    out.before.push_back(row.front());
+    out.after.push_back(row.back());
+  }
+  return out;
+}
+
+std::optional<WholeDifferences> wholeDifferences(const PairedScores& pairs) {
+  std::vector<double> all = pairs.after;
+  all.insert(all.end(), pairs.before.begin(), pairs.before.end());
+  const auto whole = asWholeNumbers(all);
+  if (!whole) {
+    return std::nullopt;
+  }
+  WholeDifferences out;
+  for (std::size_t i = 0; i < pairs.after.size(); ++i) {
+    out.steps.push_back((*whole)[i] - (*whole)[i + pairs.after.size()]);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i] != 0.0) {
+      out.step = std::pow(10.0, -std::round(std::log10(static_cast<double>((*whole)[i]) / all[i])));
+      break;
+    }
+  }
+  return out;
+}
+
+Json tJson(const PairedScores& pairs) {
+  return outcomeJson(pairedT(pairs.after, pairs.before), [&](const TTest& test) {
+    Json out = testJson(test.t, test.df, test.p,
+                        namedValue("cohen_dz", test.t / std::sqrt(static_cast<double>(pairs.after.size()))),
+                        intervalJson(test.interval));
+    out["difference"] = test.difference;
+    return out;
+  });
+}
+
+Json signedRankJson(const WholeDifferences& differences) {
+  const std::vector<double> steps(differences.steps.begin(), differences.steps.end());
+  return outcomeJson(signedRank(steps), [&](const SignedRank& test) {
+    const double n = static_cast<double>(test.n);
+    const double highest = 0.5 * n * (n + 1.0);
+    Json out = testJson(test.v, undefinedJson("a rank test has none"), test.pTwoSided,
+                        namedValue("rank_biserial", 2.0 * test.v / highest - 1.0),
+                        undefinedJson("this test has no interval"));
+    out["p_greater"] = test.pGreater;
+    out["hodges_lehmann"] = test.hodgesLehmann * differences.step;
+    out["zeros"] = test.zeros;
+    return out;
+  });
+}
+
+Json pairedPermutationJson(const WholeDifferences& differences) {
+  return outcomeJson(pairedPermutationTest(differences.steps), [&](const PermutationTest& test) {
+    double sum = 0.0;
+    for (const std::int64_t step : differences.steps) {
+      sum += static_cast<double>(step);
+    }
+    Json out = testJson(sum * differences.step / static_cast<double>(differences.steps.size()),
+                        undefinedJson("a permutation test has none"), test.p, undefinedJson("see --paired t"),
+                        noInterval());
+    out["count"] = test.count;
+    out["total"] = test.total;
+    return out;
+  });
+}
+
+Json friedmanJson(const std::vector<std::vector<double>>& scores, const std::vector<std::string>& occasions) {
+  if (scores.size() < 2) {
+    return undefinedJson("there are fewer than two subjects with every occasion");
+  }
+  return outcomeJson(friedman(NumberTable(scores)), [&](const Friedman& test) {
+    Json out =
+        testJson(test.chiSquared, test.df, test.p, namedValue("kendall_w", test.kendallW), noInterval());
+    const std::string alike = "every subject ranks the occasions alike";
+    out["iman_davenport"] = {{"statistic", numberJson(test.imanDavenport, alike)},
+                             {"p", numberJson(test.pImanDavenport, alike)}};
+    out["rank_sums"] = Json::array();
+    for (std::size_t o = 0; o < occasions.size(); ++o) {
+      out["rank_sums"].push_back({{"occasion", occasions[o]}, {"sum", test.rankSums[o]}});
+    }
+    return out;
+  });
+}
+
+Json testOf(PairedTest test, const std::vector<std::vector<double>>& scores,
+            const std::vector<std::string>& occasions) {
+  if (test == PairedTest::kFriedman) {
+    return friedmanJson(scores, occasions);
+  }
+  const PairedScores pairs = firstAndLast(scores);
+  if (test == PairedTest::kT) {
+    return tJson(pairs);
+  }
+  const std::optional<WholeDifferences> differences = wholeDifferences(pairs);
+  if (!differences) {
+    return undefinedJson("the scores have more than six decimals, so they cannot be counted exactly");
+  }
+  if (differences->steps.empty()) {
+    return undefinedJson("nobody has a score at both occasions");
+  }
+  return test == PairedTest::kSignedRank ? signedRankJson(*differences) : pairedPermutationJson(*differences);
+}
+
+Json correlationJson(const PairedScores& pairs) {
+  return outcomeJson(pearson(pairs.before, pairs.after), [](const Correlation& correlation) {
+    Json out{{"r", correlation.r}};
+    out["interval"] = correlation.fisherInterval
+                          ? intervalJson(*correlation.fisherInterval)
+                          : undefinedJson("it takes four pairs that do not lie on one line");
+    return out;
+  });
+}
+
+constexpr double kMostResamples = 1e6;
+
+Json bootstrapOf(const std::vector<double>& values, const BootstrapRequest& request) {
+  const double n = static_cast<double>(values.size());
+  if (request.everyResample && std::pow(n, n) > kMostResamples) {
+    return undefinedJson("more than seven subjects have more than a million resamples");
+  }
+  const ResampledStatistic statistic = [&](std::span<const std::size_t> rows) {
+    std::vector<double> drawn;
+    for (const std::size_t row : rows) {
+      drawn.push_back(values[row]);
+    }
+    return request.median ? medianOf(drawn) : meanOf(drawn);
+  };
+  const BootstrapOptions options{request.seed, request.resamples, request.everyResample, kUsualConfidence};
+  return outcomeJson(bootstrap(values.size(), statistic, options), [](const Bootstrap& result) {
+    return Json{{"estimate", result.estimate},
+                {"error", result.error},
+                {"percentile", intervalJson(result.percentile)},
+                {"basic", intervalJson(result.basic)},
+                {"bca", intervalJson(result.bca)},
+                {"z0", result.z0},
+                {"acceleration", result.acceleration},
+                {"bca_levels", intervalJson(result.bcaLevels)},
+                {"resamples", result.resamples}};
+  });
+}
+
+}  // namespace
+
+Json pairedJson(const Study& study, PairedTest test) {
+  const bool all = test == PairedTest::kFriedman;
+  const std::vector<std::string> occasions =
+      all ? study.occasions : std::vector<std::string>{study.occasions.front(), study.occasions.back()};
+  Json list = Json::array();
+  for (std::size_t g = 0; g < study.groups.size(); ++g) {
+    const CompleteSubjects complete = completeSubjects(study, g, occasions);
+    Json entry{{"group", study.groups[g]}, {"n", complete.scores.size()}, {"left_out", complete.leftOut}};
+    entry["test"] = testOf(test, complete.scores, occasions);
+    entry["correlation"] = correlationJson(firstAndLast(complete.scores));
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json bootstrapJson(const std::vector<std::string>& names, const Groups& values,
+                   const BootstrapRequest& request) {
+  Json out{{"statistic", request.median ? "median" : "mean"}, {"groups", Json::array()}};
+  for (std::size_t g = 0; g < values.size(); ++g) {
+    Json entry{{"group", names[g]}, {"n", values[g].size()}};
+    entry.update(bootstrapOf(values[g], request));
+    out["groups"].push_back(std::move(entry));
+  }
+  if (!request.everyResample) {
+    out["seed"] = request.seed;
+  }
+  return out;
+}
+
+Groups gainsOf(const Study& study) {
+  Groups gains(study.groups.size());
+  for (std::size_t g = 0; g < study.groups.size(); ++g) {
+    const PairedScores pairs =
+        firstAndLast(completeSubjects(study, g, {study.occasions.front(), study.occasions.back()}).scores);
+    for (std::size_t i = 0; i < pairs.after.size(); ++i) {
+      gains[g].push_back(pairs.after[i] - pairs.before[i]);
+    }
+  }
+  return gains;
+}
+
+}  // namespace torsio::cli

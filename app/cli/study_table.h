@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/base/csv_table.h"
+#include "assessment/statistics/mean_tests.h"
+
+namespace torsio::cli {
+
+/// Somebody with scores at one or more occasions.
+struct Subject {
+  std::string name;
+  std::size_t group = 0;
+  std::size_t row = 0;                   ///< of the table, where the subject first stands
+  std::map<std::string, double> scores;  ///< by occasion
+};
+
+/// Groups, occasions and subjects in the order in which the file names them.
+struct Study {
+  std::vector<std::string> groups;
+  std::vector<std::string> occasions;
+  std::vector<Subject> subjects;
+};
+
+/// Reads the columns subject and score, and group and occasion where there are any; without them all subjects
+/// are one group "all", all scores of the occasion "only". Throws Error{kBadData} for a second score of a
+/// subject at one occasion and for a subject in two groups.
+[[nodiscard]] Study readStudy(const CsvTable& table);
+
+/// The scores at one occasion, group by group.
+[[nodiscard]] Groups scoresAt(const Study& study, const std::string& occasion);
+
+/// The subjects of one group with a score at every occasion asked for.
+struct CompleteSubjects {
+  std::vector<std::vector<double>> scores;  ///< subjects x occasions
+  std::size_t leftOut = 0;
+};
+[[nodiscard]] CompleteSubjects completeSubjects(const Study& study, std::size_t group,
+                                                const std::vector<std::string>& occasions);
+
+}  // namespace torsio::cli

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "db/repository/trial/trial_repository.h"
+#include "sim/device/haptic_device.h"
+#include "sim/record/trial.h"
+#include "sim/scene/scene.h"
+
+namespace torsio {
+
+/// What a recording is for: all that must be known of it and that neither its scene nor its device can tell.
+struct RecordingSpec {
+  std::string trialId{};                    ///< UUID made by the application
+  std::string traineeCode{};                ///< pseudonym, never a name; empty: nobody's
+  std::string phaseLabel{};                 ///< "virtual 0-20 min" ...; empty for free practice
+  std::optional<double> targetAngle_rad{};  ///< none: that of the scene's pattern
+  std::int64_t startedUtc_us = 0;
+  bool demonstration = false;  ///< simulated people: shown as such everywhere
+  TrialContext context{};      ///< where it belongs in the database: station, enrolment, module, phase
+};
+
+/// Fills in the header of a recording, whatever kind of run makes it: identity and purpose from `spec`, organ
+/// and parameters from `scene`, model, limits and drive from `device`, the version of this program.
+[[nodiscard]] TrialHeader headerFor(const Scene& scene, const DeviceCapabilities& device,
+                                    const RecordingSpec& spec);
+
+}  // namespace torsio

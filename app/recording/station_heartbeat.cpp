@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/recording/station_heartbeat.h"
+
+#include "app/base/build_info.h"
+#include "db/repository/trial/station_repository.h"
+#include "db/repository/trial/trial_repository.h"
+
+namespace torsio {
+
+namespace {
+
+// A trial that has just begun is in the database within the second, unless that is away.
+constexpr std::int64_t kAgain_us = 1'000'000;
+
+}  // namespace
+
+void StationHeartbeat::show(const std::string& trialId) {
+  changed_ = changed_ || trialId != trialId_;
+  trialId_ = trialId;
+}
+
+void StationHeartbeat::showDevice(const StationDevice& device) {
+  if (device == device_) return;
+  changed_ = true;
+  device_ = device;
+}
+
+void StationHeartbeat::send() {
+  const std::int64_t now_us = workplace_->now_us();
+  changed_ = changed_ || workplace_->actor().userId != shownUser_;
+  if (!changed_ && now_us < next_us_) return;
+  changed_ = false;
+  shownUser_ = workplace_->actor().userId;
+  next_us_ = now_us + kAgain_us;
+  try {
+    Connection& connection = workplace_->connection();
+    const bool there =
+        trialId_.empty() || trialId_ == shownTrial_ || TrialRepository(connection).find(trialId_);
+    const std::string trial = there ? trialId_ : "";
+    StationState state{.station = workplace_->station(),
+                       .trialId = trial,
+                       .userId = workplace_->actor().userId,
+                       .softwareVersion = softwareVersion(),
+                       .heartbeatUtc_us = now_us};
+    storeDevice(device_, state);
+    StationRepository(connection).heartbeat(state);
+    shownTrial_ = trial;
+    if (there) next_us_ = now_us + kHeartbeat_us;
+    answered_ = true;
+  } catch (const DbError& error) {
+    answered_ = error.fault() != DbFault::kUnreachable;
+    shownTrial_.clear();
+    next_us_ = now_us + kHeartbeat_us;  // each attempt may cost seconds while the server is away
+  }
+}
+
+void StationHeartbeat::leave() {
+  try {
+    StationRepository(workplace_->connection()).leave(workplace_->station());
+  } catch (const DbError& error) {
+    answered_ = error.fault() != DbFault::kUnreachable;
+    shownTrial_.clear();
+  }
+  changed_ = true;
+}
+
+}  // namespace torsio

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/scoring/cohort_occasions.h"
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/occasion_repository.h"
+#include "db/repository/study/study_repository.h"
+
+namespace torsio {
+
+Occasions occasionsOfCohort(Connection& connection, const std::string& cohortId) {
+  const StoredCohort cohort = StudyRepository(connection).cohort(cohortId);
+  OccasionRepository repository(connection);
+  Occasions all = repository.all();
+  const auto version = CurriculumRepository(connection).version(cohort.curriculumVersionId);
+  if (!version || version->scoringPoints.empty()) {
+    return all;
+  }
+  std::set<std::string> used = repository.usedBy(cohortId);
+  std::vector<Occasion> own;
+  for (Occasion occasion : all) {
+    for (const StoredScoringPoint& point : version->scoringPoints) {
+      if (point.code == occasion.code) {
+        occasion.afterExposure_us = point.afterExposure_us;
+      }
+    }
+    if (occasion.afterExposure_us || used.contains(occasion.code)) {
+      own.push_back(std::move(occasion));
+    }
+  }
+  return Occasions(std::move(own));
+}
+
+}  // namespace torsio

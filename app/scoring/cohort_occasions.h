@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "assessment/study/occasion.h"
+#include "db/connection/connection.h"
+
+namespace torsio {
+
+/// Gives the occasions of a cohort in order of time: those of its curriculum, with their times of exposure,
+/// and any other at which it was marked or raters are asked. A cohort whose curriculum names none has all
+/// occasions of the record. Throws Error{kBadData} when there is no such cohort.
+[[nodiscard]] Occasions occasionsOfCohort(Connection& connection, const std::string& cohortId);
+
+}  // namespace torsio

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/study/occasion_service.h"
+
+#include <nlohmann/json.hpp>
+
+#include "db/repository/study/occasion_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+Occasions knownOccasions(Workplace& workplace) {
+  workplace.require(Operation::kPersonViewCoded);
+  return OccasionRepository(workplace.connection()).all();
+}
+
+Occasion addOccasion(Workplace& workplace, const std::string& label) {
+  workplace.require(Operation::kCurriculumEdit);
+  if (label.empty()) {
+    throw Error(ErrorCode::kBadParameter, "the occasion has no name", "occasion", "Enter one");
+  }
+  Transaction transaction(workplace.connection());
+  OccasionRepository repository(workplace.connection());
+  const Occasions known = repository.all();
+  for (const Occasion& other : known) {
+    if (other.label == label) {
+      throw Error(ErrorCode::kBadParameter, "another occasion has this name", label, "Choose another name");
+    }
+  }
+  std::size_t number = known.size() + 1;
+  while (known.contains("occasion-" + std::to_string(number))) {
+    ++number;
+  }
+  const Occasion added{"occasion-" + std::to_string(number), label, {}};
+  repository.add(added);
+  workplace.note({.action = "occasion.add",
+                  .objectKind = "scoring_point",
+                  .objectId = added.code,
+                  .newJson = nlohmann::json{{"label", label}}.dump()});
+  transaction.commit();
+  return added;
+}
+
+}  // namespace torsio

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/statistics/rating_plan.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+#include "assessment/statistics/cone.h"
+#include "sim/base/contracts.h"
+
+namespace torsio {
+
+namespace {
+
+std::vector<std::size_t> estimated(const std::vector<RaschStatus>& status) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < status.size(); ++i) {
+    if (status[i] == RaschStatus::kEstimated) {
+      out.push_back(i);
+    }
+  }
+  return out;
+}
+
+/// Two marks of one person bound the severities of the two raters and the thresholds: see boundsOn().
+struct Bound {
+  std::size_t rater;
+  int from;  ///< threshold that the mark of `rater` has passed
+  std::size_t other;
+  int to;  ///< threshold that the mark of `other` has not passed
+
+  friend auto operator<=>(const Bound&, const Bound&) = default;
+};
+
+/// Every pair of marks of one person, the harshest bounds only.
+std::set<Bound> tightestBounds(const RatingPlan& plan) {
+  const std::vector<std::size_t> raters = plan.estimatedRaters();
+  std::map<std::tuple<std::size_t, std::size_t, int>, int> lowest;  // rater, other, from -> to
+  for (const std::size_t n : plan.estimatedPersons()) {
+    for (std::size_t j = 0; j < raters.size(); ++j) {
+      for (std::size_t k = 0; k < raters.size(); ++k) {
+        if (!plan.used(n, raters[j]) || !plan.used(n, raters[k])) {
+          continue;
+        }
+        const int from = plan.mark(n, raters[j]);
+        const int to = plan.mark(n, raters[k]) + 1;
+        if (from >= 1 && to <= plan.highest()) {
+          const auto [found, isNew] = lowest.emplace(std::tuple{j, k, from}, to);
+          found->second = std::min(found->second, to);
+        }
+      }
+    }
+  }
+  std::set<Bound> bounds;
+  for (const auto& [key, to] : lowest) {
+    const auto& [rater, other, from] = key;
+    bounds.insert({rater, from, other, to});
+  }
+  return bounds;
+}
+
+/// Where the likelihood keeps rising for ever, if it does: severities, then thresholds, the first of each
+/// held at 0. Every category is used and nobody is extreme.
+///
+/// The likelihood rises or stays level along a change of abilities a, severities b and thresholds t exactly
+/// when no rating becomes less likely far out: t_m <= a_n - b_r <= t_(m+1) for every mark m of a rater r on a
+/// person n (for m = 0 only the right, for the highest only the left side). Some a_n fits between the bounds
+/// of person n exactly when b_r + t_m <= b_s + t_(l+1) for any two of the marks m and l, of raters r and s.
+/// The maximum exists and is the only one when b = 0, t = 0 alone satisfies these.
+std::optional<std::vector<double>> endlessRise(const RatingPlan& plan) {
+  const std::size_t raters = plan.estimatedRaters().size();
+  std::vector<SparseRow> rows;
+  for (const Bound& bound : tightestBounds(plan)) {
+    std::map<std::size_t, int> row;
+    const auto add = [&](std::size_t unknown, int coefficient) {
+      if (unknown > 0) {
+        row[unknown - 1] += coefficient;
+      }
+    };
+    const auto threshold = [&](int which) {
+      return which == 1 ? 0 : raters + static_cast<std::size_t>(which) - 2;
+    };
+    add(bound.rater, 1);
+    add(bound.other, -1);
+    add(threshold(bound.from), 1);
+    add(threshold(bound.to), -1);
+    std::erase_if(row, [](const auto& entry) { return entry.second == 0; });
+    if (!row.empty()) {
+      rows.emplace_back(row.begin(), row.end());
+    }
+  }
+  return directionWithin(rows, raters + static_cast<std::size_t>(plan.highest()) - 2);
+}
+
+/// "rater 3 and the thresholds": the raters that leave the others behind, and whether thresholds part.
+std::string endlessNames(const std::vector<double>& direction, const std::vector<std::size_t>& raters) {
+  std::vector<double> severities{0.0};
+  severities.insert(severities.end(), direction.begin(), direction.begin() + std::ssize(raters) - 1);
+  const auto alike = [&](double severity) {
+    return std::count(severities.begin(), severities.end(), severity);
+  };
+  const double usual = *std::max_element(severities.begin(), severities.end(),
+                                         [&](double a, double b) { return alike(a) < alike(b); });
+  std::vector<std::string> names;
+  for (std::size_t j = 0; j < raters.size(); ++j) {
+    if (severities[j] != usual) {
+      names.push_back("rater " + std::to_string(raters[j] + 1));
+    }
+  }
+  if (std::any_of(direction.begin() + std::ssize(raters) - 1, direction.end(),
+                  [](double threshold) { return threshold != 0.0; })) {
+    names.emplace_back("the thresholds");
+  }
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  }
+  return out;
+}
+
+}  // namespace
+
+RatingPlan::RatingPlan(const CategoryRatings& ratings, int highest)
+    : ratings_(ratings),
+      highest_(highest),
+      persons_(ratings.size(), RaschStatus::kEstimated),
+      raters_(ratings.empty() ? 0 : ratings.front().size(), RaschStatus::kEstimated) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t n = 0; n < persons_.size(); ++n) {
+      changed = judge(persons_[n], personRatings(n), true) || changed;
+    }
+    for (std::size_t r = 0; r < raters_.size(); ++r) {
+      changed = judge(raters_[r], raterRatings(r), false) || changed;
+    }
+  }
+}
+
+std::vector<std::size_t> RatingPlan::estimatedPersons() const {
+  return estimated(persons_);
+}
+
+std::vector<std::size_t> RatingPlan::estimatedRaters() const {
+  return estimated(raters_);
+}
+
+bool RatingPlan::used(std::size_t person, std::size_t rater) const {
+  return ratings_[person][rater] && persons_[person] == RaschStatus::kEstimated &&
+         raters_[rater] == RaschStatus::kEstimated;
+}
+
+int RatingPlan::mark(std::size_t person, std::size_t rater) const {
+  TORSIO_EXPECTS(ratings_[person][rater].has_value());
+  return *ratings_[person][rater];
+}
+
+bool RatingPlan::connected() const {
+  std::vector<std::size_t> root(persons_.size() + raters_.size());
+  std::iota(root.begin(), root.end(), std::size_t{0});
+  const auto find = [&](std::size_t i) {
+    while (root[i] != i) {
+      i = root[i];
+    }
+    return i;
+  };
+  for (std::size_t n = 0; n < persons_.size(); ++n) {
+    for (std::size_t r = 0; r < raters_.size(); ++r) {
+      if (used(n, r)) {
+        root[find(n)] = find(persons_.size() + r);
+      }
+    }
+  }
+  std::optional<std::size_t> part;
+  for (std::size_t i = 0; i < root.size(); ++i) {
+    const RaschStatus status = i < persons_.size() ? persons_[i] : raters_[i - persons_.size()];
+    if (status != RaschStatus::kEstimated) {
+      continue;
+    }
+    if (part && *part != find(i)) {
+      return false;
+    }
+    part = find(i);
+  }
+  return true;
+}
+
+std::optional<std::string> RatingPlan::unbounded() const {
+  const std::optional<std::vector<double>> direction = endlessRise(*this);
+  return direction ? std::optional(endlessNames(*direction, estimatedRaters())) : std::nullopt;
+}
+
+std::vector<int> RatingPlan::personRatings(std::size_t n) const {
+  std::vector<int> out;
+  for (std::size_t r = 0; r < raters_.size(); ++r) {
+    if (ratings_[n][r] && raters_[r] == RaschStatus::kEstimated) {
+      out.push_back(*ratings_[n][r]);
+    }
+  }
+  return out;
+}
+std::vector<int> RatingPlan::raterRatings(std::size_t r) const {
+  std::vector<int> out;
+  for (std::size_t n = 0; n < persons_.size(); ++n) {
+    if (ratings_[n][r] && persons_[n] == RaschStatus::kEstimated) {
+      out.push_back(*ratings_[n][r]);
+    }
+  }
+  return out;
+}
+bool RatingPlan::judge(RaschStatus& status, const std::vector<int>& marks, bool person) const {
+  if (status != RaschStatus::kEstimated) {
+    return false;
+  }
+  if (marks.empty()) {
+    status = RaschStatus::kNoRatings;
+    return true;
+  }
+  const auto [low, high] = std::minmax_element(marks.begin(), marks.end());
+  // A rater who gives the lowest category only is infinitely severe.
+  if (*high == 0) {
+    status = person ? RaschStatus::kExtremeLow : RaschStatus::kExtremeHigh;
+  }
+  if (*low == highest_) {
+    status = person ? RaschStatus::kExtremeHigh : RaschStatus::kExtremeLow;
+  }
+  return status != RaschStatus::kEstimated;
+}
+
+}  // namespace torsio

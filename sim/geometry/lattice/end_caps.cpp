@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/geometry/lattice/end_caps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "sim/base/error.h"
+#include "sim/base/portable_math.h"
+#include "sim/geometry/mesh/flat_faces.h"
+#include "sim/geometry/lattice/rounded_end.h"
+
+namespace torsio {
+
+namespace {
+
+using Index = std::uint32_t;
+
+constexpr double kCapShare = 0.3;   // radius of a disc as a share of the organ's mean radius
+constexpr double kFarEnough = 0.3;  // a flat end keeps this share of the organ's length from the other
+constexpr double kAtTip = 0.95;     // a flat end reaches this share of the largest distance
+constexpr const char* kGiveEnds = "Give two end points further apart, or a smaller cap radius.";
+
+struct Cap {
+  std::vector<Index> vertices;
+  Vec3 centre_m;
+  bool flat = false;
+};
+
+class CapFinder {
+ public:
+  CapFinder(const TriangleMesh& mesh, const SurfaceTopology& topology, const CapRequest& request)
+      : mesh_(mesh), topology_(topology), request_(request), faces_(findFlatFaces(mesh, topology)) {
+    faceOfTriangle_.assign(mesh.triangles.size(), kNoFace);
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      for (const Index t : faces_[f].triangles) faceOfTriangle_[t] = static_cast<Index>(f);
+    }
+  }
+
+  EndCaps find() {
+    auto [fixed, free] = request_.automatic() ? automatic() : given();
+    EndCaps caps;
+    caps.fixedCentre_m = fixed.centre_m;
+    caps.freeCentre_m = free.centre_m;
+    caps.fixedFlat = fixed.flat;
+    caps.freeFlat = free.flat;
+    caps.parts.assign(mesh_.vertices_m.size(), LatticePart::kSide);
+    for (const Index v : fixed.vertices) caps.parts[v] = LatticePart::kFixedCap;
+    for (const Index v : free.vertices) {
+      if (caps.parts[v] == LatticePart::kFixedCap) {
+        throw Error(ErrorCode::kBadMesh, "the end caps of the organ touch", "", kGiveEnds);
+      }
+      caps.parts[v] = LatticePart::kFreeCap;
+    }
+    fillHoles(caps.parts, LatticePart::kFixedCap, free.vertices.front());
+    fillHoles(caps.parts, LatticePart::kFreeCap, fixed.vertices.front());
+    return caps;
+  }
+
+ private:
+  static constexpr Index kNoFace = ~Index{0};
+
+  std::pair<Cap, Cap> given() {
+    const Index fixedTriangle = nearestTriangle(mesh_, request_.fixedEnd_m);
+    const Index freeTriangle = nearestTriangle(mesh_, request_.freeEnd_m);
+    const Index fixedSeed = nearestCorner(fixedTriangle, request_.fixedEnd_m);
+    const Index freeSeed = nearestCorner(freeTriangle, request_.freeEnd_m);
+    const std::vector<double> fromFixed = distances({&fixedSeed, 1});
+    const std::vector<double> fromFree = distances({&freeSeed, 1});
+    setMeanRadius(fromFixed[freeSeed]);
+    Cap fixed = request_.fixedCut != Vec3{} ? beyond(request_.fixedEnd_m, request_.fixedCut, "fixed")
+                                            : faceOrTip(faceOfTriangle_[fixedTriangle], fromFree, fixedSeed);
+    Cap free = request_.freeCut != Vec3{} ? beyond(request_.freeEnd_m, request_.freeCut, "free")
+                                          : faceOrTip(faceOfTriangle_[freeTriangle], fromFixed, freeSeed);
+    return {std::move(fixed), std::move(free)};
+  }
+
+  /// The two points farthest from each other along the surface (double sweep), each with the flat face at it.
+  std::pair<Cap, Cap> automatic() {
+    const Index start = mesh_.triangles.front().front();
+    const Index first = farthest(distances({&start, 1}));
+    const std::vector<double> fromFirst = distances({&first, 1});
+    const Index second = farthest(fromFirst);
+    setMeanRadius(fromFirst[second]);
+    Cap one = faceOrTip(bestFace(fromFirst, second), fromFirst, second);
+    const std::vector<double> fromOne = distances(one.vertices);
+    const Index other = farthest(fromOne);
+    Cap two = faceOrTip(bestFace(fromOne, other), fromOne, other);
+    if (isLower(two.centre_m, one.centre_m, norm(two.centre_m - one.centre_m))) std::swap(one, two);
+    return {std::move(one), std::move(two)};
+  }
+
+  std::vector<double> distances(std::span<const Index> sources) const {
+    return edgeDistances_m(mesh_, topology_, sources);
+  }
+
+  /// The farthest vertex that can be reached.
+  static Index farthest(const std::vector<double>& distance) {
+    Index best = 0;
+    double most = -1.0;
+    for (Index v = 0; v < distance.size(); ++v) {
+      if (std::isfinite(distance[v]) && distance[v] > most) {
+        most = distance[v];
+        best = v;
+      }
+    }
+    return best;
+  }
+
+  Index nearestCorner(Index triangle, const Vec3& point) const {
+    const TriangleMesh::Triangle& corners = mesh_.triangles[triangle];
+    return *std::min_element(corners.begin(), corners.end(), [&](Index a, Index b) {
+      return norm(mesh_.vertices_m[a] - point) < norm(mesh_.vertices_m[b] - point);
+    });
+  }
+
+  double nearest(const FlatFace& face, const std::vector<double>& distance) const {
+    double least = distance[face.vertices.front()];
+    for (const Index v : face.vertices) least = std::min(least, distance[v]);
+    return least;
+  }
+
+  /// The flat face at the extreme end `tip` that keeps farthest from the other end: the end of a bar, never
+  /// one of its sides, and no flat spot halfway.
+  Index bestFace(const std::vector<double>& fromOther, Index tip) const {
+    Index best = kNoFace;
+    double most = 0.0;
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      const double least = nearest(faces_[f], fromOther);
+      const bool atTip = std::any_of(faces_[f].vertices.begin(), faces_[f].vertices.end(),
+                                     [&](Index v) { return fromOther[v] >= kAtTip * fromOther[tip]; });
+      if (atTip && least > most) {
+        most = least;
+        best = static_cast<Index>(f);
+      }
+    }
+    return best;
+  }
+
+  Cap faceOrTip(Index face, const std::vector<double>& fromOther, Index seed) const {
+    const double length = fromOther[seed];
+    if (face != kNoFace && nearest(faces_[face], fromOther) >= kFarEnough * length) {
+      return {faces_[face].vertices, faces_[face].centroid_m, true};
+    }
+    if (!(request_.capRadius_m > 0.0)) {
+      Cap tip{roundedEnd(mesh_, topology_, seed, meanRadius_m_), {}, false};
+      for (const Index v : tip.vertices) {
+        tip.centre_m += mesh_.vertices_m[v] / static_cast<double>(tip.vertices.size());
+      }
+      if (!tip.vertices.empty()) return tip;
+    }
+    return disc(seed);
+  }
+
+  Cap disc(Index seed) const {
+    Cap disc{{seed}, mesh_.vertices_m[seed], false};
+    const std::vector<double> fromSeed = distances({&seed, 1});
+    const double radius = request_.capRadius_m > 0.0 ? request_.capRadius_m : kCapShare * meanRadius_m_;
+    for (Index v = 0; v < fromSeed.size(); ++v) {
+      if (v != seed && fromSeed[v] <= radius) disc.vertices.push_back(v);
+    }
+    for (const Index half : topology_.outgoing(seed)) {
+      const Index v = topology_.target(half);
+      if (fromSeed[v] > radius) disc.vertices.push_back(v);
+    }
+    return disc;
+  }
+
+  /// Everything beyond the plane through `point` with the outward direction `cut`: its largest piece.
+  Cap beyond(const Vec3& point, const Vec3& cut, const std::string& name) const {
+    const Vec3 direction = normalized(cut);
+    std::vector<std::uint8_t> open(mesh_.vertices_m.size(), 0);
+    for (Index v = 0; v < open.size(); ++v) {
+      open[v] = dot(mesh_.vertices_m[v] - point, direction) >= 0.0 ? 1 : 0;
+    }
+    Cap largest{{}, point, false};
+    for (Index v = 0; v < open.size(); ++v) {
+      std::vector<Index> piece = takeConnected(topology_, open, v);
+      if (piece.size() > largest.vertices.size()) largest.vertices = std::move(piece);
+    }
+    if (largest.vertices.empty()) {
+      throw Error(ErrorCode::kBadParameter,
+                  Text("nothing of the organ lies beyond the cut at its %1 end", name), Text("%1 end", name),
+                  "Move the end point into the organ or turn the direction of the cut.");
+    }
+    return largest;
+  }
+
+  /// What `cap` cuts off from the other end belongs to it.
+  void fillHoles(std::vector<LatticePart>& parts, LatticePart cap, Index otherEnd) const {
+    std::vector<std::uint8_t> open(parts.size(), 0);
+    for (Index v = 0; v < parts.size(); ++v) open[v] = parts[v] != cap ? 1 : 0;
+    static_cast<void>(takeConnected(topology_, open, otherEnd));
+    for (Index v = 0; v < parts.size(); ++v) {
+      if (open[v] != 0) parts[v] = cap;
+    }
+  }
+
+  /// Radius of the round bar with the organ's volume and length.
+  void setMeanRadius(double length_m) {
+    if (!(length_m > 0.0) || !std::isfinite(length_m)) {
+      throw Error(ErrorCode::kBadMesh, "the two ends of the organ are not connected or coincide", "",
+                  kGiveEnds);
+    }
+    meanRadius_m_ = std::sqrt(std::abs(signedVolume_m3(mesh_)) / (kPi * length_m));
+  }
+
+  const TriangleMesh& mesh_;
+  const SurfaceTopology& topology_;
+  const CapRequest& request_;
+  std::vector<FlatFace> faces_;
+  std::vector<Index> faceOfTriangle_;
+  double meanRadius_m_ = 0.0;
+};
+
+}  // namespace
+
+EndCaps findEndCaps(const TriangleMesh& mesh, const SurfaceTopology& topology, const CapRequest& request) {
+  checkCapRequest(request);
+  return CapFinder(mesh, topology, request).find();
+}
+
+bool isLower(const Vec3& a, const Vec3& b, double scale_m) noexcept {
+  const double tolerance = 1e-6 * scale_m;
+  if (std::abs(a.z - b.z) > tolerance) return a.z < b.z;
+  if (std::abs(a.y - b.y) > tolerance) return a.y < b.y;
+  return a.x < b.x;
+}
+
+void checkCapRequest(const CapRequest& request) {
+  if (!isFinite(request.fixedEnd_m) || !isFinite(request.freeEnd_m) || !isFinite(request.fixedCut) ||
+      !isFinite(request.freeCut)) {
+    throw Error(ErrorCode::kBadParameter, "an end point or cut direction of the organ is not finite", "",
+                "Give finite numbers.");
+  }
+  if (!std::isfinite(request.capRadius_m) || request.capRadius_m < 0.0) {
+    throw Error(ErrorCode::kBadParameter,
+                Text("the cap radius %1 m is negative or not finite", std::to_string(request.capRadius_m)),
+                "", "Give 0 for the default or a positive length.");
+  }
+  if (request.automatic() && (request.fixedCut != Vec3{} || request.freeCut != Vec3{})) {
+    throw Error(ErrorCode::kBadParameter, "a cut needs both end points", "", "Give the two end points.");
+  }
+}
+
+}  // namespace torsio

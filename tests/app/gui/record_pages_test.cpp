@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an administrator decides about records: how long they are kept, a person's own copy, erasure on
+// request, a move to another group, a new scoring sheet, another occasion.
+#include <filesystem>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QInputDialog>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include "app/gui/administrator/allocation_page.h"
+#include "app/gui/administrator/care_page.h"
+#include "app/gui/administrator/curricula_page.h"
+#include "app/gui/administrator/roster_page.h"
+#include "app/gui/administrator/scoring_page.h"
+#include "app/gui/widgets/data_table.h"
+#include "app/maintenance/retention.h"
+#include "app/people/people_service.h"
+#include "app/study/cohort_service.h"
+#include "app/study/occasion_service.h"
+#include "app/study/rubric_service.h"
+#include "tests/app/gui/office_desk.h"
+
+namespace torsio::gui {
+namespace {
+
+using testing::answer;
+using testing::Office;
+
+QPushButton& named(QWidget& page, const char* name) {
+  auto* found = page.findChild<QPushButton*>(QLatin1String(name));
+  EXPECT_NE(found, nullptr) << name;
+  return *found;
+}
+
+void giveReason(QDialog& dialog) {
+  dialog.findChild<QLineEdit*>(QStringLiteral("reason"))->setText(QStringLiteral("asked for it"));
+  dialog.accept();
+}
+
+TEST(CarePage, SetsAndTakesAwayRulesForKeepingRecords) {
+  Office office;
+  setRetentionRule(office.centre.as("administrator"), kRetainRater, 30, "contract");
+  auto page = office.open<CarePage>("administrator");
+  answer([](QDialog& dialog) {
+    dialog.findChild<QCheckBox*>(QStringLiteral("trainee"))->setChecked(true);
+    dialog.findChild<QSpinBox*>(QStringLiteral("trainee.days"))->setValue(1'825);
+    dialog.findChild<QLineEdit*>(QStringLiteral("trainee.basis"))->setText(QStringLiteral("consent"));
+    dialog.findChild<QCheckBox*>(QStringLiteral("rater"))->setChecked(false);
+    dialog.accept();
+  });
+
+  named(*page, "retentionRules").click();
+
+  const std::vector<RetentionRule> rules = retentionRules(office.centre.workplace());
+  ASSERT_EQ(rules.size(), 1U);
+  EXPECT_EQ(rules.front().category, kRetainTrainee);
+  EXPECT_EQ(rules.front().keep_days, 1'825);
+  EXPECT_EQ(rules.front().basis, "consent");
+  EXPECT_EQ(office.centre.audited("retention.remove_rule"), 1);
+}
+
+TEST(CarePage, KeepsTheRulesFromWhoeverMayNotManageThem) {
+  Office office;
+
+  auto page = office.open<CarePage>("statistician");
+
+  EXPECT_FALSE(named(*page, "retentionRules").isEnabled());
+}
+
+TEST(RosterPage, WritesEverythingAboutOnePersonIntoANewFolder) {
+  Office office;
+  const std::vector<std::string> trainees = office.centre.addTrainees(2);
+  auto page = office.open<RosterPage>("administrator");
+  page->findChild<DataTable*>()->select(QString::fromStdString(trainees.front()));
+  const std::filesystem::path folder = office.centre.folder() / "record-T-01";
+
+  ASSERT_TRUE(named(*page, "exportPerson").isEnabled());
+  page->exportPerson(folder, "asked for it");
+  office.shell().waitForJobs();
+
+  EXPECT_TRUE(std::filesystem::exists(folder / "manifest.json"));
+  EXPECT_EQ(office.centre.audited("person.export"), 1);
+}
+
+TEST(RosterPage, ErasesOneRecordOnRequestWithAReason) {
+  Office office;
+  const std::vector<std::string> trainees = office.centre.addTrainees(2);
+  auto page = office.open<RosterPage>("administrator");
+  page->findChild<DataTable*>()->select(QString::fromStdString(trainees.front()));
+  answer(giveReason);
+
+  named(*page, "erasePerson").click();
+
+  EXPECT_EQ(office.centre.audited("person.erase"), 1);
+  for (const NamedPersonRow& one : namedPeople(office.centre.as("administrator")))
+    EXPECT_EQ(one.identity.fullName.empty(), one.row.person.id == trainees.front());
+}
+
+TEST(RosterPage, OffersNeitherToWhoeverMayNot) {
+  Office office;
+  office.centre.addTrainees(1);
+
+  auto page = office.open<RosterPage>("statistician");
+
+  EXPECT_TRUE(named(*page, "exportPerson").isHidden());
+  EXPECT_TRUE(named(*page, "erasePerson").isHidden());
+}
+
+TEST(AllocationPage, MovesATraineeByHandBesideTheDrawnRecord) {
+  Office office;
+  const std::vector<std::string> trainees = office.centre.addTrainees(3);
+  const std::string version = office.centre.runPaperCurriculum();
+  Workplace& workplace = office.centre.as("administrator");
+  const std::string cohort = addCohort(workplace, {.name = "Study", .curriculumVersionId = version});
+  enrolTrainees(workplace, cohort, trainees);
+  AllocationPlan plan;
+  plan.cohortId = cohort;
+  const std::string design = lockAllocation(office.centre.as("allocator"), plan).stored.id;
+  allocateAll(office.centre.as("allocator"), cohort);
+  const StoredAllocation drawn = allocations(office.centre.as("allocator"), design).front();
+  auto page = office.open<AllocationPage>("allocator");
+  page->records().select(QString::fromStdString(drawn.id));
+  std::string to;
+  answer([&to](QDialog& dialog) {
+    to = dialog.findChild<QComboBox*>(QStringLiteral("group"))->currentData().toString().toStdString();
+    giveReason(dialog);
+  });
+
+  named(*page, "moveByHand").click();
+
+  const std::vector<StoredAllocation> records = allocations(office.centre.as("allocator"), design);
+  ASSERT_EQ(records.size(), 4U);  // three drawn, one moved
+  EXPECT_EQ(records.back().enrolmentId, drawn.enrolmentId);
+  EXPECT_NE(to, drawn.groupId);
+  EXPECT_EQ(records.back().groupId, to);
+  EXPECT_EQ(records.back().overrideReason, "asked for it");
+}
+
+TEST(ScoringPage, TakesTheNextRevisionOfTheSheetFromAFile) {
+  Office office;
+  office.centre.addPaperRubric();
+  auto page = office.open<ScoringPage>("administrator");
+
+  ASSERT_TRUE(named(*page, "reviseRubric").isEnabled());
+  EXPECT_TRUE(page->revise(office.centre.assets() / "rubrics/twist-training.json", "clearer anchors"));
+
+  const std::vector<RubricRow> all = rubrics(office.centre.as("administrator"));
+  ASSERT_EQ(all.size(), 1U);
+  ASSERT_EQ(all.front().revisions.size(), 2U);
+  EXPECT_EQ(all.front().revisions.back().note, "clearer anchors");
+}
+
+TEST(CurriculaPage, AddsAnOccasionThatTheEditorThenOffers) {
+  Office office;
+  office.centre.runPaperCurriculum();
+  auto page = office.open<CurriculaPage>("administrator");
+  answer([](QDialog& dialog) { testing::type(dialog, QStringLiteral("six months later")); });
+
+  named(*page, "addOccasion").click();
+
+  EXPECT_EQ(knownOccasions(office.centre.as("administrator")).size(), 4U);
+  bool offered = false;
+  for (const QCheckBox* box : page->findChildren<QCheckBox*>())
+    offered = offered || box->text() == QStringLiteral("six months later");
+  EXPECT_TRUE(offered);
+}
+
+}  // namespace
+}  // namespace torsio::gui
