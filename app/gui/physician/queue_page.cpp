@@ -88,7 +88,6 @@ void QueuePage::createDoors(QVBoxLayout* outer) {
     Door door{sentence(this, false), new QPushButton(this), new QWidget(this)};
     auto* row = new QHBoxLayout(door.row);
     row->setContentsMargins(0, 0, 0, 0);
-    door.button->setMinimumWidth(14 * fontMetrics().averageCharWidth());
     row->addWidget(door.text, 1);
     row->addWidget(door.button);
     connect(door.button, &QPushButton::clicked, this, [this, page] { this->shell().open(page); });
