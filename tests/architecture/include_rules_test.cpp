@@ -76,7 +76,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
        {"app/access", "app/devices", "app/gui/base", "app/gui/simulator", "app/gui/widgets",
         "app/maintenance", "app/people", "app/recording", "app/report", "app/reporting", "app/review",
         "app/study", "app/training", "assessment/metrics", "assessment/report", "assessment/study",
-        "db/repository", "sim/base", "sim/scene"}},
+        "db/repository/study", "sim/base", "sim/scene"}},
       {"app/gui/base",
        {"app/access", "app/base", "app/gui/widgets", "app/recording", "app/report", "assessment/report",
         "sim/base"}},

@@ -4,16 +4,15 @@
 #include <utility>
 #include <vector>
 
+#include "db/connection/row_reader.h"
+
 namespace torsio {
 
-Occasions OccasionRepository::all() {
-  std::vector<Occasion> list;
-  Statement row = connection_.prepare("SELECT code, label FROM scoring_point ORDER BY position, code");
-  row.execute();
-  while (row.step()) {
-    list.push_back({row.text(0), row.text(1), {}});
-  }
-  return Occasions(std::move(list));
+Occasions OccasionRepository::all() const {
+  return Occasions(selectAll(connection_, "SELECT code, label FROM scoring_point ORDER BY position, code", {},
+                             [](RowReader& row) {
+                               return Occasion{row.text(), row.text(), {}};
+                             }));
 }
 
 void OccasionRepository::add(const Occasion& occasion) {
@@ -23,18 +22,15 @@ void OccasionRepository::add(const Occasion& occasion) {
       {occasion.code, occasion.label});
 }
 
-std::set<std::string> OccasionRepository::usedBy(const std::string& cohortId) {
-  std::set<std::string> codes;
-  Statement row = connection_.prepare(
-      "SELECT m.scoring_point FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id"
-      " WHERE e.cohort_id = ?"
-      " UNION SELECT a.scoring_point FROM assignment a JOIN enrolment e ON e.id = a.enrolment_id"
-      " WHERE e.cohort_id = ?");
-  row.execute({cohortId, cohortId});
-  while (row.step()) {
-    codes.insert(row.text(0));
-  }
-  return codes;
+std::set<std::string> OccasionRepository::usedBy(const std::string& cohortId) const {
+  const std::vector<std::string> codes =
+      selectAll(connection_,
+                "SELECT m.scoring_point FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id"
+                " WHERE e.cohort_id = ?"
+                " UNION SELECT a.scoring_point FROM assignment a JOIN enrolment e ON e.id = a.enrolment_id"
+                " WHERE e.cohort_id = ?",
+                {cohortId, cohortId}, readText);
+  return {codes.begin(), codes.end()};
 }
 
 }  // namespace torsio

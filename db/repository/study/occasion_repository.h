@@ -15,11 +15,11 @@ class OccasionRepository {
   explicit OccasionRepository(Connection& connection) : connection_(connection) {}
 
   /// Lists all occasions in order of time, without times of exposure: those belong to curricula.
-  [[nodiscard]] Occasions all();
+  [[nodiscard]] Occasions all() const;
   /// Adds an occasion after all others. Throws DbError{kUnique} when the code is taken.
   void add(const Occasion& occasion);
   /// Gives the codes at which somebody of a cohort was marked or a rater is asked for marks.
-  [[nodiscard]] std::set<std::string> usedBy(const std::string& cohortId);
+  [[nodiscard]] std::set<std::string> usedBy(const std::string& cohortId) const;
 
  private:
   Connection& connection_;
