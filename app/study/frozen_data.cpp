@@ -35,7 +35,7 @@ constexpr std::size_t kShownDifferences = 20;
 
 std::string hashOf(const StoredEnrolment& row) {
   FieldDigest digest("torsio frozen enrolment 1");
-  digest.add(row.id).add(row.traineeCode).add(row.groupId).add(row.numberInGroup).add(row.state);
+  digest.add(row.id).add(row.traineeCode).add(row.groupId).add(row.numberInGroup).add(storedText(row.state));
   return digest.hex();
 }
 

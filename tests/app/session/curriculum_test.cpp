@@ -60,7 +60,7 @@ TEST(CurriculumTemplates, PaperProtocolIsThatOfTheStudy) {
     EXPECT_FALSE(arm.restSplittable);
     std::string text;
     for (const StoredPhase& phase : arm.phases) {
-      text += phase.kind + std::to_string(phase.duration_us / kMinute_us) + " ";
+      text += std::string(storedText(phase.kind)) + std::to_string(phase.duration_us / kMinute_us) + " ";
     }
     kinds.push_back(text);
   }
