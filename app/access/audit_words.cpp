@@ -172,14 +172,14 @@ const Words& objectWords() {
 
 }  // namespace
 
-Text auditActionWords(const std::string& action) {
+Text auditActionLabel(const std::string& action) {
   for (const Words* words : {&peopleWords(), &studyWords(), &scoringWords(), &stationWords()}) {
     if (const auto found = words->find(action); found != words->end()) return found->second;
   }
   return action;
 }
 
-Text auditObjectWords(const std::string& objectKind) {
+Text auditObjectLabel(const std::string& objectKind) {
   const auto found = objectWords().find(objectKind);
   return found == objectWords().end() ? Text(objectKind) : found->second;
 }

@@ -9,8 +9,8 @@ namespace torsio {
 
 /// What an audit entry tells of, in plain words: "Mark submitted" for "mark.submit". An action that an older
 /// or newer version noted and this one does not know: its code.
-[[nodiscard]] Text auditActionWords(const std::string& action);
+[[nodiscard]] Text auditActionLabel(const std::string& action);
 /// What kind of thing it was done to: "mark" for "training_mark". The same for what is not known.
-[[nodiscard]] Text auditObjectWords(const std::string& objectKind);
+[[nodiscard]] Text auditObjectLabel(const std::string& objectKind);
 
 }  // namespace torsio

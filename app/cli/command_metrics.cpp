@@ -10,8 +10,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/json_output.h"
 #include "app/cli/organ_option.h"
+#include "app/recording/kept_digests.h"
 #include "app/recording/replay_service.h"
-#include "app/recording/trial_trace.h"
+#include "assessment/attempt/attempt_measures.h"
 #include "assessment/metrics/metric_cards.h"
 #include "sim/base/angle.h"
 #include "sim/base/error.h"
@@ -29,10 +30,12 @@ struct MetricsArguments {
   std::string trial;
   std::string database = "torsio.sqlite";
   OrganArguments organ;
-  double tolerance_deg = 2.0;
+  std::optional<double> tolerance_deg;
+  std::optional<double> forceLimit_N;
+  std::optional<double> torqueLimit_Nm;
+  std::optional<double> shearLimit_Pa;
   bool scene = false;
   bool cards = false;
-  TrialMeasurement options;
 };
 
 const char* directionText(Direction direction) {
@@ -63,21 +66,78 @@ Json metricsJson(const Outcome<TrialMetrics>& outcome) {
 Json cardsJson() {
   Json out = Json::object();
   for (const MetricCard& card : metricCards()) {
-    out[std::string(card.id)] = {
-        {"name", std::string(card.name)},       {"meaning", std::string(card.meaning)},
-        {"formula", std::string(card.formula)}, {"unit", std::string(card.unit)},
-        {"window", std::string(card.window)},   {"better", directionText(card.direction)},
-        {"version", std::string(card.version)}};
+    out[std::string(card.id)] = {{"name", std::string(card.name)},
+                                 {"meaning", std::string(card.meaning)},
+                                 {"formula", std::string(card.formula)},
+                                 {"unit", std::string(card.unit)},
+                                 {"window", std::string(card.window)},
+                                 {"better", directionText(card.direction)},
+                                 {"version", card.version}};
   }
   return out;
 }
 
-/// A trial file when there is one of this name, else a trial of the database.
-Trial loadTrial(const MetricsArguments& arguments) {
-  if (std::filesystem::is_regular_file(arguments.trial)) {
-    return readTrialFile(arguments.trial);
+/// Reads a trial file and finds the rules of its pattern.
+StoredRun readRunFile(const std::filesystem::path& file) {
+  StoredRun run{readTrialFile(file), {}};
+  run.rules = ExerciseRules().ofPattern(run.trial.header.sceneId, run.trial.header.patternId);
+  return run;
+}
+
+/// A trial file when there is one of this name, else a trial of the database, judged by the rules of its
+/// exercise. Options override the rules.
+StoredRun loadRun(const MetricsArguments& arguments) {
+  StoredRun run = std::filesystem::is_regular_file(arguments.trial)
+                      ? readRunFile(arguments.trial)
+                      : loadStoredRun(arguments.database, arguments.trial);
+  if (arguments.tolerance_deg) {
+    run.rules.tolerance_rad = radians(*arguments.tolerance_deg);
   }
-  return loadStoredTrial(arguments.database, arguments.trial);
+  if (arguments.forceLimit_N) {
+    run.rules.forceLimit_N = arguments.forceLimit_N;
+  }
+  if (arguments.torqueLimit_Nm) {
+    run.rules.torqueLimit_Nm = arguments.torqueLimit_Nm;
+  }
+  return run;
+}
+
+/// What the metrics ask of the scene, which must outlive the answer.
+OrganKnowledge organOf(const Scene& scene) {
+  return {.peakShear_Pa =
+              [&scene](double arc_m, double angle_rad) {
+                return scene.model.peakShear_Pa({arc_m, angle_rad});
+              },
+          .axisAt =
+              [&scene](double arc_m) {
+                const AxisFrame frame = scene.lattice().frameAt(arc_m);
+                return GraspAxis{frame.centre_m, frame.tangent};
+              }};
+}
+
+const char* endingText(TwistEnding ending) {
+  switch (ending) {
+    case TwistEnding::kLetGo:
+      return "let go";
+    case TwistEnding::kRecordingEnded:
+      return "recording ended";
+    case TwistEnding::kDeviceFault:
+      return "device fault";
+    case TwistEnding::kNotSeen:
+      return "samples missing";
+  }
+  return "";
+}
+
+Json twistJson(const MeasuredTwist& measured) {
+  const RecordedTwist& twist = measured.twist;
+  Json entry{{"start_s", measured.start_s}, {"samples", twist.end - twist.first}};
+  entry["target_rad"] = twist.target_rad;
+  entry["released_at_rad"] = twist.releasedAt_rad;
+  entry["ending"] = endingText(twist.ending);
+  entry["on_target"] = measured.onTarget;
+  entry["metrics"] = metricsJson(measured.metrics);
+  return entry;
 }
 
 /// The scene on which the trial was recorded.
@@ -97,16 +157,17 @@ Scene sceneOf(const MetricsArguments& arguments, const TrialHeader& header) {
   return scene;
 }
 
-void runMetrics(MetricsArguments arguments) {
-  const Trial trial = loadTrial(arguments);
+void runMetrics(const MetricsArguments& arguments) {
+  const StoredRun run = loadRun(arguments);
+  const Trial& trial = run.trial;
   const std::vector<Sample> samples = decodeTrial(trial);
-  arguments.options.tolerance_rad = radians(arguments.tolerance_deg);
   std::optional<Scene> scene;
-  if (arguments.scene || arguments.options.shearLimit_Pa) {
-    scene = sceneOf(arguments, trial.header);
-  }
-  const MeasuredTrial measured =
-      measureRecordedTrial(trial.header, samples, arguments.options, scene ? &*scene : nullptr);
+  if (arguments.scene || arguments.shearLimit_Pa) scene = sceneOf(arguments, trial.header);
+  OrganKnowledge organ = scene ? organOf(*scene) : OrganKnowledge{};
+  organ.shearLimit_Pa = arguments.shearLimit_Pa;
+  const MeasuredTrial measured = measureTwists(trial.header, samples, run.rules, organ);
+  const AttemptMeasures measures = measureAttempt(samples, measured);
+  const Outcome<TrialMetrics> whole = measureWhole(trial.header, samples, run.rules, organ);
   Json out;
   out["trial"] = trial.header.trialId;
   out["trainee"] = trial.header.traineeCode;
@@ -120,19 +181,19 @@ void runMetrics(MetricsArguments arguments) {
   out["samples"] = samples.size();
   out["refused_samples"] = trial.summary.refusedSamples;
   out["lost_samples"] =
-      outcomeJson(measured.whole, [](const TrialMetrics& metrics) { return Json(metrics.lostSamples); });
+      outcomeJson(whole, [](const TrialMetrics& metrics) { return Json(metrics.lostSamples); });
   out["clock"] = measured.deviceClock ? "device" : "ticks";
-  out["duration_s"] = measured.duration_s;
+  out["duration_s"] = measured.duration_s();
   out["target_rad"] = trial.header.targetAngle_rad;
-  out["tolerance_rad"] = arguments.options.tolerance_rad;
-  out["whole"] = metricsJson(measured.whole);
+  out["tolerance_rad"] = run.rules.tolerance_rad;
+  out["twists_completed"] = measures.twists.size();
+  out["twists_on_target"] = measures.twistsOnTarget();
+  out["twists_not_completed"] = measures.unfinished;
+  out["attempt"] = measures.values;
+  out["whole"] = metricsJson(whole);
   out["twists"] = Json::array();
   for (const MeasuredTwist& twist : measured.twists) {
-    Json entry{{"start_s", twist.start_s}, {"samples", twist.samples}};
-    entry["target_rad"] = twist.target_rad;
-    entry["released_at_rad"] = twist.releasedAt_rad;
-    entry["metrics"] = metricsJson(twist.metrics);
-    out["twists"].push_back(std::move(entry));
+    out["twists"].push_back(twistJson(twist));
   }
   if (arguments.cards) {
     out["cards"] = cardsJson();
@@ -152,14 +213,15 @@ void addMetrics(CLI::App& program) {
       ->add_option("--database", arguments->database,
                    "SQLite file or postgresql://user:password@host:port/database")
       ->capture_default_str();
-  command->add_option("--tolerance", arguments->tolerance_deg, "About the target angle, degrees")
-      ->check(CLI::Range(0.001, 360.0))
-      ->capture_default_str();
-  command->add_option("--force-limit", arguments->options.forceLimit_N, "Counts violations, N")
+  command
+      ->add_option("--tolerance", arguments->tolerance_deg,
+                   "About the target angle, degrees, in place of that of the exercise")
+      ->check(CLI::Range(0.001, 360.0));
+  command->add_option("--force-limit", arguments->forceLimit_N, "Counts violations, N")
       ->check(CLI::PositiveNumber);
-  command->add_option("--torque-limit", arguments->options.torqueLimit_Nm, "Counts violations, N m")
+  command->add_option("--torque-limit", arguments->torqueLimit_Nm, "Counts violations, N m")
       ->check(CLI::PositiveNumber);
-  command->add_option("--shear-limit", arguments->options.shearLimit_Pa, "Time above it, Pa; loads the scene")
+  command->add_option("--shear-limit", arguments->shearLimit_Pa, "Time above it, Pa; loads the scene")
       ->check(CLI::PositiveNumber);
   command->add_flag("--scene", arguments->scene, "Load the scene: adds the wander about the organ's axis");
   command->add_option("--organ", arguments->organ.organ, "The mesh file that the trial was recorded on");

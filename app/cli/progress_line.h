@@ -11,10 +11,12 @@ namespace torsio::cli {
 class ProgressLine {
  public:
   ProgressLine();
+  /// Ends the line on a terminal.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
+  /// Shows the step and how much of it is done.
   void show(const Progress& progress);
 
  private:

@@ -26,14 +26,15 @@ struct RatingGrid {
 /// Lays out the scores as targets x raters; undefined when one is missing.
 [[nodiscard]] Outcome<NumberTable> completeTable(const RatingGrid& grid);
 
-/// The scores that a rater gave, smallest first, each once.
+/// Lists the scores that occur, smallest first, each once.
 [[nodiscard]] std::vector<double> distinctScores(const RatingGrid& grid);
 
-/// Scores of two raters for the targets that both have rated.
+/// Scores of two raters for the targets that both have rated, in the order of the targets.
 struct SharedScores {
   std::vector<double> first;
   std::vector<double> second;
 };
+/// Gathers the scores of the raters numbered `first` and `second`.
 [[nodiscard]] SharedScores sharedScores(const RatingGrid& grid, std::size_t first, std::size_t second);
 
 /// One complete table, targets x raters, for each occasion or task.

@@ -31,14 +31,15 @@ struct Study {
 /// subject at one occasion and for a subject in two groups.
 [[nodiscard]] Study readStudy(const CsvTable& table);
 
-/// The scores at one occasion, group by group.
+/// Gathers the scores at one occasion, group by group.
 [[nodiscard]] Groups scoresAt(const Study& study, const std::string& occasion);
 
 /// The subjects of one group with a score at every occasion asked for.
 struct CompleteSubjects {
   std::vector<std::vector<double>> scores;  ///< subjects x occasions
-  std::size_t leftOut = 0;
+  std::size_t leftOut = 0;                  ///< subjects of the group without some of these scores
 };
+/// Gathers the subjects of `group` that have a score at all of `occasions`.
 [[nodiscard]] CompleteSubjects completeSubjects(const Study& study, std::size_t group,
                                                 const std::vector<std::string>& occasions);
 

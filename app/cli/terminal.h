@@ -3,7 +3,8 @@
 
 namespace torsio::cli {
 
-/// True when a person watches standard error; terminal_posix.cpp or terminal_windows.cpp.
+/// True when standard error is a terminal, so that a person watches it (terminal_posix.cpp,
+/// terminal_windows.cpp).
 [[nodiscard]] bool standardErrorIsTerminal() noexcept;
 
 }  // namespace torsio::cli

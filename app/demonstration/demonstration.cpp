@@ -12,7 +12,6 @@
 #include "app/recording/expert_run.h"
 #include "app/recording/kept_digests.h"
 #include "app/recording/pipeline.h"
-#include "app/recording/trial_summary.h"
 #include "app/report/pdf_report.h"
 #include "app/scoring/cohort_inputs.h"
 #include "app/scoring/scoring_service.h"
@@ -92,7 +91,11 @@ class TemporaryDatabase {
 class Demonstration {
  public:
   Demonstration(const DemonstrationOptions& options, Connection& connection)
-      : options_(options), connection_(connection), ids_(options.seed), meter_(options.progress) {}
+      : options_(options),
+        connection_(connection),
+        ids_(options.seed),
+        rules_(options.training.assets),
+        meter_(options.progress) {}
 
   CohortInputs run() {
     meter_.show("Loading the organs", 0.0);
@@ -164,18 +167,23 @@ class Demonstration {
     recordScriptedTrial(scene, trial, repository);
 
     const Trial stored = repository.load(recording.trialId);
-    TrialDigest digest = trialDigest(stored, decodeTrial(stored), scene.pattern.tolerance_rad);
-    summary_.samples += digest.samples;
-    summary_.recorded_min += digest.minutes;
+    const AttemptRules rules = rules_.of(connection_, scene.id, scene.pattern.id, context.moduleId);
+    const StoredTrialDigest digest = keptDigest(
+        stored, measureAttempt(stored.header, decodeTrial(stored), rules), rules, options_.simulatedUtc_us);
+    TrialSummaryRow row = summaryRow({.trialId = recording.trialId,
+                                      .traineeCode = recording.traineeCode,
+                                      .phaseLabel = recording.phaseLabel,
+                                      .summary = stored.summary},
+                                     digest);
+    summary_.samples += row.samples;
+    summary_.recorded_min += row.minutes;
     ++summary_.trials;
     if (trainee == nullptr) return;
     if (summary_.firstTrialId.empty()) summary_.firstTrialId = recording.trialId;
-    digest.group = trainee->group;
-    digest.model = scene.model.options().formulation == Formulation::kPaper ? "paper" : "Saint-Venant";
-    summary_.twists += digest.twists;
-    const StoredTrialDigest kept = keptDigest(digest, scene.pattern.tolerance_rad, options_.simulatedUtc_us);
-    DigestRepository(connection_).add({&kept, 1});
-    digests_.push_back(std::move(digest));
+    row.group = trainee->group;
+    summary_.twists += row.twists;
+    DigestRepository(connection_).add({&digest, 1});
+    digests_.push_back(std::move(row));
   }
 
   CohortInputs assess(const Scene& training, const Scene& example) {
@@ -207,10 +215,11 @@ class Demonstration {
   const DemonstrationOptions& options_;
   Connection& connection_;
   SeededIdSource ids_;
+  ExerciseRules rules_;
   ProgressMeter meter_;
   DemonstrationStudy study_;
   StoredCurriculumVersion curriculum_;
-  std::vector<TrialDigest> digests_;
+  std::vector<TrialSummaryRow> digests_;
   DemonstrationSummary summary_;
 };
 

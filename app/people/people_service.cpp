@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/base/refusal.h"
 #include "app/people/person_codes.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
@@ -20,10 +21,6 @@ namespace {
 constexpr std::array<const char*, 2> kStates{"active", "left"};
 constexpr std::int64_t kYoungest_years = 14;
 constexpr std::int64_t kOldest_years = 100;
-
-[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadData, what, where, remedy);
-}
 
 std::map<std::string, PersonRow> rowsById(PeopleRepository& repository) {
   std::map<std::string, PersonRow> rows;

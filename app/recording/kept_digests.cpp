@@ -1,37 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/recording/kept_digests.h"
 
-#include "app/recording/trial_summary.h"
+#include <algorithm>
+#include <optional>
+
+#include "app/base/assets.h"
+#include "assessment/metrics/metric_cards.h"
 #include "assessment/metrics/trial_metrics.h"
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
+#include "sim/record/sample_codec.h"
 #include "sim/scene/scene_file.h"
 
 namespace torsio {
 
-double DigestTolerances::of(const std::string& sceneId, const std::string& patternId,
-                            const std::string& moduleId,
-                            const std::optional<StoredCurriculumVersion>& curriculum) {
-  if (curriculum && !moduleId.empty())
-    for (const StoredModule& module : curriculum->modules)
-      if (module.id == moduleId) return module.tolerance_rad;
-  const auto [known, isNew] = patterns_.try_emplace({sceneId, patternId}, TrialTargets{}.tolerance_rad);
-  if (!isNew) return known->second;
+namespace {
+
+constexpr double kMinute_us = 60e6;
+
+}  // namespace
+
+AttemptRules ExerciseRules::of(Connection& connection, const std::string& sceneId,
+                               const std::string& patternId, const std::string& moduleId) {
+  if (!moduleId.empty()) {
+    if (const auto known = modules_.find(moduleId); known != modules_.end()) {
+      return known->second;
+    }
+    if (const auto stored = DigestRepository(connection).rulesOfModule(moduleId)) {
+      const AttemptRules rules{.tolerance_rad = stored->tolerance_rad,
+                               .forceLimit_N = stored->forceLimit_N,
+                               .torqueLimit_Nm = stored->torqueLimit_Nm,
+                               .hold_s = static_cast<double>(stored->hold_us) * 1e-6};
+      return modules_.emplace(moduleId, rules).first->second;
+    }
+  }
+  return ofPattern(sceneId, patternId);
+}
+
+AttemptRules ExerciseRules::ofPattern(const std::string& sceneId, const std::string& patternId) {
+  AttemptRules rules;
+  rules.tolerance_rad = patternTolerance_rad(sceneId, patternId);
+  return rules;
+}
+
+double ExerciseRules::patternTolerance_rad(const std::string& sceneId, const std::string& patternId) {
+  const auto [known, isNew] = patterns_.try_emplace({sceneId, patternId}, kUsualTolerance_rad);
+  if (!isNew) {
+    return known->second;
+  }
   try {
-    for (const PatternDescription& description : readSceneFile(assets_, sceneId).patterns)
-      if (description.pattern.id == patternId) known->second = description.pattern.tolerance_rad;
+    const std::filesystem::path folder = assets_.empty() ? assetsFolder() : assets_;
+    for (const PatternDescription& description : readSceneFile(folder, sceneId).patterns) {
+      if (description.pattern.id == patternId) {
+        known->second = description.pattern.tolerance_rad;
+      }
+    }
   } catch (const Error&) {
     // A scene of another installation: the usual tolerance of two degrees counts.
   }
   return known->second;
-}
-
-std::optional<StoredCurriculumVersion> curriculumOfCohort(Connection& connection,
-                                                          const std::string& cohortId) {
-  for (const StoredCohort& cohort : StudyRepository(connection).cohorts())
-    if (cohort.id == cohortId && !cohort.curriculumVersionId.empty())
-      return CurriculumRepository(connection).version(cohort.curriculumVersionId);
-  return std::nullopt;
 }
 
 std::string modelName(const std::string& parametersJson) {
@@ -43,59 +70,99 @@ std::string modelName(const std::string& parametersJson) {
   }
 }
 
-StoredTrialDigest keptDigest(const TrialDigest& digest, double tolerance_rad, std::int64_t now_us) {
-  StoredTrialDigest kept{.trialId = digest.trialId,
-                         .formulaVersion = kTrialDigestVersion,
-                         .tolerance_rad = tolerance_rad,
-                         .contentHash = digest.contentHash,
-                         .model = digest.model,
-                         .minutes = digest.minutes,
-                         .meanAbsoluteError_deg = digest.meanAbsoluteError_deg,
-                         .peakTorque_Nm = digest.peakTorque_Nm,
-                         .peakForce_N = digest.peakForce_N,
-                         .computedUtc_us = now_us};
-  kept.attempts.reserve(digest.attempts.size());
-  for (const TwistAttempt& attempt : digest.attempts)
-    kept.attempts.emplace_back(attempt.error_deg, attempt.onTarget);
+StoredTrialDigest keptDigest(const Trial& trial, const AttemptMeasures& measures, const AttemptRules& rules,
+                             std::int64_t now_us) {
+  StoredTrialDigest kept;
+  kept.trialId = trial.header.trialId;
+  kept.formulaVersion = kMetricsVersion;
+  kept.tolerance_rad = rules.tolerance_rad;
+  kept.forceLimit_N = rules.forceLimit_N;
+  kept.torqueLimit_Nm = rules.torqueLimit_Nm;
+  kept.contentHash = trial.summary.contentHash;
+  kept.model = modelName(trial.header.parametersJson);
+  kept.duration_us = measures.duration_us;
+  kept.unfinishedTwists = measures.unfinished;
+  kept.meanAbsoluteError_deg = measures.meanAbsoluteError_deg;
+  kept.peakTorque_Nm = measures.peakTorque_Nm;
+  kept.peakForce_N = measures.peakForce_N;
+  for (const JudgedTwist& twist : measures.twists) {
+    kept.attempts.emplace_back(twist.error_deg, twist.onTarget);
+  }
+  kept.measures = measures.values;
+  kept.computedUtc_us = now_us;
   return kept;
 }
 
-TrialDigest digestFrom(const StoredTrialDigest& kept, const TrialListing& listing) {
-  const TrialSummary& summary = listing.summary.value();
-  TrialDigest digest;
-  digest.trialId = listing.trialId;
-  digest.trainee = listing.traineeCode;
-  digest.phase = listing.phaseLabel;
-  digest.model = kept.model;
-  digest.minutes = kept.minutes;
-  digest.samples = summary.samples;
-  digest.refusedSamples = summary.refusedSamples;
-  digest.lateTicks = summary.lateTicks;
-  digest.interrupted = summary.outcome == TrialOutcome::kInterrupted;
-  digest.contentHash = summary.contentHash;
-  digest.meanAbsoluteError_deg = kept.meanAbsoluteError_deg;
-  digest.peakTorque_Nm = kept.peakTorque_Nm;
-  digest.peakForce_N = kept.peakForce_N;
-  digest.attempts.reserve(kept.attempts.size());
+AttemptMeasures measuresFrom(const StoredTrialDigest& kept) {
+  AttemptMeasures measures;
+  measures.duration_us = kept.duration_us;
   for (const auto& [error_deg, onTarget] : kept.attempts) {
-    digest.attempts.push_back({error_deg, onTarget});
-    digest.twistsOnTarget += onTarget ? 1 : 0;
+    measures.twists.push_back({error_deg, onTarget});
   }
-  digest.twists = static_cast<std::int64_t>(digest.attempts.size());
-  return digest;
+  measures.unfinished = kept.unfinishedTwists;
+  measures.meanAbsoluteError_deg = kept.meanAbsoluteError_deg;
+  measures.peakTorque_Nm = kept.peakTorque_Nm;
+  measures.peakForce_N = kept.peakForce_N;
+  measures.values = kept.measures;
+  return measures;
 }
 
-void keepDigestOf(Connection& connection, const Trial& trial, std::span<const Sample> samples,
-                  const TrialContext& context, DigestTolerances& tolerances, std::int64_t now_us) {
-  if (connection.readOnly() || context.enrolmentId.empty() || trial.summary.contentHash.empty()) return;
-  DigestRepository digests(connection);
-  const double tolerance_rad =
-      tolerances.of(trial.header.sceneId, trial.header.patternId, context.moduleId,
-                    curriculumOfCohort(connection, digests.cohortOf(context.enrolmentId)));
-  TrialDigest digest = trialDigest(trial, samples, tolerance_rad);
-  digest.model = modelName(trial.header.parametersJson);
-  const StoredTrialDigest kept = keptDigest(digest, tolerance_rad, now_us);
-  digests.add({&kept, 1});
+const StoredTrialDigest* findDigest(std::span<const StoredTrialDigest> kept, const std::string& contentHash,
+                                    const AttemptRules& rules) {
+  const auto found = std::find_if(kept.begin(), kept.end(), [&](const StoredTrialDigest& digest) {
+    return digest.contentHash == contentHash && digest.tolerance_rad == rules.tolerance_rad &&
+           digest.forceLimit_N == rules.forceLimit_N && digest.torqueLimit_Nm == rules.torqueLimit_Nm;
+  });
+  return found == kept.end() ? nullptr : &*found;
+}
+
+TrialSummaryRow summaryRow(const TrialListing& listing, const StoredTrialDigest& digest) {
+  const TrialSummary& summary = listing.summary.value();
+  const AttemptMeasures measures = measuresFrom(digest);
+  TrialSummaryRow row;
+  row.trialId = listing.trialId;
+  row.trainee = listing.traineeCode;
+  row.phase = listing.phaseLabel;
+  row.model = digest.model;
+  row.minutes = static_cast<double>(measures.duration_us) / kMinute_us;
+  row.samples = summary.samples;
+  row.refusedSamples = summary.refusedSamples;
+  row.lateTicks = summary.lateTicks;
+  row.interrupted = summary.outcome == TrialOutcome::kInterrupted;
+  row.contentHash = summary.contentHash;
+  row.twists = std::ssize(measures.twists);
+  row.twistsOnTarget = measures.twistsOnTarget();
+  row.unfinishedTwists = measures.unfinished;
+  row.meanAbsoluteError_deg = measures.meanAbsoluteError_deg;
+  row.peakTorque_Nm = measures.peakTorque_Nm;
+  row.peakForce_N = measures.peakForce_N;
+  for (const JudgedTwist& twist : measures.twists) {
+    row.attempts.push_back({twist.error_deg, twist.onTarget});
+  }
+  return row;
+}
+
+StoredTrialDigest digestOf(Connection& connection, const TrialListing& listing, ExerciseRules& exercises,
+                           std::int64_t now_us) {
+  const AttemptRules rules = exercises.of(connection, listing.sceneId, listing.patternId, listing.moduleId);
+  const std::vector<StoredTrialDigest> kept =
+      DigestRepository(connection).ofTrial(listing.trialId, kMetricsVersion);
+  if (const StoredTrialDigest* known = findDigest(kept, listing.summary.value().contentHash, rules)) {
+    return *known;
+  }
+  const Trial trial = TrialRepository(connection).load(listing.trialId);
+  const AttemptMeasures measures = measureAttempt(trial.header, decodeTrial(trial), rules);
+  keepDigest(connection, trial, measures, rules, now_us);
+  return keptDigest(trial, measures, rules, now_us);
+}
+
+void keepDigest(Connection& connection, const Trial& trial, const AttemptMeasures& measures,
+                const AttemptRules& rules, std::int64_t now_us) {
+  if (connection.readOnly() || trial.summary.contentHash.empty()) {
+    return;
+  }
+  const StoredTrialDigest kept = keptDigest(trial, measures, rules, now_us);
+  DigestRepository(connection).add({&kept, 1});
 }
 
 }  // namespace torsio

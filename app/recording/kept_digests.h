@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 
+#include "assessment/attempt/attempt_measures.h"
 #include "assessment/report/cohort_report.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/trial/digest_repository.h"
@@ -17,43 +18,55 @@
 
 namespace torsio {
 
-/// Of trialDigest (trial_summary.h). Change it whenever a number that it gives changes: digests of the older
-/// version stay where they are, and recordings are measured anew.
-inline constexpr const char* kTrialDigestVersion = "twist-digest 1";
-
-/// Which error still counts as on target: that of the module, else that of the scene's pattern in `assets`,
-/// else two degrees. One thread at a time.
-class DigestTolerances {
+/// By what each recording is judged: its module's tolerance, hold and limits, else the tolerance of the
+/// scene's pattern in the assets, else kUsualTolerance_rad. Who looks, and when, changes nothing. One thread
+/// at a time.
+class ExerciseRules {
  public:
-  explicit DigestTolerances(std::filesystem::path assets) : assets_(std::move(assets)) {}
+  /// `assets`: where patterns are read; empty: assetsFolder().
+  explicit ExerciseRules(std::filesystem::path assets = {}) : assets_(std::move(assets)) {}
 
-  [[nodiscard]] double of(const std::string& sceneId, const std::string& patternId,
-                          const std::string& moduleId,
-                          const std::optional<StoredCurriculumVersion>& curriculum);
+  /// Finds the rules of a recording in `connection`; `moduleId` is empty for one that belongs to no module.
+  /// Throws DbError.
+  [[nodiscard]] AttemptRules of(Connection& connection, const std::string& sceneId,
+                                const std::string& patternId, const std::string& moduleId);
+
+  /// Finds the rules of a recording that belongs to no module.
+  [[nodiscard]] AttemptRules ofPattern(const std::string& sceneId, const std::string& patternId);
 
  private:
-  std::filesystem::path assets_;
-  std::map<std::pair<std::string, std::string>, double> patterns_;  // by scene and pattern
-};
+  [[nodiscard]] double patternTolerance_rad(const std::string& sceneId, const std::string& patternId);
 
-/// The curriculum that a cohort follows, if any.
-[[nodiscard]] std::optional<StoredCurriculumVersion> curriculumOfCohort(Connection& connection,
-                                                                        const std::string& cohortId);
+  std::filesystem::path assets_;
+  std::map<std::string, AttemptRules> modules_;                     // by id; they never change
+  std::map<std::pair<std::string, std::string>, double> patterns_;  // tolerance by scene and pattern
+};
 
 /// Name of the twist model as reports say it, out of the recorded parameters.
 [[nodiscard]] std::string modelName(const std::string& parametersJson);
 
-/// As it is stored.
-[[nodiscard]] StoredTrialDigest keptDigest(const TrialDigest& digest, double tolerance_rad,
-                                           std::int64_t now_us);
-/// As reports use it: what the trial's own rows say comes from `listing`. Group and model aside, the same as
-/// trialDigest gave.
-[[nodiscard]] TrialDigest digestFrom(const StoredTrialDigest& kept, const TrialListing& listing);
+/// Turns what was measured into what is stored, with the version of the formulas.
+[[nodiscard]] StoredTrialDigest keptDigest(const Trial& trial, const AttemptMeasures& measures,
+                                           const AttemptRules& rules, std::int64_t now_us);
+/// Turns what is stored back into what was measured, to the last bit.
+[[nodiscard]] AttemptMeasures measuresFrom(const StoredTrialDigest& kept);
+/// Finds the digest of this very recording, judged by these very rules; null: there is none.
+[[nodiscard]] const StoredTrialDigest* findDigest(std::span<const StoredTrialDigest> kept,
+                                                  const std::string& contentHash, const AttemptRules& rules);
 
-/// Measures a finished recording of an enrolled trainee and keeps the digest beside it, if it is not there
-/// yet: right after a run and when a station puts its recordings in order. `samples`: decoded. Does nothing
-/// for free practice and for recordings without an end.
-void keepDigestOf(Connection& connection, const Trial& trial, std::span<const Sample> samples,
-                  const TrialContext& context, DigestTolerances& tolerances, std::int64_t now_us);
+/// The line of the report for a finished recording: what the trial's own rows say, and what was measured. The
+/// caller fills in the group.
+[[nodiscard]] TrialSummaryRow summaryRow(const TrialListing& listing, const StoredTrialDigest& digest);
+
+/// Returns the digest of a finished recording by the rules of its exercise. One of the present version is
+/// read; otherwise the recording is read, measured, and its digest kept beside it, unless the record is
+/// read-only or the recording has no content hash. Slow in that case. Throws Error, DbError.
+[[nodiscard]] StoredTrialDigest digestOf(Connection& connection, const TrialListing& listing,
+                                         ExerciseRules& rules, std::int64_t now_us);
+
+/// Keeps what was measured of a finished recording, unless it is there already, the record is read-only or
+/// the recording has no content hash.
+void keepDigest(Connection& connection, const Trial& trial, const AttemptMeasures& measures,
+                const AttemptRules& rules, std::int64_t now_us);
 
 }  // namespace torsio

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "app/recording/kept_digests.h"
 #include "db/migrations/migrations.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
@@ -34,6 +35,18 @@ Trial loadStoredTrial(const std::string& database, const std::string& trialId) {
   Connection connection = openRecord(database, OpenMode::kReadOnly);
   TrialRepository trials(connection);
   return trials.load(fullTrialId(trials, trialId));
+}
+
+StoredRun loadStoredRun(const std::string& database, const std::string& trialId,
+                        const std::filesystem::path& assets) {
+  Connection connection = openRecord(database, OpenMode::kReadOnly);
+  TrialRepository trials(connection);
+  StoredRun run{.trial = trials.load(fullTrialId(trials, trialId)), .rules = {}};
+  const TrialHeader& header = run.trial.header;
+  const TrialContext context = trials.context(header.trialId).value_or(TrialContext{});
+  ExerciseRules exercises(assets);
+  run.rules = exercises.of(connection, header.sceneId, header.patternId, context.moduleId);
+  return run;
 }
 
 ReplayResult replayStoredTrial(const ReplayRequest& request) {

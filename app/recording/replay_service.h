@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "assessment/attempt/measured_trial.h"
 #include "sim/servo/replay_trial.h"
 
 namespace torsio {
@@ -12,6 +13,16 @@ namespace torsio {
 /// The stored trial whose id is `trialId` or, alone of all, begins with it. The database is opened read-only.
 /// Throws Error: no such trial, several such trials, or what the database refuses.
 [[nodiscard]] Trial loadStoredTrial(const std::string& database, const std::string& trialId);
+
+/// A stored trial with the rules of its exercise.
+struct StoredRun {
+  Trial trial;
+  AttemptRules rules;
+};
+/// Loads a trial as loadStoredTrial does, and finds by what it is judged. `assets`: where patterns are read;
+/// empty: assetsFolder(). Throws the same.
+[[nodiscard]] StoredRun loadStoredRun(const std::string& database, const std::string& trialId,
+                                      const std::filesystem::path& assets = {});
 
 struct ReplayRequest {
   std::string database;  ///< file or postgresql:// locator, opened read-only

@@ -12,7 +12,6 @@
 #include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/tick_period.h"
-#include "sim/record/sample_codec.h"
 
 namespace torsio {
 
@@ -85,20 +84,23 @@ TrialListing listingOf(TrialRepository& trials, const Trial& trial) {
           .attemptMode = context.attemptMode};
 }
 
-/// What reports need of the recording, while it is at hand.
-void keepDigest(Workplace& workplace, TrialRepository& trials, const std::string& trialId) {
-  const Trial trial = trials.load(trialId);
-  DigestTolerances tolerances(assetsFolder());
-  keepDigestOf(workplace.connection(), trial, decodeTrial(trial),
-               trials.context(trialId).value_or(TrialContext{}), tolerances, workplace.now_us());
+/// Measures a recording that ended just now and keeps its digest; free practice is nobody's and is not
+/// measured.
+void measureNow(Workplace& workplace, const TrialListing& trial) {
+  if (trial.enrolmentId.empty()) {
+    return;
+  }
+  ExerciseRules rules;
+  static_cast<void>(digestOf(workplace.connection(), trial, rules, workplace.now_us()));
 }
 
 SettledTrial store(Workplace& workplace, const UnstoredTrial& waiting) {
   Transaction transaction(workplace.connection());
   TrialRepository trials(workplace.connection(), waiting.context);
   trials.import(waiting.trial);
-  keepDigest(workplace, trials, waiting.trial.header.trialId);
-  SettledTrial stored = settled(workplace, listingOf(trials, waiting.trial), true);
+  TrialListing listing = listingOf(trials, waiting.trial);
+  measureNow(workplace, listing);
+  SettledTrial stored = settled(workplace, std::move(listing), true);
   transaction.commit();
   std::error_code ignored;  // given once more at the next start, which is no error
   std::filesystem::remove(waiting.file, ignored);
@@ -129,7 +131,7 @@ StationStart settleStation(Workplace& workplace, const std::filesystem::path& fo
   TrialRepository trials(workplace.connection());
   for (TrialListing& trial :
        trials.closeInterrupted(workplace.station(), workplace.now_us() - kQuietTrial_us)) {
-    keepDigest(workplace, trials, trial.trialId);
+    measureNow(workplace, trial);
     start.trials.push_back(settled(workplace, std::move(trial), false));
   }
   transaction.commit();

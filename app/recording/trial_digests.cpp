@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "app/recording/trial_summary.h"
+#include "assessment/metrics/metric_cards.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/record/sample_codec.h"
@@ -42,16 +42,15 @@ std::vector<TrialListing> finishedTrials(TrialRepository& trials,
   return listed;
 }
 
-using Kept = std::multimap<std::string, StoredTrialDigest>;
+using Kept = std::map<std::string, std::vector<StoredTrialDigest>>;
 
-/// What was kept of this very recording, judged by this very tolerance.
-const StoredTrialDigest* find(const Kept& kept, const TrialListing& listing, double tolerance_rad) {
-  const auto [begin, end] = kept.equal_range(listing.trialId);
-  const auto found = std::find_if(begin, end, [&](const auto& entry) {
-    return entry.second.tolerance_rad == tolerance_rad &&
-           entry.second.contentHash == listing.summary->contentHash;
-  });
-  return found == end ? nullptr : &found->second;
+/// What was kept of the trials of a cohort by the present formulas, by trial.
+Kept keptOf(Connection& connection, const std::string& cohortId) {
+  Kept kept;
+  for (auto& [trialId, digest] : DigestRepository(connection).ofCohort(cohortId, kMetricsVersion)) {
+    kept[trialId].push_back(std::move(digest));
+  }
+  return kept;
 }
 
 /// Digests that are new, stored some hundred at a time: little is lost when the work is given up.
@@ -77,38 +76,36 @@ class Fresh {
 
 }  // namespace
 
-std::vector<TrialDigest> TrialDigests::ofCohort(Workplace& workplace, const std::string& cohortId,
-                                                const ProgressCallback& progress) {
+std::vector<TrialSummaryRow> TrialDigests::ofCohort(Workplace& workplace, const std::string& cohortId,
+                                                    const ProgressCallback& progress) {
   workplace.require(Operation::kResultsCompute);
   Connection& connection = workplace.connection();
   StudyRepository study(connection);
   TrialRepository trials(connection);
   const std::map<std::string, std::size_t> groups = groupOfEnrolment(study, cohortId);
-  const std::optional<StoredCurriculumVersion> curriculum = curriculumOfCohort(connection, cohortId);
   const std::vector<TrialListing> listed = finishedTrials(trials, groups);
-  const Kept kept = DigestRepository(connection).ofCohort(cohortId, kTrialDigestVersion);
+  Kept kept = keptOf(connection, cohortId);
   Fresh fresh(connection);
-  std::vector<TrialDigest> out;
+  std::vector<TrialSummaryRow> out;
   out.reserve(listed.size());
   for (std::size_t i = 0; i < listed.size(); ++i) {
     const TrialListing& listing = listed[i];
-    const double tolerance_rad =
-        tolerances_.of(listing.sceneId, listing.patternId, listing.moduleId, curriculum);
-    if (const StoredTrialDigest* known = find(kept, listing, tolerance_rad)) {
-      out.push_back(digestFrom(*known, listing));
+    const AttemptRules rules = rules_.of(connection, listing.sceneId, listing.patternId, listing.moduleId);
+    if (const StoredTrialDigest* known =
+            findDigest(kept[listing.trialId], listing.summary->contentHash, rules)) {
+      out.push_back(summaryRow(listing, *known));
     } else {
       if (progress && measured_ % kProgressEvery == 0)
         progress({Text("Reading recording %1 of %2", i + 1, listed.size()),
                   static_cast<double>(i) / static_cast<double>(listed.size()), -1.0});
       const Trial trial = trials.load(listing.trialId);
-      TrialDigest digest = trialDigest(trial, decodeTrial(trial), tolerance_rad);
-      digest.model = modelName(trial.header.parametersJson);
-      fresh.add(keptDigest(digest, tolerance_rad, workplace.now_us()));
+      StoredTrialDigest digest = keptDigest(trial, measureAttempt(trial.header, decodeTrial(trial), rules),
+                                            rules, workplace.now_us());
       ++measured_;
-      out.push_back(std::move(digest));
+      out.push_back(summaryRow(listing, digest));
+      fresh.add(std::move(digest));
     }
     out.back().group = groups.at(listing.enrolmentId);
-    out.back().trainee = listing.traineeCode;
   }
   fresh.keep();
   return out;

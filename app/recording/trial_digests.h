@@ -19,21 +19,21 @@ namespace torsio {
 class TrialDigests {
  public:
   /// `assets`: where the tolerances of exercises without a curriculum are read.
-  explicit TrialDigests(std::filesystem::path assets) : tolerances_(std::move(assets)) {}
+  explicit TrialDigests(std::filesystem::path assets) : rules_(std::move(assets)) {}
 
   /// Digests of the finished trials of a cohort, oldest first; groups are positions among the cohort's
   /// groups, trials of people without a group are left out. Those that nobody has measured by the present
-  /// formula are read and decoded, which takes a tenth of a second for twenty minutes; `progress` is told and
+  /// formulas are read and measured, which takes a second for twenty minutes; `progress` is told and
   /// may throw to give up; most of what was measured until then is kept. kResultsCompute.
   /// Throws Error, DbError.
-  [[nodiscard]] std::vector<TrialDigest> ofCohort(Workplace& workplace, const std::string& cohortId,
-                                                  const ProgressCallback& progress = {});
+  [[nodiscard]] std::vector<TrialSummaryRow> ofCohort(Workplace& workplace, const std::string& cohortId,
+                                                      const ProgressCallback& progress = {});
 
   /// Recordings that had to be read since this was made.
   [[nodiscard]] std::size_t measured() const noexcept { return measured_; }
 
  private:
-  DigestTolerances tolerances_;
+  ExerciseRules rules_;
   std::size_t measured_ = 0;
 };
 

@@ -85,7 +85,7 @@ void nameTrainees(Workplace& workplace, CohortInputs& inputs) {
   for (CohortTrainee& trainee : inputs.trainees) rename(trainee.code);
   for (TraineeScore& score : inputs.scores) rename(score.trainee);
   for (TrainingMark& mark : inputs.trainingMarks) rename(mark.trainee);
-  for (TrialDigest& trial : inputs.trials) rename(trial.trainee);
+  for (TrialSummaryRow& trial : inputs.trials) rename(trial.trainee);
   for (CohortDose& dose : inputs.doses) rename(dose.trainee);
   for (CohortDeviation& deviation : inputs.deviations) rename(deviation.trainee);
 }

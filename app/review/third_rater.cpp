@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/base/refusal.h"
 #include "app/study/case_order.h"
 #include "app/study/drawn_seed.h"
 #include "db/repository/people/people_repository.h"
@@ -147,20 +148,18 @@ std::vector<ThirdRequest> thirdRequests(Workplace& workplace, const std::string&
 std::string assignThird(Workplace& workplace, const std::string& cohortId, const std::string& assignmentId,
                         const std::string& raterId) {
   workplace.require(Operation::kStudySetup);
-  const auto refuse = [&](const char* what, const char* remedy) {
-    throw Error(ErrorCode::kBadData, what, assignmentId, remedy);
-  };
   Transaction transaction(workplace.connection());
   SheetRepository sheets(workplace.connection());
   const auto asked = sheets.findAssignment(assignmentId);
-  if (!asked) refuse("nobody has asked for a third rater here", "Read the list again");
+  if (!asked) refuse("nobody has asked for a third rater here", assignmentId, "Read the list again");
   const StoredAssignment& before = asked->assignment;
   const std::map<CaseKey, CaseSheets> cases = openCases(workplace.connection(), cohortId);
   const auto found = cases.find(keyOf(before));
-  if (found == cases.end()) refuse("nobody has asked for a third rater here", "Read the list again");
+  if (found == cases.end())
+    refuse("nobody has asked for a third rater here", assignmentId, "Read the list again");
   const std::vector<ThirdRater> free = freeFor(found->second, activeRaters(workplace.connection()));
   if (std::none_of(free.begin(), free.end(), [&](const ThirdRater& rater) { return rater.id == raterId; }))
-    refuse("this rater cannot be asked about this case", "Choose one from the list");
+    refuse("this rater cannot be asked about this case", assignmentId, "Choose one from the list");
   StoredAssignment next = before;
   std::set<std::string> labels;
   next.position = 0;

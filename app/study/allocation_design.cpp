@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/base/refusal.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -20,10 +21,6 @@ constexpr std::array<std::pair<AllocationMethod, const char*>, 4> kMethods{
      {AllocationMethod::kPermutedBlocks, "permuted blocks"},
      {AllocationMethod::kStratifiedBlocks, "stratified blocks"},
      {AllocationMethod::kMinimisation, "minimisation"}}};
-
-[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadData, what, where, remedy);
-}
 
 std::size_t levelOf(const AllocationFactor& factor, const std::string& level, const std::string& code) {
   const auto found = std::find(factor.levels.begin(), factor.levels.end(), level);

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/build_info.h"
+#include "app/base/refusal.h"
 #include "app/study/allocation_design.h"
 #include "app/study/drawn_seed.h"
 #include "db/repository/people/people_repository.h"
@@ -20,10 +21,6 @@ namespace torsio {
 namespace {
 
 constexpr std::size_t kTries = 200;
-
-[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadData, what, where, remedy);
-}
 
 /// A cohort as the draw sees it.
 struct Field {

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/base/refusal.h"
 #include "app/study/drawn_seed.h"
 #include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
@@ -23,15 +24,12 @@ constexpr std::size_t kAllOrdersUpTo = 4;  // 24 orders; five models would alrea
 constexpr std::uint64_t kLabelStream = 1;
 constexpr std::uint64_t kOrderStream = 2;
 
-[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadParameter, what, where, remedy);
-}
-
 /// X, Y, Z, then W, V ...: few enough to be told apart, and none that looks like a model's own name.
 std::vector<std::string> hiddenLabels(std::size_t count, Random& random) {
   constexpr std::string_view kLabels = "XYZWVUTSRQPN";
   if (count > kLabels.size()) {
-    refuse(Text("more than %1 models cannot be compared", kLabels.size()), "models", "Split the evaluation");
+    refuseParameter(Text("more than %1 models cannot be compared", kLabels.size()), "models",
+                    "Split the evaluation");
   }
   std::vector<std::string> labels;
   for (const char letter : kLabels.substr(0, count)) labels.emplace_back(1, letter);
@@ -58,16 +56,17 @@ std::vector<std::vector<std::size_t>> ordersOf(std::size_t models) {
 }
 
 void checkModels(const std::vector<NewModel>& models) {
-  if (models.size() < 2) refuse("there is nothing to compare", "models", "Name at least two models");
+  if (models.size() < 2) refuseParameter("there is nothing to compare", "models", "Name at least two models");
   std::set<std::string> codes;
   for (const NewModel& model : models) {
     if (model.code.empty() || model.label.empty()) {
-      refuse("a model has no code or no name", model.code + model.label, "Fill both in");
+      refuseParameter("a model has no code or no name", model.code + model.label, "Fill both in");
     }
     if (model.code.find(',') != std::string::npos) {
-      refuse("the code of a model holds a comma", model.code, "Use letters and digits");
+      refuseParameter("the code of a model holds a comma", model.code, "Use letters and digits");
     }
-    if (!codes.insert(model.code).second) refuse("two models have the same code", model.code, "Rename one");
+    if (!codes.insert(model.code).second)
+      refuseParameter("two models have the same code", model.code, "Rename one");
   }
 }
 
@@ -86,17 +85,17 @@ std::map<std::string, std::vector<StoredRater>> ratersByClass(Workplace& workpla
     ++found;
     const auto known = weight_milli.find(rater.classCode);
     if (known == weight_milli.end() || known->second == 0) {
-      refuse(Text("the class %1 has no weight in this evaluation", rater.classCode), rater.person.code,
-             "Give the class a weight, or leave the rater out");
+      refuseParameter(Text("the class %1 has no weight in this evaluation", rater.classCode),
+                      rater.person.code, "Give the class a weight, or leave the rater out");
     }
     byClass[rater.classCode].push_back(std::move(rater));
   }
   if (found != wanted.size())
-    refuse("somebody of the list is no active rater", "raters", "Choose from the list");
+    refuseParameter("somebody of the list is no active rater", "raters", "Choose from the list");
   for (const auto& [code, weight] : weight_milli) {
     if (weight > 0 && byClass[code].empty()) {
-      refuse(Text("nobody scores in the class %1, which has a weight", code), "raters",
-             "Choose raters of this class, or take its weight away");
+      refuseParameter(Text("nobody scores in the class %1, which has a weight", code), "raters",
+                      "Choose raters of this class, or take its weight away");
     }
   }
   return byClass;
@@ -113,7 +112,7 @@ EvaluationInstrument paperEvaluationInstrument() {
 
 std::string addCampaign(Workplace& workplace, const CampaignPlan& plan) {
   workplace.require(Operation::kEvaluationSetup);
-  if (plan.name.empty()) refuse("the evaluation has no name", "name", "Enter one");
+  if (plan.name.empty()) refuseParameter("the evaluation has no name", "name", "Enter one");
   checkModels(plan.models);
   validateInstrument(plan.instrument);
   Transaction transaction(workplace.connection());

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/base/refusal.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "sim/base/error.h"
@@ -13,10 +14,6 @@
 namespace torsio {
 
 namespace {
-
-[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadData, what, where, remedy);
-}
 
 StoredEnrolment enrolmentOf(StudyRepository& study, const std::string& cohortId,
                             const std::string& enrolmentId) {

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/base/refusal.h"
 #include "db/repository/base/field_digest.h"
 #include "db/repository/base/seals.h"
 #include "db/repository/people/access_repository.h"
@@ -28,10 +29,6 @@ using Manifest = std::map<std::string, Hashes>;     ///< table -> rows
 
 constexpr const char* kFormat = "torsio frozen data 1";
 constexpr std::size_t kShownDifferences = 20;
-
-[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadParameter, what, where, remedy);
-}
 
 std::string hashOf(const StoredEnrolment& row) {
   FieldDigest digest("torsio frozen enrolment 1");
@@ -107,7 +104,7 @@ Manifest manifestOf(Workplace& workplace, const std::string& cohortId,
   EvaluationRepository evaluations(connection);
   for (const std::string& campaignId : campaignIds) {
     const auto campaign = evaluations.campaign(campaignId);
-    if (!campaign) refuse("there is no such evaluation", campaignId, "Choose one from the list");
+    if (!campaign) refuseParameter("there is no such evaluation", campaignId, "Choose one from the list");
     manifest["evaluation_campaign"][campaignId] = hashOf(*campaign);
     const auto marks = idsOf(evaluations.marks(campaignId));
     if (marks.empty()) continue;
@@ -185,11 +182,12 @@ void compareTable(const std::string& table, const Hashes& then, const Hashes& no
 FrozenRow freezeData(Workplace& workplace, const std::string& cohortId, const std::string& name,
                      const std::vector<std::string>& campaignIds) {
   workplace.require(Operation::kResultsCompute);
-  if (name.empty()) refuse("the data set has no name", "name", "Enter one");
+  if (name.empty()) refuseParameter("the data set has no name", "name", "Enter one");
   Transaction transaction(workplace.connection());
   FreezeRepository repository(workplace.connection(), workplace.station());
   if (repository.findByName(name)) {
-    refuse("another data set has this name", name, "Choose another name; frozen data stay as they are");
+    refuseParameter("another data set has this name", name,
+                    "Choose another name; frozen data stay as they are");
   }
   const StoredCohort cohort = StudyRepository(workplace.connection()).cohort(cohortId);
   StoredFreeze freeze;
@@ -222,7 +220,7 @@ std::vector<FrozenRow> frozenData(Workplace& workplace, const std::string& cohor
 FrozenCheck compareWithFrozen(Workplace& workplace, const std::string& frozenId) {
   workplace.require(Operation::kResultsCompute);
   const auto stored = findFreeze(workplace, frozenId);
-  if (!stored) refuse("there is no such data set", frozenId, "Choose one from the list");
+  if (!stored) refuseParameter("there is no such data set", frozenId, "Choose one from the list");
   FrozenCheck check;
   if (hashOfText(stored->manifestJson) != stored->contentHash) {
     check.same = false;

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/base/refusal.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "sim/scene/json_fields.h"
@@ -20,10 +21,6 @@ using nlohmann::json;
 constexpr const char* kFormat = "torsio rubric 1";
 constexpr double kMostPoints = 1000.0;
 constexpr int kMostSteps = 1000;
-
-[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadParameter, what, where, remedy);
-}
 
 ScoreScale readScale(JsonFields& fields) {
   ScoreScale scale{.lo = -1'000'000, .hi = 1'000'000};
@@ -56,22 +53,26 @@ StoredRubricRow readRow(const json& source, const std::string& place) {
 
 void checkRevision(const StoredRubricRevision& revision) {
   validateScale(revision.overall);
-  if (revision.rows.empty()) refuse("the rubric has no rows", "rubric", "Add at least one criterion");
+  if (revision.rows.empty())
+    refuseParameter("the rubric has no rows", "rubric", "Add at least one criterion");
   std::set<std::string> codes;
   for (const StoredRubricRow& row : revision.rows) {
     const std::string where = "row " + row.code;
-    if (row.code.empty() || row.label.empty()) refuse("a row has no code or no label", where, "Fill both in");
-    if (!codes.insert(row.code).second) refuse("two rows have the same code", where, "Rename one of them");
+    if (row.code.empty() || row.label.empty())
+      refuseParameter("a row has no code or no label", where, "Fill both in");
+    if (!codes.insert(row.code).second)
+      refuseParameter("two rows have the same code", where, "Rename one of them");
     validateScale(row.scale);
     std::set<std::int64_t> scores;
     for (const StoredAnchor& anchor : row.anchors) {
       if (!isOnScale(anchor.score_steps, row.scale)) {
-        refuse("an anchor lies outside the scale", where, "Move it, or widen the scale");
+        refuseParameter("an anchor lies outside the scale", where, "Move it, or widen the scale");
       }
       if (!scores.insert(anchor.score_steps).second) {
-        refuse("two anchors stand at the same score", where, "Join them");
+        refuseParameter("two anchors stand at the same score", where, "Join them");
       }
-      if (anchor.meaning.empty()) refuse("an anchor has no words", where, "Say what the score means");
+      if (anchor.meaning.empty())
+        refuseParameter("an anchor has no words", where, "Say what the score means");
     }
   }
 }
@@ -156,7 +157,7 @@ std::vector<RubricRow> rubrics(Workplace& workplace) {
 std::string addRubric(Workplace& workplace, const std::string& name, const StoredRubricRevision& first,
                       bool demonstration) {
   workplace.require(Operation::kCurriculumEdit);
-  if (name.empty()) refuse("the rubric has no name", "rubric", "Enter one");
+  if (name.empty()) refuseParameter("the rubric has no name", "rubric", "Enter one");
   checkRevision(first);
   Transaction transaction(workplace.connection());
   const std::string rubricId = workplace.ids().newUuid();
@@ -172,7 +173,7 @@ std::string reviseRubric(Workplace& workplace, const std::string& rubricId, cons
   checkRevision(next);
   Transaction transaction(workplace.connection());
   const std::size_t before = SheetRepository(workplace.connection()).revisionIds(rubricId).size();
-  if (before == 0) refuse("there is no such rubric", rubricId, "Choose one from the list");
+  if (before == 0) refuseParameter("there is no such rubric", rubricId, "Choose one from the list");
   const std::string id =
       storeRevision(workplace, rubricId, next, static_cast<std::int64_t>(before + 1), note);
   transaction.commit();

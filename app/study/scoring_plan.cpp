@@ -8,7 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/base/refusal.h"
 #include "app/scoring/cohort_occasions.h"
+#include "app/scoring/scoring_service.h"
 #include "app/study/case_order.h"
 #include "app/study/drawn_seed.h"
 #include "db/repository/people/people_repository.h"
@@ -26,10 +28,6 @@ constexpr std::uint64_t kLabelsOfRater = 100'000;
 
 [[noreturn]] void refuseParameter(const Text& what, const Text& where, const Text& remedy) {
   throw Error(ErrorCode::kBadParameter, what, where, remedy);
-}
-
-[[noreturn]] void refuse(const Text& what, const Text& where, const Text& remedy) {
-  throw Error(ErrorCode::kBadData, what, where, remedy);
 }
 
 /// One trainee at one occasion.

@@ -2,86 +2,27 @@
 #include "app/training/attempts.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <string_view>
 
+#include "app/recording/kept_digests.h"
 #include "app/training/trainee_record.h"
 #include "assessment/metrics/metric_cards.h"
-#include "assessment/statistics/quantiles.h"
-#include "sim/record/sample_codec.h"
 
 namespace torsio {
 
 namespace {
 
-constexpr const char* kTwists = "twists";
-constexpr const char* kDuration = "duration_s";
 constexpr std::int64_t kMostAttempts = 10'000;
 
-/// Mishaps of all twists add up, and of a largest value the largest counts; else the middle one does.
-constexpr std::array<std::string_view, 6> kSummed{"twist.excursions",     "force.violations",
-                                                  "force.violation_time", "force.excess",
-                                                  "torque.violations",    "shear.over_limit"};
-constexpr std::array<std::string_view, 4> kLargest{"force.peak", "force.peak_raw", "torque.peak",
-                                                   "force.rate"};
-
-template <std::size_t N>
-bool isOneOf(const std::array<std::string_view, N>& ids, std::string_view id) {
-  return std::find(ids.begin(), ids.end(), id) != ids.end();
-}
-
-double overTwists(std::string_view id, const std::vector<double>& values) {
-  if (isOneOf(kLargest, id)) return *std::max_element(values.begin(), values.end());
-  if (!isOneOf(kSummed, id)) return quantile(values, 0.5).value();
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return sum;
-}
-
-/// The values that were kept beside the trial; false when there are none of this version.
-bool readKept(const std::vector<StoredTrialEvent>& events, Attempt& attempt) {
-  bool found = false;
-  for (const StoredTrialEvent& event : events) {
-    if (event.kind != kMetricsVersion || !event.value) continue;
-    found = true;
-    if (event.label == kTwists) {
-      attempt.twists = std::llround(*event.value);
-    } else if (event.label == kDuration) {
-      attempt.duration_s = *event.value;
-    } else {
-      attempt.values[event.label] = *event.value;
-    }
-  }
-  const auto reached = attempt.values.find(kTargetsReachedMetric);
-  if (reached != attempt.values.end()) attempt.onTarget = std::llround(reached->second);
-  return found;
-}
-
-void keep(TrialRepository& trials, const std::string& trialId, const std::vector<StoredTrialEvent>& before,
-          const Attempt& attempt) {
-  std::int64_t sequence = before.empty() ? 0 : before.back().sequence;
-  std::vector<StoredTrialEvent> events;
-  const auto add = [&](const std::string& label, double value) {
-    events.push_back({.sequence = ++sequence, .kind = kMetricsVersion, .label = label, .value = value});
-  };
-  add(kTwists, static_cast<double>(attempt.twists));
-  add(kDuration, attempt.duration_s);
-  for (const auto& [id, value] : attempt.values) add(id, value);
-  trials.addEvents(trialId, events);
-}
-
-/// `module` may be null: then the pattern's usual tolerance counts, and no limit.
-Attempt measured(TrialRepository& trials, const TrialListing& listing, const StoredModule* module) {
+Attempt measured(Workplace& workplace, const TrialListing& listing, ExerciseRules& rules) {
   Attempt attempt;
-  const std::vector<StoredTrialEvent> events = trials.events(listing.trialId);
-  if (listing.summary && !readKept(events, attempt)) {
-    const Trial trial = trials.load(listing.trialId);
-    const StoredModule standard;
-    const StoredModule& rules = module != nullptr ? *module : standard;
-    attempt = measureAttempt(trial.header, decodeTrial(trial), rules.tolerance_rad, rules.maxForce_N,
-                             rules.maxTorque_Nm);
-    keep(trials, listing.trialId, events, attempt);
+  if (listing.summary) {
+    const AttemptMeasures measures =
+        measuresFrom(digestOf(workplace.connection(), listing, rules, workplace.now_us()));
+    attempt.duration_s = static_cast<double>(measures.duration_us) * 1e-6;
+    attempt.twists = std::ssize(measures.twists);
+    attempt.onTarget = measures.twistsOnTarget();
+    attempt.unfinished = measures.unfinished;
+    attempt.values = measures.values;
   }
   attempt.trialId = listing.trialId;
   attempt.moduleId = listing.moduleId;
@@ -95,61 +36,12 @@ Attempt measured(TrialRepository& trials, const TrialListing& listing, const Sto
 
 }  // namespace
 
-bool cutOff(const MeasuredTwist& twist, std::span<const Sample> samples) {
-  return twist.firstSample + twist.samples == samples.size() &&
-         samples.back().phase == ExercisePhase::kTwisting;
-}
-
-Attempt measureAttempt(const TrialHeader& header, std::span<const Sample> samples, double tolerance_rad,
-                       std::optional<double> forceLimit_N, std::optional<double> torqueLimit_Nm) {
-  if (samples.size() < 2) return attemptFrom(header, samples, {}, tolerance_rad);
-  TrialMeasurement options;
-  options.tolerance_rad = tolerance_rad;
-  options.forceLimit_N = forceLimit_N;
-  options.wholeTrial = false;
-  options.torqueLimit_Nm = torqueLimit_Nm;
-  return attemptFrom(header, samples, measureRecordedTrial(header, samples, options), tolerance_rad);
-}
-
-Attempt attemptFrom(const TrialHeader& header, std::span<const Sample> samples, const MeasuredTrial& measured,
-                    double tolerance_rad) {
-  Attempt attempt;
-  attempt.trialId = header.trialId;
-  attempt.startedUtc_us = header.startedUtc_us;
-  attempt.duration_s = static_cast<double>(samples.size()) * static_cast<double>(header.tickPeriod_us) * 1e-6;
-  attempt.values[kTargetsReachedMetric] = 0.0;
-  if (samples.size() < 2) return attempt;
-  std::map<std::string_view, std::vector<double>> ofTwists;
-  for (const MeasuredTwist& twist : measured.twists) {
-    if (cutOff(twist, samples)) continue;
-    ++attempt.twists;
-    if (std::abs(twist.releasedAt_rad - twist.target_rad) <= tolerance_rad) ++attempt.onTarget;
-    if (!twist.metrics) continue;
-    for (const MetricValue& metric : twist.metrics->values) {
-      if (metric.value) ofTwists[metric.id].push_back(*metric.value);
-    }
-  }
-  for (const auto& [id, values] : ofTwists) attempt.values[std::string(id)] = overTwists(id, values);
-  attempt.values[kTargetsReachedMetric] = static_cast<double>(attempt.onTarget);
-  if (attempt.twists > 0) {
-    attempt.values[kOnTargetMetric] =
-        static_cast<double>(attempt.onTarget) / static_cast<double>(attempt.twists);
-  }
-  return attempt;
-}
-
-void keepAttempt(TrialRepository& trials, const std::string& trialId, const Attempt& attempt) {
-  const std::vector<StoredTrialEvent> events = trials.events(trialId);
-  Attempt before;
-  if (!readKept(events, before)) keep(trials, trialId, events, attempt);
-}
-
 Attempt attemptOf(Workplace& workplace, const std::string& trialId) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
-  TrialRepository trials(workplace.connection());
   const TrialListing listing = ownTrial(workplace, record, trialId);
+  ExerciseRules rules;
   Transaction transaction(workplace.connection());
-  Attempt attempt = measured(trials, listing, record.module(listing.moduleId));
+  Attempt attempt = measured(workplace, listing, rules);
   transaction.commit();
   return attempt;
 }
@@ -164,9 +56,10 @@ std::vector<Attempt> attemptsOf(Workplace& workplace, const std::string& personI
   filter.moduleId = moduleId;
   filter.limit = kMostAttempts;
   std::vector<Attempt> attempts;
+  ExerciseRules rules;
   Transaction transaction(workplace.connection());
   for (const TrialListing& listing : trials.list(filter)) {
-    attempts.push_back(measured(trials, listing, record.module(listing.moduleId)));
+    attempts.push_back(measured(workplace, listing, rules));
   }
   transaction.commit();
   std::reverse(attempts.begin(), attempts.end());
@@ -178,23 +71,26 @@ bool counts(const Attempt& attempt, const StoredModule& module) {
          (attempt.mode == AttemptMode::kGraded || module.mode == AttemptMode::kPractice);
 }
 
-bool reaches(const StoredMasteryRule& rule, double value) noexcept {
-  return rule.comparison == "at_most" ? value <= rule.threshold : value >= rule.threshold;
+MasteryRule masteryRule(const StoredMasteryRule& stored) {
+  return {.metric = stored.metric,
+          .atMost = stored.comparison == "at_most",
+          .threshold = stored.threshold,
+          .consecutive = stored.consecutive};
 }
 
 std::vector<RuleProgress> ruleProgress(const StoredModule& module, std::span<const Attempt> attempts) {
   std::vector<RuleProgress> progress;
   for (const StoredMasteryRule& rule : module.mastery) {
-    RuleProgress p;
-    p.rule = rule;
+    std::vector<std::optional<double>> values;
     for (const Attempt& attempt : attempts) {
-      if (!counts(attempt, module)) continue;
+      if (!counts(attempt, module)) {
+        continue;
+      }
       const auto value = attempt.values.find(rule.metric);
-      p.last = value == attempt.values.end() ? std::nullopt : std::optional(value->second);
-      p.streak = p.last && reaches(rule, *p.last) ? p.streak + 1 : 0;
-      p.met = p.met || p.streak >= rule.consecutive;
+      values.push_back(value == attempt.values.end() ? std::nullopt : std::optional(value->second));
     }
-    progress.push_back(std::move(p));
+    const MasteryProgress reached = masteryProgress(masteryRule(rule), values);
+    progress.push_back({rule, reached.streak, reached.met, reached.last});
   }
   return progress;
 }

@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "app/recording/trial_trace.h"
+#include "assessment/attempt/attempt_measures.h"
+#include "assessment/attempt/mastery.h"
 #include "assessment/study/protocol_terms.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/trial/trial_repository.h"
-#include "sim/base/live_types.h"
-#include "sim/record/trial.h"
 
 namespace torsio {
 
@@ -26,30 +25,16 @@ struct Attempt {
   std::optional<AttemptMode> mode{};  ///< empty: free practice
   std::int64_t startedUtc_us = 0;
   double duration_s = 0.0;
-  bool ended = true;         ///< false: running, or interrupted and not closed yet
-  bool interrupted = false;  ///< the program or the machine went down: kept, not counted
-  std::int64_t twists = 0;
-  std::int64_t onTarget = 0;
-  /// By metric id, SI. Of a metric of single twists: the median over the twists. What is not defined is
-  /// missing.
-  std::map<std::string, double> values{};
+  bool ended = true;                       ///< false: running, or interrupted and not closed yet
+  bool interrupted = false;                ///< the program or the machine went down: kept, not counted
+  std::int64_t twists = 0;                 ///< completed
+  std::int64_t onTarget = 0;               ///< of them, let go on target
+  std::int64_t unfinished = 0;             ///< not completed, counted apart
+  std::map<std::string, double> values{};  ///< AttemptMeasures::values
 };
 
-/// Whether the recording ended in the middle of this twist: such a twist is not judged.
-[[nodiscard]] bool cutOff(const MeasuredTwist& twist, std::span<const Sample> samples);
-
-/// What one recording gives, from its samples. `tolerance_rad` and limits are those of the module.
-[[nodiscard]] Attempt measureAttempt(const TrialHeader& header, std::span<const Sample> samples,
-                                     double tolerance_rad, std::optional<double> forceLimit_N,
-                                     std::optional<double> torqueLimit_Nm);
-/// The same from twists that were measured already (wholeTrial off).
-[[nodiscard]] Attempt attemptFrom(const TrialHeader& header, std::span<const Sample> samples,
-                                  const MeasuredTrial& measured, double tolerance_rad);
-/// Keeps what was measured beside the trial, with the version of the formulas, unless that was done before.
-void keepAttempt(TrialRepository& trials, const std::string& trialId, const Attempt& attempt);
-
-/// Measures a stored trial once and keeps the values beside it, with the version of the formulas. Does
-/// nothing when they are there. kTrialViewOwn, own trials only.
+/// Reads what was measured of a stored trial (reporting/kept_digests.h); measures it when nobody has yet.
+/// kTrialViewOwn, own trials only.
 Attempt attemptOf(Workplace& workplace, const std::string& trialId);
 
 /// The tries of a trainee, oldest first; empty `moduleId`: at all modules. Trials that were not measured yet
@@ -68,7 +53,8 @@ struct RuleProgress {
   bool met = false;         ///< so many in a row were reached once: mastery is not lost again
   std::optional<double> last{};
 };
-[[nodiscard]] bool reaches(const StoredMasteryRule& rule, double value) noexcept;
+/// The rule as the domain knows it.
+[[nodiscard]] MasteryRule masteryRule(const StoredMasteryRule& stored);
 /// Over the attempts that count, oldest first. A rule whose metric is not defined for an attempt breaks the
 /// row.
 [[nodiscard]] std::vector<RuleProgress> ruleProgress(const StoredModule& module,

@@ -10,6 +10,7 @@
 
 #include "app/access/workplace.h"
 #include "app/training/attempts.h"
+#include "assessment/attempt/pass_rule.h"
 #include "assessment/study/protocol_terms.h"
 #include "sim/scene/scene.h"
 
@@ -21,32 +22,13 @@ struct Seconds {
   double to_s = 0.0;
 };
 
-/// One thing that was asked for.
-struct TargetCheck {
-  enum class Kind {
-    kAngle,    ///< twists let go within the tolerance: value of wanted
-    kHold,     ///< seconds on target before letting go: the shortest of the twists on target
-    kForce,    ///< peak force below the limit
-    kTorque,   ///< peak torque below the limit
-    kMastery,  ///< a rule of the module: `metric`
-  };
-  Kind kind = Kind::kAngle;
-  std::string metric{};  ///< of kMastery: id
-  bool passed = false;
-  std::optional<double> value{};  ///< SI; empty: not defined in this run
-  double wanted = 0.0;
-  bool atLeast = true;           ///< value >= wanted passes; false: value <= wanted
-  std::int64_t streak = 0;       ///< of kMastery: in a row, this one included
-  std::int64_t consecutive = 1;  ///< of kMastery: in a row needed
-};
-
 /// One twist of the run.
 struct TwistResult {
   Seconds when{};
   double target_rad = 0.0;
   double released_rad = 0.0;
   double held_s = 0.0;  ///< on target until let go
-  bool passed = false;
+  bool passed = false;  ///< let go on target
 };
 
 /// Something that was done well or badly, and where.
@@ -90,7 +72,8 @@ struct Debrief {
   double tolerance_rad = 0.0;
   double forceLimit_N = 0.0;
   std::vector<TargetCheck> checks{};
-  std::vector<TwistResult> twists{};
+  std::vector<TwistResult> twists{};         ///< completed ones
+  std::int64_t unfinishedTwists = 0;         ///< not completed, counted apart
   std::vector<DebriefFinding> strengths{};   ///< two, best first; fewer when fewer are defined
   std::vector<DebriefFinding> weaknesses{};  ///< two, worst first
   DebriefTrace own{};
@@ -100,25 +83,13 @@ struct Debrief {
   std::vector<DebriefBookmark> bookmarks{};
 };
 
-/// How the judgement reads a recording.
-struct DebriefRules {
-  double tolerance_rad = 0.0349065850398866;
-  double hold_s = 0.0;
-  std::optional<double> forceLimit_N{};
-  std::optional<double> torqueLimit_Nm{};
-};
-
-/// The part that needs no database. `expert` may be empty: then strengths and weaknesses are missing, too.
+/// The part that needs no database. `expert` may be null: then strengths and weaknesses are missing, too.
 [[nodiscard]] Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples,
-                                  const DebriefRules& rules, const Trial* expert);
-
-/// The twists of a recording as both the debrief and the attempt read them, the one that was cut off
-/// included. The slow part: seconds for an hour.
-[[nodiscard]] MeasuredTrial measureTwists(const TrialHeader& header, std::span<const Sample> samples,
-                                          const DebriefRules& rules);
-/// makeDebrief of what was measured already.
+                                  const AttemptRules& rules, const Trial* expert);
+/// Does the same with twists that measureTwists has measured already, of the same samples by the same rules.
 [[nodiscard]] Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples,
-                                  MeasuredTrial measured, const DebriefRules& rules, const Trial* expert);
+                                  const MeasuredTrial& measured, const AttemptRules& rules,
+                                  const Trial* expert);
 
 /// The debrief of a stored trial. kTrialViewOwn, own trials only. `scene`: that of the trial when it is
 /// loaded already; else it is loaded from `assets` for the expert run. Seconds: call it off the GUI thread.

@@ -48,16 +48,6 @@ std::optional<Trial> expertFor(TrialRepository& trials, const TrialHeader& heade
   }
 }
 
-DebriefRules rulesOf(const StoredModule* module) {
-  DebriefRules rules;
-  if (module == nullptr) return rules;
-  rules.tolerance_rad = module->tolerance_rad;
-  rules.hold_s = static_cast<double>(module->hold_us) * 1e-6;
-  rules.forceLimit_N = module->maxForce_N;
-  rules.torqueLimit_Nm = module->maxTorque_Nm;
-  return rules;
-}
-
 void addMastery(const StoredModule& module, const Attempt& attempt, const std::vector<Attempt>& all,
                 Debrief& out) {
   std::vector<Attempt> untilNow;
@@ -70,8 +60,8 @@ void addMastery(const StoredModule& module, const Attempt& attempt, const std::v
     TargetCheck check{.kind = TargetCheck::Kind::kMastery, .metric = progress.rule.metric};
     if (value != attempt.values.end()) check.value = value->second;
     check.wanted = progress.rule.threshold;
-    check.atLeast = progress.rule.comparison != "at_most";
-    check.passed = check.value && reaches(progress.rule, *check.value);
+    check.atLeast = !masteryRule(progress.rule).atMost;
+    check.passed = check.value && reaches(masteryRule(progress.rule), *check.value);
     check.streak = progress.streak;
     check.consecutive = progress.rule.consecutive;
     out.passed = out.passed && check.passed;
@@ -88,17 +78,17 @@ Debrief debrief(Workplace& workplace, const std::string& trialId, const std::fil
   TrialRepository trials(workplace.connection());
   const Trial trial = trials.load(trialId);
   const StoredModule* module = record.module(listing.moduleId);
-  const DebriefRules rules = rulesOf(module);
-  // Decoded and measured once, for the debrief and for the attempt that is kept beside the trial.
+  ExerciseRules exercises(assets);
+  const AttemptRules rules =
+      exercises.of(workplace.connection(), listing.sceneId, listing.patternId, listing.moduleId);
+  // Decoded and measured once, for the debrief and for what is kept beside the trial.
   const std::vector<Sample> samples = decodeTrial(trial);
-  MeasuredTrial measured = measureTwists(trial.header, samples, rules);
-  if (listing.summary && module != nullptr)
-    keepAttempt(trials, trialId, attemptFrom(trial.header, samples, measured, rules.tolerance_rad));
+  const MeasuredTrial measured = measureTwists(trial.header, samples, rules);
+  if (listing.summary) {
+    keepDigest(workplace.connection(), trial, measureAttempt(samples, measured), rules, workplace.now_us());
+  }
   const std::optional<Trial> expert = expertFor(trials, trial.header, assets, scene);
-  DigestTolerances tolerances(assets);
-  keepDigestOf(workplace.connection(), trial, samples, trials.context(trialId).value_or(TrialContext{}),
-               tolerances, workplace.now_us());
-  Debrief out = makeDebrief(trial.header, samples, std::move(measured), rules, expert ? &*expert : nullptr);
+  Debrief out = makeDebrief(trial.header, samples, measured, rules, expert ? &*expert : nullptr);
   out.moduleId = listing.moduleId;
   out.mode = listing.attemptMode;
   out.interrupted = trial.summary.outcome == TrialOutcome::kInterrupted;

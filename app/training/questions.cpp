@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/recording/kept_digests.h"
 #include "app/training/bookmarks.h"
 #include "app/training/trainee_record.h"
 #include "db/repository/people/people_repository.h"
@@ -141,7 +142,13 @@ std::vector<PhysicianQuestion> questionsToMe(Workplace& workplace) {
 Debrief questionedRun(Workplace& workplace, const std::string& questionId) {
   const StoredQuestion question = questionToMe(workplace, questionId);
   const Trial trial = TrialRepository(workplace.connection()).load(question.trialId);
-  Debrief run = makeDebrief(trial.header, decodeTrial(trial), {}, nullptr);
+  const std::optional<TrialContext> context =
+      TrialRepository(workplace.connection()).context(question.trialId);
+  ExerciseRules exercises;
+  const AttemptRules rules =
+      exercises.of(workplace.connection(), trial.header.sceneId, trial.header.patternId,
+                   context ? context->moduleId : std::string());
+  Debrief run = makeDebrief(trial.header, decodeTrial(trial), rules, nullptr);
   run.moduleTitle = moduleTitle(workplace, question.trialId);
   run.bookmarks.push_back({question.remarkId, secondsOf(question.time_us), question.text});
   return run;

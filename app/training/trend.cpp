@@ -18,19 +18,14 @@ namespace {
 // who never fails is shown to be able after five attempts; the second failure soon after that is an alarm.
 constexpr LcCusumDesign kDesign{.adequate = 0.1, .inadequate = 0.3, .limit = 1.25};
 constexpr double kWatchShare = 0.5;
-constexpr double kShareWithoutRules = 0.8;
 constexpr int kCurvePoints = 60;
 
 bool passedAll(const StoredModule& module, const Attempt& attempt) {
-  const auto valueOf = [&](const std::string& metric) {
-    const auto found = attempt.values.find(metric);
-    return found == attempt.values.end() ? std::nullopt : std::optional(found->second);
-  };
-  if (module.mastery.empty()) return valueOf(kOnTargetMetric).value_or(0.0) >= kShareWithoutRules;
-  return std::all_of(module.mastery.begin(), module.mastery.end(), [&](const StoredMasteryRule& rule) {
-    const auto value = valueOf(rule.metric);
-    return value && reaches(rule, *value);
-  });
+  std::vector<MasteryRule> rules;
+  for (const StoredMasteryRule& rule : module.mastery) {
+    rules.push_back(masteryRule(rule));
+  }
+  return passesAll(rules, attempt.values, attempt.onTarget, attempt.twists);
 }
 
 void describeMetric(Trend& trend) {

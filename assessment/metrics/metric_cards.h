@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace torsio {
 
-inline constexpr const char* kMetricsVersion = "metrics-1";
+/// Version of all formulas by which a recording is measured: metrics, what a twist is, what is on target. It
+/// stands beside every stored value. Count it up whenever a number changes: values of an older version are
+/// not read, the recording is measured anew.
+inline constexpr std::int64_t kMetricsVersion = 2;
 
 enum class Direction { kLowerIsBetter, kHigherIsBetter, kNeither };
 
@@ -20,7 +24,7 @@ struct MetricCard {
   std::string_view unit;
   std::string_view window;  ///< which part of the trial
   Direction direction = Direction::kNeither;
-  std::string_view version = kMetricsVersion;
+  std::int64_t version = kMetricsVersion;
 };
 
 /// Lists the cards of all metrics.

@@ -113,6 +113,16 @@ std::vector<std::size_t> longGaps(std::span<const std::int64_t> times_us) {
   return out;
 }
 
+namespace {
+
+/// Points of a uniform grid from the first time stamp to the last.
+std::size_t gridPoints(std::span<const std::int64_t> times_us, double step_us) {
+  const auto span_us = static_cast<double>(times_us.back() - times_us.front());
+  return static_cast<std::size_t>(std::floor(span_us / step_us + 1e-9)) + 1;
+}
+
+}  // namespace
+
 UniformSignal resampleUniform(std::span<const std::int64_t> times_us,
                               const std::vector<std::vector<double>>& channels, double rate_Hz) {
   TORSIO_EXPECTS(rate_Hz > 0.0);
@@ -128,8 +138,7 @@ UniformSignal resampleUniform(std::span<const std::int64_t> times_us,
     throw Error(ErrorCode::kBadData, "samples are missing for more than 20 ms", "trial",
                 "Split the trial at the gap.");
   const double step_us = 1e6 / rate_Hz;
-  const auto span_us = static_cast<double>(times_us.back() - times_us.front());
-  const auto count = static_cast<std::size_t>(std::floor(span_us / step_us + 1e-9)) + 1;
+  const std::size_t count = gridPoints(times_us, step_us);
   for (std::vector<double>& channel : out.channels) channel.reserve(count);
   std::size_t at = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -144,6 +153,25 @@ UniformSignal resampleUniform(std::span<const std::int64_t> times_us,
       out.channels[c].push_back(channels[c][at] + share * (channels[c][next] - channels[c][at]));
   }
   return out;
+}
+
+std::vector<std::size_t> samplesInForce(std::span<const std::int64_t> times_us, double rate_Hz) {
+  std::vector<std::size_t> held;
+  if (times_us.empty()) {
+    return held;
+  }
+  const double step_us = 1e6 / rate_Hz;
+  const std::size_t count = gridPoints(times_us, step_us);
+  held.reserve(count);
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = static_cast<double>(i) * step_us;
+    while (at + 1 < times_us.size() && static_cast<double>(times_us[at + 1] - times_us.front()) <= t) {
+      ++at;
+    }
+    held.push_back(at);
+  }
+  return held;
 }
 
 double trapezoid(std::span<const double> signal, double rate_Hz) {

@@ -59,6 +59,11 @@ struct UniformSignal {
 [[nodiscard]] UniformSignal resampleUniform(std::span<const std::int64_t> times_us,
                                             const std::vector<std::vector<double>>& channels,
                                             double rate_Hz = 1000.0);
+/// Position of the last sample at or before every point of the grid of resampleUniform: what is a category,
+/// or stays until it is changed by a command, is held from that sample and never interpolated. `times_us`
+/// must rise.
+[[nodiscard]] std::vector<std::size_t> samplesInForce(std::span<const std::int64_t> times_us,
+                                                      double rate_Hz = 1000.0);
 /// Finds the positions after which a gap longer than 20 ms follows.
 [[nodiscard]] std::vector<std::size_t> longGaps(std::span<const std::int64_t> times_us);
 

@@ -74,18 +74,18 @@ Prepared prepare(const TrialTrace& trace) {
   check(trace);
   Prepared out;
   const bool grid = uniform(trace.times_us);
-  std::vector<double> phases;
-  for (const TracePhase phase : trace.phase) phases.push_back(static_cast<double>(phase));
   if (!grid) {
-    const UniformSignal signal = resampleUniform(trace.times_us, {phases}, kRate_Hz);
-    phases = signal.channels[0];
-    out.lost = signal.lost;
+    out.lost = resampleUniform(trace.times_us, {}, kRate_Hz).lost;
   }
-  out.n = phases.size();
-  for (const double phase : phases) out.phase.push_back(static_cast<TracePhase>(std::lround(phase)));
+  for (const std::size_t sample : samplesInForce(trace.times_us, kRate_Hz)) {
+    out.phase.push_back(trace.phase[sample]);
+    if (!trace.targetAngle_rad.empty()) {
+      out.target.push_back(trace.targetAngle_rad[sample]);
+    }
+  }
+  out.n = out.phase.size();
   out.angleRaw = onGrid(trace, trace.angle_rad, grid);
   out.angle = filtered(out.angleRaw, kPoseCutoff_Hz);
-  out.target = onGrid(trace, trace.targetAngle_rad, grid);
   out.forceRaw = onGrid(trace, trace.force_N, grid);
   out.force = filtered(out.forceRaw, kForceCutoff_Hz);
   out.torque = filtered(onGrid(trace, trace.torque_Nm, grid), kForceCutoff_Hz);
@@ -166,17 +166,18 @@ class Measurer {
     for (double& value : speed) value = std::abs(value);
     set("twist.sparc", spectralArcLength(speed, kRate_Hz));
     set("twist.peaks", static_cast<double>(speedPeaks(speed, kRate_Hz).size()));
-    if (targets_.target_rad != 0.0) {
-      set("twist.economy", economy(std::abs(targets_.target_rad), angularPath(angle)));
-      const TargetApproach approach =
-          targetApproach(angle, targets_.target_rad, targets_.tolerance_rad, kRate_Hz);
+    const double target_rad = s_.target.empty() ? targets_.target_rad : s_.target[held_.second - 1];
+    if (target_rad != 0.0) {
+      set("twist.economy", economy(std::abs(target_rad), angularPath(angle)));
+      const TargetApproach approach = targetApproach(angle, target_rad, targets_.tolerance_rad, kRate_Hz);
       set("twist.overshoot", approach.overshoot);
       set("twist.excursions", static_cast<double>(approach.excursions));
       set("twist.time_to_target", approach.timeToTarget);
       set("twist.settling", approach.settling);
     }
-    if (!s_.target.empty()) {
-      const Outcome<TrackingError> error = trackingError(angle, part(s_.target, held_), kRate_Hz);
+    const std::span<const double> course = part(s_.target, held_);
+    if (std::any_of(course.begin(), course.end(), [&](double target) { return target != target_rad; })) {
+      const Outcome<TrackingError> error = trackingError(angle, course, kRate_Hz);
       set("twist.rmse", error->rmse);
       set("twist.mae", error->mae);
       set("twist.bias", error->bias);

@@ -9,6 +9,7 @@
 
 #include "assessment/metrics/metric_cards.h"
 #include "assessment/statistics/values.h"
+#include "sim/base/angle.h"
 #include "sim/base/vec3.h"
 
 namespace torsio {
@@ -23,17 +24,21 @@ struct TrialTrace {
   std::vector<std::int64_t> times_us;
   std::vector<TracePhase> phase;
   std::vector<Vec3> tip_m;
-  std::vector<double> angle_rad;        ///< unwrapped twist
-  std::vector<double> targetAngle_rad;  ///< course that was shown; empty when only an end angle was asked for
-  std::vector<double> force_N;          ///< magnitude
-  std::vector<double> torque_Nm;        ///< signed
+  std::vector<double> angle_rad;  ///< unwrapped twist
+  std::vector<double>
+      targetAngle_rad;            ///< in force at the sample; empty: TrialTargets::target_rad throughout
+  std::vector<double> force_N;    ///< magnitude
+  std::vector<double> torque_Nm;  ///< signed
   std::vector<double> patchShear_Pa;
 };
 
+/// Which error still counts as on target where neither a module nor a pattern says another: two degrees.
+inline constexpr double kUsualTolerance_rad = radians(2.0);
+
 /// Parts of the exercise version that the judgement uses.
 struct TrialTargets {
-  double target_rad = 0.0;  ///< 0: no end angle
-  double tolerance_rad = 0.0349065850398866;
+  double target_rad = 0.0;  ///< 0: no end angle. Not read when the trace has targets of its own
+  double tolerance_rad = kUsualTolerance_rad;
   std::optional<double> forceLimit_N;
   std::optional<double> torqueLimit_Nm;
   std::optional<double> shearLimit_Pa;

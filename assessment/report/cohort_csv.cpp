@@ -138,7 +138,7 @@ void addTraining(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
 void addTrials(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
   Rows rows(out);
   rows.place.section = "trial";
-  for (const TrialDigest& trial : in.trials) {
+  for (const TrialSummaryRow& trial : in.trials) {
     rows.place.item = trial.trainee;
     rows.place.group = in.groups[trial.group].name.str();
     rows.place.model = trial.model;
@@ -147,6 +147,7 @@ void addTrials(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
                                                                     : std::vector<std::string>{});
     rows.add("minutes", trial.minutes, trial.samples);
     rows.add("twists", static_cast<double>(trial.twists), trial.samples);
+    rows.add("twists_not_completed", static_cast<double>(trial.unfinishedTwists), trial.samples);
     rows.add("twists_on_target", static_cast<double>(trial.twistsOnTarget), trial.twists);
     rows.add("mean_absolute_error_deg", trial.meanAbsoluteError_deg, trial.twists);
     rows.add("peak_torque_Nm", trial.peakTorque_Nm, trial.samples);

@@ -33,7 +33,7 @@ void checkInputs(const CohortInputs& in) {
   for (const TrainingMark& mark : in.trainingMarks)
     if (mark.group >= in.groups.size() || mark.occasion >= in.occasions.size())
       refuse("a mark belongs to a group or a scoring point that does not exist");
-  for (const TrialDigest& trial : in.trials)
+  for (const TrialSummaryRow& trial : in.trials)
     if (trial.group >= in.groups.size()) refuse("a trial is in a group that does not exist");
 }
 
@@ -94,7 +94,7 @@ ReportTable flowTable(const CohortInputs& in) {
       allocated += trainee.group == g ? 1 : 0;
       withdrew += trainee.group == g && trainee.state == "withdrawn" ? 1 : 0;
     }
-    for (const TrialDigest& trial : in.trials) {
+    for (const TrialSummaryRow& trial : in.trials) {
       trials += trial.group == g ? 1 : 0;
       interrupted += trial.group == g && trial.interrupted ? 1 : 0;
     }
@@ -125,7 +125,7 @@ ReportTable trialsByPhase(const CohortInputs& in) {
     std::vector<double> forces;
   };
   std::map<std::pair<std::size_t, std::string>, Sums> cells;
-  for (const TrialDigest& trial : in.trials) {
+  for (const TrialSummaryRow& trial : in.trials) {
     Sums& sums = cells[{trial.group, trial.phase.str()}];
     sums.phase = trial.phase;
     ++sums.trials;
@@ -252,7 +252,7 @@ ReportSection trialsSection(const CohortInputs& in) {
   std::int64_t refused = 0;
   std::int64_t late = 0;
   std::int64_t samples = 0;
-  for (const TrialDigest& trial : in.trials) {
+  for (const TrialSummaryRow& trial : in.trials) {
     minutes += trial.minutes;
     refused += trial.refusedSamples;
     late += trial.lateTicks;

@@ -78,12 +78,12 @@ struct CohortDose {
 
 /// One twist of a recorded trial, in its order.
 struct TwistAttempt {
-  double error_deg = 0.0;  ///< absolute, of the angle at release against the target
+  double error_deg = 0.0;  ///< absolute, of the angle at letting go against the target in force
   bool onTarget = false;
 };
 
 /// Summary of one recorded trial.
-struct TrialDigest {
+struct TrialSummaryRow {
   std::string trialId;
   std::string trainee;
   std::size_t group = 0;
@@ -91,9 +91,10 @@ struct TrialDigest {
   std::string model;
   double minutes = 0.0;
   std::int64_t samples = 0;
-  std::int64_t twists = 0;
-  std::int64_t twistsOnTarget = 0;              ///< ended within the tolerance
-  std::optional<double> meanAbsoluteError_deg;  ///< of the held angle against the target
+  std::int64_t twists = 0;            ///< completed: assessment/attempt/recorded_twists.h
+  std::int64_t twistsOnTarget = 0;    ///< let go within the tolerance
+  std::int64_t unfinishedTwists = 0;  ///< cut off by the end, a fault or missing samples: not in `twists`
+  std::optional<double> meanAbsoluteError_deg;  ///< of the angle at letting go against the target in force
   std::optional<double> peakTorque_Nm;
   std::optional<double> peakForce_N;
   std::int64_t refusedSamples = 0;
@@ -149,7 +150,7 @@ struct CohortInputs {
   std::vector<CohortDose> doses;
   std::vector<CohortDeviation> deviations;
 
-  std::vector<TrialDigest> trials;
+  std::vector<TrialSummaryRow> trials;
   Facts provenance;  ///< organ hash, parameter hash, database schema ...
 };
 

@@ -23,7 +23,7 @@ struct Course {
 
 std::vector<Course> courses(const CohortInputs& in) {
   std::map<std::string, Course> byTrainee;
-  for (const TrialDigest& trial : in.trials) {
+  for (const TrialSummaryRow& trial : in.trials) {
     Course& course = byTrainee[trial.trainee];
     course.trainee = trial.trainee;
     course.group = trial.group;

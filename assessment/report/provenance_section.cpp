@@ -36,7 +36,7 @@ std::string hashOfEvaluationMarks(const CohortInputs& in) {
 
 std::string hashOfTrials(const CohortInputs& in) {
   Digest digest;
-  for (const TrialDigest& trial : in.trials) {
+  for (const TrialSummaryRow& trial : in.trials) {
     digest.update(trial.trialId);
     digest.update(trial.contentHash);
   }
@@ -104,7 +104,7 @@ ReportTable chainTable(const CohortInputs& in) {
   };
   std::map<std::string, Chain> chains;
   for (const TrainingMark& mark : in.trainingMarks) ++chains[mark.trainee].marks;
-  for (const TrialDigest& trial : in.trials) {
+  for (const TrialSummaryRow& trial : in.trials) {
     std::string& trials = chains[trial.trainee].trials;
     if (!trials.empty()) trials += ", ";
     trials += trial.trialId.substr(0, 8);
@@ -127,7 +127,7 @@ ReportTable trialsTable(const CohortInputs& in) {
   table.title = "Recorded trials";
   table.individual = true;
   table.columns = {"Trial", "Trainee", "Phase", "Model", "Minutes", "Outcome", "Content hash"};
-  for (const TrialDigest& trial : in.trials)
+  for (const TrialSummaryRow& trial : in.trials)
     table.rows.push_back({trial.trialId, trial.trainee, trial.phase, trial.model,
                           formatFixed(trial.minutes, 2),
                           trial.interrupted ? Text("interrupted") : Text("completed"),

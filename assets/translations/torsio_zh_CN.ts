@@ -2,6 +2,171 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>torsio::gui::OrderedList</name>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>下移</translation>
+    </message>
+    <message>
+        <source>Moves it before the one above.</source>
+        <translation>移到上一项之前。</translation>
+    </message>
+    <message>
+        <source>Moves it behind the one below.</source>
+        <translation>移到下一项之后。</translation>
+    </message>
+</context>
+<context>
+    <name>torsio::gui::SheetEditorPanel</name>
+    <message>
+        <source>Not saved</source>
+        <translation>未保存</translation>
+    </message>
+</context>
+<context>
+    <name>Pages</name>
+    <message>
+        <source>My next step</source>
+        <translation>我的下一步</translation>
+    </message>
+    <message>
+        <source>Debrief</source>
+        <translation>讲评</translation>
+    </message>
+    <message>
+        <source>Trend</source>
+        <translation>趋势</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>评语</translation>
+    </message>
+    <message>
+        <source>Transcript</source>
+        <translation>成绩单</translation>
+    </message>
+    <message>
+        <source>Device check</source>
+        <translation>设备检查</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>知情同意</translation>
+    </message>
+    <message>
+        <source>Briefing</source>
+        <translation>任务说明</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Free practice</source>
+        <translation>自由练习</translation>
+    </message>
+    <message>
+        <source>Compare models</source>
+        <translation>模型对比</translation>
+    </message>
+    <message>
+        <source>Queue</source>
+        <translation>待评列表</translation>
+    </message>
+    <message>
+        <source>Warm-up</source>
+        <translation>热身</translation>
+    </message>
+    <message>
+        <source>Live sheet</source>
+        <translation>现场评分表</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>评分对齐</translation>
+    </message>
+    <message>
+        <source>My severity</source>
+        <translation>我的严格度</translation>
+    </message>
+    <message>
+        <source>Evaluation</source>
+        <translation>模型评价</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>案例</translation>
+    </message>
+    <message>
+        <source>Run day</source>
+        <translation>训练日</translation>
+    </message>
+    <message>
+        <source>Roster</source>
+        <translation>人员名册</translation>
+    </message>
+    <message>
+        <source>Curricula</source>
+        <translation>课程</translation>
+    </message>
+    <message>
+        <source>Cohorts</source>
+        <translation>批次</translation>
+    </message>
+    <message>
+        <source>Allocation</source>
+        <translation>随机分组</translation>
+    </message>
+    <message>
+        <source>Scoring</source>
+        <translation>评分</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Reports</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Users</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>Audit trail</source>
+        <translation>审计记录</translation>
+    </message>
+    <message>
+        <source>Care</source>
+        <translation>维护</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>迁移</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>设备</translation>
+    </message>
+</context>
+<context>
     <name>AboutBox</name>
     <message>
         <source>Training and assessment of surgical twist skills.</source>
@@ -104,13 +269,6 @@
     </message>
 </context>
 <context>
-    <name>ComparePage</name>
-    <message>
-        <source>Compare models</source>
-        <translation>模型对比</translation>
-    </message>
-</context>
-<context>
     <name>Desk</name>
     <message>
         <source>Training</source>
@@ -130,69 +288,6 @@
     <message>
         <source>no cohort yet</source>
         <translation>尚无批次</translation>
-    </message>
-</context>
-<context>
-    <name>OfficePages</name>
-    <message>
-        <source>Run day</source>
-        <translation>训练日</translation>
-    </message>
-    <message>
-        <source>Roster</source>
-        <translation>人员名册</translation>
-    </message>
-    <message>
-        <source>Curricula</source>
-        <translation>课程</translation>
-    </message>
-    <message>
-        <source>Cohorts</source>
-        <translation>批次</translation>
-    </message>
-    <message>
-        <source>Allocation</source>
-        <translation>随机分组</translation>
-    </message>
-    <message>
-        <source>Scoring</source>
-        <translation>评分</translation>
-    </message>
-    <message>
-        <source>Evaluation</source>
-        <translation>模型评价</translation>
-    </message>
-    <message>
-        <source>Results</source>
-        <translation>结果</translation>
-    </message>
-    <message>
-        <source>Reports</source>
-        <translation>报告</translation>
-    </message>
-    <message>
-        <source>Users</source>
-        <translation>用户</translation>
-    </message>
-    <message>
-        <source>Audit trail</source>
-        <translation>审计记录</translation>
-    </message>
-    <message>
-        <source>Care</source>
-        <translation>维护</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>恢复</translation>
-    </message>
-    <message>
-        <source>Move</source>
-        <translation>迁移</translation>
-    </message>
-    <message>
-        <source>Devices</source>
-        <translation>设备</translation>
     </message>
 </context>
 <context>
@@ -371,13 +466,6 @@
     <message>
         <source>Usual keys</source>
         <translation>默认按键</translation>
-    </message>
-</context>
-<context>
-    <name>PracticePage</name>
-    <message>
-        <source>Free practice</source>
-        <translation>自由练习</translation>
     </message>
 </context>
 <context>
@@ -7759,48 +7847,37 @@
         <source>warm-up</source>
         <translation>热身</translation>
     </message>
-</context>
-<context>
-    <name>StationPages</name>
     <message>
-        <source>My next step</source>
-        <translation>我的下一步</translation>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>“%1”不是数字</translation>
     </message>
     <message>
-        <source>Debrief</source>
-        <translation>讲评</translation>
+        <source>Write it like 90 or 22.5</source>
+        <translation>请写成 90 或 22.5 的形式</translation>
     </message>
     <message>
-        <source>Trend</source>
-        <translation>趋势</translation>
+        <source>&apos;%1&apos; is not a size</source>
+        <translation>“%1”不是尺寸</translation>
     </message>
     <message>
-        <source>Remarks</source>
-        <translation>评语</translation>
+        <source>Write it like 1280x800; 320x240 to 7680x4320</source>
+        <translation>请写成 1280x800 的形式；320x240 至 7680x4320</translation>
     </message>
     <message>
-        <source>Transcript</source>
-        <translation>成绩单</translation>
+        <source>Use one of: %1</source>
+        <translation>请使用下列之一：%1</translation>
     </message>
     <message>
-        <source>Device check</source>
-        <translation>设备检查</translation>
+        <source>&apos;%1&apos; is no option</source>
+        <translation>“%1”不是选项</translation>
     </message>
     <message>
-        <source>Consent</source>
-        <translation>知情同意</translation>
-    </message>
-    <message>
-        <source>Briefing</source>
-        <translation>任务说明</translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation>操作</translation>
+        <source>See torsio --help</source>
+        <translation>参见 torsio --help</translation>
     </message>
 </context>
 <context>
-    <name>StationWords</name>
+    <name>StationLabels</name>
     <message>
         <source>Twists on target</source>
         <translation>达标扭转</translation>
@@ -9499,10 +9576,6 @@ MSM = 质点弹簧</translation>
         <translation>已保存</translation>
     </message>
     <message>
-        <source>Not saved</source>
-        <translation>未保存</translation>
-    </message>
-    <message>
         <source>Case %1 is submitted and sealed</source>
         <translation>案例 %1 已提交并封存</translation>
     </message>
@@ -10839,30 +10912,6 @@ MSM = 质点弹簧</translation>
         <translation>掌握标准</translation>
     </message>
     <message>
-        <source>Add</source>
-        <translation>添加</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>Up</source>
-        <translation>上移</translation>
-    </message>
-    <message>
-        <source>Moves the exercise before the one above it.</source>
-        <translation>将该练习移到上一个之前。</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>下移</translation>
-    </message>
-    <message>
-        <source>Moves the exercise behind the one below it.</source>
-        <translation>将该练习移到下一个之后。</translation>
-    </message>
-    <message>
         <source>Add rule</source>
         <translation>添加标准</translation>
     </message>
@@ -11212,22 +11261,6 @@ MSM = 质点弹簧</translation>
         <translation>组别（按顺序）</translation>
     </message>
     <message>
-        <source>Add</source>
-        <translation>添加</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>Up</source>
-        <translation>上移</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>下移</translation>
-    </message>
-    <message>
         <source>Add phase</source>
         <translation>添加阶段</translation>
     </message>
@@ -11343,10 +11376,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Saved on the centre&apos;s server</source>
         <translation>已保存在中心服务器</translation>
-    </message>
-    <message>
-        <source>Not saved</source>
-        <translation>未保存</translation>
     </message>
     <message>
         <source>Time taken: %1</source>
@@ -13156,37 +13185,6 @@ MSM = 质点弹簧</translation>
     <message>
         <source>Beginning, end of the recording</source>
         <translation>记录的开头、结尾</translation>
-    </message>
-</context>
-<context>
-    <name>torsio::gui::ReviewPages</name>
-    <message>
-        <source>Queue</source>
-        <translation>待评列表</translation>
-    </message>
-    <message>
-        <source>Warm-up</source>
-        <translation>热身</translation>
-    </message>
-    <message>
-        <source>Live sheet</source>
-        <translation>现场评分表</translation>
-    </message>
-    <message>
-        <source>Alignment</source>
-        <translation>评分对齐</translation>
-    </message>
-    <message>
-        <source>My severity</source>
-        <translation>我的严格度</translation>
-    </message>
-    <message>
-        <source>Evaluation</source>
-        <translation>模型评价</translation>
-    </message>
-    <message>
-        <source>Case</source>
-        <translation>案例</translation>
     </message>
 </context>
 <context>

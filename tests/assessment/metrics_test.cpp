@@ -318,6 +318,50 @@ TEST(MeasureTrial, GivesEveryMetricThatAppliesAndLeavesTheOthersUndefined) {
   EXPECT_EQ(got.poseCutoff_Hz, kPoseCutoff_Hz);
 }
 
+/// A twist that is let go while 15 samples are missing, with stamps that jitter by up to 0.3 ms: twisting
+/// until 999 ms, releasing from 1015 ms on. Nobody held anything.
+TrialTrace letGoInAGap() {
+  TrialTrace trace;
+  for (int i = 0; i < 1500; ++i) {
+    if (i > 999 && i < 1015) continue;
+    trace.times_us.push_back(1000 * i + 300 * ((i * 7) % 3 - 1));
+    trace.phase.push_back(i < 1000 ? TracePhase::kTwisting : TracePhase::kReleasing);
+    trace.angle_rad.push_back(i < 1000 ? 0.001 * i : std::exp(-0.01 * (i - 1000)));
+  }
+  return trace;
+}
+
+TEST(MeasureTrial, APhaseIsHeldFromTheSampleBeforeAndNeverInterpolated) {
+  TrialTargets targets;
+  targets.target_rad = 1.0;
+
+  const TrialMetrics got = measureTrial(letGoInAGap(), targets);
+
+  EXPECT_EQ(got.lostSamples,
+            16U);  // of the grid: 1000 to 1015 ms after the first stamp, which is 0.3 ms early
+  EXPECT_FALSE(got.at("twist.hold_steadiness")) << "between twisting and releasing lies no hold";
+}
+
+TEST(MeasureTrial, NoTwistingComesBetweenFreeAndHolding) {
+  TrialTrace trace = letGoInAGap();
+  for (std::size_t i = 0; i < trace.phase.size(); ++i) {
+    trace.phase[i] = i < 1000 ? TracePhase::kFree : TracePhase::kHolding;
+  }
+  trace.force_N.assign(trace.phase.size(), 1.0);
+
+  const TrialMetrics got = measureTrial(trace, {});
+
+  // The organ is held from 1015.3 ms after the first stamp on: 484 points of the grid, 1016 to 1499.
+  EXPECT_NEAR(*got.at("force.impulse"), 0.483, 1e-9);
+}
+
+TEST(SamplesInForce, AreTheLastOnesAtOrBeforeEachPointOfTheGrid) {
+  // Grid at 0, 1, 2, 3, 4 ms; samples at 0, 0.7, 1.0, 3.4 and 4.0 ms.
+  const std::vector<std::size_t> got = samplesInForce(std::vector<std::int64_t>{0, 700, 1000, 3400, 4000});
+
+  EXPECT_EQ(got, (std::vector<std::size_t>{0, 2, 2, 2, 4}));
+}
+
 TEST(MeasureTrial, RefusesListsThatDifferAndValuesThatAreNoNumbers) {
   TrialTrace trace = twistTrial();
   trace.force_N.pop_back();

@@ -49,22 +49,21 @@ int main() {
   bool kept = true;
   for (const std::int64_t minutes : {20, 40}) {
     const Trial trial = longRun(scene, minutes);
-    DebriefRules rules;
-    rules.tolerance_rad = scene.pattern.tolerance_rad;
+    const AttemptRules rules{.tolerance_rad = scene.pattern.tolerance_rad};
     const double begun = processor_s();
     const std::vector<Sample> samples = decodeTrial(trial);
     const double decoded = processor_s();
-    MeasuredTrial measured = measureTwists(trial.header, samples, rules);
-    const Attempt attempt = attemptFrom(trial.header, samples, measured, rules.tolerance_rad);
+    const MeasuredTrial measured = measureTwists(trial.header, samples, rules);
+    const AttemptMeasures measures = measureAttempt(samples, measured);
     const double counted = processor_s();
     const Scene again = loadScene(request);  // after a restart of the program nothing is loaded
     const Trial expert = expertRun(again, trial.header.targetAngle_rad);
     const double shown = processor_s();
-    const Debrief debrief = makeDebrief(trial.header, samples, std::move(measured), rules, &expert);
+    const Debrief debrief = makeDebrief(trial.header, samples, measured, rules, &expert);
     const double done = processor_s();
     std::printf(
         "%2lld min, %lld twists: decode %.2f s, measure %.2f s, expert %.2f s, judge %.2f s, all %.2f s\n",
-        static_cast<long long>(minutes), static_cast<long long>(attempt.twists), decoded - begun,
+        static_cast<long long>(minutes), static_cast<long long>(measures.twists.size()), decoded - begun,
         counted - decoded, shown - counted, done - shown, done - begun);
     kept = kept && done - begun < kPromise_s && !debrief.twists.empty();
   }

@@ -218,9 +218,9 @@ Verdict measureLists(testing::OfficeCentre& centre) {
   gui::ShellContext shell(centre.workplace(), centre.assets(), gui::ThemeKind::kLight);
   Verdict worst = Verdict::kMet;
   for (const gui::PageEntry& entry : gui::officePages()) {
-    if (entry.id == "office.results" || entry.id == "office.reports") continue;  // measured above
-    centre.as(entry.id == "office.allocation" ? "allocator" : "administrator");
-    worst = worse(worst, report(entry.id.toStdString().c_str(), openings(entry, shell), kListTarget_ms));
+    if (entry.id == gui::PageId::kResults || entry.id == gui::PageId::kReports) continue;  // measured above
+    centre.as(entry.id == gui::PageId::kAllocation ? "allocator" : "administrator");
+    worst = worse(worst, report(gui::factsOf(entry.id).text, openings(entry, shell), kListTarget_ms));
   }
   return worst;
 }

@@ -93,8 +93,8 @@ TEST_F(QueryPlanTest, MarksOfACohortAreFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)StudyRepository(connection).deviations("c"); }));
   expectNoWalk(plansOf(connection, [&] { (void)RatingRepository(connection).marks("c"); }));
   expectNoWalk(plansOf(connection, [&] { (void)SheetRepository(connection).openAssignments("c"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)DigestRepository(connection).ofCohort("c", "1"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)DigestRepository(connection).cohortOf("e"); }));
+  expectNoWalk(plansOf(connection, [&] { (void)DigestRepository(connection).ofCohort("c", 1); }));
+  expectNoWalk(plansOf(connection, [&] { (void)DigestRepository(connection).ofTrial("t", 1); }));
   expectNoWalk(plansOf(connection, [&] { (void)RatingRepository(connection).history("e", "r", "pre"); }));
   expectNoWalk(plansOf(connection, [&] { (void)RatingRepository(connection).latestRun("c"); }));
   expectNoWalk(plansOf(connection, [&] { (void)EvaluationRepository(connection).marks("c"); }));

@@ -44,7 +44,7 @@ CohortInputs demonstrationCohort() {
   in.summaries = groupSummaries(in.trainingScale, marks);
   in.trainingRaters = 10;
   in.trainingMarks = marks;
-  TrialDigest trial;
+  TrialSummaryRow trial;
   trial.trialId = "t1";
   trial.trainee = "x101";
   trial.phase = "virtual 0-20 min";

@@ -313,7 +313,8 @@ class Reader {
   const std::vector<Token>& tokens_;
   std::string file_;
   ServiceTexts& texts_;
-  std::set<std::string> speakers_{"Error", "DbError", "Text", "progress"};
+  std::set<std::string> speakers_{"Error",  "DbError",         "Text",        "progress",
+                                  "refuse", "refuseParameter", "refuseOption"};
   std::map<std::string, std::set<std::size_t>> textArguments_;
 };
 

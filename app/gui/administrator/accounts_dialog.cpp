@@ -40,8 +40,9 @@ AccountsDialog::AccountsDialog(const std::vector<StartAccount>& accounts, const 
   table_->setColumns({{tr("Person")}, {tr("Sign-in name")}, {tr("Start password")}});
   std::vector<Row> rows;
   for (const StartAccount& account : accounts_)
-    rows.push_back({shown(account.login),
-                    {{shown(account.personCode)}, {shown(account.login)}, {shown(account.startPassword)}}});
+    rows.push_back(
+        {toQString(account.login),
+         {{toQString(account.personCode)}, {toQString(account.login)}, {toQString(account.startPassword)}}});
   table_->setRows(std::move(rows));
   auto* buttons = new QDialogButtonBox(this);
   buttons->addButton(cards_, QDialogButtonBox::ActionRole);
@@ -76,9 +77,9 @@ void AccountsDialog::askCards() {
   const QString file = askFileToSave(this, tr("Save cards"), tr("start-passwords.pdf"), tr("PDF (*.pdf)"));
   if (file.isEmpty()) return;
   try {
-    saveCards(std::filesystem::path(file.toStdString()));
+    saveCards(toPath(file));
   } catch (const Error& error) {
-    QMessageBox::warning(this, tr("Save cards"), spokenLine(error));
+    QMessageBox::warning(this, tr("Save cards"), translatedLine(error));
   }
 }
 

@@ -62,6 +62,11 @@ AllocationPage::AllocationPage(ShellContext& shell)
       records_(new DataTable(QStringLiteral("allocation-records"), this)),
       move_(listButton(records_)) {
   move_->setObjectName(QStringLiteral("moveByHand"));
+  allocate_->setObjectName(QStringLiteral("allocateButton"));
+  lock_->setObjectName(QStringLiteral("lockButton"));
+  records_->setObjectName(QStringLiteral("records"));
+  balance_->setObjectName(QStringLiteral("balance"));
+  method_->setObjectName(QStringLiteral("method"));
   for (const AllocationMethod method : kMethods) method_->addItem(QString(), static_cast<int>(method));
   for (const std::string& name : allocationFactorNames()) factors_[name] = new QCheckBox(this);
   auto* choices = new QHBoxLayout;
@@ -173,14 +178,13 @@ void AllocationPage::showFields() {
   const auto method = static_cast<AllocationMethod>(method_->currentData().toInt());
   for (const auto& [name, box] : factors_) box->setEnabled(usesFactors(method));
   blocks_->setEnabled(usesBlocks(method));
-  const Workplace& workplace = shell().workplace();
   const bool some = cohort_->count() > 0;
-  const bool run = workplace.may(Operation::kAllocationRun);
+  const bool run = shell().may(Operation::kAllocationRun);
   previewButton_->setEnabled(some && run);
   lock_->setEnabled(some && run);
   allocate_->setEnabled(!designs_.empty() && run);
   reveal_->setEnabled(!designs_.empty() && designs_.back().stored.seed.empty() &&
-                      workplace.may(Operation::kAllocationReveal));
+                      shell().may(Operation::kAllocationReveal));
   cards_->setEnabled(!designs_.empty() && designs_.back().records > 0 && run);
   check_->setEnabled(!designs_.empty());
   move_->setEnabled(run && !records_->currentId().isEmpty());
@@ -200,7 +204,7 @@ void AllocationPage::showBalance() {
       QStringList expected;
       for (const double people : level.expected) expected << locale().toString(people, 'f', 1);
       rows.push_back(
-          {QStringLiteral("%1/%2").arg(shown(level.factor), shown(level.level)),
+          {QStringLiteral("%1/%2").arg(toQString(level.factor), toQString(level.level)),
            {{factorName(level.factor)},
             {levelName(level.level)},
             {QString::number(level.people), static_cast<qlonglong>(level.people)},
@@ -215,7 +219,7 @@ void AllocationPage::showBalance() {
     if (!preview_->missing.empty())
       title = tr("%1 trainee(s) lack one of these details: %2")
                   .arg(preview_->missing.size())
-                  .arg(shown(preview_->missing.front()));
+                  .arg(toQString(preview_->missing.front()));
   }
   balanceTitle_->setText(title);
 }
@@ -232,8 +236,8 @@ void AllocationPage::showDesign() {
                .arg(shownTime(row.stored.lockedUtc_us, locale()))
                .arg(row.records)
                .arg(row.overrides)
-               .arg(methodName(row.design.method), shown(row.stored.seedCommitment.substr(0, 32)),
-                    row.stored.seed.empty() ? tr("sealed") : shown(row.stored.seed));
+               .arg(methodName(row.design.method), toQString(row.stored.seedCommitment.substr(0, 32)),
+                    row.stored.seed.empty() ? tr("sealed") : toQString(row.stored.seed));
     std::map<std::string, std::string> codes;
     std::map<std::string, std::string> groups;
     for (const StoredEnrolment& enrolment : enrolments(shell().workplace(), chosenId(cohort_)))
@@ -242,17 +246,17 @@ void AllocationPage::showDesign() {
       for (const StoredGroup& group : cohort.groups) groups[group.id] = group.code;
     drawn_ = allocations(shell().workplace(), row.stored.id);
     for (const StoredAllocation& record : drawn_)
-      rows.push_back({shown(record.id),
+      rows.push_back({toQString(record.id),
                       {{QString::number(record.sequence), static_cast<qlonglong>(record.sequence)},
-                       {shown(codes[record.enrolmentId])},
-                       {shown(groups[record.groupId])},
+                       {toQString(codes[record.enrolmentId])},
+                       {toQString(groups[record.groupId])},
                        {QString::number(record.numberInGroup), static_cast<qlonglong>(record.numberInGroup)},
-                       {record.overrideReason.empty() ? tr("as drawn") : shown(record.overrideReason)},
-                       {shown(record.recordHash.substr(0, 12))}}});
+                       {record.overrideReason.empty() ? tr("as drawn") : toQString(record.overrideReason)},
+                       {toQString(record.recordHash.substr(0, 12))}}});
   }
   if (cohort_->count() == 0)
     text = tr("There is no cohort yet. Make one under Cohorts and enrol its trainees.");
-  else if (!shell().workplace().may(Operation::kAllocationRun))
+  else if (!shell().may(Operation::kAllocationRun))
     text = tr("%1\n\nOnly a keeper of the allocation previews, locks and draws. Whoever has the role "
               "Administrator gives it to somebody under Users.")
                .arg(text);
@@ -314,7 +318,7 @@ void AllocationPage::askMove() {
       if (one.enrolmentId == enrolmentId) present = one.groupId;
     QString code;
     for (const StoredEnrolment& one : enrolments(shell().workplace(), chosenId(cohort_)))
-      if (one.id == enrolmentId) code = shown(one.traineeCode);
+      if (one.id == enrolmentId) code = toQString(one.traineeCode);
     std::vector<StoredGroup> groups;
     for (const CohortRow& cohort : cohorts(shell().workplace()))
       if (cohort.cohort.id == chosenId(cohort_)) groups = cohort.groups;
@@ -343,14 +347,14 @@ bool AllocationPage::writeCards(const std::filesystem::path& file) {
   return attempt(shell(), [&] {
     writeSealedCards(takeOutCards(shell().workplace(), chosenId(cohort_)),
                      cohort_->currentText().toStdString(), file);
-    shell().notify(tr("Written: %1").arg(shown(file.string())));
+    shell().notify(tr("Written: %1").arg(toQString(file)));
   });
 }
 
 void AllocationPage::askCards() {
   const QString file =
       askFileToSave(this, tr("Sealed cards"), QStringLiteral("cards.pdf"), tr("PDF (*.pdf)"));
-  if (!file.isEmpty()) writeCards(std::filesystem::path(file.toStdString()));
+  if (!file.isEmpty()) writeCards(toPath(file));
 }
 
 void AllocationPage::check() {
@@ -362,7 +366,7 @@ void AllocationPage::check() {
                                       "of them moved by hand.")
                                        .arg(found.records)
                                        .arg(found.overrides)
-                                 : tr("The draw does not fit its record: %1").arg(spoken(found.finding)));
+                                 : tr("The draw does not fit its record: %1").arg(toQString(found.finding)));
   });
 }
 

@@ -44,12 +44,6 @@ class AllocationPage : public Page {
   /// Puts a trainee into another group than the draw did.
   bool moveByHand(const std::string& enrolmentId, const std::string& groupId, const std::string& reason);
 
-  [[nodiscard]] QComboBox& method() const noexcept { return *method_; }
-  [[nodiscard]] DataTable& balance() const noexcept { return *balance_; }
-  [[nodiscard]] DataTable& records() const noexcept { return *records_; }
-  [[nodiscard]] QPushButton& lockButton() const noexcept { return *lock_; }
-  [[nodiscard]] QPushButton& allocateButton() const noexcept { return *allocate_; }
-
  private:
   QWidget* designForm();
   void read();

@@ -36,7 +36,7 @@ QDateTime timeOf(const AuditEntry& entry) {
 
 QString indented(const std::string& json) {
   const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(json));
-  if (document.isNull()) return QString::fromStdString(json);
+  if (document.isNull()) return toQString(json);
   return QString::fromUtf8(document.toJson(QJsonDocument::Indented)).trimmed();
 }
 
@@ -120,12 +120,12 @@ void AuditPage::retranslate() {
                       {tr("Why")},
                       {tr("Code")}});
   table_->setEmptyText(tr("Nothing happened in this time."));
-  show();
+  showContent();
   showVerdict();
 }
 
 void AuditPage::read() {
-  try {
+  attempt(shell(), [&] {
     const int days = days_->currentData().toInt();
     AuditFilter filter{.limit = most_ + 1};  // one more tells whether there are older ones
     if (days > 0) filter.fromUtc_us = shell().workplace().now_us() - days * kDay_us;
@@ -135,28 +135,26 @@ void AuditPage::read() {
     all_ = older ? auditEntryCount(shell().workplace(), filter.fromUtc_us) : std::ssize(entries_);
     more_->setVisible(older);
     logins_ = auditActors(shell().workplace());
-    show();
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+    showContent();
+  });
 }
 
-void AuditPage::show() {
+void AuditPage::showContent() {
   std::vector<Row> rows;
   rows.reserve(entries_.size());
   for (const AuditEntry& entry : entries_) {
     const auto login = logins_.find(entry.actor);
-    const QString actor = QString::fromStdString(login == logins_.end() ? entry.actor : login->second);
+    const QString actor = toQString(login == logins_.end() ? entry.actor : login->second);
     const auto sequence = static_cast<qlonglong>(entry.sequence);
     rows.push_back({QString::number(sequence),
                     {{locale().toString(sequence), sequence},
                      timeCell(entry.atUtc_us),
                      {actor},
-                     {QString::fromStdString(entry.station)},
-                     {spoken(auditActionWords(entry.action)), {}, QString::fromStdString(entry.action)},
-                     {spoken(auditObjectWords(entry.objectKind)), {}, QString::fromStdString(entry.objectId)},
-                     {QString::fromStdString(entry.reason)},
-                     {QString::fromStdString(entry.action)}}});
+                     {toQString(entry.station)},
+                     {toQString(auditActionLabel(entry.action)), {}, toQString(entry.action)},
+                     {toQString(auditObjectLabel(entry.objectKind)), {}, toQString(entry.objectId)},
+                     {toQString(entry.reason)},
+                     {toQString(entry.action)}}});
   }
   more_->setText(tr("Show &more of %1").arg(locale().toString(static_cast<qlonglong>(all_))));
   table_->setRows(std::move(rows));
@@ -176,17 +174,17 @@ void AuditPage::showEntry(const QString& id) {
   };
   add(tr("When (UTC)"), timeOf(*found).toUTC().toString(Qt::ISODateWithMs));
   const auto withCode = [](const Text& words, const std::string& code) {
-    const QString spelt = QString::fromStdString(code);
-    return spoken(words) == spelt ? spelt : QStringLiteral("%1 (%2)").arg(spoken(words), spelt);
+    const QString spelt = toQString(code);
+    return toQString(words) == spelt ? spelt : QStringLiteral("%1 (%2)").arg(toQString(words), spelt);
   };
-  add(tr("What"), withCode(auditActionWords(found->action), found->action));
+  add(tr("What"), withCode(auditActionLabel(found->action), found->action));
   add(tr("Object"),
-      QStringLiteral("%1 %2").arg(withCode(auditObjectWords(found->objectKind), found->objectKind),
-                                  QString::fromStdString(found->objectId)));
+      QStringLiteral("%1 %2").arg(withCode(auditObjectLabel(found->objectKind), found->objectKind),
+                                  toQString(found->objectId)));
   add(tr("Before"), indented(found->oldJson));
   add(tr("After"), indented(found->newJson));
-  add(tr("Why"), QString::fromStdString(found->reason));
-  add(tr("Seal"), QString::fromStdString(found->entryHash));
+  add(tr("Why"), toQString(found->reason));
+  add(tr("Seal"), toQString(found->entryHash));
   entry_->setPlainText(lines.join(QLatin1Char('\n')));
 }
 
@@ -217,8 +215,8 @@ void AuditPage::showVerdict() {
     for (std::size_t i = 0; i < std::min(findings_->size(), kShown); ++i) {
       const AuditFinding& finding = (*findings_)[i];
       lines << QStringLiteral("\u2022 %1 %2: %3")
-                   .arg(spoken(auditObjectWords(finding.objectKind)),
-                        QString::fromStdString(finding.objectId), QString::fromStdString(finding.what));
+                   .arg(toQString(auditObjectLabel(finding.objectKind)), toQString(finding.objectId),
+                        toQString(finding.what));
     }
     verdict_->setText(lines.join(QLatin1Char('\n')));
   }

@@ -34,7 +34,7 @@ class AuditPage : public Page {
  private:
   void read();
   void readMore();
-  void show();
+  void showContent();
   void showEntry(const QString& id);
   void verify();
   void showVerdict();

@@ -70,10 +70,10 @@ CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters, QWidget* pa
   std::vector<Row> rows;
   for (const PersonRow& rater : raters)
     rows.push_back(
-        {shown(rater.person.id), {{shown(rater.person.code)}, {raterClassName(rater.raterClass)}}});
+        {toQString(rater.person.id), {{toQString(rater.person.code)}, {raterClassName(rater.raterClass)}}});
   raters_->setRows(std::move(rows));
   raters_->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
-  for (const PersonRow& rater : raters) classOf_[shown(rater.person.id)] = rater.raterClass;
+  for (const PersonRow& rater : raters) classOf_[toQString(rater.person.id)] = rater.raterClass;
   raters_->view().selectAll();
   connect(raters_, &DataTable::currentChanged, this, &CampaignDialog::check);
   auto* left = new QVBoxLayout;
@@ -102,7 +102,7 @@ QWidget* CampaignDialog::weightFields() {
   form->setSpacing(kSpace / 2);
   const auto add = [&](const std::string& name, std::int64_t weight, std::vector<QDoubleSpinBox*>& fields) {
     fields.push_back(weightField(weight, box));
-    form->addRow(spoken(name), fields.back());
+    form->addRow(toQString(Text(name)), fields.back());
     connect(fields.back(), &QDoubleSpinBox::valueChanged, this, &CampaignDialog::check);
   };
   auto* indices = new QLabel(tr("Weights of the indices"), box);

@@ -23,6 +23,7 @@ CampaignsPage::CampaignsPage(ShellContext& shell)
       table_(new DataTable(QStringLiteral("campaigns"), this)),
       ratersTitle_(new QLabel(this)),
       raters_(new DataTable(QStringLiteral("campaign-raters"), this)) {
+  table_->setObjectName(QStringLiteral("campaigns"));
   add_->setProperty("primary", true);
   heading_->addAction(add_);
   ratersTitle_->setObjectName(QStringLiteral("cardTitle"));
@@ -38,24 +39,24 @@ CampaignsPage::CampaignsPage(ShellContext& shell)
 
 void CampaignsPage::enter(const QVariant&) {
   read();
-  if (table_->currentId().isEmpty() && !rows_.empty()) table_->select(shown(rows_.back().campaign.id));
+  if (table_->currentId().isEmpty() && !rows_.empty()) table_->select(toQString(rows_.back().campaign.id));
 }
 
 void CampaignsPage::read() {
   attempt(shell(), [&] {
     rows_ = torsio::campaigns(shell().workplace());
-    show();
+    showContent();
   });
 }
 
-void CampaignsPage::show() {
+void CampaignsPage::showContent() {
   std::vector<Row> rows;
   for (const CampaignRow& row : rows_) {
     QStringList models;
     for (const StoredModel& model : row.campaign.models)
-      models << tr("%1 (shown as %2)").arg(shown(model.label), shown(model.hiddenLabel));
-    rows.push_back({shown(row.campaign.id),
-                    {{shown(row.campaign.name)},
+      models << tr("%1 (shown as %2)").arg(toQString(model.label), toQString(model.hiddenLabel));
+    rows.push_back({toQString(row.campaign.id),
+                    {{toQString(row.campaign.name)},
                      {QString::number(row.raters.size()), static_cast<qlonglong>(row.raters.size())},
                      {tr("%1 of %2").arg(row.marksSubmitted).arg(row.marksExpected),
                       static_cast<qlonglong>(row.marksSubmitted)},
@@ -68,16 +69,17 @@ void CampaignsPage::show() {
 }
 
 void CampaignsPage::showRaters() {
-  add_->setEnabled(shell().workplace().may(Operation::kEvaluationSetup));
+  add_->setEnabled(shell().may(Operation::kEvaluationSetup));
   const std::string id = table_->currentId().toStdString();
   const auto row =
       std::find_if(rows_.begin(), rows_.end(), [&](const CampaignRow& r) { return r.campaign.id == id; });
   std::vector<Row> rows;
-  ratersTitle_->setText(row != rows_.end() ? tr("Raters of %1").arg(shown(row->campaign.name)) : QString());
+  ratersTitle_->setText(row != rows_.end() ? tr("Raters of %1").arg(toQString(row->campaign.name))
+                                           : QString());
   if (row != rows_.end())
     for (const CampaignRow::Rater& rater : row->raters)
-      rows.push_back({shown(rater.id),
-                      {{shown(rater.code)},
+      rows.push_back({toQString(rater.id),
+                      {{toQString(rater.code)},
                        {raterClassName(rater.classCode)},
                        {tr("%1 of %2").arg(rater.submitted).arg(rater.expected),
                         static_cast<qlonglong>(rater.submitted)},
@@ -91,7 +93,7 @@ bool CampaignsPage::add(const CampaignPlan& plan) {
   return attempt(shell(), [&] {
     const std::string id = addCampaign(shell().workplace(), plan);
     read();
-    table_->select(shown(id));
+    table_->select(toQString(id));
   });
 }
 
@@ -115,7 +117,7 @@ void CampaignsPage::retranslate() {
       tr("No evaluation yet. An evaluation asks raters of three classes to score models on nine indices."));
   raters_->setColumns({{tr("Rater")}, {tr("Class")}, {tr("Marks"), true}, {tr("State")}});
   raters_->setEmptyText(tr("Choose an evaluation."));
-  show();
+  showContent();
 }
 
 }  // namespace torsio::gui

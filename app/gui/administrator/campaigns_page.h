@@ -25,11 +25,10 @@ class CampaignsPage : public Page {
   void retranslate() override;
 
   bool add(const CampaignPlan& plan);
-  [[nodiscard]] DataTable& campaigns() const noexcept { return *table_; }
 
  private:
   void read();
-  void show();
+  void showContent();
   void showRaters();
   void askNew();
 

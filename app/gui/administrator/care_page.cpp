@@ -33,7 +33,7 @@ constexpr int kDiskParts = 1000;
 constexpr std::int64_t kYear_us = 365LL * 86'400 * 1'000'000;
 
 bool isFile(const std::string& locator) {
-  return QFileInfo(shown(locator)).isFile();
+  return QFileInfo(toQString(locator)).isFile();
 }
 
 }  // namespace
@@ -63,6 +63,9 @@ CarePage::CarePage(ShellContext& shell)
       erase_(listButton(queue_)),
       rules_(listButton(queue_)) {
   rules_->setObjectName(QStringLiteral("retentionRules"));
+  recordText_->setObjectName(QStringLiteral("recordText"));
+  backupText_->setObjectName(QStringLiteral("backupText"));
+  queue_->setObjectName(QStringLiteral("queue"));
   queueTitle_->setObjectName(QStringLiteral("cardTitle"));
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
@@ -73,10 +76,8 @@ CarePage::CarePage(ShellContext& shell)
   connect(backupButton_, &QPushButton::clicked, this, &CarePage::askBackUp);
   connect(testButton_, &QPushButton::clicked, this, &CarePage::askTest);
   connect(removeButton_, &QPushButton::clicked, this, &CarePage::askRemoveDemonstration);
-  connect(restoreButton_, &QPushButton::clicked, this,
-          [this] { this->shell().open(QStringLiteral("office.restore")); });
-  connect(moveButton_, &QPushButton::clicked, this,
-          [this] { this->shell().open(QStringLiteral("office.move")); });
+  connect(restoreButton_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kRestore); });
+  connect(moveButton_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kMove); });
   connect(keep_, &QPushButton::clicked, this, &CarePage::keepLonger);
   connect(lock_, &QPushButton::clicked, this, &CarePage::lock);
   connect(erase_, &QPushButton::clicked, this, &CarePage::erase);
@@ -121,22 +122,22 @@ void CarePage::enter(const QVariant&) {
 
 void CarePage::read() {
   attempt(shell(), [&] {
-    const Workplace& workplace = shell().workplace();
-    if (workplace.may(Operation::kPersonErase)) demonstration_ = demonstrationSize(shell().workplace());
+    if (shell().may(Operation::kPersonErase)) demonstration_ = demonstrationSize(shell().workplace());
     due_.clear();
-    if (workplace.may(Operation::kRetentionManage)) due_ = retentionQueue(shell().workplace());
+    if (shell().may(Operation::kRetentionManage)) due_ = retentionQueue(shell().workplace());
     showRecord();
     std::vector<Row> rows;
     for (const RetentionItem& item : due_)
-      rows.push_back({shown(item.personId),
-                      {{shown(item.code)},
-                       {retentionCategoryName(item.category)},
-                       {orDash(item.basis)},
-                       timeCell(item.sinceUtc_us),
-                       timeCell(item.dueUtc_us),
-                       {!item.held                  ? tr("to be reviewed")
-                        : item.hold->kind == "lock" ? tr("locked: %1").arg(shown(item.hold->reason))
-                                                    : tr("kept longer: %1").arg(shown(item.hold->reason))}}});
+      rows.push_back(
+          {toQString(item.personId),
+           {{toQString(item.code)},
+            {retentionCategoryName(item.category)},
+            {orDash(item.basis)},
+            timeCell(item.sinceUtc_us),
+            timeCell(item.dueUtc_us),
+            {!item.held                  ? tr("to be reviewed")
+             : item.hold->kind == "lock" ? tr("locked: %1").arg(toQString(item.hold->reason))
+                                         : tr("kept longer: %1").arg(toQString(item.hold->reason))}}});
     queue_->setRows(std::move(rows));
     showButtons();
   });
@@ -146,7 +147,7 @@ void CarePage::showRecord() {
   const std::string locator = shell().workplace().key().locator;
   QStringList lines;
   if (isFile(locator)) {
-    const QFileInfo file(shown(locator));
+    const QFileInfo file(toQString(locator));
     const QStorageInfo disk(file.absolutePath());
     lines << file.absoluteFilePath();
     lines << tr("%1, %2 free on the disk")
@@ -167,8 +168,8 @@ void CarePage::showRecord() {
                                     .arg(check_->auditEntries)
                               : tr("\u2717 Checked: %1 finding(s), first: %2")
                                     .arg(check_->damage.size() + check_->audit.size())
-                                    .arg(check_->damage.empty() ? shown(check_->audit.front().what)
-                                                                : shown(check_->damage.front())));
+                                    .arg(check_->damage.empty() ? toQString(check_->audit.front().what)
+                                                                : toQString(check_->damage.front())));
   recordText_->setText(lines.join(QLatin1Char('\n')));
   setLook(recordText_, "caution", check_ && !check_->sound());
   simulatedText_->setText(demonstration_.people == 0
@@ -181,14 +182,13 @@ void CarePage::showRecord() {
 }
 
 void CarePage::showButtons() {
-  const Workplace& workplace = shell().workplace();
-  const bool file = isFile(workplace.key().locator);
-  backupButton_->setEnabled(file && workplace.may(Operation::kDatabaseBackup));
-  testButton_->setEnabled(workplace.may(Operation::kDatabaseBackup));
-  checkButton_->setEnabled(workplace.may(Operation::kDatabaseBackup));
-  removeButton_->setEnabled(demonstration_.people > 0 && workplace.may(Operation::kPersonErase));
-  restoreButton_->setEnabled(file && workplace.may(Operation::kDatabaseRestore));
-  moveButton_->setEnabled(file && workplace.may(Operation::kDatabaseRestore));
+  const bool file = isFile(shell().workplace().key().locator);
+  backupButton_->setEnabled(file && shell().may(Operation::kDatabaseBackup));
+  testButton_->setEnabled(shell().may(Operation::kDatabaseBackup));
+  checkButton_->setEnabled(shell().may(Operation::kDatabaseBackup));
+  removeButton_->setEnabled(demonstration_.people > 0 && shell().may(Operation::kPersonErase));
+  restoreButton_->setEnabled(file && shell().may(Operation::kDatabaseRestore));
+  moveButton_->setEnabled(file && shell().may(Operation::kDatabaseRestore));
   moveText_->setText(
       file
           ? tr("A backup takes the place of this record, or the record goes to a database server for several "
@@ -196,11 +196,11 @@ void CarePage::showButtons() {
           : tr("This record lies on a database server. Its administrator backs it up and restores it with "
                "the "
                "server's own tools."));
-  rules_->setEnabled(workplace.may(Operation::kRetentionManage));
+  rules_->setEnabled(shell().may(Operation::kRetentionManage));
   const RetentionItem* item = current();
   for (QPushButton* button : {keep_, lock_}) button->setEnabled(item != nullptr);
   lock_->setText(item != nullptr && item->held ? tr("&Release\u2026") : tr("&Lock\u2026"));
-  erase_->setEnabled(item != nullptr && !item->held && workplace.may(Operation::kPersonErase));
+  erase_->setEnabled(item != nullptr && !item->held && shell().may(Operation::kPersonErase));
 }
 
 const RetentionItem* CarePage::current() const {
@@ -221,7 +221,7 @@ void CarePage::backUp(const std::filesystem::path& file) {
         backupText_->setText(tr("\u2713 Written and read back: %1 recordings, %2 marks.\n%3")
                                  .arg(content->trials)
                                  .arg(content->marks)
-                                 .arg(QString::fromStdString(file.string())));
+                                 .arg(toQString(file)));
       });
 }
 
@@ -231,13 +231,13 @@ void CarePage::testBackup(const std::filesystem::path& file) {
       tr("Testing a backup"),
       [file, found](Workplace&, const ProgressCallback& progress) { *found = verifyBackup(file, progress); },
       [this, file, found] {
-        backupText_->setText(found->database.sound()
-                                 ? tr("\u2713 This backup can be restored: %1 recordings, %2 marks.\n%3")
-                                       .arg(found->content.trials)
-                                       .arg(found->content.marks)
-                                       .arg(QString::fromStdString(file.string()))
-                                 : tr("\u2717 This backup is not sound. Make a new one.\n%1")
-                                       .arg(QString::fromStdString(file.string())));
+        backupText_->setText(
+            found->database.sound()
+                ? tr("\u2713 This backup can be restored: %1 recordings, %2 marks.\n%3")
+                      .arg(found->content.trials)
+                      .arg(found->content.marks)
+                      .arg(toQString(file))
+                : tr("\u2717 This backup is not sound. Make a new one.\n%1").arg(toQString(file)));
       });
 }
 
@@ -265,12 +265,12 @@ bool CarePage::removeDemonstration(const std::string& reason) {
 void CarePage::askBackUp() {
   const QString name = QStringLiteral("torsio-%1.sqlite").arg(QDate::currentDate().toString(Qt::ISODate));
   const QString file = askFileToSave(this, tr("Back up to"), name, tr("Backup (*.sqlite)"));
-  if (!file.isEmpty()) backUp(std::filesystem::path(file.toStdString()));
+  if (!file.isEmpty()) backUp(toPath(file));
 }
 
 void CarePage::askTest() {
   const QString file = askFileToOpen(this, tr("Test a backup"), tr("Backup (*.sqlite)"));
-  if (!file.isEmpty()) testBackup(std::filesystem::path(file.toStdString()));
+  if (!file.isEmpty()) testBackup(toPath(file));
 }
 
 void CarePage::askRemoveDemonstration() {
@@ -297,7 +297,7 @@ void CarePage::keepLonger() {
   const RetentionItem* item = current();
   if (item == nullptr) return;
   const std::optional<std::string> reason = askReason(
-      this, tr("Keep longer"), tr("The record of %1 is kept for another year.").arg(shown(item->code)));
+      this, tr("Keep longer"), tr("The record of %1 is kept for another year.").arg(toQString(item->code)));
   if (!reason) return;
   attempt(shell(), [&] {
     extendRecord(shell().workplace(), item->personId, shell().workplace().now_us() + kYear_us, *reason);
@@ -310,9 +310,10 @@ void CarePage::lock() {
   if (item == nullptr) return;
   const std::optional<std::string> reason =
       item->held
-          ? askReason(this, tr("Release"), tr("The record of %1 is no longer held.").arg(shown(item->code)))
+          ? askReason(this, tr("Release"),
+                      tr("The record of %1 is no longer held.").arg(toQString(item->code)))
           : askReason(this, tr("Lock"),
-                      tr("The record of %1 is kept until somebody releases it.").arg(shown(item->code)));
+                      tr("The record of %1 is kept until somebody releases it.").arg(toQString(item->code)));
   if (!reason) return;
   attempt(shell(), [&] {
     if (item->held) {
@@ -334,7 +335,7 @@ void CarePage::erase() {
         askReason(this, tr("Erase a record"),
                   tr("The identity of %1 and %2 recording(s) are erased for good. Marks stay without a "
                      "person, so that statistics remain right.")
-                      .arg(shown(item->code))
+                      .arg(toQString(item->code))
                       .arg(tried.recordings));
     if (!reason) return;
     static_cast<void>(eraseDue(shell().workplace(), who, *reason, false));

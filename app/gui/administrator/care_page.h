@@ -38,10 +38,6 @@ class CarePage : public Page {
   void checkRecord();
   bool removeDemonstration(const std::string& reason);
 
-  [[nodiscard]] QLabel& backupText() const noexcept { return *backupText_; }
-  [[nodiscard]] QLabel& recordText() const noexcept { return *recordText_; }
-  [[nodiscard]] DataTable& queue() const noexcept { return *queue_; }
-
  private:
   QWidget* cards();
   void read();

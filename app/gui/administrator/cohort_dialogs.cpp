@@ -27,9 +27,10 @@ CohortDialog::CohortDialog(const std::vector<CurriculumRow>& curricula, QWidget*
       groups_(new QLineEdit(this)),
       groupsLabel_(new QLabel(tr("&Groups"), this)),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this)) {
+  name_->setObjectName(QStringLiteral("name"));
   setWindowTitle(tr("New cohort"));
   curriculum_->addItem(tr("none yet"), QString());
-  for (const auto& [id, title] : runningVersions(curricula)) curriculum_->addItem(title, shown(id));
+  for (const auto& [id, title] : runningVersions(curricula)) curriculum_->addItem(title, toQString(id));
   curriculum_->setCurrentIndex(curriculum_->count() > 1 ? 1 : 0);
   groups_->setPlaceholderText(tr("Group 1, Group 2, Group 3"));
   groupsLabel_->setBuddy(groups_);
@@ -82,8 +83,8 @@ PeopleDialog::PeopleDialog(const QString& title, const QString& question,
   table_->setEmptyText(tr("Nobody is left to choose."));
   std::vector<Row> rows;
   for (const PersonRow& row : people)
-    rows.push_back({shown(row.person.id),
-                    {{shown(row.person.code)},
+    rows.push_back({toQString(row.person.id),
+                    {{toQString(row.person.code)},
                      {levelName(row.person.sex)},
                      {orDash(row.person.level)},
                      {orDash(row.person.experience)},
@@ -123,7 +124,7 @@ std::vector<std::pair<std::string, QString>> runningVersions(const std::vector<C
       if (version->state == "running")
         out.emplace_back(
             version->id,
-            CohortDialog::tr("%1, version %2").arg(shown(row.curriculum.name)).arg(version->number));
+            CohortDialog::tr("%1, version %2").arg(toQString(row.curriculum.name)).arg(version->number));
   return out;
 }
 

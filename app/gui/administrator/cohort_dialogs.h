@@ -29,7 +29,6 @@ class CohortDialog : public QDialog {
   CohortDialog(const std::vector<CurriculumRow>& curricula, QWidget* parent);
 
   [[nodiscard]] NewCohort cohort() const;
-  [[nodiscard]] QLineEdit& name() const noexcept { return *name_; }
 
  private:
   void check();

@@ -30,6 +30,8 @@ CohortsPage::CohortsPage(ShellContext& shell)
       membersTitle_(new QLabel(this)),
       members_(new DataTable(QStringLiteral("cohort-members"), this)),
       state_(listButton(members_)) {
+  members_->setObjectName(QStringLiteral("members"));
+  table_->setObjectName(QStringLiteral("cohorts"));
   add_->setProperty("primary", true);
   heading_->addAction(add_);
   membersTitle_->setObjectName(QStringLiteral("cardTitle"));
@@ -43,13 +45,12 @@ CohortsPage::CohortsPage(ShellContext& shell)
   connect(enrol_, &QPushButton::clicked, this, &CohortsPage::enrol);
   connect(follow_, &QPushButton::clicked, this, &CohortsPage::follow);
   connect(allocate_, &QPushButton::clicked, this, [this] {
-    if (const CohortRow* row = current())
-      this->shell().open(QStringLiteral("office.allocation"), shown(row->cohort.id));
+    if (const CohortRow* row = current()) this->shell().open(PageId::kAllocation, toQString(row->cohort.id));
   });
   connect(state_, &QPushButton::clicked, this, &CohortsPage::changeState);
   connect(table_, &DataTable::currentChanged, this, &CohortsPage::showMembers);
   connect(members_, &DataTable::currentChanged, this, [this](const QString& id) {
-    state_->setEnabled(!id.isEmpty() && this->shell().workplace().may(Operation::kStudyEnrol));
+    state_->setEnabled(!id.isEmpty() && this->shell().may(Operation::kStudyEnrol));
   });
   retranslate();
 }
@@ -57,30 +58,31 @@ CohortsPage::CohortsPage(ShellContext& shell)
 void CohortsPage::enter(const QVariant& argument) {
   read();
   if (argument.isValid()) table_->select(argument.toString());
-  if (table_->currentId().isEmpty() && !rows_.empty()) table_->select(shown(rows_.back().cohort.id));
+  if (table_->currentId().isEmpty() && !rows_.empty()) table_->select(toQString(rows_.back().cohort.id));
 }
 
 void CohortsPage::read() {
   attempt(shell(), [&] {
     rows_ = torsio::cohorts(shell().workplace());
-    show();
+    showContent();
   });
 }
 
-void CohortsPage::show() {
+void CohortsPage::showContent() {
   std::vector<Row> rows;
   for (const CohortRow& row : rows_)
-    rows.push_back({shown(row.cohort.id),
-                    {{shown(row.cohort.name)},
-                     {row.curriculumName.empty()
-                          ? tr("none yet")
-                          : tr("%1, version %2").arg(shown(row.curriculumName)).arg(row.curriculumNumber)},
-                     {QString::number(row.groups.size()), static_cast<qlonglong>(row.groups.size())},
-                     {QString::number(row.enrolled), static_cast<qlonglong>(row.enrolled)},
-                     {QString::number(row.allocated), static_cast<qlonglong>(row.allocated)},
-                     {QString::number(row.withdrawn), static_cast<qlonglong>(row.withdrawn)},
-                     {row.cohort.demonstration ? tr("demonstration") : QStringLiteral("\u2013")},
-                     timeCell(row.cohort.createdUtc_us)}});
+    rows.push_back(
+        {toQString(row.cohort.id),
+         {{toQString(row.cohort.name)},
+          {row.curriculumName.empty()
+               ? tr("none yet")
+               : tr("%1, version %2").arg(toQString(row.curriculumName)).arg(row.curriculumNumber)},
+          {QString::number(row.groups.size()), static_cast<qlonglong>(row.groups.size())},
+          {QString::number(row.enrolled), static_cast<qlonglong>(row.enrolled)},
+          {QString::number(row.allocated), static_cast<qlonglong>(row.allocated)},
+          {QString::number(row.withdrawn), static_cast<qlonglong>(row.withdrawn)},
+          {row.cohort.demonstration ? tr("demonstration") : QStringLiteral("\u2013")},
+          timeCell(row.cohort.createdUtc_us)}});
   table_->setRows(std::move(rows));
   showMembers();
 }
@@ -95,19 +97,19 @@ const CohortRow* CohortsPage::current() const {
 void CohortsPage::showMembers() {
   const CohortRow* row = current();
   Workplace& workplace = shell().workplace();
-  add_->setEnabled(workplace.may(Operation::kStudySetup));
-  enrol_->setEnabled(row != nullptr && workplace.may(Operation::kStudyEnrol));
-  follow_->setEnabled(row != nullptr && workplace.may(Operation::kStudySetup));
-  allocate_->setEnabled(row != nullptr && workplace.may(Operation::kAllocationView));
+  add_->setEnabled(shell().may(Operation::kStudySetup));
+  enrol_->setEnabled(row != nullptr && shell().may(Operation::kStudyEnrol));
+  follow_->setEnabled(row != nullptr && shell().may(Operation::kStudySetup));
+  allocate_->setEnabled(row != nullptr && shell().may(Operation::kAllocationView));
   state_->setEnabled(false);
-  membersTitle_->setText(row != nullptr ? tr("Trainees of %1").arg(shown(row->cohort.name)) : QString());
+  membersTitle_->setText(row != nullptr ? tr("Trainees of %1").arg(toQString(row->cohort.name)) : QString());
   enrolments_.clear();
   if (row != nullptr) attempt(shell(), [&] { enrolments_ = enrolments(workplace, row->cohort.id); });
   std::vector<Row> rows;
   for (const StoredEnrolment& enrolment : enrolments_)
     rows.push_back(
-        {shown(enrolment.id),
-         {{shown(enrolment.traineeCode)},
+        {toQString(enrolment.id),
+         {{toQString(enrolment.traineeCode)},
           {orDash(enrolment.groupCode)},
           {enrolment.numberInGroup > 0 ? QString::number(enrolment.numberInGroup) : QStringLiteral("\u2013"),
            static_cast<qlonglong>(enrolment.numberInGroup)},
@@ -122,7 +124,7 @@ void CohortsPage::addNew() {
     if (dialog.exec() != QDialog::Accepted) return;
     const std::string id = addCohort(shell().workplace(), dialog.cohort());
     read();
-    table_->select(shown(id));
+    table_->select(toQString(id));
   });
 }
 
@@ -138,13 +140,13 @@ void CohortsPage::enrol() {
           person.person.demonstration == row->cohort.demonstration)
         free.push_back(std::move(person));
     PeopleDialog dialog(tr("Enrol trainees"),
-                        tr("Who takes part in %1? Groups are drawn later.").arg(shown(row->cohort.name)),
+                        tr("Who takes part in %1? Groups are drawn later.").arg(toQString(row->cohort.name)),
                         free, this);
     if (dialog.exec() != QDialog::Accepted || dialog.chosen().empty()) return;
     const std::string cohort = row->cohort.id;
     enrolTrainees(shell().workplace(), cohort, dialog.chosen());
     read();
-    table_->select(shown(cohort));
+    table_->select(toQString(cohort));
   });
 }
 
@@ -163,7 +165,7 @@ void CohortsPage::follow() {
     const std::string cohort = row->cohort.id;
     assignCurriculum(shell().workplace(), cohort, *version);
     read();
-    table_->select(shown(cohort));
+    table_->select(toQString(cohort));
   });
 }
 
@@ -176,8 +178,8 @@ void CohortsPage::changeState() {
   const bool back = enrolment->state == EnrolmentState::kWithdrawn;
   const std::optional<std::string> reason = askReason(
       this, back ? tr("Back into the study") : tr("Withdraw from the study"),
-      back ? tr("%1 takes part again.").arg(shown(enrolment->traineeCode))
-           : tr("%1 trains no further; what was recorded stays.").arg(shown(enrolment->traineeCode)));
+      back ? tr("%1 takes part again.").arg(toQString(enrolment->traineeCode))
+           : tr("%1 trains no further; what was recorded stays.").arg(toQString(enrolment->traineeCode)));
   if (!reason) return;
   attempt(shell(), [&] {
     setEnrolmentState(shell().workplace(), row->cohort.id, id,
@@ -205,7 +207,7 @@ void CohortsPage::retranslate() {
   members_->setColumns(
       {{tr("Trainee")}, {tr("Group")}, {tr("Number"), true}, {tr("State")}, {tr("Enrolled")}});
   members_->setEmptyText(tr("Nobody is enrolled yet."));
-  show();
+  showContent();
 }
 
 }  // namespace torsio::gui

@@ -24,12 +24,9 @@ class CohortsPage : public Page {
   void enter(const QVariant& argument) override;
   void retranslate() override;
 
-  [[nodiscard]] DataTable& cohorts() const noexcept { return *table_; }
-  [[nodiscard]] DataTable& members() const noexcept { return *members_; }
-
  private:
   void read();
-  void show();
+  void showContent();
   void showMembers();
   void addNew();
   void enrol();

@@ -51,6 +51,10 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
       begin_(new QPushButton(this)),
       close_(new QPushButton(this)),
       editor_(new CurriculumEditor(shell.assets(), this)) {
+  state_->setObjectName(QStringLiteral("state"));
+  versions_->setObjectName(QStringLiteral("versions"));
+  table_->setObjectName(QStringLiteral("curricula"));
+  editor_->setObjectName(QStringLiteral("editor"));
   add_->setProperty("primary", true);
   heading_->addAction(add_);
   auto* right = editing_ = new QWidget(this);
@@ -97,7 +101,7 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
 void CurriculaPage::enter(const QVariant& argument) {
   read();
   if (argument.isValid()) table_->select(argument.toString());
-  if (table_->currentId().isEmpty() && !rows_.empty()) table_->select(shown(rows_.front().curriculum.id));
+  if (table_->currentId().isEmpty() && !rows_.empty()) table_->select(toQString(rows_.front().curriculum.id));
 }
 
 bool CurriculaPage::leave() {
@@ -112,13 +116,13 @@ void CurriculaPage::read() {
   });
 }
 
-void CurriculaPage::show() {
+void CurriculaPage::showContent() {
   std::vector<Row> rows;
   for (const CurriculumRow& row : rows_) {
     const CurriculumVersionRow* newest = row.versions.empty() ? nullptr : &row.versions.back();
     rows.push_back(
-        {shown(row.curriculum.id),
-         {{shown(row.curriculum.name)},
+        {toQString(row.curriculum.id),
+         {{toQString(row.curriculum.name)},
           {newest != nullptr ? tr("%1, %2").arg(newest->number).arg(versionStateName(newest->state))
                              : tr("none yet"),
            static_cast<qlonglong>(newest != nullptr ? newest->number : 0)}}});
@@ -149,12 +153,12 @@ void CurriculaPage::showDraft() {
     return;
   }
   if (dirty_ && !save()) {
-    table_->select(shown(shownId_));  // what was typed is not lost to a look at another one
+    table_->select(toQString(shownId_));  // what was typed is not lost to a look at another one
     return;
   }
   CurriculumDraft draft;
   const bool found = attempt(shell(), [&] {
-    if (shell().workplace().may(Operation::kCurriculumEdit))
+    if (shell().may(Operation::kCurriculumEdit))
       draft = curriculumDraft(shell().workplace(), row->curriculum.id);
     else if (!row->versions.empty())
       draft.content = publishedContent(shell().workplace(), row->versions.back().id);
@@ -177,21 +181,21 @@ void CurriculaPage::showDraft() {
 void CurriculaPage::fillVersions() {
   const CurriculumRow* row = current();
   const QString before = row != nullptr && !versions_->currentData().toString().isEmpty() &&
-                                 shown(row->curriculum.id) == versions_->property("of").toString()
+                                 toQString(row->curriculum.id) == versions_->property("of").toString()
                              ? versions_->currentData().toString()
                              : QString();
   versions_->clear();
   if (row == nullptr) return;
-  versions_->setProperty("of", shown(row->curriculum.id));
+  versions_->setProperty("of", toQString(row->curriculum.id));
   versions_->addItem(tr("Draft"), QString());
   for (auto version = row->versions.rbegin(); version != row->versions.rend(); ++version)
     versions_->addItem(tr("Version %1 (%2)").arg(version->number).arg(versionStateName(version->state)),
-                       shown(version->id));
+                       toQString(version->id));
   versions_->setCurrentIndex(std::max(0, versions_->findData(before)));
 }
 
 void CurriculaPage::showVersion(const std::string& versionId) {
-  versions_->setCurrentIndex(std::max(0, versions_->findData(shown(versionId))));
+  versions_->setCurrentIndex(std::max(0, versions_->findData(toQString(versionId))));
   showChosenVersion();
 }
 
@@ -205,7 +209,7 @@ void CurriculaPage::showChosenVersion() {
     editor_->setContent(version == nullptr ? draft_.content
                                            : publishedContent(shell().workplace(), version->id));
   });
-  editor_->setReadOnly(version != nullptr || !shell().workplace().may(Operation::kCurriculumEdit));
+  editor_->setReadOnly(version != nullptr || !shell().may(Operation::kCurriculumEdit));
   showButtons();
 }
 
@@ -226,10 +230,10 @@ const CurriculumVersionRow* CurriculaPage::versionAtHand() const {
 
 void CurriculaPage::showButtons() {
   const CurriculumRow* row = current();
-  const bool may = row != nullptr && shell().workplace().may(Operation::kCurriculumEdit);
+  const bool may = row != nullptr && shell().may(Operation::kCurriculumEdit);
   const CurriculumVersionRow* version = versionAtHand();
   const bool draftShown = shownVersion() == nullptr;
-  add_->setEnabled(shell().workplace().may(Operation::kCurriculumEdit));
+  add_->setEnabled(shell().may(Operation::kCurriculumEdit));
   save_->setVisible(draftShown);
   publish_->setVisible(draftShown);
   take_->setVisible(!draftShown);
@@ -248,13 +252,13 @@ void CurriculaPage::sayState() {
     return;
   }
   const CurriculumVersionRow* version = shownVersion();
-  state_->setText(version == nullptr ? draftWords(*row) : versionWords(*row, *version));
+  state_->setText(version == nullptr ? draftText(*row) : versionText(*row, *version));
 }
 
-QString CurriculaPage::draftWords(const CurriculumRow& row) const {
+QString CurriculaPage::draftText(const CurriculumRow& row) const {
   if (dirty_)
     return tr("%1: changed, not saved. The draft is also saved when you leave.")
-        .arg(shown(row.curriculum.name));
+        .arg(toQString(row.curriculum.name));
   QString next = tr("Everything may be changed; nobody is touched until it is published as version %1.")
                      .arg(row.versions.size() + 1);
   if (row.hasDraft) next = tr("Saved %1. %2").arg(shownTime(row.draftChangedUtc_us, locale()), next);
@@ -266,9 +270,9 @@ QString CurriculaPage::draftWords(const CurriculumRow& row) const {
       .arg(versionStateName(newest.state));
 }
 
-QString CurriculaPage::versionWords(const CurriculumRow& row, const CurriculumVersionRow& version) const {
+QString CurriculaPage::versionText(const CurriculumRow& row, const CurriculumVersionRow& version) const {
   QStringList followers;
-  for (const std::string& cohort : version.cohorts) followers << shown(cohort);
+  for (const std::string& cohort : version.cohorts) followers << toQString(cohort);
   const QString who = followers.isEmpty() ? tr("No cohort follows it.")
                                           : tr("Followed by: %1.").arg(followers.join(tr(", ")));
   QString words;
@@ -283,7 +287,7 @@ QString CurriculaPage::versionWords(const CurriculumRow& row, const CurriculumVe
         tr("Published on %1, closed: no further cohort can choose it; who follows it goes on. It is kept as "
            "it was.");
   words = words.arg(shownTime(version.createdUtc_us, locale()));
-  if (!version.note.empty()) words = tr("%1 Note: %2.").arg(words, shown(version.note));
+  if (!version.note.empty()) words = tr("%1 Note: %2.").arg(words, toQString(version.note));
   if (version.number < row.versions.back().number)
     words = tr("%1 Superseded by version %2.").arg(words).arg(row.versions.back().number);
   return tr("%1 %2").arg(words, who);
@@ -300,7 +304,7 @@ bool CurriculaPage::add(const std::string& name, const std::string& templateId) 
       }
     const std::string id = addCurriculum(shell().workplace(), name, description, content);
     read();
-    table_->select(shown(id));
+    table_->select(toQString(id));
   });
 }
 
@@ -326,7 +330,7 @@ bool CurriculaPage::publish(const std::string& note) {
     }
     publishCurriculum(shell().workplace(), id, note, shell().assets());
     read();
-    table_->select(shown(id));
+    table_->select(toQString(id));
     shell().notify(tr("Published. Begin it, so that cohorts can follow it."));
   });
 }
@@ -338,7 +342,7 @@ bool CurriculaPage::begin() {
     const std::string id = shownId_;
     runCurriculum(shell().workplace(), version->id);
     read();
-    table_->select(shown(id));
+    table_->select(toQString(id));
     shell().notify(tr("It runs: cohorts can follow it now."));
   });
 }
@@ -370,7 +374,7 @@ void CurriculaPage::askNew() {
     auto* name = new QLineEdit(&dialog);
     auto* from = new QComboBox(&dialog);
     for (const CurriculumTemplate& known : curriculumTemplates(shell().assets()))
-      from->addItem(spoken(known.title), shown(known.id));
+      from->addItem(toQString(Text(known.title)), toQString(known.id));
     from->addItem(tr("nothing in it yet"), QString());
     chooseId(from, "paper-three-arms");
     auto* form = new QFormLayout(&dialog);
@@ -439,7 +443,7 @@ void CurriculaPage::retranslate() {
   table_->setColumns({{tr("Name")}, {tr("Newest version")}});
   table_->setEmptyText(tr("No curriculum yet. Begin with the template of the paper's three arms."));
   editor_->retranslate();
-  show();
+  showContent();
 }
 
 }  // namespace torsio::gui

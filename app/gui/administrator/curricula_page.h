@@ -39,21 +39,16 @@ class CurriculaPage : public Page {
   /// What the shown version contains becomes the draft; the draft before is asked for first when it differs.
   bool takeAsDraft();
 
-  [[nodiscard]] CurriculumEditor& editor() const noexcept { return *editor_; }
-  [[nodiscard]] DataTable& curricula() const noexcept { return *table_; }
-  [[nodiscard]] QComboBox& versions() const noexcept { return *versions_; }
-  [[nodiscard]] QLabel& state() const noexcept { return *state_; }
-
  private:
   void read();
-  void show();
+  void showContent();
   void showDraft();
   void showChosenVersion();
   void fillVersions();
   void showButtons();
   void sayState();
-  [[nodiscard]] QString draftWords(const CurriculumRow& row) const;
-  [[nodiscard]] QString versionWords(const CurriculumRow& row, const CurriculumVersionRow& version) const;
+  [[nodiscard]] QString draftText(const CurriculumRow& row) const;
+  [[nodiscard]] QString versionText(const CurriculumRow& row, const CurriculumVersionRow& version) const;
   void askNew();
   void askOccasion();
   void askPublish();

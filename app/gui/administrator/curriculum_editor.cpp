@@ -167,7 +167,7 @@ void CurriculumEditor::judge() {
   problemList_->clear();
   for (const CurriculumProblem& problem : problems_)
     problemList_->addItem(
-        tr("%1 %2. %3.").arg(spoken(problem.where), spoken(problem.what), spoken(problem.remedy)));
+        tr("%1 %2. %3.").arg(toQString(problem.where), toQString(problem.what), toQString(problem.remedy)));
   if (problems_.empty()) problemList_->addItem(tr("\u2713 Nothing is missing: this can be published."));
   setTabText(3, problems_.empty() ? tr("Check: complete")
                                   : tr("Check: %n to mend", nullptr, static_cast<int>(problems_.size())));

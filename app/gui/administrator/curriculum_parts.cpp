@@ -7,13 +7,10 @@
 #include <QCoreApplication>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QListWidget>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -25,7 +22,6 @@ namespace torsio::gui {
 
 namespace {
 
-constexpr int kListWidth = 190;
 constexpr int kRowHeight = 5 * kSpace;
 
 }  // namespace
@@ -36,34 +32,6 @@ QDoubleSpinBox* numberField(double least, double most, int decimals, QWidget* pa
   field->setDecimals(decimals);
   field->setButtonSymbols(QAbstractSpinBox::NoButtons);
   return field;
-}
-
-QWidget* listBeside(QListWidget* list, std::initializer_list<QPushButton*> acts, QWidget* form) {
-  auto* page = new QWidget;
-  auto* left = new QVBoxLayout;
-  left->setSpacing(kSpace);
-  left->addWidget(list, 1);
-  list->setMinimumWidth(kListWidth);
-  list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list->setTextElideMode(Qt::ElideRight);
-  auto* buttons = new QGridLayout;
-  buttons->setSpacing(kSpace / 2);
-  int next = 0;
-  for (QPushButton* button : acts) {
-    button->setAutoDefault(false);
-    buttons->addWidget(button, next / 2, next % 2);
-    ++next;
-  }
-  left->addLayout(buttons);
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setWidget(form);
-  auto* row = new QHBoxLayout(page);
-  row->setSpacing(2 * kSpace);
-  row->addLayout(left, 1);
-  row->addWidget(scroll, 3);
-  return page;
 }
 
 QBoxLayout* buttonRow(std::initializer_list<QPushButton*> buttons) {
@@ -95,8 +63,8 @@ void fitRows(QTableWidget* table, int leastRows) {
 }
 
 void chooseOrAdd(QComboBox* box, const std::string& value) {
-  if (box->findData(shown(value)) < 0) box->addItem(orDash(value), shown(value));
-  box->setCurrentIndex(box->findData(shown(value)));
+  if (box->findData(toQString(value)) < 0) box->addItem(orDash(value), toQString(value));
+  box->setCurrentIndex(box->findData(toQString(value)));
 }
 
 int rowOf(const QTableWidget* table, const QWidget* cell) {

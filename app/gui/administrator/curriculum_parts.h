@@ -13,7 +13,6 @@ class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
-class QListWidget;
 class QPushButton;
 class QTableWidget;
 class QWidget;
@@ -28,8 +27,6 @@ inline constexpr double kMicrosecondsOfSecond = 1e6;
 /// A number that is typed; without the arrows that a wheel turns by accident.
 [[nodiscard]] QDoubleSpinBox* numberField(double least, double most, int decimals, QWidget* parent = nullptr);
 
-/// A list with its buttons (two in a row) on the left, a form that scrolls on the right.
-[[nodiscard]] QWidget* listBeside(QListWidget* list, std::initializer_list<QPushButton*> acts, QWidget* form);
 /// Buttons in a row, as narrow as their texts.
 [[nodiscard]] QBoxLayout* buttonRow(std::initializer_list<QPushButton*> buttons);
 /// A table of few rows whose cells are fields; grows with its rows up to `mostRows`.
@@ -42,15 +39,6 @@ void chooseOrAdd(QComboBox* box, const std::string& value);
 
 /// The row of a table in which this cell widget stands; -1: in none.
 [[nodiscard]] int rowOf(const QTableWidget* table, const QWidget* cell);
-
-/// Moves an element up (-1) or down (+1). Returns where it is then.
-template <typename T>
-int moved(std::vector<T>& list, int row, int by) {
-  const int to = row + by;
-  if (row < 0 || row >= std::ssize(list) || to < 0 || to >= std::ssize(list)) return row;
-  std::swap(list[static_cast<std::size_t>(row)], list[static_cast<std::size_t>(to)]);
-  return to;
-}
 
 /// "V7": the first number that no code of `taken` has.
 [[nodiscard]] std::string freeCode(const std::string& prefix, const std::vector<std::string>& taken);

@@ -30,6 +30,7 @@ DevicesPage::DevicesPage(ShellContext& shell)
       verdict_(sentence(this, false)),
       table_(new DataTable(QStringLiteral("devices"), this)),
       settings_(new StationSettingsCard(shell, this)) {
+  table_->setObjectName(QStringLiteral("findings"));
   check_->setProperty("primary", true);
   heading_->addAction(check_);
   auto* choices = new QHBoxLayout;
@@ -51,7 +52,7 @@ DevicesPage::DevicesPage(ShellContext& shell)
 
 void DevicesPage::enter(const QVariant&) {
   settings_->read();
-  show();
+  showContent();
 }
 
 void DevicesPage::check() {
@@ -71,12 +72,12 @@ void DevicesPage::check() {
         result_ = *result;
         if (StationWriter* line = shell().line(); line != nullptr)
           line->showDevice(stationDevice(hapticReadiness(*result), shell().workplace().now_us()));
-        show();
+        showContent();
       });
   check_->setEnabled(true);
 }
 
-void DevicesPage::show() {
+void DevicesPage::showContent() {
   std::vector<Row> rows;
   if (result_)
     for (const DeviceFinding& finding : result_->findings) {
@@ -84,11 +85,11 @@ void DevicesPage::show() {
       const QString grade = finding.grade == FindingGrade::kGood   ? tr("\u2713 good")
                             : finding.grade == FindingGrade::kNote ? tr("! note")
                                                                    : tr("\u2717 not usable");
-      rows.push_back({shown(finding.subject),
+      rows.push_back({toQString(finding.subject),
                       {{grade, static_cast<int>(finding.grade)},
-                       {spoken(finding.subject)},
-                       {spoken(finding.sentence)},
-                       {finding.remedy.empty() ? orDash({}) : spoken(finding.remedy)}}});
+                       {toQString(Text(finding.subject))},
+                       {toQString(finding.sentence)},
+                       {finding.remedy.empty() ? orDash({}) : toQString(finding.remedy)}}});
     }
   table_->setRows(std::move(rows));
   if (!result_) {
@@ -100,7 +101,7 @@ void DevicesPage::show() {
                           .arg(locale().toString(result_->rate_Hz, 'f', 0)));
   } else {
     verdict_->setText(tr("No scored run with the device now: %1. Practice with the mouse works meanwhile.")
-                          .arg(spoken(result_->worst()->sentence)));
+                          .arg(toQString(result_->worst()->sentence)));
   }
   setLook(verdict_, "caution", result_ && !result_->usable());
   setLook(verdict_, "good", result_ && result_->usable());
@@ -116,7 +117,7 @@ void DevicesPage::retranslate() {
   table_->setColumns(
       {{tr("Result")}, {tr("What was looked at")}, {tr("What was found")}, {tr("What to do")}});
   table_->setEmptyText(tr("Press Check the device."));
-  show();
+  showContent();
 }
 
 }  // namespace torsio::gui

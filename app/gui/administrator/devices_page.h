@@ -31,10 +31,9 @@ class DevicesPage : public Page {
 
   void check();
   [[nodiscard]] const std::optional<DeviceCheckResult>& result() const noexcept { return result_; }
-  [[nodiscard]] DataTable& findings() const noexcept { return *table_; }
 
  private:
-  void show();
+  void showContent();
 
   std::optional<DeviceCheckResult> result_;
   PageHeading* heading_;

@@ -48,7 +48,7 @@ std::vector<std::string> codesOf(const StoredCurriculumVersion& content) {
 }
 
 QString lineOf(const StoredModule& module) {
-  return QStringLiteral("%1  %2").arg(shown(module.code), spoken(module.title));
+  return QStringLiteral("%1  %2").arg(toQString(module.code), toQString(Text(module.title)));
 }
 
 /// A scene or a pattern as people call it: "arm" is the forearm in every language.
@@ -63,13 +63,6 @@ ExerciseEditor::ExerciseEditor(std::filesystem::path assets, StoredCurriculumVer
     : QWidget(parent),
       assets_(std::move(assets)),
       content_(content),
-      list_(new QListWidget),
-      add_(new QPushButton),
-      remove_(new QPushButton),
-      up_(new QPushButton),
-      down_(new QPushButton),
-      code_(new QLineEdit),
-      codeProblem_(sentence(nullptr)),
       title_(new QLineEdit),
       scene_(new QComboBox),
       pattern_(new QComboBox),
@@ -85,13 +78,13 @@ ExerciseEditor::ExerciseEditor(std::filesystem::path assets, StoredCurriculumVer
       mastery_(new QTableWidget(0, 4)),
       addRule_(new QPushButton),
       removeRule_(new QPushButton) {
-  list_->setObjectName(QStringLiteral("exercises"));
   after_->setObjectName(QStringLiteral("prerequisites"));
   after_->setProperty("checkable", true);  // the look: a check mark stands at the item's very edge
   mastery_->setObjectName(QStringLiteral("mastery"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(listBeside(list_, {add_, remove_, up_, down_}, form()));
+  list_ = new OrderedList(QStringLiteral("exercises"), form(), this);
+  column->addWidget(list_);
   connectFields();
   connectLists();
 }
@@ -101,11 +94,8 @@ QWidget* ExerciseEditor::form() {
   auto* form = new QFormLayout(fields);
   form->setSpacing(kSpace);
   form->setContentsMargins(0, 0, kSpace, 0);
-  code_->setMaximumWidth(12 * kSpace);
-  codeProblem_->hide();
-  setLook(codeProblem_, "caution", true);
-  texts_.row(form, {{title_, QT_TR_NOOP("Title")}, {code_, QT_TR_NOOP("Code")}});
-  form->addRow(QString(), codeProblem_);
+  texts_.row(form, {{title_, QT_TR_NOOP("Title")}, {code_.field(), QT_TR_NOOP("Code")}});
+  form->addRow(QString(), code_.problem());
   texts_.row(form, {{scene_, QT_TR_NOOP("Organ")}, {pattern_, QT_TR_NOOP("Twist")}});
   texts_.row(form, {{kind_, QT_TR_NOOP("Task")}, {mode_, QT_TR_NOOP("Counts as")}});
   texts_.row(form, {{target_, QT_TR_NOOP("Target angle")},
@@ -134,7 +124,7 @@ QWidget* ExerciseEditor::form() {
 }
 
 void ExerciseEditor::connectFields() {
-  connect(code_, &QLineEdit::editingFinished, this, &ExerciseEditor::takeCode);
+  connect(code_.field(), &QLineEdit::editingFinished, this, &ExerciseEditor::takeCode);
   connect(title_, &QLineEdit::textEdited, this, [this](const QString& text) {
     take([&](StoredModule& module) { module.title = text.trimmed().toStdString(); });
   });
@@ -176,59 +166,51 @@ void ExerciseEditor::connectFields() {
 }
 
 void ExerciseEditor::connectLists() {
-  connect(list_, &QListWidget::currentRowChanged, this, &ExerciseEditor::show);
-  connect(add_, &QPushButton::clicked, this, &ExerciseEditor::add);
-  connect(remove_, &QPushButton::clicked, this, &ExerciseEditor::remove);
-  connect(up_, &QPushButton::clicked, this, [this] { move(-1); });
-  connect(down_, &QPushButton::clicked, this, [this] { move(+1); });
+  connect(list_, &OrderedList::chosen, this, &ExerciseEditor::showContent);
+  connect(list_, &OrderedList::addWanted, this, &ExerciseEditor::add);
+  connect(list_, &OrderedList::removeWanted, this, &ExerciseEditor::remove);
+  connect(list_, &OrderedList::moveWanted, this, &ExerciseEditor::move);
   connect(after_, &QListWidget::itemChanged, this, &ExerciseEditor::takePrerequisite);
   connect(addRule_, &QPushButton::clicked, this, &ExerciseEditor::addRule);
   connect(removeRule_, &QPushButton::clicked, this, &ExerciseEditor::removeRule);
 }
 
 StoredModule* ExerciseEditor::exercise() {
-  const int row = list_->currentRow();
-  return row >= 0 && row < std::ssize(content_.modules) ? &content_.modules[static_cast<std::size_t>(row)]
-                                                        : nullptr;
+  return list_->chosenOf(content_.modules);
+}
+
+QStringList ExerciseEditor::lines() const {
+  QStringList lines;
+  for (const StoredModule& module : content_.modules) lines << lineOf(module);
+  return lines;
 }
 
 void ExerciseEditor::fill() {
-  select(std::max(0, list_->currentRow()));
+  select(std::max(0, list_->row()));
 }
 
 void ExerciseEditor::select(int row) {
-  filling_ = true;
-  list_->clear();
-  for (const StoredModule& module : content_.modules) {
-    list_->addItem(lineOf(module));
-    list_->item(list_->count() - 1)->setToolTip(lineOf(module));
-  }
-  list_->setCurrentRow(std::min(row, list_->count() - 1));
-  filling_ = false;
-  show();
+  list_->setLines(lines(), row);
+  showContent();
 }
 
-void ExerciseEditor::show() {
+void ExerciseEditor::showContent() {
   if (filling_) return;
   const StoredModule* module = exercise();
-  const int row = list_->currentRow();
   const bool change = module != nullptr && !readOnly_;
-  add_->setEnabled(!readOnly_);
-  for (QPushButton* button : {remove_, addRule_}) button->setEnabled(change);
-  up_->setEnabled(change && row > 0);
-  down_->setEnabled(change && row + 1 < list_->count());
+  addRule_->setEnabled(change);
   for (QWidget* field :
-       std::initializer_list<QWidget*>{title_, code_, scene_, pattern_, kind_, mode_, target_, tolerance_,
-                                       hold_, force_, torque_, attempts_, after_, mastery_})
+       std::initializer_list<QWidget*>{title_, code_.field(), scene_, pattern_, kind_, mode_, target_,
+                                       tolerance_, hold_, force_, torque_, attempts_, after_, mastery_})
     field->setEnabled(change);
-  codeProblem_->hide();
   if (module == nullptr) {
+    code_.show({});
     removeRule_->setEnabled(false);
     return;
   }
   filling_ = true;
-  code_->setText(shown(module->code));
-  title_->setText(shown(module->title));
+  code_.show(module->code);
+  title_->setText(toQString(module->title));
   showPlaces(*module);
   target_->setValue(degrees(module->targetAngle_rad));
   tolerance_->setValue(degrees(module->tolerance_rad));
@@ -243,18 +225,18 @@ void ExerciseEditor::show() {
 
 void ExerciseEditor::showPlaces(const StoredModule& module) {
   scene_->clear();
-  for (const std::string& id : sceneIds(assets_)) scene_->addItem(placeName(id), shown(id));
+  for (const std::string& id : sceneIds(assets_)) scene_->addItem(placeName(id), toQString(id));
   chooseOrAdd(scene_, module.sceneId);
   pattern_->clear();
   try {
     for (const std::string& id : patternIds(assets_, module.sceneId))
-      pattern_->addItem(placeName(id), shown(id));
+      pattern_->addItem(placeName(id), toQString(id));
   } catch (const Error&) {
     // The scene belongs to another installation: its own pattern is offered alone, the check says the rest.
   }
   chooseOrAdd(pattern_, module.patternId);
   kind_->clear();
-  for (const std::string& kind : exerciseKinds()) kind_->addItem(exerciseKindName(kind), shown(kind));
+  for (const std::string& kind : exerciseKinds()) kind_->addItem(exerciseKindName(kind), toQString(kind));
   chooseOrAdd(kind_, module.exerciseKind);
   chooseOrAdd(mode_, std::string(storedText(module.mode)));
 }
@@ -263,7 +245,7 @@ void ExerciseEditor::showPrerequisites(const StoredModule& module) {
   after_->clear();
   const auto offer = [this](const QString& text, const std::string& code, bool required) {
     auto* item = new QListWidgetItem(text, after_);
-    item->setData(Qt::UserRole, shown(code));
+    item->setData(Qt::UserRole, toQString(code));
     item->setFlags((item->flags() | Qt::ItemIsUserCheckable) & ~Qt::ItemIsSelectable);
     item->setCheckState(required ? Qt::Checked : Qt::Unchecked);
   };
@@ -276,7 +258,7 @@ void ExerciseEditor::showPrerequisites(const StoredModule& module) {
   const std::vector<std::string> known = codesOf(content_);
   for (const std::string& code : required)
     if (code == module.code || std::find(known.begin(), known.end(), code) == known.end())
-      offer(tr("%1  (no such exercise any more)").arg(shown(code)), code, true);
+      offer(tr("%1  (no such exercise any more)").arg(toQString(code)), code, true);
   constexpr int kMostRows = 3;  // in a low window; a high one shows more
   const int rows = std::clamp(after_->count(), 1, kMostRows);
   after_->setMinimumHeight(rows * std::max(after_->sizeHintForRow(0), 3 * kSpace) + 2 * kSpace);
@@ -295,7 +277,7 @@ void ExerciseEditor::showMastery(const StoredModule& module) {
 
 void ExerciseEditor::addMasteryRow(int row, const StoredMasteryRule& rule) {
   auto* metric = new QComboBox;
-  for (const auto& [id, name] : masteryMetrics()) metric->addItem(name, shown(id));
+  for (const auto& [id, name] : masteryMetrics()) metric->addItem(name, toQString(id));
   chooseOrAdd(metric, rule.metric);
   auto* direction = new QComboBox;
   direction->addItem(tr("at least"), QStringLiteral("at_least"));
@@ -344,7 +326,7 @@ void ExerciseEditor::take(const std::function<void(StoredModule&)>& change) {
   StoredModule* module = exercise();
   if (filling_ || module == nullptr) return;
   change(*module);
-  list_->currentItem()->setText(lineOf(*module));
+  list_->setCurrentLine(lineOf(*module));
   Q_EMIT edited();
 }
 
@@ -359,24 +341,16 @@ void ExerciseEditor::takeCode() {
   const StoredModule* current = exercise();
   if (filling_ || current == nullptr) return;
   const std::string before = current->code;
-  const std::string code = code_->text().trimmed().toStdString();
-  const std::vector<std::string> taken = codesOf(content_);
-  const bool free = code == before || std::find(taken.begin(), taken.end(), code) == taken.end();
-  codeProblem_->setText(code.empty()
-                            ? tr("An exercise needs a code; it keeps %1.").arg(shown(before))
-                            : tr("Another exercise has this code; this one keeps %1.").arg(shown(before)));
-  codeProblem_->setVisible(code.empty() || !free);
-  if (code == before) return;
-  if (code.empty() || !free) {
-    code_->setText(shown(before));
-    return;
-  }
+  const std::optional<std::string> code = code_.changed(
+      before, codesOf(content_), tr("An exercise needs a code; it keeps %1.").arg(toQString(before)),
+      tr("Another exercise has this code; this one keeps %1.").arg(toQString(before)));
+  if (!code) return;
   for (StoredModule& module : content_.modules)
-    std::replace(module.requires_.begin(), module.requires_.end(), before, code);
+    std::replace(module.requires_.begin(), module.requires_.end(), before, *code);
   for (StoredArm& arm : content_.arms)
     for (StoredPhase& phase : arm.phases)
-      if (phase.moduleId == before) phase.moduleId = code;
-  take([&](StoredModule& module) { module.code = module.id = code; });
+      if (phase.moduleId == before) phase.moduleId = *code;
+  take([&](StoredModule& module) { module.code = module.id = *code; });
 }
 
 void ExerciseEditor::takeScene() {
@@ -386,7 +360,7 @@ void ExerciseEditor::takeScene() {
     const std::vector<std::string> patterns = patternIds(assets_, module.sceneId);
     module.patternId = patterns.empty() ? std::string() : patterns.front();
   });
-  show();
+  showContent();
 }
 
 void ExerciseEditor::takePrerequisite(const QListWidgetItem* item) {
@@ -420,7 +394,7 @@ void ExerciseEditor::add() {
 }
 
 void ExerciseEditor::remove() {
-  const int row = list_->currentRow();
+  const int row = list_->row();
   if (row < 0) return;
   content_.modules.erase(content_.modules.begin() + row);
   select(row);
@@ -428,7 +402,7 @@ void ExerciseEditor::remove() {
 }
 
 void ExerciseEditor::move(int by) {
-  const int row = list_->currentRow();
+  const int row = list_->row();
   const int to = moved(content_.modules, row, by);
   if (to == row) return;
   select(to);
@@ -451,7 +425,7 @@ void ExerciseEditor::addRule() {
     rule.unit = metricUnit(rule.metric);
     module.mastery.push_back(rule);
   });
-  show();
+  showContent();
   if (mastery_->rowCount() > 0) mastery_->cellWidget(mastery_->rowCount() - 1, kMetric)->setFocus();
 }
 
@@ -460,12 +434,13 @@ void ExerciseEditor::removeRule() {
   take([row](StoredModule& module) {
     if (row >= 0 && row < std::ssize(module.mastery)) module.mastery.erase(module.mastery.begin() + row);
   });
-  show();
+  showContent();
 }
 
 void ExerciseEditor::setReadOnly(bool readOnly) {
   readOnly_ = readOnly;
-  show();
+  list_->setReadOnly(readOnly);
+  showContent();
 }
 
 void ExerciseEditor::retranslate() {
@@ -473,21 +448,16 @@ void ExerciseEditor::retranslate() {
   for (QDoubleSpinBox* box : {force_, torque_}) box->setSpecialValueText(tr("no limit"));
   attempts_->setSpecialValueText(tr("no limit"));
   mode_->clear();
-  mode_->addItem(tr("practice"), shown(std::string(storedText(AttemptMode::kPractice))));
-  mode_->addItem(tr("graded"), shown(std::string(storedText(AttemptMode::kGraded))));
-  list_->setAccessibleName(tr("Exercises, in their order"));
+  mode_->addItem(tr("practice"), toQString(std::string(storedText(AttemptMode::kPractice))));
+  mode_->addItem(tr("graded"), toQString(std::string(storedText(AttemptMode::kGraded))));
+  list_->retranslate();
+  list_->setListName(tr("Exercises, in their order"));
   after_->setAccessibleName(tr("Opens only after these are mastered"));
   mastery_->setAccessibleName(tr("Rules of mastery"));
-  add_->setText(tr("Add"));
-  remove_->setText(tr("Remove"));
-  up_->setText(tr("Up"));
-  up_->setToolTip(tr("Moves the exercise before the one above it."));
-  down_->setText(tr("Down"));
-  down_->setToolTip(tr("Moves the exercise behind the one below it."));
   addRule_->setText(tr("Add rule"));
   removeRule_->setText(tr("Remove rule"));
   mastery_->setHorizontalHeaderLabels({tr("Metric"), tr("is"), tr("Threshold"), tr("In a row")});
-  show();
+  showContent();
 }
 
 }  // namespace torsio::gui

@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include "app/gui/administrator/curriculum_parts.h"
+#include "app/gui/administrator/ordered_list.h"
 #include "app/study/curriculum_content.h"
 
 class QComboBox;
@@ -45,7 +46,7 @@ class ExerciseEditor : public QWidget {
   QWidget* form();
   void connectFields();
   void connectLists();
-  void show();
+  void showContent();
   void showPlaces(const StoredModule& module);
   void showPrerequisites(const StoredModule& module);
   void showMastery(const StoredModule& module);
@@ -61,6 +62,7 @@ class ExerciseEditor : public QWidget {
   void addRule();
   void removeRule();
   [[nodiscard]] StoredModule* exercise();
+  [[nodiscard]] QStringList lines() const;
 
   std::filesystem::path assets_;
   StoredCurriculumVersion& content_;
@@ -68,13 +70,8 @@ class ExerciseEditor : public QWidget {
   bool readOnly_ = false;
   FormTexts texts_;
 
-  QListWidget* list_;
-  QPushButton* add_;
-  QPushButton* remove_;
-  QPushButton* up_;
-  QPushButton* down_;
-  QLineEdit* code_;
-  QLabel* codeProblem_;
+  CodeField code_;
+  OrderedList* list_ = nullptr;
   QLineEdit* title_;
   QComboBox* scene_;
   QComboBox* pattern_;

@@ -42,7 +42,7 @@ std::vector<std::string> codesOf(const StoredCurriculumVersion& content) {
 }
 
 QString lineOf(const StoredArm& arm) {
-  return QStringLiteral("%1  %2").arg(shown(arm.code), shown(arm.label));
+  return QStringLiteral("%1  %2").arg(toQString(arm.code), toQString(arm.label));
 }
 
 double minutes(std::int64_t time_us) {
@@ -54,14 +54,7 @@ double minutes(std::int64_t time_us) {
 GroupEditor::GroupEditor(StoredCurriculumVersion& content, QWidget* parent)
     : QWidget(parent),
       content_(content),
-      list_(new QListWidget),
-      add_(new QPushButton),
-      remove_(new QPushButton),
-      up_(new QPushButton),
-      down_(new QPushButton),
       label_(new QLineEdit),
-      code_(new QLineEdit),
-      codeProblem_(sentence(nullptr)),
       rest_(numberField(0.0, kMostMinutes, 1)),
       splittable_(new QCheckBox),
       phases_(new QTableWidget(0, 4)),
@@ -70,17 +63,16 @@ GroupEditor::GroupEditor(StoredCurriculumVersion& content, QWidget* parent)
       removePhase_(new QPushButton),
       phaseUp_(new QPushButton),
       phaseDown_(new QPushButton) {
-  list_->setObjectName(QStringLiteral("groups"));
   phases_->setObjectName(QStringLiteral("phases"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(listBeside(list_, {add_, remove_, up_, down_}, form()));
-  connect(list_, &QListWidget::currentRowChanged, this, &GroupEditor::show);
-  connect(add_, &QPushButton::clicked, this, &GroupEditor::add);
-  connect(remove_, &QPushButton::clicked, this, &GroupEditor::remove);
-  connect(up_, &QPushButton::clicked, this, [this] { move(-1); });
-  connect(down_, &QPushButton::clicked, this, [this] { move(+1); });
-  connect(code_, &QLineEdit::editingFinished, this, &GroupEditor::takeCode);
+  list_ = new OrderedList(QStringLiteral("groups"), form(), this);
+  column->addWidget(list_);
+  connect(list_, &OrderedList::chosen, this, &GroupEditor::showContent);
+  connect(list_, &OrderedList::addWanted, this, &GroupEditor::add);
+  connect(list_, &OrderedList::removeWanted, this, &GroupEditor::remove);
+  connect(list_, &OrderedList::moveWanted, this, &GroupEditor::move);
+  connect(code_.field(), &QLineEdit::editingFinished, this, &GroupEditor::takeCode);
   connect(label_, &QLineEdit::textEdited, this, [this](const QString& text) {
     take([&](StoredArm& arm) { arm.label = text.trimmed().toStdString(); });
   });
@@ -101,11 +93,8 @@ QWidget* GroupEditor::form() {
   auto* form = new QFormLayout(fields);
   form->setSpacing(kSpace);
   form->setContentsMargins(0, 0, kSpace, 0);
-  code_->setMaximumWidth(12 * kSpace);
-  codeProblem_->hide();
-  setLook(codeProblem_, "caution", true);
-  texts_.row(form, {{label_, QT_TR_NOOP("Name of the group")}, {code_, QT_TR_NOOP("Code")}});
-  form->addRow(QString(), codeProblem_);
+  texts_.row(form, {{label_, QT_TR_NOOP("Name of the group")}, {code_.field(), QT_TR_NOOP("Code")}});
+  form->addRow(QString(), code_.problem());
   rest_->setMaximumWidth(16 * kSpace);
   auto* rest = new QHBoxLayout;
   rest->setSpacing(2 * kSpace);
@@ -126,48 +115,40 @@ QWidget* GroupEditor::form() {
 }
 
 StoredArm* GroupEditor::group() {
-  const int row = list_->currentRow();
-  return row >= 0 && row < std::ssize(content_.arms) ? &content_.arms[static_cast<std::size_t>(row)]
-                                                     : nullptr;
+  return list_->chosenOf(content_.arms);
+}
+
+QStringList GroupEditor::lines() const {
+  QStringList lines;
+  for (const StoredArm& arm : content_.arms) lines << lineOf(arm);
+  return lines;
 }
 
 void GroupEditor::fill() {
-  select(std::max(0, list_->currentRow()));
+  select(std::max(0, list_->row()));
 }
 
 void GroupEditor::select(int row) {
-  filling_ = true;
-  list_->clear();
-  for (const StoredArm& arm : content_.arms) {
-    list_->addItem(lineOf(arm));
-    list_->item(list_->count() - 1)->setToolTip(lineOf(arm));
-  }
-  list_->setCurrentRow(std::min(row, list_->count() - 1));
-  filling_ = false;
-  show();
+  list_->setLines(lines(), row);
+  showContent();
 }
 
-void GroupEditor::show() {
+void GroupEditor::showContent() {
   if (filling_) return;
   const StoredArm* arm = group();
-  const int row = list_->currentRow();
   const bool change = arm != nullptr && !readOnly_;
-  add_->setEnabled(!readOnly_);
-  remove_->setEnabled(change);
-  up_->setEnabled(change && row > 0);
-  down_->setEnabled(change && row + 1 < list_->count());
-  for (QWidget* field : std::initializer_list<QWidget*>{label_, code_, rest_, splittable_, phases_, addPhase_,
-                                                        removePhase_, phaseUp_, phaseDown_})
+  for (QWidget* field : std::initializer_list<QWidget*>{label_, code_.field(), rest_, splittable_, phases_,
+                                                        addPhase_, removePhase_, phaseUp_, phaseDown_})
     field->setEnabled(change);
-  codeProblem_->hide();
   if (arm == nullptr) {
+    code_.show({});
     phases_->setRowCount(0);
     totals_->clear();
     return;
   }
   filling_ = true;
-  code_->setText(shown(arm->code));
-  label_->setText(shown(arm->label));
+  code_.show(arm->code);
+  label_->setText(toQString(arm->label));
   rest_->setValue(minutes(arm->restAllowance_us));
   splittable_->setChecked(arm->restSplittable);
   splittable_->setEnabled(change && arm->restAllowance_us > 0);
@@ -194,16 +175,17 @@ void GroupEditor::showPhases(const StoredArm& arm, int current) {
 void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
   auto* where = new QComboBox;
   for (const Term<PhaseKind>& term : kPhaseKinds) {
-    where->addItem(phaseKindName(term.value), shown(std::string(term.stored)));
+    where->addItem(phaseKindName(term.value), toQString(std::string(term.stored)));
   }
   chooseOrAdd(where, std::string(storedText(phase.kind)));
-  auto* name = new QLineEdit(shown(phase.label));
+  auto* name = new QLineEdit(toQString(phase.label));
   QDoubleSpinBox* time = numberField(0.0, kMostMinutes, 1);
   time->setValue(minutes(phase.duration_us));
   auto* module = new QComboBox;
   module->addItem(tr("any exercise"), QString());
   for (const StoredModule& known : content_.modules)
-    module->addItem(QStringLiteral("%1  %2").arg(shown(known.code), spoken(known.title)), shown(known.code));
+    module->addItem(QStringLiteral("%1  %2").arg(toQString(known.code), toQString(Text(known.title))),
+                    toQString(known.code));
   chooseOrAdd(module, phase.moduleId);
   module->setEnabled(phase.kind != PhaseKind::kReal || !phase.moduleId.empty());
   phases_->setCellWidget(row, kWhere, where);
@@ -218,7 +200,7 @@ void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
     takePhase(where, [&](StoredPhase& changed) {
       changed.kind = fromStoredText<PhaseKind>(chosenId(where)).value_or(changed.kind);
       if (changed.kind == PhaseKind::kReal) changed.moduleId.clear();  // exercises belong to the simulator
-      module->setCurrentIndex(module->findData(shown(changed.moduleId)));
+      module->setCurrentIndex(module->findData(toQString(changed.moduleId)));
       module->setEnabled(changed.kind != PhaseKind::kReal);
     });
   });
@@ -251,7 +233,7 @@ void GroupEditor::take(const std::function<void(StoredArm&)>& change) {
   StoredArm* arm = group();
   if (filling_ || arm == nullptr) return;
   change(*arm);
-  list_->currentItem()->setText(lineOf(*arm));
+  list_->setCurrentLine(lineOf(*arm));
   showTotals(*arm);
   Q_EMIT edited();
 }
@@ -267,19 +249,11 @@ void GroupEditor::takeCode() {
   const StoredArm* arm = group();
   if (filling_ || arm == nullptr) return;
   const std::string before = arm->code;
-  const std::string code = code_->text().trimmed().toStdString();
-  const std::vector<std::string> taken = codesOf(content_);
-  const bool free = code == before || std::find(taken.begin(), taken.end(), code) == taken.end();
-  codeProblem_->setText(code.empty()
-                            ? tr("A group needs a code; it keeps %1.").arg(shown(before))
-                            : tr("Another group has this code; this one keeps %1.").arg(shown(before)));
-  codeProblem_->setVisible(code.empty() || !free);
-  if (code == before) return;
-  if (code.empty() || !free) {
-    code_->setText(shown(before));
-    return;
-  }
-  take([&](StoredArm& changed) { changed.code = changed.id = code; });
+  const std::optional<std::string> code = code_.changed(
+      before, codesOf(content_), tr("A group needs a code; it keeps %1.").arg(toQString(before)),
+      tr("Another group has this code; this one keeps %1.").arg(toQString(before)));
+  if (!code) return;
+  take([&](StoredArm& changed) { changed.code = changed.id = *code; });
 }
 
 void GroupEditor::add() {
@@ -295,7 +269,7 @@ void GroupEditor::add() {
 }
 
 void GroupEditor::remove() {
-  const int row = list_->currentRow();
+  const int row = list_->row();
   if (row < 0) return;
   content_.arms.erase(content_.arms.begin() + row);
   select(row);
@@ -303,7 +277,7 @@ void GroupEditor::remove() {
 }
 
 void GroupEditor::move(int by) {
-  const int row = list_->currentRow();
+  const int row = list_->row();
   const int to = moved(content_.arms, row, by);
   if (to == row) return;
   select(to);
@@ -342,7 +316,8 @@ void GroupEditor::movePhase(int by) {
 
 void GroupEditor::setReadOnly(bool readOnly) {
   readOnly_ = readOnly;
-  show();
+  list_->setReadOnly(readOnly);
+  showContent();
 }
 
 void GroupEditor::retranslate() {
@@ -350,18 +325,15 @@ void GroupEditor::retranslate() {
   rest_->setSuffix(tr(" min"));
   rest_->setSpecialValueText(tr("none"));
   splittable_->setText(tr("may be taken in parts"));
-  list_->setAccessibleName(tr("Groups, in their order"));
+  list_->retranslate();
+  list_->setListName(tr("Groups, in their order"));
   phases_->setAccessibleName(tr("Phases, one after the other"));
-  add_->setText(tr("Add"));
-  remove_->setText(tr("Remove"));
-  up_->setText(tr("Up"));
-  down_->setText(tr("Down"));
   addPhase_->setText(tr("Add phase"));
   removePhase_->setText(tr("Remove phase"));
   phaseUp_->setText(tr("Earlier"));
   phaseDown_->setText(tr("Later"));
   phases_->setHorizontalHeaderLabels({tr("Where"), tr("Name"), tr("Minutes"), tr("Exercise")});
-  show();
+  showContent();
 }
 
 }  // namespace torsio::gui

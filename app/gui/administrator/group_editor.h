@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include "app/gui/administrator/curriculum_parts.h"
+#include "app/gui/administrator/ordered_list.h"
 #include "app/study/curriculum_content.h"
 
 class QCheckBox;
@@ -40,7 +41,7 @@ class GroupEditor : public QWidget {
 
  private:
   QWidget* form();
-  void show();
+  void showContent();
   void showPhases(const StoredArm& arm, int current);
   void addPhaseRow(int row, const StoredPhase& phase);
   void showTotals(const StoredArm& arm);
@@ -54,20 +55,16 @@ class GroupEditor : public QWidget {
   void removePhase();
   void movePhase(int by);
   [[nodiscard]] StoredArm* group();
+  [[nodiscard]] QStringList lines() const;
 
   StoredCurriculumVersion& content_;
   bool filling_ = false;
   bool readOnly_ = false;
   FormTexts texts_;
 
-  QListWidget* list_;
-  QPushButton* add_;
-  QPushButton* remove_;
-  QPushButton* up_;
-  QPushButton* down_;
+  CodeField code_;
+  OrderedList* list_ = nullptr;
   QLineEdit* label_;
-  QLineEdit* code_;
-  QLabel* codeProblem_;
   QDoubleSpinBox* rest_;
   QCheckBox* splittable_;
   QTableWidget* phases_;

@@ -55,8 +55,13 @@ MovePage::MovePage(ShellContext& shell)
       line_(new QLineEdit(this)),
       copyLine_(new QPushButton(this)),
       switch_(new QPushButton(this)) {
+  copyText_->setObjectName(QStringLiteral("copyText"));
+  serverText_->setObjectName(QStringLiteral("serverText"));
+  switch_->setObjectName(QStringLiteral("switchButton"));
+  copy_->setObjectName(QStringLiteral("copyButton"));
+  test_->setObjectName(QStringLiteral("testButton"));
   layOut();
-  connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(QStringLiteral("office.care")); });
+  connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kCare); });
   for (QLineEdit* field : {host_, database_, user_, password_, schema_}) {
     connect(field, &QLineEdit::textChanged, this, &MovePage::addressChanged);
     connect(field, &QLineEdit::returnPressed, this, &MovePage::testServer);
@@ -137,12 +142,12 @@ ServerAddress MovePage::address() const {
 }
 
 void MovePage::setAddress(const ServerAddress& address) {
-  host_->setText(shown(address.host));
+  host_->setText(toQString(address.host));
   port_->setValue(address.port);
-  database_->setText(shown(address.database));
-  user_->setText(shown(address.user));
-  password_->setText(shown(address.password));
-  schema_->setText(shown(address.schema));
+  database_->setText(toQString(address.database));
+  user_->setText(toQString(address.user));
+  password_->setText(toQString(address.password));
+  schema_->setText(toQString(address.schema));
 }
 
 void MovePage::enter(const QVariant&) {
@@ -193,9 +198,9 @@ void MovePage::switchStation() {
       [typed = address(), report = copied_, locator](Workplace& workplace, const ProgressCallback&) {
         *locator = report ? switchToServer(workplace, typed, *report) : joinServer(workplace, typed);
       },
-      [this, locator, where = shown(check_->location)] {
+      [this, locator, where = toQString(check_->location)] {
         RecordChange change;
-        change.locator = shown(*locator);
+        change.locator = toQString(*locator);
         change.sentence = tr("This station now works with the record at %1. The old file stays as it was; do "
                              "not use it any more")
                               .arg(where);
@@ -212,19 +217,20 @@ void MovePage::showCheck() {
       tr("The server's administrator makes an empty database and an account for Torsio. The password is used "
          "for this only and stored nowhere.");
   if (check_) {
-    words = check_->hindrance.empty()
-                ? (check_->schemaVersion == 0
-                       ? tr("\u2713 %1 answers at %2. The database is empty: the record can go there.")
-                       : tr("\u2713 %1 answers at %2. Torsio's tables are there and empty: the record can go "
-                            "there."))
-                      .arg(shown(check_->server), shown(check_->location))
-                : tr("\u2717 %1 answers at %2, but the record cannot go there: %3.")
-                      .arg(shown(check_->server), shown(check_->location), shown(check_->hindrance));
+    words =
+        check_->hindrance.empty()
+            ? (check_->schemaVersion == 0
+                   ? tr("\u2713 %1 answers at %2. The database is empty: the record can go there.")
+                   : tr("\u2713 %1 answers at %2. Torsio's tables are there and empty: the record can go "
+                        "there."))
+                  .arg(toQString(check_->server), toQString(check_->location))
+            : tr("\u2717 %1 answers at %2, but the record cannot go there: %3.")
+                  .arg(toQString(check_->server), toQString(check_->location), toQString(check_->hindrance));
     if (check_->holdsRecord)
       words =
           tr("\u2713 %1 answers at %2. There is a record in this database already: this station can join it.")
-              .arg(shown(check_->server), shown(check_->location));
-    if (copied_) words = tr("\u2713 %1 at %2").arg(shown(check_->server), shown(check_->location));
+              .arg(toQString(check_->server), toQString(check_->location));
+    if (copied_) words = tr("\u2713 %1 at %2").arg(toQString(check_->server), toQString(check_->location));
   }
   serverText_->setText(words);
   setLook(serverText_, "caution", check_ && !check_->hindrance.empty() && !check_->holdsRecord);
@@ -263,7 +269,7 @@ void MovePage::showCopy() {
   switchText_->setText(words);
   line_->setVisible(!open);
   copyLine_->setVisible(!open);
-  line_->setText(shown(passwordFileLine(address())));
+  line_->setText(toQString(passwordFileLine(address())));
 }
 
 void MovePage::showButtons() {

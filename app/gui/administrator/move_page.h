@@ -30,11 +30,6 @@ class MovePage : public Page {
 
   void setAddress(const ServerAddress& address);
   [[nodiscard]] ServerAddress address() const;
-  [[nodiscard]] QPushButton& testButton() const noexcept { return *test_; }
-  [[nodiscard]] QPushButton& copyButton() const noexcept { return *copy_; }
-  [[nodiscard]] QPushButton& switchButton() const noexcept { return *switch_; }
-  [[nodiscard]] QLabel& serverText() const noexcept { return *serverText_; }
-  [[nodiscard]] QLabel& copyText() const noexcept { return *copyText_; }
 
  private:
   QWidget* form();

@@ -59,7 +59,7 @@ void fillCohorts(QComboBox* chooser, Workplace& workplace) {
   chooser->setPlaceholderText(QCoreApplication::translate("Office", "no cohort yet"));
   int first = -1;
   for (const CohortRow& row : cohorts(workplace)) {
-    chooser->addItem(shown(row.cohort.name), shown(row.cohort.id));
+    chooser->addItem(toQString(row.cohort.name), toQString(row.cohort.id));
     if (row.allocated > 0) first = chooser->count() - 1;
   }
   chooser->setCurrentIndex(first >= 0 ? first : chooser->count() - 1);
@@ -73,7 +73,7 @@ void fillCampaigns(QComboBox* chooser, Workplace& workplace, const QString& none
   chooser->addItem(none, QString());
   int first = 0;
   for (const ReportableCampaign& campaign : reportableCampaigns(workplace)) {
-    chooser->addItem(shown(campaign.name), shown(campaign.id));
+    chooser->addItem(toQString(campaign.name), toQString(campaign.id));
     if (campaign.hasMarks) first = chooser->count() - 1;
   }
   chooser->setCurrentIndex(first);
@@ -85,16 +85,12 @@ std::string chosenId(const QComboBox* chooser) {
 }
 
 void chooseId(QComboBox* chooser, const std::string& id) {
-  const int at = chooser->findData(shown(id));
+  const int at = chooser->findData(toQString(id));
   if (at >= 0) chooser->setCurrentIndex(at);
 }
 
-QString shown(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
-
 QString orDash(const std::string& text) {
-  return text.empty() ? QStringLiteral("\u2013") : shown(text);
+  return text.empty() ? QStringLiteral("\u2013") : toQString(text);
 }
 
 QString shownTime(std::int64_t utc_us, const QLocale& locale) {
@@ -105,16 +101,6 @@ QString shownTime(std::int64_t utc_us, const QLocale& locale) {
 QString shownSpan(std::int64_t duration_us) {
   const std::int64_t seconds = duration_us / 1'000'000;
   return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'));
-}
-
-bool attempt(ShellContext& shell, const std::function<void()>& action) {
-  try {
-    action();
-    return true;
-  } catch (...) {
-    shell.report(std::current_exception());
-    return false;
-  }
 }
 
 }  // namespace torsio::gui

@@ -9,6 +9,8 @@
 #include <QLocale>
 #include <QString>
 
+#include "app/gui/base/spoken.h"
+
 class QBoxLayout;
 class QComboBox;
 class QHBoxLayout;
@@ -44,15 +46,11 @@ void fillCampaigns(QComboBox* chooser, Workplace& workplace, const QString& none
 [[nodiscard]] std::string chosenId(const QComboBox* chooser);
 void chooseId(QComboBox* chooser, const std::string& id);
 
-[[nodiscard]] QString shown(const std::string& utf8);
 /// The text, or a dash when there is none.
 [[nodiscard]] QString orDash(const std::string& text);
 /// Date and time in the user's language; a dash for 0.
 [[nodiscard]] QString shownTime(std::int64_t utc_us, const QLocale& locale);
 /// "12:30" of minutes and seconds.
 [[nodiscard]] QString shownSpan(std::int64_t duration_us);
-
-/// Does something the user asked for; what goes wrong is said in plain words. True when it went well.
-bool attempt(ShellContext& shell, const std::function<void()>& action);
 
 }  // namespace torsio::gui

@@ -67,7 +67,7 @@ class PersonDialog : public QDialog {
     }
     raterClass_->addItem(tr("does not score"), QString());
     for (const StoredRaterClass& raterClass : classes) {
-      raterClass_->addItem(spoken(raterClass.label), QString::fromStdString(raterClass.code));
+      raterClass_->addItem(toQString(Text(raterClass.label)), toQString(raterClass.code));
     }
     age_->setRange(0, kOldestAge);
     age_->setSpecialValueText(tr("not known"));
@@ -80,17 +80,17 @@ class PersonDialog : public QDialog {
   }
 
   void set(const PersonEntry& entry) {
-    name_->setText(QString::fromStdString(entry.fullName));
-    number_->setText(QString::fromStdString(entry.externalId));
-    email_->setText(QString::fromStdString(entry.email));
-    sex_->setCurrentIndex(sex_->findData(QString::fromStdString(entry.sex)));
-    level_->setText(QString::fromStdString(entry.level));
-    experience_->setText(QString::fromStdString(entry.experience));
+    name_->setText(toQString(entry.fullName));
+    number_->setText(toQString(entry.externalId));
+    email_->setText(toQString(entry.email));
+    sex_->setCurrentIndex(sex_->findData(toQString(entry.sex)));
+    level_->setText(toQString(entry.level));
+    experience_->setText(toQString(entry.experience));
     age_->setValue(static_cast<int>(entry.age_years.value_or(0)));
     trainee_->setChecked(entry.trainee);
     trainee_->setEnabled(!entry.trainee);  // a part can be added, not taken away
-    handedness_->setCurrentIndex(handedness_->findData(QString::fromStdString(entry.handedness)));
-    raterClass_->setCurrentIndex(raterClass_->findData(QString::fromStdString(entry.raterClass)));
+    handedness_->setCurrentIndex(handedness_->findData(toQString(entry.handedness)));
+    raterClass_->setCurrentIndex(raterClass_->findData(toQString(entry.raterClass)));
   }
 
   void layOut() {

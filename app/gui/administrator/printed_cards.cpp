@@ -96,28 +96,28 @@ void writeSealedCards(const std::vector<SealedCard>& cards, const std::string& c
   std::vector<PrintedCard> printed;
   for (const SealedCard& card : cards) {
     printed.push_back(
-        {.label = {{{shown(cohort)},
-                    {shown(card.traineeCode), 24.0, true},
+        {.label = {{{toQString(cohort)},
+                    {toQString(card.traineeCode), 24.0, true},
                     {PrintedCards::tr("No. %1. Open when the training begins.").arg(card.sequence)}}},
-         .inside = {{{PrintedCards::tr("%1 trains in group").arg(shown(card.traineeCode))},
-                     {shown(card.groupCode), 24.0, true},
-                     {shown(card.groupLabel), 11.0}}}});
+         .inside = {{{PrintedCards::tr("%1 trains in group").arg(toQString(card.traineeCode))},
+                     {toQString(card.groupCode), 24.0, true},
+                     {toQString(card.groupLabel), 11.0}}}});
   }
-  writeCards(printed, PrintedCards::tr("Sealed cards: %1").arg(shown(cohort)), file);
+  writeCards(printed, PrintedCards::tr("Sealed cards: %1").arg(toQString(cohort)), file);
 }
 
 void writeAccountCards(const std::vector<StartAccount>& accounts, const std::string& centre,
                        const std::filesystem::path& file) {
   std::vector<PrintedCard> printed;
   for (const StartAccount& account : accounts) {
-    printed.push_back({.label = {{{shown(centre)},
-                                  {shown(account.personCode), 24.0, true},
+    printed.push_back({.label = {{{toQString(centre)},
+                                  {toQString(account.personCode), 24.0, true},
                                   {PrintedCards::tr("Your way into Torsio. For you alone.")}}},
-                       .inside = {{{PrintedCards::tr("Sign-in name: %1").arg(shown(account.login)), 11.0},
-                                   {shown(account.startPassword), 15.0, true},
+                       .inside = {{{PrintedCards::tr("Sign-in name: %1").arg(toQString(account.login)), 11.0},
+                                   {toQString(account.startPassword), 15.0, true},
                                    {PrintedCards::tr("Choose your own password at the first sign-in.")}}}});
   }
-  writeCards(printed, PrintedCards::tr("Start passwords: %1").arg(shown(centre)), file);
+  writeCards(printed, PrintedCards::tr("Start passwords: %1").arg(toQString(centre)), file);
 }
 
 }  // namespace torsio::gui

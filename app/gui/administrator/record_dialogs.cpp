@@ -83,7 +83,7 @@ RuleRow addRow(QDialog& dialog, QGridLayout& grid, const char* category,
   const QString name = QLatin1String(category);
   row.wanted = new QCheckBox(retentionCategoryName(category), &dialog);
   row.days = new QSpinBox(&dialog);
-  row.basis = new QLineEdit(shown(row.before.basis), &dialog);
+  row.basis = new QLineEdit(toQString(row.before.basis), &dialog);
   row.wanted->setObjectName(name);
   row.days->setObjectName(name + QStringLiteral(".days"));
   row.basis->setObjectName(name + QStringLiteral(".basis"));
@@ -112,7 +112,7 @@ QString retentionCategoryName(const std::string& code) {
   if (code == kRetainRater) return RecordDialogs::tr("rater");
   if (code == kRetainLeft) return RecordDialogs::tr("left the centre");
   if (code == kRetainWithdrawn) return RecordDialogs::tr("consent withdrawn");
-  return shown(code);
+  return toQString(code);
 }
 
 std::optional<RetentionRulesEdit> askRetentionRules(QWidget* parent,
@@ -160,7 +160,7 @@ std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& traineeCod
                   .arg(traineeCode));
   auto* group = new QComboBox(&asked.dialog);
   group->setObjectName(QStringLiteral("group"));
-  for (const StoredGroup& one : groups) group->addItem(shown(one.code), shown(one.id));
+  for (const StoredGroup& one : groups) group->addItem(toQString(one.code), toQString(one.id));
   auto* reason = new QLineEdit(&asked.dialog);
   reason->setObjectName(QStringLiteral("reason"));
   auto* form = new QFormLayout;

@@ -10,6 +10,7 @@
 #include <QTextDocument>
 #include <QUrl>
 
+#include "app/gui/base/spoken.h"
 #include "app/gui/widgets/theme.h"
 #include "app/report/chart_builder.h"
 
@@ -88,7 +89,7 @@ void ReportPreview::setReport(const ReportModel& model, const Wording& wording) 
     for (const Text& paragraph : section.paragraphs) text += QStringLiteral("<p>%1</p>").arg(html(paragraph));
     for (const ReportFigure& figure : section.figures) {
       const QImage image = drawn(figure, wording);
-      const QString name = QStringLiteral("figure:%1").arg(QString::fromStdString(figure.id).toHtmlEscaped());
+      const QString name = QStringLiteral("figure:%1").arg(toQString(figure.id).toHtmlEscaped());
       document()->addResource(QTextDocument::ImageResource, QUrl(name), image);
       text += QStringLiteral("<p><b>%1</b></p><p><img src='%2' width='%3'></p>")
                   .arg(html(figure.title), name)

@@ -50,6 +50,10 @@ ReportsPage::ReportsPage(ShellContext& shell)
       language_(new QComboBox(this)),
       warning_(sentence(this)),
       preview_(new ReportPreview(this)) {
+  frozen_->setObjectName(QStringLiteral("dataSet"));
+  preview_->setObjectName(QStringLiteral("preview"));
+  language_->setObjectName(QStringLiteral("language"));
+  identity_->setObjectName(QStringLiteral("identity"));
   pdf_->setProperty("primary", true);
   heading_->addAction(csv_);
   heading_->addAction(pdf_);
@@ -87,8 +91,7 @@ ReportsPage::ReportsPage(ShellContext& shell)
   const QSignalBlocker quiet(identity_);
   identity_->addItem(QString(), static_cast<int>(ReportIdentity::kCoded));
   identity_->addItem(QString(), static_cast<int>(ReportIdentity::kAggregated));
-  if (shell.workplace().may(Operation::kReportExportNamed) &&
-      shell.workplace().may(Operation::kPersonViewIdentity))
+  if (shell.may(Operation::kReportExportNamed) && shell.may(Operation::kPersonViewIdentity))
     identity_->addItem(QString(), static_cast<int>(ReportIdentity::kNamed));
   retranslate();
 }
@@ -112,8 +115,9 @@ void ReportsPage::fillFrozen() {
     const std::string cohort = chosenId(cohort_);
     if (cohort.empty()) return;
     for (const FrozenRow& row : frozenData(shell().workplace(), cohort))
-      frozen_->addItem(QStringLiteral("%1 (%2)").arg(shown(row.name), shownTime(row.createdUtc_us, locale())),
-                       shown(row.id));
+      frozen_->addItem(
+          QStringLiteral("%1 (%2)").arg(toQString(row.name), shownTime(row.createdUtc_us, locale())),
+          toQString(row.id));
     if (!before.empty()) chooseId(frozen_, before);
   });
 }
@@ -201,7 +205,7 @@ bool ReportsPage::freeze(const std::string& name) {
     const FrozenRow row = freezeData(shell().workplace(), chosenId(cohort_), name, campaigns);
     fillFrozen();
     chooseId(frozen_, row.id);
-    shell().notify(tr("Frozen as \u201C%1\u201D").arg(shown(row.name)));
+    shell().notify(tr("Frozen as \u201C%1\u201D").arg(toQString(row.name)));
   });
 }
 
@@ -212,7 +216,7 @@ void ReportsPage::askExport(ReportFormat format) {
                                                          pdf ? QStringLiteral("pdf") : QStringLiteral("csv"));
   const QString file = askFileToSave(this, pdf ? tr("Save report") : tr("Save table of numbers"), suggestion,
                                      pdf ? tr("PDF (*.pdf)") : tr("Table, comma-separated (*.csv)"));
-  if (!file.isEmpty()) exportTo(format, std::filesystem::path(file.toStdString()));
+  if (!file.isEmpty()) exportTo(format, toPath(file));
 }
 
 bool ReportsPage::exportTo(ReportFormat format, const std::filesystem::path& file) {
@@ -220,23 +224,21 @@ bool ReportsPage::exportTo(ReportFormat format, const std::filesystem::path& fil
   QProgressDialog wait(tr("Writing the report\u2026"), tr("Cancel"), 0, 0, this);
   wait.setWindowModality(Qt::WindowModal);
   wait.setMinimumDuration(400);
-  try {
-    // Charts belong to the GUI thread: pages are drawn here, and between two of them the window answers.
-    const ReportExport done = exportReport(shell().workplace(), request(), *inputs_, format, file,
-                                           reportLanguage(), [&wait](std::size_t page, std::size_t pages) {
-                                             wait.setMaximum(static_cast<int>(pages));
-                                             wait.setValue(static_cast<int>(page));
-                                             QApplication::processEvents();
-                                             if (wait.wasCanceled()) throw Cancelled{};
-                                           });
-    shell().notify(tr("Written: %1").arg(QString::fromStdString(done.file.string())));
-    return true;
-  } catch (const Cancelled&) {
-    shell().notify(tr("Cancelled; no file was written"));
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
-  return false;
+  // Charts belong to the GUI thread: pages are drawn here, and between two of them the window answers.
+  const auto oneMore = [&wait](std::size_t page, std::size_t pages) {
+    wait.setMaximum(static_cast<int>(pages));
+    wait.setValue(static_cast<int>(page));
+    QApplication::processEvents();
+    if (wait.wasCanceled()) throw Cancelled{};
+  };
+  return attempt(
+      shell(),
+      [&] {
+        const ReportExport done =
+            exportReport(shell().workplace(), request(), *inputs_, format, file, reportLanguage(), oneMore);
+        shell().notify(tr("Written: %1").arg(toQString(done.file)));
+      },
+      tr("Cancelled; no file was written"));
 }
 
 void ReportsPage::retranslate() {

@@ -34,10 +34,6 @@ class ReportsPage : public Page {
   /// Waits until the report is prepared: pictures and tests.
   void settle();
 
-  [[nodiscard]] QComboBox& identity() const noexcept { return *identity_; }
-  [[nodiscard]] QComboBox& language() const noexcept { return *language_; }
-  [[nodiscard]] ReportPreview& preview() const noexcept { return *preview_; }
-  [[nodiscard]] QComboBox& dataSet() const noexcept { return *frozen_; }
   [[nodiscard]] const std::shared_ptr<CohortInputs>& inputs() const noexcept { return inputs_; }
 
  private:

@@ -49,8 +49,13 @@ RestorePage::RestorePage(ShellContext& shell)
       wordLabel_(new QLabel(this)),
       word_(new QLineEdit(this)),
       restore_(new QPushButton(this)) {
+  loss_->setObjectName(QStringLiteral("lossText"));
+  restore_->setObjectName(QStringLiteral("restoreButton"));
+  check_->setObjectName(QStringLiteral("checkButton"));
+  word_->setObjectName(QStringLiteral("word"));
+  file_->setObjectName(QStringLiteral("file"));
   layOut();
-  connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(QStringLiteral("office.care")); });
+  connect(back_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kCare); });
   connect(choose_, &QPushButton::clicked, this, &RestorePage::choose);
   connect(check_, &QPushButton::clicked, this, &RestorePage::check);
   connect(file_, &QLineEdit::returnPressed, this, &RestorePage::check);
@@ -145,8 +150,8 @@ void RestorePage::restore() {
       [plan = *plan_, prepared](Workplace& workplace, const ProgressCallback& progress) {
         *prepared = prepareRestore(workplace, plan, progress);
       },
-      [this, prepared, name = QFileInfo(shown(plan_->backup.string())).fileName()] {
-        const QString kept = shown((*prepared)->safety().string());
+      [this, prepared, name = QFileInfo(toQString(plan_->backup)).fileName()] {
+        const QString kept = toQString((*prepared)->safety());
         RecordChange change;
         change.swap = [ready = *prepared] { ready->takeOver(); };
         change.sentence =

@@ -28,12 +28,6 @@ class RestorePage : public Page {
   void enter(const QVariant& argument) override;
   void retranslate() override;
 
-  [[nodiscard]] QLineEdit& file() const noexcept { return *file_; }
-  [[nodiscard]] QLineEdit& word() const noexcept { return *word_; }
-  [[nodiscard]] QPushButton& checkButton() const noexcept { return *check_; }
-  [[nodiscard]] QPushButton& restoreButton() const noexcept { return *restore_; }
-  [[nodiscard]] QLabel& lossText() const noexcept { return *loss_; }
-
  private:
   void layOut();
   void choose();

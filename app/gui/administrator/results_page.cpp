@@ -54,6 +54,8 @@ ResultsPage::ResultsPage(ShellContext& shell)
       contents_(new QListWidget(this)),
       empty_(sentence(this)),
       card_(new FigureCard(this)) {
+  card_->setObjectName(QStringLiteral("card"));
+  contents_->setObjectName(QStringLiteral("contents"));
   auto* choices = new QHBoxLayout;
   choices->setSpacing(kSpace);
   cohortLabel_ = fieldBeside(choices, cohort_);
@@ -127,15 +129,15 @@ void ResultsPage::fill() {
   if (model_)
     for (const ReportSection& section : model_->sections) {
       if (section.figures.empty() && section.tables.empty()) continue;
-      auto* head = new QListWidgetItem(spoken(section.title), contents_);
+      auto* head = new QListWidgetItem(toQString(section.title), contents_);
       QFont bold = head->font();
       bold.setBold(true);
       head->setFont(bold);
       head->setFlags(Qt::NoItemFlags | Qt::ItemIsEnabled);
       const auto add = [&](const std::string& id, const Text& title) {
-        auto* item = new QListWidgetItem(spoken(title), contents_);
+        auto* item = new QListWidgetItem(toQString(title), contents_);
         item->setData(Qt::DecorationRole, indent);
-        item->setData(kIdRole, shown(id));
+        item->setData(kIdRole, toQString(id));
       };
       for (const ReportFigure& figure : section.figures) add(figure.id, figure.title);
       for (const ReportTable& table : section.tables) add(table.id, table.title);

@@ -29,8 +29,6 @@ class ResultsPage : public Page {
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
 
-  [[nodiscard]] QListWidget& contents() const noexcept { return *contents_; }
-  [[nodiscard]] FigureCard& card() const noexcept { return *card_; }
   /// Shows the figure or table with this id of the report ("figure-22").
   void showItem(const QString& id);
   /// Waits until what was chosen is computed: pictures and tests.

@@ -28,7 +28,7 @@ namespace {
 constexpr const char* kTrainingRecord = "training_record";
 
 QString orDash(const std::string& text) {
-  return text.empty() ? QStringLiteral("\u2013") : QString::fromStdString(text);
+  return text.empty() ? QStringLiteral("\u2013") : toQString(text);
 }
 
 QPushButton* listButton(DataTable* table) {
@@ -82,11 +82,11 @@ RosterPage::RosterPage(ShellContext& shell)
 }
 
 void RosterPage::enter(const QVariant&) {
-  names_->setVisible(shell().workplace().may(Operation::kPersonViewIdentity));
-  package_->setVisible(shell().workplace().may(Operation::kPersonExport));
-  erase_->setVisible(shell().workplace().may(Operation::kPersonErase));
+  names_->setVisible(shell().may(Operation::kPersonViewIdentity));
+  package_->setVisible(shell().may(Operation::kPersonExport));
+  erase_->setVisible(shell().may(Operation::kPersonErase));
   for (QPushButton* button : {import_, add_, edit_, state_}) {
-    button->setVisible(shell().workplace().may(Operation::kPersonEdit));
+    button->setVisible(shell().may(Operation::kPersonEdit));
   }
   read();
 }
@@ -114,32 +114,30 @@ void RosterPage::retranslate() {
                       {tr("Consent to the record")},
                       {tr("State")}});
   table_->setEmptyText(tr("Nobody yet. Import the roster of your centre, or add people by hand."));
-  show();
+  showContent();
 }
 
 void RosterPage::read() {
-  try {
+  attempt(shell(), [&] {
     people_.clear();
     if (names_->isChecked()) {
       people_ = namedPeople(shell().workplace());
     } else {
       for (PersonRow& row : people(shell().workplace())) people_.push_back({std::move(row), {}});
     }
-    show();
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+    showContent();
+  });
 }
 
-void RosterPage::show() {
+void RosterPage::showContent() {
   std::vector<Row> rows;
   rows.reserve(people_.size());
   for (const NamedPersonRow& named : people_) {
     const PersonRow& row = named.row;
     const bool consents =
         std::find(row.consents.begin(), row.consents.end(), kTrainingRecord) != row.consents.end();
-    rows.push_back({QString::fromStdString(row.person.id),
-                    {{QString::fromStdString(row.person.code)},
+    rows.push_back({toQString(row.person.id),
+                    {{toQString(row.person.code)},
                      {orDash(named.identity.fullName)},
                      {orDash(named.identity.externalId)},
                      {row.trainee ? tr("yes") : QStringLiteral("\u2013")},
@@ -183,30 +181,26 @@ void RosterPage::import() {
 }
 
 void RosterPage::add() {
-  try {
+  attempt(shell(), [&] {
     const std::optional<PersonEdit> edit =
         askPerson(this, std::nullopt, ensureRaterClasses(shell().workplace()));
     if (!edit) return;
     const std::string id = addPerson(shell().workplace(), edit->entry);
     read();
-    table_->select(QString::fromStdString(id));
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+    table_->select(toQString(id));
+  });
 }
 
 void RosterPage::edit() {
   const std::string id = table_->currentId().toStdString();
   if (id.empty() || !edit_->isVisible()) return;
-  try {
+  attempt(shell(), [&] {
     const std::optional<PersonEdit> edit =
         askPerson(this, personEntry(shell().workplace(), id), ensureRaterClasses(shell().workplace()));
     if (!edit) return;
     changePerson(shell().workplace(), id, edit->entry, edit->reason);
     read();
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void RosterPage::switchState() {
@@ -214,9 +208,9 @@ void RosterPage::switchState() {
   const auto person = std::find_if(people_.begin(), people_.end(),
                                    [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
   if (person == people_.end()) return;
-  try {
+  attempt(shell(), [&] {
     const bool active = person->row.person.state == "active";
-    const QString code = QString::fromStdString(person->row.person.code);
+    const QString code = toQString(person->row.person.code);
     const std::optional<std::string> reason =
         active ? askReason(this, tr("Has left"),
                            tr("%1 keeps the record and is offered nowhere any more.").arg(code))
@@ -224,15 +218,13 @@ void RosterPage::switchState() {
     if (!reason) return;
     setPersonState(shell().workplace(), id, active ? "left" : "active", *reason);
     read();
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void RosterPage::askExportPerson() {
   const NamedPersonRow* person = current();
   if (person == nullptr) return;
-  const QString code = QString::fromStdString(person->row.person.code);
+  const QString code = toQString(person->row.person.code);
   const std::optional<std::string> reason =
       askReason(this, tr("Export this person\u2019s record"),
                 tr("A new folder takes everything about %1: tables, recordings and a list of all files. It "
@@ -241,7 +233,7 @@ void RosterPage::askExportPerson() {
   if (!reason) return;
   const QString folder = askFileToSave(this, tr("New folder for the record of %1").arg(code),
                                        QStringLiteral("record-%1").arg(code), tr("Folder (*)"));
-  if (!folder.isEmpty()) exportPerson(std::filesystem::path(folder.toStdString()), *reason);
+  if (!folder.isEmpty()) exportPerson(toPath(folder), *reason);
 }
 
 void RosterPage::exportPerson(const std::filesystem::path& folder, const std::string& reason) {
@@ -257,7 +249,7 @@ void RosterPage::exportPerson(const std::filesystem::path& folder, const std::st
         shell().notify(tr("%1 tables and %2 recordings written to %3")
                            .arg(package->tables)
                            .arg(package->recordings)
-                           .arg(QString::fromStdString(package->folder.string())));
+                           .arg(toQString(package->folder.string())));
       });
 }
 
@@ -268,15 +260,13 @@ void RosterPage::askErasePerson() {
       askReason(this, tr("Erase on request"),
                 tr("Name, number and recordings of %1 are erased for good. Marks stay without a person, so "
                    "that statistics remain right. This cannot be taken back.")
-                    .arg(QString::fromStdString(person->row.person.code)));
+                    .arg(toQString(person->row.person.code)));
   if (!reason) return;
-  try {
+  attempt(shell(), [&] {
     erasePersonRecord(shell().workplace(), person->row.person.id, *reason);
     read();
     shell().notify(tr("The record is erased"));
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void RosterPage::exportList() {
@@ -289,7 +279,7 @@ void RosterPage::exportList() {
   shell().run(
       tr("Exporting people"),
       [file, withNames, count](Workplace& workplace, const ProgressCallback&) {
-        *count = exportPeople(workplace, std::filesystem::path(file.toStdString()), withNames);
+        *count = exportPeople(workplace, toPath(file), withNames);
       },
       [this, file, count] { shell().notify(tr("%1 people written to %2").arg(*count).arg(file)); });
 }

@@ -31,7 +31,7 @@ class RosterPage : public Page {
 
  private:
   void read();
-  void show();
+  void showContent();
   void showButtons();
   void import();
   void add();

@@ -79,21 +79,21 @@ struct RosterTexts {
   static QString note(const RosterRow& row) {
     QStringList parts;
     if (!row.problem.empty()) {
-      parts << tr("%1. %2.").arg(spoken(row.problem), spoken(row.remedy));
+      parts << tr("%1. %2.").arg(toQString(row.problem), toQString(row.remedy));
     }
     for (const RosterChange& change : row.changes) {
       parts << tr("%1: %2 \u2192 %3")
                    .arg(field(change.field),
-                        change.from.empty() ? QStringLiteral("\u2013") : QString::fromStdString(change.from),
-                        QString::fromStdString(change.to));
+                        change.from.empty() ? QStringLiteral("\u2013") : toQString(change.from),
+                        toQString(change.to));
     }
-    if (!row.hint.empty()) parts << spoken(row.hint);
+    if (!row.hint.empty()) parts << toQString(row.hint);
     return parts.join(QStringLiteral("; "));
   }
 };
 
-QString plainWords(const Error& error) {
-  const SpokenError said = spoken(error);
+QString problemText(const Error& error) {
+  const TranslatedError said = translated(error);
   const QString what =
       said.details.isEmpty() ? said.happened : RosterWizard::tr("%1 (%2)").arg(said.happened, said.details);
   return (said.remedy.isEmpty() ? RosterWizard::tr("%1.").arg(what)
@@ -205,11 +205,11 @@ bool RosterFilePage::isComplete() const {
 bool RosterFilePage::validatePage() {
   try {
     import_.kind = raters_->isChecked() ? RosterKind::kRaters : RosterKind::kTrainees;
-    import_.file = readRoster(std::filesystem::path(path_->text().trimmed().toStdString()));
+    import_.file = readRoster(toPath(path_->text().trimmed()));
     import_.columns = suggestColumns(*import_.file, import_.kind);
     return true;
   } catch (const Error& error) {
-    problem_->setText(plainWords(error));
+    problem_->setText(problemText(error));
     return false;
   }
 }
@@ -224,11 +224,11 @@ void RosterFilePage::saveTemplate() {
       askFileToSave(this, tr("Empty template"), QStringLiteral("roster.csv"), tr("Tables (*.csv)"));
   if (file.isEmpty()) return;
   try {
-    writeFileAtomically(std::filesystem::path(file.toStdString()),
+    writeFileAtomically(toPath(file),
                         rosterTemplate(raters_->isChecked() ? RosterKind::kRaters : RosterKind::kTrainees));
     problem_->clear();
   } catch (const Error& error) {
-    problem_->setText(plainWords(error));
+    problem_->setText(problemText(error));
   }
 }
 
@@ -258,7 +258,7 @@ void RosterColumnsPage::initializePage() {
     choice->setObjectName(QString::fromLatin1(rosterFieldCode(field).data()));
     choice->addItem(tr("not in this file"), -1);
     for (std::size_t i = 0; i < import_.file->header.size(); ++i) {
-      choice->addItem(QString::fromStdString(import_.file->header[i]), static_cast<int>(i));
+      choice->addItem(toQString(import_.file->header[i]), static_cast<int>(i));
     }
     const auto& suggested = import_.columns[static_cast<std::size_t>(field)];
     choice->setCurrentIndex(suggested ? static_cast<int>(*suggested) + 1 : 0);
@@ -277,13 +277,13 @@ void RosterColumnsPage::initializePage() {
 
 void RosterColumnsPage::showSample() {
   std::vector<Column> columns;
-  for (const std::string& name : import_.file->header) columns.push_back({QString::fromStdString(name)});
+  for (const std::string& name : import_.file->header) columns.push_back({toQString(name)});
   sample_->setColumns(columns);
   std::vector<Row> rows;
   for (std::size_t i = 0; i < std::min(kSampleRows, import_.file->rows.size()); ++i) {
     Row row{QString::number(i), {}};
     for (const std::string& value : import_.file->rows[i].values) {
-      row.cells.push_back({QString::fromStdString(value)});
+      row.cells.push_back({toQString(value)});
     }
     rows.push_back(std::move(row));
   }
@@ -378,7 +378,7 @@ void RosterPreviewPage::initializePage() {
       [page = QPointer<RosterPreviewPage>(this), found] {
         if (page.isNull()) return;
         if (found->problem) {
-          page->showProblem(plainWords(*found->problem));
+          page->showProblem(problemText(*found->problem));
           return;
         }
         page->import_.preview = std::move(found->preview);
@@ -402,7 +402,7 @@ void RosterPreviewPage::showPreview() {
   std::vector<Row> rows;
   for (const RosterRow& row : preview.rows) {
     const auto value = [&row](RosterField field) {
-      return QString::fromStdString(row.values[static_cast<std::size_t>(field)]);
+      return toQString(row.values[static_cast<std::size_t>(field)]);
     };
     const auto line = static_cast<qulonglong>(row.line);
     const QString note = RosterTexts::note(row);
@@ -434,7 +434,7 @@ void RosterPreviewPage::commit(std::function<void()> done) {
       [page = QPointer<RosterPreviewPage>(this), outcome, problem, done = std::move(done)] {
         if (page.isNull()) return;
         if (*problem) {
-          page->showProblem(plainWords(**problem));
+          page->showProblem(problemText(**problem));
           return;
         }
         page->import_.outcome = std::move(*outcome);

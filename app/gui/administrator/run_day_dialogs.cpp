@@ -12,13 +12,14 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 
+#include "app/gui/base/spoken.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
 
 namespace {
 
-QString words(const char* text) {
+QString translated(const char* text) {
   return QCoreApplication::translate("RunDay", text);
 }
 
@@ -30,7 +31,7 @@ class FormDialog : public QDialog {
     form = new QFormLayout(this);
     form->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
     form->setSpacing(kSpace);
-    form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "Trainee")), new QLabel(trainee, this));
+    form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "Trainee")), new QLabel(trainee, this));
   }
 
   bool ask(const QString& ok) {
@@ -48,10 +49,10 @@ class FormDialog : public QDialog {
 }  // namespace
 
 QString exposureName(const std::string& kind) {
-  if (kind == "virtual") return words(QT_TRANSLATE_NOOP("RunDay", "on the simulator"));
-  if (kind == "real") return words(QT_TRANSLATE_NOOP("RunDay", "on the real arm"));
-  if (kind == "rest") return words(QT_TRANSLATE_NOOP("RunDay", "rest"));
-  return QString::fromStdString(kind);
+  if (kind == "virtual") return translated(QT_TRANSLATE_NOOP("RunDay", "on the simulator"));
+  if (kind == "real") return translated(QT_TRANSLATE_NOOP("RunDay", "on the real arm"));
+  if (kind == "rest") return translated(QT_TRANSLATE_NOOP("RunDay", "rest"));
+  return toQString(kind);
 }
 
 QString deviationName(const std::string& kind) {
@@ -66,12 +67,12 @@ QString deviationName(const std::string& kind) {
       {"other", QT_TRANSLATE_NOOP("RunDay", "something else")},
   };
   for (const auto& [code, name] : kNames)
-    if (kind == code) return words(name);
-  return QString::fromStdString(kind);
+    if (kind == code) return translated(name);
+  return toQString(kind);
 }
 
 std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee) {
-  FormDialog dialog(parent, words(QT_TRANSLATE_NOOP("RunDay", "Log time")), trainee);
+  FormDialog dialog(parent, translated(QT_TRANSLATE_NOOP("RunDay", "Log time")), trainee);
   auto* kind = new QComboBox(&dialog);
   for (const char* code : {"real", "virtual", "rest"})
     kind->addItem(exposureName(code), QString::fromLatin1(code));
@@ -80,10 +81,10 @@ std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee) 
   minutes->setDecimals(1);
   minutes->setButtonSymbols(QAbstractSpinBox::NoButtons);
   minutes->setValue(20.0);
-  minutes->setSuffix(words(QT_TRANSLATE_NOOP("RunDay", " min")));
-  dialog.form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "&What")), kind);
-  dialog.form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "&How long")), minutes);
-  if (!dialog.ask(words(QT_TRANSLATE_NOOP("RunDay", "Log time")))) return std::nullopt;
+  minutes->setSuffix(translated(QT_TRANSLATE_NOOP("RunDay", " min")));
+  dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&What")), kind);
+  dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&How long")), minutes);
+  if (!dialog.ask(translated(QT_TRANSLATE_NOOP("RunDay", "Log time")))) return std::nullopt;
   NewExposure exposure;
   exposure.kind = kind->currentData().toString().toStdString();
   exposure.duration_us = static_cast<std::int64_t>(minutes->value() * 60e6);
@@ -91,16 +92,15 @@ std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee) 
 }
 
 std::optional<NewDeviation> askDeviation(QWidget* parent, const QString& trainee) {
-  FormDialog dialog(parent, words(QT_TRANSLATE_NOOP("RunDay", "Report a deviation")), trainee);
+  FormDialog dialog(parent, translated(QT_TRANSLATE_NOOP("RunDay", "Report a deviation")), trainee);
   auto* kind = new QComboBox(&dialog);
-  for (const std::string& code : deviationKinds())
-    kind->addItem(deviationName(code), QString::fromStdString(code));
+  for (const std::string& code : deviationKinds()) kind->addItem(deviationName(code), toQString(code));
   auto* text = new QPlainTextEdit(&dialog);
   text->setTabChangesFocus(true);
-  text->setPlaceholderText(words(QT_TRANSLATE_NOOP("RunDay", "What happened, without names")));
-  dialog.form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "&Kind")), kind);
-  dialog.form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "&What happened")), text);
-  if (!dialog.ask(words(QT_TRANSLATE_NOOP("RunDay", "Report")))) return std::nullopt;
+  text->setPlaceholderText(translated(QT_TRANSLATE_NOOP("RunDay", "What happened, without names")));
+  dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&Kind")), kind);
+  dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&What happened")), text);
+  if (!dialog.ask(translated(QT_TRANSLATE_NOOP("RunDay", "Report")))) return std::nullopt;
   NewDeviation deviation;
   deviation.kind = kind->currentData().toString().toStdString();
   deviation.description = text->toPlainText().trimmed().toStdString();
@@ -109,20 +109,20 @@ std::optional<NewDeviation> askDeviation(QWidget* parent, const QString& trainee
 
 std::optional<Swap> askSwap(QWidget* parent, const QString& trainee,
                             const std::vector<std::pair<std::string, QString>>& others) {
-  FormDialog dialog(parent, words(QT_TRANSLATE_NOOP("RunDay", "Swap turns")), trainee);
+  FormDialog dialog(parent, translated(QT_TRANSLATE_NOOP("RunDay", "Swap turns")), trainee);
   auto* other = new QComboBox(&dialog);
-  for (const auto& [id, code] : others) other->addItem(code, QString::fromStdString(id));
+  for (const auto& [id, code] : others) other->addItem(code, toQString(id));
   auto* reason = new QLineEdit(&dialog);
-  reason->setPlaceholderText(words(QT_TRANSLATE_NOOP("RunDay", "Why, without names")));
-  dialog.form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "&With")), other);
-  dialog.form->addRow(words(QT_TRANSLATE_NOOP("RunDay", "&Reason")), reason);
-  auto* note = new QLabel(words(QT_TRANSLATE_NOOP(
+  reason->setPlaceholderText(translated(QT_TRANSLATE_NOOP("RunDay", "Why, without names")));
+  dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&With")), other);
+  dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&Reason")), reason);
+  auto* note = new QLabel(translated(QT_TRANSLATE_NOOP(
       "RunDay", "Their groups stay as drawn; a deviation is noted for both and appears in the report.")));
   note->setWordWrap(true);
   note->setProperty("quiet", true);
   dialog.form->addRow(note);
   other->setFocus();
-  if (!dialog.ask(words(QT_TRANSLATE_NOOP("RunDay", "Swap")))) return std::nullopt;
+  if (!dialog.ask(translated(QT_TRANSLATE_NOOP("RunDay", "Swap")))) return std::nullopt;
   return Swap{other->currentData().toString().toStdString(), reason->text().trimmed().toStdString()};
 }
 

@@ -52,6 +52,9 @@ RunDayPage::RunDayPage(ShellContext& shell)
       swap_(listButton(table_)),
       deviation_(listButton(table_)),
       state_(listButton(table_)) {
+  alerts_->setObjectName(QStringLiteral("alerts"));
+  stations_->setObjectName(QStringLiteral("stations"));
+  table_->setObjectName(QStringLiteral("table"));
   auto* choices = new QHBoxLayout;
   choices->setSpacing(kSpace);
   cohortLabel_ = fieldBeside(choices, cohort_);
@@ -99,7 +102,7 @@ void RunDayPage::read() {
   const bool good = attempt(shell(), [&] {
     const std::string cohort = chosenId(cohort_);
     board_ = cohort.empty() ? std::nullopt : std::optional(runDayBoard(shell().workplace(), cohort));
-    show();
+    showContent();
   });
   if (!good) clock_->stop();  // one message, not one every few seconds
 }
@@ -113,7 +116,7 @@ void RunDayPage::refresh() {
         return [this, cohort, board = runDayBoard(own, cohort)] {
           if (cohort != chosenId(cohort_)) return;  // another one was chosen meanwhile
           board_ = board;
-          show();
+          showContent();
         };
       },
       [this](const std::exception_ptr& problem) {
@@ -131,10 +134,10 @@ QString RunDayPage::nowText(const RunDayRow& row) const {
   if (row.state == EnrolmentState::kWithdrawn) return tr("withdrew");
   if (row.done) return tr("all phases done");
   if (row.phaseLabel.empty()) return tr("no curriculum");
-  return shown(row.phaseLabel);
+  return toQString(row.phaseLabel);
 }
 
-void RunDayPage::show() {
+void RunDayPage::showContent() {
   std::vector<Row> rows;
   std::size_t running = 0;
   std::size_t done = 0;
@@ -146,16 +149,16 @@ void RunDayPage::show() {
       sheets += row.sheetsMissing;
       const bool open = !row.done && !row.phaseLabel.empty() && row.state != EnrolmentState::kWithdrawn;
       rows.push_back(
-          {shown(row.enrolmentId),
-           {{shown(row.traineeCode)},
-            {orDash(row.groupCode), {}, shown(row.armLabel)},
+          {toQString(row.enrolmentId),
+           {{toQString(row.traineeCode)},
+            {orDash(row.groupCode), {}, toQString(row.armLabel)},
             {nowText(row)},
             {open ? shownSpan(row.progress.left_us) : QStringLiteral("\u2013"),
              static_cast<qlonglong>(open ? row.progress.left_us : -1)},
             {open ? shownSpan(row.progress.restLeft_us) : QStringLiteral("\u2013"),
              static_cast<qlonglong>(open ? row.progress.restLeft_us : -1)},
             {row.runningTrialId.empty() ? QStringLiteral("\u2013")
-                                        : tr("records at %1").arg(shown(row.station))},
+                                        : tr("records at %1").arg(toQString(row.station))},
             {occasionName(row.occasionDue)},
             {row.sheetsMissing == 0 ? QStringLiteral("\u2013") : QString::number(row.sheetsMissing),
              static_cast<qlonglong>(row.sheetsMissing)},
@@ -184,15 +187,15 @@ QString RunDayPage::alertText(const RunDayAlert& alert) const {
   switch (alert.kind) {
     case Kind::kTrialOpen:
       return tr("%1 was recording at %2, which does not answer since %3. Go and look.")
-          .arg(shown(alert.subject), shown(alert.station), shownTime(alert.sinceUtc_us, locale()));
+          .arg(toQString(alert.subject), toQString(alert.station), shownTime(alert.sinceUtc_us, locale()));
     case Kind::kStationSilent:
       return tr("%1 does not answer since %2.")
-          .arg(shown(alert.subject), shownTime(alert.sinceUtc_us, locale()));
+          .arg(toQString(alert.subject), shownTime(alert.sinceUtc_us, locale()));
     case Kind::kDeviceUnfit:
       return tr("%1: the device is not fit for scored runs: %2.")
-          .arg(shown(alert.subject), spoken(alert.reason));
+          .arg(toQString(alert.subject), toQString(alert.reason));
     case Kind::kRestTooLong:
-      return tr("%1 has rested longer than allowed.").arg(shown(alert.subject));
+      return tr("%1 has rested longer than allowed.").arg(toQString(alert.subject));
     case Kind::kSheetsMissing:
       return tr("%1: sheets still missing: %2.").arg(occasionName(alert.occasion)).arg(alert.count);
     case Kind::kNoGroup:
@@ -228,11 +231,11 @@ QString RunDayPage::checkText(const StationDevice& device) const {
     case Light::kGreen:
       return tr("\u2713 fit at %1").arg(time);
     case Light::kAmber:
-      return tr("! practice only at %1: %2").arg(time, spoken(device.problem));
+      return tr("! practice only at %1: %2").arg(time, toQString(device.problem));
     case Light::kRed:
       break;
   }
-  return tr("\u2717 not fit at %1: %2").arg(time, spoken(device.problem));
+  return tr("\u2717 not fit at %1: %2").arg(time, toQString(device.problem));
 }
 
 void RunDayPage::showStations() {
@@ -244,17 +247,17 @@ void RunDayPage::showStations() {
       const StationDevice device = storedDevice(station);
       const QString check = checkText(device);
       rows.push_back(
-          {shown(station.station),
-           {{shown(station.station)},
+          {toQString(station.station),
+           {{toQString(station.station)},
             {silent    ? tr("! does not answer")
              : records ? tr("\u25CF records")
                        : tr("\u25CB free")},
-            {records ? shown(station.traineeCode) : QStringLiteral("\u2013")},
+            {records ? toQString(station.traineeCode) : QStringLiteral("\u2013")},
             {records ? orDash(station.phaseLabel) : QStringLiteral("\u2013")},
             {records ? shownSpan(board_->asOfUtc_us - station.startedUtc_us) : QStringLiteral("\u2013")},
             timeCell(station.heartbeatUtc_us),
             {orDash(station.softwareVersion)},
-            {device.device.empty() ? orDash({}) : spoken(device.device)},
+            {device.device.empty() ? orDash({}) : toQString(device.device)},
             {check, {}, check}}});
     }
   const bool some = !rows.empty();
@@ -271,9 +274,9 @@ void RunDayPage::swap() {
   std::vector<std::pair<std::string, QString>> others;
   for (const RunDayRow& other : board_->rows)
     if (other.enrolmentId != row->enrolmentId && other.state != EnrolmentState::kWithdrawn)
-      others.emplace_back(other.enrolmentId, shown(other.traineeCode));
+      others.emplace_back(other.enrolmentId, toQString(other.traineeCode));
   const std::string id = row->enrolmentId;
-  const std::optional<Swap> wanted = askSwap(this, shown(row->traineeCode), others);
+  const std::optional<Swap> wanted = askSwap(this, toQString(row->traineeCode), others);
   if (!wanted) return;
   attempt(shell(), [&] {
     swapTurns(shell().workplace(), chosenId(cohort_), id, wanted->enrolmentId, wanted->reason);
@@ -303,7 +306,7 @@ void RunDayPage::showButtons() {
 void RunDayPage::logTime() {
   const RunDayRow* row = current();
   if (row == nullptr) return;
-  std::optional<NewExposure> exposure = askExposure(this, shown(row->traineeCode));
+  std::optional<NewExposure> exposure = askExposure(this, toQString(row->traineeCode));
   if (!exposure) return;
   attempt(shell(), [&] {
     exposure->cohortId = chosenId(cohort_);
@@ -317,7 +320,7 @@ void RunDayPage::logTime() {
 void RunDayPage::reportDeviation() {
   const RunDayRow* row = current();
   std::optional<NewDeviation> deviation =
-      askDeviation(this, row != nullptr ? shown(row->traineeCode) : tr("the whole cohort"));
+      askDeviation(this, row != nullptr ? toQString(row->traineeCode) : tr("the whole cohort"));
   if (!deviation) return;
   attempt(shell(), [&] {
     deviation->cohortId = chosenId(cohort_);
@@ -333,9 +336,9 @@ void RunDayPage::changeState() {
   const bool back = row->state == EnrolmentState::kWithdrawn;
   const std::optional<std::string> reason =
       back ? askReason(this, tr("Back into the study"),
-                       tr("%1 takes part again.").arg(shown(row->traineeCode)))
+                       tr("%1 takes part again.").arg(toQString(row->traineeCode)))
            : askReason(this, tr("Withdraw from the study"),
-                       tr("%1 trains no further; what was recorded stays.").arg(shown(row->traineeCode)));
+                       tr("%1 trains no further; what was recorded stays.").arg(toQString(row->traineeCode)));
   if (!reason) return;
   attempt(shell(), [&] {
     setEnrolmentState(shell().workplace(), chosenId(cohort_), row->enrolmentId,
@@ -371,7 +374,7 @@ void RunDayPage::retranslate() {
                       {tr("Scoring due")},
                       {tr("Sheets missing"), true, true},
                       {tr("Deviations"), true, true}});
-  show();
+  showContent();
 }
 
 }  // namespace torsio::gui

@@ -30,9 +30,6 @@ class RunDayPage : public Page {
   bool leave() override;
   void retranslate() override;
 
-  [[nodiscard]] DataTable& table() const noexcept { return *table_; }
-  [[nodiscard]] DataTable& stations() const noexcept { return *stations_; }
-  [[nodiscard]] QLabel& alerts() const noexcept { return *alerts_; }
   /// Reads anew now and waits for it: tests.
   void refreshAndWait();
 
@@ -40,7 +37,7 @@ class RunDayPage : public Page {
   void read();
   /// The same away from the window's thread: what the clock does.
   void refresh();
-  void show();
+  void showContent();
   void showStations();
   void showAlerts();
   [[nodiscard]] QString alertText(const RunDayAlert& alert) const;

@@ -24,7 +24,7 @@ namespace torsio::gui {
 
 namespace {
 
-QString words(const char* text) {
+QString translated(const char* text) {
   return QCoreApplication::translate("Scoring", text);
 }
 
@@ -57,23 +57,24 @@ class Question : public QDialog {
 
 std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<PersonRow>& raters,
                                         const ScoringMatrix& matrix) {
-  Question dialog(parent, words(QT_TRANSLATE_NOOP("Scoring", "Ask raters")),
-                  words(QT_TRANSLATE_NOOP("Scoring",
-                                          "Every rater gets an order of their own and case labels that tell "
-                                          "neither name, group nor stage.")));
+  Question dialog(
+      parent, translated(QT_TRANSLATE_NOOP("Scoring", "Ask raters")),
+      translated(QT_TRANSLATE_NOOP("Scoring",
+                                   "Every rater gets an order of their own and case labels that tell "
+                                   "neither name, group nor stage.")));
   dialog.resize(620, 560);
   auto* table = new DataTable(QString(), &dialog);
-  table->setColumns(
-      {{words(QT_TRANSLATE_NOOP("Scoring", "Rater"))}, {words(QT_TRANSLATE_NOOP("Scoring", "Class"))}});
+  table->setColumns({{translated(QT_TRANSLATE_NOOP("Scoring", "Rater"))},
+                     {translated(QT_TRANSLATE_NOOP("Scoring", "Class"))}});
   std::vector<Row> rows;
   for (const PersonRow& rater : raters)
     rows.push_back(
-        {shown(rater.person.id), {{shown(rater.person.code)}, {raterClassName(rater.raterClass)}}});
+        {toQString(rater.person.id), {{toQString(rater.person.code)}, {raterClassName(rater.raterClass)}}});
   table->setRows(std::move(rows));
   table->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
   QStringList atWork;
   for (const ScoringMatrix::Rater& rater : matrix.raters)
-    if (rater.open > 0) atWork << shown(rater.id);
+    if (rater.open > 0) atWork << toQString(rater.id);
   table->selectAll(atWork);
   dialog.column->addWidget(table, 1);
   std::vector<std::pair<std::string, QCheckBox*>> points;
@@ -83,7 +84,7 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
     dialog.column->addWidget(box);
     points.emplace_back(occasion.code, box);
   }
-  QPushButton* ask = dialog.finish(words(QT_TRANSLATE_NOOP("Scoring", "Ask")));
+  QPushButton* ask = dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Ask")));
   const auto showAsk = [ask, table] { ask->setEnabled(!table->selectedIds().isEmpty()); };
   QObject::connect(table, &DataTable::currentChanged, ask, showAsk);
   showAsk();
@@ -97,29 +98,29 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
 
 std::optional<SheetMoved> askReassignment(QWidget* parent, const ScoringMatrix& matrix,
                                           const ScoringMatrix::Line& line) {
-  Question dialog(parent, words(QT_TRANSLATE_NOOP("Scoring", "Reassign a sheet")),
-                  words(QT_TRANSLATE_NOOP("Scoring", "%1, %2"))
-                      .arg(shown(line.traineeCode), occasionName(line.occasion)));
+  Question dialog(parent, translated(QT_TRANSLATE_NOOP("Scoring", "Reassign a sheet")),
+                  translated(QT_TRANSLATE_NOOP("Scoring", "%1, %2"))
+                      .arg(toQString(line.traineeCode), occasionName(line.occasion)));
   auto* from = new QComboBox(&dialog);
   auto* to = new QComboBox(&dialog);
-  to->addItem(words(QT_TRANSLATE_NOOP("Scoring", "nobody: take it back only")), QString());
+  to->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "nobody: take it back only")), QString());
   for (std::size_t r = 0; r < matrix.raters.size(); ++r) {
     const ScoringCell& cell = line.cells[r];
     const bool open = isOutstanding(cell.state);
     if (!cell.assignmentId.empty() && open)
-      from->addItem(words(QT_TRANSLATE_NOOP("Scoring", "%1 (%2)"))
-                        .arg(shown(matrix.raters[r].code), sheetStateName(cell.state)),
-                    shown(cell.assignmentId));
+      from->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "%1 (%2)"))
+                        .arg(toQString(matrix.raters[r].code), sheetStateName(cell.state)),
+                    toQString(cell.assignmentId));
     if (cell.assignmentId.empty() || cell.state == SheetState::kWithdrawn)
-      to->addItem(shown(matrix.raters[r].code), shown(matrix.raters[r].id));
+      to->addItem(toQString(matrix.raters[r].code), toQString(matrix.raters[r].id));
   }
   auto* reason = new QLineEdit(&dialog);
   auto* form = new QFormLayout;
-  form->addRow(words(QT_TRANSLATE_NOOP("Scoring", "&From")), from);
-  form->addRow(words(QT_TRANSLATE_NOOP("Scoring", "&To")), to);
-  form->addRow(words(QT_TRANSLATE_NOOP("Scoring", "&Reason")), reason);
+  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&From")), from);
+  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&To")), to);
+  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&Reason")), reason);
   dialog.column->addLayout(form);
-  QPushButton* ok = dialog.finish(words(QT_TRANSLATE_NOOP("Scoring", "Reassign")));
+  QPushButton* ok = dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Reassign")));
   ok->setEnabled(false);
   QObject::connect(reason, &QLineEdit::textChanged, ok, [ok, from](const QString& text) {
     ok->setEnabled(!text.trimmed().isEmpty() && from->count() > 0);
@@ -129,24 +130,24 @@ std::optional<SheetMoved> askReassignment(QWidget* parent, const ScoringMatrix& 
 }
 
 std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<ReleaseState>& states) {
-  Question dialog(parent, words(QT_TRANSLATE_NOOP("Scoring", "Release marks")),
-                  words(QT_TRANSLATE_NOOP(
+  Question dialog(parent, translated(QT_TRANSLATE_NOOP("Scoring", "Release marks")),
+                  translated(QT_TRANSLATE_NOOP(
                       "Scoring", "Trainees see their marks of a scoring point from the release on.")));
   auto* point = new QComboBox(&dialog);
   for (const ReleaseState& state : states)
     point->addItem(
-        words(state.released ? QT_TRANSLATE_NOOP("Scoring", "%1: released, take back")
-                             : QT_TRANSLATE_NOOP("Scoring", "%1: release, %2 of %3 sheets missing"))
+        translated(state.released ? QT_TRANSLATE_NOOP("Scoring", "%1: released, take back")
+                                  : QT_TRANSLATE_NOOP("Scoring", "%1: release, %2 of %3 sheets missing"))
             .arg(occasionName(state.occasion))
             .arg(state.missing)
             .arg(state.sheets),
-        shown(state.occasion.code));
+        toQString(state.occasion.code));
   auto* reason = new QLineEdit(&dialog);
   auto* form = new QFormLayout;
-  form->addRow(words(QT_TRANSLATE_NOOP("Scoring", "&Scoring point")), point);
-  form->addRow(words(QT_TRANSLATE_NOOP("Scoring", "&Reason")), reason);
+  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&Scoring point")), point);
+  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&Reason")), reason);
   dialog.column->addLayout(form);
-  QPushButton* ok = dialog.finish(words(QT_TRANSLATE_NOOP("Scoring", "Do it")));
+  QPushButton* ok = dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Do it")));
   const auto check = [=, &states] {
     const auto at = static_cast<std::size_t>(point->currentIndex());
     const bool needed = at < states.size() && (states[at].released || states[at].missing > 0);
@@ -165,13 +166,13 @@ namespace {
 Row rowOf(const ThirdRequest& request) {
   QStringList by;
   QStringList reasons;
-  for (const std::string& code : request.askedBy) by << shown(code);
-  for (const std::string& reason : request.reasons) reasons << shown(reason);
+  for (const std::string& code : request.askedBy) by << toQString(code);
+  for (const std::string& reason : request.reasons) reasons << toQString(reason);
   const QString point = occasionName(request.occasion);
-  return {shown(request.assignmentId),
-          {{shown(request.traineeCode)},
-           {request.live ? words(QT_TRANSLATE_NOOP("Scoring", "%1, live")).arg(point) : point,
-            shown(request.occasion.code)},
+  return {toQString(request.assignmentId),
+          {{toQString(request.traineeCode)},
+           {request.live ? translated(QT_TRANSLATE_NOOP("Scoring", "%1, live")).arg(point) : point,
+            toQString(request.occasion.code)},
            {by.join(QStringLiteral(", "))},
            {reasons.join(QStringLiteral(" \u00B7 ")), {}, reasons.join(QLatin1Char('\n'))},
            timeCell(request.askedUtc_us)}};
@@ -180,46 +181,46 @@ Row rowOf(const ThirdRequest& request) {
 void fillThirds(QComboBox* box, const ThirdRequest& request) {
   box->clear();
   for (const ThirdRater& rater : request.free)
-    box->addItem(words(QT_TRANSLATE_NOOP("Scoring", "%1, %2: %3 sheets wait"))
-                     .arg(shown(rater.code), orDash(rater.classCode))
+    box->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "%1, %2: %3 sheets wait"))
+                     .arg(toQString(rater.code), orDash(rater.classCode))
                      .arg(rater.open),
-                 shown(rater.id));
+                 toQString(rater.id));
 }
 
 }  // namespace
 
 std::optional<ThirdChosen> askThirdRater(QWidget* parent, const std::vector<ThirdRequest>& requests) {
-  Question dialog(
-      parent, words(QT_TRANSLATE_NOOP("Scoring", "Assign a third rater")),
-      words(QT_TRANSLATE_NOOP("Scoring",
-                              "Physicians could not agree about these cases and ask for one more. The freest "
-                              "one of the same class is suggested; nobody learns who asked.")));
+  Question dialog(parent, translated(QT_TRANSLATE_NOOP("Scoring", "Assign a third rater")),
+                  translated(QT_TRANSLATE_NOOP(
+                      "Scoring",
+                      "Physicians could not agree about these cases and ask for one more. The freest "
+                      "one of the same class is suggested; nobody learns who asked.")));
   dialog.resize(860, 460);
   auto* table = new DataTable(QString(), &dialog);
-  table->setColumns({{words(QT_TRANSLATE_NOOP("Scoring", "Trainee"))},
-                     {words(QT_TRANSLATE_NOOP("Scoring", "Scoring point"))},
-                     {words(QT_TRANSLATE_NOOP("Scoring", "Asked by"))},
-                     {words(QT_TRANSLATE_NOOP("Scoring", "Why"))},
-                     {words(QT_TRANSLATE_NOOP("Scoring", "Since"))}});
-  table->view().setAccessibleName(words(QT_TRANSLATE_NOOP("Scoring", "Cases that need a third rater")));
+  table->setColumns({{translated(QT_TRANSLATE_NOOP("Scoring", "Trainee"))},
+                     {translated(QT_TRANSLATE_NOOP("Scoring", "Scoring point"))},
+                     {translated(QT_TRANSLATE_NOOP("Scoring", "Asked by"))},
+                     {translated(QT_TRANSLATE_NOOP("Scoring", "Why"))},
+                     {translated(QT_TRANSLATE_NOOP("Scoring", "Since"))}});
+  table->view().setAccessibleName(translated(QT_TRANSLATE_NOOP("Scoring", "Cases that need a third rater")));
   std::vector<Row> rows;
   for (const ThirdRequest& request : requests) rows.push_back(rowOf(request));
   table->setRows(std::move(rows));
   dialog.column->addWidget(table, 1);
   auto* to = new QComboBox(&dialog);
   auto* form = new QFormLayout;
-  form->addRow(words(QT_TRANSLATE_NOOP("Scoring", "&Rater")), to);
+  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&Rater")), to);
   dialog.column->addLayout(form);
-  QPushButton* ok = dialog.finish(words(QT_TRANSLATE_NOOP("Scoring", "Assign")));
+  QPushButton* ok = dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Assign")));
   const auto choose = [&](const QString& id) {
     to->clear();
     for (const ThirdRequest& request : requests) {
-      if (shown(request.assignmentId) == id) fillThirds(to, request);
+      if (toQString(request.assignmentId) == id) fillThirds(to, request);
     }
     ok->setEnabled(to->count() > 0);
   };
   QObject::connect(table, &DataTable::currentChanged, &dialog, choose);
-  table->select(shown(requests.front().assignmentId));
+  table->select(toQString(requests.front().assignmentId));
   choose(table->currentId());
   ok->setFocus(Qt::OtherFocusReason);
   if (dialog.exec() != QDialog::Accepted || to->count() == 0) return std::nullopt;

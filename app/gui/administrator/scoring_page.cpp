@@ -56,6 +56,7 @@ ScoringPage::ScoringPage(ShellContext& shell)
       reassign_(listButton(table_)),
       release_(listButton(table_)),
       third_(listButton(table_)) {
+  table_->setObjectName(QStringLiteral("matrix"));
   ask_->setProperty("primary", true);
   revise_->setObjectName(QStringLiteral("reviseRubric"));
   heading_->addAction(revise_);
@@ -100,36 +101,36 @@ void ScoringPage::read() {
     if (!cohort.empty()) {
       matrix_ = scoringMatrix(shell().workplace(), cohort);
       thirds_ = thirdRequests(shell().workplace(), cohort);
-      if (shell().workplace().may(Operation::kMarkRelease))
-        releases_ = releaseStates(shell().workplace(), cohort);
+      if (shell().may(Operation::kMarkRelease)) releases_ = releaseStates(shell().workplace(), cohort);
     }
-    show();
+    showContent();
   });
 }
 
-void ScoringPage::show() {
+void ScoringPage::showContent() {
   std::vector<Column> columns = {{tr("Trainee")}, {tr("Scoring point")}, {tr("Missing"), true, true}};
   std::vector<Row> rows;
   std::size_t open = 0;
   std::size_t submitted = 0;
   if (matrix_) {
     for (const ScoringMatrix::Rater& rater : matrix_->raters) {
-      columns.push_back({shown(rater.code)});
+      columns.push_back({toQString(rater.code)});
       open += rater.open;
       submitted += rater.submitted;
     }
     for (std::size_t i = 0; i < matrix_->lines.size(); ++i) {
       const ScoringMatrix::Line& line = matrix_->lines[i];
       Row row{QString::number(i),
-              {{shown(line.traineeCode)},
-               {occasionName(line.occasion), shown(line.occasion.code)},
+              {{toQString(line.traineeCode)},
+               {occasionName(line.occasion), toQString(line.occasion.code)},
                {line.missing == 0 ? QStringLiteral("\u2013") : QString::number(line.missing),
                 static_cast<qlonglong>(line.missing)}}};
       for (const ScoringCell& cell : line.cells)
-        row.cells.push_back({stateSign(cell), static_cast<int>(cell.state),
-                             cell.assignmentId.empty()
-                                 ? tr("not asked")
-                                 : tr("case %1: %2").arg(shown(cell.caseLabel), sheetStateName(cell.state))});
+        row.cells.push_back(
+            {stateSign(cell), static_cast<int>(cell.state),
+             cell.assignmentId.empty()
+                 ? tr("not asked")
+                 : tr("case %1: %2").arg(toQString(cell.caseLabel), sheetStateName(cell.state))});
       rows.push_back(std::move(row));
     }
   }
@@ -142,13 +143,12 @@ void ScoringPage::show() {
 }
 
 void ScoringPage::showButtons() {
-  const Workplace& workplace = shell().workplace();
-  ask_->setEnabled(cohort_->count() > 0 && workplace.may(Operation::kStudySetup));
+  ask_->setEnabled(cohort_->count() > 0 && shell().may(Operation::kStudySetup));
   const std::size_t at = table_->currentId().isEmpty() ? SIZE_MAX : table_->currentId().toULongLong();
   reassign_->setEnabled(matrix_ && at < matrix_->lines.size() && matrix_->lines[at].missing > 0);
   release_->setEnabled(!releases_.empty());
-  revise_->setEnabled(workplace.may(Operation::kCurriculumEdit));
-  warmUp_->setEnabled(workplace.may(Operation::kStudySetup));
+  revise_->setEnabled(shell().may(Operation::kCurriculumEdit));
+  warmUp_->setEnabled(shell().may(Operation::kStudySetup));
   // A number that is not 0 calls; without requests there is nothing to press.
   third_->setVisible(!thirds_.empty());
   third_->setText(tr("&Third rater (%1)\u2026").arg(thirds_.size()));
@@ -172,7 +172,7 @@ bool ScoringPage::revise(const std::filesystem::path& file, const std::string& n
     const RubricRow rubric = rubrics(shell().workplace()).front();
     reviseRubric(shell().workplace(), rubric.id, next.revision, note);
     shell().notify(tr("%1: revision %2 is used from now on")
-                       .arg(shown(rubric.name))
+                       .arg(toQString(rubric.name))
                        .arg(rubric.revisions.back().number + 1));
   });
 }
@@ -184,7 +184,7 @@ void ScoringPage::askRevision() {
       this, tr("Revise the scoring sheet"),
       tr("Raters who are asked from now on fill in the new sheet. Sheets that were asked for before "
          "stay as they are; both revisions are kept for good."));
-  if (note) revise(std::filesystem::path(file.toStdString()), *note);
+  if (note) revise(toPath(file), *note);
 }
 
 bool ScoringPage::ask(const std::vector<std::string>& raterIds,
@@ -269,7 +269,7 @@ void ScoringPage::retranslate() {
   release_->setText(tr("Re&lease marks\u2026"));
   table_->setEmptyText(
       tr("No rater has been asked yet. Press Ask raters: each gets the cases in an order of their own."));
-  show();
+  showContent();
 }
 
 }  // namespace torsio::gui

@@ -30,7 +30,6 @@ class ScoringPage : public Page {
   void enter(const QVariant& argument) override;
   void retranslate() override;
 
-  [[nodiscard]] DataTable& matrix() const noexcept { return *table_; }
   /// Asks the raters for every trainee of the cohort at these occasions.
   bool ask(const std::vector<std::string>& raterIds, const std::vector<std::string>& scoringPoints);
 
@@ -39,7 +38,7 @@ class ScoringPage : public Page {
 
  private:
   void read();
-  void show();
+  void showContent();
   void showButtons();
   void askRevision();
   void askRaters();

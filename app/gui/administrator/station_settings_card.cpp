@@ -67,7 +67,7 @@ void StationSettingsCard::keepInBounds() {
 
 void StationSettingsCard::read() {
   attempt(shell_, [this] {
-    name_->setText(shown(centreSign(shell_.workplace().connection()).name));
+    name_->setText(toQString(centreSign(shell_.workplace().connection()).name));
     const IdleLimits limits = centreIdleLimits(shell_.workplace().connection());
     lock_->setValue(static_cast<int>(limits.lock_us / kMinute_us));
     keepInBounds();

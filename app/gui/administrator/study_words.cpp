@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include "app/gui/base/spoken.h"
+#include "app/training/attempts.h"
 #include "assessment/metrics/metric_cards.h"
 
 namespace torsio::gui {
@@ -14,15 +16,15 @@ namespace {
 
 using Names = std::span<const std::pair<const char*, const char*>>;
 
-QString words(const char* text) {
+QString translated(const char* text) {
   return QCoreApplication::translate("Study", text);
 }
 
 QString named(Names names, const std::string& code) {
   if (code.empty()) return QStringLiteral("\u2013");
   for (const auto& [known, name] : names)
-    if (code == known) return words(name);
-  return QString::fromStdString(code);
+    if (code == known) return translated(name);
+  return toQString(code);
 }
 
 }  // namespace
@@ -33,7 +35,7 @@ QString occasionName(const Occasion& occasion) {
       {"mid", QT_TRANSLATE_NOOP("Study", "half-way")},
       {"post", QT_TRANSLATE_NOOP("Study", "after training")}};
   for (const auto& [known, name] : kNames)
-    if (occasion.code == known) return words(name);
+    if (occasion.code == known) return translated(name);
   return named({}, occasion.label);
 }
 
@@ -61,7 +63,7 @@ QString levelName(const std::string& code) {
       {"other", QT_TRANSLATE_NOOP("Study", "other")},
       {"left", QT_TRANSLATE_NOOP("Study", "left-handed")},
       {"right", QT_TRANSLATE_NOOP("Study", "right-handed")}};
-  return code.empty() ? words(QT_TRANSLATE_NOOP("Study", "not known")) : named(kNames, code);
+  return code.empty() ? translated(QT_TRANSLATE_NOOP("Study", "not known")) : named(kNames, code);
 }
 
 QString raterClassName(const std::string& code) {
@@ -75,13 +77,13 @@ QString raterClassName(const std::string& code) {
 QString methodName(AllocationMethod method) {
   switch (method) {
     case AllocationMethod::kCompletePermutation:
-      return words(QT_TRANSLATE_NOOP("Study", "One shuffle of everybody (the paper's case)"));
+      return translated(QT_TRANSLATE_NOOP("Study", "One shuffle of everybody (the paper's case)"));
     case AllocationMethod::kPermutedBlocks:
-      return words(QT_TRANSLATE_NOOP("Study", "Shuffled blocks, one after another"));
+      return translated(QT_TRANSLATE_NOOP("Study", "Shuffled blocks, one after another"));
     case AllocationMethod::kStratifiedBlocks:
-      return words(QT_TRANSLATE_NOOP("Study", "Shuffled blocks within strata"));
+      return translated(QT_TRANSLATE_NOOP("Study", "Shuffled blocks within strata"));
     case AllocationMethod::kMinimisation:
-      return words(QT_TRANSLATE_NOOP("Study", "Minimisation (Pocock and Simon)"));
+      return translated(QT_TRANSLATE_NOOP("Study", "Minimisation (Pocock and Simon)"));
   }
   return {};
 }
@@ -89,13 +91,13 @@ QString methodName(AllocationMethod method) {
 QString sheetStateName(SheetState state) {
   switch (state) {
     case SheetState::kOpen:
-      return words(QT_TRANSLATE_NOOP("Study", "open"));
+      return translated(QT_TRANSLATE_NOOP("Study", "open"));
     case SheetState::kDraft:
-      return words(QT_TRANSLATE_NOOP("Study", "draft"));
+      return translated(QT_TRANSLATE_NOOP("Study", "draft"));
     case SheetState::kSubmitted:
-      return words(QT_TRANSLATE_NOOP("Study", "submitted"));
+      return translated(QT_TRANSLATE_NOOP("Study", "submitted"));
     case SheetState::kWithdrawn:
-      return words(QT_TRANSLATE_NOOP("Study", "taken back"));
+      return translated(QT_TRANSLATE_NOOP("Study", "taken back"));
   }
   return {};
 }
@@ -137,9 +139,9 @@ std::vector<std::pair<std::string, QString>> masteryMetrics() {
   };
   std::vector<std::pair<std::string, QString>> out;
   for (const auto& [id, name] : kNames)
-    out.emplace_back(id, metricUnit(id) == "1" ? words(name)
-                                               : QStringLiteral("%1 (%2)").arg(
-                                                     words(name), QString::fromStdString(metricUnit(id))));
+    out.emplace_back(id, metricUnit(id) == "1"
+                             ? translated(name)
+                             : QStringLiteral("%1 (%2)").arg(translated(name), toQString(metricUnit(id))));
   return out;
 }
 

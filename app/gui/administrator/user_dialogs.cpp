@@ -20,6 +20,7 @@
 #include <QVBoxLayout>
 
 #include "app/access/first_run.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/widgets/theme.h"
 
 namespace torsio::gui {
@@ -109,7 +110,7 @@ QString roleName(const std::string& code) {
   if (code == "administrator") return UserDialogs::tr("Administrator");
   if (code == "allocator") return UserDialogs::tr("Keeper of the allocation");
   if (code == "statistician") return UserDialogs::tr("Statistician");
-  return QString::fromStdString(code);
+  return toQString(code);
 }
 
 std::optional<NewUser> askNewUser(QWidget* parent, const std::vector<PersonChoice>& people) {
@@ -120,7 +121,7 @@ std::optional<NewUser> askNewUser(QWidget* parent, const std::vector<PersonChoic
   auto* person = new QComboBox(&frame.dialog);
   person->addItem(UserDialogs::tr("Nobody of the record"), QString());
   for (const PersonChoice& choice : people) {
-    person->addItem(choice.label, QString::fromStdString(choice.personId));
+    person->addItem(choice.label, toQString(choice.personId));
   }
   auto* form = new QFormLayout;
   form->addRow(UserDialogs::tr("&Sign-in name"), login);

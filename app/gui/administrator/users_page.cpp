@@ -27,19 +27,20 @@ namespace torsio::gui {
 namespace {
 
 /// Everybody of the record, with names where the actor may see them.
-std::vector<PersonChoice> peopleToChoose(Workplace& workplace) {
+std::vector<PersonChoice> peopleToChoose(ShellContext& shell) {
   std::vector<PersonChoice> choices;
-  if (workplace.may(Operation::kPersonViewIdentity)) {
+  Workplace& workplace = shell.workplace();
+  if (shell.may(Operation::kPersonViewIdentity)) {
     for (const NamedPersonRow& person : namedPeople(workplace)) {
-      const QString code = QString::fromStdString(person.row.person.code);
-      const QString name = QString::fromStdString(person.identity.fullName);
+      const QString code = toQString(person.row.person.code);
+      const QString name = toQString(person.identity.fullName);
       choices.push_back(
           {person.row.person.id, name.isEmpty() ? code : QStringLiteral("%1 \u00B7 %2").arg(code, name)});
     }
     return choices;
   }
   for (const PersonRow& person : people(workplace)) {
-    choices.push_back({person.person.id, QString::fromStdString(person.person.code)});
+    choices.push_back({person.person.id, toQString(person.person.code)});
   }
   return choices;
 }
@@ -79,14 +80,12 @@ UsersPage::UsersPage(ShellContext& shell)
 }
 
 void UsersPage::enter(const QVariant&) {
-  try {
+  attempt(shell(), [&] {
     users_ = users(shell().workplace());
     personCodes_.clear();
     for (const PersonRow& row : people(shell().workplace())) personCodes_[row.person.id] = row.person.code;
-    show();
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+    showContent();
+  });
 }
 
 void UsersPage::retranslate() {
@@ -104,16 +103,16 @@ void UsersPage::retranslate() {
                       {tr("Station PIN")},
                       {tr("Since")}});
   table_->setEmptyText(tr("No users yet."));
-  show();
+  showContent();
 }
 
-void UsersPage::show() {
+void UsersPage::showContent() {
   std::vector<Row> rows;
   for (const StoredUser& user : users_) {
     QStringList roles;
     for (const std::string& role : user.roles) roles << roleName(role);
-    rows.push_back({QString::fromStdString(user.id),
-                    {{QString::fromStdString(user.login)},
+    rows.push_back({toQString(user.id),
+                    {{toQString(user.login)},
                      {orDash(personCodes_[user.personId])},
                      {roles.join(QStringLiteral(", "))},
                      {user.active ? tr("active") : tr("disabled")},
@@ -139,19 +138,17 @@ const StoredUser* UsersPage::current() const {
 }
 
 void UsersPage::add() {
-  try {
-    const std::optional<NewUser> user = askNewUser(this, peopleToChoose(shell().workplace()));
+  attempt(shell(), [&] {
+    const std::optional<NewUser> user = askNewUser(this, peopleToChoose(shell()));
     if (!user) return;
     const auto id = std::make_shared<std::string>();
     storeAndShow([user = *user, id](Workplace& workplace) { *id = addUser(workplace, user); },
-                 QString::fromStdString(user->login), user->startPassword, id);
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+                 toQString(user->login), user->startPassword, id);
+  });
 }
 
 void UsersPage::addForRoster() {
-  try {
+  attempt(shell(), [&] {
     const std::vector<PersonRow> without = peopleWithoutAccount(shell().workplace());
     if (without.empty()) {
       shell().notify(tr("Everybody of the roster has an account"));
@@ -182,19 +179,12 @@ void UsersPage::addForRoster() {
           AccountsDialog(issued->made, centreSign(page->shell().workplace().connection()).name, page).exec();
           if (!page.isNull() && issued->problem) page->sayWhyNotAll(issued->problem);
         });
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void UsersPage::sayWhyNotAll(const std::exception_ptr& problem) {
-  try {
-    std::rethrow_exception(problem);
-  } catch (const Cancelled&) {
-    shell().notify(tr("Cancelled; the accounts that were shown stay"));
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  attempt(
+      shell(), [&] { std::rethrow_exception(problem); }, tr("Cancelled; the accounts that were shown stay"));
 }
 
 void UsersPage::storeAndShow(const std::function<void(Workplace&)>& store, const QString& login,
@@ -210,30 +200,28 @@ void UsersPage::storeAndShow(const std::function<void(Workplace&)>& store, const
       [page = QPointer<UsersPage>(this), login, password, id] {
         if (page.isNull()) return;
         page->enter({});
-        page->table_->select(QString::fromStdString(*id));
-        showStartPassword(page, login, QString::fromStdString(password));
+        page->table_->select(toQString(*id));
+        showStartPassword(page, login, toQString(password));
       });
 }
 
 void UsersPage::changeRoles() {
   const StoredUser* user = current();
   if (user == nullptr) return;
-  try {
-    const std::optional<RolesChange> change =
-        askRoles(this, QString::fromStdString(user->login), user->roles);
+  attempt(shell(), [&] {
+    const std::optional<RolesChange> change = askRoles(this, toQString(user->login), user->roles);
     if (!change) return;
     setUserRoles(shell().workplace(), user->id, change->roles, change->reason);
+    shell().readRights();
     enter({});
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void UsersPage::newPassword() {
   const StoredUser* user = current();
   if (user == nullptr) return;
-  try {
-    const QString login = QString::fromStdString(user->login);
+  attempt(shell(), [&] {
+    const QString login = toQString(user->login);
     const std::optional<std::string> reason = askReason(
         this, tr("New start password"), tr("The present password of %1 stops working at once.").arg(login));
     if (!reason) return;
@@ -242,16 +230,14 @@ void UsersPage::newPassword() {
     storeAndShow([id, password, reason = *reason](
                      Workplace& workplace) { resetPassword(workplace, *id, password, reason); },
                  login, password, id);
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void UsersPage::switchActive() {
   const StoredUser* user = current();
   if (user == nullptr) return;
-  try {
-    const QString login = QString::fromStdString(user->login);
+  attempt(shell(), [&] {
+    const QString login = toQString(user->login);
     const std::optional<std::string> reason =
         user->active ? askReason(this, tr("Disable user"),
                                  tr("%1 cannot sign in any more; everything recorded stays.").arg(login))
@@ -259,9 +245,7 @@ void UsersPage::switchActive() {
     if (!reason) return;
     setUserActive(shell().workplace(), user->id, !user->active, *reason);
     enter({});
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 }  // namespace torsio::gui

@@ -29,7 +29,7 @@ class UsersPage : public Page {
   void retranslate() override;
 
  private:
-  void show();
+  void showContent();
   void showButtons();
   [[nodiscard]] const StoredUser* current() const;
   void add();

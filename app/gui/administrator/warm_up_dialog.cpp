@@ -46,6 +46,8 @@ WarmUpDialog::WarmUpDialog(ShellContext& shell, std::vector<RubricRow> rubrics, 
       withdraw_(new QPushButton(tr("&Withdraw\u2026"), this)),
       add_(new QPushButton(tr("&Add as a reference run"), this)),
       close_(new QPushButton(tr("Close"), this)) {
+  candidates_->setObjectName(QStringLiteral("candidates"));
+  present_->setObjectName(QStringLiteral("present"));
   setWindowTitle(tr("Runs of the warm-up"));
   resize(900, 660);
   auto* column = new QVBoxLayout(this);
@@ -87,7 +89,7 @@ WarmUpDialog::WarmUpDialog(ShellContext& shell, std::vector<RubricRow> rubrics, 
 
 void WarmUpDialog::createForm() {
   auto* column = static_cast<QVBoxLayout*>(layout());
-  for (const RubricRow& rubric : rubrics_) rubric_->addItem(shown(rubric.name), shown(rubric.id));
+  for (const RubricRow& rubric : rubrics_) rubric_->addItem(toQString(rubric.name), toQString(rubric.id));
   panel_->setRange(1, kLargestPanel);
   panel_->setValue(2);
   auto* form = new QFormLayout;
@@ -137,24 +139,24 @@ void WarmUpDialog::read() {
   withdrawn_.clear();
   for (const ReferenceRow& run : runs) {
     const bool out = !run.withdrawnBecause.empty();
-    if (out) withdrawn_.insert(shown(run.trialId));
+    if (out) withdrawn_.insert(toQString(run.trialId));
     present.push_back(
-        {shown(run.trialId),
+        {toQString(run.trialId),
          {{out ? QStringLiteral("\u2013") : tr("Reference %1").arg(run.number), static_cast<int>(run.number)},
           {orDash(run.traineeCode)},
-          {shown(run.sceneId)},
+          {toQString(run.sceneId)},
           {shownSpan(run.length_us.value_or(0)), static_cast<qlonglong>(run.length_us.value_or(0))},
           {locale.toString(run.panel_points, 'f', 1), run.panel_points},
           {locale.toString(static_cast<qlonglong>(run.panelRaters))},
           timeCell(run.setUtc_us),
-          {out ? tr("Withdrawn: %1").arg(shown(run.withdrawnBecause)) : tr("In use")}}});
+          {out ? tr("Withdrawn: %1").arg(toQString(run.withdrawnBecause)) : tr("In use")}}});
   }
   present_->setRows(std::move(present));
   std::vector<Row> rows;
   for (const ReferenceCandidate& one : referenceCandidates(shell_.workplace()))
-    rows.push_back({shown(one.trialId),
+    rows.push_back({toQString(one.trialId),
                     {{orDash(one.traineeCode)},
-                     {shown(one.sceneId)},
+                     {toQString(one.sceneId)},
                      {orDash(one.phaseLabel)},
                      {shownSpan(one.length_us), static_cast<qlonglong>(one.length_us)},
                      timeCell(one.startedUtc_us)}});

@@ -30,9 +30,6 @@ class WarmUpDialog : public QDialog {
   /// `rubrics`: at least one, each with a revision.
   WarmUpDialog(ShellContext& shell, std::vector<RubricRow> rubrics, QWidget* parent);
 
-  [[nodiscard]] DataTable& present() const noexcept { return *present_; }
-  [[nodiscard]] DataTable& candidates() const noexcept { return *candidates_; }
-
  private:
   void createForm();
   void read();

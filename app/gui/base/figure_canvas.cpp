@@ -26,7 +26,7 @@ constexpr int kRowHeight = 26;
 constexpr int kFrameHeight = 110;
 
 /// Figures speak the language of the window.
-const Wording kSpoken = [](const Text& text) { return spoken(text); };
+const Wording kTranslated = [](const Text& text) { return toQString(text); };
 
 }  // namespace
 
@@ -44,7 +44,7 @@ QString tabbed(const ReportTable& table) {
   QStringList lines;
   const auto line = [](const std::vector<Text>& cells) {
     QStringList parts;
-    for (const Text& cell : cells) parts << spoken(cell);
+    for (const Text& cell : cells) parts << toQString(cell);
     return parts.join(QLatin1Char('\t'));
   };
   lines << line(table.columns);
@@ -89,7 +89,7 @@ void FigureCanvas::rebuild() {
   scene()->clear();
   item_ = nullptr;
   if (!figure_) return;
-  item_ = buildFigure(*figure_, look_, kSpoken).release();
+  item_ = buildFigure(*figure_, look_, kTranslated).release();
   scene()->addItem(item_);
   fit();
 }
@@ -111,7 +111,7 @@ QImage FigureCanvas::picture(const QSize& size) const {
   image.fill(Qt::white);
   if (!figure_) return image;
   QGraphicsScene paper;
-  QGraphicsWidget* item = buildFigure(*figure_, {}, kSpoken).release();
+  QGraphicsWidget* item = buildFigure(*figure_, {}, kTranslated).release();
   paper.addItem(item);
   item->resize(QSizeF(size) / kCopiedScale);
   paper.setSceneRect(item->geometry());
@@ -148,15 +148,15 @@ void FigureCanvas::changeEvent(QEvent* event) {
 
 void FigureCanvas::describe() {
   if (!figure_) return;
-  setAccessibleName(spoken(figure_->title));
+  setAccessibleName(toQString(figure_->title));
   const ReportTable table = figureTable(*figure_, 2);
   QStringList said;
   for (std::size_t i = 0; i < table.rows.size() && i < kDescribedRows; ++i) {
     QStringList parts;
     for (std::size_t c = 1; c < table.rows[i].size(); ++c)
       if (!table.rows[i][c].empty())
-        parts << QStringLiteral("%1 %2").arg(spoken(table.columns[c]), spoken(table.rows[i][c]));
-    said << QStringLiteral("%1: %2").arg(spoken(table.rows[i].front()), parts.join(QStringLiteral(", ")));
+        parts << QStringLiteral("%1 %2").arg(toQString(table.columns[c]), toQString(table.rows[i][c]));
+    said << QStringLiteral("%1: %2").arg(toQString(table.rows[i].front()), parts.join(QStringLiteral(", ")));
   }
   if (table.rows.size() > kDescribedRows)
     said << tr("%n row(s) more in the table", nullptr, static_cast<int>(table.rows.size()) - kDescribedRows);

@@ -23,7 +23,7 @@ namespace {
 
 /// Numbers sort by size.
 Cell cellOf(const Text& content) {
-  Cell cell{spoken(content)};
+  Cell cell{toQString(content)};
   bool isNumber = false;
   const double value = cell.text.toDouble(&isNumber);
   if (isNumber) cell.sortKey = value;
@@ -42,6 +42,8 @@ FigureCard::FigureCard(QWidget* parent)
       stack_(new QStackedWidget(this)),
       canvas_(new FigureCanvas(stack_)),
       table_(new DataTable(QString(), stack_)) {
+  table_->setObjectName(QStringLiteral("table"));
+  canvas_->setObjectName(QStringLiteral("canvas"));
   setObjectName(QStringLiteral("card"));
   title_->setObjectName(QStringLiteral("cardTitle"));
   title_->setWordWrap(true);
@@ -84,7 +86,7 @@ void FigureCard::setFigure(const ReportFigure& figure) {
   figure_ = figure;
   alone_.reset();
   canvas_->setFigure(figure);
-  showWords();
+  showTexts();
   picture_->setVisible(true);
   values_->setVisible(true);
   showTable(table);
@@ -93,15 +95,15 @@ void FigureCard::setFigure(const ReportFigure& figure) {
 void FigureCard::setTable(const ReportTable& table) {
   figure_.reset();
   alone_ = table;
-  showWords();
+  showTexts();
   picture_->setVisible(false);
   values_->setVisible(false);
   stack_->setCurrentWidget(table_);
 }
 
-void FigureCard::showWords() {
+void FigureCard::showTexts() {
   if (!figure_ && !alone_) return;
-  title_->setText(spoken(figure_ ? figure_->title : alone_->title));
+  title_->setText(toQString(figure_ ? figure_->title : alone_->title));
   fillTable(figure_ ? figureTable(*figure_) : *alone_);
   showNotes(figure_ ? figure_->notes : alone_->notes, figure_ ? figure_->provenance : alone_->provenance);
 }
@@ -121,7 +123,7 @@ void FigureCard::fillTable(const ReportTable& table) {
     bool numbers = !table.rows.empty();
     for (const std::vector<Text>& row : table.rows)
       numbers = numbers && (row[c].empty() || cellOf(row[c]).sortKey.isValid());
-    columns.push_back({spoken(table.columns[c]), numbers});
+    columns.push_back({toQString(table.columns[c]), numbers});
   }
   std::vector<Row> rows;
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
@@ -137,7 +139,7 @@ void FigureCard::fillTable(const ReportTable& table) {
 void FigureCard::showNotes(const std::vector<Text>& notes, const Provenance& provenance) {
   std::vector<Text> lines = notes;
   if (const Text from = provenanceLine(provenance); !from.empty()) lines.push_back(from);
-  notes_->setText(spokenLines(lines));
+  notes_->setText(translatedLines(lines));
   notes_->setVisible(!lines.empty());
 }
 
@@ -159,7 +161,7 @@ void FigureCard::retranslate() {
   values_->setText(tr("&Values"));
   copy_->setText(tr("&Copy"));
   copy_->setToolTip(tr("Copies the picture and its table (Ctrl+C)"));
-  showWords();
+  showTexts();
 }
 
 }  // namespace torsio::gui

@@ -31,16 +31,13 @@ class FigureCard : public QFrame {
   void setTheme(const Theme& theme);
   void showTable(bool table);
 
-  [[nodiscard]] FigureCanvas& canvas() const noexcept { return *canvas_; }
-  [[nodiscard]] DataTable& table() const noexcept { return *table_; }
-
  protected:
   void changeEvent(QEvent* event) override;
 
  private:
   void fillTable(const ReportTable& table);
   void showNotes(const std::vector<Text>& notes, const Provenance& provenance);
-  void showWords();
+  void showTexts();
   void copy();
   void retranslate();
 

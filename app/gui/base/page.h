@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include "app/access/operation.h"
+#include "app/gui/base/page_id.h"
 
 namespace torsio {
 class Workplace;
@@ -50,21 +51,17 @@ class Page : public QWidget {
   ShellContext& shell_;
 };
 
-/// How the shell knows a page. Shown to an actor who may do every operation of `needs`.
+/// How the shell makes a page; what else it knows of the page stands in the table of page_id.h.
 struct PageEntry {
-  QString id;                      ///< "station.next"; also for ShellContext::open
-  QString icon;                    ///< of assets/icons; empty: reached through other pages only
-  std::function<QString()> title;  ///< in the present language
-  std::vector<Operation> needs;
+  PageId id;
   std::function<Page*(ShellContext&)> make;
-  bool needsDatabase = true;  ///< false: it can be opened while the database is away
 };
 
 /// One picture of the user guide: a page in a state that is worth showing, on the demonstration cohort.
 struct ScreenEntry {
   QString name;  ///< of the file, without language, theme, size and ending: "station-debrief"
   QString role;  ///< "trainee", "rater", "administrator": who is signed in
-  QString pageId;
+  PageId pageId;
   std::function<QVariant(Workplace&)> argument;  ///< for Page::enter; may be empty
   std::function<void(Page&)> prepare;            ///< after enter(); may be empty
 };

@@ -9,10 +9,10 @@ Problem problemOf(const std::exception_ptr& thrown, const Surprise& surprise) {
   try {
     std::rethrow_exception(thrown);
   } catch (const Error& error) {
-    return [error] { return spoken(error); };
+    return [error] { return translated(error); };
   } catch (const std::exception& error) {
     return [surprise, details = QString::fromUtf8(error.what())] {
-      return SpokenError{surprise.happened(), surprise.remedy(), details};
+      return TranslatedError{surprise.happened(), surprise.remedy(), details};
     };
   }
 }

@@ -12,7 +12,7 @@ namespace torsio::gui {
 
 /// A problem that can be told again when the window changes its language: each call says it in the present
 /// one. Holds what happened, not words. GUI thread.
-using Problem = std::function<SpokenError()>;
+using Problem = std::function<TranslatedError()>;
 
 /// How something is told that was never meant to be thrown; what() goes to the details.
 struct Surprise {
@@ -20,7 +20,7 @@ struct Surprise {
   std::function<QString()> remedy;
 };
 
-/// Of what was thrown: an Error as spoken() says it, anything else as `surprise`.
+/// Of what was thrown: an Error as toQString() says it, anything else as `surprise`.
 [[nodiscard]] Problem problemOf(const std::exception_ptr& thrown, const Surprise& surprise);
 
 }  // namespace torsio::gui

@@ -10,7 +10,7 @@ QString problemSentence(const std::exception_ptr& problem) {
   try {
     std::rethrow_exception(problem);
   } catch (const Error& error) {
-    return spokenLine(error);
+    return translatedLine(error);
   } catch (const std::exception& error) {
     return QString::fromUtf8(error.what());
   }

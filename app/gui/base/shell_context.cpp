@@ -34,6 +34,24 @@ ShellContext::~ShellContext() {
   workers_.waitForDone();
 }
 
+bool ShellContext::may(Operation operation) {
+  if (rightsOf_ != workplace_.actor().userId) readRights();
+  return rights_.contains(operation);
+}
+
+void ShellContext::readRights() {
+  const Actor& actor = workplace_.actor();
+  std::set<Operation> rights;
+  // A guest is nobody: whoever sits down may practise, and nothing else.
+  if (actor.practiceOnly && actor.userId.empty()) rights.insert(Operation::kPractice);
+  for (std::size_t i = 0; i < kOperationCodes.size(); ++i) {
+    const auto operation = static_cast<Operation>(i);
+    if (workplace_.may(operation)) rights.insert(operation);
+  }
+  rights_ = std::move(rights);
+  rightsOf_ = actor.userId;
+}
+
 bool ShellContext::databaseAway() const {
   return line_ != nullptr && !line_->answers();
 }
@@ -50,7 +68,7 @@ void ShellContext::report(const std::exception_ptr& thrown) {
 
 void ShellContext::tell(const Problem& problem) {
   Q_EMIT problemMet(problem);
-  const SpokenError said = problem();
+  const TranslatedError said = problem();
   Q_EMIT failed(said.happened, said.remedy, said.details);
 }
 
@@ -62,13 +80,7 @@ void ShellContext::run(const QString& title, Work work, std::function<void()> do
     --jobs_;
     Q_EMIT jobEnded();
     if (problem) {
-      try {
-        std::rethrow_exception(problem);
-      } catch (const Cancelled&) {
-        notify(tr("Cancelled; nothing was changed"));
-      } catch (...) {
-        report(std::current_exception());
-      }
+      attempt(*this, [&] { std::rethrow_exception(problem); });
     } else if (success) {
       success();
     }
@@ -86,7 +98,7 @@ void ShellContext::run(const QString& title, Work work, std::function<void()> do
                 ? progress.remaining_s
                 : guessedRemaining_s(static_cast<double>(since.elapsed()) / 1000.0, progress.fraction);
         QMetaObject::invokeMethod(this, [this, progress, left_s] {
-          Q_EMIT jobMoved(spoken(progress.step), progress.fraction, left_s);
+          Q_EMIT jobMoved(toQString(progress.step), progress.fraction, left_s);
         });
       });
     } catch (...) {
@@ -101,6 +113,18 @@ void ShellContext::waitForJobs() {
     workers_.waitForDone(10);
     QCoreApplication::processEvents();
   }
+}
+
+bool attempt(ShellContext& shell, const std::function<void()>& action, const QString& cancelled) {
+  try {
+    action();
+    return true;
+  } catch (const Cancelled&) {
+    shell.notify(cancelled.isEmpty() ? ShellContext::tr("Cancelled; nothing was changed") : cancelled);
+  } catch (...) {
+    shell.report(std::current_exception());
+  }
+  return false;
 }
 
 }  // namespace torsio::gui

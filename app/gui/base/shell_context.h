@@ -5,6 +5,9 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <optional>
+#include <set>
+#include <string>
 
 #include <QObject>
 #include <QString>
@@ -13,6 +16,7 @@
 
 #include "app/access/workplace.h"
 #include "app/base/progress.h"
+#include "app/gui/base/page_id.h"
 #include "app/gui/base/problem.h"
 #include "app/gui/widgets/theme.h"
 
@@ -47,6 +51,13 @@ class ShellContext : public QObject {
   [[nodiscard]] ThemeKind themeKind() const noexcept { return theme_; }
   void setThemeKind(ThemeKind kind);
 
+  /// Whether the actor may do this, as far as was known when the rights were last read: for what is shown and
+  /// enabled. Asks no database; the services ask anew and have the last word. A guest may practise.
+  [[nodiscard]] bool may(Operation operation);
+  /// Reads the actor's rights: done when somebody signs in; call it where roles may have changed. Throws
+  /// DbError.
+  void readRights();
+
   /// For what nobody waits for (signs of life, training time); null: the workplace writes at once. It
   /// outlives the context.
   [[nodiscard]] StationWriter* line() const noexcept { return line_; }
@@ -54,8 +65,8 @@ class ShellContext : public QObject {
   /// Whether the database is known to be away: then the GUI thread must not ask it anything.
   [[nodiscard]] bool databaseAway() const;
 
-  /// Goes to another page: `id` of its PageEntry.
-  void open(const QString& id, const QVariant& argument = {}) { Q_EMIT pageWanted(id, argument); }
+  /// Goes to another page, which enters with `argument`.
+  void open(PageId id, const QVariant& argument = {}) { Q_EMIT pageWanted(id, argument); }
   /// A sentence that passes by at the lower edge.
   void notify(const QString& sentence) { Q_EMIT noticed(sentence); }
   /// Says in plain words what went wrong, what to do, details folded. Call it in a catch block.
@@ -78,7 +89,7 @@ class ShellContext : public QObject {
   void cancelJobs() noexcept { cancelled_.store(true); }
 
  Q_SIGNALS:
-  void pageWanted(const QString& id, const QVariant& argument);
+  void pageWanted(torsio::gui::PageId id, const QVariant& argument);
   void noticed(const QString& sentence);
   void problemMet(const torsio::gui::Problem& problem);
   /// The same in the words of this moment.
@@ -93,10 +104,17 @@ class ShellContext : public QObject {
   Workplace& workplace_;
   std::filesystem::path assets_;
   ThemeKind theme_;
+  std::set<Operation> rights_;
+  std::optional<std::string> rightsOf_;  ///< user id
   StationWriter* line_ = nullptr;
   QThreadPool workers_;
   int jobs_ = 0;
   std::atomic<bool> cancelled_{false};
 };
+
+/// Does something the user asked for, once: what it throws is reported in plain words, Cancelled is answered
+/// with `cancelled` (empty: nothing was changed). True when it went well. Pages catch here and nowhere else.
+/// GUI thread.
+bool attempt(ShellContext& shell, const std::function<void()>& action, const QString& cancelled = {});
 
 }  // namespace torsio::gui

@@ -15,7 +15,7 @@ namespace {
 
 /// Names and codes that come out of the record, the paper's instrument and the design of the allocation as
 /// plain words, and how a text joins others.
-[[maybe_unused]] const char* const kPlainWords[] = {
+[[maybe_unused]] const char* const kPlainTerms[] = {
     QT_TRANSLATE_NOOP("Services", "Effectiveness"),
     QT_TRANSLATE_NOOP("Services", "Force feedback"),
     QT_TRANSLATE_NOOP("Services", "Real-time performance"),
@@ -70,20 +70,20 @@ namespace {
     QT_TRANSLATE_NOOP("Services", "%1 (%2)"),
 };
 
-QString translated(const std::string& pattern) {
+QString patternInLanguage(const std::string& pattern) {
   return QCoreApplication::translate("Services", pattern.c_str());
 }
 
-bool speaksEnglish() {
+bool windowIsEnglish() {
   const QLocale::Language language = QLocale().language();
   return language == QLocale::English || language == QLocale::C;
 }
 
 /// Whether the language of the window has the sentence. Pure values (a path, a code) need no words.
 bool known(const Text& text) {
-  const QString own = QString::fromStdString(text.pattern());
-  if (own.isEmpty() || speaksEnglish()) return true;
-  return translated(text.pattern()) != own;
+  const QString own = toQString(text.pattern());
+  if (own.isEmpty() || windowIsEnglish()) return true;
+  return patternInLanguage(text.pattern()) != own;
 }
 
 QString meaningOf(ErrorCode code) {
@@ -126,29 +126,42 @@ QString capitalised(QString sentence) {
 
 }  // namespace
 
-QString spoken(const Text& text) {
-  return worded(text, translated);
+QString toQString(const std::string& utf8) {
+  return QString::fromStdString(utf8);
 }
 
-QString spokenLines(const std::vector<Text>& texts) {
+QString toQString(const std::filesystem::path& path) {
+  return QString::fromStdString(path.string());
+}
+
+std::filesystem::path toPath(const QString& text) {
+  return {text.toStdString()};
+}
+
+QString toQString(const Text& text) {
+  return worded(text, patternInLanguage);
+}
+
+QString translatedLines(const std::vector<Text>& texts) {
   QStringList lines;
-  for (const Text& text : texts) lines << spoken(text);
+  for (const Text& text : texts) lines << toQString(text);
   return lines.join(QLatin1Char('\n'));
 }
 
-SpokenError spoken(const Error& error) {
+TranslatedError translated(const Error& error) {
   if (known(error.happenedText()) && known(error.remedyText())) {
-    return {capitalised(spoken(error.happenedText())), spoken(error.remedyText()), spoken(error.whereText())};
+    return {capitalised(toQString(error.happenedText())), toQString(error.remedyText()),
+            toQString(error.whereText())};
   }
   QStringList original;
   for (const std::string& part : {error.where(), error.happened(), error.remedy()}) {
-    if (!part.empty()) original << QString::fromStdString(part);
+    if (!part.empty()) original << toQString(part);
   }
   return {meaningOf(error.code()), {}, original.join(QLatin1Char('\n'))};
 }
 
-QString spokenLine(const Error& error) {
-  const SpokenError said = spoken(error);
+QString translatedLine(const Error& error) {
+  const TranslatedError said = translated(error);
   if (said.remedy.isEmpty()) return said.happened;
   return QCoreApplication::translate("Services", "%1. %2").arg(said.happened, said.remedy);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+#include <string>
 #include <vector>
 
 #include <QString>
@@ -10,25 +12,33 @@
 
 namespace torsio::gui {
 
-/// What services say, in the language of the window: the pattern is looked up in the context "Services" of
-/// the translation, then the arguments, spoken themselves, enter. What the translation lacks stays English.
-/// GUI thread.
-[[nodiscard]] QString spoken(const Text& text);
+/// Text of a std::string (UTF-8) as it stands: names, codes, what people wrote. A term of the record that has
+/// a translation is given as `toQString(Text(term))`. Any thread.
+[[nodiscard]] QString toQString(const std::string& utf8);
+/// Text of a path, in the notation of this system. Any thread.
+[[nodiscard]] QString toQString(const std::filesystem::path& path);
+/// Path that a text names. The reverse of toQString(path); QString::toStdString() reverses toQString(utf8).
+[[nodiscard]] std::filesystem::path toPath(const QString& text);
 
-/// One a line.
-[[nodiscard]] QString spokenLines(const std::vector<Text>& texts);
+/// Translates what services say into the language of the window: the pattern is looked up in the context
+/// "Services" of the translation, then the arguments, translated themselves, enter. What the translation
+/// lacks stays English. GUI thread.
+[[nodiscard]] QString toQString(const Text& text);
+
+/// Translates each text; joined, one a line. GUI thread.
+[[nodiscard]] QString translatedLines(const std::vector<Text>& texts);
 
 /// A refusal in the language of the window.
-struct SpokenError {
+struct TranslatedError {
   QString happened;  ///< begins with a capital, no full stop
   QString remedy;    ///< "" when there is none
   QString details;   ///< where; and the English original when the language lacks the sentence
 };
 
-/// A sentence that the language lacks is replaced by what its ErrorCode means; the original is in the
-/// details.
-[[nodiscard]] SpokenError spoken(const Error& error);
-/// "What happened. What to do", in one line.
-[[nodiscard]] QString spokenLine(const Error& error);
+/// Translates a refusal. A sentence that the language lacks is replaced by what its ErrorCode means; the
+/// original is in the details. GUI thread.
+[[nodiscard]] TranslatedError translated(const Error& error);
+/// Translates a refusal into one line, "What happened. What to do". GUI thread.
+[[nodiscard]] QString translatedLine(const Error& error);
 
 }  // namespace torsio::gui

@@ -15,6 +15,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/comparison_bars.h"
 #include "app/gui/physician/review_words.h"
+#include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/form.h"
@@ -32,7 +33,7 @@ AlignmentPage::AlignmentPage(ShellContext& shell, QWidget* parent)
       state_(sentence(this)),
       legend_(sentence(this)),
       bars_(new ComparisonBars(this)),
-      sheet_(new SheetPanel(false, this)),
+      sheet_(new SheetEditorPanel(false, this)),
       reason_(new QLineEdit(this)),
       keep_(new QPushButton(this)),
       move_(new QPushButton(this)),
@@ -82,10 +83,10 @@ void AlignmentPage::connectAll() {
   });
   connect(replay_, &QPushButton::clicked, this, [this] {
     if (const AlignmentCase* one = current())
-      this->shell().open(QStringLiteral("review.case"), words(one->shown.assignmentId));
+      this->shell().open(PageId::kCase, toQString(one->shown.assignmentId));
   });
   connect(keep_, &QPushButton::clicked, this, [this] {
-    if (editor_ != nullptr) {
+    if (sheet_->editor() != nullptr) {
       stopMoving();
       showCase();
       return;
@@ -94,6 +95,7 @@ void AlignmentPage::connectAll() {
            tr("Your mark stays as it is"));
   });
   connect(move_, &QPushButton::clicked, this, &AlignmentPage::startMoving);
+  connect(sheet_, &SheetEditorPanel::finishWanted, this, &AlignmentPage::startMoving);  // seals
   connect(third_, &QPushButton::clicked, this, [this] {
     decide([](Workplace& w, const std::string& id, const std::string& why) { askForThird(w, id, why); },
            tr("The office is asked for a third physician"));
@@ -126,13 +128,13 @@ void AlignmentPage::showList() {
                              : one.decision == "move"  ? tr("moved")
                              : one.decision == "third" ? tr("third asked for")
                                                        : tr("to be decided");
-    rows.push_back({words(one.shown.assignmentId),
-                    {{tr("Case %1").arg(words(one.shown.label)), static_cast<int>(rows.size())},
+    rows.push_back({toQString(one.shown.assignmentId),
+                    {{tr("Case %1").arg(toQString(one.shown.label)), static_cast<int>(rows.size())},
                      {QLocale().toString(one.largest, 'f', 1), one.largest},
                      {decision}}});
   }
   table_->setRows(std::move(rows));
-  if (const AlignmentCase* one = current()) table_->select(words(one->shown.assignmentId));
+  if (const AlignmentCase* one = current()) table_->select(toQString(one->shown.assignmentId));
 }
 
 const AlignmentCase* AlignmentPage::current() const {
@@ -144,15 +146,15 @@ const AlignmentCase* AlignmentPage::current() const {
 
 void AlignmentPage::showCase() {
   const AlignmentCase* one = current();
-  const bool moving = editor_ != nullptr;
+  const bool moving = sheet_->editor() != nullptr;
   empty_->setVisible(cases_.empty());
   table_->setVisible(!cases_.empty());
   right_->setVisible(one != nullptr);
   if (one == nullptr) return;
-  case_->setText(tr("Case %1").arg(words(one->shown.label)));
+  case_->setText(tr("Case %1").arg(toQString(one->shown.label)));
   state_->setText(one->decision.empty() ? QString()
                   : one->reason.empty() ? tr("Decided. You may decide anew.")
-                                        : tr("Decided: %1").arg(words(one->reason)));
+                                        : tr("Decided: %1").arg(toQString(one->reason)));
   bars_->setRows(one->rows);
   bars_->setVisible(!moving);
   legend_->setVisible(!moving);
@@ -169,42 +171,37 @@ void AlignmentPage::showCase() {
 void AlignmentPage::startMoving() {
   const AlignmentCase* one = current();
   if (one == nullptr) return;
-  if (editor_ != nullptr) {
-    const Sheet sheet = editor_->sheet();
+  if (sheet_->editor() != nullptr) {
+    const Sheet sheet = sheet_->editor()->sheet();
     decide([&sheet](Workplace& w, const std::string& id,
                     const std::string& why) { moveMark(w, id, sheet, why); },
            tr("The moved mark is sealed; the one before is kept"));
     return;
   }
-  try {
+  attempt(shell(), [&] {
     const OpenedSheet opened = openSheet(shell().workplace(), one->shown.assignmentId);
-    editor_ = std::make_unique<SheetEditor>(opened.rubric, opened.sheet);
-    sheet_->setEditor(editor_.get());
+    sheet_->beginSheet(opened.rubric, opened.sheet);
     showCase();
     sheet_->takeFocus();
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void AlignmentPage::stopMoving() {
-  sheet_->setEditor(nullptr);
-  editor_.reset();
+  sheet_->endSheet();
 }
 
 template <typename Action>
 void AlignmentPage::decide(const Action& action, const QString& said) {
   const AlignmentCase* one = current();
   if (one == nullptr) return;
-  try {
-    action(shell().workplace(), one->shown.assignmentId, reason_->text().trimmed().toStdString());
-    reason_->clear();
-    stopMoving();
-    read();
-    showCase();
-    shell().notify(said);
-  } catch (...) {
-    shell().report(std::current_exception());
+  if (!attempt(shell(), [&] {
+        action(shell().workplace(), one->shown.assignmentId, reason_->text().trimmed().toStdString());
+        reason_->clear();
+        stopMoving();
+        read();
+        showCase();
+        shell().notify(said);
+      })) {
     reason_->setFocus(Qt::OtherFocusReason);
   }
 }
@@ -237,15 +234,7 @@ void AlignmentPage::applyTheme(const Theme& theme) {
 }
 
 void AlignmentPage::keyPressEvent(QKeyEvent* event) {
-  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (editor_ != nullptr) {
-    if (enter && (event->modifiers() & Qt::ControlModifier) != 0) return startMoving();  // seals
-    const bool undone = event->matches(QKeySequence::Undo) && editor_->undo();
-    const bool redone = event->matches(QKeySequence::Redo) && editor_->redo();
-    if (undone || redone) return sheet_->refresh();
-    if (sheet_->handleKey(event->key(), event->modifiers())) return;
-  }
-  Page::keyPressEvent(event);
+  if (sheet_->editor() == nullptr || !sheet_->handle(event)) Page::keyPressEvent(event);
 }
 
 }  // namespace torsio::gui

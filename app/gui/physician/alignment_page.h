@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,7 @@ namespace torsio::gui {
 class ComparisonBars;
 class DataTable;
 class PageHeading;
-class SheetPanel;
+class SheetEditorPanel;
 
 /// After all have submitted: own marks that lie apart, and what to do about each. Only disagreements; nobody
 /// is named.
@@ -55,7 +54,7 @@ class AlignmentPage : public Page {
   QLabel* state_;
   QLabel* legend_;
   ComparisonBars* bars_;
-  SheetPanel* sheet_;
+  SheetEditorPanel* sheet_;
   QLineEdit* reason_;
   QPushButton* keep_;
   QPushButton* move_;
@@ -64,7 +63,6 @@ class AlignmentPage : public Page {
   QLabel* empty_;
   std::vector<AlignmentCase> cases_;
   std::string chosen_;  ///< assignment id
-  std::unique_ptr<SheetEditor> editor_;
 };
 
 }  // namespace torsio::gui

@@ -17,6 +17,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/review_words.h"
+#include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/review/review_queue.h"
@@ -41,11 +42,13 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
       submit_(primaryButton(this)),
       halves_(new QSplitter(Qt::Horizontal, this)),
       replay_(new ReplayPanel(shell.assets(), this)),
-      sheet_(new SheetPanel(false, this)),
+      sheet_(new SheetEditorPanel(false, this)),
       remarks_(sentence(this)),
       remarkField_(new QLineEdit(this)),
       bookmark_(new QToolButton(this)),
       remark_(new QToolButton(this)) {
+  sheet_->setObjectName(QStringLiteral("sheetPanel"));
+  replay_->setObjectName(QStringLiteral("replay"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(2 * kSpace, kSpace + kSpace / 2, 2 * kSpace, kSpace + kSpace / 2);
   column->setSpacing(kSpace);
@@ -73,12 +76,13 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
   // A sentence that wraps asks for the height of its narrowest shape; on a small screen the window would
   // grow.
   for (QLabel* text : {remarks_, stripText_}) text->setMinimumHeight(fontMetrics().height());
-  sheet_->commentField()->installEventFilter(this);
   remarkField_->installEventFilter(this);
   connect(sheet_, &SheetPanel::edited, this, &CasePage::edited);
+  connect(sheet_, &SheetEditorPanel::finishWanted, this,
+          [this] { amending_ ? finishAmending() : askSubmit(); });
   // Success shows the recording right after; failure and cancelling end here.
   connect(&shell, &ShellContext::jobEnded, this, [this] {
-    if (editor_ != nullptr && !opened_.shown.live && !replay_->ready())
+    if (sheet_->editor() != nullptr && !opened_.shown.live && !replay_->ready())
       replay_->showSentence(tr("The recording could not be opened."));
   });
   connect(bookmark_, &QToolButton::clicked, this, [this] { addBookmark(QString()); });
@@ -109,8 +113,8 @@ void CasePage::createHead(QVBoxLayout* column) {
   head->addWidget(amend_);
   head->addWidget(submit_);
   column->addLayout(head);
-  connect(undo_, &QToolButton::clicked, this, &CasePage::undo);
-  connect(redo_, &QToolButton::clicked, this, &CasePage::redo);
+  connect(undo_, &QToolButton::clicked, sheet_, &SheetEditorPanel::undo);
+  connect(redo_, &QToolButton::clicked, sheet_, &SheetEditorPanel::redo);
   connect(amend_, &QPushButton::clicked, this, &CasePage::startAmending);
   connect(submit_, &QPushButton::clicked, this, &CasePage::askSubmit);
 }
@@ -132,11 +136,10 @@ QWidget* CasePage::createStrip() {
   strip_->hide();
   connect(stripGo_, &QPushButton::clicked, this, [this] { amending_ ? finishAmending() : submit(); });
   connect(stripBack_, &QPushButton::clicked, this, [this] {
-    asking_ = false;
+    sheet_->setAsking(false);
     if (amending_) {
       amending_ = false;
-      editor_ = std::make_unique<SheetEditor>(opened_.rubric, opened_.sheet);
-      sheet_->setEditor(editor_.get());
+      sheet_->beginSheet(opened_.rubric, opened_.sheet);
     }
     showAll();
     sheet_->takeFocus();
@@ -148,14 +151,12 @@ void CasePage::enter(const QVariant& argument) {
   const std::string id = argument.toString().toStdString();
   replay_->pause();
   replay_->show(nullptr);
-  asking_ = false;
   amending_ = false;
   rules_ = viewingRules(shell().workplace());
   opened_ = openSheet(shell().workplace(), id);
   watched_ = opened_.watched;
   caseRemarks_ = caseRemarks(shell().workplace(), id);
-  editor_ = std::make_unique<SheetEditor>(opened_.rubric, opened_.sheet);
-  sheet_->setEditor(editor_.get());
+  sheet_->beginSheet(opened_.rubric, opened_.sheet);
   replay_->setSpeeds(rules_.speeds);
   sinceKey_.start();
   setLook(saved_, "caution", false);
@@ -176,7 +177,7 @@ void CasePage::load() {
   const std::string id = opened_.shown.assignmentId;
   const std::filesystem::path assets = shell().assets();
   shell().run(
-      tr("Opening case %1").arg(words(opened_.shown.label)),
+      tr("Opening case %1").arg(toQString(opened_.shown.label)),
       [loaded, id, assets](Workplace& own, const ProgressCallback&) {
         *loaded = loadForShowing(loadBlindedRecording(own, id), assets);
       },
@@ -190,7 +191,7 @@ void CasePage::load() {
 
 bool CasePage::leave() {
   replay_->pause();
-  if (editor_ != nullptr && opened_.state == SheetState::kDraft) save();
+  if (sheet_->editor() != nullptr && opened_.state == SheetState::kDraft) save();
   ++loads_;
   replay_->show(nullptr);
   return true;
@@ -204,46 +205,26 @@ void CasePage::noteWork() {
 
 void CasePage::edited() {
   noteWork();
-  asking_ = false;
   if (!amending_) save();
   showAll();
 }
 
 void CasePage::save() {
   if (opened_.state == SheetState::kSubmitted) return;
-  try {
-    editor_->saved(saveSheet(shell().workplace(), opened_.shown.assignmentId, editor_->sheet(), watched_));
+  sheet_->save(shell(), saved_, tr("Saved"), [this] {
+    SheetEditor& editor = *sheet_->editor();
+    editor.saved(saveSheet(shell().workplace(), opened_.shown.assignmentId, editor.sheet(), watched_));
     opened_.state = SheetState::kDraft;
-    setLook(saved_, "caution", false);
-    saved_->setText(tr("Saved"));
-  } catch (...) {
-    setLook(saved_, "caution", true);
-    saved_->setText(tr("Not saved"));
-    shell().report(std::current_exception());
-  }
-}
-
-void CasePage::undo() {
-  if (editor_ == nullptr || !editor_->undo()) return;
-  sheet_->refresh();
-  edited();
-}
-
-void CasePage::redo() {
-  if (editor_ == nullptr || !editor_->redo()) return;
-  sheet_->refresh();
-  edited();
+  });
 }
 
 void CasePage::addBookmark(const QString& text) {
   if (!replay_->ready()) return;
-  try {
+  attempt(shell(), [&] {
     addCaseRemark(shell().workplace(), opened_.shown.assignmentId,
                   {replay_->position_us(), text.toStdString()});
     caseRemarks_ = caseRemarks(shell().workplace(), opened_.shown.assignmentId);
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
   showRemarks();
 }
 
@@ -255,37 +236,36 @@ void CasePage::askRemark() {
 }
 
 void CasePage::askSubmit() {
-  if (editor_ == nullptr || opened_.state == SheetState::kSubmitted) return;
-  if (asking_) {
+  if (sheet_->editor() == nullptr || opened_.state == SheetState::kSubmitted) return;
+  if (sheet_->asking()) {
     submit();
     return;
   }
-  asking_ = true;
+  sheet_->setAsking(true);
   replay_->pause();
   showAll();
 }
 
 void CasePage::submit() {
-  const SheetCheck check = checkSheet(opened_.rubric, editor_->sheet(), opened_.shown.live, watched_, rules_);
+  const SheetCheck check =
+      checkSheet(opened_.rubric, sheet_->editor()->sheet(), opened_.shown.live, watched_, rules_);
   if (!check.mayBeSubmitted()) {
     if (!check.unanswered.empty()) sheet_->setCurrentRow(check.unanswered.front());
     sheet_->takeFocus();
     return;
   }
-  try {
+  attempt(shell(), [&] {
     noteWork();
-    submitSheet(shell().workplace(), opened_.shown.assignmentId, editor_->sheet(), watched_);
-    shell().notify(tr("Case %1 is submitted and sealed").arg(words(opened_.shown.label)));
+    submitSheet(shell().workplace(), opened_.shown.assignmentId, sheet_->editor()->sheet(), watched_);
+    shell().notify(tr("Case %1 is submitted and sealed").arg(toQString(opened_.shown.label)));
     opened_.state = SheetState::kSubmitted;
     const auto next = reviewQueue(shell().workplace()).next;
     if (next) {
-      shell().open(QStringLiteral("review.case"), words(*next));
+      shell().open(PageId::kCase, toQString(*next));
     } else {
-      shell().open(QStringLiteral("review.queue"));
+      shell().open(PageId::kQueue);
     }
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void CasePage::startAmending() {
@@ -295,30 +275,22 @@ void CasePage::startAmending() {
 }
 
 void CasePage::finishAmending() {
-  try {
-    amendSheet(shell().workplace(), opened_.shown.assignmentId, editor_->sheet(),
-               stripReason_->text().trimmed().toStdString());
-    stripReason_->clear();
-    shell().notify(tr("The new version is sealed; the one before is kept"));
-    shell().open(QStringLiteral("review.case"), words(opened_.shown.assignmentId));
-  } catch (...) {
-    shell().report(std::current_exception());
+  if (!attempt(shell(), [&] {
+        amendSheet(shell().workplace(), opened_.shown.assignmentId, sheet_->editor()->sheet(),
+                   stripReason_->text().trimmed().toStdString());
+        stripReason_->clear();
+        shell().notify(tr("The new version is sealed; the one before is kept"));
+        shell().open(PageId::kCase, toQString(opened_.shown.assignmentId));
+      })) {
     stripReason_->setFocus(Qt::OtherFocusReason);
   }
 }
 
 void CasePage::keyPressEvent(QKeyEvent* event) {
   const Qt::KeyboardModifiers modifiers = event->modifiers();
-  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (event->matches(QKeySequence::Undo)) return undo();
-  if (event->matches(QKeySequence::Redo) || (event->key() == Qt::Key_Y && modifiers == Qt::ControlModifier))
-    return redo();
-  if (enter && (modifiers & Qt::ControlModifier) != 0) {
-    amending_ ? finishAmending() : askSubmit();
-    return;
-  }
-  if (event->key() == Qt::Key_Escape && asking_) {
-    asking_ = false;
+  if (sheet_->handleCommand(event)) return;
+  if (event->key() == Qt::Key_Escape && sheet_->asking()) {
+    sheet_->setAsking(false);
     showAll();
     sheet_->takeFocus();
     return;
@@ -335,15 +307,6 @@ bool CasePage::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::KeyPress) return Page::eventFilter(watched, event);
   auto* key = static_cast<QKeyEvent*>(event);
   const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
-  if (watched == sheet_->commentField()) {
-    // One history for the whole sheet: the text field keeps none of its own.
-    const bool ours = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) ||
-                      (enter && (key->modifiers() & Qt::ControlModifier) != 0);
-    if (ours) keyPressEvent(key);
-    const bool back = key->key() == Qt::Key_Escape;
-    if (back) sheet_->takeFocus();
-    return ours || back;
-  }
   if (watched == remarkField_ && (enter || key->key() == Qt::Key_Escape)) {
     const QString text = remarkField_->text().trimmed();
     if (enter && !text.isEmpty()) addBookmark(text);

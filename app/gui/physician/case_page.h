@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +23,7 @@ class QVBoxLayout;
 namespace torsio::gui {
 
 class ReplayPanel;
-class SheetPanel;
+class SheetEditorPanel;
 
 /// One case: the recording at the left, the sheet at the right. Each keystroke is on the disk before the next
 /// one; submitting asks once more and then seals. Argument of enter(): the assignment id.
@@ -41,10 +40,6 @@ class CasePage : public Page {
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
 
-  [[nodiscard]] ReplayPanel& replay() noexcept { return *replay_; }
-  [[nodiscard]] SheetPanel& sheetPanel() noexcept { return *sheet_; }
-  [[nodiscard]] const SheetEditor* editor() const noexcept { return editor_.get(); }
-
  protected:
   void keyPressEvent(QKeyEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -55,8 +50,6 @@ class CasePage : public Page {
   void load();
   void edited();
   void save();
-  void undo();
-  void redo();
   void addBookmark(const QString& text);
   void askRemark();
   void askSubmit();
@@ -80,7 +73,7 @@ class CasePage : public Page {
   QPushButton* submit_;
   QSplitter* halves_;
   ReplayPanel* replay_;
-  SheetPanel* sheet_;
+  SheetEditorPanel* sheet_;
   QLabel* remarks_;
   QLineEdit* remarkField_;
   QToolButton* bookmark_;
@@ -93,13 +86,11 @@ class CasePage : public Page {
 
   OpenedSheet opened_;
   ViewingRules rules_;
-  std::unique_ptr<SheetEditor> editor_;
   WatchLog watched_;
   std::vector<CaseRemark> caseRemarks_;
   QElapsedTimer sinceKey_;
   std::uint64_t loads_ = 0;
   bool amending_ = false;
-  bool asking_ = false;
 };
 
 }  // namespace torsio::gui

@@ -12,6 +12,7 @@
 #include "app/gui/physician/case_page.h"
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/review_words.h"
+#include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/icons.h"
@@ -63,7 +64,7 @@ void CasePage::applyTheme(const Theme& theme) {
 
 QString CasePage::rowName(const std::string& row) const {
   for (const StoredRubricRow& line : opened_.rubric.rows) {
-    if (line.code == row) return spoken(line.label);
+    if (line.code == row) return toQString(Text(line.label));
   }
   return tr("Overall");
 }
@@ -106,9 +107,9 @@ QString CasePage::checkText(const SheetCheck& check) const {
 }
 
 void CasePage::showAll() {
-  if (editor_ == nullptr) return;
+  if (sheet_->editor() == nullptr) return;
   const bool sealed = opened_.state == SheetState::kSubmitted;
-  title_->setText(tr("Case %1").arg(words(opened_.shown.label)));
+  title_->setText(tr("Case %1").arg(toQString(opened_.shown.label)));
   QStringList facts;
   if (opened_.shown.length_us) facts << tr("%1 long").arg(clockTime(*opened_.shown.length_us));
   if (sealed) facts << (amending_ ? tr("submitted, being amended") : tr("submitted and sealed"));
@@ -117,16 +118,16 @@ void CasePage::showAll() {
   sheet_->setReadOnly(sealed && !amending_);
   amend_->setVisible(sealed && !amending_);
   submit_->setVisible(!sealed);
-  strip_->setVisible(asking_ || amending_);
+  strip_->setVisible(sheet_->asking() || amending_);
   stripReason_->setVisible(amending_);
   if (amending_) {
     stripText_->setText(
         tr("Change what must be changed, give the reason, seal the new version. Both versions are kept."));
     stripGo_->setText(tr("Seal the new version"));
     stripGo_->setEnabled(true);
-  } else if (asking_) {
+  } else if (sheet_->asking()) {
     const SheetCheck check =
-        checkSheet(opened_.rubric, editor_->sheet(), opened_.shown.live, watched_, rules_);
+        checkSheet(opened_.rubric, sheet_->editor()->sheet(), opened_.shown.live, watched_, rules_);
     stripText_->setText(checkText(check));
     setLook(stripText_, "caution", !check.mayBeSubmitted());
     stripGo_->setText(tr("Submit and seal (Ctrl+Enter)"));
@@ -138,10 +139,10 @@ void CasePage::showAll() {
 
 void CasePage::showHistory() {
   const bool open = opened_.state != SheetState::kSubmitted || amending_;
-  undo_->setEnabled(open && editor_->canUndo());
-  redo_->setEnabled(open && editor_->canRedo());
-  const auto undoable = editor_->undoable();
-  const auto redoable = editor_->redoable();
+  undo_->setEnabled(open && sheet_->editor()->canUndo());
+  redo_->setEnabled(open && sheet_->editor()->canRedo());
+  const auto undoable = sheet_->editor()->undoable();
+  const auto redoable = sheet_->editor()->redoable();
   undo_->setToolTip(undoable ? tr("Undo %1 (Ctrl+Z)").arg(stepName(*undoable)) : tr("Nothing to undo"));
   redo_->setToolTip(redoable ? tr("Redo %1 (Ctrl+Y)").arg(stepName(*redoable)) : tr("Nothing to redo"));
 }
@@ -154,7 +155,7 @@ void CasePage::showRemarks() {
   for (const CaseRemark& one : caseRemarks_) {
     times_us.push_back(one.time_us);
     if (one.text.empty() || static_cast<std::size_t>(lines.size()) >= kListedRemarks) continue;
-    lines << tr("%1 %2").arg(clockTime(one.time_us), words(one.text));
+    lines << tr("%1 %2").arg(clockTime(one.time_us), toQString(one.text));
   }
   replay_->setBookmarks(std::move(times_us));
   remarks_->setText(lines.isEmpty()

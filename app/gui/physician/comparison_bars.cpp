@@ -58,7 +58,8 @@ void ComparisonBars::describe() {
   setAccessibleName(tr("Your marks beside the others'"));
   QStringList lines;
   for (const RowComparison& row : rows_) {
-    lines << tr("%1: %2").arg(row.label.empty() ? tr("Overall") : spoken(row.label), sentenceOf(row));
+    lines << tr("%1: %2").arg(row.label.empty() ? tr("Overall") : toQString(Text(row.label)),
+                              sentenceOf(row));
   }
   setAccessibleDescription(lines.join(QStringLiteral(". ")));
 }
@@ -71,7 +72,7 @@ void ComparisonBars::drawRow(QPainter& painter, const RowComparison& row, const 
   painter.setFont(bold);
   painter.setPen(theme_->text);
   painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter,
-                   row.label.empty() ? tr("Overall") : spoken(row.label));
+                   row.label.empty() ? tr("Overall") : toQString(Text(row.label)));
   painter.setFont(font());
   painter.setPen(row.apart ? theme_->caution : theme_->quietText);
   painter.drawText(head, Qt::AlignRight | Qt::AlignVCenter, sentenceOf(row));

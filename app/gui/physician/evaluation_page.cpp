@@ -15,6 +15,7 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/review_words.h"
+#include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/page_heading.h"
@@ -50,7 +51,7 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
       choices_(new QHBoxLayout),
       group_(new QButtonGroup(this)),
       scaleText_(sentence(this)),
-      sheet_(new SheetPanel(false, this)),
+      sheet_(new SheetEditorPanel(false, this)),
       said_(sentence(this)),
       submit_(primaryButton(this)) {
   sheet_->setScoresOnly();
@@ -71,6 +72,7 @@ EvaluationPage::EvaluationPage(ShellContext& shell, QWidget* parent)
   foot->addWidget(submit_);
   column->addLayout(foot);
   connect(sheet_, &SheetPanel::edited, this, &EvaluationPage::edited);
+  connect(sheet_, &SheetEditorPanel::finishWanted, this, &EvaluationPage::submit);
   connect(submit_, &QPushButton::clicked, this, &EvaluationPage::submit);
   connect(campaigns_, &QComboBox::activated, this, [this](int at) {
     campaign_ = static_cast<std::size_t>(at);
@@ -100,7 +102,7 @@ void EvaluationPage::read() {
   forms_ = evaluationForms(shell().workplace());
   const QSignalBlocker quiet(campaigns_);
   campaigns_->clear();
-  for (const EvaluationForm& one : forms_) campaigns_->addItem(words(one.title));
+  for (const EvaluationForm& one : forms_) campaigns_->addItem(toQString(one.title));
 }
 
 void EvaluationPage::openFirst() {
@@ -112,13 +114,10 @@ void EvaluationPage::openFirst() {
 
 void EvaluationPage::openModel(std::size_t at) {
   model_ = at;
-  asking_ = false;
-  editor_.reset();
-  sheet_->setEditor(nullptr);
+  sheet_->endSheet();
   said_->clear();
   if (const EvaluationFormModel* one = model()) {
-    editor_ = std::make_unique<SheetEditor>(rubricOf(*form()), sheetOf(*one), false);
-    sheet_->setEditor(editor_.get());
+    sheet_->beginSheet(rubricOf(*form()), sheetOf(*one), false);
     sheet_->takeFocus();
   }
   showModels();
@@ -126,33 +125,16 @@ void EvaluationPage::openModel(std::size_t at) {
 }
 
 void EvaluationPage::edited() {
-  asking_ = false;
   EvaluationFormModel& stored = forms_[campaign_].models[model_];
-  try {
+  sheet_->save(shell(), said_, tr("Saved"), [&] {
     for (std::size_t i = 0; i < stored.scores.size(); ++i) {
-      const auto score = editor_->sheet().rows[i].score_steps;
+      const auto score = sheet_->editor()->sheet().rows[i].score_steps;
       if (score == stored.scores[i]) continue;
       saveEvaluationScore(shell().workplace(), form()->campaignId, stored.hiddenLabel, i, score);
       stored.scores[i] = score;
     }
-    setLook(said_, "caution", false);
-    said_->setText(tr("Saved"));
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
   showAll();
-}
-
-void EvaluationPage::undo() {
-  if (editor_ == nullptr || model()->submitted || !editor_->undo()) return;
-  sheet_->refresh();
-  edited();
-}
-
-void EvaluationPage::redo() {
-  if (editor_ == nullptr || model()->submitted || !editor_->redo()) return;
-  sheet_->refresh();
-  edited();
 }
 
 void EvaluationPage::submit() {
@@ -167,20 +149,18 @@ void EvaluationPage::submit() {
     sheet_->takeFocus();
     return;
   }
-  if (!asking_) {
-    asking_ = true;
+  if (!sheet_->asking()) {
+    sheet_->setAsking(true);
     setLook(said_, "caution", false);
     said_->setText(tr("All nine are scored. Press again to seal them; sealed marks stay as they are."));
     return;
   }
-  try {
+  attempt(shell(), [&] {
     submitEvaluation(shell().workplace(), form()->campaignId, one->hiddenLabel);
-    shell().notify(tr("Model %1 is submitted and sealed").arg(words(one->hiddenLabel)));
+    shell().notify(tr("Model %1 is submitted and sealed").arg(toQString(one->hiddenLabel)));
     read();
     openFirst();
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void EvaluationPage::showModels() {
@@ -196,7 +176,7 @@ void EvaluationPage::showModels() {
     auto* button = new QToolButton(this);
     button->setCheckable(true);
     button->setChecked(i == model_);
-    const QString label = words(one->models[i].hiddenLabel);
+    const QString label = toQString(one->models[i].hiddenLabel);
     button->setText(one->models[i].submitted ? tr("%1. Model %2, submitted").arg(i + 1).arg(label)
                                              : tr("%1. Model %2").arg(i + 1).arg(label));
     group_->addButton(button);
@@ -225,7 +205,7 @@ void EvaluationPage::showAll() {
   const ScoreScale& scale = one->scale;
   scaleText_->setText(
       tr("%1: %2 to %3; keys 0 to 9 score, arrows left and right fine-tune, with Shift in steps of %4.")
-          .arg(words(one->title), scoreText(scale.lo, scale), scoreText(scale.hi, scale),
+          .arg(toQString(one->title), scoreText(scale.lo, scale), scoreText(scale.hi, scale),
                pointsText(1.0 / static_cast<double>(scale.stepsPerPoint))));
   if (now->submitted)
     said_->setText(one->complete() ? tr("All models are submitted. Thank you.") : tr("Submitted and sealed"));
@@ -252,14 +232,7 @@ void EvaluationPage::applyTheme(const Theme& theme) {
 }
 
 void EvaluationPage::keyPressEvent(QKeyEvent* event) {
-  if (event->matches(QKeySequence::Undo)) return undo();
-  if (event->matches(QKeySequence::Redo) ||
-      (event->key() == Qt::Key_Y && event->modifiers() == Qt::ControlModifier))
-    return redo();
-  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (enter && (event->modifiers() & Qt::ControlModifier) != 0) return submit();
-  if (sheet_->handleKey(event->key(), event->modifiers())) return;
-  Page::keyPressEvent(event);
+  if (!sheet_->handle(event)) Page::keyPressEvent(event);
 }
 
 }  // namespace torsio::gui

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "app/gui/base/page.h"
@@ -17,7 +16,7 @@ class QPushButton;
 namespace torsio::gui {
 
 class PageHeading;
-class SheetPanel;
+class SheetEditorPanel;
 
 /// The nine-index form: one model after the other in the order drawn for this rater, under hidden labels.
 class EvaluationPage : public Page {
@@ -42,8 +41,6 @@ class EvaluationPage : public Page {
   void openFirst();
   void openModel(std::size_t at);
   void edited();
-  void undo();
-  void redo();
   void submit();
   void showModels();
   void showAll();
@@ -53,14 +50,12 @@ class EvaluationPage : public Page {
   QHBoxLayout* choices_;
   QButtonGroup* group_;
   QLabel* scaleText_;
-  SheetPanel* sheet_;
+  SheetEditorPanel* sheet_;
   QLabel* said_;
   QPushButton* submit_;
   std::vector<EvaluationForm> forms_;
   std::size_t campaign_ = 0;
   std::size_t model_ = 0;
-  std::unique_ptr<SheetEditor> editor_;
-  bool asking_ = false;
 };
 
 }  // namespace torsio::gui

@@ -13,6 +13,7 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/physician/review_words.h"
+#include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
@@ -40,7 +41,7 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
       amend_(new QPushButton(this)),
       older_(new QPushButton(this)),
       said_(sentence(this)),
-      sheet_(new SheetPanel(true, this)) {
+      sheet_(new SheetEditorPanel(true, this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(3 * kSpace, 2 * kSpace, 3 * kSpace, 2 * kSpace);
   column->setSpacing(kSpace);
@@ -72,8 +73,8 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
   const QString tall = QStringLiteral("QPushButton { min-height: %1px; }").arg(kTouch_px - 2 * kSpace + 2);
   for (QPushButton* button : {start_, write_, submit_, amend_, older_}) button->setStyleSheet(tall);
   group_->setExclusive(true);
-  sheet_->commentField()->installEventFilter(this);
   connect(sheet_, &SheetPanel::edited, this, &LivePage::edited);
+  connect(sheet_, &SheetEditorPanel::finishWanted, this, &LivePage::submit);
   connect(submit_, &QPushButton::clicked, this, &LivePage::submit);
   connect(amend_, &QPushButton::clicked, this, &LivePage::amend);
   connect(older_, &QPushButton::clicked, this, [this] {
@@ -110,8 +111,7 @@ void LivePage::enter(const QVariant&) {
     return;
   }
   if (lines_.empty()) {
-    editor_.reset();
-    sheet_->setEditor(nullptr);
+    sheet_->endSheet();
     showAll();
   } else {
     openLine(lines_.back().shown.assignmentId);
@@ -150,7 +150,7 @@ void LivePage::showLines() {
     const QString state = line.state == SheetState::kSubmitted ? tr("submitted")
                           : line.state == SheetState::kDraft   ? tr("draft")
                                                                : tr("waiting");
-    button->setText(tr("%1.  Case %2, %3").arg(++number).arg(words(line.shown.label), state));
+    button->setText(tr("%1.  Case %2, %3").arg(++number).arg(toQString(line.shown.label), state));
     button->setChecked(line.shown.assignmentId == opened_.shown.assignmentId);
     group_->addButton(button);
     order_->addWidget(button);
@@ -158,11 +158,7 @@ void LivePage::showLines() {
     const std::string id = line.shown.assignmentId;
     connect(button, &QToolButton::clicked, this, [this, id] {
       if (!leave()) return showLines();
-      try {
-        openLine(id);
-      } catch (...) {
-        this->shell().report(std::current_exception());
-      }
+      attempt(this->shell(), [&] { openLine(id); });
     });
   }
   order_->addStretch(1);
@@ -175,20 +171,18 @@ bool LivePage::isOlder(const QueueLine& line) const {
          line.submittedUtc_us < shell().workplace().now_us() - kSitting_us;
 }
 
-QString LivePage::savedWords() const {
+QString LivePage::savedText() const {
   return keptAt_ == KeptAt::kThisMachine ? tr("Saved on this machine") : tr("Saved on the centre's server");
 }
 
 void LivePage::amend() {
-  if (editor_ != nullptr) shell().open(QStringLiteral("review.case"), words(opened_.shown.assignmentId));
+  if (sheet_->editor() != nullptr) shell().open(PageId::kCase, toQString(opened_.shown.assignmentId));
 }
 
 void LivePage::openLine(const std::string& assignmentId) {
   opened_ = openSheet(shell().workplace(), assignmentId);
-  editor_ = std::make_unique<SheetEditor>(opened_.rubric, opened_.sheet);
-  sheet_->setEditor(editor_.get());
+  sheet_->beginSheet(opened_.rubric, opened_.sheet);
   clocked_us_ = 0;
-  asking_ = false;
   said_->clear();
   readLines();
   showAll();
@@ -196,34 +190,14 @@ void LivePage::openLine(const std::string& assignmentId) {
 }
 
 void LivePage::edited() {
-  asking_ = false;
-  try {
-    editor_->saved(
-        saveSheet(shell().workplace(), opened_.shown.assignmentId, editor_->sheet(), opened_.watched));
-    if (opened_.state == SheetState::kOpen) {
-      opened_.state = SheetState::kDraft;
-      readLines();
-    }
-    setLook(said_, "caution", false);
-    said_->setText(savedWords());
-  } catch (...) {
-    setLook(said_, "caution", true);
-    said_->setText(tr("Not saved"));
-    shell().report(std::current_exception());
-  }
+  sheet_->save(shell(), said_, savedText(), [this] {
+    SheetEditor& editor = *sheet_->editor();
+    editor.saved(saveSheet(shell().workplace(), opened_.shown.assignmentId, editor.sheet(), opened_.watched));
+    if (opened_.state != SheetState::kOpen) return;
+    opened_.state = SheetState::kDraft;
+    readLines();
+  });
   showAll();
-}
-
-void LivePage::undo() {
-  if (editor_ == nullptr || opened_.state == SheetState::kSubmitted || !editor_->undo()) return;
-  sheet_->refresh();
-  edited();
-}
-
-void LivePage::redo() {
-  if (editor_ == nullptr || opened_.state == SheetState::kSubmitted || !editor_->redo()) return;
-  sheet_->refresh();
-  edited();
 }
 
 void LivePage::toggleClock() {
@@ -244,19 +218,19 @@ void LivePage::showClock() {
 }
 
 void LivePage::writeTime() {
-  if (editor_ == nullptr) return;
-  QString text = words(editor_->sheet().comment);
+  if (sheet_->editor() == nullptr) return;
+  QString text = toQString(sheet_->editor()->sheet().comment);
   if (!text.isEmpty() && !text.endsWith(QLatin1Char('\n'))) text += QLatin1Char('\n');
   text += tr("Time taken: %1").arg(clockTime(clocked_us_));
-  if (editor_->setComment(text.toStdString())) {
+  if (sheet_->editor()->setComment(text.toStdString())) {
     sheet_->refresh();
     edited();
   }
 }
 
 void LivePage::submit() {
-  if (editor_ == nullptr || opened_.state == SheetState::kSubmitted) return;
-  const SheetCheck check = checkSheet(opened_.rubric, editor_->sheet(), true, opened_.watched, {});
+  if (sheet_->editor() == nullptr || opened_.state == SheetState::kSubmitted) return;
+  const SheetCheck check = checkSheet(opened_.rubric, sheet_->editor()->sheet(), true, opened_.watched, {});
   if (!check.mayBeSubmitted()) {
     setLook(said_, "caution", true);
     said_->setText(tr("Still open: %1").arg(check.unanswered.size()));
@@ -264,33 +238,32 @@ void LivePage::submit() {
     sheet_->takeFocus();
     return;
   }
-  if (!asking_) {
-    asking_ = true;
+  if (!sheet_->asking()) {
+    sheet_->setAsking(true);
     setLook(said_, "caution", false);
     said_->setText(check.allTheSame ? tr("All rows have the same score. Press again to seal the sheet.")
                    : check.farApart ? tr("The rows lie far apart. Press again to seal the sheet.")
                                     : tr("Everything is scored. Press again to seal the sheet."));
     return;
   }
-  try {
-    submitSheet(shell().workplace(), opened_.shown.assignmentId, editor_->sheet(), opened_.watched);
-    shell().notify(tr("Case %1 is submitted and sealed").arg(words(opened_.shown.label)));
+  attempt(shell(), [&] {
+    submitSheet(shell().workplace(), opened_.shown.assignmentId, sheet_->editor()->sheet(), opened_.watched);
+    shell().notify(tr("Case %1 is submitted and sealed").arg(toQString(opened_.shown.label)));
     enter({});
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void LivePage::showAll() {
-  const bool open = editor_ != nullptr && opened_.state != SheetState::kSubmitted;
-  case_->setText(editor_ != nullptr ? tr("Case %1").arg(words(opened_.shown.label)) : tr("No live case"));
+  const bool open = sheet_->editor() != nullptr && opened_.state != SheetState::kSubmitted;
+  case_->setText(sheet_->editor() != nullptr ? tr("Case %1").arg(toQString(opened_.shown.label))
+                                             : tr("No live case"));
   start_->setText(tick_.isActive() ? tr("Stop the timer") : tr("Start the timer"));
   start_->setEnabled(open);
   write_->setEnabled(open && !tick_.isActive() && clocked_us_ > 0);
   submit_->setVisible(open);
-  amend_->setVisible(!open && editor_ != nullptr);
+  amend_->setVisible(!open && sheet_->editor() != nullptr);
   sheet_->setReadOnly(!open);
-  if (!open && editor_ != nullptr) said_->setText(tr("Submitted and sealed"));
+  if (!open && sheet_->editor() != nullptr) said_->setText(tr("Submitted and sealed"));
   showClock();
 }
 
@@ -322,30 +295,11 @@ void LivePage::applyTheme(const Theme& theme) {
 }
 
 void LivePage::keyPressEvent(QKeyEvent* event) {
-  if (event->matches(QKeySequence::Undo)) return undo();
-  if (event->matches(QKeySequence::Redo) ||
-      (event->key() == Qt::Key_Y && event->modifiers() == Qt::ControlModifier))
-    return redo();
-  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (enter && (event->modifiers() & Qt::ControlModifier) != 0) return submit();
-  if (event->key() == Qt::Key_Space && event->modifiers() == Qt::NoModifier && editor_ != nullptr &&
+  if (event->key() == Qt::Key_Space && event->modifiers() == Qt::NoModifier && sheet_->editor() != nullptr &&
       opened_.state != SheetState::kSubmitted)
     return toggleClock();
-  if (sheet_->handleKey(event->key(), event->modifiers())) return;
+  if (sheet_->handle(event)) return;
   Page::keyPressEvent(event);
-}
-
-bool LivePage::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != sheet_->commentField() || event->type() != QEvent::KeyPress)
-    return Page::eventFilter(watched, event);
-  auto* key = static_cast<QKeyEvent*>(event);
-  const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
-  const bool ours = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) ||
-                    (enter && (key->modifiers() & Qt::ControlModifier) != 0);
-  if (ours) keyPressEvent(key);
-  const bool back = key->key() == Qt::Key_Escape;
-  if (back) sheet_->takeFocus();
-  return ours || back;
 }
 
 }  // namespace torsio::gui

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +21,7 @@ class QVBoxLayout;
 namespace torsio::gui {
 
 class PageHeading;
-class SheetPanel;
+class SheetEditorPanel;
 
 /// The sheet for the real arm: trainees in running order, a timer, and targets for fingers. Everything goes
 /// to the record of this machine, so that it works without a network.
@@ -41,7 +40,6 @@ class LivePage : public Page {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void createClock(QVBoxLayout* column);
@@ -49,8 +47,6 @@ class LivePage : public Page {
   void showLines();
   void openLine(const std::string& assignmentId);
   void edited();
-  void undo();
-  void redo();
   void toggleClock();
   void showClock();
   void writeTime();
@@ -58,7 +54,7 @@ class LivePage : public Page {
   void amend();
   void showAll();
   [[nodiscard]] bool isOlder(const QueueLine& line) const;
-  [[nodiscard]] QString savedWords() const;
+  [[nodiscard]] QString savedText() const;
 
   PageHeading* heading_;
   QVBoxLayout* order_;
@@ -71,16 +67,14 @@ class LivePage : public Page {
   QPushButton* amend_;
   QPushButton* older_;
   QLabel* said_;
-  SheetPanel* sheet_;
+  SheetEditorPanel* sheet_;
   std::vector<QueueLine> lines_;
   OpenedSheet opened_;
-  std::unique_ptr<SheetEditor> editor_;
   QTimer tick_;
   QElapsedTimer running_;
   std::int64_t clocked_us_ = 0;
   KeptAt keptAt_ = KeptAt::kThisMachine;
   bool withOlder_ = false;
-  bool asking_ = false;
 };
 
 }  // namespace torsio::gui

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/trainee/debrief_plot.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/station_words.h"
@@ -51,14 +52,13 @@ void QuestionsCard::fill() {
     const PhysicianQuestion& question = questions_[i];
     auto* row = new QHBoxLayout;
     auto* words = sentence(this, false);
-    const QString waits = StationWords::waited(shell_.workplace().now_us() - question.askedUtc_us);
+    const QString waits = StationLabels::waited(shell_.workplace().now_us() - question.askedUtc_us);
     words->setText(tr("%1, %2, at %3: waiting for %4")
-                       .arg(QString::fromStdString(question.trainee),
-                            QString::fromStdString(question.moduleTitle),
-                            StationWords::seconds(question.at_s), waits));
+                       .arg(toQString(question.trainee), toQString(question.moduleTitle),
+                            StationLabels::seconds(question.at_s), waits));
     auto* look = new QPushButton(tr("Answer\u2026"), this);
     look->setObjectName(QStringLiteral("answerQuestion"));
-    look->setAccessibleName(tr("Answer %1").arg(QString::fromStdString(question.trainee)));
+    look->setAccessibleName(tr("Answer %1").arg(toQString(question.trainee)));
     connect(look, &QPushButton::clicked, this, [this, id = question.id] { open(id); });
     row->addWidget(words, 1);
     row->addWidget(look);
@@ -80,14 +80,13 @@ void QuestionsCard::open(const std::string& questionId) {
 void QuestionsCard::show(const PhysicianQuestion& question, const Debrief& run) {
   QDialog dialog(this);
   dialog.setObjectName(QStringLiteral("answerDialog"));
-  dialog.setWindowTitle(tr("A question of %1").arg(QString::fromStdString(question.trainee)));
+  dialog.setWindowTitle(tr("A question of %1").arg(toQString(question.trainee)));
   auto* column = new QVBoxLayout(&dialog);
   column->setSpacing(kSpace);
   auto* head = sentence(&dialog, false);
   head->setText(question.text.empty() ? tr("%1 asks about this moment of \u201c%2\u201d.")
-                                            .arg(QString::fromStdString(question.trainee),
-                                                 QString::fromStdString(question.moduleTitle))
-                                      : QString::fromStdString(question.text));
+                                            .arg(toQString(question.trainee), toQString(question.moduleTitle))
+                                      : toQString(question.text));
   column->addWidget(head);
   auto* plot = new DebriefPlot(&dialog);
   plot->setTheme(theme(shell_.themeKind()));
@@ -114,13 +113,11 @@ void QuestionsCard::show(const PhysicianQuestion& question, const Debrief& run) 
   dialog.resize(860, 560);
   text->setFocus();
   if (dialog.exec() != QDialog::Accepted) return;
-  try {
+  attempt(shell_, [&] {
     answerQuestion(shell_.workplace(), question.id, text->toPlainText().trimmed().toStdString());
-    shell_.notify(tr("The answer is with %1").arg(QString::fromStdString(question.trainee)));
+    shell_.notify(tr("The answer is with %1").arg(toQString(question.trainee)));
     read();
-  } catch (...) {
-    shell_.report(std::current_exception());
-  }
+  });
 }
 
 void QuestionsCard::changeEvent(QEvent* event) {

@@ -63,7 +63,7 @@ QueuePage::QueuePage(ShellContext& shell, QWidget* parent)
   column->addWidget(table_, 1);
   connect(continue_, &QPushButton::clicked, this, &QueuePage::goOn);
   connect(table_, &DataTable::activated, this,
-          [this](const QString& id) { this->shell().open(QStringLiteral("review.case"), id); });
+          [this](const QString& id) { this->shell().open(PageId::kCase, id); });
 }
 
 QueuePage::Figure QueuePage::addFigure(QHBoxLayout* row) {
@@ -84,21 +84,20 @@ void QueuePage::createDoors(QVBoxLayout* outer) {
   doorPlaces_->setVerticalSpacing(kSpace);
   for (int column = 0; column < kDoorsBeside; ++column) doorPlaces_->setColumnStretch(column, 1);
   doors_->content()->addLayout(doorPlaces_);
-  const auto add = [this](const char* page) {
+  const auto add = [this](PageId page) {
     Door door{sentence(this, false), new QPushButton(this), new QWidget(this)};
     auto* row = new QHBoxLayout(door.row);
     row->setContentsMargins(0, 0, 0, 0);
     door.button->setMinimumWidth(14 * fontMetrics().averageCharWidth());
     row->addWidget(door.text, 1);
     row->addWidget(door.button);
-    const QString id = QString::fromLatin1(page);
-    connect(door.button, &QPushButton::clicked, this, [this, id] { this->shell().open(id); });
+    connect(door.button, &QPushButton::clicked, this, [this, page] { this->shell().open(page); });
     return door;
   };
-  warmUp_ = add("review.warmup");
-  live_ = add("review.live");
-  alignment_ = add("review.alignment");
-  evaluation_ = add("review.evaluation");
+  warmUp_ = add(PageId::kWarmUp);
+  live_ = add(PageId::kLiveSheet);
+  alignment_ = add(PageId::kAlignment);
+  evaluation_ = add(PageId::kEvaluation);
 }
 
 void QueuePage::enter(const QVariant&) {
@@ -180,8 +179,8 @@ void QueuePage::showQueue() {
                           : line.state == SheetState::kDraft ? tr("draft")
                                                              : tr("waiting");
     const std::int64_t length_us = line.shown.length_us.value_or(0);
-    Row row{words(line.shown.assignmentId), {}};
-    row.cells = {{tr("Case %1").arg(words(line.shown.label)), static_cast<int>(rows.size())},
+    Row row{toQString(line.shown.assignmentId), {}};
+    row.cells = {{tr("Case %1").arg(toQString(line.shown.label)), static_cast<int>(rows.size())},
                  {state, static_cast<int>(line.state)},
                  {clockTime(length_us), static_cast<qlonglong>(length_us)},
                  {line.shown.dueUtc_us ? dayText(*line.shown.dueUtc_us) : QString(),
@@ -193,7 +192,7 @@ void QueuePage::showQueue() {
 }
 
 void QueuePage::goOn() {
-  if (queue_.next) shell().open(QStringLiteral("review.case"), words(*queue_.next));
+  if (queue_.next) shell().open(PageId::kCase, toQString(*queue_.next));
 }
 
 void QueuePage::keyPressEvent(QKeyEvent* event) {

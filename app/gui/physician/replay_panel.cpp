@@ -302,7 +302,7 @@ void ReplayPanel::showTransport() {
   speed_->setText(speeds_.size() == 1 ? tr("%1 \u00d7, locked").arg(figure) : tr("%1 \u00d7").arg(figure));
   speed_->setToolTip(speeds_.size() == 1 ? tr("Scored recordings play as they happened")
                                          : tr("J slower, L faster; the speed is kept with the mark"));
-  digest_->setText(ready() ? tr("Recording %1, unchanged").arg(words(recording_->digest)) : QString());
+  digest_->setText(ready() ? tr("Recording %1, unchanged").arg(toQString(recording_->digest)) : QString());
 }
 
 }  // namespace torsio::gui

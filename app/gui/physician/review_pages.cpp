@@ -12,15 +12,12 @@
 #include "app/gui/physician/review_words.h"
 #include "app/gui/physician/severity_page.h"
 #include "app/gui/physician/warm_up_page.h"
+#include "app/gui/widgets/child.h"
 #include "app/review/review_queue.h"
 
 namespace torsio::gui {
 
 namespace {
-
-QString title(const char* text) {
-  return QCoreApplication::translate("torsio::gui::ReviewPages", text);
-}
 
 template <class T>
 std::function<Page*(ShellContext&)> maker() {
@@ -30,7 +27,7 @@ std::function<Page*(ShellContext&)> maker() {
 /// The case that "continue" would open.
 QVariant nextCase(Workplace& workplace) {
   const auto next = reviewQueue(workplace).next;
-  return next ? QVariant(words(*next)) : QVariant();
+  return next ? QVariant(toQString(*next)) : QVariant();
 }
 
 constexpr double kPictureAt = 0.6;  // of the recording: something happens there
@@ -45,51 +42,26 @@ void showMoment(ReplayPanel& replay) {
 }  // namespace
 
 std::vector<PageEntry> reviewPages() {
-  const std::vector<Operation> score{Operation::kMarkSubmit};
-  return {
-      {"review.queue", "open", [] { return title(QT_TRANSLATE_NOOP("torsio::gui::ReviewPages", "Queue")); },
-       score, maker<QueuePage>()},
-      {"review.warmup",
-       "practice",
-       [] { return title(QT_TRANSLATE_NOOP("torsio::gui::ReviewPages", "Warm-up")); },
-       {Operation::kMarkSubmit, Operation::kTrialViewAssigned},
-       maker<WarmUpPage>()},
-      {"review.live", "record",
-       [] { return title(QT_TRANSLATE_NOOP("torsio::gui::ReviewPages", "Live sheet")); }, score,
-       maker<LivePage>()},
-      {"review.alignment", "compare",
-       [] { return title(QT_TRANSLATE_NOOP("torsio::gui::ReviewPages", "Alignment")); }, score,
-       maker<AlignmentPage>()},
-      {"review.severity", "user",
-       [] { return title(QT_TRANSLATE_NOOP("torsio::gui::ReviewPages", "My severity")); }, score,
-       maker<SeverityPage>()},
-      {"review.evaluation",
-       "check",
-       [] { return title(QT_TRANSLATE_NOOP("torsio::gui::ReviewPages", "Evaluation")); },
-       {Operation::kMarkSubmit, Operation::kEvaluationSubmit},
-       maker<EvaluationPage>()},
-      {"review.case",
-       "",
-       [] { return title(QT_TRANSLATE_NOOP("torsio::gui::ReviewPages", "Case")); },
-       {Operation::kMarkSubmit, Operation::kTrialViewAssigned},
-       maker<CasePage>()},
-  };
+  return {{PageId::kQueue, maker<QueuePage>()},       {PageId::kWarmUp, maker<WarmUpPage>()},
+          {PageId::kLiveSheet, maker<LivePage>()},    {PageId::kAlignment, maker<AlignmentPage>()},
+          {PageId::kSeverity, maker<SeverityPage>()}, {PageId::kEvaluation, maker<EvaluationPage>()},
+          {PageId::kCase, maker<CasePage>()}};
 }
 
 std::vector<ScreenEntry> reviewScreens() {
   return {
-      {"review-queue", "rater", "review.queue", {}, {}},
-      {"review-case", "rater", "review.case", nextCase,
-       [](Page& page) { showMoment(static_cast<CasePage&>(page).replay()); }},
+      {"review-queue", "rater", PageId::kQueue, {}, {}},
+      {"review-case", "rater", PageId::kCase, nextCase,
+       [](Page& page) { showMoment(child<ReplayPanel>(static_cast<CasePage&>(page), "replay")); }},
       {"review-warmup",
        "rater",
-       "review.warmup",
+       PageId::kWarmUp,
        {},
-       [](Page& page) { showMoment(static_cast<WarmUpPage&>(page).replay()); }},
-      {"review-live", "rater", "review.live", {}, {}},
-      {"review-alignment", "rater", "review.alignment", {}, {}},
-      {"review-severity", "rater", "review.severity", {}, {}},
-      {"review-evaluation", "rater", "review.evaluation", {}, {}},
+       [](Page& page) { showMoment(child<ReplayPanel>(static_cast<WarmUpPage&>(page), "replay")); }},
+      {"review-live", "rater", PageId::kLiveSheet, {}, {}},
+      {"review-alignment", "rater", PageId::kAlignment, {}, {}},
+      {"review-severity", "rater", PageId::kSeverity, {}, {}},
+      {"review-evaluation", "rater", PageId::kEvaluation, {}, {}},
   };
 }
 

@@ -8,6 +8,7 @@
 
 #include <QString>
 
+#include "app/gui/base/spoken.h"
 #include "app/review/case_sheet.h"
 
 namespace torsio::gui {
@@ -25,9 +26,5 @@ namespace torsio::gui {
 /// For Page::keys(): what scores a sheet, and what moves a recording.
 [[nodiscard]] std::vector<std::pair<QString, QString>> sheetKeys();
 [[nodiscard]] std::vector<std::pair<QString, QString>> replayKeys();
-
-[[nodiscard]] inline QString words(const std::string& text) {
-  return QString::fromStdString(text);
-}
 
 }  // namespace torsio::gui

@@ -106,7 +106,7 @@ void ScoreRow::setAnswer(const SheetAnswer& answer) {
   } else {
     value_->setText(reasoned ? tr("not assessable") : QStringLiteral("\u2013"));
   }
-  const QString reason = words(answer.notAssessableReason);
+  const QString reason = toQString(answer.notAssessableReason);
   if (reason_->text() != reason) {
     const QSignalBlocker quiet(reason_);
     reason_->setText(reason);
@@ -147,7 +147,7 @@ QString ScoreRow::nearestAnchor(std::int64_t steps) const {
       });
   return nearest == anchors_.end()
              ? QString()
-             : tr("%1: %2").arg(scoreText(nearest->score_steps, scale_), spoken(nearest->meaning));
+             : tr("%1: %2").arg(scoreText(nearest->score_steps, scale_), toQString(Text(nearest->meaning)));
 }
 
 void ScoreRow::showAnchor() {
@@ -158,7 +158,7 @@ void ScoreRow::showAnchor() {
   }
   QStringList all;
   for (const StoredAnchor& anchor : anchors_) {
-    all << tr("%1: %2").arg(scoreText(anchor.score_steps, scale_), spoken(anchor.meaning));
+    all << tr("%1: %2").arg(scoreText(anchor.score_steps, scale_), toQString(Text(anchor.meaning)));
   }
   // Where the rater is, every anchor; elsewhere the one that was met.
   anchor_->setText(current_ || !answer_.score_steps ? all.join(QStringLiteral("   \u00b7   "))

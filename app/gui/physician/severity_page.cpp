@@ -163,8 +163,8 @@ void SeverityPage::showSeverity() {
           : tr("Thank you for your time. Reports never correct your marks silently."));
   std::vector<Row> rows;
   for (const SeverityCase& one : severity_.cases) {
-    rows.push_back({words(one.label),
-                    {{tr("Case %1").arg(words(one.label)), static_cast<int>(rows.size())},
+    rows.push_back({toQString(one.label),
+                    {{tr("Case %1").arg(toQString(one.label)), static_cast<int>(rows.size())},
                      {tenths(one.own), one.own},
                      {tenths(one.panel), one.panel},
                      {signedText(one.own - one.panel), one.own - one.panel}}});

@@ -34,6 +34,7 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   scroll_->installEventFilter(this);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   column->addWidget(scroll_, 1);
+  comment_->setObjectName(QStringLiteral("comment"));
   commentLabel_->setBuddy(comment_);
   comment_->setTabChangesFocus(true);
   comment_->setFixedHeight((largeTargets ? 2 : 3) * fontMetrics().lineSpacing() + 2 * kSpace);
@@ -110,7 +111,7 @@ void SheetPanel::build() {
     });
   };
   for (const StoredRubricRow& row : editor_->rubric().rows)
-    add(row.code, spoken(row.label), row.scale, row.anchors);
+    add(row.code, toQString(Text(row.label)), row.scale, row.anchors);
   if (editor_->order().back() == kOverallRow) add(kOverallRow, tr("Overall"), editor_->rubric().overall, {});
   rowsLayout_->addStretch(1);
   QWidget* before = nullptr;
@@ -128,7 +129,7 @@ void SheetPanel::refresh() {
     row->setAnswer(editor_->answer(row->code()));
     row->setCurrent(row->code() == current_);
   }
-  const QString comment = words(editor_->sheet().comment);
+  const QString comment = toQString(editor_->sheet().comment);
   if (comment_->toPlainText() == comment) return;
   filling_ = true;
   comment_->setPlainText(comment);

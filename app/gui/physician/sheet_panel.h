@@ -24,8 +24,8 @@ class ScoreRow;
 enum class RowShape { kUsual, kLarge, kCompact };
 
 /// The rubric with its anchors, one row a line, and a comment. Number keys score the marked row, arrows move
-/// and adjust, N says "not assessable". It changes the editor that it was given and tells each change; saving
-/// is the page's business.
+/// and adjust, N says "not assessable". It changes the editor that it was given and tells each change
+/// (SheetEditorPanel adds the rest of an editor).
 class SheetPanel : public QWidget {
   Q_OBJECT
 
@@ -35,8 +35,6 @@ class SheetPanel : public QWidget {
 
   void setTheme(const Theme& theme);
   void retranslate();
-  /// The editor outlives its showing. Null: empty.
-  void setEditor(SheetEditor* editor);
   /// Scores alone, in compact rows: no comment, no "not assessable".
   void setScoresOnly();
   /// A sealed sheet is read only.
@@ -44,13 +42,13 @@ class SheetPanel : public QWidget {
   /// After undo, redo or another change from outside.
   void refresh();
 
+  [[nodiscard]] bool readOnly() const noexcept { return readOnly_; }
   [[nodiscard]] const std::string& currentRow() const noexcept { return current_; }
   void setCurrentRow(const std::string& row);
   /// Digits, arrows, N, Backspace, Delete. False: not a key of the sheet.
   bool handleKey(int key, Qt::KeyboardModifiers modifiers);
   /// Puts the keyboard on the marked row.
   void takeFocus();
-  [[nodiscard]] QPlainTextEdit* commentField() const noexcept { return comment_; }
 
  Q_SIGNALS:
   /// The editor was changed by the user.
@@ -58,6 +56,9 @@ class SheetPanel : public QWidget {
   void rowChanged();
 
  protected:
+  /// The editor outlives its showing. Null: empty.
+  void setEditor(SheetEditor* editor);
+  [[nodiscard]] QPlainTextEdit* commentField() const noexcept { return comment_; }
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:

@@ -17,6 +17,7 @@
 #include "app/gui/base/spoken.h"
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/review_words.h"
+#include "app/gui/physician/sheet_editor_panel.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
@@ -43,13 +44,14 @@ WarmUpPage::WarmUpPage(ShellContext& shell, QWidget* parent)
       choices_(new QHBoxLayout),
       group_(new QButtonGroup(this)),
       replay_(new ReplayPanel(shell.assets(), this)),
-      sheet_(new SheetPanel(false, this)),
+      sheet_(new SheetEditorPanel(false, this)),
       compare_(primaryButton(this)),
       resultCard_(new Card(QString(), this)),
       result_(sentence(this, false)),
       sum_(sentence(this)),
       rubricCard_(new Card(QString(), this)),
       anchors_(sentence(this)) {
+  replay_->setObjectName(QStringLiteral("replay"));
   sheet_->setScoresOnly();
   heading_->addAction(goOn_);
   auto* column = new QVBoxLayout(this);
@@ -83,8 +85,9 @@ WarmUpPage::WarmUpPage(ShellContext& shell, QWidget* parent)
   connect(&shell, &ShellContext::jobEnded, this, [this] {
     if (number_ > 0 && !replay_->ready()) replay_->showSentence(tr("The recording could not be opened."));
   });
-  connect(goOn_, &QPushButton::clicked, this, [this] { this->shell().open(QStringLiteral("review.queue")); });
+  connect(goOn_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kQueue); });
   connect(sheet_, &SheetPanel::edited, this, &WarmUpPage::showResult);
+  connect(sheet_, &SheetEditorPanel::finishWanted, this, &WarmUpPage::compare);
 }
 
 WarmUpPage::~WarmUpPage() = default;
@@ -110,8 +113,7 @@ bool WarmUpPage::leave() {
 void WarmUpPage::openRun(std::size_t number) {
   number_ = number;
   replay_->show(nullptr);
-  editor_.reset();
-  sheet_->setEditor(nullptr);
+  sheet_->endSheet();
   showRuns();
   if (number_ == 0) {
     replay_->showSentence(tr("The office has chosen no reference run yet. You may begin with your queue."));
@@ -120,8 +122,7 @@ void WarmUpPage::openRun(std::size_t number) {
   }
   Sheet last;
   last.overall_steps = warmUp_.runs[number_ - 1].own_steps;
-  editor_ = std::make_unique<SheetEditor>(overallOnly(warmUp_.rubric), last);
-  sheet_->setEditor(editor_.get());
+  sheet_->beginSheet(overallOnly(warmUp_.rubric), last);
   sheet_->takeFocus();
   showResult();
   replay_->showSentence(tr("The recording is being opened. You may score meanwhile."));
@@ -162,13 +163,14 @@ void WarmUpPage::showRuns() {
 void WarmUpPage::showResult() {
   const bool any = number_ > 0;
   compare_->setVisible(any);
-  compare_->setEnabled(any && editor_ != nullptr && editor_->answer(kOverallRow).score_steps.has_value());
+  compare_->setEnabled(any && sheet_->editor() != nullptr &&
+                       sheet_->editor()->answer(kOverallRow).score_steps.has_value());
   goOn_->setText(tr("&Queue"));
   const std::size_t next = nextNumber();
   compare_->setText(!compared() ? tr("&Compare with the panel")
                     : next > 0  ? tr("Go on with reference %1").arg(static_cast<int>(next))
                                 : tr("On to the queue"));
-  anchors_->setText(anchorWords());
+  anchors_->setText(anchorText());
   rubricCard_->setVisible(any && !anchors_->text().isEmpty());
   const WarmUpRun* run = any ? &warmUp_.runs[number_ - 1] : nullptr;
   resultCard_->setVisible(any);
@@ -197,23 +199,21 @@ void WarmUpPage::showResult() {
 }
 
 void WarmUpPage::compare() {
-  if (editor_ == nullptr || number_ == 0) return;
-  const auto score = editor_->answer(kOverallRow).score_steps;
+  if (sheet_->editor() == nullptr || number_ == 0) return;
+  const auto score = sheet_->editor()->answer(kOverallRow).score_steps;
   if (!score) return;
   if (compared()) return goNext();
-  try {
+  attempt(shell(), [&] {
     scoreReferenceRun(shell().workplace(), number_, *score);
     warmUp_ = warmUp(shell().workplace());
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
   showRuns();
   showResult();
 }
 
 bool WarmUpPage::compared() const {
-  return number_ > 0 && editor_ != nullptr && warmUp_.runs[number_ - 1].own_steps.has_value() &&
-         editor_->answer(kOverallRow).score_steps == warmUp_.runs[number_ - 1].own_steps;
+  return number_ > 0 && sheet_->editor() != nullptr && warmUp_.runs[number_ - 1].own_steps.has_value() &&
+         sheet_->editor()->answer(kOverallRow).score_steps == warmUp_.runs[number_ - 1].own_steps;
 }
 
 std::size_t WarmUpPage::nextNumber() const {
@@ -226,18 +226,18 @@ void WarmUpPage::goNext() {
   if (const std::size_t next = nextNumber(); next > 0) {
     openRun(next);
   } else {
-    shell().open(QStringLiteral("review.queue"));
+    shell().open(PageId::kQueue);
   }
 }
 
-QString WarmUpPage::anchorWords() const {
+QString WarmUpPage::anchorText() const {
   QStringList lines;
   for (const StoredRubricRow& row : warmUp_.rubric.rows) {
     QStringList points;
     for (const StoredAnchor& anchor : row.anchors)
-      points << tr("%1: %2").arg(scoreText(anchor.score_steps, row.scale), spoken(anchor.meaning));
+      points << tr("%1: %2").arg(scoreText(anchor.score_steps, row.scale), toQString(Text(anchor.meaning)));
     if (!points.isEmpty())
-      lines << tr("%1. %2").arg(spoken(row.label), points.join(QStringLiteral("  \u00b7  ")));
+      lines << tr("%1. %2").arg(toQString(Text(row.label)), points.join(QStringLiteral("  \u00b7  ")));
   }
   return lines.join(QStringLiteral("\n\n"));
 }
@@ -269,8 +269,7 @@ void WarmUpPage::applyTheme(const Theme& theme) {
 }
 
 void WarmUpPage::keyPressEvent(QKeyEvent* event) {
-  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (enter && (event->modifiers() & Qt::ControlModifier) != 0) return compare();
+  if (sheet_->handleCommand(event)) return;
   if ((event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0 && replay_->handleKey(event->key()))
     return;
   if (event->key() != Qt::Key_N && sheet_->handleKey(event->key(), event->modifiers())) return;

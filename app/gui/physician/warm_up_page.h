@@ -18,7 +18,7 @@ namespace torsio::gui {
 class Card;
 class PageHeading;
 class ReplayPanel;
-class SheetPanel;
+class SheetEditorPanel;
 
 /// Two reference runs before the real ones: score, then see how far from the panel.
 class WarmUpPage : public Page {
@@ -33,7 +33,6 @@ class WarmUpPage : public Page {
   [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
-  [[nodiscard]] ReplayPanel& replay() noexcept { return *replay_; }
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
@@ -48,14 +47,14 @@ class WarmUpPage : public Page {
   [[nodiscard]] bool compared() const;
   /// The first run that is not scored; 0: none.
   [[nodiscard]] std::size_t nextNumber() const;
-  [[nodiscard]] QString anchorWords() const;
+  [[nodiscard]] QString anchorText() const;
 
   PageHeading* heading_;
   QPushButton* goOn_;
   QHBoxLayout* choices_;
   QButtonGroup* group_;
   ReplayPanel* replay_;
-  SheetPanel* sheet_;
+  SheetEditorPanel* sheet_;
   QPushButton* compare_;
   Card* resultCard_;
   QLabel* result_;
@@ -65,7 +64,6 @@ class WarmUpPage : public Page {
   QLabel* anchors_;
   WarmUp warmUp_;
   std::size_t number_ = 0;
-  std::unique_ptr<SheetEditor> editor_;
   std::uint64_t loads_ = 0;
 };
 

@@ -19,6 +19,7 @@
 
 #include "app/gui/base/asset_names.h"
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/simulator/film_strip.h"
 #include "app/gui/widgets/card.h"
@@ -60,7 +61,7 @@ ComparePage::ComparePage(ShellContext& context, QWidget* parent) : Page(context,
   for (Side& side : sides_) row->addWidget(createSide(side), 1);
   column->addLayout(row, 1);
   for (const std::string& id : sceneIds(shell().assets())) {
-    organ_->addItem(QString(), QString::fromStdString(id));
+    organ_->addItem(QString(), toQString(id));
   }
   connect(organ_, &QComboBox::activated, this,
           [this](int index) { load(organ_->itemData(index).toString()); });
@@ -208,12 +209,10 @@ void ComparePage::captureFilmStrip() {
     }
   }
   setTorque(before_Nm);
-  try {
+  attempt(shell(), [&] {
     writePicture(filmStrip(rows), file.toStdString());
     shell().notify(tr("Saved %1").arg(file));
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void ComparePage::retranslate() {
@@ -235,18 +234,13 @@ void ComparePage::applyTheme(const Theme& theme) {
 }
 
 PageEntry comparePage() {
-  return {.id = QStringLiteral("compare"),
-          .icon = QStringLiteral("compare"),
-          .title = [] { return QCoreApplication::translate("ComparePage", "Compare models"); },
-          .needs = {Operation::kPractice},
-          .make = [](ShellContext& context) -> Page* { return new ComparePage(context); },
-          .needsDatabase = false};
+  return {PageId::kCompare, [](ShellContext& context) -> Page* { return new ComparePage(context); }};
 }
 
 std::vector<ScreenEntry> compareScreens() {
   return {{.name = QStringLiteral("compare"),
            .role = QStringLiteral("rater"),
-           .pageId = QStringLiteral("compare"),
+           .pageId = PageId::kCompare,
            .argument = [](Workplace&) { return QVariant(); },
            .prepare =
                [](Page& page) {

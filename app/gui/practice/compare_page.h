@@ -65,7 +65,7 @@ class ComparePage : public Page {
   double torque_Nm_ = 0.0;
 };
 
-/// "compare", for everybody who may practise.
+/// For everybody who may practise.
 [[nodiscard]] PageEntry comparePage();
 [[nodiscard]] std::vector<ScreenEntry> compareScreens();
 

@@ -91,6 +91,7 @@ void MainWindow::createLayout() {
   auto* left = new QVBoxLayout;
   left->setSpacing(0);
   view_ = new SceneView(centre);
+  view_->setObjectName(QStringLiteral("view"));
   pointer_ = new PointerControls(*view_);
   pointer_->setKeys(PointerKeys::stored());
   replayBar_ = new ReplayBar(centre);
@@ -358,10 +359,10 @@ void MainWindow::showGhost() {
 
 void MainWindow::showTitle() {
   const Scene& scene = *controller_->scene();
-  const QString title = assetName(QString::fromStdString(scene.title));
+  const QString title = assetName(toQString(scene.title));
   setWindowTitle(tr("%1 \u2013 Torsio").arg(title));
   source_->setText(title);
-  source_->setToolTip(QString::fromStdString(scene.provenance));
+  source_->setToolTip(toQString(scene.provenance));
 }
 
 void MainWindow::showMode() {
@@ -403,7 +404,7 @@ void MainWindow::chooseOrganFile() {
       QInputDialog::getItem(this, tr("Open organ"), tr("The file's numbers are"), units, 0, false, &chosen);
   if (!chosen) return;
   SceneRequest request = controller_->request();
-  request.organFile = std::filesystem::path(file.toStdString());
+  request.organFile = toPath(file);
   request.organScale_m = scales_m[units.indexOf(unit)];
   controller_->load(request);
 }
@@ -428,7 +429,7 @@ void MainWindow::chooseReplay() {
     if (!chosen) return;
     controller_->openReplay(setup_.recording.load(trials[static_cast<std::size_t>(lines.indexOf(line))].id));
   } catch (const Error& error) {
-    const SpokenError said = spoken(error);
+    const TranslatedError said = translated(error);
     showProblem(said.happened, said.remedy, said.details);
   }
 }
@@ -485,7 +486,7 @@ void MainWindow::showAbout() {
                      tr("<h3>Torsio %1</h3><p>Training and assessment of surgical twist skills.</p>"
                         "<p>A training tool; not a medical device.</p>"
                         "<p>Free software under the GNU General Public License, version 3 or later.</p>")
-                         .arg(QString::fromStdString(softwareVersion())));
+                         .arg(toQString(softwareVersion())));
 }
 
 void MainWindow::restoreChoices() {

@@ -47,7 +47,6 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   [[nodiscard]] SimulationController& controller() noexcept { return *controller_; }
-  [[nodiscard]] SceneView& view() noexcept { return *view_; }
   [[nodiscard]] const std::filesystem::path& assets() const noexcept { return setup_.assets; }
   void setThemeKind(ThemeKind kind);
   /// The same without the application's palette and style sheet, which another window has set already.

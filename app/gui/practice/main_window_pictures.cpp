@@ -21,7 +21,7 @@ void MainWindow::savePicture(const QImage& picture, const QString& file) {
     writePicture(picture, file.toStdString());
     Q_EMIT controller_->noticed(tr("Saved %1").arg(file));
   } catch (const Error& error) {
-    const SpokenError said = spoken(error);
+    const TranslatedError said = translated(error);
     showProblem(said.happened, said.remedy, said.details);
   }
 }

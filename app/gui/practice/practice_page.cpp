@@ -9,6 +9,7 @@
 #include "app/gui/base/shell_context.h"
 #include "app/gui/simulator/scripted_twist.h"
 #include "app/gui/trainee/station_desk.h"
+#include "app/gui/widgets/child.h"
 #include "app/recording/trial_store.h"
 #include "sim/base/tick_period.h"
 
@@ -31,7 +32,7 @@ void holdAtTarget(MainWindow& simulator) {
 
 }  // namespace
 
-PracticePage::PracticePage(ShellContext& context, QWidget* parent)
+PracticePage::PracticePage(ShellContext& context, const StationDesk& desk, QWidget* parent)
     : Page(context, parent), own_(std::make_shared<std::set<std::string>>()) {
   WindowSetup setup;
   setup.assets = shell().assets();
@@ -39,10 +40,11 @@ PracticePage::PracticePage(ShellContext& context, QWidget* parent)
   setup.remember = false;
   setup.embedded = true;
   if (!shell().workplace().actor().practiceOnly) setup.recording = recording();
-  if (const StationDesk::DeviceOpener open = StationDesk::of(shell()).openDevice) {
+  if (const StationDesk::DeviceOpener open = desk.openDevice) {
     setup.openHaptic = [open](const Scene& scene) { return open(scene, scene.pattern.targetAngle_rad); };
   }
   simulator_ = new MainWindow(setup);
+  simulator_->setObjectName(QStringLiteral("simulator"));
   simulator_->setParent(this, Qt::Widget);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -105,18 +107,16 @@ void PracticePage::applyTheme(const Theme& theme) {
 std::vector<ScreenEntry> practiceScreens() {
   return {{.name = QStringLiteral("practice"),
            .role = QStringLiteral("trainee"),
-           .pageId = QStringLiteral("practice"),
+           .pageId = PageId::kPractice,
            .argument = [](Workplace&) { return QVariant(); },
-           .prepare = [](Page& page) { holdAtTarget(static_cast<PracticePage&>(page).simulator()); }}};
+           .prepare = [](Page& page) { holdAtTarget(child<MainWindow>(page, "simulator")); }}};
 }
 
-PageEntry practicePage() {
-  return {.id = QStringLiteral("practice"),
-          .icon = QStringLiteral("practice"),
-          .title = [] { return QCoreApplication::translate("PracticePage", "Free practice"); },
-          .needs = {Operation::kPractice},
-          .make = [](ShellContext& context) -> Page* { return new PracticePage(context); },
-          .needsDatabase = false};
+PageEntry practicePage(std::shared_ptr<StationDesk> desk) {
+  return {PageId::kPractice, [desk = std::move(desk)](ShellContext& context) -> Page* {
+            desk->announce(context.line());
+            return new PracticePage(context, *desk);
+          }};
 }
 
 }  // namespace torsio::gui

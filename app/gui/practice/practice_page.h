@@ -15,6 +15,8 @@ class TrialStore;
 
 namespace torsio::gui {
 
+class StationDesk;
+
 /// Free practice on any organ: the simulator without a curriculum round it. Nobody's trial and never scored.
 /// Whoever signed in with a password may record a try and look at it again until the sign-out; with a PIN or
 /// as a guest nothing is recorded.
@@ -22,7 +24,8 @@ class PracticePage : public Page {
   Q_OBJECT
 
  public:
-  explicit PracticePage(ShellContext& shell, QWidget* parent = nullptr);
+  /// `desk` says which device there is; it is read here only.
+  PracticePage(ShellContext& shell, const StationDesk& desk, QWidget* parent = nullptr);
   ~PracticePage() override;
 
   void enter(const QVariant& argument) override;
@@ -30,7 +33,6 @@ class PracticePage : public Page {
   [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
-  [[nodiscard]] MainWindow& simulator() noexcept { return *simulator_; }
 
  private:
   [[nodiscard]] TrialRecording recording();
@@ -40,8 +42,8 @@ class PracticePage : public Page {
   MainWindow* simulator_ = nullptr;
 };
 
-/// "practice", for everybody who may practise.
-[[nodiscard]] PageEntry practicePage();
+/// For everybody who may practise.
+[[nodiscard]] PageEntry practicePage(std::shared_ptr<StationDesk> desk);
 [[nodiscard]] std::vector<ScreenEntry> practiceScreens();
 
 }  // namespace torsio::gui

@@ -7,6 +7,7 @@
 #include "app/gui/physician/review_pages.h"
 #include "app/gui/practice/compare_page.h"
 #include "app/gui/practice/practice_page.h"
+#include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_pages.h"
 
 namespace torsio::gui {
@@ -20,8 +21,9 @@ QString named(const char* text) {
 }  // namespace
 
 std::vector<PageGroup> allPages() {
-  std::vector<PageEntry> training = stationPages();
-  training.push_back(practicePage());
+  const std::shared_ptr<StationDesk> desk = deskOfThisStation();
+  std::vector<PageEntry> training = stationPages(desk);
+  training.push_back(practicePage(desk));
   training.push_back(comparePage());
   return {{[] { return named(QT_TRANSLATE_NOOP("Desk", "Training")); }, training},
           {[] { return named(QT_TRANSLATE_NOOP("Desk", "Review")); }, reviewPages()},

@@ -15,6 +15,7 @@
 
 #include "app/gui/simulator/film_strip.h"
 #include "app/gui/simulator/scripted_twist.h"
+#include "app/gui/widgets/child.h"
 #include "app/gui/widgets/picture.h"
 #include "app/recording/recorded_run.h"
 #include "sim/base/error.h"
@@ -56,32 +57,34 @@ struct Stage {
   Stage(const WindowSetup& setup, const ScreenshotRequest& request) : window(setup) {
     LoadedScene loaded = setup.loader(request.scene);
     window.resize(request.size);
-    window.view().setQuality(request.quality);
-    window.view().setLattice(request.lattice);
-    window.view().setWireframe(request.wireframe);
-    window.view().setShearVisible(request.shear);
-    window.view().setMarkersVisible(request.markers);
+    child<SceneView>(window, "view").setQuality(request.quality);
+    child<SceneView>(window, "view").setLattice(request.lattice);
+    child<SceneView>(window, "view").setWireframe(request.wireframe);
+    child<SceneView>(window, "view").setShearVisible(request.shear);
+    child<SceneView>(window, "view").setMarkersVisible(request.markers);
     window.show();
     window.controller().adopt(request.scene, std::move(loaded));
     if (request.ghost) {
       const Scene& scene = *window.controller().scene();
       const double grasp_m = scene.pattern.graspArc * scene.lattice().length_m();
-      window.view().setGhost(TwistState{grasp_m, window.controller().target_rad()});
+      child<SceneView>(window, "view").setGhost(TwistState{grasp_m, window.controller().target_rad()});
     }
-    window.view().camera().orbit({-request.orbit_deg / OrbitCamera::kDegreesPerPixel, 0.0});
-    window.view().camera().zoom(request.zoom);
-    window.view().applyCamera();
-    waitUntil([this] { return window.view().framesDrawn() > 0; }, "the first frame");
+    child<SceneView>(window, "view")
+        .camera()
+        .orbit({-request.orbit_deg / OrbitCamera::kDegreesPerPixel, 0.0});
+    child<SceneView>(window, "view").camera().zoom(request.zoom);
+    child<SceneView>(window, "view").applyCamera();
+    waitUntil([this] { return child<SceneView>(window, "view").framesDrawn() > 0; }, "the first frame");
   }
   MainWindow window;
 };
 
 void settle(MainWindow& window) {
-  const std::int64_t before = window.view().framesDrawn();
+  const std::int64_t before = child<SceneView>(window, "view").framesDrawn();
   waitUntil(
       [&] {
-        window.view().redraw();
-        return window.view().framesDrawn() >= before + kSettlingFrames;
+        child<SceneView>(window, "view").redraw();
+        return child<SceneView>(window, "view").framesDrawn() >= before + kSettlingFrames;
       },
       "the picture");
 }
@@ -98,8 +101,8 @@ void takeScreenshot(const WindowSetup& setup, const ScreenshotRequest& request) 
   MainWindow& window = stage.window;
   if (request.strip) {
     settle(window);
-    writePicture(filmStrip(stripRows(
-                     captureStrip(window.view(), *window.controller().scene(), angleOf(request, window)))),
+    writePicture(filmStrip(stripRows(captureStrip(child<SceneView>(window, "view"),
+                                                  *window.controller().scene(), angleOf(request, window)))),
                  request.file);
     return;
   }
@@ -107,7 +110,8 @@ void takeScreenshot(const WindowSetup& setup, const ScreenshotRequest& request) 
   held.targetAngle_rad = window.controller().target_rad();  // the exercise's, whatever the hand was told
   window.controller().freeze(held);
   settle(window);
-  writePicture(request.sceneOnly ? window.view().picture() : window.grab().toImage(), request.file);
+  writePicture(request.sceneOnly ? child<SceneView>(window, "view").picture() : window.grab().toImage(),
+               request.file);
 }
 
 FrameRate measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& request, double seconds) {
@@ -136,7 +140,7 @@ FrameRate measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& re
     const LiveState& live = servo.latest();
     if (begun_s < 0.0 && now_s > kWarmUp_s) {
       begun_s = now_s;
-      firstFrame = window.view().framesDrawn();
+      firstFrame = child<SceneView>(window, "view").framesDrawn();
       begun = live;
     }
     if (begun_s >= 0.0) rate.slowestTick_us = std::max(rate.slowestTick_us, live.tickDuration_us);
@@ -145,7 +149,8 @@ FrameRate measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& re
     QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
   }
   const double span_s = static_cast<double>(clock.elapsed()) * 1e-3 - begun_s;
-  rate.frames_per_s = static_cast<double>(window.view().framesDrawn() - firstFrame) / span_s;
+  rate.frames_per_s =
+      static_cast<double>(child<SceneView>(window, "view").framesDrawn() - firstFrame) / span_s;
   rate.ticks = servo.latest().tick - begun.tick;
   rate.lateTicks = servo.latest().lateTicks - begun.lateTicks;
   return rate;

@@ -17,6 +17,7 @@
 #include "app/base/assets.h"
 #include "app/demonstration/demonstration_accounts.h"
 #include "app/gui/program/all_pages.h"
+#include "app/gui/program/option_refusal.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/first_run_panel.h"
 #include "app/gui/shell/lock_panel.h"
@@ -193,7 +194,7 @@ void takePage(Photographer& photographer, const Cast& cast, const std::filesyste
     setup.centre = QString::fromLatin1(kCentre);
     setup.language = language;
     setup.theme = kind;
-    setup.groups = allPages();
+    setup.groups = allPages;
     auto desk = std::make_unique<Desk>(*workplace, setup);
     desk->setAutoFillBackground(true);
     desk->show();
@@ -244,8 +245,8 @@ int takeAllScreenshots(const ScreenshotsRequest& request) {
 
 namespace {
 
-[[noreturn]] void refuse(const QString& value, const char* option, const char* remedy) {
-  throw Error(ErrorCode::kUsage, Text("'%1' is not known", value.toStdString()), option, remedy);
+Text unknown(const QString& value) {
+  return Text("'%1' is not known", value.toStdString());
 }
 
 std::vector<QSize> sizesOf(const QString& text) {
@@ -254,7 +255,7 @@ std::vector<QSize> sizesOf(const QString& text) {
     const QStringList numbers = part.split(QLatin1Char('x'));
     const QSize size = numbers.size() == 2 ? QSize(numbers[0].toInt(), numbers[1].toInt()) : QSize();
     if (size.width() < 640 || size.height() < 480 || size.width() > 7680 || size.height() > 4320) {
-      refuse(part, "--size", "Write sizes like 1366x768,1920x1080");
+      refuseOption(unknown(part), QStringLiteral("--size"), "Write sizes like 1366x768,1920x1080");
     }
     sizes.push_back(size);
   }
@@ -286,12 +287,12 @@ ScreenshotsRequest parse(const QStringList& arguments) {
   request.sizes = sizesOf(parser.value(QStringLiteral("size")));
   for (const QString& code : parser.value(QStringLiteral("language")).split(QLatin1Char(','))) {
     const auto language = languageOf(code);
-    if (!language) refuse(code, "--language", "Use en or zh_CN");
+    if (!language) refuseOption(unknown(code), QStringLiteral("--language"), "Use en or zh_CN");
     request.languages.push_back(*language);
   }
   for (const QString& name : parser.value(QStringLiteral("theme")).split(QLatin1Char(','))) {
     if (name != QLatin1String("light") && name != QLatin1String("dark"))
-      refuse(name, "--theme", "Use light or dark");
+      refuseOption(unknown(name), QStringLiteral("--theme"), "Use light or dark");
     request.themes.push_back(name == QLatin1String("dark") ? ThemeKind::kDark : ThemeKind::kLight);
   }
   request.only = parser.value(QStringLiteral("only"));

@@ -12,8 +12,10 @@
 
 #include "app/base/assets.h"
 #include "app/base/build_info.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/practice/main_window.h"
 #include "app/gui/program/all_pages.h"
+#include "app/gui/program/option_refusal.h"
 #include "app/gui/program/screenshot.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/shell_window.h"
@@ -36,16 +38,12 @@ struct WindowOptions {
   QString database;
 };
 
-[[noreturn]] void refuse(const QString& what, const QString& where, const QString& remedy) {
-  throw Error(ErrorCode::kUsage, what.toStdString(), where.toStdString(), remedy.toStdString());
-}
-
 double numberOf(const QCommandLineParser& parser, const QString& option) {
   bool sound = false;
   const double value = parser.value(option).toDouble(&sound);
   if (!sound || !std::isfinite(value)) {
-    refuse(QStringLiteral("'%1' is not a number").arg(parser.value(option)), "--" + option,
-           QStringLiteral("Write it like 90 or 22.5"));
+    refuseOption(Text("'%1' is not a number", parser.value(option).toStdString()), "--" + option,
+                 "Write it like 90 or 22.5");
   }
   return value;
 }
@@ -54,8 +52,8 @@ QSize sizeOf(const QString& text) {
   const QStringList parts = text.split(QLatin1Char('x'));
   const QSize size = parts.size() == 2 ? QSize(parts[0].toInt(), parts[1].toInt()) : QSize();
   if (size.width() < 320 || size.height() < 240 || size.width() > 7680 || size.height() > 4320) {
-    refuse(QStringLiteral("'%1' is not a size").arg(text), QStringLiteral("--size"),
-           QStringLiteral("Write it like 1280x800; 320x240 to 7680x4320"));
+    refuseOption(Text("'%1' is not a size", text.toStdString()), QStringLiteral("--size"),
+                 "Write it like 1280x800; 320x240 to 7680x4320");
   }
   return size;
 }
@@ -64,8 +62,8 @@ QSize sizeOf(const QString& text) {
 QString wordOf(const QCommandLineParser& parser, const QString& option, const QStringList& words) {
   const QString word = parser.value(option);
   if (!words.contains(word)) {
-    refuse(QStringLiteral("'%1' is not known").arg(word), "--" + option,
-           QStringLiteral("Use one of: ") + words.join(QStringLiteral(", ")));
+    refuseOption(Text("'%1' is not known", word.toStdString()), "--" + option,
+                 Text("Use one of: %1", words.join(QStringLiteral(", ")).toStdString()));
   }
   return word;
 }
@@ -80,7 +78,7 @@ SceneRequest sceneOf(const QCommandLineParser& parser) {
   scene.assets = assetsFolder();
   const QString organ = parser.value(QStringLiteral("organ"));
   if (looksLikeFile(organ)) {
-    scene.organFile = std::filesystem::path(organ.toStdString());
+    scene.organFile = toPath(organ);
   } else if (!organ.isEmpty()) {
     scene.id = organ.toStdString();
   }
@@ -150,12 +148,12 @@ WindowOptions parse(const QStringList& arguments) {
   QCommandLineParser parser;
   addOptions(parser);
   if (!parser.parse(arguments)) {
-    refuse(parser.errorText().remove(QLatin1Char('.')), QStringLiteral("command line"),
-           QStringLiteral("See torsio --help"));
+    refuseOption(parser.errorText().remove(QLatin1Char('.')).toStdString(), QStringLiteral("command line"),
+                 "See torsio --help");
   }
   if (!parser.positionalArguments().isEmpty()) {
-    refuse(QStringLiteral("'%1' is no option").arg(parser.positionalArguments().front()),
-           QStringLiteral("command line"), QStringLiteral("See torsio --help"));
+    refuseOption(Text("'%1' is no option", parser.positionalArguments().front().toStdString()),
+                 QStringLiteral("command line"), "See torsio --help");
   }
   WindowOptions options;
   options.scene = sceneOf(parser);
@@ -225,9 +223,9 @@ int runShell(const WindowOptions& options) {
   ShellSetup setup;
   setup.assets = options.scene.assets;
   setup.station = stationName();
-  setup.locator = options.database.isEmpty() ? QString::fromStdString(defaultDatabase()) : options.database;
+  setup.locator = options.database.isEmpty() ? toQString(defaultDatabase()) : options.database;
   setup.remember = options.database.isEmpty();
-  setup.groups = allPages();
+  setup.groups = allPages;
   setup.theme = options.theme;
   setup.systemIsDark = systemIsDark();
   setup.kiosk = options.kiosk;
@@ -253,7 +251,7 @@ int runWindow(int argc, char** argv) {
   QApplication::setApplicationName(QStringLiteral("torsio"));
   QApplication::setApplicationDisplayName(QStringLiteral("Torsio"));
   QApplication::setOrganizationName(QStringLiteral("torsio"));
-  QApplication::setApplicationVersion(QString::fromStdString(softwareVersion()));
+  QApplication::setApplicationVersion(toQString(softwareVersion()));
   QApplication application(argc, argv);
   useTypeface(application);
   const WindowOptions options = parse(QApplication::arguments());

@@ -12,6 +12,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include "app/gui/base/spoken.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
@@ -45,7 +46,7 @@ using Attribute = QQuick3DGeometry::Attribute;
 
 std::vector<SkinAnchor> organMarkers(const Scene& scene, const std::filesystem::path& assets) {
   const std::filesystem::path path = assets / "organs" / (scene.id + "_markers.json");
-  QFile file(QString::fromStdString(path.string()));
+  QFile file(toQString(path));
   if (!file.open(QIODevice::ReadOnly)) return {};
   const QJsonArray entries =
       QJsonDocument::fromJson(file.readAll()).object()[QLatin1String("markers")].toArray();

@@ -6,6 +6,7 @@
 #include <QSysInfo>
 
 #include "app/base/build_info.h"
+#include "app/gui/base/spoken.h"
 
 namespace torsio::gui {
 
@@ -19,7 +20,7 @@ QString said(const char* text) {
 
 QString aboutText() {
   const QString paragraph = QStringLiteral("<p>%1</p>");
-  QString text = QStringLiteral("<h3>Torsio %1</h3>").arg(QString::fromStdString(softwareVersion()));
+  QString text = QStringLiteral("<h3>Torsio %1</h3>").arg(toQString(softwareVersion()));
   text +=
       paragraph.arg(said(QT_TRANSLATE_NOOP("AboutBox", "Training and assessment of surgical twist skills.")));
   text += QStringLiteral("<p><b>%1</b></p>")

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "app/access/access_service.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
@@ -66,7 +67,7 @@ Desk::Desk(Workplace& workplace, const DeskSetup& setup, QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  createRail(setup.groups);
+  createRail(setup.groups());
   row->addWidget(rail_);
   auto* column = new QVBoxLayout;
   column->setSpacing(0);
@@ -86,13 +87,9 @@ Desk::~Desk() {
   for (const auto& [id, page] : made_) delete page;
 }
 
-bool Desk::allowed(const PageEntry& entry) const {
-  const Workplace& workplace = context_.workplace();
-  // A guest is nobody: whoever sits down may practise, and nothing else.
-  const bool guest = workplace.actor().practiceOnly && workplace.actor().userId.empty();
-  return std::all_of(entry.needs.begin(), entry.needs.end(), [&](Operation operation) {
-    return guest ? operation == Operation::kPractice : workplace.may(operation);
-  });
+bool Desk::allowed(PageId id) {
+  const PageFacts& facts = factsOf(id);
+  return context_.may(facts.needs) && (!facts.alsoNeeds || context_.may(*facts.alsoNeeds));
 }
 
 void Desk::createRail(const std::vector<PageGroup>& groups) {
@@ -101,11 +98,12 @@ void Desk::createRail(const std::vector<PageGroup>& groups) {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     RailGroup group{groups[g].title, {}};
     for (const PageEntry& entry : groups[g].pages) {
-      if (!allowed(entry)) continue;
+      if (!allowed(entry.id)) continue;
       entries_.emplace(entry.id, entry);
-      if (entry.icon.isEmpty()) continue;
-      group.items.push_back({entry.id, entry.icon, entry.title});
-      if (home_.isEmpty() && g == own) home_ = entry.id;
+      const QString icon = QString::fromLatin1(factsOf(entry.id).icon);
+      if (icon.isEmpty()) continue;
+      group.items.push_back({entry.id, icon});
+      if (!home_ && g == own) home_ = entry.id;
     }
     if (group.items.empty()) continue;
     // One's own work stands first.
@@ -115,9 +113,9 @@ void Desk::createRail(const std::vector<PageGroup>& groups) {
   for (const RailGroup& group : shown) {
     for (const RailItem& item : group.items) order_.push_back(item.id);
   }
-  if (home_.isEmpty() && !order_.empty()) home_ = order_.front();
+  if (!home_ && !order_.empty()) home_ = order_.front();
   rail_ = new Rail(shown, this);
-  connect(rail_, &Rail::chosen, this, [this](const QString& id) { open(id); });
+  connect(rail_, &Rail::chosen, this, [this](PageId id) { open(id); });
 }
 
 QWidget* Desk::createHeader() {
@@ -188,7 +186,7 @@ QWidget* Desk::createBody() {
 
 void Desk::connectContext() {
   connect(&context_, &ShellContext::pageWanted, this,
-          [this](const QString& id, const QVariant& argument) { open(id, argument); });
+          [this](PageId id, const QVariant& argument) { open(id, argument); });
   connect(&context_, &ShellContext::noticed, toast_, &Toast::say);
   connect(&context_, &ShellContext::problemMet, problem_, &ProblemPanel::tell);
   connect(&context_, &ShellContext::themeChanged, this, &Desk::applyColours);
@@ -200,13 +198,14 @@ void Desk::connectContext() {
   connect(job_, &JobPanel::cancelled, this, [this] { context_.cancelJobs(); });
 }
 
-std::vector<QString> Desk::pageIds() const {
+std::vector<PageId> Desk::pageIds() const {
   return order_;
 }
 
-Page* Desk::pageFor(const QString& id) {
+Page* Desk::pageFor(PageId id) {
   if (const auto found = made_.find(id); found != made_.end()) return found->second;
   Page* page = entries_.at(id).make(context_);
+  page->setObjectName(pageText(id));
   page->retranslate();
   page->applyTheme(theme(context_.themeKind()));
   stack_->addWidget(page);
@@ -214,7 +213,7 @@ Page* Desk::pageFor(const QString& id) {
   return page;
 }
 
-bool Desk::open(const QString& id, const QVariant& argument) {
+bool Desk::open(PageId id, const QVariant& argument) {
   if (!entries_.contains(id)) {
     context_.notify(tr("This page is not open to you"));
     return false;
@@ -226,31 +225,29 @@ bool Desk::open(const QString& id, const QVariant& argument) {
     }
     if (!current_->leave()) return false;
   }
-  if (entries_.at(id).needsDatabase && context_.databaseAway()) {
+  if (factsOf(id).needsDatabase && context_.databaseAway()) {
     context_.notify(tr("The database does not answer now. This page opens as soon as it does"));
     return false;
   }
-  try {
+  attempt(context_, [&] {
     Page* page = pageFor(id);
     current_ = page;
     currentId_ = id;
     stack_->setCurrentWidget(page);
-    title_->setText(entries_.at(id).title());
+    title_->setText(pageTitle(id));
     rail_->setCurrent(id);
     problem_->hide();
     page->enter(argument);
     focusInto(*page);
-  } catch (...) {
-    context_.report(std::current_exception());
-  }
+  });
   return currentId_ == id;
 }
 
 void Desk::openHome() {
-  if (home_.isEmpty() || open(home_)) return;
+  if (!home_ || open(*home_)) return;
   // The database went away in this very moment: better a page that needs none than none at all.
-  for (const QString& id : order_) {
-    if (!entries_.at(id).needsDatabase && open(id)) return;
+  for (const PageId id : order_) {
+    if (!factsOf(id).needsDatabase && open(id)) return;
   }
 }
 
@@ -302,7 +299,7 @@ void Desk::retranslate() {
   theme_->setAccessibleName(theme_->toolTip());
   help_->setToolTip(tr("Keys and help (F1)"));
   help_->setAccessibleName(help_->toolTip());
-  user_->setText(actor.userId.empty() ? tr("Guest") : QString::fromStdString(actor.login));
+  user_->setText(actor.userId.empty() ? tr("Guest") : toQString(actor.login));
   user_->setToolTip(tr("Your account"));
   user_->setAccessibleName(tr("Your account"));
   signOut_->setText(actor.userId.empty() ? tr("End") : tr("Sign out"));
@@ -310,21 +307,19 @@ void Desk::retranslate() {
   userMenu_->clear();
   if (!actor.practiceOnly) {
     userMenu_->addAction(tr("Change password\u2026"), this, &Desk::passwordChangeWanted);
-    if (context_.workplace().may(Operation::kPractice)) {
+    if (context_.may(Operation::kPractice)) {
       userMenu_->addAction(tr("PIN for practice\u2026"), this, &Desk::pinWanted);
     }
     userMenu_->addAction(tr("Lock now"), QKeySequence(QStringLiteral("Ctrl+Alt+L")), this, &Desk::lockWanted);
     userMenu_->addSeparator();
   }
-  if (!actor.practiceOnly && context_.workplace().may(Operation::kPersonErase)) {
+  if (!actor.practiceOnly && context_.may(Operation::kPersonErase)) {
     userMenu_->addAction(tr("Remove demonstration data\u2026"), this, &Desk::demonstrationRemovalWanted);
     userMenu_->addSeparator();
   }
   userMenu_->addAction(tr("About Torsio"), this, &Desk::aboutWanted);
   rail_->retranslate();
-  if (const auto entry = entries_.find(currentId_); entry != entries_.end()) {
-    title_->setText(entry->second.title());
-  }
+  if (currentId_) title_->setText(pageTitle(*currentId_));
 }
 
 void Desk::changeEvent(QEvent* event) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include <QString>
@@ -37,7 +39,8 @@ struct DeskSetup {
   Language language = Language::kEnglish;
   ThemeKind theme = ThemeKind::kLight;
   bool kiosk = false;
-  std::vector<PageGroup> groups;  ///< everybody's; the desk keeps what the actor may open
+  /// Makes everybody's pages, anew for each desk; the desk keeps what its actor may open.
+  std::function<std::vector<PageGroup>()> groups;
 };
 
 /// What a signed-in person works at: navigation, header, and one page at a time. It dies with the sign-out,
@@ -52,13 +55,14 @@ class Desk : public QWidget {
 
   [[nodiscard]] ShellContext& context() noexcept { return context_; }
   [[nodiscard]] Page* page() const noexcept { return current_; }
-  [[nodiscard]] const QString& pageId() const noexcept { return currentId_; }
+  /// Empty before the first page.
+  [[nodiscard]] std::optional<PageId> pageId() const noexcept { return currentId_; }
   /// Ids the actor may open, in the order of the navigation; the first one of the actor's own work is home.
-  [[nodiscard]] std::vector<QString> pageIds() const;
+  [[nodiscard]] std::vector<PageId> pageIds() const;
 
   /// False: the present page is busy or not finished (the user has been told), or the page is not the
   /// actor's.
-  bool open(const QString& id, const QVariant& argument = {});
+  bool open(PageId id, const QVariant& argument = {});
   void openHome();
   /// A scored run goes on: no lock, no sign-out, no closing.
   [[nodiscard]] bool busy() const;
@@ -85,23 +89,23 @@ class Desk : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  [[nodiscard]] bool allowed(const PageEntry& entry) const;
+  [[nodiscard]] bool allowed(PageId id);
   void createRail(const std::vector<PageGroup>& groups);
   QWidget* createHeader();
   QWidget* createBody();
   void connectContext();
   void retranslate();
   void applyColours(ThemeKind kind);
-  Page* pageFor(const QString& id);
+  Page* pageFor(PageId id);
 
   ShellContext context_;
   DeskSetup setup_;
-  std::map<QString, PageEntry> entries_;
-  std::vector<QString> order_;
-  QString home_;
-  std::map<QString, Page*> made_;
+  std::map<PageId, PageEntry> entries_;
+  std::vector<PageId> order_;
+  std::optional<PageId> home_;
+  std::map<PageId, Page*> made_;
   Page* current_ = nullptr;
-  QString currentId_;
+  std::optional<PageId> currentId_;
 
   Rail* rail_ = nullptr;
   QLabel* title_ = nullptr;

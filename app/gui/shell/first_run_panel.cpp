@@ -17,6 +17,7 @@
 
 #include "app/gui/base/background.h"
 #include "app/gui/base/problem_words.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"
@@ -310,8 +311,8 @@ void FirstRunPanel::showAccounts(const std::vector<StartAccount>& accounts) {
   QString plain;
   for (const StartAccount& account : accounts) {
     const QString role = account.role == "trainee" ? tr("Trainee") : tr("Physician who scores");
-    const QString login = QString::fromStdString(account.login);
-    const QString password = QString::fromStdString(account.startPassword);
+    const QString login = toQString(account.login);
+    const QString password = toQString(account.startPassword);
     text += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td><td><code>%3</code></td></tr>")
                 .arg(login, role, password);
     plain += QStringLiteral("%1\t%2\n").arg(login, password);

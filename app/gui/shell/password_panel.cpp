@@ -87,7 +87,7 @@ void PasswordPanel::check() {
       sound = again_->text() == password;
       if (!again_->text().isEmpty() && !sound) problem = tr("The two are not the same yet");
     } catch (const Error& error) {
-      problem = spokenLine(error);
+      problem = translatedLine(error);
     }
   }
   say(problem);

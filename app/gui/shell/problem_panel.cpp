@@ -75,7 +75,7 @@ void ProblemPanel::tell(const Problem& problem) {
 }
 
 void ProblemPanel::say() {
-  SpokenError said = problem_();
+  TranslatedError said = problem_();
   // Errors begin in lower case: they also stand within lines of the command line.
   if (!said.happened.isEmpty()) said.happened[0] = said.happened[0].toUpper();
   happened_->setText(said.happened);

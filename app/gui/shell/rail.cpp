@@ -81,7 +81,7 @@ void Rail::addLine(const RailItem& item, QVBoxLayout* column) {
   });
 }
 
-void Rail::setCurrent(const QString& id) {
+void Rail::setCurrent(std::optional<PageId> id) {
   current_ = id;
   for (const Line& line : lines_) line.button->setChecked(line.item.id == id);
 }
@@ -105,7 +105,7 @@ void Rail::retranslate() {
   }
   for (const Line& line : lines_) {
     const QKeySequence keys = line.button->shortcut();  // a new text takes the shortcut away
-    const QString title = line.item.title();
+    const QString title = pageTitle(line.item.id);
     line.button->setText(narrow_ ? QString() : title);
     line.button->setShortcut(keys);
     // Marked lines are bolder: the rail must not clip them, nor move when the mark does.

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <QFrame>
 #include <QString>
+
+#include "app/gui/base/page_id.h"
 
 class QLabel;
 class QPushButton;
@@ -17,9 +20,8 @@ struct Theme;
 
 /// One line of the navigation.
 struct RailItem {
-  QString id;
+  PageId id;
   QString icon;
-  std::function<QString()> title;
 };
 
 /// Lines that belong together; the heading is shown only when there are several groups.
@@ -36,15 +38,15 @@ class Rail : public QFrame {
  public:
   Rail(const std::vector<RailGroup>& groups, QWidget* parent = nullptr);
 
-  /// Marks where the user is; unknown ids mark nothing.
-  void setCurrent(const QString& id);
+  /// Marks where the user is; pages without a line mark nothing.
+  void setCurrent(std::optional<PageId> id);
   void setNarrow(bool narrow);
   [[nodiscard]] bool narrow() const noexcept { return narrow_; }
   void setTheme(const Theme& theme);
   void retranslate();
 
  Q_SIGNALS:
-  void chosen(const QString& id);
+  void chosen(torsio::gui::PageId id);
   void narrowChanged(bool narrow);
 
  private:
@@ -62,7 +64,7 @@ class Rail : public QFrame {
   std::vector<Heading> headings_;
   QLabel* name_;
   QPushButton* fold_;
-  QString current_;
+  std::optional<PageId> current_;
   bool narrow_ = false;
 };
 

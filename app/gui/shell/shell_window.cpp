@@ -13,6 +13,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "app/gui/base/spoken.h"
 #include "app/gui/scene/scene_view.h"
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/job_panel.h"
@@ -260,7 +261,7 @@ void ShellWindow::forgetActor() {
 }
 
 QString ShellWindow::userId() const {
-  return workplace_ ? QString::fromStdString(workplace_->actor().userId) : QString();
+  return workplace_ ? toQString(workplace_->actor().userId) : QString();
 }
 
 void ShellWindow::retranslate() {

@@ -26,9 +26,9 @@ namespace torsio::gui {
 void ShellWindow::tellKept() {
   if (kept_.empty() || workplace_->actor().practiceOnly) return;
   desk_->context().tell([kept = kept_] {
-    return SpokenError{
+    return TranslatedError{
         tr("%n recording(s) of this station could not be stored", nullptr, static_cast<int>(kept.size())),
-        tr("The files are kept. Please show this to your administrator"), spokenLines(kept)};
+        tr("The files are kept. Please show this to your administrator"), translatedLines(kept)};
   });
   kept_.clear();
 }
@@ -62,7 +62,7 @@ void ShellWindow::openDesk() {
   connect(desk_, &Desk::aboutWanted, this, [this] { showAboutBox(this); });
   connect(desk_, &Desk::demonstrationRemovalWanted, this, &ShellWindow::removeDemonstration);
   connect(desk_, &Desk::passwordChangeWanted, this, [this] {
-    password_->begin(QString::fromStdString(workplace_->actor().login), {}, false);
+    password_->begin(toQString(workplace_->actor().login), {}, false);
     show(password_);
   });
   // Later, since the page that asks for it dies with the desk.
@@ -97,7 +97,7 @@ bool ShellWindow::lock() {
   if (desk_ == nullptr || stack_->currentWidget() != desk_ || desk_->busy()) return false;
   if (workplace_->actor().practiceOnly) return signOut();  // nothing to come back to
   for (LockPanel* lock : {lock_, &dialogLock_->panel()}) {
-    lock->begin(QString::fromStdString(workplace_->actor().login));
+    lock->begin(toQString(workplace_->actor().login));
   }
   show(lock_);
   dialogLock_->cover();
@@ -123,16 +123,14 @@ void ShellWindow::choosePin() {
                                                "nothing is recorded.\nLeave it empty to remove it."),
                                             QLineEdit::Password, {}, &entered);
   if (!entered) return;
-  try {
+  attempt(desk_->context(), [&] {
     setOwnPin(*workplace_, pin.toStdString());
     desk_->context().notify(pin.isEmpty() ? tr("The PIN was removed") : tr("The PIN is in force"));
-  } catch (...) {
-    desk_->context().report(std::current_exception());
-  }
+  });
 }
 
 void ShellWindow::removeDemonstration() {
-  try {
+  attempt(desk_->context(), [&] {
     const DemonstrationSize size = demonstrationSize(*workplace_);
     if (size.rows == 0) {
       desk_->context().notify(tr("There is no demonstration data"));
@@ -156,9 +154,7 @@ void ShellWindow::removeDemonstration() {
           static_cast<void>(removeDemonstrationData(own, reason));
         },
         [this] { desk_->context().notify(tr("The demonstration data were removed")); });
-  } catch (...) {
-    desk_->context().report(std::current_exception());
-  }
+  });
 }
 
 }  // namespace torsio::gui

@@ -54,9 +54,9 @@ void ShellWindow::openDatabase() {
       return;
     }
     const CentreSign sign = centreSign(workplace_->connection());
-    centre_ = QString::fromStdString(sign.name);
+    centre_ = toQString(sign.name);
     if (!preferences_.language({})) {
-      if (const auto language = languageOf(QString::fromStdString(sign.language))) chooseLanguage(*language);
+      if (const auto language = languageOf(toQString(sign.language))) chooseLanguage(*language);
     }
     enterSignIn();
     settle();
@@ -75,7 +75,7 @@ void ShellWindow::settle() {
         const StationStart start = settleStation(own, folder);
         return [this, kept = start.kept] {
           kept_ = kept;
-          if (!kept_.empty()) signIn_->say(spokenLines(kept_), true);
+          if (!kept_.empty()) signIn_->say(translatedLines(kept_), true);
           startLine();
         };
       },
@@ -162,7 +162,7 @@ void ShellWindow::setUp(const FirstRunChoice& choice) {
           return addDemonstration(workplace, setup_.assets, [this](const Progress& progress) {
             if (setUpCancelled_->load()) throw Cancelled{};
             QMetaObject::invokeMethod(this, [this, progress] {
-              firstRun_->job().move(spoken(progress.step), progress.fraction, progress.remaining_s);
+              firstRun_->job().move(toQString(Text(progress.step)), progress.fraction, progress.remaining_s);
             });
           });
         });
@@ -172,7 +172,7 @@ void ShellWindow::setUp(const FirstRunChoice& choice) {
           workplace_->setPasswordCost(setup_.passwordCost);
           workplace_->setActor(actor);
           startLine();
-          centre_ = QString::fromStdString(choice.first.centre);
+          centre_ = toQString(choice.first.centre);
           preferences_.setDatabase(choice.locator);
           firstRun_->showAccounts(accounts);
         };

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/asset_names.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/theme.h"
 #include "sim/base/angle.h"
@@ -118,7 +119,7 @@ void ExercisePanel::retranslate() {
 }
 
 QString ExercisePanel::readable(const std::string& id) {
-  QString text = QString::fromStdString(id).replace(QLatin1Char('_'), QLatin1Char(' '));
+  QString text = toQString(id).replace(QLatin1Char('_'), QLatin1Char(' '));
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
 }
@@ -126,7 +127,7 @@ QString ExercisePanel::readable(const std::string& id) {
 void ExercisePanel::setOrgans(const std::vector<std::string>& ids) {
   const QSignalBlocker quiet(organ_);
   organ_->clear();
-  for (const std::string& id : ids) organ_->addItem(assetName(readable(id)), QString::fromStdString(id));
+  for (const std::string& id : ids) organ_->addItem(assetName(readable(id)), toQString(id));
 }
 
 void ExercisePanel::showScene(const Scene& scene, double target_rad, bool ownOrgan) {
@@ -136,17 +137,16 @@ void ExercisePanel::showScene(const Scene& scene, double target_rad, bool ownOrg
   const QSignalBlocker quietTarget(target_);
   const int old = organ_->findData(QString());
   if (old >= 0) organ_->removeItem(old);
-  if (ownOrgan) organ_->addItem(QString::fromStdString(scene.title), QString());
-  organ_->setCurrentIndex(organ_->findData(ownOrgan ? QString() : QString::fromStdString(scene.id)));
+  if (ownOrgan) organ_->addItem(toQString(scene.title), QString());
+  organ_->setCurrentIndex(organ_->findData(ownOrgan ? QString() : toQString(scene.id)));
   pattern_->clear();
   for (const TwistPattern& pattern : scene.patterns) {
-    const QString title =
-        pattern.title.empty() ? readable(pattern.id) : QString::fromStdString(pattern.title);
-    pattern_->addItem(assetName(title), QString::fromStdString(pattern.id));
+    const QString title = pattern.title.empty() ? readable(pattern.id) : toQString(pattern.title);
+    pattern_->addItem(assetName(title), toQString(pattern.id));
     pattern_->setItemData(pattern_->count() - 1, title, kEnglishRole);
   }
-  pattern_->setCurrentIndex(pattern_->findData(QString::fromStdString(scene.pattern.id)));
-  pattern_->setToolTip(QString::fromStdString(scene.pattern.source));
+  pattern_->setCurrentIndex(pattern_->findData(toQString(scene.pattern.id)));
+  pattern_->setToolTip(toQString(scene.pattern.source));
   formulation_->setCurrentIndex(formulation_->findData(static_cast<int>(scene.model.options().formulation)));
   target_->setValue(std::round(degrees(target_rad)));
 }

@@ -59,6 +59,16 @@ SimulationController::~SimulationController() {
   workers_.waitForDone();
 }
 
+bool SimulationController::attempt(const std::function<void()>& action) {
+  try {
+    action();
+    return true;
+  } catch (...) {
+    report(std::current_exception());
+    return false;
+  }
+}
+
 void SimulationController::report(const std::exception_ptr& thrown) {
   tell(problemOf(thrown, {[] { return tr("Something unexpected went wrong"); },
                           [] { return tr("Please report this."); }}));
@@ -66,14 +76,14 @@ void SimulationController::report(const std::exception_ptr& thrown) {
 
 void SimulationController::tell(const Problem& problem) {
   Q_EMIT problemMet(problem);
-  const SpokenError said = problem();
+  const TranslatedError said = problem();
   Q_EMIT failed(said.happened, said.remedy, said.details);
 }
 
 void SimulationController::tellSpilled(const RecordingResult& result) {
-  tell([details = QString::fromStdString(result.spillFile->string() + "\n" + result.problem)] {
-    return SpokenError{tr("The recording could not go to its usual place and was kept as a file"),
-                       tr("Free some space or check the database, then import the file."), details};
+  tell([details = toQString(result.spillFile->string() + "\n" + result.problem)] {
+    return TranslatedError{tr("The recording could not go to its usual place and was kept as a file"),
+                           tr("Free some space or check the database, then import the file."), details};
   });
 }
 
@@ -104,14 +114,12 @@ void SimulationController::loadFor(const SceneRequest& request, std::shared_ptr<
           if (ticket != wanted_) return;
           delivered_ = ticket;
           Q_EMIT loadingChanged(false);
-          try {
+          attempt([&] {
             if (problem) std::rethrow_exception(problem);
             std::optional<TrialPlayback> playback;
             if (trial) playback.emplace(*trial);
             replace(request, std::move(*loaded), std::move(playback));
-          } catch (...) {
-            report(std::current_exception());
-          }
+          });
         },
         Qt::QueuedConnection);
   });
@@ -219,12 +227,9 @@ void SimulationController::practise(std::unique_ptr<HapticDevice> device) {
 
 /// Closes the recording that goes on. Empty: it could not be kept (failed() has said so).
 std::optional<RecordingResult> SimulationController::finishRun(TrialOutcome outcome) {
-  try {
-    return running()->run->finish(outcome);
-  } catch (...) {
-    report(std::current_exception());
-    return std::nullopt;
-  }
+  std::optional<RecordingResult> result;
+  attempt([&] { result = running()->run->finish(outcome); });
+  return result;
 }
 
 Vec3 SimulationController::parkingPoint_m() const {
@@ -299,10 +304,7 @@ void SimulationController::startRecording() {
       .startedUtc_us = utcNow_us(),
   };
   std::unique_ptr<TrialSink> sink;
-  try {
-    sink = recording_.open ? recording_.open(recording) : nullptr;
-  } catch (...) {
-    report(std::current_exception());
+  if (!attempt([&] { sink = recording_.open ? recording_.open(recording) : nullptr; })) {
     return;
   }
   if (!sink) {
@@ -310,10 +312,9 @@ void SimulationController::startRecording() {
     return;
   }
   std::unique_ptr<HapticDevice> device = takeHaptic();
-  try {
-    enter(stage::Recording{newRun(std::move(device), recording, std::move(sink))});
-  } catch (...) {
-    report(std::current_exception());
+  const bool begun =
+      attempt([&] { enter(stage::Recording{newRun(std::move(device), recording, std::move(sink))}); });
+  if (!begun) {
     practise(nullptr);
   }
 }
@@ -326,7 +327,7 @@ void SimulationController::stopRecording() {
     } else {
       Q_EMIT noticed(tr("Recorded %1 s to %2")
                          .arg(spanOf_s(result->summary.samples), 0, 'f', 1)
-                         .arg(QString::fromStdString(recording_.place)));
+                         .arg(toQString(recording_.place)));
     }
   }
   practise(takeHaptic());

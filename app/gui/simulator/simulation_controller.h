@@ -149,6 +149,8 @@ class SimulationController : public QObject {
   void retireHaptic(std::unique_ptr<HapticDevice> device);
   void watchDevice();
   void loseHaptic();
+  /// Does `action`, once: what it throws is told to whoever listens. True when it went well.
+  bool attempt(const std::function<void()>& action);
   void report(const std::exception_ptr& thrown);
   void tell(const Problem& problem);
   void tellSpilled(const RecordingResult& result);

@@ -2,6 +2,7 @@
 // Of SimulationController: the haptic device, and what happens without it.
 #include <utility>
 
+#include "app/gui/base/spoken.h"
 #include "app/gui/simulator/simulation_controller.h"
 #include "sim/base/error.h"
 
@@ -29,7 +30,7 @@ void SimulationController::openHaptic() {
     try {
       *device = open(*scene);
     } catch (const Error& error) {
-      problem = QString::fromStdString(error.happened());
+      problem = toQString(error.happened());
     } catch (const std::exception& error) {
       problem = QString::fromUtf8(error.what());
     }
@@ -48,7 +49,7 @@ void SimulationController::tookHaptic(std::unique_ptr<HapticDevice> device, cons
                                      : tr("You practise with mouse and keyboard: %1").arg(problem));
     return;
   }
-  const QString model = QString::fromStdString(device->capabilities().model);
+  const QString model = toQString(device->capabilities().model);
   if (stage() != StageKind::kPractising) {
     return;  // it is given back, and asked for again with the next scene
   }
@@ -101,7 +102,7 @@ QString SimulationController::hapticModel() const {
   const bool free = stage() == StageKind::kPractising || stage() == StageKind::kRecording;
   const stage::Running* now = free ? running() : nullptr;
   if (now == nullptr || !now->usesHaptic()) return {};
-  return QString::fromStdString(now->run->header().deviceModel);
+  return toQString(now->run->header().deviceModel);
 }
 
 }  // namespace torsio::gui

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/base/refusal.h"
 #include "sim/base/contracts.h"
 #include "sim/base/error.h"
 #include "sim/record/sample_codec.h"
@@ -14,10 +15,6 @@ namespace torsio::gui {
 namespace {
 
 constexpr std::size_t kKeptDecoded = 4;  // stepping to and fro over a border decodes nothing anew
-
-[[noreturn]] void refuse(const char* what, const TrialHeader& header) {
-  throw Error(ErrorCode::kBadData, what, Text("trial %1", header.trialId), "Choose another recording");
-}
 
 double targetAfter(double target_rad, const Sample& sample) noexcept {
   return sample.command.kind == ServoCommand::Kind::kSetTarget ? sample.command.value : target_rad;
@@ -33,16 +30,20 @@ TrialPlayback::TrialPlayback(Trial trial, const Reader& reader)
   places_.reserve(chunks_.size());
   for (std::size_t i = 0; i < chunks_.size(); ++i) {
     if (chunks_[i].index != static_cast<std::int64_t>(i))
-      refuse("a part of the recording is missing", header_);
+      refuse("a part of the recording is missing", Text("trial %1", header_.trialId),
+             "Choose another recording");
     const std::vector<Sample> samples = decodeChunk(chunks_[i]);
-    if (samples.front().tick <= lastTick) refuse("the parts of the recording are out of order", header_);
+    if (samples.front().tick <= lastTick)
+      refuse("the parts of the recording are out of order", Text("trial %1", header_.trialId),
+             "Choose another recording");
     lastTick = samples.back().tick;
     places_.push_back({samples.front().device.time_us, target_rad});
     for (const Sample& sample : samples) target_rad = targetAfter(target_rad, sample);
     end_us = samples.back().device.time_us;
     if (reader) reader(samples);
   }
-  if (chunks_.empty()) refuse("the recording is empty", header_);
+  if (chunks_.empty())
+    refuse("the recording is empty", Text("trial %1", header_.trialId), "Choose another recording");
   duration_us_ = end_us - places_.front().begin_us;
 }
 

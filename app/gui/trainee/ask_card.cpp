@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/trainee/station_words.h"
 #include "app/gui/widgets/form.h"
@@ -47,7 +48,7 @@ void AskCard::setRun(const std::string& trialId) {
   desk_ = trialId.empty() ? QuestionDesk{} : questionDesk(shell_.workplace(), trialId);
   whom_->clear();
   for (const AskablePhysician& physician : desk_.physicians) {
-    whom_->addItem(QString::fromStdString(physician.name), QString::fromStdString(physician.raterId));
+    whom_->addItem(toQString(physician.name), toQString(physician.raterId));
     if (physician.lastAsked) whom_->setCurrentIndex(whom_->count() - 1);
   }
   text_->clear();
@@ -59,43 +60,41 @@ void AskCard::setRun(const std::string& trialId) {
 
 void AskCard::setMoment(double at_s) {
   at_s_ = at_s;
-  ask_->setText(tr("As&k about %1").arg(StationWords::seconds(at_s)));
+  ask_->setText(tr("As&k about %1").arg(StationLabels::seconds(at_s)));
 }
 
 void AskCard::ask() {
   if (!desk_.mayAsk) return;
-  try {
+  attempt(shell_, [&] {
     const double at_s = at_s_;
     const QString name = whom_->currentText();
     askPhysician(shell_.workplace(), trialId_, at_s, whom_->currentData().toString().toStdString(),
                  text_->text().trimmed().toStdString());
     setRun(trialId_);
-    shell_.notify(tr("Sent to %1: %2").arg(name, StationWords::seconds(at_s)));
+    shell_.notify(tr("Sent to %1: %2").arg(name, StationLabels::seconds(at_s)));
     Q_EMIT asked(at_s);
-  } catch (...) {
-    shell_.report(std::current_exception());
-  }
+  });
 }
 
 void AskCard::addQuestion(const OwnQuestion& question) {
   auto* head = plainLabel(this, "quiet");
-  const QString moment = StationWords::seconds(question.at_s);
-  const QString physician = QString::fromStdString(question.physician);
+  const QString moment = StationLabels::seconds(question.at_s);
+  const QString physician = toQString(question.physician);
   head->setText(question.answered
                     ? tr("%1  \u00b7  %2 answered on %3")
-                          .arg(moment, physician, StationWords::when(question.answeredUtc_us))
+                          .arg(moment, physician, StationLabels::when(question.answeredUtc_us))
                     : tr("%1  \u00b7  with %2, waiting for %3")
                           .arg(moment, physician,
-                               StationWords::waited(shell_.workplace().now_us() - question.askedUtc_us)));
+                               StationLabels::waited(shell_.workplace().now_us() - question.askedUtc_us)));
   list_->addWidget(head);
   if (!question.text.empty()) {
     auto* text = plainLabel(this, "quiet");
-    text->setText(tr("You: %1").arg(QString::fromStdString(question.text)));
+    text->setText(tr("You: %1").arg(toQString(question.text)));
     list_->addWidget(text);
   }
   if (!question.answered) return;
   auto* answer = plainLabel(this);
-  answer->setText(QString::fromStdString(question.answer));
+  answer->setText(toQString(question.answer));
   list_->addWidget(answer);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/gui/trainee/briefing_page.h"
 
+#include <numbers>
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -27,8 +29,9 @@ constexpr int kPanelWidth = 340;
 
 }  // namespace
 
-BriefingPage::BriefingPage(ShellContext& context, QWidget* parent)
-    : Page(context, parent), scene_(new LiveScene(StationDesk::of(context).loader, context.assets(), this)) {
+BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* parent)
+    : Page(context, parent), desk_(desk), scene_(new LiveScene(desk.loader, context.assets(), this)) {
+  scene_->setObjectName(QStringLiteral("scene"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
@@ -80,8 +83,8 @@ BriefingPage::BriefingPage(ShellContext& context, QWidget* parent)
   column->addWidget(back_);
   row->addWidget(panel);
 
-  connect(start_, &QPushButton::clicked, this, [this] { shell().open(QStringLiteral("station.run")); });
-  connect(back_, &QPushButton::clicked, this, [this] { shell().open(QStringLiteral("station.next")); });
+  connect(start_, &QPushButton::clicked, this, [this] { shell().open(PageId::kRun); });
+  connect(back_, &QPushButton::clicked, this, [this] { shell().open(PageId::kNextStep); });
   connect(again_, &QPushButton::clicked, this, &BriefingPage::showExpert);
   connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
     if (!asked_) showExpert();
@@ -94,18 +97,16 @@ BriefingPage::~BriefingPage() = default;
 
 void BriefingPage::enter(const QVariant& argument) {
   if (argument == QStringLiteral("later")) return;
-  try {
+  attempt(shell(), [&] {
     const NextSteps steps = nextSteps(shell().workplace(), shell().workplace().actor().personId);
-    step_ = stepOf(steps, StationDesk::of(shell()).moduleId);
+    step_ = stepOf(steps, desk_.moduleId);
     asked_ = false;
     SceneRequest request;
     request.assets = shell().assets();
     request.id = step_.module.sceneId;
     request.pattern = step_.module.patternId;
     scene_->controller().load(request);
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
   fill();
   start_->setFocus();
 }
@@ -118,11 +119,9 @@ bool BriefingPage::leave() {
 void BriefingPage::showExpert() {
   if (scene_->controller().scene() == nullptr) return;
   asked_ = true;
-  try {
+  attempt(shell(), [&] {
     scene_->controller().openReplay(expertRun(*scene_->controller().scene(), step_.module.targetAngle_rad));
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void BriefingPage::retranslate() {
@@ -134,8 +133,8 @@ void BriefingPage::applyTheme(const Theme& theme) {
 }
 
 void BriefingPage::fill() {
-  const bool graded = StationDesk::of(shell()).graded;
-  title_->setText(spoken(step_.module.title));
+  const bool graded = desk_.graded;
+  title_->setText(toQString(Text(step_.module.title)));
   mode_->setText(graded ? tr("Graded run: it counts as an attempt.") : tr("Practice: nothing is graded."));
   what_->setTitle(tr("What is asked for"));
   how_->setTitle(tr("How to do it"));
@@ -152,7 +151,7 @@ void BriefingPage::fill() {
     task << tr("Keep the torque below %1 N m.").arg(*step_.module.maxTorque_Nm, 0, 'f', 2);
   task_->setText(task.join(QLatin1Char('\n')));
   QStringList goals;
-  for (const RuleProgress& progress : step_.rules) goals << StationWords::rule(progress);
+  for (const RuleProgress& progress : step_.rules) goals << StationLabels::rule(progress);
   goals_->setText(goals.isEmpty() ? QString() : tr("Mastered when:\n%1").arg(goals.join(QLatin1Char('\n'))));
   goals_->setVisible(!goals.isEmpty());
   hints_->setText(

@@ -9,6 +9,8 @@ class QPushButton;
 
 namespace torsio::gui {
 
+class StationDesk;
+
 class Card;
 class LiveScene;
 
@@ -17,7 +19,8 @@ class BriefingPage : public Page {
   Q_OBJECT
 
  public:
-  explicit BriefingPage(ShellContext& shell, QWidget* parent = nullptr);
+  /// `desk` outlives the page.
+  BriefingPage(ShellContext& shell, StationDesk& desk, QWidget* parent = nullptr);
   ~BriefingPage() override;
 
   /// Of StationDesk::moduleId; with the argument "later" it waits for the next call.
@@ -26,9 +29,11 @@ class BriefingPage : public Page {
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
   [[nodiscard]] ShellContext& context() const noexcept { return shell(); }
-  [[nodiscard]] LiveScene& scene() noexcept { return *scene_; }
+  [[nodiscard]] StationDesk& desk() const noexcept { return desk_; }
 
  private:
+  StationDesk& desk_;
+
   void showExpert();
   void fill();
 

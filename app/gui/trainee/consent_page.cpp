@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/trainee/station_parts.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
@@ -51,7 +52,7 @@ ConsentPage::ConsentPage(ShellContext& context, QWidget* parent) : Page(context,
 }
 
 void ConsentPage::enter(const QVariant& argument) {
-  then_ = argument.toString();
+  then_ = argument.canConvert<PageId>() ? argument.value<PageId>() : PageId::kNextStep;
   understood_->setChecked(false);
   agree_->setEnabled(false);
   retranslate();
@@ -62,8 +63,8 @@ void ConsentPage::readText() {
   for (const ConsentText& text : consentTexts(shell().assets(), chinese ? "zh_CN" : "en")) {
     if (text.purpose != kPurpose) continue;
     version_ = text.version;
-    card_->setTitle(QString::fromStdString(text.title));
-    text_->setText(QString::fromStdString(text.text));
+    card_->setTitle(toQString(text.title));
+    text_->setText(toQString(text.text));
   }
 }
 
@@ -73,25 +74,20 @@ void ConsentPage::retranslate() {
   understood_->setText(tr("I have &read and understood this"));
   agree_->setText(tr("I &agree"));
   decline_->setText(tr("&Not now"));
-  try {
+  attempt(shell(), [&] {
     readText();
     const bool given = hasOwnConsent(shell().workplace(), kPurpose);
     state_->setText(given ? tr("You have agreed before.") : tr("You have not agreed so far."));
     decline_->setText(given ? tr("&Withdraw") : tr("&Not now"));
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void ConsentPage::decide(bool granted) {
-  try {
+  attempt(shell(), [&] {
     decideOwnConsent(shell().workplace(), kPurpose, granted, version_);
     if (!granted) shell().notify(tr("Nothing will be recorded. Free practice stays open."));
-    const QString next = granted && !then_.isEmpty() ? then_ : QStringLiteral("station.next");
-    shell().open(next);
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+    shell().open(granted ? then_ : PageId::kNextStep);
+  });
 }
 
 }  // namespace torsio::gui

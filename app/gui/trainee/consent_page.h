@@ -30,7 +30,7 @@ class ConsentPage : public Page {
   void readText();
 
   std::string version_;
-  QString then_;
+  PageId then_ = PageId::kNextStep;
   PageHeading* heading_;
   Card* card_;
   QLabel* text_;

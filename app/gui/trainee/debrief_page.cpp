@@ -22,8 +22,8 @@
 
 namespace torsio::gui {
 
-DebriefPage::DebriefPage(ShellContext& context, QWidget* parent)
-    : Page(context, parent), theme_(&theme(context.themeKind())) {
+DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* parent)
+    : Page(context, parent), desk_(desk), theme_(&theme(context.themeKind())) {
   const PageColumn page = pageColumn(this);
   heading_ = page.heading;
   verdict_ = plainLabel(this, "subheading");
@@ -60,6 +60,7 @@ DebriefPage::DebriefPage(ShellContext& context, QWidget* parent)
   tools->addWidget(whole_);
   trace_->content()->addLayout(tools);
   plot_ = new DebriefPlot(trace_);
+  plot_->setObjectName(QStringLiteral("plot"));
   trace_->content()->addWidget(plot_, 1);
   page.column->addWidget(trace_, 1);
   ask_ = new AskCard(context, this);
@@ -79,20 +80,18 @@ DebriefPage::DebriefPage(ShellContext& context, QWidget* parent)
   connect(plot_, &DebriefPlot::rangeChanged, this,
           [this] { ask_->setMoment(0.5 * (plot_->range().from_s + plot_->range().to_s)); });
   connect(ask_, &AskCard::asked, this, &DebriefPage::showBookmark);
-  connect(next_, &QPushButton::clicked, this, [this] { shell().open(QStringLiteral("station.next")); });
-  connect(trend_, &QPushButton::clicked, this, [this] {
-    shell().open(QStringLiteral("station.trend"), QString::fromStdString(debrief_.moduleId));
-  });
+  connect(next_, &QPushButton::clicked, this, [this] { shell().open(PageId::kNextStep); });
+  connect(trend_, &QPushButton::clicked, this,
+          [this] { shell().open(PageId::kTrend, toQString(debrief_.moduleId)); });
   connect(again_, &QPushButton::clicked, this, [this] {
-    StationDesk& desk = StationDesk::of(shell());
-    desk.chosen = true;
-    desk.moduleId = debrief_.moduleId;
-    shell().open(desk.readiness ? QStringLiteral("station.briefing") : QStringLiteral("station.device"));
+    desk_.chosen = true;
+    desk_.moduleId = debrief_.moduleId;
+    shell().open(desk_.readiness ? PageId::kBriefing : PageId::kDeviceCheck);
   });
 }
 
 void DebriefPage::enter(const QVariant& argument) {
-  try {
+  attempt(shell(), [&] {
     std::string trialId = argument.toString().toStdString();
     if (trialId.empty()) {
       const auto all = attemptsOf(shell().workplace(), shell().workplace().actor().personId);
@@ -110,9 +109,7 @@ void DebriefPage::enter(const QVariant& argument) {
     } else {
       readQuestions();  // an answer may have come
     }
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void DebriefPage::compute(const std::string& trialId) {
@@ -123,8 +120,8 @@ void DebriefPage::compute(const std::string& trialId) {
   fill();
   shell().run(
       tr("Looking at your run"),
-      [result, trialId, assets = shell().assets(), scene = StationDesk::of(shell()).lastScene](
-          Workplace& workplace, const ProgressCallback&) {
+      [result, trialId, assets = shell().assets(), scene = desk_.lastScene](Workplace& workplace,
+                                                                            const ProgressCallback&) {
         *result = torsio::debrief(workplace, trialId, assets, scene.get());
       },
       [this, result] {
@@ -139,13 +136,11 @@ void DebriefPage::compute(const std::string& trialId) {
 
 void DebriefPage::addBookmarkAt(double at_s) {
   if (debrief_.trialId.empty()) return;
-  try {
+  attempt(shell(), [&] {
     addBookmark(shell().workplace(), debrief_.trialId, at_s, {});
     showBookmark(at_s);
-    shell().notify(tr("Bookmark at %1").arg(StationWords::seconds(at_s)));
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+    shell().notify(tr("Bookmark at %1").arg(StationLabels::seconds(at_s)));
+  });
 }
 
 void DebriefPage::showBookmark(double at_s) {
@@ -155,11 +150,11 @@ void DebriefPage::showBookmark(double at_s) {
 
 void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding, bool strength) {
   auto* words = plainLabel(this);
-  words->setText(StationWords::finding(finding, strength));
+  words->setText(StationLabels::finding(finding, strength));
   column->addWidget(words);
   if (!strength) {
     auto* advice = plainLabel(this, "quiet");
-    advice->setText(StationWords::advice(finding.metric));
+    advice->setText(StationLabels::advice(finding.metric));
     column->addWidget(advice);
   }
   auto* look = linkButton(this);
@@ -167,18 +162,14 @@ void DebriefPage::addFinding(QVBoxLayout* column, const DebriefFinding& finding,
   look->setStyleSheet(QStringLiteral("padding: 1px 0;"));  // stands in line with the sentence above it
   look->setText(
       tr("Look at %1 to %2")
-          .arg(StationWords::seconds(finding.when.from_s), StationWords::seconds(finding.when.to_s)));
+          .arg(StationLabels::seconds(finding.when.from_s), StationLabels::seconds(finding.when.to_s)));
   const Seconds when = finding.when;
   connect(look, &QPushButton::clicked, this, [this, when] { plot_->show(when); });
   column->addWidget(look, 0, Qt::AlignLeft);
 }
 
 void DebriefPage::readQuestions() {
-  try {
-    ask_->setRun(debrief_.interrupted ? std::string() : debrief_.trialId);
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  attempt(shell(), [&] { ask_->setRun(debrief_.interrupted ? std::string() : debrief_.trialId); });
 }
 
 void DebriefPage::retranslate() {
@@ -210,9 +201,9 @@ void DebriefPage::fill() {
   trend_->setEnabled(any && !debrief_.moduleId.empty());
   const QString mode = debrief_.mode == AttemptMode::kGraded ? tr("Graded run") : tr("Practice");
   heading_->setTexts(
-      any && !debrief_.moduleTitle.empty() ? spoken(debrief_.moduleTitle) : tr("Your run"),
+      any && !debrief_.moduleTitle.empty() ? toQString(Text(debrief_.moduleTitle)) : tr("Your run"),
       any ? tr("%1  \u00b7  %2  \u00b7  %3 s")
-                .arg(mode, StationWords::when(debrief_.startedUtc_us))
+                .arg(mode, StationLabels::when(debrief_.startedUtc_us))
                 .arg(debrief_.duration_s, 0, 'f', 0)
       : computing_ ? tr("One moment: your run is compared with what was asked for and with an expert's.")
                    : tr("After your first run you see here what was good and what to work on."));
@@ -234,7 +225,7 @@ void DebriefPage::fill() {
              check.passed ? theme_->good : theme_->caution, 16);
     mark->setAccessibleName(check.passed ? tr("passed") : tr("not passed"));
     auto* words = plainLabel(targets_);
-    words->setText(StationWords::check(check, debrief_.twists.size()));
+    words->setText(StationLabels::check(check, debrief_.twists.size()));
     row->addWidget(mark, 0, Qt::AlignTop);
     row->addWidget(words, 1);
     checks_->addLayout(row);

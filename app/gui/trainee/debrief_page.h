@@ -11,6 +11,8 @@ class QVBoxLayout;
 
 namespace torsio::gui {
 
+class StationDesk;
+
 class AskCard;
 class Card;
 class DebriefPlot;
@@ -22,16 +24,18 @@ class DebriefPage : public Page {
   Q_OBJECT
 
  public:
-  explicit DebriefPage(ShellContext& shell, QWidget* parent = nullptr);
+  /// `desk` outlives the page.
+  DebriefPage(ShellContext& shell, StationDesk& desk, QWidget* parent = nullptr);
 
   /// `argument`: id of the trial; without one the newest.
   void enter(const QVariant& argument) override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
   [[nodiscard]] const Debrief& debrief() const noexcept { return debrief_; }
-  [[nodiscard]] DebriefPlot& plot() noexcept { return *plot_; }
 
  private:
+  StationDesk& desk_;
+
   void readQuestions();
   void showBookmark(double at_s);
   void compute(const std::string& trialId);

@@ -164,7 +164,7 @@ void DebriefPlot::drawAxes(QPainter& painter, const Lane& angle, const Lane& for
   painter.setPen(theme_->quietText);
   for (double t = std::ceil(range_.from_s / step) * step; t <= range_.to_s; t += step) {
     painter.drawText(QRectF(xOf(t) - 40.0, force.area.bottom() + 4.0, 80.0, 18.0), Qt::AlignHCenter,
-                     StationWords::seconds(t));
+                     StationLabels::seconds(t));
   }
 }
 

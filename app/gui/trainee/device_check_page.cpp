@@ -35,8 +35,8 @@ QColor colourOf(Light light, const Theme& theme) {
 
 }  // namespace
 
-DeviceCheckPage::DeviceCheckPage(ShellContext& context, QWidget* parent)
-    : Page(context, parent), theme_(&theme(context.themeKind())) {
+DeviceCheckPage::DeviceCheckPage(ShellContext& context, StationDesk& desk, QWidget* parent)
+    : Page(context, parent), desk_(desk), theme_(&theme(context.themeKind())) {
   const PageColumn page = pageColumn(this, kWidest);
   heading_ = page.heading;
   card_ = new Card(QString(), this);
@@ -65,13 +65,12 @@ DeviceCheckPage::DeviceCheckPage(ShellContext& context, QWidget* parent)
   page.column->addLayout(row);
   page.column->addStretch(1);
   connect(again_, &QPushButton::clicked, this, &DeviceCheckPage::check);
-  connect(goOn_, &QPushButton::clicked, this, [this] { goOn(StationDesk::of(shell()).graded); });
+  connect(goOn_, &QPushButton::clicked, this, [this] { goOn(desk_.graded); });
   connect(practise_, &QPushButton::clicked, this, [this] { goOn(false); });
   connect(mouse_, &QPushButton::clicked, this, [this] {
-    StationDesk& desk = StationDesk::of(shell());
-    desk.openDevice = nullptr;
+    desk_.openDevice = nullptr;
     // The board goes on telling of the device that is not fit.
-    desk.readiness = pointerReadiness(gradesWithMouse(shell().workplace()));
+    desk_.readiness = pointerReadiness(gradesWithMouse(shell().workplace()));
     goOn(false);
   });
 }
@@ -81,14 +80,9 @@ void DeviceCheckPage::enter(const QVariant&) {
 }
 
 void DeviceCheckPage::check() {
-  StationDesk& desk = StationDesk::of(shell());
-  desk.readiness.reset();
-  if (!desk.probe) {
-    try {
-      found(pointerReadiness(gradesWithMouse(shell().workplace())));
-    } catch (...) {
-      shell().report(std::current_exception());
-    }
+  desk_.readiness.reset();
+  if (!desk_.probe) {
+    attempt(shell(), [&] { found(pointerReadiness(gradesWithMouse(shell().workplace()))); });
     fill();
     return;
   }
@@ -97,7 +91,7 @@ void DeviceCheckPage::check() {
   const auto readiness = std::make_shared<DeviceReadiness>();
   shell().run(
       tr("Checking the device"),
-      [readiness, probe = desk.probe](Workplace&, const ProgressCallback&) { *readiness = probe(); },
+      [readiness, probe = desk_.probe](Workplace&, const ProgressCallback&) { *readiness = probe(); },
       [this, readiness] {
         checking_ = false;
         found(*readiness);
@@ -106,19 +100,18 @@ void DeviceCheckPage::check() {
 }
 
 void DeviceCheckPage::found(const DeviceReadiness& readiness) {
-  StationDesk::of(shell()).readiness = readiness;
+  desk_.readiness = readiness;
   if (StationWriter* line = shell().line(); line != nullptr)
     line->showDevice(stationDevice(readiness, shell().workplace().now_us()));
 }
 
 void DeviceCheckPage::goOn(bool graded) {
-  StationDesk& desk = StationDesk::of(shell());
-  desk.graded = graded;
-  if (!desk.chosen) {
-    shell().open(QStringLiteral("station.next"));
+  desk_.graded = graded;
+  if (!desk_.chosen) {
+    shell().open(PageId::kNextStep);
     return;
   }
-  shell().open(desk.moduleId.empty() ? QStringLiteral("station.run") : QStringLiteral("station.briefing"));
+  shell().open(desk_.moduleId.empty() ? PageId::kRun : PageId::kBriefing);
 }
 
 void DeviceCheckPage::retranslate() {
@@ -131,20 +124,19 @@ void DeviceCheckPage::applyTheme(const Theme& theme) {
 }
 
 void DeviceCheckPage::fill() {
-  const StationDesk& desk = StationDesk::of(shell());
-  const bool known = desk.readiness.has_value();
+  const bool known = desk_.readiness.has_value();
   heading_->setTexts(tr("Is everything ready?"),
-                     known && !desk.readiness->haptic && !desk.probe
+                     known && !desk_.readiness->haptic && !desk_.probe
                          ? tr("This station has no haptic device: you work with mouse and keyboard.")
                          : tr("Sit down, put the stylus into its dock, and rest your forearm."));
   again_->setText(tr("&Check again"));
   mouse_->setText(tr("Practise with the &mouse"));
   practise_->setText(tr("&Practise"));
-  goOn_->setText(desk.graded ? tr("&Continue to the graded run") : tr("&Continue"));
+  goOn_->setText(desk_.graded ? tr("&Continue to the graded run") : tr("&Continue"));
   emptyLayout(findings_);
-  const Light light = known ? desk.readiness->light() : Light::kRed;
-  card_->setTitle(known ? spoken(desk.readiness->device) : tr("Device"));
-  verdict_->setText(checking_ ? tr("Checking\u2026") : StationWords::light(light));
+  const Light light = known ? desk_.readiness->light() : Light::kRed;
+  card_->setTitle(known ? toQString(desk_.readiness->device) : tr("Device"));
+  verdict_->setText(checking_ ? tr("Checking\u2026") : StationLabels::light(light));
   meaning_->setText(
       checking_                ? tr("This takes a few seconds.")
       : light == Light::kGreen ? tr("Everything is in order. Practice and graded runs may begin.")
@@ -152,8 +144,8 @@ void DeviceCheckPage::fill() {
                                : tr("Something is wrong. Nothing is scored with this device now."));
   again_->setEnabled(!checking_);
   mouse_->setVisible(!checking_ && light == Light::kRed);
-  practise_->setVisible(desk.graded && light == Light::kAmber);
-  goOn_->setEnabled(!checking_ && (light == Light::kGreen || (light == Light::kAmber && !desk.graded)));
+  practise_->setVisible(desk_.graded && light == Light::kAmber);
+  goOn_->setEnabled(!checking_ && (light == Light::kGreen || (light == Light::kAmber && !desk_.graded)));
   // Enter goes on with what is possible.
   if (goOn_->isEnabled()) {
     goOn_->setFocus();
@@ -161,23 +153,23 @@ void DeviceCheckPage::fill() {
     practise_->setFocus();
   }
   if (!known) return;
-  for (const ReadinessFinding& finding : desk.readiness->findings) {
+  for (const ReadinessFinding& finding : desk_.readiness->findings) {
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace + 4);
     auto* mark = new QLabel(card_);
     showIcon(mark, QLatin1String(iconOf(finding.light)), colourOf(finding.light, *theme_));
-    mark->setAccessibleName(StationWords::light(finding.light));
+    mark->setAccessibleName(StationLabels::light(finding.light));
     row->addWidget(mark, 0, Qt::AlignTop);
     auto* texts = new QVBoxLayout;
     texts->setSpacing(2);
     auto* what = plainLabel(card_);
     what->setText(finding.detail.empty()
-                      ? StationWords::readiness(finding)
-                      : tr("%1: %2").arg(StationWords::readiness(finding), spoken(finding.detail)));
+                      ? StationLabels::readiness(finding)
+                      : tr("%1: %2").arg(StationLabels::readiness(finding), toQString(finding.detail)));
     texts->addWidget(what);
     if (!finding.remedy.empty()) {
       auto* remedy = plainLabel(card_, "quiet");
-      remedy->setText(spoken(finding.remedy));
+      remedy->setText(toQString(finding.remedy));
       texts->addWidget(remedy);
     }
     row->addLayout(texts, 1);

@@ -10,6 +10,8 @@ class QVBoxLayout;
 
 namespace torsio::gui {
 
+class StationDesk;
+
 class Card;
 class PageHeading;
 
@@ -19,13 +21,16 @@ class DeviceCheckPage : public Page {
   Q_OBJECT
 
  public:
-  explicit DeviceCheckPage(ShellContext& shell, QWidget* parent = nullptr);
+  /// `desk` outlives the page.
+  DeviceCheckPage(ShellContext& shell, StationDesk& desk, QWidget* parent = nullptr);
 
   void enter(const QVariant& argument) override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
 
  private:
+  StationDesk& desk_;
+
   void check();
   void fill();
   void goOn(bool graded);

@@ -46,13 +46,13 @@ QString iconOf(StepState state) {
 
 }  // namespace
 
-NextStepPage::NextStepPage(ShellContext& context, QWidget* parent)
-    : Page(context, parent), theme_(&theme(context.themeKind())) {
+NextStepPage::NextStepPage(ShellContext& context, StationDesk& desk, QWidget* parent)
+    : Page(context, parent), desk_(desk), theme_(&theme(context.themeKind())) {
   const PageColumn page = pageColumn(this, kWidest);
   heading_ = page.heading;
   consent_ = linkButton(this);
   heading_->addAction(consent_);
-  connect(consent_, &QPushButton::clicked, this, [this] { shell().open(QStringLiteral("station.consent")); });
+  connect(consent_, &QPushButton::clicked, this, [this] { shell().open(PageId::kConsent); });
   notices_ = new QVBoxLayout;
   notices_->setSpacing(kSpace);
   page.column->addLayout(notices_);
@@ -70,15 +70,13 @@ NextStepPage::NextStepPage(ShellContext& context, QWidget* parent)
 }
 
 void NextStepPage::enter(const QVariant&) {
-  try {
+  attempt(shell(), [&] {
     for (RecoveredTrial& trial : recoverInterrupted(shell().workplace()))
       recovered_.push_back(std::move(trial));
     steps_ = nextSteps(shell().workplace(), shell().workplace().actor().personId);
     fill();
     if (QPushButton* start = startButton()) start->setFocus();
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void NextStepPage::retranslate() {
@@ -91,21 +89,19 @@ void NextStepPage::applyTheme(const Theme& theme) {
 }
 
 void NextStepPage::begin(const std::string& moduleId, bool graded) {
-  StationDesk& desk = StationDesk::of(shell());
-  desk.chosen = true;
-  desk.moduleId = moduleId;
-  desk.graded = graded;
+  desk_.chosen = true;
+  desk_.moduleId = moduleId;
+  desk_.graded = graded;
   if (!steps_.recordingAllowed) {
-    shell().open(QStringLiteral("station.consent"), QStringLiteral("station.device"));
+    shell().open(PageId::kConsent, QVariant::fromValue(PageId::kDeviceCheck));
     return;
   }
-  shell().open(desk.readiness ? QStringLiteral("station.briefing") : QStringLiteral("station.device"));
+  shell().open(desk_.readiness ? PageId::kBriefing : PageId::kDeviceCheck);
 }
 
 void NextStepPage::fillNotices() {
   emptyLayout(notices_);
-  const auto add = [this](const QString& text, const QString& button, const QString& page,
-                          const QVariant& argument) {
+  const auto add = [this](const QString& text, const QString& button, PageId page, const QVariant& argument) {
     auto* frame = new QFrame(this);
     frame->setObjectName(QStringLiteral("card"));
     auto* row = new QHBoxLayout(frame);
@@ -124,15 +120,15 @@ void NextStepPage::fillNotices() {
   for (const RecoveredTrial& trial : recovered_) {
     add(tr("Your run of %1 was interrupted. %2 s were recorded and count as training time; no attempt was "
            "used.")
-            .arg(StationWords::when(trial.startedUtc_us))
+            .arg(StationLabels::when(trial.startedUtc_us))
             .arg(trial.recorded_s, 0, 'f', 0),
-        tr("Look at it"), QStringLiteral("station.debrief"), QString::fromStdString(trial.trialId));
+        tr("Look at it"), PageId::kDebrief, toQString(trial.trialId));
   }
   if (steps_.unreadRemarks > 0) {
     add(steps_.unreadRemarks == 1
             ? tr("One remark of a physician that you have not read")
             : tr("%1 remarks of physicians that you have not read").arg(steps_.unreadRemarks),
-        tr("Read"), QStringLiteral("station.remarks"), {});
+        tr("Read"), PageId::kRemarks, {});
   }
 }
 
@@ -163,27 +159,27 @@ void NextStepPage::fillNext() {
   texts->setSpacing(kSpace / 2);
   row->addLayout(texts, 1);
   if (real) {
-    title->setText(tr("On the real arm: %1").arg(QString::fromStdString(phase->label)));
+    title->setText(tr("On the real arm: %1").arg(toQString(phase->label)));
     quiet->setText(tr("%1 left. The timer logs your training time; nothing is recorded.")
-                       .arg(StationWords::minutes(phase->duration_us - phase->done_us)));
+                       .arg(StationLabels::minutes(phase->duration_us - phase->done_us)));
     texts->addWidget(quiet);
   } else {
     const ModuleStep& step = steps_.modules[*steps_.next];
-    title->setText(spoken(step.module.title));
+    title->setText(toQString(Text(step.module.title)));
     QStringList facts;
-    if (phase != nullptr) facts << QString::fromStdString(phase->label);
-    facts << tr("takes at most %1").arg(StationWords::minutes(step.needed_us))
-          << StationWords::lastResult(step);
+    if (phase != nullptr) facts << toQString(phase->label);
+    facts << tr("takes at most %1").arg(StationLabels::minutes(step.needed_us))
+          << StationLabels::lastResult(step);
     if (step.attemptsLeft)
       facts << (*step.attemptsLeft == 1 ? tr("the last attempt")
                                         : tr("%1 attempts left").arg(*step.attemptsLeft));
     quiet->setText(facts.join(QStringLiteral("  \u00b7  ")));
     texts->addWidget(quiet);
     auto* goal = plainLabel(next_);
-    goal->setText(StationWords::why(step));
+    goal->setText(StationLabels::why(step));
     texts->addWidget(goal);
     auto* then = plainLabel(next_, "quiet");
-    then->setText(StationWords::unlocks(step));
+    then->setText(StationLabels::unlocks(step));
     then->setVisible(!step.unlocks.empty());
     texts->addWidget(then);
   }
@@ -209,7 +205,7 @@ void NextStepPage::fillNext() {
 void NextStepPage::addModule(const ModuleStep& step) {
   auto* frame = new QFrame(this);
   frame->setObjectName(QStringLiteral("card"));
-  frame->setAccessibleName(spoken(step.module.title));
+  frame->setAccessibleName(toQString(Text(step.module.title)));
   auto* row = new QHBoxLayout(frame);
   row->setContentsMargins(2 * kSpace, kSpace + 2, 2 * kSpace, kSpace + 2);
   row->setSpacing(2 * kSpace);
@@ -224,28 +220,28 @@ void NextStepPage::addModule(const ModuleStep& step) {
   auto* texts = new QVBoxLayout;
   texts->setSpacing(2);
   auto* title = plainLabel(frame, locked ? "quiet" : nullptr);
-  title->setText(tr("%1  \u00b7  %2").arg(spoken(step.module.title), StationWords::state(step.state)));
+  title->setText(
+      tr("%1  \u00b7  %2").arg(toQString(Text(step.module.title)), StationLabels::state(step.state)));
   texts->addWidget(title);
   auto* why = plainLabel(frame, "quiet");
   why->setObjectName(QStringLiteral("why"));
-  why->setText(StationWords::why(step));
+  why->setText(StationLabels::why(step));
   why->setVisible(!why->text().isEmpty());
   texts->addWidget(why);
   row->addLayout(texts, 1);
   auto* facts = plainLabel(frame, "quiet");
   facts->setAlignment(Qt::AlignRight | Qt::AlignTop);
-  facts->setText(step.last ? StationWords::lastResult(step) : locked ? QString() : tr("Not tried yet"));
+  facts->setText(step.last ? StationLabels::lastResult(step) : locked ? QString() : tr("Not tried yet"));
   row->addWidget(facts, 0, Qt::AlignTop);
   const std::string id = step.module.id;
   if (step.last) {
     auto* trend = linkButton(frame);
     trend->setText(tr("Trend"));
-    connect(trend, &QPushButton::clicked, this,
-            [this, id] { shell().open(QStringLiteral("station.trend"), QString::fromStdString(id)); });
+    connect(trend, &QPushButton::clicked, this, [this, id] { shell().open(PageId::kTrend, toQString(id)); });
     row->addWidget(trend, 0, Qt::AlignTop);
   }
   auto* start = new QPushButton(tr("Begin"), frame);
-  start->setAccessibleName(tr("Begin %1").arg(spoken(step.module.title)));
+  start->setAccessibleName(tr("Begin %1").arg(toQString(Text(step.module.title))));
   start->setEnabled(!locked && !steps_.allPhasesDone);
   if (locked) start->setToolTip(why->text());
   const bool graded = step.module.mode == AttemptMode::kGraded && step.state != StepState::kUsedUp;
@@ -261,13 +257,13 @@ QPushButton* NextStepPage::startButton() const {
 void NextStepPage::fill() {
   const QPushButton* before = startButton();
   const bool atStart = before != nullptr && window()->focusWidget() == before;
-  QString sentence = tr("Trainee %1").arg(QString::fromStdString(steps_.traineeCode));
+  QString sentence = tr("Trainee %1").arg(toQString(steps_.traineeCode));
   if (steps_.exposureTotal_us > 0) {
     sentence = tr("%1  \u00b7  %2 of %3 trained")
-                   .arg(sentence, StationWords::minutes(steps_.exposureDone_us),
-                        StationWords::minutes(steps_.exposureTotal_us));
+                   .arg(sentence, StationLabels::minutes(steps_.exposureDone_us),
+                        StationLabels::minutes(steps_.exposureTotal_us));
   }
-  const QString place = QString::fromStdString(steps_.cohortName);
+  const QString place = toQString(steps_.cohortName);
   heading_->setTexts(place.isEmpty() ? tr("Welcome") : place, sentence);
   consent_->setText(tr("&Consent"));
   next_->setTitle(tr("Next"));

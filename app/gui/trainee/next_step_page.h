@@ -13,6 +13,8 @@ class QVBoxLayout;
 
 namespace torsio::gui {
 
+class StationDesk;
+
 class Card;
 class PageHeading;
 
@@ -21,13 +23,16 @@ class NextStepPage : public Page {
   Q_OBJECT
 
  public:
-  explicit NextStepPage(ShellContext& shell, QWidget* parent = nullptr);
+  /// `desk` outlives the page.
+  NextStepPage(ShellContext& shell, StationDesk& desk, QWidget* parent = nullptr);
 
   void enter(const QVariant& argument) override;
   void retranslate() override;
   void applyTheme(const Theme& theme) override;
 
  private:
+  StationDesk& desk_;
+
   void fill();
   /// Of the next step; null when there is none.
   [[nodiscard]] QPushButton* startButton() const;

@@ -72,11 +72,7 @@ void RemarksPage::enter(const QVariant&) {
 }
 
 void RemarksPage::readAll() {
-  try {
-    all_ = ownRemarks(shell().workplace());
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  attempt(shell(), [&] { all_ = ownRemarks(shell().workplace()); });
   retranslate();
 }
 
@@ -108,12 +104,12 @@ void RemarksPage::fillList() {
   list_->clear();
   for (const TrialRemarks& trial : all_) {
     const QString title =
-        trial.moduleTitle.empty() ? QString::fromStdString(trial.phaseLabel) : spoken(trial.moduleTitle);
+        trial.moduleTitle.empty() ? toQString(trial.phaseLabel) : toQString(Text(trial.moduleTitle));
     const QString head = title.isEmpty() ? tr("Run") : title;
     const QString line =
         trial.unread > 0
-            ? tr("%1\n%2, %3 not read").arg(head, StationWords::when(trial.startedUtc_us)).arg(trial.unread)
-            : tr("%1\n%2").arg(head, StationWords::when(trial.startedUtc_us));
+            ? tr("%1\n%2, %3 not read").arg(head, StationLabels::when(trial.startedUtc_us)).arg(trial.unread)
+            : tr("%1\n%2").arg(head, StationLabels::when(trial.startedUtc_us));
     list_->addItem(line);
   }
   const bool any = !all_.empty();
@@ -126,15 +122,13 @@ void RemarksPage::fillList() {
 }
 
 void RemarksPage::answer(const std::string& remarkId, const QString& text) {
-  try {
+  attempt(shell(), [&] {
     if (text.isEmpty()) {
       markRemarkRead(shell().workplace(), remarkId);
     } else {
       replyToRemark(shell().workplace(), remarkId, text.toStdString());
     }
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
   readAll();
 }
 
@@ -142,10 +136,10 @@ void RemarksPage::addRemark(const TraineeRemark& remark, bool reply) {
   auto* head = new QHBoxLayout;
   if (reply) head->addSpacing(3 * kSpace);
   auto* who = plainLabel(remarks_, "quiet");
-  who->setText(remark.question ? tr("You asked, at %1").arg(StationWords::seconds(remark.at_s))
-               : remark.own    ? tr("You, %1").arg(StationWords::when(remark.writtenUtc_us))
-               : reply         ? tr("Physician, %1").arg(StationWords::when(remark.writtenUtc_us))
-                               : tr("Physician, at %1").arg(StationWords::seconds(remark.at_s)));
+  who->setText(remark.question ? tr("You asked, at %1").arg(StationLabels::seconds(remark.at_s))
+               : remark.own    ? tr("You, %1").arg(StationLabels::when(remark.writtenUtc_us))
+               : reply         ? tr("Physician, %1").arg(StationLabels::when(remark.writtenUtc_us))
+                               : tr("Physician, at %1").arg(StationLabels::seconds(remark.at_s)));
   head->addWidget(who, 1);
   if (!remark.read) {
     auto* read = linkButton(remarks_);
@@ -157,17 +151,15 @@ void RemarksPage::addRemark(const TraineeRemark& remark, bool reply) {
   if (!reply) {
     auto* look = linkButton(remarks_);
     look->setText(tr("Look at the run"));
-    connect(look, &QPushButton::clicked, this, [this, id = remark.trialId] {
-      shell().open(QStringLiteral("station.debrief"), QString::fromStdString(id));
-    });
+    connect(look, &QPushButton::clicked, this,
+            [this, id = remark.trialId] { shell().open(PageId::kDebrief, toQString(id)); });
     head->addWidget(look);
   }
   threads_->addLayout(head);
   auto* body = new QHBoxLayout;
   if (reply) body->addSpacing(3 * kSpace);
   auto* text = plainLabel(remarks_);
-  text->setText(remark.question && remark.text.empty() ? tr("About this moment")
-                                                       : QString::fromStdString(remark.text));
+  text->setText(remark.question && remark.text.empty() ? tr("About this moment") : toQString(remark.text));
   body->addWidget(text, 1);
   threads_->addLayout(body);
 }
@@ -202,10 +194,7 @@ void RemarksPage::fillMarks() {
   const TrialRemarks* trial = chosen();
   if (trial == nullptr) return;
   ScoreGap gap;
-  try {
-    gap = scoreGap(shell().workplace(), trial->trialId);
-  } catch (...) {
-    shell().report(std::current_exception());
+  if (!attempt(shell(), [&] { gap = scoreGap(shell().workplace(), trial->trialId); })) {
     return;
   }
   auto* hint = plainLabel(marks_, "quiet");
@@ -233,7 +222,7 @@ void RemarksPage::fillMarks() {
     ++line;
   }
   for (const ScoreGapRow& row : rows) {
-    auto* name = new QLabel(row.code.empty() ? tr("Overall") : spoken(row.label), marks_);
+    auto* name = new QLabel(row.code.empty() ? tr("Overall") : toQString(Text(row.label)), marks_);
     grid->addWidget(name, line, 0);
     if (!gap.selfScored) {
       auto* field = new QDoubleSpinBox(marks_);
@@ -266,14 +255,12 @@ void RemarksPage::fillMarks() {
   keep->setObjectName(QStringLiteral("selfScore"));
   keep->setText(tr("&Keep my marks"));
   connect(keep, &QPushButton::clicked, this, [this, fields, id = trial->trialId] {
-    try {
+    attempt(shell(), [&] {
       std::vector<SelfScoreRow> sheet;
       for (std::size_t i = 1; i < fields->size(); ++i)
         sheet.push_back({(*fields)[i].first, (*fields)[i].second->value()});
       selfScore(shell().workplace(), id, fields->front().second->value(), sheet);
-    } catch (...) {
-      shell().report(std::current_exception());
-    }
+    });
     fillMarks();
   });
   sheet_->addWidget(keep, 0, Qt::AlignLeft);

@@ -40,11 +40,13 @@ const QVariant kLater = QStringLiteral("later");
 
 }  // namespace
 
-RunPage::RunPage(ShellContext& context, QWidget* parent)
+RunPage::RunPage(ShellContext& context, StationDesk& desk, QWidget* parent)
     : Page(context, parent),
+      desk_(desk),
       theme_(&theme(context.themeKind())),
       stage_(new QStackedWidget(this)),
-      scene_(new LiveScene(StationDesk::of(context).loader, context.assets(), this)) {
+      scene_(new LiveScene(desk.loader, context.assets(), this)) {
+  scene_->setObjectName(QStringLiteral("scene"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
@@ -52,14 +54,14 @@ RunPage::RunPage(ShellContext& context, QWidget* parent)
   stage_->addWidget(createNotice());
   row->addWidget(stage_, 1);
   row->addWidget(createPanel());
-  scene_->controller().setRealTime(StationDesk::of(context).realTime);
+  scene_->controller().setRealTime(desk.realTime);
   connect(scene_, &LiveScene::shown, this, &RunPage::showLive);
   connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
     if (waiting_ && !opening_.going()) begin();
   });
   connect(&scene_->controller(), &SimulationController::problemMet, &shell(), &ShellContext::tell);
   connect(&scene_->controller(), &SimulationController::deviceLost, this, [this] {
-    if (session_) withoutDevice([] { return SpokenError{tr("The haptic device was lost"), {}, {}}; });
+    if (session_) withoutDevice([] { return TranslatedError{tr("The haptic device was lost"), {}, {}}; });
   });
   connect(&timer_, &QTimer::timeout, this, &RunPage::tick);
   timer_.setInterval(kClock_ms);
@@ -166,13 +168,12 @@ QWidget* RunPage::createPanel() {
 
 void RunPage::enter(const QVariant& argument) {
   if (session_ || argument == kLater) return;
-  StationDesk& desk = StationDesk::of(shell());
-  try {
-    session_.emplace(shell().workplace(),
-                     RunRequest{desk.moduleId, desk.graded, desk.readiness.value_or(DeviceReadiness{})},
-                     *desk.clock, shell().line());
-  } catch (...) {
-    shell().report(std::current_exception());
+  if (!attempt(shell(), [&] {
+        session_.emplace(
+            shell().workplace(),
+            RunRequest{desk_.moduleId, desk_.graded, desk_.readiness.value_or(DeviceReadiness{})},
+            *desk_.clock, shell().line());
+      })) {
     return;
   }
   lastTrial_.clear();
@@ -194,7 +195,7 @@ void RunPage::enter(const QVariant& argument) {
 /// The scene is there. The device of the first recording comes before the clock: waiting is not training.
 void RunPage::begin() {
   const bool real = session_->run().phase().arm == TrainingArm::kReal;
-  if (!real && StationDesk::of(shell()).openDevice) {
+  if (!real && desk_.openDevice) {
     fetchDevice();
   } else {
     start();
@@ -203,19 +204,19 @@ void RunPage::begin() {
 
 void RunPage::start() {
   waiting_ = false;
-  try {
+  const bool begun = attempt(shell(), [this] {
     session_->start();
     timer_.start();
     follow(session_->advance());
-  } catch (...) {
+  });
+  if (!begun) {
     session_.reset();
     device_.reset();
-    shell().report(std::current_exception());
   }
 }
 
 void RunPage::fetchDevice() {
-  opening_.begin([open = StationDesk::of(shell()).openDevice, scene = scene_->controller().sharedScene(),
+  opening_.begin([open = desk_.openDevice, scene = scene_->controller().sharedScene(),
                   target_rad = session_->module().targetAngle_rad] { return open(*scene, target_rad); },
                  [this](std::unique_ptr<HapticDevice> device) {
                    device_ = std::move(device);
@@ -242,11 +243,11 @@ void RunPage::cancelWaiting() {
   opening_.cancel();
   waiting_ = false;
   session_.reset();
-  shell().open(QStringLiteral("station.next"));
+  shell().open(PageId::kNextStep);
 }
 
 void RunPage::record() {
-  if (StationDesk::of(shell()).openDevice && !device_) {
+  if (desk_.openDevice && !device_) {
     fetchDevice();
     return;
   }
@@ -256,7 +257,7 @@ void RunPage::record() {
   if (!scene_->controller().startTraining(recording, session_->sinkFor(recording), std::move(device))) {
     return;
   }
-  lastTrial_ = QString::fromStdString(recording.trialId);
+  lastTrial_ = toQString(recording.trialId);
   const StoredModule& module = session_->step().module;
   dial_->setTarget(scene_->controller().target_rad(), module.tolerance_rad);
   torque_->setLimit(module.maxTorque_Nm.value_or(0.0));
@@ -266,11 +267,10 @@ void RunPage::record() {
 
 /// A graded run is not judged with another device than it began with; practice goes on with the mouse.
 void RunPage::withoutDevice(const Problem& why) {
-  StationDesk& desk = StationDesk::of(shell());
   endRecording(TrialOutcome::kInterrupted);
-  desk.readiness.reset();  // the device is checked anew before the next graded run
+  desk_.readiness.reset();  // the device is checked anew before the next graded run
   if (!session_->graded()) {
-    desk.openDevice = nullptr;
+    desk_.openDevice = nullptr;
     shell().notify(tr("%1. You go on with mouse and keyboard").arg(why().happened));
     if (waiting_) start();
     return;
@@ -281,18 +281,18 @@ void RunPage::withoutDevice(const Problem& why) {
   waiting_ = false;
   session_.reset();
   shell().tell([why, begun] {
-    const SpokenError said = why();
+    const TranslatedError said = why();
     QStringList parts{said.happened};
     if (!said.details.isEmpty()) parts << said.details;
     const QString details = parts.join(QLatin1Char('\n'));
     if (!begun) {
-      return SpokenError{tr("The haptic device is not ready: the graded run did not begin"),
-                         tr("No attempt was used. Check the device, then begin again"), details};
+      return TranslatedError{tr("The haptic device is not ready: the graded run did not begin"),
+                             tr("No attempt was used. Check the device, then begin again"), details};
     }
-    return SpokenError{tr("The haptic device was lost: the graded run has ended"),
-                       tr("What was recorded is kept as interrupted, and no attempt was used. Check the "
-                          "device, then begin again"),
-                       details};
+    return TranslatedError{tr("The haptic device was lost: the graded run has ended"),
+                           tr("What was recorded is kept as interrupted, and no attempt was used. Check the "
+                              "device, then begin again"),
+                           details};
   });
   showState();
 }
@@ -304,16 +304,13 @@ void RunPage::tick() {
     showState();
     return;
   }
-  try {
-    follow(session_->advance());
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  attempt(shell(), [&] { follow(session_->advance()); });
 }
 
 void RunPage::follow(const std::vector<RunEvent>& events) {
   using Kind = RunEvent::Kind;
-  try {
+  bool finished = false;
+  attempt(shell(), [&] {
     for (const RunEvent& event : events) {
       if (event.kind == Kind::kPhaseEnded) endRecording(TrialOutcome::kCompleted);
       if (event.kind == Kind::kPaused)
@@ -321,16 +318,15 @@ void RunPage::follow(const std::vector<RunEvent>& events) {
       if (event.kind == Kind::kRestUsedUp) shell().notify(tr("The rest is used up. Training goes on."));
       if (event.kind == Kind::kFinished) {
         finish();
+        finished = true;
         return;
       }
     }
     const TrainingRun& run = session_->run();
     const bool recording = scene_->controller().mode() == SimulationController::Mode::kRecording;
     if (run.state() == RunState::kRunning && run.phase().arm == TrainingArm::kVirtual && !recording) record();
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
-  showState();
+  });
+  if (!finished) showState();
 }
 
 void RunPage::endRecording(TrialOutcome outcome) {
@@ -343,7 +339,7 @@ void RunPage::finish() {
   opening_.cancel();
   device_.reset();
   endRecording(TrialOutcome::kCompleted);
-  StationDesk::of(shell()).lastScene = scene_->controller().sharedScene();
+  desk_.lastScene = scene_->controller().sharedScene();
   session_.reset();
   if (StationWriter* line = shell().line(); line != nullptr) static_cast<void>(line->settled(kLastWrites));
   inFile_ = inFile_ || shell().databaseAway();
@@ -353,9 +349,9 @@ void RunPage::finish() {
   }
   if (lastTrial_.isEmpty()) {
     shell().notify(tr("The time on the real arm is over. It has been logged."));
-    shell().open(QStringLiteral("station.next"));
+    shell().open(PageId::kNextStep);
   } else {
-    shell().open(QStringLiteral("station.debrief"), lastTrial_);
+    shell().open(PageId::kDebrief, lastTrial_);
   }
 }
 
@@ -370,11 +366,7 @@ void RunPage::askToStop() {
   question.addButton(tr("&Go on"), QMessageBox::RejectRole);
   question.exec();
   if (question.clickedButton() != end || !session_) return;
-  try {
-    session_->stop("ended by the trainee");
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  attempt(shell(), [&] { session_->stop("ended by the trainee"); });
   finish();
 }
 

@@ -19,6 +19,8 @@ class QStackedWidget;
 
 namespace torsio::gui {
 
+class StationDesk;
+
 class AngleDial;
 class Card;
 class LevelBar;
@@ -31,7 +33,8 @@ class RunPage : public Page {
   Q_OBJECT
 
  public:
-  explicit RunPage(ShellContext& shell, QWidget* parent = nullptr);
+  /// `desk` outlives the page.
+  RunPage(ShellContext& shell, StationDesk& desk, QWidget* parent = nullptr);
   ~RunPage() override;
 
   /// Begins a run of StationDesk::moduleId; with the argument "later" it waits for the next call.
@@ -42,7 +45,7 @@ class RunPage : public Page {
   void applyTheme(const Theme& theme) override;
 
   [[nodiscard]] ShellContext& context() const noexcept { return shell(); }
-  [[nodiscard]] LiveScene& scene() noexcept { return *scene_; }
+  [[nodiscard]] StationDesk& desk() const noexcept { return desk_; }
   /// Null outside a run.
   [[nodiscard]] RunSession* session() noexcept { return session_ ? &*session_ : nullptr; }
   /// Whether the run waits for its device, its clock standing still.
@@ -51,6 +54,8 @@ class RunPage : public Page {
   void tick();
 
  private:
+  StationDesk& desk_;
+
   QWidget* createPanel();
   QWidget* createNotice();
   void begin();

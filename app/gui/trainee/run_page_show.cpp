@@ -36,7 +36,7 @@ void RunPage::retranslate() {
   stop_->setText(tr("&End the run"));
   dial_->retranslate();
   if (session_) {
-    title_->setText(spoken(session_->step().module.title));
+    title_->setText(toQString(Text(session_->step().module.title)));
     mode_->setText(session_->graded() ? tr("Graded run") : tr("Practice"));
   }
   showState();
@@ -55,7 +55,7 @@ void RunPage::showState() {
   rest_->setVisible(runs);
   stop_->setEnabled(runs);
   if (!session_) {
-    countdown_->setText(StationWords::clock(0));
+    countdown_->setText(StationLabels::clock(0));
     stage_->setCurrentIndex(1);
     noticeTitle_->setText(inFile_ ? tr("Your run is safe") : tr("No run goes on"));
     noticeFigure_->clear();
@@ -70,19 +70,18 @@ void RunPage::showState() {
   const TrainingRun& run = session_->run();
   const RunPhase& phase = run.phase();
   const bool real = phase.arm == TrainingArm::kReal;
-  countdown_->setText(StationWords::clock(run.remainingInPhase_us()));
+  countdown_->setText(StationLabels::clock(run.remainingInPhase_us()));
   setLook(countdown_, "caution", run.state() == RunState::kRunning && run.remainingInPhase_us() < kSoon_us);
   progress_->setValue(static_cast<int>(phase.done_us * 1000 / std::max<std::int64_t>(1, phase.duration_us)));
   const int number = static_cast<int>(run.phaseIndex()) + 1;
   const int all = static_cast<int>(run.plan().phases.size());
   phase_->setVisible(all > 1);
-  phase_->setText(all > 1
-                      ? tr("Phase %1 of %2: %3").arg(number).arg(all).arg(QString::fromStdString(phase.label))
-                      : QString::fromStdString(phase.label));
+  phase_->setText(all > 1 ? tr("Phase %1 of %2: %3").arg(number).arg(all).arg(toQString(phase.label))
+                          : toQString(phase.label));
   rest_->setVisible(runs && run.plan().restAllowance_us > 0);
   rest_->setEnabled(run.mayRest() && !opening_.going());
   rest_->setText(run.state() == RunState::kResting || run.restLeft_us() > 0
-                     ? tr("&Rest (%1 left)").arg(StationWords::clock(run.restLeft_us()))
+                     ? tr("&Rest (%1 left)").arg(StationLabels::clock(run.restLeft_us()))
                      : tr("&Rest (used up)"));
   angle_->setVisible(!real);
   load_->setVisible(!real);
@@ -107,7 +106,7 @@ bool RunPage::showNotice() {
   }
   if (run.state() == RunState::kResting) {
     noticeTitle_->setText(tr("Rest"));
-    noticeFigure_->setText(StationWords::clock(run.restLeft_us()));
+    noticeFigure_->setText(StationLabels::clock(run.restLeft_us()));
     noticeText_->setText(
         tr("Your training clock stands still. Training goes on by itself when the rest is used up."));
     goOn_->setText(tr("&Go on now"));
@@ -115,14 +114,14 @@ bool RunPage::showNotice() {
   }
   if (run.state() == RunState::kHandOver) {
     noticeTitle_->setText(real ? tr("Go to the real arm") : tr("Come to the simulator"));
-    noticeFigure_->setText(StationWords::clock(run.handOverLeft_us()));
-    noticeText_->setText(tr("The next phase starts by itself: %1").arg(QString::fromStdString(phase.label)));
+    noticeFigure_->setText(StationLabels::clock(run.handOverLeft_us()));
+    noticeText_->setText(tr("The next phase starts by itself: %1").arg(toQString(phase.label)));
     goOn_->setText(tr("I am &ready"));
     return true;
   }
   if (real) {
     noticeTitle_->setText(tr("Train on the real arm"));
-    noticeFigure_->setText(StationWords::clock(run.remainingInPhase_us()));
+    noticeFigure_->setText(StationLabels::clock(run.remainingInPhase_us()));
     noticeText_->setText(tr("This timer logs your training time. Nothing is recorded by the simulator."));
   }
   return real;

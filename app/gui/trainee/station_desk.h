@@ -13,19 +13,17 @@
 #include "sim/base/clock.h"
 #include "sim/device/haptic_device.h"
 
+namespace torsio {
+class StationWriter;
+}
+
 namespace torsio::gui {
 
-class ShellContext;
-
 /// What the pages of one trainee at one station hand to each other, and what a test puts in place of the
-/// real world. Lives as long as the shell context.
-class StationDesk : public QObject {
-  Q_OBJECT
-
+/// real world. Made with the pages of a sign-in, handed to those that need it, and gone with them. GUI
+/// thread.
+class StationDesk {
  public:
-  /// The one of this shell; made at the first call, with the haptic device where its library is installed.
-  [[nodiscard]] static StationDesk& of(ShellContext& shell);
-
   /// Opens the device for one recording. Empty, or an answer of null: mouse and keyboard.
   using DeviceOpener = std::function<std::unique_ptr<HapticDevice>(const Scene&, double target_rad)>;
 
@@ -43,8 +41,15 @@ class StationDesk : public QObject {
   std::string moduleId;                      ///< what; empty: the real arm
   bool graded = false;
 
+  /// Tells the board of the day, once, that a device stands here which nobody has checked yet. `line` may be
+  /// null.
+  void announce(StationWriter* line);
+
  private:
-  using QObject::QObject;
+  bool announced_ = false;
 };
+
+/// Makes the desk of this machine: with the haptic device where its library is installed.
+[[nodiscard]] std::shared_ptr<StationDesk> deskOfThisStation();
 
 }  // namespace torsio::gui

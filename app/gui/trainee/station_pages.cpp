@@ -11,6 +11,7 @@
 #include "app/gui/trainee/next_step_page.h"
 #include "app/gui/trainee/remarks_page.h"
 #include "app/gui/trainee/run_page.h"
+#include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/transcript_page.h"
 #include "app/gui/trainee/trend_page.h"
 
@@ -19,32 +20,31 @@ namespace torsio::gui {
 namespace {
 
 template <typename P>
-PageEntry entry(const char* id, const char* icon, const char* title, std::vector<Operation> needs) {
-  return {.id = QLatin1String(id),
-          .icon = QLatin1String(icon),
-          .title = [title] { return QCoreApplication::translate("StationPages", title); },
-          .needs = std::move(needs),
-          .make = [](ShellContext& shell) -> Page* { return new P(shell); }};
+PageEntry entry(PageId id) {
+  return {id, [](ShellContext& shell) -> Page* { return new P(shell); }};
+}
+
+/// Of a page that works at the desk of its station.
+template <typename P>
+PageEntry entry(PageId id, const std::shared_ptr<StationDesk>& desk) {
+  return {id, [desk](ShellContext& shell) -> Page* {
+            desk->announce(shell.line());
+            return new P(shell, *desk);
+          }};
 }
 
 }  // namespace
 
-std::vector<PageEntry> stationPages() {
-  const std::vector<Operation> see{Operation::kTrialViewOwn};
-  const std::vector<Operation> record{Operation::kTrialRecordOwn};
-  return {
-      entry<NextStepPage>("station.next", "play", QT_TRANSLATE_NOOP("StationPages", "My next step"), record),
-      entry<DebriefPage>("station.debrief", "compare", QT_TRANSLATE_NOOP("StationPages", "Debrief"), see),
-      entry<TrendPage>("station.trend", "stress", QT_TRANSLATE_NOOP("StationPages", "Trend"), see),
-      entry<RemarksPage>("station.remarks", "info", QT_TRANSLATE_NOOP("StationPages", "Remarks"), see),
-      entry<TranscriptPage>("station.transcript", "copy", QT_TRANSLATE_NOOP("StationPages", "Transcript"),
-                            see),
-      entry<DeviceCheckPage>("station.device", "device", QT_TRANSLATE_NOOP("StationPages", "Device check"),
-                             record),
-      entry<ConsentPage>("station.consent", "", QT_TRANSLATE_NOOP("StationPages", "Consent"), record),
-      entry<BriefingPage>("station.briefing", "", QT_TRANSLATE_NOOP("StationPages", "Briefing"), record),
-      entry<RunPage>("station.run", "", QT_TRANSLATE_NOOP("StationPages", "Run"), record),
-  };
+std::vector<PageEntry> stationPages(const std::shared_ptr<StationDesk>& desk) {
+  return {entry<NextStepPage>(PageId::kNextStep, desk),
+          entry<DebriefPage>(PageId::kDebrief, desk),
+          entry<TrendPage>(PageId::kTrend),
+          entry<RemarksPage>(PageId::kRemarks),
+          entry<TranscriptPage>(PageId::kTranscript),
+          entry<DeviceCheckPage>(PageId::kDeviceCheck, desk),
+          entry<ConsentPage>(PageId::kConsent),
+          entry<BriefingPage>(PageId::kBriefing, desk),
+          entry<RunPage>(PageId::kRun, desk)};
 }
 
 }  // namespace torsio::gui

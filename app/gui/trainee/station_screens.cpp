@@ -6,6 +6,7 @@
 #include "app/base/assets.h"
 #include "app/demonstration/demonstration_station.h"
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/trainee/briefing_page.h"
 #include "app/gui/trainee/debrief_page.h"
 #include "app/gui/trainee/debrief_plot.h"
@@ -14,6 +15,7 @@
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_pages.h"
 #include "app/gui/trainee/trend_page.h"
+#include "app/gui/widgets/child.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 
@@ -50,8 +52,7 @@ QVariant later(Workplace& workplace) {
 }
 
 /// What the trainee would have chosen before.
-void choose(ShellContext& shell) {
-  StationDesk& desk = StationDesk::of(shell);
+void choose(ShellContext& shell, StationDesk& desk) {
   const NextSteps steps = nextSteps(shell.workplace(), shell.workplace().actor().personId);
   if (steps.next) desk.moduleId = steps.modules[*steps.next].module.id;
   desk.graded = false;
@@ -60,9 +61,9 @@ void choose(ShellContext& shell) {
 
 void showBriefing(Page& page) {
   auto& briefing = static_cast<BriefingPage&>(page);
-  choose(briefing.context());
+  choose(briefing.context(), briefing.desk());
   briefing.enter({});
-  SimulationController& controller = briefing.scene().controller();
+  SimulationController& controller = child<LiveScene>(briefing, "scene").controller();
   waitFor([&] { return controller.playback() != nullptr; });
   if (controller.playback() == nullptr) return;
   controller.playback()->setPlaying(false);
@@ -81,10 +82,10 @@ std::unique_ptr<HapticDevice> practisedHand(const Scene& scene, double target_ra
 
 void showRun(Page& page) {
   auto& run = static_cast<RunPage&>(page);
-  choose(run.context());
-  StationDesk::of(run.context()).openDevice = practisedHand;
+  choose(run.context(), run.desk());
+  run.desk().openDevice = practisedHand;
   run.enter({});
-  SimulationController& controller = run.scene().controller();
+  SimulationController& controller = child<LiveScene>(run, "scene").controller();
   waitFor([&] {
     const double target_rad = controller.target_rad();
     return run.busy() && controller.state().response.angle_rad / target_rad > kPartOfTheWay;
@@ -94,14 +95,15 @@ void showRun(Page& page) {
 void showFinding(Page& page) {
   auto& debrief = static_cast<DebriefPage&>(page);
   waitFor([&] { return !debrief.debrief().trialId.empty(); });
-  if (!debrief.debrief().weaknesses.empty()) debrief.plot().show(debrief.debrief().weaknesses.front().when);
+  if (!debrief.debrief().weaknesses.empty())
+    child<DebriefPlot>(debrief, "plot").show(debrief.debrief().weaknesses.front().when);
 }
 
-ScreenEntry screen(const char* name, const char* page, std::function<QVariant(Workplace&)> argument,
+ScreenEntry screen(const char* name, PageId page, std::function<QVariant(Workplace&)> argument,
                    std::function<void(Page&)> prepare = {}) {
   return {.name = QLatin1String(name),
           .role = QStringLiteral("trainee"),
-          .pageId = QLatin1String(page),
+          .pageId = page,
           .argument = std::move(argument),
           .prepare = std::move(prepare)};
 }
@@ -109,25 +111,21 @@ ScreenEntry screen(const char* name, const char* page, std::function<QVariant(Wo
 }  // namespace
 
 std::vector<ScreenEntry> stationScreens() {
-  return {screen("station-next-step", "station.next", nothing),
-          screen("station-device-check", "station.device", nothing),
-          screen("station-consent", "station.consent", nothing),
-          screen("station-briefing", "station.briefing", later, showBriefing),
-          screen("station-run", "station.run", later, showRun),
+  return {screen("station-next-step", PageId::kNextStep, nothing),
+          screen("station-device-check", PageId::kDeviceCheck, nothing),
+          screen("station-consent", PageId::kConsent, nothing),
+          screen("station-briefing", PageId::kBriefing, later, showBriefing),
+          screen("station-run", PageId::kRun, later, showRun),
           screen(
-              "station-debrief", "station.debrief",
-              [](Workplace& workplace) -> QVariant {
-                return QString::fromStdString(laidOut(workplace).newestTrialId);
-              },
+              "station-debrief", PageId::kDebrief,
+              [](Workplace& workplace) -> QVariant { return toQString(laidOut(workplace).newestTrialId); },
               showFinding),
           screen(
-              "station-trend", "station.trend",
-              [](Workplace& workplace) -> QVariant {
-                return QString::fromStdString(laidOut(workplace).firstModuleId);
-              },
+              "station-trend", PageId::kTrend,
+              [](Workplace& workplace) -> QVariant { return toQString(laidOut(workplace).firstModuleId); },
               [](Page& page) { static_cast<TrendPage&>(page).chooseMetric("time.total"); }),
-          screen("station-remarks", "station.remarks", nothing),
-          screen("station-transcript", "station.transcript", nothing)};
+          screen("station-remarks", PageId::kRemarks, nothing),
+          screen("station-transcript", PageId::kTranscript, nothing)};
 }
 
 }  // namespace torsio::gui

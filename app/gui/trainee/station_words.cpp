@@ -8,6 +8,7 @@
 #include <QLocale>
 #include <QStringList>
 
+#include "app/gui/base/spoken.h"
 #include "sim/base/angle.h"
 
 namespace torsio::gui {
@@ -24,27 +25,27 @@ struct MetricWords {
   int decimals;
 };
 constexpr std::array<MetricWords, 20> kMetrics{{
-    {"twist.on_target", QT_TRANSLATE_NOOP("StationWords", "Twists on target"), "%", 100.0, 0},
-    {"twist.targets_reached", QT_TRANSLATE_NOOP("StationWords", "Targets reached"), "", 1.0, 0},
-    {"time.total", QT_TRANSLATE_NOOP("StationWords", "Time of a twist"), "s", 1.0, 1},
-    {"twist.time_to_target", QT_TRANSLATE_NOOP("StationWords", "Time to target"), "s", 1.0, 1},
-    {"twist.settling", QT_TRANSLATE_NOOP("StationWords", "Settling time"), "s", 1.0, 1},
-    {"twist.overshoot", QT_TRANSLATE_NOOP("StationWords", "Overshoot"), "\u00b0", kDegreesPerRadian, 1},
-    {"twist.hold_steadiness", QT_TRANSLATE_NOOP("StationWords", "Steadiness of the hold"), "\u00b0",
+    {"twist.on_target", QT_TRANSLATE_NOOP("StationLabels", "Twists on target"), "%", 100.0, 0},
+    {"twist.targets_reached", QT_TRANSLATE_NOOP("StationLabels", "Targets reached"), "", 1.0, 0},
+    {"time.total", QT_TRANSLATE_NOOP("StationLabels", "Time of a twist"), "s", 1.0, 1},
+    {"twist.time_to_target", QT_TRANSLATE_NOOP("StationLabels", "Time to target"), "s", 1.0, 1},
+    {"twist.settling", QT_TRANSLATE_NOOP("StationLabels", "Settling time"), "s", 1.0, 1},
+    {"twist.overshoot", QT_TRANSLATE_NOOP("StationLabels", "Overshoot"), "\u00b0", kDegreesPerRadian, 1},
+    {"twist.hold_steadiness", QT_TRANSLATE_NOOP("StationLabels", "Steadiness of the hold"), "\u00b0",
      kDegreesPerRadian, 2},
-    {"twist.sparc", QT_TRANSLATE_NOOP("StationWords", "Smoothness"), "", 1.0, 2},
-    {"twist.ldlj", QT_TRANSLATE_NOOP("StationWords", "Smoothness (jerk)"), "", 1.0, 1},
-    {"twist.economy", QT_TRANSLATE_NOOP("StationWords", "Economy of turning"), "%", 100.0, 0},
-    {"twist.peaks", QT_TRANSLATE_NOOP("StationWords", "Sub-movements"), "", 1.0, 0},
-    {"twist.path", QT_TRANSLATE_NOOP("StationWords", "Angular path"), "\u00b0", kDegreesPerRadian, 0},
-    {"twist.rmse", QT_TRANSLATE_NOOP("StationWords", "Tracking error"), "\u00b0", kDegreesPerRadian, 1},
-    {"twist.excursions", QT_TRANSLATE_NOOP("StationWords", "Excursions"), "", 1.0, 0},
-    {"tip.path", QT_TRANSLATE_NOOP("StationWords", "Path of the tip"), "mm", 1000.0, 0},
-    {"force.peak", QT_TRANSLATE_NOOP("StationWords", "Peak force"), "N", 1.0, 2},
-    {"force.mean", QT_TRANSLATE_NOOP("StationWords", "Mean force"), "N", 1.0, 2},
-    {"force.violations", QT_TRANSLATE_NOOP("StationWords", "Force violations"), "", 1.0, 0},
-    {"torque.peak", QT_TRANSLATE_NOOP("StationWords", "Peak torque"), "N m", 1.0, 3},
-    {"torque.release_rate", QT_TRANSLATE_NOOP("StationWords", "Abruptness of release"), "N m/s", 1.0, 2},
+    {"twist.sparc", QT_TRANSLATE_NOOP("StationLabels", "Smoothness"), "", 1.0, 2},
+    {"twist.ldlj", QT_TRANSLATE_NOOP("StationLabels", "Smoothness (jerk)"), "", 1.0, 1},
+    {"twist.economy", QT_TRANSLATE_NOOP("StationLabels", "Economy of turning"), "%", 100.0, 0},
+    {"twist.peaks", QT_TRANSLATE_NOOP("StationLabels", "Sub-movements"), "", 1.0, 0},
+    {"twist.path", QT_TRANSLATE_NOOP("StationLabels", "Angular path"), "\u00b0", kDegreesPerRadian, 0},
+    {"twist.rmse", QT_TRANSLATE_NOOP("StationLabels", "Tracking error"), "\u00b0", kDegreesPerRadian, 1},
+    {"twist.excursions", QT_TRANSLATE_NOOP("StationLabels", "Excursions"), "", 1.0, 0},
+    {"tip.path", QT_TRANSLATE_NOOP("StationLabels", "Path of the tip"), "mm", 1000.0, 0},
+    {"force.peak", QT_TRANSLATE_NOOP("StationLabels", "Peak force"), "N", 1.0, 2},
+    {"force.mean", QT_TRANSLATE_NOOP("StationLabels", "Mean force"), "N", 1.0, 2},
+    {"force.violations", QT_TRANSLATE_NOOP("StationLabels", "Force violations"), "", 1.0, 0},
+    {"torque.peak", QT_TRANSLATE_NOOP("StationLabels", "Peak torque"), "N m", 1.0, 3},
+    {"torque.release_rate", QT_TRANSLATE_NOOP("StationLabels", "Abruptness of release"), "N m/s", 1.0, 2},
 }};
 
 const MetricWords* wordsOf(const std::string& id) {
@@ -60,22 +61,22 @@ QString number(double value, int decimals) {
 
 }  // namespace
 
-QString StationWords::metric(const std::string& id) {
+QString StationLabels::metric(const std::string& id) {
   const MetricWords* words = wordsOf(id);
-  return words != nullptr ? tr(words->name) : QString::fromStdString(metricTitle(id));
+  return words != nullptr ? tr(words->name) : toQString(metricTitle(id));
 }
 
-double StationWords::shown(const std::string& metric, double value) {
+double StationLabels::inDisplayUnit(const std::string& metric, double value) {
   const MetricWords* words = wordsOf(metric);
   return words != nullptr ? value * words->scale : value;
 }
 
-QString StationWords::unitOf(const std::string& metric) {
+QString StationLabels::unitOf(const std::string& metric) {
   const MetricWords* words = wordsOf(metric);
   return words != nullptr ? QString::fromUtf8(words->unit) : QString();
 }
 
-QString StationWords::quantity(const std::string& metric, double value) {
+QString StationLabels::quantity(const std::string& metric, double value) {
   const MetricWords* words = wordsOf(metric);
   if (words == nullptr) return number(value, 2);
   const QString figure = number(value * words->scale, words->decimals);
@@ -84,24 +85,24 @@ QString StationWords::quantity(const std::string& metric, double value) {
   return unit == QStringLiteral("\u00b0") ? figure + unit : tr("%1 %2", "value and unit").arg(figure, unit);
 }
 
-QString StationWords::clock(std::int64_t left_us) {
+QString StationLabels::clock(std::int64_t left_us) {
   const std::int64_t seconds = (std::max<std::int64_t>(0, left_us) + 999'999) / 1'000'000;
   return QStringLiteral("%1:%2")
       .arg(seconds / 60, 2, 10, QLatin1Char('0'))
       .arg(seconds % 60, 2, 10, QLatin1Char('0'));
 }
 
-QString StationWords::seconds(double at_s) {
+QString StationLabels::seconds(double at_s) {
   const int minutes = static_cast<int>(at_s / 60.0);
   return QStringLiteral("%1:%2").arg(minutes).arg(at_s - 60.0 * minutes, 4, 'f', 1, QLatin1Char('0'));
 }
 
-QString StationWords::minutes(std::int64_t span_us) {
+QString StationLabels::minutes(std::int64_t span_us) {
   if (span_us < 60'000'000) return tr("%1 s").arg((span_us + 999'999) / 1'000'000);
   return tr("%1 min").arg((span_us + 59'999'999) / 60'000'000);
 }
 
-QString StationWords::waited(std::int64_t span_us) {
+QString StationLabels::waited(std::int64_t span_us) {
   const std::int64_t minutes = span_us / 60'000'000;
   if (minutes < 1) return tr("a moment");
   if (minutes < 60) return tr("%1 min").arg(minutes);
@@ -109,11 +110,11 @@ QString StationWords::waited(std::int64_t span_us) {
   return tr("%1 days").arg(minutes / (24 * 60));
 }
 
-QString StationWords::when(std::int64_t utc_us) {
+QString StationLabels::when(std::int64_t utc_us) {
   return QLocale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
 }
 
-QString StationWords::state(StepState state) {
+QString StationLabels::state(StepState state) {
   switch (state) {
     case StepState::kLocked:
       return tr("Locked");
@@ -127,10 +128,10 @@ QString StationWords::state(StepState state) {
   return {};
 }
 
-QString StationWords::why(const ModuleStep& step) {
+QString StationLabels::why(const ModuleStep& step) {
   if (step.state == StepState::kLocked) {
     QStringList titles;
-    for (const std::string& title : step.missing) titles << QString::fromStdString(title);
+    for (const std::string& title : step.missing) titles << toQString(title);
     return tr("First master: %1").arg(titles.join(tr(", ", "between titles")));
   }
   if (step.state == StepState::kUsedUp) return tr("Ask your training office for another attempt.");
@@ -139,7 +140,7 @@ QString StationWords::why(const ModuleStep& step) {
   return parts.join(QLatin1Char('\n'));
 }
 
-QString StationWords::rule(const RuleProgress& progress) {
+QString StationLabels::rule(const RuleProgress& progress) {
   const QString threshold = quantity(progress.rule.metric, progress.rule.threshold);
   const QString name = metric(progress.rule.metric);
   const bool atMost = progress.rule.comparison == "at_most";
@@ -154,21 +155,21 @@ QString StationWords::rule(const RuleProgress& progress) {
       .arg(progress.streak);
 }
 
-QString StationWords::lastResult(const ModuleStep& step) {
+QString StationLabels::lastResult(const ModuleStep& step) {
   if (!step.last) return tr("Not tried yet");
   const Attempt& last = *step.last;
   if (last.interrupted) return tr("Last time: interrupted after %1 s").arg(last.duration_s, 0, 'f', 0);
   return tr("Last time: %1 of %2 twists on target").arg(last.onTarget).arg(last.twists);
 }
 
-QString StationWords::unlocks(const ModuleStep& step) {
+QString StationLabels::unlocks(const ModuleStep& step) {
   if (step.unlocks.empty()) return {};
   QStringList titles;
-  for (const std::string& title : step.unlocks) titles << QString::fromStdString(title);
+  for (const std::string& title : step.unlocks) titles << toQString(title);
   return tr("Unlocks: %1").arg(titles.join(tr(", ", "between titles")));
 }
 
-QString StationWords::check(const TargetCheck& check, std::size_t twists) {
+QString StationLabels::check(const TargetCheck& check, std::size_t twists) {
   switch (check.kind) {
     case TargetCheck::Kind::kAngle:
       return tr("Twists let go on target: %1 of %2, wanted %3")
@@ -202,7 +203,7 @@ QString StationWords::check(const TargetCheck& check, std::size_t twists) {
   return tr("%1 (%2 in a row, %3 needed)").arg(sentence).arg(check.streak).arg(check.consecutive);
 }
 
-QString StationWords::finding(const DebriefFinding& finding, bool strength) {
+QString StationLabels::finding(const DebriefFinding& finding, bool strength) {
   const QString name = metric(finding.metric);
   const QString own = quantity(finding.metric, finding.value);
   const QString expert = quantity(finding.metric, finding.expert);
@@ -214,7 +215,7 @@ QString StationWords::finding(const DebriefFinding& finding, bool strength) {
   return tr("%1: %2, the expert had %3").arg(name, own, expert);
 }
 
-QString StationWords::advice(const std::string& id) {
+QString StationLabels::advice(const std::string& id) {
   if (id == "twist.time_to_target") return tr("Turn in one decided movement instead of feeling your way.");
   if (id == "twist.settling") return tr("Slow down before the target, then stay.");
   if (id == "twist.overshoot") return tr("Begin to slow down ten degrees before the target.");
@@ -227,7 +228,7 @@ QString StationWords::advice(const std::string& id) {
   return {};
 }
 
-QString StationWords::level(SkillLevel level, std::size_t runsMissing) {
+QString StationLabels::level(SkillLevel level, std::size_t runsMissing) {
   switch (level) {
     case SkillLevel::kNotShown:
       return runsMissing == 1 ? tr("One more run until a level is shown")
@@ -244,7 +245,7 @@ QString StationWords::level(SkillLevel level, std::size_t runsMissing) {
   return {};
 }
 
-QString StationWords::levelMeaning(SkillLevel level) {
+QString StationLabels::levelMeaning(SkillLevel level) {
   switch (level) {
     case SkillLevel::kNotShown:
       return tr("Fewer than three runs show nothing but chance.");
@@ -260,17 +261,17 @@ QString StationWords::levelMeaning(SkillLevel level) {
   return {};
 }
 
-QString StationWords::readiness(const ReadinessFinding& finding) {
+QString StationLabels::readiness(const ReadinessFinding& finding) {
   if (finding.code == "connected") return tr("Connected");
   if (finding.code == "docked") return tr("Stylus docked");
   if (finding.code == "calibrated") return tr("Calibrated");
   if (finding.code == "force") return tr("Force");
   if (finding.code == "rate") return tr("Update rate");
   if (finding.code == "seat") return tr("Hand and seat");
-  return QString::fromStdString(finding.code);
+  return toQString(finding.code);
 }
 
-QString StationWords::light(Light light) {
+QString StationLabels::light(Light light) {
   switch (light) {
     case Light::kGreen:
       return tr("Ready");

@@ -12,14 +12,14 @@
 namespace torsio::gui {
 
 /// Sentences of the station, in the present language. Values come in SI and leave in the units of a ward.
-class StationWords {
-  Q_DECLARE_TR_FUNCTIONS(StationWords)
+class StationLabels {
+  Q_DECLARE_TR_FUNCTIONS(StationLabels)
 
  public:
   /// "12.4 s", "3.1°", "62 %".
   [[nodiscard]] static QString quantity(const std::string& metric, double value);
   /// The same without unit, for an axis; unitOf() stands beside it.
-  [[nodiscard]] static double shown(const std::string& metric, double value);
+  [[nodiscard]] static double inDisplayUnit(const std::string& metric, double value);
   [[nodiscard]] static QString unitOf(const std::string& metric);
   [[nodiscard]] static QString metric(const std::string& id);
 

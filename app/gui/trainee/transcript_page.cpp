@@ -50,12 +50,10 @@ TranscriptPage::TranscriptPage(ShellContext& context, QWidget* parent) : Page(co
 }
 
 void TranscriptPage::enter(const QVariant&) {
-  try {
+  attempt(shell(), [&] {
     transcript_ = torsio::transcript(shell().workplace(), shell().workplace().actor().personId);
     read_ = true;
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
   retranslate();
 }
 
@@ -76,22 +74,22 @@ QString TranscriptPage::html(bool paper) const {
   };
   page += QStringLiteral("<h2>%1</h2>").arg(tr("Transcript of twist training").toHtmlEscaped());
   if (t.demonstration) line(tr("Demonstration: these people and runs are simulated."));
-  const QString name = QString::fromStdString(t.fullName);
-  const QString code = QString::fromStdString(t.traineeCode);
+  const QString name = toQString(t.fullName);
+  const QString code = toQString(t.traineeCode);
   line(name.isEmpty() ? tr("Trainee %1").arg(code) : tr("%1 (trainee %2)").arg(name, code));
-  line(tr("%1, %2").arg(QString::fromStdString(t.centre), QString::fromStdString(t.cohortName)));
-  if (!t.armLabel.empty()) line(tr("Programme: %1").arg(QString::fromStdString(t.armLabel)));
+  line(tr("%1, %2").arg(toQString(t.centre), toQString(t.cohortName)));
+  if (!t.armLabel.empty()) line(tr("Programme: %1").arg(toQString(t.armLabel)));
   line(tr("Time trained: %1 min on the simulator, %2 min on the real arm, %3 min of rest.")
            .arg(t.virtual_min, 0, 'f', 1)
            .arg(t.real_min, 0, 'f', 1)
            .arg(t.rest_min, 0, 'f', 1));
   for (const TranscriptModule& module : t.modules) {
-    const QString title = spoken(module.step.module.title);
+    const QString title = toQString(Text(module.step.module.title));
     page += QStringLiteral("<h3>%1</h3>").arg(title.toHtmlEscaped());
     line(tr("%1. Level: %2.")
-             .arg(StationWords::state(module.step.state),
-                  StationWords::level(module.level,
-                                      kRunsForLevel - std::min(kRunsForLevel, module.attempts.size()))));
+             .arg(StationLabels::state(module.step.state),
+                  StationLabels::level(module.level,
+                                       kRunsForLevel - std::min(kRunsForLevel, module.attempts.size()))));
     if (module.attempts.empty()) continue;
     page += QStringLiteral("<table><tr>");
     for (const QString& head : {tr("When"), tr("Mode"), tr("Length"), tr("Twists on target"), tr("Note")})
@@ -100,7 +98,7 @@ QString TranscriptPage::html(bool paper) const {
     page += QStringLiteral("</tr>");
     for (const Attempt& attempt : module.attempts) {
       page += QStringLiteral("<tr>%1%2%3%4%5</tr>")
-                  .arg(cell(StationWords::when(attempt.startedUtc_us)),
+                  .arg(cell(StationLabels::when(attempt.startedUtc_us)),
                        cell(attempt.mode == AttemptMode::kGraded ? tr("Graded") : tr("Practice")),
                        cell(tr("%1 s").arg(attempt.duration_s, 0, 'f', 0)),
                        cell(tr("%1 of %2").arg(attempt.onTarget).arg(attempt.twists)),
@@ -112,7 +110,7 @@ QString TranscriptPage::html(bool paper) const {
   }
   if (paper) {
     line(tr("Made on %1 with Torsio %2. A training record, no certificate of clinical competence.")
-             .arg(StationWords::when(t.madeUtc_us), QString::fromStdString(t.softwareVersion)));
+             .arg(StationLabels::when(t.madeUtc_us), toQString(t.softwareVersion)));
     line(tr("Signature: ______________________________"));
   }
   return page;
@@ -121,7 +119,7 @@ QString TranscriptPage::html(bool paper) const {
 void TranscriptPage::writePdf(const std::filesystem::path& file) const {
   const std::filesystem::path temporary = temporaryBeside(file);
   {
-    QPdfWriter writer(QString::fromStdString(temporary.string()));
+    QPdfWriter writer(toQString(temporary));
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(kPaperMargins_mm, QPageLayout::Millimeter);
     writer.setTitle(tr("Transcript of twist training"));
@@ -138,15 +136,13 @@ void TranscriptPage::writePdf(const std::filesystem::path& file) const {
 }
 
 void TranscriptPage::choosePdf() {
-  const QString proposal = tr("transcript-%1.pdf").arg(QString::fromStdString(transcript_.traineeCode));
+  const QString proposal = tr("transcript-%1.pdf").arg(toQString(transcript_.traineeCode));
   const QString file = askFileToSave(this, tr("Save transcript"), proposal, tr("PDF (*.pdf)"));
   if (file.isEmpty()) return;
-  try {
-    writePdf(std::filesystem::path(file.toStdString()));
+  attempt(shell(), [&] {
+    writePdf(toPath(file));
     shell().notify(tr("Saved to %1").arg(file));
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
 }
 
 void TranscriptPage::print() {

@@ -84,11 +84,11 @@ TrendPage::TrendPage(ShellContext& context, QWidget* parent) : Page(context, par
     if (!filling_ && index >= 0) readTrend();
   });
   connect(table_, &DataTable::activated, this,
-          [this](const QString& id) { shell().open(QStringLiteral("station.debrief"), id); });
+          [this](const QString& id) { shell().open(PageId::kDebrief, id); });
 }
 
 void TrendPage::enter(const QVariant& argument) {
-  try {
+  attempt(shell(), [&] {
     steps_ = nextSteps(shell().workplace(), shell().workplace().actor().personId);
     const std::string wanted = argument.toString().toStdString();
     const auto has = [&](const std::string& id) {
@@ -105,22 +105,18 @@ void TrendPage::enter(const QVariant& argument) {
         newest = std::max(newest, at);
       }
     }
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
   readTrend();
 }
 
 void TrendPage::readTrend() {
-  try {
+  attempt(shell(), [&] {
     trend_ = {};
     if (!module_.empty()) {
       trend_ = torsio::trend(shell().workplace(), steps_.personId, module_,
                              metrics_->currentData().toString().toStdString());
     }
-  } catch (...) {
-    shell().report(std::current_exception());
-  }
+  });
   fill();
 }
 
@@ -128,9 +124,9 @@ void TrendPage::fillChoices() {
   filling_ = true;
   modules_->clear();
   for (const ModuleStep& step : steps_.modules) {
-    modules_->addItem(spoken(step.module.title), QString::fromStdString(step.module.id));
+    modules_->addItem(toQString(Text(step.module.title)), toQString(step.module.id));
   }
-  modules_->setCurrentIndex(modules_->findData(QString::fromStdString(module_)));
+  modules_->setCurrentIndex(modules_->findData(toQString(module_)));
   std::vector<std::string> metrics(std::begin(kUsualMetrics), std::end(kUsualMetrics));
   for (const ModuleStep& step : steps_.modules) {
     if (step.module.id != module_) continue;
@@ -139,14 +135,13 @@ void TrendPage::fillChoices() {
         metrics.push_back(rule.metric);
   }
   metrics_->clear();
-  for (const std::string& id : metrics)
-    metrics_->addItem(StationWords::metric(id), QString::fromStdString(id));
-  metrics_->setCurrentIndex(metrics_->findData(QString::fromStdString(trend_.metric)));
+  for (const std::string& id : metrics) metrics_->addItem(StationLabels::metric(id), toQString(id));
+  metrics_->setCurrentIndex(metrics_->findData(toQString(trend_.metric)));
   filling_ = false;
 }
 
 void TrendPage::chooseMetric(const std::string& metric) {
-  metrics_->setCurrentIndex(metrics_->findData(QString::fromStdString(metric)));
+  metrics_->setCurrentIndex(metrics_->findData(toQString(metric)));
 }
 
 void TrendPage::retranslate() {
@@ -158,25 +153,25 @@ void TrendPage::applyTheme(const Theme& theme) {
 }
 
 void TrendPage::fill() {
-  heading_->setTexts(trend_.moduleTitle.empty() ? tr("Your way") : spoken(trend_.moduleTitle),
+  heading_->setTexts(trend_.moduleTitle.empty() ? tr("Your way") : toQString(Text(trend_.moduleTitle)),
                      tr("Every attempt is kept and shown."));
   moduleLabel_->setText(tr("&Module"));
   metricLabel_->setText(tr("&Quantity"));
   fillChoices();
   level_->setTitle(tr("Level"));
-  levelName_->setText(StationWords::level(trend_.level, trend_.runsUntilLevel));
+  levelName_->setText(StationLabels::level(trend_.level, trend_.runsUntilLevel));
   setLook(levelName_, "good", trend_.level == SkillLevel::kSteady);
   setLook(levelName_, "caution", trend_.level == SkillLevel::kWatch || trend_.level == SkillLevel::kRelapsed);
-  levelMeaning_->setText(StationWords::levelMeaning(trend_.level));
+  levelMeaning_->setText(StationLabels::levelMeaning(trend_.level));
   distance_->setTitle(tr("Distance to the threshold"));
   if (trend_.distance && *trend_.distance > 0.0) {
-    distanceFigure_->setText(StationWords::quantity(trend_.metric, *trend_.distance));
+    distanceFigure_->setText(StationLabels::quantity(trend_.metric, *trend_.distance));
     distanceText_->setText(tr("missing in the last run; threshold %1")
-                               .arg(StationWords::quantity(trend_.metric, trend_.threshold.value_or(0.0))));
+                               .arg(StationLabels::quantity(trend_.metric, trend_.threshold.value_or(0.0))));
   } else if (trend_.distance) {
     distanceFigure_->setText(tr("Reached"));
     distanceText_->setText(tr("in the last run; threshold %1")
-                               .arg(StationWords::quantity(trend_.metric, trend_.threshold.value_or(0.0))));
+                               .arg(StationLabels::quantity(trend_.metric, trend_.threshold.value_or(0.0))));
   } else {
     distanceFigure_->setText(tr("None"));
     distanceText_->setText(tr("This quantity has no threshold in this module."));
@@ -197,19 +192,19 @@ void TrendPage::fill() {
   table_->setColumns({{tr("Attempt"), true},
                       {tr("When")},
                       {tr("Mode")},
-                      {StationWords::metric(trend_.metric), true},
+                      {StationLabels::metric(trend_.metric), true},
                       {tr("Result")}});
   table_->setEmptyText(tr("No attempt yet. Your runs at this module appear here."));
   std::vector<Row> rows;
   for (const TrendPoint& point : trend_.points) {
     Row row;
-    row.id = QString::fromStdString(point.trialId);
+    row.id = toQString(point.trialId);
     row.cells.push_back({QString::number(point.attempt), QVariant::fromValue<qlonglong>(point.attempt)});
     row.cells.push_back(
-        {StationWords::when(point.startedUtc_us), QVariant::fromValue<qlonglong>(point.startedUtc_us)});
+        {StationLabels::when(point.startedUtc_us), QVariant::fromValue<qlonglong>(point.startedUtc_us)});
     row.cells.push_back({point.mode == AttemptMode::kGraded ? tr("Graded") : tr("Practice")});
     row.cells.push_back(
-        {point.value ? StationWords::quantity(trend_.metric, *point.value) : tr("not defined"),
+        {point.value ? StationLabels::quantity(trend_.metric, *point.value) : tr("not defined"),
          point.value ? QVariant(*point.value) : QVariant()});
     row.cells.push_back({point.passed ? tr("Passed") : tr("Not passed")});
     rows.push_back(std::move(row));

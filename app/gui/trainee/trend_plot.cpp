@@ -38,10 +38,10 @@ void TrendPlot::setTheme(const Theme& theme) {
 }
 
 void TrendPlot::retranslate() {
-  setAccessibleName(tr("%1 over the attempts").arg(StationWords::metric(trend_.metric)));
+  setAccessibleName(tr("%1 over the attempts").arg(StationLabels::metric(trend_.metric)));
   QStringList values;
   for (const TrendPoint& point : trend_.points)
-    if (point.value) values << StationWords::quantity(trend_.metric, *point.value);
+    if (point.value) values << StationLabels::quantity(trend_.metric, *point.value);
   setAccessibleDescription(values.join(QStringLiteral(", ")));
   update();
 }
@@ -49,10 +49,10 @@ void TrendPlot::retranslate() {
 void TrendPlot::findRange() {
   std::vector<double> seen;
   for (const TrendPoint& point : trend_.points)
-    if (point.value) seen.push_back(StationWords::shown(trend_.metric, *point.value));
+    if (point.value) seen.push_back(StationLabels::inDisplayUnit(trend_.metric, *point.value));
   for (const TrendCurvePoint& point : trend_.curve)
-    seen.push_back(StationWords::shown(trend_.metric, point.value));
-  if (trend_.threshold) seen.push_back(StationWords::shown(trend_.metric, *trend_.threshold));
+    seen.push_back(StationLabels::inDisplayUnit(trend_.metric, point.value));
+  if (trend_.threshold) seen.push_back(StationLabels::inDisplayUnit(trend_.metric, *trend_.threshold));
   if (seen.empty()) seen = {0.0, 1.0};
   const auto [low, high] = std::minmax_element(seen.begin(), seen.end());
   // Values that are all the same (no violation in any attempt) still get an axis that says something.
@@ -97,10 +97,10 @@ void TrendPlot::drawGrid(QPainter& painter) const {
   }
   painter.drawText(QRectF(kLeft, height() - 20.0, width() - kLeft - kRight, 18.0), Qt::AlignHCenter,
                    tr("Attempt"));
-  const QString unit = StationWords::unitOf(trend_.metric);
+  const QString unit = StationLabels::unitOf(trend_.metric);
   painter.drawText(QRectF(0.0, 2.0, width(), 18.0), Qt::AlignLeft,
-                   unit.isEmpty() ? StationWords::metric(trend_.metric)
-                                  : tr("%1 in %2").arg(StationWords::metric(trend_.metric), unit));
+                   unit.isEmpty() ? StationLabels::metric(trend_.metric)
+                                  : tr("%1 in %2").arg(StationLabels::metric(trend_.metric), unit));
 }
 
 void TrendPlot::drawCurve(QPainter& painter) const {
@@ -108,11 +108,11 @@ void TrendPlot::drawCurve(QPainter& painter) const {
   QPolygonF middle;
   QPolygonF band;
   for (const TrendCurvePoint& point : trend_.curve) {
-    middle << QPointF(xOf(point.attempt), yOf(StationWords::shown(trend_.metric, point.value)));
-    band << QPointF(xOf(point.attempt), yOf(StationWords::shown(trend_.metric, point.upper)));
+    middle << QPointF(xOf(point.attempt), yOf(StationLabels::inDisplayUnit(trend_.metric, point.value)));
+    band << QPointF(xOf(point.attempt), yOf(StationLabels::inDisplayUnit(trend_.metric, point.upper)));
   }
   for (auto point = trend_.curve.rbegin(); point != trend_.curve.rend(); ++point)
-    band << QPointF(xOf(point->attempt), yOf(StationWords::shown(trend_.metric, point->lower)));
+    band << QPointF(xOf(point->attempt), yOf(StationLabels::inDisplayUnit(trend_.metric, point->lower)));
   QColor shade = theme_->accent;
   shade.setAlphaF(0.13F);
   painter.setPen(Qt::NoPen);
@@ -127,7 +127,7 @@ void TrendPlot::drawPoints(QPainter& painter) const {
   for (const TrendPoint& point : trend_.points) {
     if (!point.value) continue;
     const QPointF at(xOf(static_cast<double>(point.attempt)),
-                     yOf(StationWords::shown(trend_.metric, *point.value)));
+                     yOf(StationLabels::inDisplayUnit(trend_.metric, *point.value)));
     const QColor colour = point.passed ? theme_->good : theme_->caution;
     painter.setPen(QPen(colour, 2.0));
     painter.setBrush(point.passed ? colour : theme_->surface);
@@ -146,7 +146,7 @@ void TrendPlot::paintEvent(QPaintEvent*) {
   drawGrid(painter);
   painter.setClipRect(QRectF(kLeft, kTop - 6.0, width() - kLeft - kRight, height() - kTop - kBottom + 12.0));
   if (trend_.threshold) {
-    const double y = yOf(StationWords::shown(trend_.metric, *trend_.threshold));
+    const double y = yOf(StationLabels::inDisplayUnit(trend_.metric, *trend_.threshold));
     painter.setPen(QPen(theme_->text, 1.4, Qt::DashLine));
     painter.drawLine(QPointF(kLeft, y), QPointF(width() - kRight, y));
     painter.setPen(theme_->text);

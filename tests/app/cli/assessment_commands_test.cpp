@@ -397,6 +397,10 @@ TEST_F(AssessmentCommands, MetricsMeasureEveryTwistOfATrialFile) {
   EXPECT_EQ(out["samples"], summary.samples);
   EXPECT_NEAR(out["whole"]["time.total"]["value"].get<double>(), 20.0, 0.01);
   ASSERT_GE(out["twists"].size(), 1U);
+  EXPECT_EQ(out["tolerance_rad"], scene.pattern.tolerance_rad);
+  EXPECT_EQ(out["twists_completed"].get<std::size_t>() + out["twists_not_completed"].get<std::size_t>(),
+            out["twists"].size());
+  EXPECT_EQ(out["attempt"]["twist.targets_reached"], out["twists_on_target"]);
   for (const json& twist : out["twists"]) {
     const json& metrics = twist["metrics"];
     EXPECT_GT(metrics["time.total"]["value"].get<double>(), 0.0);

@@ -4,6 +4,8 @@
 
 #include "app/gui/administrator/move_page.h"
 #include "app/gui/administrator/restore_page.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/widgets/child.h"
 #include "db/repository/system/audit_verification.h"
 #include "tests/app/gui/care_window.h"
 
@@ -15,18 +17,19 @@ TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
   context().waitForJobs();
   addPerson(*window_->workplace(), person());
   auto& page = openBy<RestorePage>("Restore");
-  EXPECT_FALSE(page.restoreButton().isVisible());
+  EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isVisible());
 
-  page.file().setText(QString::fromStdString(in("backup.sqlite").string()));
-  click(page.checkButton());
-  ASSERT_TRUE(page.lossText().isVisible());
-  EXPECT_TRUE(page.lossText().text().contains(QStringLiteral("0 recordings, 0 marks and 1 people")));
-  EXPECT_FALSE(page.restoreButton().isEnabled());
-  page.word().setText(QStringLiteral("yes"));
-  EXPECT_FALSE(page.restoreButton().isEnabled());
-  page.word().clear();
-  QTest::keyClicks(&page.word(), QStringLiteral("RESTORE"));
-  click(page.restoreButton());
+  child<QLineEdit>(page, "file").setText(toQString(in("backup.sqlite")));
+  click(child<QPushButton>(page, "checkButton"));
+  ASSERT_TRUE(child<QLabel>(page, "lossText").isVisible());
+  EXPECT_TRUE(
+      child<QLabel>(page, "lossText").text().contains(QStringLiteral("0 recordings, 0 marks and 1 people")));
+  EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isEnabled());
+  child<QLineEdit>(page, "word").setText(QStringLiteral("yes"));
+  EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isEnabled());
+  child<QLineEdit>(page, "word").clear();
+  QTest::keyClicks(&child<QLineEdit>(page, "word"), QStringLiteral("RESTORE"));
+  click(child<QPushButton>(page, "restoreButton"));
   QTRY_COMPARE_WITH_TIMEOUT(window_->screen(), QStringLiteral("sign-in"), 5'000);
   window_->background().wait();
 
@@ -53,12 +56,12 @@ TEST_F(CarePages, ARestoreIsRefusedWhileAnotherStationIsConnected) {
   showsOtherStation();
   auto& page = openBy<RestorePage>("Restore");
 
-  page.file().setText(QString::fromStdString(in("backup.sqlite").string()));
-  click(page.checkButton());
+  child<QLineEdit>(page, "file").setText(toQString(in("backup.sqlite")));
+  click(child<QPushButton>(page, "checkButton"));
 
   ASSERT_EQ(failures_.size(), 1);
   EXPECT_EQ(failures_.front(), QStringLiteral("The station room 2 is connected"));
-  EXPECT_FALSE(page.restoreButton().isVisible());
+  EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isVisible());
 }
 
 TEST_F(CarePages, ACancelledRestoreLeavesTheRecordAndNoHalfFile) {
@@ -66,11 +69,11 @@ TEST_F(CarePages, ACancelledRestoreLeavesTheRecordAndNoHalfFile) {
   context().waitForJobs();
   const int before = filesBeside();
   auto& page = openBy<RestorePage>("Restore");
-  page.file().setText(QString::fromStdString(in("backup.sqlite").string()));
-  click(page.checkButton());
-  page.word().setText(QStringLiteral("RESTORE"));
+  child<QLineEdit>(page, "file").setText(toQString(in("backup.sqlite")));
+  click(child<QPushButton>(page, "checkButton"));
+  child<QLineEdit>(page, "word").setText(QStringLiteral("RESTORE"));
 
-  QTest::mouseClick(&page.restoreButton(), Qt::LeftButton);
+  QTest::mouseClick(&child<QPushButton>(page, "restoreButton"), Qt::LeftButton);
   context().cancelJobs();
   context().waitForJobs();
 
@@ -83,22 +86,22 @@ TEST_F(CarePages, ABackupThatIsNoneIsRefusedInPlainWords) {
   std::ofstream(in("backup.sqlite")) << "not a database at all, only some words in a file";
   auto& page = openBy<RestorePage>("Restore");
 
-  page.file().setText(QString::fromStdString(in("backup.sqlite").string()));
-  click(page.checkButton());
+  child<QLineEdit>(page, "file").setText(toQString(in("backup.sqlite")));
+  click(child<QPushButton>(page, "checkButton"));
 
   EXPECT_EQ(failures_.size(), 1);
-  EXPECT_FALSE(page.restoreButton().isVisible());
+  EXPECT_FALSE(child<QPushButton>(page, "restoreButton").isVisible());
 }
 
 TEST_F(CarePages, AServerThatDoesNotAnswerIsSaidAndNothingIsOffered) {
   auto& page = openBy<MovePage>("Move to PostgreSQL");
-  EXPECT_FALSE(page.testButton().isEnabled());
+  EXPECT_FALSE(child<QPushButton>(page, "testButton").isEnabled());
 
   page.setAddress({.host = "127.0.0.1", .port = 1, .database = "torsio", .user = "torsio"});
-  click(page.testButton());
+  click(child<QPushButton>(page, "testButton"));
 
   EXPECT_EQ(failures_.size(), 1);
-  EXPECT_FALSE(page.copyButton().isVisible());
+  EXPECT_FALSE(child<QPushButton>(page, "copyButton").isVisible());
 }
 
 }  // namespace

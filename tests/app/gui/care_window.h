@@ -16,6 +16,7 @@
 
 #include "app/gui/administrator/care_page.h"
 #include "app/gui/administrator/office_pages.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/shell/shell_window.h"
 #include "app/people/people_service.h"
 #include "db/repository/base/audit_repository.h"
@@ -35,7 +36,7 @@ class CarePages : public ::testing::Test {
   std::unique_ptr<ShellWindow> window_;
   QStringList failures_;
 
-  [[nodiscard]] fs::path in(const char* name) const { return fs::path(folder_.path().toStdString()) / name; }
+  [[nodiscard]] fs::path in(const char* name) const { return toPath(folder_.path()) / name; }
   [[nodiscard]] std::string record() const { return in("torsio.sqlite").string(); }
 
   void SetUp() override {
@@ -57,8 +58,10 @@ class CarePages : public ::testing::Test {
     ShellSetup setup;
     setup.assets = fs::path(TORSIO_SOURCE_DIR) / "assets";
     setup.station = "test";
-    setup.locator = QString::fromStdString(record());
-    setup.groups = {{[] { return QStringLiteral("Office"); }, officePages()}};
+    setup.locator = toQString(record());
+    setup.groups = [] {
+      return std::vector<PageGroup>{{[] { return QStringLiteral("Office"); }, officePages()}};
+    };
     setup.remember = false;
     setup.clock = &clock_;
     setup.unstored = in("unstored");
@@ -97,13 +100,13 @@ class CarePages : public ::testing::Test {
   /// Goes there by the button of the care page.
   template <typename Made>
   Made& openBy(const char* button) {
-    window_->desk()->open(QStringLiteral("office.care"));
+    window_->desk()->open(PageId::kCare);
     press(*window_->desk()->page(), button);
     return dynamic_cast<Made&>(*window_->desk()->page());
   }
 
   CarePage& carePage() {
-    window_->desk()->open(QStringLiteral("office.care"));
+    window_->desk()->open(PageId::kCare);
     return dynamic_cast<CarePage&>(*window_->desk()->page());
   }
 

@@ -14,6 +14,7 @@
 #include <QTest>
 
 #include "app/gui/administrator/curricula_page.h"
+#include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
@@ -76,7 +77,8 @@ void browse(CurriculaPage& page) {
     auto* list = page.findChild<QListWidget*>(QString::fromLatin1(name));
     for (int row = 0; row < list->count(); ++row) list->setCurrentRow(row);
   }
-  for (int tab = 0; tab < page.editor().count(); ++tab) page.editor().setCurrentIndex(tab);
+  for (int tab = 0; tab < child<CurriculumEditor>(page, "editor").count(); ++tab)
+    child<CurriculumEditor>(page, "editor").setCurrentIndex(tab);
 }
 
 void choose(QComboBox* box, const QString& code) {
@@ -95,7 +97,7 @@ TEST(CurriculumEditor, SavesWhatWasNotTouchedExactlyAsItWas) {
   const std::string id = addEverything(office);
   const std::string before = curriculumJson(curriculumDraft(office.centre.workplace(), id).content);
   auto page = office.open<CurriculaPage>("administrator");
-  EXPECT_TRUE(page->editor().problems().empty());
+  EXPECT_TRUE(child<CurriculumEditor>(*page, "editor").problems().empty());
 
   browse(*page);
   page->retranslate();
@@ -176,7 +178,7 @@ TEST(CurriculumEditor, SetsSeveralRulesPrerequisitesAndLimits) {
   EXPECT_EQ(stored.maxTorque_Nm, 0.25);
   EXPECT_EQ(stored.attemptLimit, 9);
   EXPECT_EQ(stored.requires_, std::vector<std::string>{"A1"});
-  EXPECT_TRUE(page->editor().problems().empty());
+  EXPECT_TRUE(child<CurriculumEditor>(*page, "editor").problems().empty());
 }
 
 TEST(CurriculumEditor, MovesRenamesAndKeepsReferencesWhole) {
@@ -185,7 +187,7 @@ TEST(CurriculumEditor, MovesRenamesAndKeepsReferencesWhole) {
   auto page = office.open<CurriculaPage>("administrator");
   page->findChild<QListWidget*>(QStringLiteral("exercises"))->setCurrentRow(2);
 
-  QWidget& exercises = *page->editor().widget(0);
+  QWidget& exercises = *child<CurriculumEditor>(*page, "editor").widget(0);
   press(exercises, QStringLiteral("Up"));
   auto* code = named<QLineEdit>(exercises, "Code");
   code->setText(QStringLiteral("F1"));
@@ -199,7 +201,7 @@ TEST(CurriculumEditor, MovesRenamesAndKeepsReferencesWhole) {
   EXPECT_EQ(stored.modules[1].code, "F1");
   EXPECT_EQ(stored.modules[2].code, "A2");
   EXPECT_EQ(stored.arms[0].phases[1].moduleId, "F1");
-  EXPECT_TRUE(page->editor().problems().empty());
+  EXPECT_TRUE(child<CurriculumEditor>(*page, "editor").problems().empty());
 }
 
 TEST(CurriculumEditor, SetsGroupsPhasesRestAndScoringPoints) {
@@ -234,23 +236,23 @@ TEST(CurriculaPage, SaysOfEveryStateWhatMayBeChanged) {
   office.centre.addTrainees(3);
   addEverything(office);
   auto page = office.open<CurriculaPage>("administrator");
-  EXPECT_TRUE(page->state().text().contains(QStringLiteral("version 1")));
+  EXPECT_TRUE(child<QLabel>(*page, "state").text().contains(QStringLiteral("version 1")));
 
   ASSERT_TRUE(page->publish("first"));
-  page->versions().setCurrentIndex(1);
-  Q_EMIT page->versions().activated(1);
-  EXPECT_TRUE(page->state().text().contains(QStringLiteral("Begin it")));
+  child<QComboBox>(*page, "versions").setCurrentIndex(1);
+  Q_EMIT child<QComboBox>(*page, "versions").activated(1);
+  EXPECT_TRUE(child<QLabel>(*page, "state").text().contains(QStringLiteral("Begin it")));
   EXPECT_FALSE(named<QLineEdit>(*page, "Title")->isEnabled());
   press(*page, QStringLiteral("Begin"));
-  EXPECT_TRUE(page->state().text().contains(QStringLiteral("running")));
-  EXPECT_TRUE(page->state().text().contains(QStringLiteral("No cohort")));
+  EXPECT_TRUE(child<QLabel>(*page, "state").text().contains(QStringLiteral("running")));
+  EXPECT_TRUE(child<QLabel>(*page, "state").text().contains(QStringLiteral("No cohort")));
   answer([](QDialog& dialog) { type(dialog, QStringLiteral("replaced")); });
   press(*page, QStringLiteral("Close"));
 
-  EXPECT_TRUE(page->state().text().contains(QStringLiteral("closed")));
+  EXPECT_TRUE(child<QLabel>(*page, "state").text().contains(QStringLiteral("closed")));
   press(*page, QStringLiteral("Edit as draft"));
   EXPECT_TRUE(named<QLineEdit>(*page, "Title")->isEnabled());
-  EXPECT_TRUE(page->state().text().contains(QStringLiteral("version 2")));
+  EXPECT_TRUE(child<QLabel>(*page, "state").text().contains(QStringLiteral("version 2")));
 }
 
 }  // namespace

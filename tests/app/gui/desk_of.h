@@ -10,11 +10,19 @@
 #include <QTest>
 
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/physician/case_page.h"
 #include "app/gui/physician/replay_panel.h"
+#include "app/gui/physician/sheet_editor_panel.h"
+#include "app/gui/widgets/child.h"
 #include "tests/app/session/review_centre.h"
 
 namespace torsio::gui {
+
+/// The sheet of a page on which a case is scored.
+inline const SheetEditor* editorOf(const QWidget& page) {
+  return child<SheetEditorPanel>(page, "sheetPanel").editor();
+}
 
 /// One physician at a desk with one page at a time; follows the pages that a page asks for.
 class DeskOf {
@@ -22,9 +30,8 @@ class DeskOf {
   DeskOf(torsio::testing::ReviewCentre& centre, std::size_t index)
       : workplace_(centre.physician(index)),
         shell_(*workplace_, std::filesystem::path(TORSIO_SOURCE_DIR) / "assets", ThemeKind::kLight) {
-    QObject::connect(&shell_, &ShellContext::pageWanted, [this](const QString& id, const QVariant& argument) {
-      wanted_.emplace_back(id, argument);
-    });
+    QObject::connect(&shell_, &ShellContext::pageWanted,
+                     [this](PageId id, const QVariant& argument) { wanted_.emplace_back(id, argument); });
     QObject::connect(&shell_, &ShellContext::failed,
                      [this](const QString& happened, const QString& remedy, const QString& details) {
                        failures_ << happened + remedy + details;
@@ -55,7 +62,7 @@ class DeskOf {
     if (wanted_.empty()) return false;
     const auto [id, argument] = wanted_.back();
     wanted_.clear();
-    if (id != QStringLiteral("review.case")) return false;
+    if (id != PageId::kCase) return false;
     page_->enter(argument);
     shell_.waitForJobs();
     return true;
@@ -76,13 +83,13 @@ class DeskOf {
   [[nodiscard]] Page& page() { return *page_; }
   [[nodiscard]] const QStringList& failures() const { return failures_; }
   [[nodiscard]] const QStringList& notices() const { return notices_; }
-  [[nodiscard]] std::vector<std::pair<QString, QVariant>>& wanted() { return wanted_; }
+  [[nodiscard]] std::vector<std::pair<PageId, QVariant>>& wanted() { return wanted_; }
 
  private:
   std::unique_ptr<Workplace> workplace_;
   ShellContext shell_;
   std::unique_ptr<Page> page_;
-  std::vector<std::pair<QString, QVariant>> wanted_;
+  std::vector<std::pair<PageId, QVariant>> wanted_;
   QStringList failures_;
   QStringList notices_;
 };
@@ -98,20 +105,20 @@ inline void watchAll(ReplayPanel& replay) {
 /// Scores the open case with three digits, watches it, and submits: keys only.
 inline void scoreCase(DeskOf& desk, int time, int accuracy, int overall) {
   auto& page = static_cast<CasePage&>(desk.page());
-  page.replay().setRealTime(false);
+  child<ReplayPanel>(page, "replay").setRealTime(false);
   desk.press(digit(time));
   desk.press(Qt::Key_Down);
   desk.press(digit(accuracy));
   desk.press(Qt::Key_Tab);
   desk.press(digit(overall));
   desk.press(Qt::Key_Space);
-  watchAll(page.replay());
+  watchAll(child<ReplayPanel>(page, "replay"));
   desk.press(Qt::Key_Return, Qt::ControlModifier);
   desk.press(Qt::Key_Return, Qt::ControlModifier);
 }
 
 inline QString inputOf(const std::string& id) {
-  return QString::fromStdString(id);
+  return toQString(id);
 }
 
 }  // namespace torsio::gui

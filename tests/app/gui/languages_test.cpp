@@ -305,7 +305,7 @@ TEST(Spoken, PutsArgumentsIntoTheChineseSentence) {
 
   const Error error(ErrorCode::kBadData, Text("row %1 is not answered", "C2"), Text("case %1", "7F"),
                     "Fill it in");
-  const SpokenError said = spoken(error);
+  const TranslatedError said = translated(error);
 
   EXPECT_EQ(said.happened.toStdString(), "\u7b2c C2 \u9879\u672a\u4f5c\u7b54");
   EXPECT_TRUE(said.details.endsWith(QStringLiteral("7F")));
@@ -316,12 +316,12 @@ TEST(Spoken, TellsTheKindOfTroubleWhereTheLanguageLacksTheSentence) {
   LanguageSwitch language;
   language.choose(Language::kSimplifiedChinese);
 
-  const SpokenError said = spoken(Error(ErrorCode::kDatabase, "zxqv 17", "", "Try again"));
+  const TranslatedError said = translated(Error(ErrorCode::kDatabase, "zxqv 17", "", "Try again"));
 
   EXPECT_FALSE(leftInEnglish(said.happened));
   EXPECT_TRUE(said.details.contains(QStringLiteral("zxqv 17")));
   language.choose(Language::kEnglish);
-  EXPECT_EQ(spoken(Error(ErrorCode::kDatabase, "zxqv 17", "", "Try again")).happened,
+  EXPECT_EQ(translated(Error(ErrorCode::kDatabase, "zxqv 17", "", "Try again")).happened,
             QStringLiteral("Zxqv 17"));
 }
 

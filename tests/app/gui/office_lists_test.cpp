@@ -10,6 +10,7 @@
 
 #include "app/gui/administrator/audit_page.h"
 #include "app/gui/administrator/care_page.h"
+#include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/maintenance/retention.h"
 #include "app/people/people_service.h"
@@ -94,8 +95,8 @@ TEST(CarePage, SortsTheQueueByTimeThoughTimesArePutIntoWordsOnlyWhenLookedAt) {
   }
   office.centre.passTime_us(kDay_us);
   auto page = office.open<CarePage>("administrator");
-  QTableView& view = page->queue().view();
-  ASSERT_EQ(page->queue().visibleRows(), 12);
+  QTableView& view = child<DataTable>(*page, "queue").view();
+  ASSERT_EQ(child<DataTable>(*page, "queue").visibleRows(), 12);
   constexpr int kDueSince = 4;
 
   view.sortByColumn(kDueSince, Qt::DescendingOrder);
@@ -104,8 +105,8 @@ TEST(CarePage, SortsTheQueueByTimeThoughTimesArePutIntoWordsOnlyWhenLookedAt) {
   EXPECT_GT(view.model()->index(0, 0).data().toString(), view.model()->index(11, 0).data().toString());
   const QString when = view.model()->index(0, kDueSince).data().toString();
   EXPECT_FALSE(when.isEmpty());
-  page->queue().filter().setText(when);
-  EXPECT_GE(page->queue().visibleRows(), 1);
+  child<DataTable>(*page, "queue").filter().setText(when);
+  EXPECT_GE(child<DataTable>(*page, "queue").visibleRows(), 1);
 }
 
 }  // namespace

@@ -15,6 +15,8 @@
 #include "app/gui/administrator/curricula_page.h"
 #include "app/gui/administrator/roster_page.h"
 #include "app/gui/administrator/scoring_page.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/maintenance/retention.h"
 #include "app/people/people_service.h"
@@ -74,7 +76,7 @@ TEST(RosterPage, WritesEverythingAboutOnePersonIntoANewFolder) {
   Office office;
   const std::vector<std::string> trainees = office.centre.addTrainees(2);
   auto page = office.open<RosterPage>("administrator");
-  page->findChild<DataTable*>()->select(QString::fromStdString(trainees.front()));
+  page->findChild<DataTable*>()->select(toQString(trainees.front()));
   const std::filesystem::path folder = office.centre.folder() / "record-T-01";
 
   ASSERT_TRUE(named(*page, "exportPerson").isEnabled());
@@ -89,7 +91,7 @@ TEST(RosterPage, ErasesOneRecordOnRequestWithAReason) {
   Office office;
   const std::vector<std::string> trainees = office.centre.addTrainees(2);
   auto page = office.open<RosterPage>("administrator");
-  page->findChild<DataTable*>()->select(QString::fromStdString(trainees.front()));
+  page->findChild<DataTable*>()->select(toQString(trainees.front()));
   answer(giveReason);
 
   named(*page, "erasePerson").click();
@@ -122,7 +124,7 @@ TEST(AllocationPage, MovesATraineeByHandBesideTheDrawnRecord) {
   allocateAll(office.centre.as("allocator"), cohort);
   const StoredAllocation drawn = allocations(office.centre.as("allocator"), design).front();
   auto page = office.open<AllocationPage>("allocator");
-  page->records().select(QString::fromStdString(drawn.id));
+  child<DataTable>(*page, "records").select(toQString(drawn.id));
   std::string to;
   answer([&to](QDialog& dialog) {
     to = dialog.findChild<QComboBox*>(QStringLiteral("group"))->currentData().toString().toStdString();

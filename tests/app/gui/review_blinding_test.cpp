@@ -9,6 +9,7 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/spoken.h"
 #include "app/gui/physician/alignment_page.h"
 #include "app/gui/physician/evaluation_page.h"
 #include "app/gui/physician/live_page.h"
@@ -61,7 +62,7 @@ class Gathering {
     found_ << gLogged << QSettings().allKeys();
     for (const QString& key : QSettings().allKeys()) found_ << QSettings().value(key).toString();
     for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
-      found_ << QString::fromStdString(file.path().filename().string());
+      found_ << toQString(file.path().filename());
     return found_;
   }
 
@@ -158,7 +159,7 @@ TEST(Blinding, NothingThatCanBeReadTellsWhoWhichGroupOrWhen) {
   DeskOf desk(centre, 0);
   ASSERT_FALSE(alignmentCases(desk.workplace()).empty());
 
-  for (const PageEntry& entry : reviewPages()) gathering.add({entry.title(), entry.id});
+  for (const PageEntry& entry : reviewPages()) gathering.add({pageTitle(entry.id), pageText(entry.id)});
   goThroughTheRest(desk, gathering);
   goThroughACase(desk, gathering, inputOf(centre.caseAbout(0, 1)));
   gathering.add(desk.notices());
@@ -169,7 +170,7 @@ TEST(Blinding, NothingThatCanBeReadTellsWhoWhichGroupOrWhen) {
   secrets.insert(secrets.end(), {"FEM", "proposed-model", "finite-elements"});
   for (const std::string& secret : secrets) {
     for (const QString& text : found)
-      EXPECT_FALSE(text.contains(QString::fromStdString(secret), Qt::CaseInsensitive))
+      EXPECT_FALSE(text.contains(toQString(secret), Qt::CaseInsensitive))
           << secret << " in \"" << text.toStdString() << "\"";
   }
 }

@@ -9,7 +9,9 @@
 #include <QProcess>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/spoken.h"
 #include "app/gui/physician/sheet_panel.h"
+#include "app/gui/widgets/child.h"
 #include "app/report/typeface.h"
 #include "app/review/case_sheet.h"
 #include "tests/app/gui/desk_of.h"
@@ -34,7 +36,7 @@ constexpr int kKeys = 30;
   desk.press(Qt::Key_Down);
   desk.press(Qt::Key_4);
   tell();
-  page.sheetPanel().commentField()->setFocus();
+  child<QPlainTextEdit>(page, "comment").setFocus();
   for (int i = 0;; ++i) {
     desk.type(QString(QLatin1Char(static_cast<char>('a' + i % 26))));
     tell();
@@ -45,7 +47,7 @@ TEST(KilledCasePage, LosesAtMostOneKeystroke) {
   ReviewCentre centre(ReviewCentre::Setup{});
   QProcess program;
   program.start(QCoreApplication::applicationFilePath(),
-                {QString::fromLatin1(kScore), QString::fromStdString(centre.folder().string())});
+                {QString::fromLatin1(kScore), toQString(centre.folder())});
   QByteArray said;
   while (said.count('\n') < kKeys && program.waitForReadyRead(kPatience_ms))
     said += program.readAllStandardOutput();
@@ -58,10 +60,10 @@ TEST(KilledCasePage, LosesAtMostOneKeystroke) {
   ASSERT_GE(pressed, static_cast<std::size_t>(kKeys)) << program.readAllStandardError().toStdString();
   DeskOf again(centre, 0);
   const auto& page = again.open<CasePage>(inputOf(centre.cases(0).front()));
-  EXPECT_EQ(page.editor()->answer("time").score_steps, 70);
-  EXPECT_EQ(page.editor()->answer("accuracy").score_steps, 40);
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
+  EXPECT_EQ(editorOf(page)->answer("accuracy").score_steps, 40);
   // Two of the keys were scores; the rest stands in the comment, and the one under way may stand there too.
-  const std::string comment = page.editor()->sheet().comment;
+  const std::string comment = editorOf(page)->sheet().comment;
   EXPECT_GE(comment.size(), pressed - 2);
   EXPECT_LE(comment.size(), pressed - 1);
   for (std::size_t i = 0; i < comment.size(); ++i) ASSERT_EQ(comment[i], static_cast<char>('a' + i % 26));

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/base/shell_context.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/physician/alignment_page.h"
 #include "app/gui/physician/case_page.h"
 #include "app/gui/physician/evaluation_page.h"
@@ -25,6 +26,7 @@
 #include "app/gui/physician/severity_page.h"
 #include "app/gui/physician/sheet_panel.h"
 #include "app/gui/physician/warm_up_page.h"
+#include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/review/alignment.h"
 #include "app/review/evaluation_form.h"
@@ -97,7 +99,7 @@ TEST(CasePage, LosesNoKeystrokeWhenItVanishes) {
     desk.press(Qt::Key_6);
     desk.press(Qt::Key_Right);  // 6.5
     auto& page = static_cast<CasePage&>(desk.page());
-    page.sheetPanel().commentField()->setFocus();
+    child<QPlainTextEdit>(page, "comment").setFocus();
     desk.type(QStringLiteral("calm"));
 
     desk.drop();
@@ -106,9 +108,9 @@ TEST(CasePage, LosesNoKeystrokeWhenItVanishes) {
   DeskOf again(centre, 0);
   const auto& page = again.open<CasePage>(id);
 
-  EXPECT_EQ(page.editor()->answer("time").score_steps, 80);
-  EXPECT_EQ(page.editor()->answer("accuracy").score_steps, 65);
-  EXPECT_EQ(page.editor()->sheet().comment, "calm");
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 80);
+  EXPECT_EQ(editorOf(page)->answer("accuracy").score_steps, 65);
+  EXPECT_EQ(editorOf(page)->sheet().comment, "calm");
 }
 
 TEST(CasePage, UndoesToTheFirstMarkAndRedoes) {
@@ -119,17 +121,17 @@ TEST(CasePage, UndoesToTheFirstMarkAndRedoes) {
   desk.press(Qt::Key_Down);
   desk.press(Qt::Key_1);
   desk.press(Qt::Key_0);  // ten
-  EXPECT_EQ(page.editor()->answer("accuracy").score_steps, 100);
+  EXPECT_EQ(editorOf(page)->answer("accuracy").score_steps, 100);
   desk.press(Qt::Key_Backspace);
 
   desk.press(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(page.editor()->answer("accuracy").score_steps, 100);
+  EXPECT_EQ(editorOf(page)->answer("accuracy").score_steps, 100);
   for (int i = 0; i < 5; ++i) desk.press(Qt::Key_Z, Qt::ControlModifier);
 
-  EXPECT_FALSE(page.editor()->answer("time").given());
-  EXPECT_FALSE(page.editor()->canUndo());
+  EXPECT_FALSE(editorOf(page)->answer("time").given());
+  EXPECT_FALSE(editorOf(page)->canUndo());
   desk.press(Qt::Key_Y, Qt::ControlModifier);
-  EXPECT_EQ(page.editor()->answer("time").score_steps, 80);
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 80);
   // What was undone is undone on the disk too.
   const OpenedSheet stored = openSheet(desk.workplace(), centre.cases(0).front());
   EXPECT_EQ(SheetEditor(stored.rubric, stored.sheet).answer("time").score_steps, 80);
@@ -139,14 +141,14 @@ TEST(CasePage, KeysAreSilentWhileTyping) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
-  page.replay().setRealTime(false);
-  page.sheetPanel().commentField()->setFocus();
+  child<ReplayPanel>(page, "replay").setRealTime(false);
+  child<QPlainTextEdit>(page, "comment").setFocus();
 
   desk.type(QStringLiteral("b 7 jkl, n."));
 
-  EXPECT_EQ(page.editor()->sheet().comment, "b 7 jkl, n.");
-  EXPECT_FALSE(page.editor()->answer("time").given());
-  EXPECT_FALSE(page.replay().playing());
+  EXPECT_EQ(editorOf(page)->sheet().comment, "b 7 jkl, n.");
+  EXPECT_FALSE(editorOf(page)->answer("time").given());
+  EXPECT_FALSE(child<ReplayPanel>(page, "replay").playing());
   EXPECT_TRUE(caseRemarks(desk.workplace(), centre.cases(0).front()).empty());
 }
 
@@ -157,37 +159,37 @@ TEST(CasePage, NotAssessableTakesAReason) {
   desk.press(Qt::Key_N);
   desk.type(QStringLiteral("hand in 5 the way"));
   desk.press(Qt::Key_Return);
-  EXPECT_EQ(page.editor()->answer("time").notAssessableReason, "hand in 5 the way");
+  EXPECT_EQ(editorOf(page)->answer("time").notAssessableReason, "hand in 5 the way");
 
   desk.press(Qt::Key_Down);
   desk.press(Qt::Key_4);
 
-  EXPECT_EQ(page.editor()->answer("accuracy").score_steps, 40);
+  EXPECT_EQ(editorOf(page)->answer("accuracy").score_steps, 40);
 }
 
 TEST(CasePage, SubmitsOnlyWhatIsCompleteAndWatched) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
-  page.replay().setRealTime(false);
+  child<ReplayPanel>(page, "replay").setRealTime(false);
   const auto state = [&] { return openSheet(desk.workplace(), centre.cases(0).front()).state; };
   desk.press(Qt::Key_7);
   for (int i = 0; i < 3; ++i) desk.press(Qt::Key_Return, Qt::ControlModifier);
   EXPECT_EQ(state(), SheetState::kDraft);
-  EXPECT_EQ(page.sheetPanel().currentRow(), "accuracy");  // the first open row
+  EXPECT_EQ(child<SheetPanel>(page, "sheetPanel").currentRow(), "accuracy");  // the first open row
   desk.press(Qt::Key_7);
   desk.press(Qt::Key_Down);
   desk.press(Qt::Key_7);
-  page.replay().seek_us(1'900'000);  // a jump is not watching
+  child<ReplayPanel>(page, "replay").seek_us(1'900'000);  // a jump is not watching
   for (int i = 0; i < 3; ++i) desk.press(Qt::Key_Return, Qt::ControlModifier);
   EXPECT_EQ(state(), SheetState::kDraft);
 
-  page.replay().seek_us(0);
+  child<ReplayPanel>(page, "replay").seek_us(0);
   desk.press(Qt::Key_L);
-  EXPECT_TRUE(page.replay().playing());
+  EXPECT_TRUE(child<ReplayPanel>(page, "replay").playing());
   desk.press(Qt::Key_L);  // locked: no faster
-  EXPECT_DOUBLE_EQ(page.replay().recording()->playback.speed(), 1.0);
-  watchAll(page.replay());
+  EXPECT_DOUBLE_EQ(child<ReplayPanel>(page, "replay").recording()->playback.speed(), 1.0);
+  watchAll(child<ReplayPanel>(page, "replay"));
   for (int i = 0; i < 2; ++i) desk.press(Qt::Key_Return, Qt::ControlModifier);
 
   EXPECT_EQ(state(), SheetState::kSubmitted);
@@ -197,7 +199,7 @@ TEST(CasePage, BookmarksRemarksAndSteps) {
   ReviewCentre centre(ReviewCentre::Setup{});
   DeskOf desk(centre, 0);
   auto& page = desk.open<CasePage>(inputOf(centre.cases(0).front()));
-  page.replay().setRealTime(false);
+  child<ReplayPanel>(page, "replay").setRealTime(false);
   desk.press(Qt::Key_Period);
   desk.press(Qt::Key_Period);
   desk.press(Qt::Key_B);
@@ -222,7 +224,7 @@ TEST(CasePage, AmendingNeedsAReasonAndKeepsBothVersions) {
   scoreCase(desk, 7, 6, 6);
   auto& page = desk.open<CasePage>(inputOf(id));
   desk.press(Qt::Key_9);  // sealed: nothing happens
-  EXPECT_EQ(page.editor()->answer("time").score_steps, 70);
+  EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
   for (QPushButton* button : page.findChildren<QPushButton*>()) {
     if (button->text().contains(QStringLiteral("mend")) && button->isVisibleTo(&page)) button->click();
   }
@@ -248,8 +250,8 @@ TEST(CasePage, PlaysTheRecordingBitForBitAndProvesIt) {
   auto& page = desk.open<CasePage>(inputOf(id));
   const Trial original = TrialRepository(centre.connection()).load(centre.trialIds()[0]);
 
-  ASSERT_NE(page.replay().recording(), nullptr);
-  const std::vector<TrialChunk>& played = page.replay().recording()->playback.chunks();
+  ASSERT_NE(child<ReplayPanel>(page, "replay").recording(), nullptr);
+  const std::vector<TrialChunk>& played = child<ReplayPanel>(page, "replay").recording()->playback.chunks();
   ASSERT_EQ(played.size(), original.chunks.size());
   for (std::size_t i = 0; i < played.size(); ++i) {
     EXPECT_EQ(played[i].bytes, original.chunks[i].bytes);
@@ -258,13 +260,13 @@ TEST(CasePage, PlaysTheRecordingBitForBitAndProvesIt) {
   // And what the window shows at any instant is the sample of that instant.
   const std::vector<Sample> samples = decodeTrial(original);
   for (std::size_t at = 0; at < samples.size(); at += 97) {
-    page.replay().seek_us(samples[at].device.time_us - samples.front().device.time_us);
-    const LiveState shown = page.replay().recording()->playback.state();
+    child<ReplayPanel>(page, "replay").seek_us(samples[at].device.time_us - samples.front().device.time_us);
+    const LiveState shown = child<ReplayPanel>(page, "replay").recording()->playback.state();
     EXPECT_EQ(shown.tick, samples[at].tick);
     EXPECT_EQ(shown.response, samples[at].response);
   }
 
-  const QString digest = QString::fromStdString(blindedDigest(original.summary.contentHash, id));
+  const QString digest = toQString(blindedDigest(original.summary.contentHash, id));
   bool shown = false;
   for (const QLabel* label : page.findChildren<QLabel*>()) shown = shown || label->text().contains(digest);
   EXPECT_TRUE(shown);
@@ -283,17 +285,17 @@ TEST(ReviewPages, EverythingThatTakesTheKeyboardHasANameAndFitsASmallScreen) {
     page->retranslate();
     page->resize(1146, 700);
     page->show();
-    page->enter(entry.id == QStringLiteral("review.case") ? inputOf(centre.cases(0)[0]) : QVariant());
+    page->enter(entry.id == PageId::kCase ? inputOf(centre.cases(0)[0]) : QVariant());
     desk.shell().waitForJobs();
-    EXPECT_LE(page->minimumSizeHint().width(), 1146) << entry.id.toStdString();
-    EXPECT_LE(page->minimumSizeHint().height(), 560) << entry.id.toStdString();
+    EXPECT_LE(page->minimumSizeHint().width(), 1146) << pageText(entry.id).toStdString();
+    EXPECT_LE(page->minimumSizeHint().height(), 560) << pageText(entry.id).toStdString();
     for (QWidget* widget : page->findChildren<QWidget*>()) {
       const bool reachable = (widget->focusPolicy() & Qt::TabFocus) != 0 && widget->isVisible();
       if (!reachable) continue;
       const auto* button = qobject_cast<QAbstractButton*>(widget);
       const bool named =
           !widget->accessibleName().isEmpty() || (button != nullptr && !button->text().isEmpty());
-      EXPECT_TRUE(named) << entry.id.toStdString() << ": " << widget->metaObject()->className();
+      EXPECT_TRUE(named) << pageText(entry.id).toStdString() << ": " << widget->metaObject()->className();
     }
   }
 }

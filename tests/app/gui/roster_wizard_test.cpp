@@ -12,6 +12,7 @@
 #include <QRadioButton>
 
 #include "app/gui/administrator/roster_page.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/people/people_service.h"
 #include "sim/base/file_io.h"
@@ -34,7 +35,7 @@ class RosterWizardTest : public ::testing::Test {
     wizard = std::make_unique<RosterWizard>(office.shell());
     wizard->restart();
     wizard->show();
-    wizard->findChild<QLineEdit*>(QStringLiteral("path"))->setText(QString::fromStdString(file.string()));
+    wizard->findChild<QLineEdit*>(QStringLiteral("path"))->setText(toQString(file));
     for (QRadioButton* kind : wizard->findChildren<QRadioButton*>())
       if ((kind->text() == QStringLiteral("&Raters")) == raters) kind->setChecked(true);
     return *wizard;

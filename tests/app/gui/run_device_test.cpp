@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/gui/widgets/child.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/gui/trainee_station.h"
@@ -49,8 +50,8 @@ class Wired final : public HapticDevice {
 /// The device is unplugged, and everybody gets to know.
 void unplug(Station& station, Wire& wire) {
   wire.unplugged = true;
-  station.run().scene().controller().run()->step(20);
-  station.run().scene().frame(0.016);
+  child<LiveScene>(station.run(), "scene").controller().run()->step(20);
+  child<LiveScene>(station.run(), "scene").frame(0.016);
 }
 
 /// Outcomes of what is stored, in any order.
@@ -80,7 +81,7 @@ TEST(RunDevice, AGradedRunThatLosesItsDeviceEndsWithoutForceAndCostsNoAttempt) {
   EXPECT_EQ(station.problems[0], QStringLiteral("The haptic device was lost: the graded run has ended"));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("No run goes on")));
   EXPECT_EQ(outcomes(centre), std::vector<TrialOutcome>{TrialOutcome::kInterrupted});
-  EXPECT_FALSE(StationDesk::of(station.shell()).readiness.has_value());  // to be checked anew
+  EXPECT_FALSE(station.desk().readiness.has_value());  // to be checked anew
   const NextSteps steps = nextSteps(centre.workplace(), centre.person());
   EXPECT_EQ(stepOf(steps, centre.module("first")).attempts, 0);
 }
@@ -104,7 +105,8 @@ TEST(RunDevice, PracticeThatLosesItsDeviceGoesOnWithTheMouse) {
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
   EXPECT_TRUE(station.run().busy());
   station.train(2 * kSecond_us);
-  EXPECT_EQ(station.run().scene().controller().mode(), SimulationController::Mode::kRecording);
+  EXPECT_EQ(child<LiveScene>(station.run(), "scene").controller().mode(),
+            SimulationController::Mode::kRecording);
   EXPECT_EQ(outcomes(centre), std::vector<TrialOutcome>{TrialOutcome::kInterrupted});
 }
 
@@ -143,7 +145,8 @@ TEST(RunDevice, TheClockWaitsForTheDeviceAndTheWindowDoesNot) {
   station.train(kSecond_us);
 
   EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("00:49"));
-  EXPECT_EQ(station.run().scene().controller().mode(), SimulationController::Mode::kRecording);
+  EXPECT_EQ(child<LiveScene>(station.run(), "scene").controller().mode(),
+            SimulationController::Mode::kRecording);
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
 }
 
@@ -162,7 +165,7 @@ TEST(RunDevice, WaitingForTheDeviceCanBeGivenUp) {
   gate->release();  // it arrives while nobody waits any more
   station.press("goOn");
 
-  EXPECT_EQ(station.pageId, QStringLiteral("station.next"));
+  EXPECT_EQ(station.pageId, PageId::kNextStep);
   EXPECT_TRUE(soon([&] { return given->load() == 1; }));
   EXPECT_TRUE(outcomes(centre).empty());
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
@@ -181,7 +184,7 @@ TEST(RunDevice, AGradedRunDoesNotBeginWithADeviceThatCannotBeOpened) {
             QStringLiteral("The haptic device is not ready: the graded run did not begin"));
   EXPECT_EQ(station.run().session(), nullptr);
   EXPECT_TRUE(outcomes(centre).empty());
-  EXPECT_FALSE(StationDesk::of(station.shell()).readiness.has_value());
+  EXPECT_FALSE(station.desk().readiness.has_value());
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "app/gui/administrator/scoring_page.h"
 #include "app/gui/administrator/warm_up_dialog.h"
 #include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/review/alignment.h"
 #include "app/review/case_sheet.h"
@@ -100,7 +101,7 @@ TEST_F(ScoringOffice, FindsAThirdRaterInTwoClicks) {
 
   EXPECT_EQ(SheetRepository(centre_.connection()).queue("rater-900").size(), 1U);
   EXPECT_EQ(buttonOf(*page_, "Third rater"), nullptr);
-  EXPECT_TRUE(page_->matrix().asText().contains(QStringLiteral("CH-900")));
+  EXPECT_TRUE(child<DataTable>(*page_, "matrix").asText().contains(QStringLiteral("CH-900")));
 }
 
 TEST_F(ScoringOffice, ChoosesTheRunsOfTheWarmUpWithThePanelsMark) {
@@ -116,16 +117,16 @@ TEST_F(ScoringOffice, ChoosesTheRunsOfTheWarmUpWithThePanelsMark) {
 
   press("Warm-up", [](QDialog& dialog) {
     auto& warmUp = static_cast<WarmUpDialog&>(dialog);
-    EXPECT_EQ(warmUp.candidates().visibleRows(), 2);
+    EXPECT_EQ(child<DataTable>(warmUp, "candidates").visibleRows(), 2);
     EXPECT_FALSE(buttonOf(dialog, "Add")->isEnabled());  // nothing is chosen
     for (const double mark : {4.1, 7.6}) {
-      warmUp.candidates().view().selectRow(0);
+      child<DataTable>(warmUp, "candidates").view().selectRow(0);
       dialog.findChild<QDoubleSpinBox*>()->setValue(mark);
       dialog.findChild<QSpinBox*>()->setValue(8);
       buttonOf(dialog, "Add")->click();
     }
-    EXPECT_EQ(warmUp.present().visibleRows(), 2);
-    EXPECT_EQ(warmUp.candidates().visibleRows(), 0);
+    EXPECT_EQ(child<DataTable>(warmUp, "present").visibleRows(), 2);
+    EXPECT_EQ(child<DataTable>(warmUp, "candidates").visibleRows(), 0);
     buttonOf(dialog, "Close")->click();
   });
 
@@ -145,14 +146,14 @@ TEST_F(ScoringOffice, WithdrawsARunOfTheWarmUpWithAReason) {
     auto& warmUp = static_cast<WarmUpDialog&>(dialog);
     QPushButton* withdraw = buttonOf(dialog, "Withdraw");
     EXPECT_FALSE(withdraw->isEnabled());  // nothing is chosen
-    warmUp.present().view().selectRow(0);
+    child<DataTable>(warmUp, "present").view().selectRow(0);
     QTimer::singleShot(0, &dialog, [] {
       QWidget* asked = QApplication::activeModalWidget();
       asked->findChild<QLineEdit*>(QStringLiteral("reason"))->setText(QStringLiteral("the panel erred"));
       buttonOf(*asked, "Withdraw a reference run")->click();
     });
     withdraw->click();
-    EXPECT_TRUE(warmUp.present().asText().contains(QStringLiteral("the panel erred")));
+    EXPECT_TRUE(child<DataTable>(warmUp, "present").asText().contains(QStringLiteral("the panel erred")));
     EXPECT_FALSE(withdraw->isEnabled());
     buttonOf(dialog, "Close")->click();
   });

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "app/gui/administrator/move_page.h"
+#include "app/gui/widgets/child.h"
 #include "db/migrations/migrations.h"
 #include "tests/app/gui/care_window.h"
 
@@ -76,18 +77,18 @@ class ServerMove : public CarePages {
 TEST_F(ServerMove, TheRecordIsCopiedComparedAndTheStationTurnsToTheServer) {
   auto& page = openBy<MovePage>("Move to PostgreSQL");
   page.setAddress(address_);
-  click(page.testButton());
-  EXPECT_TRUE(page.serverText().text().contains(QStringLiteral("The database is empty")));
-  click(page.copyButton());
-  EXPECT_TRUE(page.copyText().text().contains(QStringLiteral("same counts and hashes")));
+  click(child<QPushButton>(page, "testButton"));
+  EXPECT_TRUE(child<QLabel>(page, "serverText").text().contains(QStringLiteral("The database is empty")));
+  click(child<QPushButton>(page, "copyButton"));
+  EXPECT_TRUE(child<QLabel>(page, "copyText").text().contains(QStringLiteral("same counts and hashes")));
 
-  click(page.switchButton());  // no password file yet
+  click(child<QPushButton>(page, "switchButton"));  // no password file yet
   ASSERT_EQ(failures_.size(), 1);
   EXPECT_EQ(failures_.front(),
             QStringLiteral("The server does not let this station in without the typed password"));
   EXPECT_TRUE(says(QStringLiteral("Torsio stores no password")));
   writePasswordFile();
-  click(page.switchButton());
+  click(child<QPushButton>(page, "switchButton"));
   QTRY_COMPARE_WITH_TIMEOUT(window_->screen(), QStringLiteral("sign-in"), 5'000);
   window_->background().wait();
 
@@ -110,11 +111,12 @@ TEST_F(ServerMove, AUsedDatabaseIsNoTargetButAStationMayJoinIt) {
   auto& page = openBy<MovePage>("Move to PostgreSQL");
 
   page.setAddress(address_);
-  click(page.testButton());
-  EXPECT_TRUE(
-      page.serverText().text().contains(QStringLiteral("There is a record in this database already")));
-  EXPECT_FALSE(page.copyButton().isVisible());
-  click(page.switchButton());
+  click(child<QPushButton>(page, "testButton"));
+  EXPECT_TRUE(child<QLabel>(page, "serverText")
+                  .text()
+                  .contains(QStringLiteral("There is a record in this database already")));
+  EXPECT_FALSE(child<QPushButton>(page, "copyButton").isVisible());
+  click(child<QPushButton>(page, "switchButton"));
   QTRY_COMPARE_WITH_TIMEOUT(window_->workplace()->key().locator, lastingLocator(address_), 5'000);
   window_->background().wait();
 
@@ -127,11 +129,11 @@ TEST_F(ServerMove, WhatIsWrittenAfterTheCopyForbidsTheSwitch) {
   writePasswordFile();
   auto& page = openBy<MovePage>("Move to PostgreSQL");
   page.setAddress(address_);
-  click(page.testButton());
-  click(page.copyButton());
+  click(child<QPushButton>(page, "testButton"));
+  click(child<QPushButton>(page, "copyButton"));
   addPerson(*window_->workplace(), person());
 
-  click(page.switchButton());
+  click(child<QPushButton>(page, "switchButton"));
 
   ASSERT_EQ(failures_.size(), 1);
   EXPECT_EQ(failures_.front(), QStringLiteral("Something was written to this record after it was copied"));
@@ -141,18 +143,18 @@ TEST_F(ServerMove, WhatIsWrittenAfterTheCopyForbidsTheSwitch) {
 TEST_F(ServerMove, ACancelledCopyKeepsNothingOnTheServerAndCanBeRepeated) {
   auto& page = openBy<MovePage>("Move to PostgreSQL");
   page.setAddress(address_);
-  click(page.testButton());
+  click(child<QPushButton>(page, "testButton"));
 
-  QTest::mouseClick(&page.copyButton(), Qt::LeftButton);
+  QTest::mouseClick(&child<QPushButton>(page, "copyButton"), Qt::LeftButton);
   context().cancelJobs();
   context().waitForJobs();
 
   EXPECT_TRUE(contains(trail(record()), "database.move_given_up") ||
               !contains(trail(record()), "database.move"));
-  click(page.testButton());
-  EXPECT_TRUE(page.serverText().text().contains(QStringLiteral("the record can go there")));
-  click(page.copyButton());
-  EXPECT_TRUE(page.copyText().text().contains(QStringLiteral("same counts and hashes")));
+  click(child<QPushButton>(page, "testButton"));
+  EXPECT_TRUE(child<QLabel>(page, "serverText").text().contains(QStringLiteral("the record can go there")));
+  click(child<QPushButton>(page, "copyButton"));
+  EXPECT_TRUE(child<QLabel>(page, "copyText").text().contains(QStringLiteral("same counts and hashes")));
 }
 
 TEST_F(ServerMove, AMoveThatIsGivenUpLeavesAnEmptyDatabaseEmpty) {
@@ -184,14 +186,14 @@ TEST_F(ServerMove, AMoveThatIsGivenUpLeavesWhatWasThere) {
 TEST_F(ServerMove, ACopyIsRefusedWhileAnotherStationIsConnected) {
   auto& page = openBy<MovePage>("Move to PostgreSQL");
   page.setAddress(address_);
-  click(page.testButton());
+  click(child<QPushButton>(page, "testButton"));
   showsOtherStation();
 
-  click(page.copyButton());
+  click(child<QPushButton>(page, "copyButton"));
 
   ASSERT_EQ(failures_.size(), 1);
   EXPECT_EQ(failures_.front(), QStringLiteral("The station room 2 is connected"));
-  EXPECT_FALSE(page.switchButton().isVisible());
+  EXPECT_FALSE(child<QPushButton>(page, "switchButton").isVisible());
 }
 
 }  // namespace

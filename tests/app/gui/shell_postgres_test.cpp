@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "app/access/first_run.h"
+#include "app/gui/base/spoken.h"
 #include "app/gui/shell/shell_window.h"
 #include "tests/db/test_database.h"
 
@@ -29,7 +30,7 @@ class FirstRunOnServer : public DatabaseTest {
     qputenv("TORSIO_DB_TEST_ENGINE", "postgresql");
     DatabaseTest::SetUp();
     if (IsSkipped()) return;
-    QUrl address(QString::fromStdString(locator()));
+    QUrl address(toQString(locator()));
     const std::filesystem::path file = folder_.path() / "pgpass";
     std::ofstream(file) << "*:*:*:*:" << address.password().toStdString() << '\n';
     std::filesystem::permissions(file,
@@ -40,7 +41,7 @@ class FirstRunOnServer : public DatabaseTest {
     ShellSetup setup;
     setup.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
     setup.station = "test";
-    setup.locator = QString::fromStdString((folder_.path() / "unused.sqlite").string());
+    setup.locator = toQString((folder_.path() / "unused.sqlite"));
     setup.remember = false;
     setup.unstored = folder_.path() / "unstored";
     setup.passwordCost = PasswordCost::kTest;

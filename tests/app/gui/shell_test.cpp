@@ -66,21 +66,14 @@ class BarePage : public Page {
   QString name_;
 };
 
-PageEntry entry(const QString& id, std::vector<Operation> needs) {
-  return {.id = id,
-          .icon = QStringLiteral("practice"),
-          .title = [id] { return QStringLiteral("Title of %1").arg(id); },
-          .needs = std::move(needs),
-          .make = [id](ShellContext& context) -> Page* { return new BarePage(context, id); }};
+PageEntry entry(PageId id) {
+  return {id, [id](ShellContext& context) -> Page* { return new BarePage(context, pageTitle(id)); }};
 }
 
 std::vector<PageGroup> bareGroups() {
-  return {
-      {[] { return QStringLiteral("Training"); },
-       {entry("station.next", {Operation::kTrialRecordOwn}), entry("practice", {Operation::kPractice})}},
-      {[] { return QStringLiteral("Review"); }, {entry("review.queue", {Operation::kMarkSubmit})}},
-      {[] { return QStringLiteral("Office"); },
-       {entry("office.users", {Operation::kUserManage}), entry("office.audit", {Operation::kAuditView})}}};
+  return {{[] { return QStringLiteral("Training"); }, {entry(PageId::kNextStep), entry(PageId::kPractice)}},
+          {[] { return QStringLiteral("Review"); }, {entry(PageId::kQueue)}},
+          {[] { return QStringLiteral("Office"); }, {entry(PageId::kUsers), entry(PageId::kAudit)}}};
 }
 
 template <typename Widget>
@@ -120,7 +113,7 @@ class Shell : public ::testing::Test {
     setup.assets = std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
     setup.station = "test";
     setup.locator = folder_.filePath(QStringLiteral("torsio.sqlite"));
-    setup.groups = bareGroups();
+    setup.groups = bareGroups;
     setup.remember = false;
     setup.clock = &clock_;
     setup.unstored = folder_.filePath(QStringLiteral("unstored")).toStdString();
@@ -183,7 +176,7 @@ TEST_F(Shell, TheFirstRunMakesACentreAndLeadsItsAdministratorToTheOffice) {
   window_->background().wait();
 
   ASSERT_EQ(window_->screen(), QStringLiteral("desk"));
-  EXPECT_EQ(window_->desk()->pageId(), QStringLiteral("office.users"));
+  EXPECT_EQ(window_->desk()->pageId(), PageId::kUsers);
   EXPECT_TRUE(says(*window_, QStringLiteral("City hospital")));
 }
 
@@ -256,7 +249,7 @@ TEST_F(Shell, AStartPasswordMustBeChangedBeforeAnythingElse) {
   window_->background().wait();
 
   ASSERT_EQ(window_->screen(), QStringLiteral("desk"));
-  EXPECT_EQ(window_->desk()->pageId(), QStringLiteral("station.next"));
+  EXPECT_EQ(window_->desk()->pageId(), PageId::kNextStep);
   window_->signOut();
   enter(QStringLiteral("chen"), QString::fromLatin1(kOwnPassword));
   EXPECT_EQ(window_->screen(), QStringLiteral("desk"));
@@ -266,12 +259,12 @@ TEST_F(Shell, TheDeskOffersOnlyWhatItsActorMayOpen) {
   openFoundedCentre(setup());
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
 
-  const std::vector<QString> pages = window_->desk()->pageIds();
+  const std::vector<PageId> pages = window_->desk()->pageIds();
 
-  EXPECT_EQ(std::count(pages.begin(), pages.end(), QStringLiteral("station.next")), 0);
-  EXPECT_EQ(std::count(pages.begin(), pages.end(), QStringLiteral("office.audit")), 1);
-  EXPECT_FALSE(window_->desk()->open(QStringLiteral("review.queue")));
-  EXPECT_EQ(window_->desk()->pageId(), QStringLiteral("office.users"));
+  EXPECT_EQ(std::count(pages.begin(), pages.end(), PageId::kNextStep), 0);
+  EXPECT_EQ(std::count(pages.begin(), pages.end(), PageId::kAudit), 1);
+  EXPECT_FALSE(window_->desk()->open(PageId::kQueue));
+  EXPECT_EQ(window_->desk()->pageId(), PageId::kUsers);
 }
 
 TEST_F(Shell, PagesAreKeptAndEnteredAnew) {
@@ -280,9 +273,9 @@ TEST_F(Shell, PagesAreKeptAndEnteredAnew) {
   Desk& desk = *window_->desk();
   Page* first = desk.page();
 
-  desk.context().open(QStringLiteral("office.audit"), QStringLiteral("argument"));
+  desk.context().open(PageId::kAudit, QStringLiteral("argument"));
   EXPECT_EQ(page().argument_.toString(), QStringLiteral("argument"));
-  desk.open(QStringLiteral("office.users"));
+  desk.open(PageId::kUsers);
 
   EXPECT_EQ(desk.page(), first);
   EXPECT_EQ(page().entered, 2);
@@ -294,7 +287,7 @@ TEST_F(Shell, ABusyPageBlocksSignOutOtherPagesAndClosing) {
   page().isBusy = true;
 
   EXPECT_FALSE(window_->signOut());
-  EXPECT_FALSE(window_->desk()->open(QStringLiteral("office.audit")));
+  EXPECT_FALSE(window_->desk()->open(PageId::kAudit));
   EXPECT_FALSE(window_->close());
   EXPECT_TRUE(says(*window_, QStringLiteral("A run is going on")));
 
@@ -308,9 +301,9 @@ TEST_F(Shell, APageWithSomethingUnfinishedIsNotLeft) {
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   page().mayLeave = false;
 
-  EXPECT_FALSE(window_->desk()->open(QStringLiteral("office.audit")));
+  EXPECT_FALSE(window_->desk()->open(PageId::kAudit));
   EXPECT_FALSE(window_->signOut());
-  EXPECT_EQ(window_->desk()->pageId(), QStringLiteral("office.users"));
+  EXPECT_EQ(window_->desk()->pageId(), PageId::kUsers);
   page().mayLeave = true;
 }
 
@@ -417,7 +410,7 @@ TEST_F(Shell, AGuestPractisesAndReachesNothingElse) {
   press(*window_, QStringLiteral("Practise as a guest"));
 
   ASSERT_EQ(window_->screen(), QStringLiteral("desk"));
-  EXPECT_EQ(window_->desk()->pageIds(), std::vector<QString>{QStringLiteral("practice")});
+  EXPECT_EQ(window_->desk()->pageIds(), std::vector<PageId>{PageId::kPractice});
   EXPECT_TRUE(says(*window_, QStringLiteral("nothing is recorded")));
   EXPECT_FALSE(window_->workplace()->may(Operation::kTrialRecordOwn));
 }
@@ -475,8 +468,8 @@ TEST_F(Shell, AProblemThatIsOpenFollowsTheLanguage) {
   QApplication::processEvents();
 
   EXPECT_TRUE(panel->isVisible());
-  EXPECT_TRUE(says(*panel, spoken(error).happened));
-  EXPECT_TRUE(says(*panel, spoken(error).remedy));
+  EXPECT_TRUE(says(*panel, translated(error).happened));
+  EXPECT_TRUE(says(*panel, translated(error).remedy));
   EXPECT_FALSE(panel->wholeText().contains(QStringLiteral("outside")));
   EXPECT_TRUE(panel->findChild<QPlainTextEdit*>()->isVisible());  // what was unfolded stays so
   language.choose(Language::kEnglish);
@@ -676,8 +669,8 @@ TEST_F(Shell, ADatabaseThatHangsIsSaidCalmlyAndHoldsUpNobody) {
   };
 
   EXPECT_TRUE(QTest::qWaitFor([&] { return tells("The database does not answer"); }, 20'000));
-  EXPECT_FALSE(window_->desk()->open(QStringLiteral("office.audit")));
-  EXPECT_EQ(window_->desk()->pageId(), QStringLiteral("office.users"));
+  EXPECT_FALSE(window_->desk()->open(PageId::kAudit));
+  EXPECT_EQ(window_->desk()->pageId(), PageId::kUsers);
   page().isBusy = true;
   EXPECT_TRUE(tells("Your run goes on"));
   page().isBusy = false;
@@ -685,13 +678,13 @@ TEST_F(Shell, ADatabaseThatHangsIsSaidCalmlyAndHoldsUpNobody) {
   gate->set(true);
   EXPECT_TRUE(QTest::qWaitFor([&] { return !tells("The database does not answer"); }, 20'000));
   window_->background().wait();
-  EXPECT_TRUE(window_->desk()->open(QStringLiteral("office.audit")));
+  EXPECT_TRUE(window_->desk()->open(PageId::kAudit));
 }
 
 TEST(AboutBox, TellsTheBuildAndThatThisIsNoMedicalDevice) {
   const QString text = aboutText();
 
-  EXPECT_TRUE(text.contains(QString::fromStdString(softwareVersion())));
+  EXPECT_TRUE(text.contains(toQString(softwareVersion())));
   EXPECT_TRUE(text.contains(QLatin1String(QT_VERSION_STR)));
   EXPECT_TRUE(text.contains(QStringLiteral("This is a training tool and not a medical device.")));
 }

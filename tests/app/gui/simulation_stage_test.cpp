@@ -30,6 +30,12 @@ const char* nameOf(Kind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
+/// The bar, built once for all simulators.
+LoadedScene bar(const SceneRequest& /*wanted*/) {
+  static const LoadedScene kBar = loadBar(requestFor("bar"));
+  return kBar;
+}
+
 /// A simulator on the bar that keeps its recordings in memory.
 class Simulator {
  public:
@@ -64,8 +70,7 @@ class Simulator {
   static const Trial& recordedBar() {
     static const Trial kTrial = [] {
       MemoryTrialSink kept;
-      const LoadedScene bar = loadBar(requestFor("bar"));
-      RecordedRun run(bar.scene, std::make_unique<PointerDevice>(Pose{}), {}, borrowed<TrialSink>(kept));
+      RecordedRun run(bar({}).scene, std::make_unique<PointerDevice>(Pose{}), {}, borrowed<TrialSink>(kept));
       run.step(100);
       static_cast<void>(run.finish(TrialOutcome::kCompleted));
       return kept.trial();
@@ -73,7 +78,7 @@ class Simulator {
     return kTrial;
   }
 
-  SimulationController controller_{loadBar, recording()};
+  SimulationController controller_{bar, recording()};
 };
 
 struct Event {

@@ -43,7 +43,7 @@ TEST(Station, WhatTheDeviceCheckFoundStandsOnTheBoardOfTheDay) {
   station.shell().setLine(&line);
   station.light = Light::kRed;
 
-  station.open(QStringLiteral("station.device"));
+  station.open(PageId::kDeviceCheck);
 
   ASSERT_TRUE(line.settled(std::chrono::milliseconds(kPatience_ms)));
   const StationDevice shown = storedDevice(StationRepository(centre.connection()).find("station 1").value());
@@ -61,21 +61,21 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   for (int i = 0; i < 2; ++i) centre.attempt("first", "practice", 1.0);
   Station station(centre);
 
-  station.open(QStringLiteral("station.next"));
+  station.open(PageId::kNextStep);
   EXPECT_TRUE(station.allText().contains(QStringLiteral("First master: Quarter turn, second")));
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Mastered")));
   station.page->applyTheme(theme(ThemeKind::kDark));                           // makes the buttons anew
   EXPECT_EQ(station.page->focusWidget(), station.find<QPushButton>("begin"));  // Enter begins
   station.press("begin");
 
-  ASSERT_EQ(station.pageId, QStringLiteral("station.device"));
+  ASSERT_EQ(station.pageId, PageId::kDeviceCheck);
   EXPECT_EQ(station.find<QLabel>("verdict")->text(), QStringLiteral("Ready"));
   station.press("goOn");
 
-  ASSERT_EQ(station.pageId, QStringLiteral("station.briefing"));
+  ASSERT_EQ(station.pageId, PageId::kBriefing);
   station.press("start");
 
-  ASSERT_EQ(station.pageId, QStringLiteral("station.run"));
+  ASSERT_EQ(station.pageId, PageId::kRun);
   ASSERT_TRUE(soon([&] { return station.run().busy(); }));
   EXPECT_TRUE(station.run().session()->graded());
   EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("00:40"));
@@ -85,7 +85,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   EXPECT_EQ(station.find<QLabel>("countdown")->text(), QStringLiteral("00:25"));
   station.train(kMinute_us);  // hard stop
 
-  ASSERT_EQ(station.pageId, QStringLiteral("station.debrief"));
+  ASSERT_EQ(station.pageId, PageId::kDebrief);
   auto& debrief = static_cast<DebriefPage&>(*station.page);
   EXPECT_FALSE(debrief.debrief().twists.empty());
   EXPECT_EQ(debrief.debrief().mode, AttemptMode::kGraded);
@@ -93,7 +93,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   EXPECT_EQ(debrief.debrief().moduleTitle, "Quarter turn, second");
   station.press("trend");
 
-  ASSERT_EQ(station.pageId, QStringLiteral("station.trend"));
+  ASSERT_EQ(station.pageId, PageId::kTrend);
   EXPECT_EQ(static_cast<TrendPage&>(*station.page).trend().points.size(), 1U);
   EXPECT_EQ(station.find<QLabel>("level")->text(), QStringLiteral("2 more runs until a level is shown"));
   EXPECT_TRUE(station.problems.empty()) << station.problems.join('\n').toStdString();
@@ -104,15 +104,15 @@ TEST(StationPages, NothingIsRecordedBeforeTheTraineeAgrees) {
   setup.consent = false;
   TrainingCentre centre(setup);
   Station station(centre);
-  station.open(QStringLiteral("station.next"));
+  station.open(PageId::kNextStep);
   station.press("begin");
 
-  ASSERT_EQ(station.pageId, QStringLiteral("station.consent"));
+  ASSERT_EQ(station.pageId, PageId::kConsent);
   EXPECT_FALSE(station.find<QPushButton>("agree")->isEnabled());
   station.page->findChild<QCheckBox*>()->setChecked(true);
   station.press("agree");
 
-  EXPECT_EQ(station.pageId, QStringLiteral("station.device"));
+  EXPECT_EQ(station.pageId, PageId::kDeviceCheck);
   EXPECT_TRUE(hasOwnConsent(centre.workplace(), "training_record"));
 }
 
@@ -121,15 +121,15 @@ TEST(StationPages, AmberAllowsPracticeOnlyAndRedNothing) {
   for (int i = 0; i < 2; ++i) centre.attempt("first", "practice", 1.0);
   Station station(centre);
   station.light = Light::kAmber;
-  station.open(QStringLiteral("station.next"));
+  station.open(PageId::kNextStep);
   station.press("begin");
   EXPECT_FALSE(station.find<QPushButton>("goOn")->isEnabled());
   station.press("practise");
-  EXPECT_EQ(station.pageId, QStringLiteral("station.briefing"));
-  EXPECT_FALSE(StationDesk::of(station.shell()).graded);
+  EXPECT_EQ(station.pageId, PageId::kBriefing);
+  EXPECT_FALSE(station.desk().graded);
 
   station.light = Light::kRed;
-  station.open(QStringLiteral("station.device"));
+  station.open(PageId::kDeviceCheck);
   EXPECT_FALSE(station.find<QPushButton>("goOn")->isEnabled());
   EXPECT_EQ(station.find<QLabel>("verdict")->text(), QStringLiteral("Not ready"));
 }
@@ -141,9 +141,9 @@ TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsByItself) {
   setup.restAllowance_us = 30 * kSecond_us;
   TrainingCentre centre(setup);
   Station station(centre);
-  StationDesk::of(station.shell()).moduleId = centre.module("first");
-  StationDesk::of(station.shell()).readiness = deviceWith(Light::kGreen);
-  station.open(QStringLiteral("station.run"));
+  station.desk().moduleId = centre.module("first");
+  station.desk().readiness = deviceWith(Light::kGreen);
+  station.open(PageId::kRun);
   ASSERT_TRUE(soon([&] { return station.run().busy(); }));
   station.train(20 * kSecond_us);
   EXPECT_TRUE(station.find<QLabel>("cue")->isVisibleTo(station.page.get()));  // practice helps
@@ -160,7 +160,7 @@ TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsByItself) {
   EXPECT_TRUE(station.allText().contains(QStringLiteral("Train on the real arm")));
   station.train(2 * kMinute_us);
 
-  EXPECT_EQ(station.pageId, QStringLiteral("station.debrief"));
+  EXPECT_EQ(station.pageId, PageId::kDebrief);
   const NextSteps steps = nextSteps(centre.workplace(), centre.person());
   EXPECT_TRUE(steps.allPhasesDone);
   EXPECT_EQ(attemptsOf(centre.workplace(), centre.person()).size(), 2U);  // the rest cut the recording in two
@@ -175,10 +175,10 @@ TEST(StationPages, TheRunFitsTheSmallestScreenWithoutScrolling) {
   TrainingCentre centre(setup);
   Station station(centre);
   applyTheme(*qApp, theme(ThemeKind::kLight));
-  StationDesk::of(station.shell()).moduleId = centre.module("first");
-  StationDesk::of(station.shell()).readiness = deviceWith(Light::kGreen);
+  station.desk().moduleId = centre.module("first");
+  station.desk().readiness = deviceWith(Light::kGreen);
 
-  station.open(QStringLiteral("station.run"));
+  station.open(PageId::kRun);
   ASSERT_TRUE(soon([&] { return station.run().busy(); }));
   station.page->resize(1146, 650);  // what the rail and the bars leave of 1366 x 768
   station.page->show();
@@ -194,9 +194,9 @@ TEST(StationPages, ARunThatWasCutOffIsShownAsInterrupted) {
   TrainingCentre centre;
   {
     Station station(centre);
-    StationDesk::of(station.shell()).moduleId = centre.module("first");
-    StationDesk::of(station.shell()).readiness = deviceWith(Light::kGreen);
-    station.open(QStringLiteral("station.run"));
+    station.desk().moduleId = centre.module("first");
+    station.desk().readiness = deviceWith(Light::kGreen);
+    station.open(PageId::kRun);
     ASSERT_TRUE(soon([&] { return station.run().busy(); }));
     station.train(5 * kSecond_us);
     // Everything goes without a word, as when the power fails; tests/app/session kills a real program.
@@ -204,7 +204,7 @@ TEST(StationPages, ARunThatWasCutOffIsShownAsInterrupted) {
   centre.passTime_us(utcNow_us() - torsio::testing::kCentreTime_us + kMinute_us);
   Station station(centre);
 
-  station.open(QStringLiteral("station.next"));
+  station.open(PageId::kNextStep);
 
   EXPECT_TRUE(station.allText().contains(QStringLiteral("was interrupted")))
       << station.allText().toStdString();
@@ -233,7 +233,7 @@ TEST(StationPages, TheTranscriptIsAPdf) {
   TrainingCentre centre;
   centre.attempt("first", "practice", 1.0);
   Station station(centre);
-  station.open(QStringLiteral("station.transcript"));
+  station.open(PageId::kTranscript);
   const std::filesystem::path file = centre.folder() / "transcript.pdf";
 
   static_cast<TranscriptPage&>(*station.page).writePdf(file);
@@ -244,17 +244,18 @@ TEST(StationPages, TheTranscriptIsAPdf) {
 TEST(StationPages, EveryPageCanBeEnteredByABeginner) {
   TrainingCentre centre;
   Station station(centre);
-  for (const char* id : {"station.next", "station.debrief", "station.trend", "station.remarks",
-                         "station.transcript", "station.device", "station.consent"}) {
-    station.open(QLatin1String(id));
-    EXPECT_TRUE(station.problems.empty()) << id << ": " << station.problems.join('\n').toStdString();
+  for (const PageId id : {PageId::kNextStep, PageId::kDebrief, PageId::kTrend, PageId::kRemarks,
+                          PageId::kTranscript, PageId::kDeviceCheck, PageId::kConsent}) {
+    station.open(id);
+    EXPECT_TRUE(station.problems.empty())
+        << pageText(id).toStdString() << ": " << station.problems.join('\n').toStdString();
   }
 }
 
-TEST(StationWords, RoundCountdownsUpSoThatZeroIsTheEnd) {
-  EXPECT_EQ(StationWords::clock(0), QStringLiteral("00:00"));
-  EXPECT_EQ(StationWords::clock(1), QStringLiteral("00:01"));
-  EXPECT_EQ(StationWords::clock(20 * kMinute_us), QStringLiteral("20:00"));
+TEST(StationLabels, RoundCountdownsUpSoThatZeroIsTheEnd) {
+  EXPECT_EQ(StationLabels::clock(0), QStringLiteral("00:00"));
+  EXPECT_EQ(StationLabels::clock(1), QStringLiteral("00:01"));
+  EXPECT_EQ(StationLabels::clock(20 * kMinute_us), QStringLiteral("20:00"));
 }
 
 }  // namespace

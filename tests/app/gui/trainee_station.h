@@ -17,6 +17,7 @@
 #include "app/gui/trainee/run_page.h"
 #include "app/gui/trainee/station_desk.h"
 #include "app/gui/trainee/station_pages.h"
+#include "app/gui/widgets/child.h"
 #include "sim/device/virtual/scripted_hand.h"
 #include "sim/servo/hand_task.h"
 #include "tests/app/gui/bar_view.h"
@@ -51,7 +52,7 @@ class Station {
  public:
   explicit Station(torsio::testing::TrainingCentre& centre)
       : centre_(centre), shell_(centre.workplace(), assetsFolder(), ThemeKind::kLight) {
-    StationDesk& desk = StationDesk::of(shell_);
+    StationDesk& desk = *desk_;
     desk.loader = testing::loadBar;
     desk.realTime = false;
     desk.clock = clock;
@@ -60,7 +61,7 @@ class Station {
       return std::make_unique<ScriptedHand>(practised(scene, target_rad));
     };
     QObject::connect(&shell_, &ShellContext::pageWanted, &shell_,
-                     [this](const QString& id, const QVariant& argument) { open(id, argument); });
+                     [this](PageId id, const QVariant& argument) { open(id, argument); });
     QObject::connect(&shell_, &ShellContext::failed, &shell_,
                      [this](const QString& happened) { problems << happened; });
     QObject::connect(&shell_, &ShellContext::noticed, &shell_,
@@ -68,9 +69,9 @@ class Station {
   }
   ~Station() { shell_.waitForJobs(); }
 
-  void open(const QString& id, const QVariant& argument = {}) {
+  void open(PageId id, const QVariant& argument = {}) {
     if (page && !page->leave()) return;
-    for (const PageEntry& entry : stationPages()) {
+    for (const PageEntry& entry : stationPages(desk_)) {
       if (entry.id != id) continue;
       // The page that asked is still in its slot.
       if (page) page.release()->deleteLater();
@@ -82,12 +83,12 @@ class Station {
       shell_.waitForJobs();
       return;
     }
-    FAIL() << "no page " << id.toStdString();
+    FAIL() << "no page " << pageText(id).toStdString();
   }
   template <typename W>
   W* find(const char* name) {
     W* found = page->findChild<W*>(QLatin1String(name));
-    EXPECT_NE(found, nullptr) << name << " on " << pageId.toStdString();
+    EXPECT_NE(found, nullptr) << name << " on " << pageText(pageId.value()).toStdString();
     return found;
   }
   void press(const char* name) { find<QPushButton>(name)->click(); }
@@ -99,24 +100,25 @@ class Station {
   RunPage& run() { return static_cast<RunPage&>(*page); }
   /// Opens a run of the first module with this device.
   void openRun(bool graded, const StationDesk::DeviceOpener& open) {
-    StationDesk& desk = StationDesk::of(shell_);
+    StationDesk& desk = *desk_;
     desk.openDevice = open;
     desk.moduleId = centre_.module("first");
     desk.graded = graded;
     desk.readiness = torsio::testing::deviceWith(Light::kGreen);
-    this->open(QStringLiteral("station.run"));
+    this->open(PageId::kRun);
   }
   /// Time goes by for the hand and for the clock of the run.
   void train(std::int64_t span_us) {
     ASSERT_TRUE(soon([&] { return !run().fetchesDevice(); }));
     for (std::int64_t t = 0; t < span_us; t += torsio::testing::kSecond_us) {
-      if (RecordedRun* live = run().scene().controller().run(); live != nullptr && live->recorded()) {
+      if (RecordedRun* live = child<LiveScene>(run(), "scene").controller().run();
+          live != nullptr && live->recorded()) {
         live->step(ticksIn(1.0));
       }
       clock->advance_us(torsio::testing::kSecond_us);
       centre_.passTime_us(torsio::testing::kSecond_us);
       run().tick();
-      if (pageId != QStringLiteral("station.run")) return;
+      if (pageId != PageId::kRun) return;
     }
   }
 
@@ -125,12 +127,14 @@ class Station {
   QStringList problems;
   QStringList notices;
   std::unique_ptr<Page> page;
-  QString pageId;
+  std::optional<PageId> pageId;
   ShellContext& shell() { return shell_; }
+  StationDesk& desk() { return *desk_; }
 
  private:
   torsio::testing::TrainingCentre& centre_;
   ShellContext shell_;
+  std::shared_ptr<StationDesk> desk_ = std::make_shared<StationDesk>();
 };
 
 }  // namespace torsio::gui

@@ -28,6 +28,8 @@
 #include "app/gui/administrator/scoring_page.h"
 #include "app/gui/base/figure_canvas.h"
 #include "app/gui/base/figure_card.h"
+#include "app/gui/base/spoken.h"
+#include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/people/people_service.h"
 #include "app/reporting/report_export.h"
@@ -84,7 +86,7 @@ void importRoster(Office& office, const std::string& text, bool raters, std::siz
   RosterWizard wizard(office.shell());
   wizard.restart();
   wizard.show();
-  wizard.findChild<QLineEdit*>(QStringLiteral("path"))->setText(QString::fromStdString(file.string()));
+  wizard.findChild<QLineEdit*>(QStringLiteral("path"))->setText(toQString(file));
   for (QRadioButton* kind : wizard.findChildren<QRadioButton*>())
     if ((kind->text() == QStringLiteral("&Raters")) == raters) kind->setChecked(true);
   wizard.button(QWizard::NextButton)->click();
@@ -114,7 +116,7 @@ void makeCurriculum(Office& office) {
   auto page = office.open<CurriculaPage>("administrator");
   answer([](QDialog& dialog) { type(dialog, QStringLiteral("Twist skills 2026")); });
   press(*page, QStringLiteral("New curriculum"));
-  EXPECT_TRUE(page->editor().problems().empty());
+  EXPECT_TRUE(child<CurriculumEditor>(*page, "editor").problems().empty());
   answer([](QDialog& dialog) { type(dialog, QStringLiteral("as in the paper")); });
   press(*page, QStringLiteral("Publish"));
   press(*page, QStringLiteral("Begin"));
@@ -126,14 +128,14 @@ std::string makeCohort(Office& office) {
   press(*page, QStringLiteral("New cohort"));
   answer([](QDialog& dialog) { dialog.accept(); });  // everybody is chosen to begin with
   press(*page, QStringLiteral("Enrol trainees"));
-  EXPECT_EQ(page->members().visibleRows(), static_cast<int>(kTrainees));
-  return page->cohorts().currentId().toStdString();
+  EXPECT_EQ(child<DataTable>(*page, "members").visibleRows(), static_cast<int>(kTrainees));
+  return child<DataTable>(*page, "cohorts").currentId().toStdString();
 }
 
 void drawGroups(Office& office, const std::string& cohortId) {
-  auto administrator = office.open<AllocationPage>("administrator", QString::fromStdString(cohortId));
+  auto administrator = office.open<AllocationPage>("administrator", toQString(cohortId));
   EXPECT_FALSE(testing::button(*administrator, QStringLiteral("Lock design"))->isEnabled());
-  auto page = office.open<AllocationPage>("allocator", QString::fromStdString(cohortId));
+  auto page = office.open<AllocationPage>("allocator", toQString(cohortId));
   auto* method = [&]() -> QComboBox* {
     for (QComboBox* box : page->findChildren<QComboBox*>())
       if (box->findData(static_cast<int>(AllocationMethod::kStratifiedBlocks)) >= 0) return box;
@@ -144,7 +146,8 @@ void drawGroups(Office& office, const std::string& cohortId) {
   for (QCheckBox* factor : page->findChildren<QCheckBox*>())
     if (factor->text() == QStringLiteral("sex")) factor->setChecked(true);
   press(*page, QStringLiteral("Preview balance"));
-  EXPECT_GE(page->balance().visibleRows(), 2);  // women and men, beside what else is known of them
+  EXPECT_GE(child<DataTable>(*page, "balance").visibleRows(),
+            2);  // women and men, beside what else is known of them
   QTimer::singleShot(0, [] {
     auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
     ASSERT_NE(box, nullptr);
@@ -152,7 +155,7 @@ void drawGroups(Office& office, const std::string& cohortId) {
   });
   press(*page, QStringLiteral("Lock design"));
   press(*page, QStringLiteral("Allocate everybody"));
-  EXPECT_EQ(page->records().visibleRows(), static_cast<int>(kTrainees));
+  EXPECT_EQ(child<DataTable>(*page, "records").visibleRows(), static_cast<int>(kTrainees));
   const fs::path cards = office.centre.folder() / "cards.pdf";
   EXPECT_TRUE(page->writeCards(cards));
   EXPECT_EQ(readFile(cards).substr(0, 5), "%PDF-");
@@ -160,13 +163,13 @@ void drawGroups(Office& office, const std::string& cohortId) {
 }
 
 void askTheTen(Office& office, const std::string& cohortId, const std::vector<std::string>& chiefs) {
-  auto page = office.open<ScoringPage>("administrator", QString::fromStdString(cohortId));
+  auto page = office.open<ScoringPage>("administrator", toQString(cohortId));
   answer([&](QDialog& dialog) {
     chooseCodes(dialog, chiefs);
     dialog.accept();
   });
   press(*page, QStringLiteral("Ask raters"));
-  EXPECT_EQ(page->matrix().visibleRows(), 90);  // 30 trainees at three scoring points
+  EXPECT_EQ(child<DataTable>(*page, "matrix").visibleRows(), 90);  // 30 trainees at three scoring points
 }
 
 void runTheDay(Office& office, const std::string& cohortId) {
@@ -179,18 +182,19 @@ void runTheDay(Office& office, const std::string& cohortId) {
   StationState yesterday{.station = "room 3", .heartbeatUtc_us = now_us};
   storeDevice(stationDevice(pointerReadiness(true), now_us - 86'400'000'000), yesterday);
   StationRepository(office.centre.connection()).heartbeat(yesterday);
-  auto page = office.open<RunDayPage>("administrator", QString::fromStdString(cohortId));
-  EXPECT_EQ(page->table().visibleRows(), static_cast<int>(kTrainees));
-  ASSERT_EQ(page->stations().visibleRows(), 2);
-  const QString stations = page->stations().asText();
+  auto page = office.open<RunDayPage>("administrator", toQString(cohortId));
+  EXPECT_EQ(child<DataTable>(*page, "table").visibleRows(), static_cast<int>(kTrainees));
+  ASSERT_EQ(child<DataTable>(*page, "stations").visibleRows(), 2);
+  const QString stations = child<DataTable>(*page, "stations").asText();
   const QString time =
       page->locale().toString(QDateTime::fromMSecsSinceEpoch(now_us / 1000).time(), QLocale::ShortFormat);
   EXPECT_TRUE(stations.contains(QStringLiteral("Touch\t\u2717 not fit at %1: no device answers").arg(time)))
       << stations.toStdString();
   EXPECT_TRUE(stations.contains(QStringLiteral("Mouse and keyboard\t\u25CB not checked today, last on ")));
-  EXPECT_TRUE(
-      page->alerts().text().contains(QStringLiteral("room 2: the device is not fit for scored runs")));
-  page->table().view().selectRow(0);
+  EXPECT_TRUE(child<QLabel>(*page, "alerts")
+                  .text()
+                  .contains(QStringLiteral("room 2: the device is not fit for scored runs")));
+  child<DataTable>(*page, "table").view().selectRow(0);
   answer([](QDialog& dialog) { dialog.accept(); });  // 20 minutes on the real arm
   press(*page, QStringLiteral("Log time"));
   answer([](QDialog& dialog) {
@@ -203,9 +207,9 @@ void runTheDay(Office& office, const std::string& cohortId) {
   office.centre.passTime_us(60'000'000);
   page->refreshAndWait();
 
-  EXPECT_TRUE(page->alerts().text().contains(QStringLiteral("room 2 does not answer")))
-      << page->alerts().text().toStdString();
-  EXPECT_TRUE(page->table().totals().contains(QStringLiteral("Deviations 2")));
+  EXPECT_TRUE(child<QLabel>(*page, "alerts").text().contains(QStringLiteral("room 2 does not answer")))
+      << child<QLabel>(*page, "alerts").text().toStdString();
+  EXPECT_TRUE(child<DataTable>(*page, "table").totals().contains(QStringLiteral("Deviations 2")));
   EXPECT_TRUE(page->leave());
 }
 
@@ -224,7 +228,7 @@ void makeEvaluation(Office& office, const std::vector<std::string>& evaluators) 
     type(dialog, QStringLiteral("Nine indices"));
   });
   press(*page, QStringLiteral("New evaluation"));
-  ASSERT_EQ(page->campaigns().visibleRows(), 1);
+  ASSERT_EQ(child<DataTable>(*page, "campaigns").visibleRows(), 1);
 }
 
 /// Whoever takes part in the study, as the rule of the simulated marks wants it.
@@ -387,7 +391,7 @@ TEST(WholeStudy, IsOneStoryFromTheRosterToTheReportWithTheNumbersOfTheCommandLin
 
   auto results = office.open<ResultsPage>("administrator");
   results->showItem(QStringLiteral("figure-22"));
-  EXPECT_EQ(results->card().table().visibleRows(), 10);
+  EXPECT_EQ(child<DataTable>(child<FigureCard>(*results, "card"), "table").visibleRows(), 10);
   auto reports = office.open<ReportsPage>("administrator");
   answer([](QDialog& dialog) { type(dialog, QStringLiteral("final")); });
   press(*reports, QStringLiteral("Freeze"));

@@ -12,6 +12,7 @@
 #include <QToolButton>
 #include <gtest/gtest.h>
 
+#include "app/gui/base/spoken.h"
 #include "app/gui/practice/main_window.h"
 #include "app/gui/program/screenshot.h"
 #include "app/gui/simulator/exercise_panel.h"
@@ -214,10 +215,9 @@ TEST(Picture, IsWrittenWholeOrNotAtAll) {
 
   writePicture(picture, file);
 
-  EXPECT_EQ(QImage(QString::fromStdString(file.string())).pixelColor(3, 3), QColor(Qt::red));
+  EXPECT_EQ(QImage(toQString(file)).pixelColor(3, 3), QColor(Qt::red));
   EXPECT_THROW(writePicture(QImage(), file), Error);
-  EXPECT_THROW(writePicture(picture, std::filesystem::path(folder.path().toStdString()) / "none" / "a.png"),
-               Error);
+  EXPECT_THROW(writePicture(picture, toPath(folder.path()) / "none" / "a.png"), Error);
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ TEST(AuditWords, EveryActionThatTheSourcesNoteHasWords) {
                              "database.restore", "demonstration.remove"})
     EXPECT_TRUE(all.actions.contains(action)) << action << " was not found in the sources";
   for (const std::string& action : all.actions) {
-    const std::string words = auditActionWords(action).str();
+    const std::string words = auditActionLabel(action).str();
     EXPECT_NE(words, action) << "give it words in app/session/access/audit_words.cpp";
     EXPECT_EQ(words.find_first_of("._"), std::string::npos) << words;
   }
@@ -124,7 +124,7 @@ TEST(AuditWords, EveryKindOfObjectThatTheSourcesNoteHasWords) {
 
   EXPECT_GE(all.kinds.size(), 30U);
   for (const std::string& kind : all.kinds) {
-    const Text words = auditObjectWords(kind);
+    const Text words = auditObjectLabel(kind);
     EXPECT_FALSE(words.empty()) << kind;
     EXPECT_EQ(words.str().find('_'), std::string::npos) << kind << ": give it words";
   }
@@ -133,14 +133,14 @@ TEST(AuditWords, EveryKindOfObjectThatTheSourcesNoteHasWords) {
 TEST(AuditWords, NoTwoActionsReadTheSame) {
   std::map<std::string, std::string> actionOf;
   for (const std::string& action : noted().actions) {
-    const auto [other, isNew] = actionOf.emplace(auditActionWords(action).str(), action);
+    const auto [other, isNew] = actionOf.emplace(auditActionLabel(action).str(), action);
     EXPECT_TRUE(isNew) << action << " and " << other->second;
   }
 }
 
 TEST(AuditWords, AnActionOfAnotherVersionKeepsItsCode) {
-  EXPECT_EQ(auditActionWords("mark.polish").str(), "mark.polish");
-  EXPECT_EQ(auditObjectWords("polish").str(), "polish");
+  EXPECT_EQ(auditActionLabel("mark.polish").str(), "mark.polish");
+  EXPECT_EQ(auditObjectLabel("polish").str(), "polish");
 }
 
 }  // namespace

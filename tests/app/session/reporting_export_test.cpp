@@ -2,6 +2,7 @@
 // What a report is made from, who may take it out, and what is kept about it.
 #include <algorithm>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "app/people/people_service.h"
@@ -10,6 +11,7 @@
 #include "app/study/campaign_service.h"
 #include "app/study/cohort_service.h"
 #include "app/study/frozen_data.h"
+#include "assessment/metrics/metric_cards.h"
 #include "assessment/report/cohort_report.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
@@ -179,9 +181,9 @@ TEST(TrialDigests, AreMeasuredOnceAndAreTheSameToTheLastBitAfterwards) {
   record(study, "second", 70);
   Workplace& workplace = study.centre.as("statistician");
 
-  const std::vector<TrialDigest> measured = study.digests.ofCohort(workplace, study.request.cohortId);
+  const std::vector<TrialSummaryRow> measured = study.digests.ofCohort(workplace, study.request.cohortId);
   TrialDigests later(study.centre.assets());
-  const std::vector<TrialDigest> kept = later.ofCohort(workplace, study.request.cohortId);
+  const std::vector<TrialSummaryRow> kept = later.ofCohort(workplace, study.request.cohortId);
 
   EXPECT_EQ(study.digests.measured(), 2U);
   EXPECT_EQ(later.measured(), 0U);
@@ -208,23 +210,45 @@ TEST(TrialDigests, OfAnotherFormulaAreLeftWhereTheyAreAndMeasuredAnew) {
   SmallStudy study;
   record(study, "first", 100);
   StoredTrialDigest older{
-      .trialId = "first", .formulaVersion = "twist-digest 0", .contentHash = "hash of first"};
+      .trialId = "first", .formulaVersion = kMetricsVersion - 1, .contentHash = "hash of first"};
   DigestRepository(study.centre.connection()).add({&older, 1});
 
   const auto digests = study.digests.ofCohort(study.centre.as("statistician"), study.request.cohortId);
 
   EXPECT_EQ(study.digests.measured(), 1U);
   EXPECT_EQ(digests.at(0).twists, 1);
-  EXPECT_EQ(
-      DigestRepository(study.centre.connection()).ofCohort(study.request.cohortId, "twist-digest 0").size(),
-      1U);
+  EXPECT_EQ(DigestRepository(study.centre.connection())
+                .ofCohort(study.request.cohortId, kMetricsVersion - 1)
+                .size(),
+            1U);
+}
+
+TEST(TrialDigests, ComeBackToTheLastBitWithTheirRules) {
+  SmallStudy study;
+  record(study, "first", 100);
+  DigestRepository repository(study.centre.connection());
+  StoredTrialDigest free;
+  free.trialId = "first";
+  free.formulaVersion = kMetricsVersion;
+  free.tolerance_rad = 0.1;
+  free.contentHash = "hash of first";
+  free.attempts = {{1.0 / 3.0, true}, {20.0, false}};
+  free.measures = {{"force.peak", 0.1 + 0.2}, {"twist.sparc", -1.4}};
+  StoredTrialDigest limited = free;
+  limited.forceLimit_N = 0.0;  // a limit of nothing is not the same as none
+  limited.torqueLimit_Nm = 0.5;
+  const std::vector<StoredTrialDigest> both{free, limited};
+
+  repository.add(both);
+  repository.add(both);
+
+  EXPECT_THAT(repository.ofTrial("first", kMetricsVersion), ::testing::UnorderedElementsAreArray(both));
 }
 
 TEST(TrialDigests, OfARecordingWithOtherContentAreNotBelieved) {
   SmallStudy study;
   record(study, "first", 100);
-  StoredTrialDigest other{
-      .trialId = "first", .formulaVersion = kTrialDigestVersion, .contentHash = "of another"};
+  StoredTrialDigest other{.trialId = "first", .formulaVersion = kMetricsVersion, .contentHash = "of another"};
   other.tolerance_rad = 1.0;
   DigestRepository(study.centre.connection()).add({&other, 1});
 

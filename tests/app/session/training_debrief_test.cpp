@@ -103,11 +103,13 @@ TEST(Debrief, ATwistThatTheEndOfTheRunCutsOffIsNotJudged) {
   samples.erase(gripped, samples.end());
 
   const Debrief told = makeDebrief(trial.header, samples, {}, &trial);
-  const Attempt attempt = measureAttempt(trial.header, samples, radians(5.0), {}, {});
+  const AttemptMeasures measures = measureAttempt(trial.header, samples, {.tolerance_rad = radians(5.0)});
 
   EXPECT_TRUE(told.twists.empty());
   EXPECT_TRUE(told.strengths.empty());
-  EXPECT_EQ(attempt.twists, 0);
+  EXPECT_EQ(told.unfinishedTwists, 1);
+  EXPECT_TRUE(measures.twists.empty());
+  EXPECT_EQ(measures.unfinished, 1);
 }
 
 TEST(Debrief, MasteryCountsTheAttemptsUntilThisOne) {

@@ -3,8 +3,10 @@
 
 #include "app/training/next_steps.h"
 #include "app/training/run_session.h"
+#include "assessment/metrics/metric_cards.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/setting_repository.h"
+#include "db/repository/trial/digest_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/session/training_centre.h"
 
@@ -118,15 +120,16 @@ TEST(NextSteps, ValuesAreMeasuredOnceAndKeptBesideTheTrial) {
   TrainingCentre centre;
   const std::string trial = centre.attempt("first", "practice", 1.0);
   const Attempt first = attemptOf(centre.workplace(), trial);
-  const std::size_t kept = TrialRepository(centre.connection()).events(trial).size();
+  const auto kept = DigestRepository(centre.connection()).ofTrial(trial, kMetricsVersion);
 
   const Attempt again = attemptOf(centre.workplace(), trial);
 
-  EXPECT_EQ(TrialRepository(centre.connection()).events(trial).size(), kept);
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_EQ(DigestRepository(centre.connection()).ofTrial(trial, kMetricsVersion), kept);
   EXPECT_EQ(again.values, first.values);
   EXPECT_EQ(again.twists, first.twists);
   EXPECT_EQ(again.onTarget, first.onTarget);
-  EXPECT_GT(kept, 10U);
+  EXPECT_GT(kept.front().measures.size(), 10U);
 }
 
 TEST(RunSession, NeedsConsentAndADeviceThatIsGoodEnough) {

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/base/page_id.h"
+
+#include <array>
+#include <cstddef>
+
+#include <QCoreApplication>
+
+namespace torsio::gui {
+
+namespace {
+
+using enum Operation;
+
+/// In the order of the enumeration.
+constexpr std::array kPages{
+    PageFacts{PageId::kNextStep, "station.next", "play", QT_TRANSLATE_NOOP("Pages", "My next step"),
+              kTrialRecordOwn},
+    PageFacts{PageId::kDebrief, "station.debrief", "compare", QT_TRANSLATE_NOOP("Pages", "Debrief"),
+              kTrialViewOwn},
+    PageFacts{PageId::kTrend, "station.trend", "stress", QT_TRANSLATE_NOOP("Pages", "Trend"), kTrialViewOwn},
+    PageFacts{PageId::kRemarks, "station.remarks", "info", QT_TRANSLATE_NOOP("Pages", "Remarks"),
+              kTrialViewOwn},
+    PageFacts{PageId::kTranscript, "station.transcript", "copy", QT_TRANSLATE_NOOP("Pages", "Transcript"),
+              kTrialViewOwn},
+    PageFacts{PageId::kDeviceCheck, "station.device", "device", QT_TRANSLATE_NOOP("Pages", "Device check"),
+              kTrialRecordOwn},
+    PageFacts{PageId::kConsent, "station.consent", "", QT_TRANSLATE_NOOP("Pages", "Consent"),
+              kTrialRecordOwn},
+    PageFacts{PageId::kBriefing, "station.briefing", "", QT_TRANSLATE_NOOP("Pages", "Briefing"),
+              kTrialRecordOwn},
+    PageFacts{PageId::kRun, "station.run", "", QT_TRANSLATE_NOOP("Pages", "Run"), kTrialRecordOwn},
+    PageFacts{PageId::kPractice, "practice", "practice", QT_TRANSLATE_NOOP("Pages", "Free practice"),
+              kPractice, std::nullopt, false},
+    PageFacts{PageId::kCompare, "compare", "compare", QT_TRANSLATE_NOOP("Pages", "Compare models"), kPractice,
+              std::nullopt, false},
+    PageFacts{PageId::kQueue, "review.queue", "open", QT_TRANSLATE_NOOP("Pages", "Queue"), kMarkSubmit},
+    PageFacts{PageId::kWarmUp, "review.warmup", "practice", QT_TRANSLATE_NOOP("Pages", "Warm-up"),
+              kMarkSubmit, kTrialViewAssigned},
+    PageFacts{PageId::kLiveSheet, "review.live", "record", QT_TRANSLATE_NOOP("Pages", "Live sheet"),
+              kMarkSubmit},
+    PageFacts{PageId::kAlignment, "review.alignment", "compare", QT_TRANSLATE_NOOP("Pages", "Alignment"),
+              kMarkSubmit},
+    PageFacts{PageId::kSeverity, "review.severity", "user", QT_TRANSLATE_NOOP("Pages", "My severity"),
+              kMarkSubmit},
+    PageFacts{PageId::kEvaluation, "review.evaluation", "check", QT_TRANSLATE_NOOP("Pages", "Evaluation"),
+              kMarkSubmit, kEvaluationSubmit},
+    PageFacts{PageId::kCase, "review.case", "", QT_TRANSLATE_NOOP("Pages", "Case"), kMarkSubmit,
+              kTrialViewAssigned},
+    PageFacts{PageId::kRunDay, "office.runday", "board", QT_TRANSLATE_NOOP("Pages", "Run day"), kStudySetup},
+    PageFacts{PageId::kRoster, "office.roster", "people", QT_TRANSLATE_NOOP("Pages", "Roster"),
+              kPersonViewCoded},
+    PageFacts{PageId::kCurricula, "office.curricula", "curriculum", QT_TRANSLATE_NOOP("Pages", "Curricula"),
+              kCurriculumEdit},
+    PageFacts{PageId::kCohorts, "office.cohorts", "cohort", QT_TRANSLATE_NOOP("Pages", "Cohorts"),
+              kPersonViewCoded},
+    PageFacts{PageId::kAllocation, "office.allocation", "allocation",
+              QT_TRANSLATE_NOOP("Pages", "Allocation"), kAllocationView},
+    PageFacts{PageId::kScoring, "office.scoring", "matrix", QT_TRANSLATE_NOOP("Pages", "Scoring"),
+              kStudySetup},
+    PageFacts{PageId::kCampaigns, "office.campaigns", "campaign", QT_TRANSLATE_NOOP("Pages", "Evaluation"),
+              kEvaluationSetup},
+    PageFacts{PageId::kResults, "office.results", "chart", QT_TRANSLATE_NOOP("Pages", "Results"),
+              kResultsCompute},
+    PageFacts{PageId::kReports, "office.reports", "report", QT_TRANSLATE_NOOP("Pages", "Reports"),
+              kResultsCompute},
+    PageFacts{PageId::kUsers, "office.users", "user", QT_TRANSLATE_NOOP("Pages", "Users"), kUserManage},
+    PageFacts{PageId::kAudit, "office.audit", "audit", QT_TRANSLATE_NOOP("Pages", "Audit trail"), kAuditView},
+    PageFacts{PageId::kCare, "office.care", "care", QT_TRANSLATE_NOOP("Pages", "Care"), kDatabaseBackup},
+    PageFacts{PageId::kRestore, "office.restore", "", QT_TRANSLATE_NOOP("Pages", "Restore"),
+              kDatabaseRestore},
+    PageFacts{PageId::kMove, "office.move", "", QT_TRANSLATE_NOOP("Pages", "Move"), kDatabaseRestore},
+    PageFacts{PageId::kDevices, "office.devices", "device", QT_TRANSLATE_NOOP("Pages", "Devices"),
+              kSettingsEdit},
+};
+
+constexpr bool inOrder() {
+  for (std::size_t i = 0; i < kPages.size(); ++i) {
+    if (static_cast<std::size_t>(kPages[i].id) != i) return false;
+  }
+  return true;
+}
+static_assert(inOrder());
+
+}  // namespace
+
+const PageFacts& factsOf(PageId id) noexcept {
+  return kPages[static_cast<std::size_t>(id)];
+}
+
+QString pageTitle(PageId id) {
+  return QCoreApplication::translate("Pages", factsOf(id).title);
+}
+
+QString pageText(PageId id) {
+  return QString::fromLatin1(factsOf(id).text);
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/gui/physician/sheet_editor_panel.h"
+
+#include <utility>
+
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPlainTextEdit>
+
+#include "app/gui/base/shell_context.h"
+#include "app/gui/widgets/form.h"
+
+namespace torsio::gui {
+
+SheetEditorPanel::SheetEditorPanel(bool largeTargets, QWidget* parent) : SheetPanel(largeTargets, parent) {
+  commentField()->installEventFilter(this);
+  connect(this, &SheetPanel::edited, this, [this] { asking_ = false; });
+}
+
+SheetEditorPanel::~SheetEditorPanel() = default;
+
+void SheetEditorPanel::beginSheet(StoredRubricRevision rubric, Sheet sheet, bool withOverall) {
+  asking_ = false;
+  auto fresh = std::make_unique<SheetEditor>(std::move(rubric), std::move(sheet), withOverall);
+  setEditor(fresh.get());
+  editor_ = std::move(fresh);
+}
+
+void SheetEditorPanel::endSheet() {
+  asking_ = false;
+  setEditor(nullptr);
+  editor_.reset();
+}
+
+bool SheetEditorPanel::save(ShellContext& shell, QLabel* said, const QString& kept,
+                            const std::function<void()>& store) {
+  const bool good = attempt(shell, store);
+  setLook(said, "caution", !good);
+  said->setText(good ? kept : tr("Not saved"));
+  return good;
+}
+
+void SheetEditorPanel::undo() {
+  if (editor_ == nullptr || readOnly() || !editor_->undo()) return;
+  refresh();
+  Q_EMIT edited();
+}
+
+void SheetEditorPanel::redo() {
+  if (editor_ == nullptr || readOnly() || !editor_->redo()) return;
+  refresh();
+  Q_EMIT edited();
+}
+
+bool SheetEditorPanel::handleCommand(QKeyEvent* event) {
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  const bool alsoRedo = event->key() == Qt::Key_Y && event->modifiers() == Qt::ControlModifier;
+  if (event->matches(QKeySequence::Undo)) {
+    undo();
+  } else if (event->matches(QKeySequence::Redo) || alsoRedo) {
+    redo();
+  } else if (enter && (event->modifiers() & Qt::ControlModifier) != 0) {
+    Q_EMIT finishWanted();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool SheetEditorPanel::handle(QKeyEvent* event) {
+  return handleCommand(event) || handleKey(event->key(), event->modifiers());
+}
+
+bool SheetEditorPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != commentField() || event->type() != QEvent::KeyPress)
+    return SheetPanel::eventFilter(watched, event);
+  // One history for the whole sheet: the text field keeps none of its own.
+  auto* key = static_cast<QKeyEvent*>(event);
+  if (handleCommand(key)) return true;
+  if (key->key() != Qt::Key_Escape) return false;
+  takeFocus();
+  return true;
+}
+
+}  // namespace torsio::gui

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "app/gui/physician/sheet_panel.h"
+
+class QKeyEvent;
+class QLabel;
+
+namespace torsio::gui {
+
+class ShellContext;
+
+/// A sheet while somebody fills it in: the rubric, its one history for undo and redo, its keys, what is said
+/// about saving, and the second press before it is sealed. Every page on which marks are given has one; the
+/// page says where a sheet is kept and what follows. GUI thread.
+class SheetEditorPanel : public SheetPanel {
+  Q_OBJECT
+
+ public:
+  /// `largeTargets`: buttons of at least 44 pixels, for fingers.
+  explicit SheetEditorPanel(bool largeTargets = false, QWidget* parent = nullptr);
+  ~SheetEditorPanel() override;
+
+  /// Shows a sheet and begins a new history. `withOverall`: false for forms of rows alone.
+  void beginSheet(StoredRubricRevision rubric, Sheet sheet, bool withOverall = true);
+  /// Shows nothing.
+  void endSheet();
+  /// Null when no sheet is shown.
+  [[nodiscard]] SheetEditor* editor() const noexcept { return editor_.get(); }
+
+  /// Does `store`; says on `said` that the sheet is kept, or that it is not, and reports why.
+  bool save(ShellContext& shell, QLabel* said, const QString& kept, const std::function<void()>& store);
+
+  /// Take back the last change, or bring it again; nothing on a sheet that is read only.
+  void undo();
+  void redo();
+  /// Undo, redo, and Ctrl+Enter, which asks for what the page does at the end. False: none of these.
+  bool handleCommand(QKeyEvent* event);
+  /// handleCommand(), then the keys of the rows.
+  bool handle(QKeyEvent* event);
+
+  /// Whether the page has asked to press once more. A change of the sheet takes the question back.
+  [[nodiscard]] bool asking() const noexcept { return asking_; }
+  void setAsking(bool asking) noexcept { asking_ = asking; }
+
+ Q_SIGNALS:
+  /// Ctrl+Enter.
+  void finishWanted();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  std::unique_ptr<SheetEditor> editor_;
+  bool asking_ = false;
+};
+
+}  // namespace torsio::gui

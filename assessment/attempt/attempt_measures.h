@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "assessment/attempt/measured_trial.h"
+#include "assessment/metrics/metric_cards.h"
+
+namespace torsio {
+
+/// One completed twist, judged.
+struct JudgedTwist {
+  double error_deg = 0.0;  ///< absolute, of the angle at letting go against the target in force
+  bool onTarget = false;
+  friend bool operator==(const JudgedTwist&, const JudgedTwist&) = default;
+};
+
+/// Everything that is derived from one recording and kept beside it, with kMetricsVersion. Report, debrief,
+/// trend, mastery, metrics and export read these numbers and compute none of their own.
+struct AttemptMeasures {
+  std::int64_t duration_us = 0;
+  std::vector<JudgedTwist> twists{};  ///< completed ones, in their order
+  std::int64_t unfinished = 0;        ///< twists that were not completed, counted apart
+  /// The next three: empty without a completed twist.
+  std::optional<double> meanAbsoluteError_deg{};
+  std::optional<double> peakTorque_Nm{};  ///< largest magnitude of any sample, not filtered
+  std::optional<double>
+      peakForce_N{};  ///< largest magnitude of any sample, as sent to the device, not filtered
+  /// By metric id, SI. A metric of single twists: over the completed ones, the sum of mishaps, the largest of
+  /// peaks, else the median. What is not defined is missing.
+  std::map<std::string, double> values{};
+
+  /// Number of completed twists that were let go on target.
+  [[nodiscard]] std::int64_t twistsOnTarget() const noexcept;
+  friend bool operator==(const AttemptMeasures&, const AttemptMeasures&) = default;
+};
+
+/// Measures a recording by the rules of its exercise: the one function through which every page, table and
+/// file gets its numbers. Slow: seconds for an hour.
+[[nodiscard]] AttemptMeasures measureAttempt(const TrialHeader& header, std::span<const Sample> samples,
+                                             const AttemptRules& rules);
+/// Does the same with twists that measureTwists has measured already, of the same samples.
+[[nodiscard]] AttemptMeasures measureAttempt(std::span<const Sample> samples, const MeasuredTrial& measured);
+
+}  // namespace torsio

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace torsio {
+
+/// "The metric reaches the threshold in so many attempts in a row."
+struct MasteryRule {
+  std::string metric{};
+  bool atMost = false;  ///< the value must be at most the threshold; false: at least
+  double threshold = 0.0;
+  std::int64_t consecutive = 1;
+  friend bool operator==(const MasteryRule&, const MasteryRule&) = default;
+};
+
+/// How far somebody has come with one rule.
+struct MasteryProgress {
+  std::int64_t streak = 0;  ///< attempts in a row up to the last one
+  bool met = false;         ///< so many in a row were reached once: mastery is not lost again
+  std::optional<double> last{};
+};
+
+/// Whether `value` satisfies the rule once.
+[[nodiscard]] bool reaches(const MasteryRule& rule, double value) noexcept;
+
+/// Follows one rule over the values of the attempts that count, oldest first. A value that is not defined
+/// breaks the row.
+[[nodiscard]] MasteryProgress masteryProgress(const MasteryRule& rule,
+                                              std::span<const std::optional<double>> values);
+
+/// Returns how many of `twists` completed twists must be let go on target for a run to pass: four in five,
+/// and one at least.
+[[nodiscard]] std::int64_t wantedOnTarget(std::int64_t twists) noexcept;
+
+/// Whether enough completed twists were let go on target.
+[[nodiscard]] bool enoughOnTarget(std::int64_t onTarget, std::int64_t twists) noexcept;
+
+/// Whether one attempt satisfies all mastery rules of its exercise, by the `values` of its measures; without
+/// rules, whether enough of its completed twists were let go on target.
+[[nodiscard]] bool passesAll(std::span<const MasteryRule> rules, const std::map<std::string, double>& values,
+                             std::int64_t onTarget, std::int64_t twists);
+
+}  // namespace torsio

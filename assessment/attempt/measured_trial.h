@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "assessment/attempt/recorded_twists.h"
+#include "assessment/metrics/trial_metrics.h"
+#include "sim/base/live_types.h"
+#include "sim/base/vec3.h"
+#include "sim/record/trial.h"
+
+namespace torsio {
+
+/// By what a run is judged: the tolerance and the limits of its exercise.
+struct AttemptRules {
+  double tolerance_rad = kUsualTolerance_rad;  ///< > 0
+  std::optional<double> forceLimit_N{};
+  std::optional<double> torqueLimit_Nm{};
+  double hold_s = 0.0;  ///< on target before letting go, asked for to pass; changes no measure
+  friend bool operator==(const AttemptRules&, const AttemptRules&) = default;
+};
+
+/// The axis that a grasped section turns about.
+struct GraspAxis {
+  Vec3 point_m;
+  Vec3 direction;  ///< unit
+};
+
+/// What the organ adds to a recording when its scene is at hand; without a function the metrics that need it
+/// stay undefined.
+struct OrganKnowledge {
+  /// Largest shear stress of the surface, Pa, by arc length of the grasped section and angle of twist.
+  std::function<double(double arc_m, double angle_rad)> peakShear_Pa{};
+  std::function<GraspAxis(double arc_m)> axisAt{};
+  std::optional<double> shearLimit_Pa{};
+};
+
+/// One twist with its metrics, or why it cannot be measured. What was not completed is measured as well, but
+/// counts nowhere.
+struct MeasuredTwist {
+  RecordedTwist twist{};
+  double start_s = 0.0;   ///< grip, since the first sample of the recording
+  double letGo_s = 0.0;   ///< last sample of the grip, since the first sample of the recording
+  double held_s = 0.0;    ///< on target until it was let go
+  bool onTarget = false;  ///< completed, within the tolerance of the target in force
+  Outcome<TrialMetrics> metrics = Outcome<TrialMetrics>::undefined("not measured");
+};
+
+/// What one recording comes to, twist by twist.
+struct MeasuredTrial {
+  bool deviceClock = true;              ///< SampleTimes::deviceClock
+  std::int64_t duration_us = 0;         ///< recordedDuration_us
+  std::vector<MeasuredTwist> twists{};  ///< all of them, in their order
+
+  /// Duration in seconds.
+  [[nodiscard]] double duration_s() const noexcept;
+  /// The twists that count.
+  [[nodiscard]] std::vector<const MeasuredTwist*> completed() const;
+  /// Number of twists that were cut off by the end of the recording, a fault or missing samples.
+  [[nodiscard]] std::int64_t unfinished() const noexcept;
+  /// Values of one metric over the completed twists in which it is defined.
+  [[nodiscard]] std::vector<double> valuesOf(std::string_view metric) const;
+};
+
+/// Turns a recording into the trace that the metrics read: angle, target in force, force as sent to the
+/// device, torque and tip of every sample. The samples of a stay on target until letting go count as hold
+/// when it lasted at least kShortestHold_s.
+[[nodiscard]] TrialTrace trialTrace(const TrialHeader& header, std::span<const Sample> samples,
+                                    double tolerance_rad, const OrganKnowledge& organ = {});
+
+/// Measures every twist of a recording. Fewer than two samples give no twists. A gap of more than 20 ms
+/// leaves the metrics of the twist that holds it undefined. Slow: seconds for an hour.
+[[nodiscard]] MeasuredTrial measureTwists(const TrialHeader& header, std::span<const Sample> samples,
+                                          const AttemptRules& rules, const OrganKnowledge& organ = {});
+
+/// Measures a recording as one stretch, from its first sample to its last; undefined with fewer than two
+/// samples or a gap of more than 20 ms.
+[[nodiscard]] Outcome<TrialMetrics> measureWhole(const TrialHeader& header, std::span<const Sample> samples,
+                                                 const AttemptRules& rules, const OrganKnowledge& organ = {});
+
+}  // namespace torsio

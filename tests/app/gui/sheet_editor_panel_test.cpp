@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all pages on which marks are given share: one history, one set of keys, what is said about saving.
+#include "app/gui/physician/sheet_editor_panel.h"
+
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QSignalSpy>
+#include <QTest>
+#include <gtest/gtest.h>
+
+#include "app/gui/widgets/child.h"
+#include "tests/app/gui/desk_of.h"
+
+namespace torsio::gui {
+namespace {
+
+using torsio::testing::ReviewCentre;
+
+/// Ten points of ten steps each, for one row and the overall mark.
+StoredRubricRevision oneRow() {
+  StoredRubricRevision rubric;
+  rubric.overall = {.lo = 0, .hi = 100, .stepsPerPoint = 10};
+  rubric.rows.push_back({"time", "Time", rubric.overall, {}});
+  return rubric;
+}
+
+TEST(SheetEditorPanel, KeepsOneHistoryForMarksAndComment) {
+  SheetEditorPanel panel;
+  panel.beginSheet(oneRow(), {});
+  QSignalSpy edited(&panel, &SheetPanel::edited);
+
+  panel.handleKey(Qt::Key_7, Qt::NoModifier);
+  QTest::keyClicks(&child<QPlainTextEdit>(panel, "comment"), QStringLiteral("calm"));
+  EXPECT_EQ(panel.editor()->sheet().comment, "calm");
+  QTest::keyClick(&child<QPlainTextEdit>(panel, "comment"), Qt::Key_Z, Qt::ControlModifier);
+
+  EXPECT_EQ(panel.editor()->sheet().comment, "");
+  EXPECT_EQ(panel.editor()->answer("time").score_steps, 70);  // 7 points of 10 steps
+  panel.undo();
+  EXPECT_FALSE(panel.editor()->answer("time").given());
+  QTest::keyClick(&child<QPlainTextEdit>(panel, "comment"), Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(panel.editor()->answer("time").score_steps, 70);
+  EXPECT_EQ(edited.count(), 1 + 4 + 3);  // the mark, four letters, undo twice and redo once
+}
+
+TEST(SheetEditorPanel, TakesNothingBackOnASealedSheet) {
+  SheetEditorPanel panel;
+  panel.beginSheet(oneRow(), {});
+  panel.handleKey(Qt::Key_7, Qt::NoModifier);
+
+  panel.setReadOnly(true);
+  panel.undo();
+
+  EXPECT_EQ(panel.editor()->answer("time").score_steps, 70);
+}
+
+TEST(SheetEditorPanel, AsksAnewAfterEveryChange) {
+  SheetEditorPanel panel;
+  panel.beginSheet(oneRow(), {});
+  QSignalSpy finish(&panel, &SheetEditorPanel::finishWanted);
+
+  QTest::keyClick(&child<QPlainTextEdit>(panel, "comment"), Qt::Key_Return, Qt::ControlModifier);
+  panel.setAsking(true);
+  panel.handleKey(Qt::Key_7, Qt::NoModifier);
+
+  EXPECT_EQ(finish.count(), 1);
+  EXPECT_FALSE(panel.asking());
+}
+
+TEST(SheetEditorPanel, SaysWhetherASheetIsKept) {
+  ReviewCentre centre(ReviewCentre::Setup{});
+  DeskOf desk(centre, 0);
+  SheetEditorPanel panel;
+  QLabel said;
+
+  const bool failed = panel.save(desk.shell(), &said, QStringLiteral("Saved"), [] {
+    throw Error(ErrorCode::kDatabase, "the disk is full", "", "Free some space");
+  });
+
+  EXPECT_FALSE(failed);
+  EXPECT_EQ(said.text(), QStringLiteral("Not saved"));
+  EXPECT_TRUE(said.property("caution").toBool());
+  EXPECT_EQ(desk.failures().size(), 1);
+  EXPECT_TRUE(panel.save(desk.shell(), &said, QStringLiteral("Saved"), [] {}));
+  EXPECT_EQ(said.text(), QStringLiteral("Saved"));
+  EXPECT_FALSE(said.property("caution").toBool());
+}
+
+}  // namespace
+}  // namespace torsio::gui

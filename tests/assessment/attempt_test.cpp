@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a twist is, what was on target, and what follows from it, with values worked out by hand.
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "assessment/attempt/attempt_measures.h"
+#include "assessment/attempt/mastery.h"
+#include "assessment/attempt/merit.h"
+#include "assessment/attempt/pass_rule.h"
+
+namespace torsio {
+namespace {
+
+constexpr double kTolerance_rad = radians(5.0);
+
+/// Samples written down stage by stage, one a millisecond.
+class Recording {
+ public:
+  Recording() { header_.targetAngle_rad = radians(60.0); }
+
+  Recording& free(int ticks) { return stage(ExercisePhase::kTracking, ticks, 0.0); }
+  Recording& held(int ticks, double angle_deg) { return stage(ExercisePhase::kTwisting, ticks, angle_deg); }
+  Recording& released(int ticks) { return stage(ExercisePhase::kReleased, ticks, 0.0); }
+  /// A grip that stays at an angle for 300 ms, let go, and back at rest.
+  Recording& twist(double angle_deg) { return held(300, angle_deg).released(50).free(50); }
+  Recording& target(double angle_deg) {
+    next_ = {ServoCommand::Kind::kSetTarget, radians(angle_deg)};
+    return *this;
+  }
+  Recording& missing(int ticks) {
+    tick_ += ticks;
+    return *this;
+  }
+  Recording& status(std::uint32_t bits) {
+    status_ = bits;
+    return *this;
+  }
+
+  [[nodiscard]] std::vector<RecordedTwist> twists() const { return recordedTwists(header_, samples); }
+  [[nodiscard]] AttemptMeasures measured() const {
+    return measureAttempt(header_, samples, {.tolerance_rad = kTolerance_rad});
+  }
+  [[nodiscard]] MeasuredTrial trial() const {
+    return measureTwists(header_, samples, {.tolerance_rad = kTolerance_rad});
+  }
+  [[nodiscard]] const TrialHeader& header() const { return header_; }
+
+  std::vector<Sample> samples;
+
+ private:
+  Recording& stage(ExercisePhase phase, int ticks, double angle_deg) {
+    for (int i = 0; i < ticks; ++i, ++tick_) {
+      Sample sample;
+      sample.tick = tick_;
+      sample.device.time_us = 1000 * tick_;
+      sample.device.status = status_;
+      sample.command = next_;
+      sample.phase = phase;
+      sample.response.angle_rad = radians(angle_deg);
+      sample.response.torque_Nm = 0.01 * angle_deg;
+      sample.force_N = {0.0, 0.02 * angle_deg, 0.0};
+      samples.push_back(sample);
+      next_ = {};
+    }
+    return *this;
+  }
+
+  TrialHeader header_;
+  ServoCommand next_;
+  std::uint32_t status_ = kDeviceOk;
+  std::int64_t tick_ = 0;
+};
+
+TEST(RecordedTwists, GoFromTheGripToTheEndOfTheReturn) {
+  const Recording run = std::move(Recording().free(100).twist(58.0));
+
+  const std::vector<RecordedTwist> twists = run.twists();
+
+  ASSERT_EQ(twists.size(), 1U);
+  EXPECT_EQ(twists[0].first, 100U);
+  EXPECT_EQ(twists[0].letGo, 400U);
+  EXPECT_EQ(twists[0].end, 450U);
+  EXPECT_DOUBLE_EQ(twists[0].target_rad, radians(60.0));
+  EXPECT_NEAR(twists[0].error_rad(), radians(2.0), 1e-12);
+  EXPECT_TRUE(twists[0].onTarget(kTolerance_rad));
+  EXPECT_FALSE(twists[0].onTarget(radians(1.9)));
+}
+
+TEST(RecordedTwists, AreJudgedByTheTargetInForceWhenTheyAreLetGo) {
+  // The header asks for 60 degrees, a command before the second twist for 30, one within the third for 90.
+  const Recording run =
+      std::move(Recording().twist(60.0).target(30.0).twist(30.0).held(100, 20.0).target(90.0).twist(88.0));
+
+  const std::vector<RecordedTwist> twists = run.twists();
+
+  ASSERT_EQ(twists.size(), 3U);
+  EXPECT_DOUBLE_EQ(twists[0].target_rad, radians(60.0));
+  EXPECT_DOUBLE_EQ(twists[1].target_rad, radians(30.0));
+  EXPECT_DOUBLE_EQ(twists[2].target_rad, radians(90.0));
+  EXPECT_EQ(run.measured().twistsOnTarget(), 3);
+}
+
+TEST(RecordedTwists, ATargetThatComesWithTheReleaseIsNotInForceYet) {
+  const Recording run = std::move(Recording().held(300, 60.0).target(10.0).released(50));
+
+  EXPECT_DOUBLE_EQ(run.twists().at(0).target_rad, radians(60.0));
+}
+
+TEST(RecordedTwists, TheLargestAngleSaysWhetherAGripWasATwist) {
+  // Never beyond 1.9 degrees: a touch. To 40 degrees and back to 1: a twist, and missed.
+  const Recording run = std::move(Recording().twist(1.9).held(200, 40.0).held(100, 1.0).released(50));
+
+  const std::vector<RecordedTwist> twists = run.twists();
+
+  ASSERT_EQ(twists.size(), 1U);
+  EXPECT_NEAR(twists[0].error_rad(), radians(59.0), 1e-12);
+}
+
+TEST(RecordedTwists, AreNotCompletedWhenTheRecordingEndsTheDeviceIsLostOrTheReleaseWasNotSeen) {
+  const Recording cut = std::move(Recording().twist(60.0).held(300, 60.0));
+  const Recording ended = std::move(Recording().held(300, 60.0).status(kDeviceEnded).released(50));
+  const Recording lost = std::move(Recording().held(300, 60.0).status(kDeviceLost).released(50));
+  const Recording blind = std::move(Recording().held(300, 60.0).missing(20).released(50));
+  const Recording seen = std::move(Recording().held(300, 60.0).missing(19).released(50));
+
+  EXPECT_EQ(cut.twists().at(0).ending, TwistEnding::kLetGo);
+  EXPECT_EQ(cut.twists().at(1).ending, TwistEnding::kRecordingEnded);
+  EXPECT_EQ(ended.twists().at(0).ending, TwistEnding::kRecordingEnded);
+  EXPECT_EQ(lost.twists().at(0).ending, TwistEnding::kDeviceFault);
+  EXPECT_EQ(blind.twists().at(0).ending, TwistEnding::kNotSeen);  // 21 ms between the two samples
+  EXPECT_EQ(seen.twists().at(0).ending, TwistEnding::kLetGo);     // 20 ms
+  EXPECT_FALSE(cut.twists().at(1).onTarget(kTolerance_rad));
+}
+
+TEST(SampleTimes, AreTheDevicesWhereTheyRiseAndElseTheTicks) {
+  Recording run = std::move(Recording().free(3));
+  run.samples[1].device.time_us = 1400;
+
+  EXPECT_EQ(sampleTimes(run.header(), run.samples).us, (std::vector<std::int64_t>{0, 1400, 2000}));
+  run.samples[1].device.time_us = 2000;  // stands still
+  EXPECT_FALSE(sampleTimes(run.header(), run.samples).deviceClock);
+  EXPECT_EQ(sampleTimes(run.header(), run.samples).us, (std::vector<std::int64_t>{0, 1000, 2000}));
+  EXPECT_EQ(recordedDuration_us(run.header(), run.samples), 3000);
+  EXPECT_EQ(recordedDuration_us(run.header(), {}), 0);
+}
+
+TEST(AttemptMeasures, CountWhatWasCompletedAndTheRestApart) {
+  // Errors of 2, 10 and 4 degrees; the fourth is cut off.
+  const Recording run = std::move(Recording().twist(62.0).twist(50.0).twist(56.0).held(400, 60.0));
+
+  const AttemptMeasures measures = run.measured();
+
+  ASSERT_EQ(measures.twists.size(), 3U);
+  EXPECT_EQ(measures.twistsOnTarget(), 2);
+  EXPECT_EQ(measures.unfinished, 1);
+  EXPECT_NEAR(*measures.meanAbsoluteError_deg, (2.0 + 10.0 + 4.0) / 3.0, 1e-9);
+  EXPECT_NEAR(*measures.peakTorque_Nm, 0.62, 1e-12);
+  EXPECT_NEAR(*measures.peakForce_N, 1.24, 1e-12);
+  EXPECT_DOUBLE_EQ(measures.values.at(kTargetsReachedMetric), 2.0);
+  EXPECT_DOUBLE_EQ(measures.values.at(kOnTargetMetric), 2.0 / 3.0);
+  EXPECT_EQ(measures.duration_us, 3 * 400'000 + 400'000);
+}
+
+TEST(AttemptMeasures, TakeTheLargestPeakTheSumOfMishapsAndTheMedianOfTheRest) {
+  Recording run = std::move(Recording().twist(60.0).twist(50.0).twist(40.0));
+  const AttemptMeasures measures =
+      measureAttempt(run.header(), run.samples, {.tolerance_rad = kTolerance_rad, .forceLimit_N = 0.9});
+
+  // 0.02 N a degree: 1.2, 1.0 and 0.8 N; the first two stay above 0.9 N.
+  EXPECT_NEAR(measures.values.at("force.peak_raw"), 1.2, 1e-12);
+  EXPECT_NEAR(measures.values.at("force.mean"), 1.0, 0.01);  // the filter rounds the edge of the release
+  EXPECT_DOUBLE_EQ(measures.values.at("force.violations"), 2.0);
+}
+
+TEST(AttemptMeasures, OfARecordingWithoutATwistSayNothingOfErrors) {
+  const AttemptMeasures measures = Recording().free(500).measured();
+
+  EXPECT_FALSE(measures.meanAbsoluteError_deg);
+  EXPECT_FALSE(measures.peakForce_N);
+  EXPECT_FALSE(measures.values.contains(kOnTargetMetric));
+  EXPECT_DOUBLE_EQ(measures.values.at(kTargetsReachedMetric), 0.0);
+  EXPECT_EQ(measureAttempt(TrialHeader{}, {}, {}).duration_us, 0);
+}
+
+TEST(MeasuredTrial, TheHoldIsTheLastStayOnTargetUntilLettingGo) {
+  // 56 degrees lies within five of 60, 50 does not: the first stay does not count.
+  const MeasuredTrial run = Recording().held(200, 56.0).held(100, 50.0).held(250, 61.0).released(50).trial();
+
+  const MeasuredTwist& twist = run.twists.at(0);
+  EXPECT_NEAR(twist.held_s, 0.249, 1e-12);  // from the first to the last of 250 samples
+  EXPECT_NEAR(twist.letGo_s, 0.549, 1e-12);
+  ASSERT_TRUE(twist.metrics);
+  EXPECT_TRUE(twist.metrics->at("twist.hold_steadiness"));
+}
+
+TEST(MeasuredTrial, AStayThatIsTooShortIsNoHold) {
+  const MeasuredTrial run = Recording().held(200, 30.0).held(200, 60.0).released(50).trial();
+
+  EXPECT_NEAR(run.twists.at(0).held_s, 0.199, 1e-12);
+  EXPECT_FALSE(run.twists.at(0).metrics->at("twist.hold_steadiness"));
+}
+
+TEST(MeasuredTrial, AGapLeavesTheMetricsOfItsTwistUndefinedAndStillCountsIt) {
+  const Recording run =
+      std::move(Recording().held(100, 60.0).missing(40).held(200, 60.0).released(50).free(50));
+
+  const MeasuredTrial trial = run.trial();
+
+  ASSERT_EQ(trial.twists.size(), 1U);
+  EXPECT_TRUE(trial.twists[0].onTarget);
+  EXPECT_FALSE(trial.twists[0].metrics);
+  EXPECT_EQ(run.measured().twistsOnTarget(), 1);
+}
+
+TEST(TrialTrace, TellsTheTargetInForceAtEverySample) {
+  const Recording run = std::move(Recording().free(2).target(30.0).free(2));
+
+  const TrialTrace trace = trialTrace(run.header(), run.samples, kTolerance_rad);
+
+  const std::vector<double> wanted{radians(60.0), radians(60.0), radians(30.0), radians(30.0)};
+  EXPECT_EQ(trace.targetAngle_rad, wanted);
+}
+
+TEST(TrialTrace, ACourseIsTrackedOnlyWhereTheTargetMovesWhileTheOrganIsHeld) {
+  const MeasuredTrial fixed = Recording().target(30.0).twist(30.0).trial();
+  // 150 samples 10 degrees below the target, 150 on it: mean error 5, root mean square 10 / sqrt(2).
+  const MeasuredTrial moved = Recording().held(150, 50.0).target(50.0).held(150, 50.0).released(50).trial();
+
+  EXPECT_FALSE(fixed.twists.at(0).metrics->at("twist.rmse"));
+  EXPECT_NEAR(*moved.twists.at(0).metrics->at("twist.mae"), radians(5.0), 1e-6);
+  EXPECT_NEAR(*moved.twists.at(0).metrics->at("twist.rmse"), radians(10.0 / std::sqrt(2.0)), 1e-6);
+}
+
+TEST(PassRule, AsksForFourTwistsInFive) {
+  EXPECT_EQ(wantedOnTarget(0), 1);
+  EXPECT_EQ(wantedOnTarget(1), 1);
+  EXPECT_EQ(wantedOnTarget(5), 4);
+  EXPECT_EQ(wantedOnTarget(6), 5);  // 4.8
+  EXPECT_FALSE(enoughOnTarget(0, 0));
+  EXPECT_TRUE(enoughOnTarget(4, 5));
+  EXPECT_FALSE(enoughOnTarget(4, 6));
+}
+
+TEST(PassRule, ChecksTheAngleAlwaysAndWhatElseIsAskedFor) {
+  const MeasuredTrial run = Recording().twist(60.0).twist(58.0).trial();
+
+  const std::vector<TargetCheck> angle = targetChecks(run, {.tolerance_rad = kTolerance_rad});
+  const std::vector<TargetCheck> all = targetChecks(
+      run, {.tolerance_rad = kTolerance_rad, .forceLimit_N = 1.1, .torqueLimit_Nm = 0.7, .hold_s = 0.25});
+
+  ASSERT_EQ(angle.size(), 1U);
+  EXPECT_TRUE(angle[0].passed);
+  ASSERT_EQ(all.size(), 4U);
+  EXPECT_TRUE(all[1].passed);  // held for 0.299 s
+  EXPECT_NEAR(*all[1].value, 0.299, 1e-12);
+  EXPECT_FALSE(all[2].passed);  // 1.2 N
+  EXPECT_TRUE(all[3].passed);   // 0.6 N m
+}
+
+TEST(PassRule, ARunWithoutTwistsHasNothingToPassBy) {
+  const std::vector<TargetCheck> checks =
+      targetChecks(Recording().free(10).trial(), {.forceLimit_N = 5.0, .hold_s = 0.1});
+
+  for (const TargetCheck& check : checks) EXPECT_FALSE(check.passed);
+}
+
+TEST(Mastery, CountsInARowAndIsNotLostAgain) {
+  const MasteryRule rule{.metric = "force.peak", .atMost = true, .threshold = 2.0, .consecutive = 2};
+  const std::vector<std::optional<double>> broken{1.0, std::nullopt, 2.0, 2.1};
+  const std::vector<std::optional<double>> met{1.0, 2.0, 9.0};
+
+  EXPECT_FALSE(masteryProgress(rule, broken).met);
+  EXPECT_EQ(masteryProgress(rule, broken).streak, 0);
+  EXPECT_TRUE(masteryProgress(rule, met).met);
+  EXPECT_EQ(masteryProgress(rule, met).streak, 0);
+  EXPECT_DOUBLE_EQ(*masteryProgress(rule, met).last, 9.0);
+}
+
+TEST(Mastery, AnAttemptPassesByAllRulesOrWithoutRulesByItsShareOnTarget) {
+  const std::vector<MasteryRule> rules{{.metric = "a", .threshold = 1.0},
+                                       {.metric = "b", .atMost = true, .threshold = 1.0}};
+
+  EXPECT_TRUE(passesAll(rules, {{"a", 1.0}, {"b", 1.0}}, 0, 0));
+  EXPECT_FALSE(passesAll(rules, {{"a", 1.0}, {"b", 1.1}}, 5, 5));
+  EXPECT_FALSE(passesAll(rules, {{"a", 1.0}}, 5, 5));
+  EXPECT_TRUE(passesAll({}, {}, 4, 5));
+  EXPECT_FALSE(passesAll({}, {}, 3, 5));
+}
+
+TEST(Merit, IsTheLogarithmOfHowMuchBetterThanTheExpert) {
+  const MeritCriterion settling{"twist.settling", 0.5};
+  const MeritCriterion smoothness{"twist.sparc", 0.0, 2.0};
+  const MeritCriterion economy{"twist.economy", 0.1};
+
+  EXPECT_DOUBLE_EQ(merit(settling, 2.0, 2.0), 0.0);
+  EXPECT_NEAR(merit(settling, 1.5, 3.5), std::log(4.0 / 2.0), 1e-12);      // lower is better
+  EXPECT_NEAR(merit(smoothness, -3.0, -1.5), 2.0 * std::log(0.5), 1e-12);  // nearer 0 is better
+  EXPECT_NEAR(merit(economy, 0.9, 0.4), std::log(1.0 / 0.5), 1e-12);       // higher is better
+}
+
+TEST(Merit, NamesTheBestAndTheWorstTwistOfEveryCriterionAndLeavesTheUnfinishedOut) {
+  const MeasuredTrial own = Recording().twist(60.0).twist(50.0).held(400, 89.0).trial();
+  const MeasuredTrial expert = Recording().twist(55.0).trial();
+
+  const std::vector<CriterionMerit> all = meritsAgainst(own, expert);
+
+  const auto force =
+      std::find_if(all.begin(), all.end(), [](const CriterionMerit& m) { return m.metric == "force.peak"; });
+  ASSERT_NE(force, all.end());
+  EXPECT_EQ(force->best.twist, 1U);
+  EXPECT_EQ(force->worst.twist, 0U);
+  EXPECT_NEAR(force->expert, 1.1, 0.05);  // the filter rounds the edge of the release
+  EXPECT_NEAR(force->merit, 0.0, 0.01);   // median of 1.2 and 1.0 N
+  for (std::size_t i = 1; i < all.size(); ++i) EXPECT_GE(all[i - 1].merit, all[i].merit);
+}
+
+}  // namespace
+}  // namespace torsio
