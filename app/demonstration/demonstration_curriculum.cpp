@@ -97,7 +97,7 @@ void storeDemonstrationExposures(Connection& connection, const DemonstrationStud
     for (std::size_t i = 0; i < arm.phases.size(); ++i) {
       if (i == 1 && trainee.number % 2 == 0 && arm.restAllowance_us > 0)
         spend("", "rest", arm.restAllowance_us);
-      spend(arm.phases[i].id, arm.phases[i].kind, arm.phases[i].duration_us);
+      spend(arm.phases[i].id, std::string(storedText(arm.phases[i].kind)), arm.phases[i].duration_us);
     }
   }
   StudyRepository(connection).addExposures(exposures);

@@ -8,7 +8,6 @@
 #include <QString>
 
 #include "app/maintenance/retention.h"
-#include "db/repository/study/study_repository.h"
 #include "app/study/cohort_service.h"
 
 class QWidget;
