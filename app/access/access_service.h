@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "db/repository/access_repository.h"
+#include "db/repository/people/access_repository.h"
 
 namespace torsio {
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/access/audit_service.h"
 
-#include "db/repository/access_repository.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/system/audit_verification.h"
 
 namespace torsio {
 
@@ -31,7 +32,7 @@ std::map<std::string, std::string> auditActors(Workplace& workplace) {
 
 std::vector<AuditFinding> verifyAudit(Workplace& workplace) {
   workplace.require(Operation::kAuditView);
-  std::vector<AuditFinding> findings = AuditRepository(workplace.connection()).verify();
+  std::vector<AuditFinding> findings = verifyAuditTrail(workplace.connection());
   workplace.note({.action = "audit.verify",
                   .objectKind = "audit_entry",
                   .newJson = R"({"findings":)" + std::to_string(findings.size()) + "}"});

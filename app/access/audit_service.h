@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "db/repository/audit_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/system/audit_verification.h"
 
 namespace torsio {
 

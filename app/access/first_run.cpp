@@ -7,8 +7,8 @@
 
 #include "app/base/build_info.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/setting_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/base/contracts.h"
 
 namespace torsio {

@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "db/repository/setting_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

@@ -9,8 +9,8 @@
 
 #include "app/base/build_info.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/access_repository.h"
-#include "db/repository/audit_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/people/access_repository.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 

@@ -10,8 +10,8 @@
 
 #include "app/access/operation.h"
 #include "db/connection/connection.h"
-#include "db/repository/id_source.h"
-#include "db/repository/password.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/people/password.h"
 
 namespace torsio {
 

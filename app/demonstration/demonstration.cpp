@@ -18,7 +18,7 @@
 #include "assessment/report/cohort_csv.h"
 #include "assessment/report/cohort_report.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 #include "sim/record/sample_codec.h"
@@ -161,7 +161,7 @@ class Demonstration {
       context.enrolmentId = trainee->enrolmentId;
       context.moduleId = place.moduleId;
       context.phaseId = place.phaseId;
-      context.attemptMode = "practice";
+      context.attemptMode = AttemptMode::kPractice;
     }
     TrialRepository repository(connection_, context);
     recordScriptedTrial(scene, trial, repository);

@@ -7,7 +7,7 @@
 #include "app/demonstration/demonstration.h"
 #include "app/demonstration/demonstration_desk.h"
 #include "app/demonstration/demonstration_station.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/contracts.h"
 
 namespace torsio {

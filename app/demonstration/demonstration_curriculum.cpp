@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/study/curriculum_content.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

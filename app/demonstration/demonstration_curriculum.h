@@ -7,7 +7,7 @@
 
 #include "app/demonstration/demonstration_people.h"
 #include "db/connection/connection.h"
-#include "db/repository/curriculum_repository.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "app/recording/pipeline.h"
-#include "db/repository/desk_repository.h"
-#include "db/repository/evaluation_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/study_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"
 

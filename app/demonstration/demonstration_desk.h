@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "db/connection/connection.h"
-#include "db/repository/id_source.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {

@@ -10,12 +10,12 @@
 #include "app/base/build_info.h"
 #include "app/study/case_order.h"
 #include "assessment/study/allocation.h"
-#include "db/repository/evaluation_repository.h"
-#include "db/repository/occasion_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/rating_repository.h"
-#include "db/repository/sheet_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/occasion_repository.h"
+#include "db/repository/study/study_repository.h"
 
 namespace torsio {
 

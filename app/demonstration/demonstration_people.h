@@ -7,7 +7,7 @@
 
 #include "assessment/study/demonstration_marks.h"
 #include "db/connection/connection.h"
-#include "db/repository/id_source.h"
+#include "db/repository/base/id_source.h"
 
 namespace torsio {
 

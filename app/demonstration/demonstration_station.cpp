@@ -7,10 +7,10 @@
 
 #include "app/recording/pipeline.h"
 #include "app/study/curriculum_content.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/remark_repository.h"
-#include "db/repository/study_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/remark_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "db/connection/connection.h"
-#include "db/repository/id_source.h"
+#include "db/repository/base/id_source.h"
 
 namespace torsio {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/devices/device_readiness.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/text.h"
 
 namespace torsio {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/base/progress.h"
-#include "db/repository/record_copy.h"
+#include "db/repository/system/record_copy.h"
 
 namespace torsio {
 

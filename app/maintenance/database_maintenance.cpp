@@ -8,6 +8,8 @@
 #include <QTemporaryDir>
 
 #include "db/migrations/migrations.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/system/audit_verification.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -33,14 +35,13 @@ DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {
   tellProgress(progress, "Checking tables and references", 0.0);
   result.damage = integrityFindings(connection);
   if (!result.damage.empty()) return result;  // a damaged file cannot be read to its end
-  AuditRepository audit(connection);
   tellProgress(progress, "Checking the audit trail", kReferencesShare);
-  result.audit = audit.verify([&](std::int64_t done, std::int64_t all) {
+  result.audit = verifyAuditTrail(connection, [&](std::int64_t done, std::int64_t all) {
     tellProgress(
         progress, Text("Checking recording %1 of %2", done + 1, all),
         kReferencesShare + (1.0 - kReferencesShare) * static_cast<double>(done) / static_cast<double>(all));
   });
-  result.auditEntries = audit.length();
+  result.auditEntries = AuditRepository(connection).length();
   return result;
 }
 

@@ -10,7 +10,7 @@
 #include "app/access/workplace.h"
 #include "app/base/progress.h"
 #include "db/migrations/backup.h"
-#include "db/repository/audit_repository.h"
+#include "db/repository/system/audit_verification.h"
 
 namespace torsio {
 

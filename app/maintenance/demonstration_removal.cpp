@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "db/repository/demonstration_data.h"
+#include "db/repository/system/demonstration_data.h"
 
 namespace torsio {
 

@@ -19,7 +19,7 @@ struct DemonstrationSize {
 [[nodiscard]] DemonstrationSize demonstrationSize(Workplace& workplace);
 
 /// Removes all demonstration data at once; real data stay untouched (removeDemonstration in
-/// db/repository/demonstration_data.h). kPersonErase, audited. Returns what was removed. Throws Error
+/// db/repository/system/demonstration_data.h). kPersonErase, audited. Returns what was removed. Throws Error
 /// (kBadData) when real data use simulated ones; nothing is removed then.
 DemonstrationSize removeDemonstrationData(Workplace& workplace, const std::string& reason);
 

@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "db/repository/person_data.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/person_data.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"

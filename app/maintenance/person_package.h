@@ -24,7 +24,7 @@ struct PersonPackage {
 PersonPackage exportPersonPackage(Workplace& workplace, const std::string& personId,
                                   const std::filesystem::path& folder, const std::string& reason);
 
-/// Erases a person: what goes and what stays is said at erasePerson (db/repository/person_data.h).
+/// Erases a person: what goes and what stays is said at erasePerson (db/repository/people/person_data.h).
 /// kPersonErase, audited. Throws Error (kBadParameter) without a reason.
 void erasePersonRecord(Workplace& workplace, const std::string& personId, const std::string& reason);
 

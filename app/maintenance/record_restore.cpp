@@ -14,7 +14,7 @@
 #include "app/maintenance/others_at_work.h"
 #include "db/migrations/backup.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/person_data.h"
+#include "db/repository/people/person_data.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 

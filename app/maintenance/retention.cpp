@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "db/repository/person_data.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/person_data.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

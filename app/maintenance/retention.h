@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "db/repository/retention_repository.h"
+#include "db/repository/people/retention_repository.h"
 
 namespace torsio {
 

@@ -7,7 +7,7 @@
 #include "app/maintenance/database_copy.h"
 #include "app/maintenance/others_at_work.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/audit_repository.h"
+#include "db/repository/base/audit_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

@@ -8,7 +8,7 @@
 #include "app/access/workplace.h"
 #include "app/base/progress.h"
 #include "app/recording/unstored_trials.h"
-#include "db/repository/record_copy.h"
+#include "db/repository/system/record_copy.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 
 namespace torsio {
 

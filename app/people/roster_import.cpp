@@ -11,7 +11,7 @@
 
 #include "app/people/people_service.h"
 #include "app/people/person_codes.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/contracts.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"

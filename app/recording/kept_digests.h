@@ -10,8 +10,8 @@
 
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/report/cohort_report.h"
-#include "db/repository/digest_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/digest_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/live_types.h"
 #include "sim/record/trial.h"
 

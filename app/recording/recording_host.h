@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 
 namespace torsio {
 

@@ -6,7 +6,7 @@
 
 #include "app/recording/kept_digests.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/scene/scene.h"
 

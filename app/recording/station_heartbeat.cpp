@@ -2,8 +2,8 @@
 #include "app/recording/station_heartbeat.h"
 
 #include "app/base/build_info.h"
-#include "db/repository/station_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/station_repository.h"
+#include "db/repository/trial/trial_repository.h"
 
 namespace torsio {
 

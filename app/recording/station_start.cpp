@@ -9,7 +9,7 @@
 
 #include "app/base/assets.h"
 #include "app/recording/kept_digests.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/tick_period.h"
 

@@ -8,7 +8,7 @@
 
 #include "app/access/workplace.h"
 #include "app/recording/unstored_trials.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/text.h"
 
 namespace torsio {

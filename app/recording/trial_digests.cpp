@@ -5,8 +5,8 @@
 #include <map>
 
 #include "assessment/metrics/metric_cards.h"
-#include "db/repository/study_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/record/sample_codec.h"
 
 namespace torsio {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 
 namespace torsio {
 

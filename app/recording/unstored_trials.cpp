@@ -34,11 +34,16 @@ std::string databaseName(const std::string& locator) {
 }
 
 std::string textOf(const std::string& locator, const TrialContext& context) {
-  const json text{{"database", databaseName(locator)}, {"station", context.station},
-                  {"enrolment", context.enrolmentId},  {"module", context.moduleId},
-                  {"phase", context.phaseId},          {"mode", context.attemptMode},
-                  {"host_name", context.host.name},    {"host_os", context.host.os},
-                  {"host_cpu", context.host.cpu},      {"host_gpu", context.host.gpu}};
+  const json text{{"database", databaseName(locator)},
+                  {"station", context.station},
+                  {"enrolment", context.enrolmentId},
+                  {"module", context.moduleId},
+                  {"phase", context.phaseId},
+                  {"mode", context.attemptMode ? storedText(*context.attemptMode) : ""},
+                  {"host_name", context.host.name},
+                  {"host_os", context.host.os},
+                  {"host_cpu", context.host.cpu},
+                  {"host_gpu", context.host.gpu}};
   return text.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
@@ -49,7 +54,7 @@ TrialContext contextOf(const json& text) {
       .enrolmentId = of("enrolment"),
       .moduleId = of("module"),
       .phaseId = of("phase"),
-      .attemptMode = of("mode"),
+      .attemptMode = fromStoredText<AttemptMode>(of("mode")),
       .host = {.name = of("host_name"), .os = of("host_os"), .cpu = of("host_cpu"), .gpu = of("host_gpu")}};
 }
 

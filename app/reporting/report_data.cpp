@@ -10,9 +10,10 @@
 #include "app/study/frozen_data.h"
 #include "assessment/report/number_format.h"
 #include "assessment/study/demonstration_marks.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/sheet_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/text_list.h"
 

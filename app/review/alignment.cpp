@@ -8,9 +8,9 @@
 
 #include "app/review/case_sheet.h"
 #include "app/review/sheet_editor.h"
-#include "db/repository/alignment_repository.h"
-#include "db/repository/desk_repository.h"
-#include "db/repository/setting_repository.h"
+#include "db/repository/rating/alignment_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

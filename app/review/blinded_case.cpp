@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/review/blinded_case.h"
 
-#include "db/repository/desk_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/record/content_hash.h"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app/access/workplace.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"
 

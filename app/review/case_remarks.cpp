@@ -2,8 +2,8 @@
 #include "app/review/case_remarks.h"
 
 #include "app/review/blinded_case.h"
-#include "db/repository/remark_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/remark_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

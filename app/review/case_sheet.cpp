@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/review/sheet_editor.h"
-#include "db/repository/desk_repository.h"
-#include "db/repository/rating_repository.h"
-#include "db/repository/setting_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

@@ -10,7 +10,7 @@
 #include "app/review/blinded_case.h"
 #include "app/review/watch_log.h"
 #include "assessment/rating/sheet_check.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "db/repository/desk_repository.h"
-#include "db/repository/evaluation_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

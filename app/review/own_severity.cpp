@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "assessment/statistics/reliability.h"
-#include "db/repository/desk_repository.h"
+#include "db/repository/rating/desk_repository.h"
 
 namespace torsio {
 

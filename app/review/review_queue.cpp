@@ -6,7 +6,7 @@
 #include "app/review/alignment.h"
 #include "app/review/evaluation_form.h"
 #include "app/review/warm_up.h"
-#include "db/repository/desk_repository.h"
+#include "db/repository/rating/desk_repository.h"
 
 namespace torsio {
 

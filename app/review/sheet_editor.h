@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "assessment/rating/sheet_check.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 

@@ -12,11 +12,11 @@
 
 #include "app/study/case_order.h"
 #include "app/study/drawn_seed.h"
-#include "db/repository/alignment_repository.h"
-#include "db/repository/occasion_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/sheet_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/alignment_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/occasion_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "db/repository/desk_repository.h"
-#include "db/repository/remark_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/trial/remark_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

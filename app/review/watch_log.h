@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "db/repository/desk_repository.h"
+#include "db/repository/rating/desk_repository.h"
 
 namespace torsio {
 

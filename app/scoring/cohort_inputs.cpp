@@ -8,8 +8,8 @@
 
 #include "app/base/build_info.h"
 #include "assessment/study/allocation.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -102,11 +102,11 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
     const auto group = std::find_if(groups.begin(), groups.end(),
                                     [&](const StoredGroup& g) { return g.code == enrolment.groupCode; });
     if (group == groups.end()) {  // not allocated yet: no part of the comparison
-      inputs.notAllocated += enrolment.state == "withdrawn" ? 0 : 1;
+      inputs.notAllocated += enrolment.state == EnrolmentState::kWithdrawn ? 0 : 1;
       continue;
     }
     inputs.trainees.push_back({person.code, static_cast<std::size_t>(group - groups.begin()), person.sex,
-                               person.level, enrolment.state});
+                               person.level, std::string(storedText(enrolment.state))});
   }
   inputs.allocation = checkedAllocation(study, cohortId, groups);
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "db/repository/curriculum_repository.h"
-#include "db/repository/occasion_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/occasion_repository.h"
+#include "db/repository/study/study_repository.h"
 
 namespace torsio {
 

@@ -9,7 +9,7 @@
 
 #include "app/base/build_info.h"
 #include "app/scoring/cohort_occasions.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/contracts.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"

@@ -8,9 +8,9 @@
 #include "assessment/scoring/evaluation.h"
 #include "assessment/scoring/training_scores.h"
 #include "assessment/study/occasion.h"
-#include "db/repository/evaluation_repository.h"
-#include "db/repository/id_source.h"
-#include "db/repository/rating_repository.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/rating_repository.h"
 
 namespace torsio {
 

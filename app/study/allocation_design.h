@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "assessment/study/allocation.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/study_repository.h"
 
 namespace torsio {
 

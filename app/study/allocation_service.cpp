@@ -12,7 +12,7 @@
 #include "app/base/build_info.h"
 #include "app/study/allocation_design.h"
 #include "app/study/drawn_seed.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -56,7 +56,8 @@ Field readField(Workplace& workplace, const std::string& cohortId) {
   field.cohort = study.cohort(cohortId);
   field.groups = study.groups(cohortId);
   field.enrolments = study.enrolments(cohortId);
-  std::erase_if(field.enrolments, [](const StoredEnrolment& e) { return e.state == "withdrawn"; });
+  std::erase_if(field.enrolments,
+                [](const StoredEnrolment& e) { return e.state == EnrolmentState::kWithdrawn; });
   for (StoredTrainee& trainee : PeopleRepository(workplace.connection()).trainees()) {
     field.trainees[trainee.person.id] = std::move(trainee);
   }

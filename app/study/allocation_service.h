@@ -9,7 +9,7 @@
 
 #include "app/access/workplace.h"
 #include "assessment/study/allocation.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/study_repository.h"
 
 namespace torsio {
 

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/study/drawn_seed.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"
 

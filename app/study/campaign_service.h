@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "db/repository/evaluation_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
 
 namespace torsio {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "db/repository/rating_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/trial/trial_repository.h"
 
 namespace torsio {
 

@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "db/repository/curriculum_repository.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -63,8 +63,9 @@ void checkPhase(Workplace& workplace, const StoredCohort& cohort, const StoredEn
     if (arm.id != armId) continue;
     const StoredPhase* phase = phaseOf(arm, exposure.phaseId);
     if (phase == nullptr) break;
-    if (exposure.kind == "rest" || phase->kind == exposure.kind) return;
-    refuse(Text("the phase is %1, the time is %2", phase->kind, exposure.kind), enrolment.traineeCode,
+    const std::string kind(storedText(phase->kind));
+    if (exposure.kind == "rest" || kind == exposure.kind) return;
+    refuse(Text("the phase is %1, the time is %2", kind, exposure.kind), enrolment.traineeCode,
            "Record it for the phase that it was spent in");
   }
   refuse("this phase belongs to another arm", enrolment.traineeCode,
@@ -82,7 +83,7 @@ std::vector<CohortRow> cohorts(Workplace& workplace) {
     CohortRow row;
     row.groups = study.groups(cohort.id);
     for (const StoredEnrolment& enrolment : study.enrolments(cohort.id)) {
-      if (enrolment.state == "withdrawn") {
+      if (enrolment.state == EnrolmentState::kWithdrawn) {
         ++row.withdrawn;
         continue;
       }
@@ -199,12 +200,9 @@ std::vector<std::string> enrolTrainees(Workplace& workplace, const std::string& 
 }
 
 void setEnrolmentState(Workplace& workplace, const std::string& cohortId, const std::string& enrolmentId,
-                       const std::string& state, const std::string& reason) {
+                       EnrolmentState state, const std::string& reason) {
   workplace.require(Operation::kStudyEnrol);
-  if (state != "enrolled" && state != "completed" && state != "withdrawn") {
-    refuse("this is no state of an enrolment", state, "Choose enrolled, completed or withdrawn");
-  }
-  if (state == "withdrawn" && reason.empty()) {
+  if (state == EnrolmentState::kWithdrawn && reason.empty()) {
     refuse("a withdrawal needs a reason", enrolmentId, "Say in a few words why");
   }
   Transaction transaction(workplace.connection());
@@ -214,8 +212,8 @@ void setEnrolmentState(Workplace& workplace, const std::string& cohortId, const 
   workplace.note({.action = "enrolment.set_state",
                   .objectKind = "enrolment",
                   .objectId = enrolmentId,
-                  .oldJson = nlohmann::json{{"state", before.state}}.dump(),
-                  .newJson = nlohmann::json{{"state", state}}.dump(),
+                  .oldJson = nlohmann::json{{"state", storedText(before.state)}}.dump(),
+                  .newJson = nlohmann::json{{"state", storedText(state)}}.dump(),
                   .reason = reason});
   transaction.commit();
 }
@@ -274,7 +272,7 @@ std::string recordExposure(Workplace& workplace, const NewExposure& exposure) {
   if (!workplace.may(Operation::kStudySetup)) {
     workplace.requireOwn(Operation::kTrialRecordOwn, enrolment.traineeId);
   }
-  if (enrolment.state == "withdrawn") {
+  if (enrolment.state == EnrolmentState::kWithdrawn) {
     refuse("has withdrawn from the study", enrolment.traineeCode, "Nothing is recorded any more");
   }
   checkPhase(workplace, cohort, enrolment, exposure);

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "db/repository/study_repository.h"
+#include "assessment/study/protocol_terms.h"
+#include "db/repository/study/study_repository.h"
 
 namespace torsio {
 
@@ -50,9 +51,9 @@ void assignCurriculum(Workplace& workplace, const std::string& cohortId, const s
 /// kStudyEnrol. Throws Error{kBadData} for somebody who is no active trainee or is enrolled already.
 std::vector<std::string> enrolTrainees(Workplace& workplace, const std::string& cohortId,
                                        const std::vector<std::string>& traineeIds);
-/// "completed" or "withdrawn" (or back to "enrolled"); what was recorded stays. Audited. kStudyEnrol.
+/// Completed or withdrawn (or back to enrolled); what was recorded stays. Audited. kStudyEnrol.
 void setEnrolmentState(Workplace& workplace, const std::string& cohortId, const std::string& enrolmentId,
-                       const std::string& state, const std::string& reason);
+                       EnrolmentState state, const std::string& reason);
 
 /// Something that did not go by the protocol.
 struct NewDeviation {

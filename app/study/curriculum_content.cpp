@@ -39,7 +39,7 @@ json moduleJson(const StoredModule& module) {
            {"scene", module.sceneId},
            {"pattern", module.patternId},
            {"exercise", module.exerciseKind},
-           {"mode", module.mode},
+           {"mode", storedText(module.mode)},
            {"target_deg", writtenDegrees(module.targetAngle_rad)},
            {"tolerance_deg", writtenDegrees(module.tolerance_rad)},
            {"hold_s", static_cast<double>(module.hold_us) / kSecond_us},
@@ -65,7 +65,7 @@ json armJson(const StoredArm& arm) {
            {"rest_splittable", arm.restSplittable},
            {"phases", json::array()}};
   for (const StoredPhase& phase : arm.phases) {
-    json step{{"kind", phase.kind},
+    json step{{"kind", storedText(phase.kind)},
               {"label", phase.label},
               {"minutes", static_cast<double>(phase.duration_us) / kMinute_us}};
     if (!phase.moduleId.empty()) step["module"] = phase.moduleId;
@@ -98,6 +98,18 @@ std::int64_t microseconds(JsonFields& fields, const std::string& name, double mo
   return std::llround(fields.number(name, 0.0, most, fallback) * unit_us);
 }
 
+/// The value for which the text of a field stands, or `fallback` without one; `problem` says what is wrong
+/// with any other text.
+template <typename Value>
+Value readTerm(JsonFields& fields, const std::string& name, Value fallback, const char* problem) {
+  const std::optional<Value> value =
+      fromStoredText<Value>(fields.text(name, std::string(storedText(fallback))));
+  if (!value) {
+    fields.refuse(name, problem, "Choose one of the two");
+  }
+  return *value;
+}
+
 StoredMasteryRule readRule(const json& source, const std::string& place) {
   JsonFields fields(source, place);
   StoredMasteryRule rule;
@@ -119,7 +131,7 @@ StoredModule readModule(const json& source, const std::string& place) {
   module.sceneId = fields.text("scene", "");
   module.patternId = fields.text("pattern", "");
   module.exerciseKind = fields.text("exercise", "");
-  module.mode = fields.text("mode", module.mode);
+  module.mode = readTerm(fields, "mode", module.mode, "is neither practice nor graded");
   module.targetAngle_rad = radians(fields.number("target_deg", -kMostDegrees, kMostDegrees, 0.0));
   module.tolerance_rad = radians(fields.number("tolerance_deg", 0.0, kMostDegrees, 0.0));
   module.hold_us = microseconds(fields, "hold_s", kMostSeconds, kSecond_us, 0.0);
@@ -150,7 +162,7 @@ StoredArm readArm(const json& source, const std::string& place) {
   for (std::size_t i = 0; i < phases.size(); ++i) {
     JsonFields step(phases[i], placeIn(fields, "phases", i));
     StoredPhase phase;
-    phase.kind = step.text("kind", phase.kind);
+    phase.kind = readTerm(step, "kind", phase.kind, "is neither on the virtual nor on the real arm");
     phase.label = step.text("label", "");
     phase.duration_us = microseconds(step, "minutes", kMostMinutes, kMinute_us, 0.0);
     phase.moduleId = step.text("module", "");

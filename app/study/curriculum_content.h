@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "assessment/study/occasion.h"
-#include "db/repository/curriculum_repository.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "sim/base/text.h"
 
 namespace torsio {

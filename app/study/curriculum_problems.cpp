@@ -89,9 +89,6 @@ class Examination {
     if (std::find(kinds.begin(), kinds.end(), module.exerciseKind) == kinds.end()) {
       add(where, Text("has an unknown exercise \"%1\"", module.exerciseKind), "Choose one from the list");
     }
-    if (module.mode != "practice" && module.mode != "graded") {
-      add(where, "is neither practice nor graded", "Choose one of the two");
-    }
     if (module.targetAngle_rad == 0.0) add(where, "has a target of 0 degrees", "Enter how far to twist");
     if (module.tolerance_rad <= 0.0) add(where, "has no tolerance", "Enter at least one degree");
     if (module.maxForce_N && *module.maxForce_N <= 0.0) {
@@ -173,16 +170,13 @@ class Examination {
     for (std::size_t i = 0; i < arm.phases.size(); ++i) {
       const StoredPhase& phase = arm.phases[i];
       const Text place("%1, phase %2", where, i + 1);
-      if (phase.kind != "virtual" && phase.kind != "real") {
-        add(place, "is neither on the virtual nor on the real arm", "Choose one of the two");
-      }
       if (phase.label.empty()) add(place, "has no name", "Give it one, such as \"virtual 0-20 min\"");
       if (phase.duration_us <= 0) add(place, "takes no time", "Enter its minutes");
       if (!phase.moduleId.empty() && !modules_.contains(phase.moduleId)) {
         add(place, Text("practises \"%1\", which is no module of this curriculum", phase.moduleId),
             "Choose one from the list, or none for any module");
       }
-      if (!phase.moduleId.empty() && phase.kind == "real") {
+      if (!phase.moduleId.empty() && phase.kind == PhaseKind::kReal) {
         add(place, "names a module of the simulator, but happens on the real arm", "Remove the module");
       }
     }

@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "db/repository/occasion_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/occasion_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

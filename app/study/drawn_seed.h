@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "db/repository/id_source.h"
+#include "db/repository/base/id_source.h"
 
 namespace torsio {
 

@@ -8,13 +8,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "db/repository/access_repository.h"
-#include "db/repository/evaluation_repository.h"
-#include "db/repository/field_digest.h"
-#include "db/repository/freeze_repository.h"
-#include "db/repository/rating_repository.h"
-#include "db/repository/seals.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/base/field_digest.h"
+#include "db/repository/base/seals.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/study/freeze_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 

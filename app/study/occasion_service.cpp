@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "db/repository/occasion_repository.h"
+#include "db/repository/study/occasion_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 

@@ -8,7 +8,7 @@
 #include "app/devices/station_device.h"
 #include "app/scoring/cohort_occasions.h"
 #include "app/study/cohort_service.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -16,7 +16,7 @@ namespace torsio {
 namespace {
 
 /// Fills the phases of one kind in order with time that names no phase.
-void fillInOrder(const StoredArm& arm, const std::string& kind, std::int64_t time_us,
+void fillInOrder(const StoredArm& arm, PhaseKind kind, std::int64_t time_us,
                  std::vector<std::int64_t>& spent_us) {
   for (std::size_t i = 0; i < arm.phases.size() && time_us > 0; ++i) {
     if (arm.phases[i].kind != kind) continue;
@@ -42,7 +42,7 @@ void fillTraining(RunDayRow& row, const StoredArm& arm, const std::vector<Stored
   row.done = !arm.phases.empty() && row.progress.phase == arm.phases.size();
   if (!row.done && !arm.phases.empty()) {
     row.phaseLabel = arm.phases[row.progress.phase].label;
-    row.phaseKind = arm.phases[row.progress.phase].kind;
+    row.phaseKind = storedText(arm.phases[row.progress.phase].kind);
   }
   for (const Occasion& occasion : occasions) {
     if (occasion.afterExposure_us &&
@@ -74,7 +74,10 @@ PhaseProgress phaseProgress(const StoredArm& arm, std::span<const StoredExposure
       spent_us[static_cast<std::size_t>(phase - arm.phases.begin())] += exposure.duration_us;
     }
   }
-  for (const auto& [kind, time_us] : unnamed_us) fillInOrder(arm, kind, time_us, spent_us);
+  for (const auto& [kind, time_us] : unnamed_us) {
+    const std::optional<PhaseKind> spentOn = fromStoredText<PhaseKind>(kind);  // empty: rest
+    if (spentOn) fillInOrder(arm, *spentOn, time_us, spent_us);
+  }
   while (progress.phase < arm.phases.size() &&
          spent_us[progress.phase] >= arm.phases[progress.phase].duration_us) {
     ++progress.phase;
@@ -185,7 +188,7 @@ std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
   std::size_t withoutGroup = 0;
   std::map<std::string, RunDayAlert> sheets;  // by code
   for (const RunDayRow& row : board.rows) {
-    if (row.state == "withdrawn") continue;
+    if (row.state == EnrolmentState::kWithdrawn) continue;
     if (row.groupCode.empty()) ++withoutGroup;
     if (row.sheetsMissing > 0) {
       const auto [alert, isNew] = sheets.try_emplace(

@@ -8,9 +8,10 @@
 
 #include "app/access/workplace.h"
 #include "assessment/study/occasion.h"
-#include "db/repository/curriculum_repository.h"
-#include "db/repository/station_repository.h"
-#include "db/repository/study_repository.h"
+#include "assessment/study/protocol_terms.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/text.h"
 
 namespace torsio {
@@ -35,7 +36,7 @@ struct RunDayRow {
   std::string enrolmentId{};
   std::string traineeId{};
   std::string traineeCode{};
-  std::string state{};      ///< of the enrolment
+  EnrolmentState state = EnrolmentState::kEnrolled;
   std::string groupCode{};  ///< empty: not allocated
   std::string armLabel{};
   std::string phaseLabel{};  ///< empty: no curriculum, or all done

@@ -11,10 +11,10 @@
 #include "app/scoring/cohort_occasions.h"
 #include "app/study/case_order.h"
 #include "app/study/drawn_seed.h"
-#include "db/repository/occasion_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/question_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/occasion_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/question_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -48,7 +48,7 @@ std::vector<StoredEnrolment> chosenEnrolments(StudyRepository& study, const Scor
   std::vector<StoredEnrolment> chosen;
   for (StoredEnrolment& enrolment : study.enrolments(plan.cohortId)) {
     const bool wanted = plan.enrolmentIds.empty()
-                            ? enrolment.state != "withdrawn"
+                            ? enrolment.state != EnrolmentState::kWithdrawn
                             : std::find(plan.enrolmentIds.begin(), plan.enrolmentIds.end(), enrolment.id) !=
                                   plan.enrolmentIds.end();
     if (wanted) chosen.push_back(std::move(enrolment));

@@ -8,7 +8,7 @@
 
 #include "app/access/workplace.h"
 #include "assessment/study/occasion.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
 

@@ -68,7 +68,7 @@ std::vector<Attempt> attemptsOf(Workplace& workplace, const std::string& personI
 
 bool counts(const Attempt& attempt, const StoredModule& module) {
   return attempt.ended && !attempt.interrupted && attempt.moduleId == module.id &&
-         (attempt.mode == "graded" || module.mode == "practice");
+         (attempt.mode == AttemptMode::kGraded || module.mode == AttemptMode::kPractice);
 }
 
 MasteryRule masteryRule(const StoredMasteryRule& stored) {

@@ -11,8 +11,9 @@
 #include "app/access/workplace.h"
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/attempt/mastery.h"
-#include "db/repository/curriculum_repository.h"
-#include "db/repository/trial_repository.h"
+#include "assessment/study/protocol_terms.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/trial/trial_repository.h"
 
 namespace torsio {
 
@@ -21,7 +22,7 @@ struct Attempt {
   std::string trialId{};
   std::string moduleId{};
   std::string phaseId{};
-  std::string mode{};  ///< "practice", "graded"
+  std::optional<AttemptMode> mode{};  ///< empty: free practice
   std::int64_t startedUtc_us = 0;
   double duration_s = 0.0;
   bool ended = true;                       ///< false: running, or interrupted and not closed yet

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "db/repository/remark_repository.h"
+#include "db/repository/trial/remark_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/tick_period.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/access/workplace.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 
 namespace torsio {
 

@@ -11,6 +11,7 @@
 #include "app/access/workplace.h"
 #include "app/training/attempts.h"
 #include "assessment/attempt/pass_rule.h"
+#include "assessment/study/protocol_terms.h"
 #include "sim/scene/scene.h"
 
 namespace torsio {
@@ -61,7 +62,7 @@ struct Debrief {
   std::string moduleId{};
   std::string moduleTitle{};
   std::string phaseLabel{};
-  std::string mode{};
+  std::optional<AttemptMode> mode{};
   std::int64_t startedUtc_us = 0;
   double duration_s = 0.0;
   bool interrupted = false;

@@ -6,7 +6,7 @@
 #include "app/training/bookmarks.h"
 #include "app/training/debrief.h"
 #include "app/training/trainee_record.h"
-#include "db/repository/remark_repository.h"
+#include "db/repository/trial/remark_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/sample_codec.h"
 

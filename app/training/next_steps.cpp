@@ -7,7 +7,7 @@
 #include "app/study/run_day.h"
 #include "app/training/remarks.h"
 #include "app/training/trainee_record.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -73,7 +73,7 @@ void planArm(Connection& connection, const TraineeRecord& record, NextSteps& ste
     const StoredPhase& stored = record.arm->phases[i];
     RunPhase phase{.phaseId = stored.id,
                    .label = stored.label,
-                   .arm = stored.kind == "real" ? TrainingArm::kReal : TrainingArm::kVirtual,
+                   .arm = stored.kind == PhaseKind::kReal ? TrainingArm::kReal : TrainingArm::kVirtual,
                    .duration_us = stored.duration_us,
                    .moduleId = stored.moduleId};
     if (i < progress.phase) phase.done_us = phase.duration_us;

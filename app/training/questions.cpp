@@ -7,10 +7,10 @@
 #include "app/recording/kept_digests.h"
 #include "app/training/bookmarks.h"
 #include "app/training/trainee_record.h"
-#include "db/repository/curriculum_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/question_repository.h"
-#include "db/repository/remark_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/trial/question_repository.h"
+#include "db/repository/trial/remark_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/sample_codec.h"
 
@@ -31,7 +31,7 @@ double secondsOf(std::int64_t time_us) {
 
 /// Practice, and never in the hands of raters.
 bool namesMayBeShown(Workplace& workplace, const TrialListing& trial) {
-  return trial.attemptMode == "practice" &&
+  return trial.attemptMode == AttemptMode::kPractice &&
          !QuestionRepository(workplace.connection()).isScored(trial.trialId);
 }
 

@@ -7,10 +7,10 @@
 #include <set>
 
 #include "app/training/trainee_record.h"
-#include "db/repository/question_repository.h"
-#include "db/repository/rating_repository.h"
-#include "db/repository/remark_repository.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/trial/question_repository.h"
+#include "db/repository/trial/remark_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {

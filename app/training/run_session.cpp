@@ -9,8 +9,8 @@
 #include "app/recording/recording_host.h"
 #include "app/study/cohort_service.h"
 #include "app/training/trainee_record.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/setting_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/tick_period.h"
 
@@ -104,6 +104,10 @@ void RunSession::show(const std::string& trialId) {
   }
 }
 
+AttemptMode RunSession::mode() const noexcept {
+  return graded_ ? AttemptMode::kGraded : AttemptMode::kPractice;
+}
+
 void RunSession::heartbeat() {
   if (line_ == nullptr) heartbeat_.send();
 }
@@ -111,7 +115,7 @@ void RunSession::heartbeat() {
 void RunSession::start() {
   run_.start();
   utcOffset_us_ = workplace_.now_us() - clock_->now_us();
-  const nlohmann::json what{{"module", step_.module.id}, {"mode", graded_ ? "graded" : "practice"}};
+  const nlohmann::json what{{"module", step_.module.id}, {"mode", storedText(mode())}};
   write([note = AuditNote{.action = "run.start",
                           .objectKind = "enrolment",
                           .objectId = steps_.enrolmentId,
@@ -211,7 +215,7 @@ RecordingSpec RunSession::newTrial() {
                                       .enrolmentId = steps_.enrolmentId,
                                       .moduleId = practised.id,
                                       .phaseId = phase.phaseId,
-                                      .attemptMode = graded_ ? "graded" : "practice",
+                                      .attemptMode = mode(),
                                       .host = thisHost()}};
   trials_.push_back(recording.trialId);
   show(recording.trialId);

@@ -15,7 +15,8 @@
 #include "app/recording/station_writer.h"
 #include "app/training/next_steps.h"
 #include "app/training/training_run.h"
-#include "db/repository/trial_repository.h"
+#include "assessment/study/protocol_terms.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/record/trial.h"
 
 namespace torsio {
@@ -67,6 +68,7 @@ class RunSession {
   void log(bool all);
   void write(StationWriter::Write write);
   void show(const std::string& trialId);
+  [[nodiscard]] AttemptMode mode() const noexcept;
   void heartbeat();
 
   Workplace& workplace_;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "sim/base/error.h"
 
 namespace torsio {
@@ -21,7 +21,7 @@ void findEnrolment(Connection& connection, TraineeRecord& record) {
       continue;
     }
     for (const StoredEnrolment& enrolment : studies.enrolments(cohort.id)) {
-      if (enrolment.traineeId != record.personId || enrolment.state != "enrolled") continue;
+      if (enrolment.traineeId != record.personId || enrolment.state != EnrolmentState::kEnrolled) continue;
       record.enrolment = enrolment;
       record.cohort = cohort;
     }

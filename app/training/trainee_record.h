@@ -5,9 +5,9 @@
 #include <string>
 
 #include "app/access/workplace.h"
-#include "db/repository/curriculum_repository.h"
-#include "db/repository/study_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
 
 namespace torsio {
 

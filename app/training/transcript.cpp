@@ -2,8 +2,8 @@
 #include "app/training/transcript.h"
 
 #include "app/base/build_info.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/study_repository.h"
 
 namespace torsio {
 

@@ -9,6 +9,7 @@
 
 #include "app/access/workplace.h"
 #include "app/training/attempts.h"
+#include "assessment/study/protocol_terms.h"
 
 namespace torsio {
 
@@ -28,7 +29,7 @@ struct TrendPoint {
   std::int64_t attempt = 1;
   std::int64_t startedUtc_us = 0;
   std::optional<double> value{};
-  std::string mode{};
+  std::optional<AttemptMode> mode{};
   bool counted = false;
   bool passed = false;  ///< all rules of the module
 };

@@ -83,7 +83,9 @@ void Statement::execute() {
   }
   query_->affectedRows = query_->query.numRowsAffected();
   // SQLite refuses COMMIT while a statement is in progress, even one without rows to read.
-  if (!query_->query.isSelect()) query_->query.finish();
+  if (!query_->query.isSelect()) {
+    query_->query.finish();
+  }
 }
 
 void Statement::execute(std::initializer_list<Value> values) {
@@ -92,15 +94,21 @@ void Statement::execute(std::initializer_list<Value> values) {
 
 void Statement::execute(std::span<const Value> values) {
   int position = 0;
-  for (const Value& value : values) bind(position++, value);
+  for (const Value& value : values) {
+    bind(position++, value);
+  }
   execute();
 }
 
 bool Statement::step() {
-  if (query_->query.next()) return true;
+  if (query_->query.next()) {
+    return true;
+  }
   const QSqlError error = query_->query.lastError();
   query_->query.finish();
-  if (error.isValid()) query_->state->fail(query_->text, error);
+  if (error.isValid()) {
+    query_->state->fail(query_->text, error);
+  }
   return false;
 }
 
@@ -154,7 +162,9 @@ std::string Statement::columnName(int column) const {
 
 Value Statement::value(int column) const {
   const QVariant variant = query_->query.value(column);
-  if (variant.isNull()) return {};
+  if (variant.isNull()) {
+    return {};
+  }
   switch (variant.typeId()) {
     case QMetaType::Bool:
       return variant.toBool();
@@ -179,7 +189,9 @@ void Connection::observeStatements(std::function<void(std::string_view)> observe
 }
 
 Statement Connection::prepare(std::string_view sql) {
-  if (state_->observer) state_->observer(sql);
+  if (state_->observer) {
+    state_->observer(sql);
+  }
   return Statement(std::make_unique<Statement::Query>(state_, sql, Statement::Query::Start::kPrepare));
 }
 
@@ -218,12 +230,16 @@ Connection openDatabase(const std::string& locator, OpenMode mode, int busyTimeo
 }
 
 Transaction::Transaction(Connection& connection) : state_(connection.state_) {
-  if (state_->depth == 0) state_->begin();
+  if (state_->depth == 0) {
+    state_->begin();
+  }
   ++state_->depth;
 }
 
 Transaction::~Transaction() {
-  if (!open_) return;
+  if (!open_) {
+    return;
+  }
   if (--state_->depth == 0) {
     state_->leave();
   } else {

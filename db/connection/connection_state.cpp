@@ -51,10 +51,16 @@ void checkFile(const fs::path& file, OpenMode mode) {
   if (!exists && !fs::is_directory(folder, ignored)) {
     throw Error(ErrorCode::kFileMissing, "no such folder", folder.string(), "Create it, or choose another");
   }
-  if (mode == OpenMode::kReadOnly) return;
-  if (exists && markedReadOnly(file)) readOnlyFile("database file is read-only", file);
+  if (mode == OpenMode::kReadOnly) {
+    return;
+  }
+  if (exists && markedReadOnly(file)) {
+    readOnlyFile("database file is read-only", file);
+  }
   // The write-ahead log is a file beside the database.
-  if (markedReadOnly(folder)) readOnlyFile("folder is read-only", folder);
+  if (markedReadOnly(folder)) {
+    readOnlyFile("folder is read-only", folder);
+  }
 }
 
 }  // namespace
@@ -87,7 +93,9 @@ ConnectionState::ConnectionState(const Locator& locator, OpenMode mode, int busy
 }
 
 ConnectionState::~ConnectionState() {
-  if (depth > 0) leave();
+  if (depth > 0) {
+    leave();
+  }
   close();
 }
 
@@ -99,10 +107,14 @@ void ConnectionState::close() noexcept {
 
 void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busyTimeout_ms) {
   const bool inMemory = locator.file == ":memory:";
-  if (!inMemory) checkFile(locator.file, mode);
+  if (!inMemory) {
+    checkFile(locator.file, mode);
+  }
   database_->setDatabaseName(QString::fromStdString(locator.file));
   QString options = QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(busyTimeout_ms);
-  if (readOnly) options += QStringLiteral(";QSQLITE_OPEN_READONLY");
+  if (readOnly) {
+    options += QStringLiteral(";QSQLITE_OPEN_READONLY");
+  }
   database_->setConnectOptions(options);
   if (!database_->open()) {
     throw Error(mode == OpenMode::kReadOnly ? ErrorCode::kFileUnreadable : ErrorCode::kFileUnwritable,
@@ -121,8 +133,12 @@ void ConnectionState::openSqlite(const Locator& locator, OpenMode mode, int busy
       run("ROLLBACK");
     }
   } catch (const DbError& error) {
-    if (error.fault() == DbFault::kBusy) return;  // somebody is writing, so it can be written
-    if (error.fault() == DbFault::kReadOnly) readOnlyFile("database file is read-only", locator.file);
+    if (error.fault() == DbFault::kBusy) {
+      return;  // somebody is writing, so it can be written
+    }
+    if (error.fault() == DbFault::kReadOnly) {
+      readOnlyFile("database file is read-only", locator.file);
+    }
     if (error.fault() == DbFault::kCorrupt) {
       throw Error(ErrorCode::kFileUnreadable, "is not a database, or is damaged", location,
                   "Choose another file, or restore the latest backup");
@@ -156,7 +172,9 @@ void ConnectionState::openPostgresql(const Locator& locator, OpenMode mode, int 
   if (!locator.schema.empty()) {
     run("SET search_path TO \"" + locator.schema + "\"");
   }
-  if (mode == OpenMode::kReadOnly) run("SET default_transaction_read_only = on");
+  if (mode == OpenMode::kReadOnly) {
+    run("SET default_transaction_read_only = on");
+  }
 }
 
 QSqlQuery ConnectionState::query() const {
@@ -164,7 +182,9 @@ QSqlQuery ConnectionState::query() const {
   TORSIO_EXPECTS(!broken);  // after a failure the transaction must be left, not continued
   QSqlQuery query(*database_);
   // Not for PostgreSQL: there it means single-row mode, in which no second query may run meanwhile.
-  if (engine == Engine::kSqlite) query.setForwardOnly(true);
+  if (engine == Engine::kSqlite) {
+    query.setForwardOnly(true);
+  }
   return query;
 }
 
@@ -194,7 +214,9 @@ void ConnectionState::commit() {
 }
 
 void ConnectionState::abandon() noexcept {
-  if (broken) return;
+  if (broken) {
+    return;
+  }
   broken = true;
   try {
     if (engine == Engine::kSqlite) {

@@ -66,7 +66,9 @@ DbFault postgresqlFault(const QString& state) {
       {"25P02", DbFault::kBrokenBefore},
   }};
   for (const auto& [code, fault] : kFaults) {
-    if (state == QLatin1String(code)) return fault;
+    if (state == QLatin1String(code)) {
+      return fault;
+    }
   }
   return state.isEmpty() || state.startsWith(QLatin1String("08")) ? DbFault::kUnreachable : DbFault::kOther;
 }
@@ -120,12 +122,20 @@ std::string operationOf(std::string_view sql) {
   std::size_t count = 0;
   for (const char c : sql) {
     const bool gap = c == ' ' || c == '\n' || c == '\t';
-    if (c == '(' || c == ';' || c == '\'' || words.size() >= 60) break;
-    if (gap && (words.empty() || words.back() == ' ')) continue;
-    if (gap && ++count == kWords) break;
+    if (c == '(' || c == ';' || c == '\'' || words.size() >= 60) {
+      break;
+    }
+    if (gap && (words.empty() || words.back() == ' ')) {
+      continue;
+    }
+    if (gap && ++count == kWords) {
+      break;
+    }
     words.push_back(gap ? ' ' : c);
   }
-  while (!words.empty() && words.back() == ' ') words.pop_back();
+  while (!words.empty() && words.back() == ' ') {
+    words.pop_back();
+  }
   return words;
 }
 
@@ -136,14 +146,18 @@ DbFault faultOf(Engine engine, const QSqlError& error) {
 
 void ConnectionState::fail(std::string_view sql, const QSqlError& error) {
   const DbFault fault = faultOf(engine, error);
-  if (depth > 0) abandon();
+  if (depth > 0) {
+    abandon();
+  }
   const Wording wording = wordingOf(fault);
   Text what = wording.what;
   // The driver's first line names constraint or syntax; further lines of PostgreSQL repeat values.
   const std::string detail = error.databaseText().section(QLatin1Char('\n'), 0, 0).trimmed().toStdString();
   if (fault == DbFault::kOther || fault == DbFault::kCheck || fault == DbFault::kNotNull ||
       fault == DbFault::kUnique || fault == DbFault::kUnreachable) {
-    if (!detail.empty()) what = Text("%1: %2", wording.what, detail);
+    if (!detail.empty()) {
+      what = Text("%1: %2", wording.what, detail);
+    }
   }
   throw DbError(fault, operationOf(sql), what, location, wording.remedy);
 }

@@ -20,7 +20,9 @@ bool plainName(const std::string& name) {
 }  // namespace
 
 std::string Locator::shown() const {
-  if (engine == Engine::kSqlite) return file;
+  if (engine == Engine::kSqlite) {
+    return file;
+  }
   return "postgresql://" + host + ":" + std::to_string(port) + "/" + database +
          (schema.empty() ? "" : "?schema=" + schema);
 }

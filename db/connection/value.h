@@ -37,7 +37,9 @@ class Value {
   Value(Blob bytes) : storage_(std::move(bytes)) {}              // NOLINT(google-explicit-constructor)
   template <typename T>
   Value(const std::optional<T>& maybe) {  // NOLINT(google-explicit-constructor)
-    if (maybe) *this = Value(*maybe);
+    if (maybe) {
+      *this = Value(*maybe);
+    }
   }
 
   [[nodiscard]] const Storage& storage() const noexcept { return storage_; }

@@ -24,7 +24,9 @@ fs::path withSuffix(fs::path file, const char* suffix) {
 
 void removeWithLogs(const fs::path& file) noexcept {
   std::error_code ignored;
-  for (const char* suffix : kParts) fs::remove(withSuffix(file, suffix), ignored);
+  for (const char* suffix : kParts) {
+    fs::remove(withSuffix(file, suffix), ignored);
+  }
 }
 
 std::int64_t countOf(Connection& connection, const char* table) {
@@ -54,7 +56,9 @@ void moveAside(const fs::path& target) {
   removeWithLogs(aside);
   for (const char* suffix : kParts) {
     const fs::path part = withSuffix(target, suffix);
-    if (fs::exists(part)) fs::rename(part, withSuffix(aside, suffix));
+    if (fs::exists(part)) {
+      fs::rename(part, withSuffix(aside, suffix));
+    }
   }
 }
 
@@ -62,10 +66,13 @@ void moveAside(const fs::path& target) {
 void putBack(const fs::path& target) noexcept {
   std::error_code ignored;
   const fs::path aside = withSuffix(target, ".before-restore");
-  if (fs::exists(target, ignored)) return;
+  if (fs::exists(target, ignored)) {
+    return;
+  }
   for (const char* suffix : kParts) {
-    if (fs::exists(withSuffix(aside, suffix), ignored))
+    if (fs::exists(withSuffix(aside, suffix), ignored)) {
       fs::rename(withSuffix(aside, suffix), withSuffix(target, suffix), ignored);
+    }
   }
 }
 
@@ -73,11 +80,15 @@ void putBack(const fs::path& target) noexcept {
 
 std::vector<std::string> integrityFindings(Connection& connection) {
   std::vector<std::string> findings;
-  if (connection.engine() != Engine::kSqlite) return findings;  // the server keeps its own files
+  if (connection.engine() != Engine::kSqlite) {
+    return findings;  // the server keeps its own files
+  }
   Statement check = connection.prepare("PRAGMA integrity_check");
   check.execute();
   while (check.step()) {
-    if (check.text(0) != "ok") findings.push_back(check.text(0));
+    if (check.text(0) != "ok") {
+      findings.push_back(check.text(0));
+    }
   }
   Statement references = connection.prepare("PRAGMA foreign_key_check");
   references.execute();

@@ -14,7 +14,9 @@ using Statements = std::vector<std::string>;
 std::vector<std::string> wordsOf(const std::string& text) {
   std::istringstream in(text);
   std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
+  for (std::string word; in >> word;) {
+    words.push_back(word);
+  }
   return words;
 }
 
@@ -23,7 +25,9 @@ std::vector<std::string> wordsOf(const std::string& text) {
 }
 
 Statements appendOnlySupport(Engine engine) {
-  if (engine == Engine::kSqlite) return {};
+  if (engine == Engine::kSqlite) {
+    return {};
+  }
   // SQLSTATE TR001 is ours: fault.cpp knows it.
   return {
       "CREATE FUNCTION refuse_change() RETURNS trigger LANGUAGE plpgsql AS $$\n"
@@ -58,15 +62,6 @@ Statements appendOnly(Engine engine, const std::string& table, bool gated) {
   return triggers;
 }
 
-/// Takes off what {{append_only}} or {{immutable}} put on a table.
-Statements thawed(Engine engine, const std::string& table) {
-  if (engine == Engine::kPostgresql) {
-    return {"DROP TRIGGER " + table + "_append_only ON " + table,
-            "DROP TRIGGER " + table + "_no_truncate ON " + table};
-  }
-  return {"DROP TRIGGER " + table + "_no_UPDATE", "DROP TRIGGER " + table + "_no_DELETE"};
-}
-
 Statements frozen(Engine engine, const std::string& table, const std::string& column) {
   const std::string head =
       "CREATE TRIGGER " + table + "_" + column + "_frozen BEFORE UPDATE OF " + column + " ON " + table;
@@ -80,11 +75,18 @@ Statements frozen(Engine engine, const std::string& table, const std::string& co
 
 Statements macro(Engine engine, const std::string& token, const std::string& where) {
   const std::vector<std::string> words = wordsOf(token);
-  if (words.size() == 1 && words[0] == "append_only_support") return appendOnlySupport(engine);
-  if (words.size() == 2 && words[0] == "append_only") return appendOnly(engine, words[1], true);
-  if (words.size() == 2 && words[0] == "immutable") return appendOnly(engine, words[1], false);
-  if (words.size() == 2 && words[0] == "thaw") return thawed(engine, words[1]);
-  if (words.size() == 3 && words[0] == "frozen") return frozen(engine, words[1], words[2]);
+  if (words.size() == 1 && words[0] == "append_only_support") {
+    return appendOnlySupport(engine);
+  }
+  if (words.size() == 2 && words[0] == "append_only") {
+    return appendOnly(engine, words[1], true);
+  }
+  if (words.size() == 2 && words[0] == "immutable") {
+    return appendOnly(engine, words[1], false);
+  }
+  if (words.size() == 3 && words[0] == "frozen") {
+    return frozen(engine, words[1], words[2]);
+  }
   bad(Text("unknown token {{%1}}", token), where);
 }
 
@@ -94,7 +96,9 @@ std::string withTypes(Engine engine, std::string sql, const std::string& where) 
   for (std::size_t at = sql.find(token); at != std::string::npos; at = sql.find(token, at)) {
     sql.replace(at, token.size(), type);
   }
-  if (sql.find("{{") != std::string::npos) bad("unknown token in a statement", where);
+  if (sql.find("{{") != std::string::npos) {
+    bad("unknown token in a statement", where);
+  }
   return sql;
 }
 
@@ -105,8 +109,12 @@ std::vector<std::string> statementsFor(Engine engine, std::string_view migration
   Statements statements;
   std::string current;
   for (std::string line; std::getline(in, line);) {
-    while (!line.empty() && (line.back() == ' ' || line.back() == '\r')) line.pop_back();
-    if (line.empty() || line.starts_with("--")) continue;
+    while (!line.empty() && (line.back() == ' ' || line.back() == '\r')) {
+      line.pop_back();
+    }
+    if (line.empty() || line.starts_with("--")) {
+      continue;
+    }
     if (current.empty() && line.starts_with("{{") && line.ends_with("}}")) {
       for (std::string& made : macro(engine, line.substr(2, line.size() - 4), where)) {
         statements.push_back(std::move(made));
@@ -114,12 +122,16 @@ std::vector<std::string> statementsFor(Engine engine, std::string_view migration
       continue;
     }
     current += (current.empty() ? "" : "\n") + line;
-    if (line.back() != ';') continue;
+    if (line.back() != ';') {
+      continue;
+    }
     current.pop_back();
     statements.push_back(withTypes(engine, std::move(current), where));
     current.clear();
   }
-  if (!current.empty()) bad("a statement lacks its ;", where);
+  if (!current.empty()) {
+    bad("a statement lacks its ;", where);
+  }
   return statements;
 }
 

@@ -18,7 +18,6 @@ namespace torsio {
 ///   the
 ///                              same transaction put a row into erasure_gate (person erase, demo removal)
 ///   {{immutable TABLE}}        the same without that gate: not even an erase may touch it
-///   {{thaw TABLE}}             takes the triggers of the two lines above off again: another kind follows
 ///   {{frozen TABLE COLUMN}}    the column keeps the value it was inserted with, always
 ///
 /// A statement ends with `;` at the end of a line; a line that starts with `--` is a comment.

@@ -62,11 +62,15 @@ bool hasForeignTables(Connection& connection) {
 
 std::vector<AppliedStep> appliedSteps(Connection& connection) {
   std::vector<AppliedStep> steps;
-  if (!hasBookkeeping(connection)) return steps;
+  if (!hasBookkeeping(connection)) {
+    return steps;
+  }
   Statement query =
       connection.prepare("SELECT version, compatible_from, checksum FROM schema_migration ORDER BY version");
   query.execute();
-  while (query.step()) steps.push_back({query.int64(0), query.int64(1), query.text(2)});
+  while (query.step()) {
+    steps.push_back({query.int64(0), query.int64(1), query.text(2)});
+  }
   return steps;
 }
 
@@ -74,20 +78,26 @@ std::string headValue(const std::string& text, const std::string& key, const std
   const std::string start = "-- " + key + ": ";
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) {
-    if (line.starts_with(start)) return line.substr(start.size());
+    if (line.starts_with(start)) {
+      return line.substr(start.size());
+    }
   }
   throw Error(ErrorCode::kBadData, Text("the line \"%1...\" is missing", start), name, "Add it");
 }
 
 void applyStep(Connection& connection, const Migration& step, const MigrationOptions& options) {
   Transaction transaction(connection);
-  if (connection.engine() == Engine::kPostgresql) connection.executeVerbatim(kAdvisoryLock);
+  if (connection.engine() == Engine::kPostgresql) {
+    connection.executeVerbatim(kAdvisoryLock);
+  }
   const std::vector<AppliedStep> applied = appliedSteps(connection);
   if (!applied.empty() && applied.back().version >= step.version) {  // another program was faster
     transaction.commit();
     return;
   }
-  if (applied.empty() && !hasBookkeeping(connection)) connection.executeVerbatim(kBookkeeping);
+  if (applied.empty() && !hasBookkeeping(connection)) {
+    connection.executeVerbatim(kBookkeeping);
+  }
   for (const std::string& sql : statementsFor(connection.engine(), step.sql, step.name)) {
     connection.executeVerbatim(sql);
   }
@@ -154,9 +164,13 @@ SchemaState checkSchema(Connection& connection, const std::vector<Migration>& mi
   state.version = applied.back().version;
   state.compatibleFrom = applied.back().compatibleFrom;
   const bool readable = connection.readOnly() && state.compatibleFrom <= state.known;
-  if (state.version > state.known && !readable) newerSchema(state, connection.location());
+  if (state.version > state.known && !readable) {
+    newerSchema(state, connection.location());
+  }
   for (const AppliedStep& step : applied) {
-    if (step.version > state.known) continue;
+    if (step.version > state.known) {
+      continue;
+    }
     const Migration& known = migrations[static_cast<std::size_t>(step.version - 1)];
     if (known.checksum != step.checksum) {
       throw Error(ErrorCode::kBadData,
@@ -171,7 +185,9 @@ MigrationReport migrate(Connection& connection, const std::vector<Migration>& mi
                         const MigrationOptions& options) {
   const SchemaState state = checkSchema(connection, migrations);
   MigrationReport report{.fromVersion = state.version, .toVersion = state.known, .backup = std::nullopt};
-  if (state.version >= state.known) return report;
+  if (state.version >= state.known) {
+    return report;
+  }
   if (connection.engine() == Engine::kSqlite && state.version > 0 && options.backup &&
       connection.location() != ":memory:") {
     const std::filesystem::path file = connection.location();
@@ -181,7 +197,9 @@ MigrationReport migrate(Connection& connection, const std::vector<Migration>& mi
     report.backup = copy;
   }
   for (const Migration& step : migrations) {
-    if (step.version > state.version) applyStep(connection, step, options);
+    if (step.version > state.version) {
+      applyStep(connection, step, options);
+    }
   }
   return report;
 }

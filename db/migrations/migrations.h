@@ -14,7 +14,7 @@ namespace torsio {
 /// One numbered step of the schema: the file NNNN_name.sql, embedded in the program.
 struct Migration {
   std::int64_t version = 0;
-  std::string name{};               ///< "0001_people_trials_marks"
+  std::string name{};               ///< "0001_first_release"
   std::string description{};        ///< from the line `-- description: ...`
   std::int64_t compatibleFrom = 1;  ///< oldest schema version whose programs can still read the result
   std::string sql{};

@@ -10,10 +10,9 @@
 namespace torsio {
 
 /// Version of the rules by which a tick answers; stamped on every sample, so that a trial replays by the
-/// rules that it was recorded with. 1: the tip is a sphere, the contact force a plain spring, nothing watches
-/// the energy. 2: jaw and shaft collide, contact is a virtual coupling to a surface that gives way, passivity
-/// is kept.
-inline constexpr std::uint32_t kServoRules = 2;
+/// rules that it was recorded with. 1: jaw and shaft collide, contact is a virtual coupling to a surface that
+/// gives way, passivity is kept.
+inline constexpr std::uint32_t kServoRules = 1;
 
 /// Stages of one exercise (paper Fig. 6): no force and no deformation before contact.
 enum class ExercisePhase : std::uint8_t {

@@ -20,9 +20,7 @@ namespace {
 
 // bytes = magic, version, then one zstd frame (with its own checksum) over the columns in this order.
 constexpr std::array<std::uint8_t, 4> kMagic{'T', 'R', 'S', 'C'};
-// Version 1 had no columns for the contact and the rules: its samples follow rules 1 and touch with the tip.
-constexpr std::uint8_t kVersion = 2;
-constexpr std::uint8_t kOldestVersion = 1;
+constexpr std::uint8_t kVersion = 1;
 constexpr std::size_t kHeaderSize = kMagic.size() + 1;
 constexpr int kCompressionLevel = 3;
 
@@ -58,7 +56,6 @@ enum Column : std::size_t {
   kRules,
   kColumns
 };
-constexpr std::size_t kColumnsOfVersion1 = kContact;
 
 using Row = std::array<std::int64_t, kColumns>;
 
@@ -163,10 +160,9 @@ std::vector<std::uint8_t> packColumns(std::span<const Sample> samples) {
   return packed;
 }
 
-std::vector<std::uint8_t> decompress(std::span<const std::byte> frame, std::size_t samples,
-                                     std::size_t columns) {
+std::vector<std::uint8_t> decompress(std::span<const std::byte> frame, std::size_t samples) {
   // The most that `samples` rows can take, so that damaged sizes cannot ask for all memory.
-  const std::size_t largest = columns * largestPackedColumn(samples);
+  const std::size_t largest = kColumns * largestPackedColumn(samples);
   const unsigned long long size = ZSTD_getFrameContentSize(frame.data(), frame.size());
   if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > largest) {
     damaged("the size of the packed samples is impossible");
@@ -216,20 +212,17 @@ std::vector<Sample> decodeChunk(const TrialChunk& chunk) {
     damaged("this is not a chunk of samples");
   }
   const auto version = std::to_integer<std::uint8_t>(bytes[kMagic.size()]);
-  if (version < kOldestVersion || version > kVersion) {
+  if (version != kVersion) {
     throw Error(ErrorCode::kBadData, "the samples were written in another format version", "recorded chunk",
                 "Open the trial with the version that wrote it, or a newer one");
   }
   const auto count = static_cast<std::size_t>(chunk.samples);
-  const std::size_t columns = version == 1 ? kColumnsOfVersion1 : kColumns;
-  const std::vector<std::uint8_t> packed = decompress(bytes.subspan(kHeaderSize), count, columns);
+  const std::vector<std::uint8_t> packed = decompress(bytes.subspan(kHeaderSize), count);
 
-  Row missing{};
-  missing[kRules] = 1;
-  std::vector<Row> rows(count, missing);
+  std::vector<Row> rows(count);
   std::vector<std::int64_t> column(count);
   std::span<const std::uint8_t> rest(packed);
-  for (std::size_t c = 0; c < columns; ++c) {
+  for (std::size_t c = 0; c < kColumns; ++c) {
     rest = unpackColumn(rest, column);
     for (std::size_t i = 0; i < count; ++i) rows[i][c] = column[i];
   }

@@ -15,8 +15,6 @@ namespace torsio {
 namespace {
 
 constexpr std::uint32_t kHandGone = kDeviceLost | kDeviceUncalibrated | kDeviceEnded;
-// How far a rest normal is followed to see where the deformed organ carries it.
-constexpr double kNormalProbe_m = 1e-4;
 // Least share of the pattern's turn that the gripped point must follow.
 constexpr double kLeastShare = 0.1;
 
@@ -50,12 +48,6 @@ void check(const ExerciseOptions& options) {
                      std::to_string(options.maxStiffness_N_per_m), std::to_string(options.tickPeriod_us)),
                 "exercise", "Check what the device reports");
   }
-  if (options.rules < 1 || options.rules > kServoRules) {
-    throw Error(ErrorCode::kBadParameter,
-                Text("rules %1 of the tick are not known, only 1 to %2", std::to_string(options.rules),
-                     std::to_string(kServoRules)),
-                "exercise", "Use the version that recorded the trial, or a newer one");
-  }
 }
 
 double surfaceStiffness_N_per_m(const ExerciseOptions& options) {
@@ -74,7 +66,6 @@ Exercise::Exercise(const ExerciseOptions& options)
     : options_(options),
       jaw_(surfaceStiffness_N_per_m(options), options.tickPeriod_us),
       shaft_(surfaceStiffness_N_per_m(options), options.tickPeriod_us) {
-  contactStiffness_N_per_m_ = std::min(kContactStiffness_N_per_m, options.maxStiffness_N_per_m);
   returnFactor_ = portableExp(-static_cast<double>(options.tickPeriod_us) * 1e-6 / kReturnTime_s);
 }
 
@@ -83,29 +74,6 @@ bool Exercise::updateJaw(const ToolState& tool) noexcept {
   const bool button = (tool.buttons & kButtonGrip) != 0;
   jawClosed_ = button || tool.grip > (wasClosed ? kJawOpens : kJawCloses);
   return jawClosed_ && !wasClosed;
-}
-
-ToolTouch Exercise::touchWithTip(const Vec3& tip_m, const Scene& scene) const noexcept {
-  const bool atRest = twist_.graspAngle_rad == 0.0;
-  const Vec3 rest_m = atRest ? tip_m : scene.model.toRest_m(tip_m, twist_);
-  const SurfacePoint surface = scene.collision.closest(rest_m);
-  PartTouch found;
-  found.gap_m = surface.distance_m - scene.instrument.tipRadius_m;
-  found.normal = surface.normal;
-  if (!atRest && found.gap_m < 0.0) {
-    const Vec3 foot_m = scene.model.toDeformed_m(surface.position_m, twist_);
-    const Vec3 above_m =
-        scene.model.toDeformed_m(surface.position_m + surface.normal * kNormalProbe_m, twist_);
-    found.normal = normalized(above_m - foot_m);
-  }
-  return {.tip = found, .jaw = found, .shaft = {}};
-}
-
-std::optional<SurfacePoint> Exercise::graspable(const ToolShape& shape, const ToolState& tool,
-                                                const ToolTouch& at, const Scene& scene) const noexcept {
-  if (options_.rules >= 2) return tissueInMouth(shape, tool, scene);
-  if (!(at.tip.gap_m <= scene.instrument.gripReach_m)) return std::nullopt;
-  return scene.collision.closest(tool.pose.position_m);
 }
 
 bool Exercise::grip(const Vec3& held_m, const ToolState& tool, const Scene& scene) noexcept {
@@ -217,15 +185,12 @@ TwistResponse Exercise::responseTo(const ToolTouch& at, const ToolState& tool, c
     response.torque_Nm = scene.model.torque_Nm(twist_);
     response.force_N =
         scene.model.graspForce_N(twist_, tool.pose.position_m) - gripOffset(tool) * kGripStiffness_N_per_m;
-  } else if (options_.rules == 1 && at.jaw.gap_m < 0.0) {
-    response.force_N = at.jaw.normal * (contactStiffness_N_per_m_ * -at.jaw.gap_m);
   }
-  if (options_.rules >= 2) response.force_N += pushBack(at, patches);
+  response.force_N += pushBack(at, patches);
   return response;
 }
 
 void Exercise::noteContacts(const ToolTouch& at, ExerciseStep& answer) noexcept {
-  if (options_.rules == 1) return;
   const bool holding = phase_ == ExercisePhase::kTwisting;
   if (holding) answer.contact |= kContactHeld;
   if (!holding && at.jaw.gap_m < 0.0) answer.contact |= kContactJaw;
@@ -249,12 +214,10 @@ ExerciseStep Exercise::step(const ToolState& tool, const Scene& scene) noexcept 
     }
   }
   const ToolShape shape = toolShape(tool, scene.instrument);
-  const ToolTouch at = options_.rules == 1
-                           ? touchWithTip(tool.pose.position_m, scene)
-                           : touchTool(shape, scene, twist_, phase_ == ExercisePhase::kTwisting);
+  const ToolTouch at = touchTool(shape, scene, twist_, phase_ == ExercisePhase::kTwisting);
   const bool closes = (closing || gripPending_) && !letGoNow &&
                       (phase_ == ExercisePhase::kTracking || phase_ == ExercisePhase::kContact);
-  const std::optional<SurfacePoint> held = closes ? graspable(shape, tool, at, scene) : std::nullopt;
+  const std::optional<SurfacePoint> held = closes ? tissueInMouth(shape, tool, scene) : std::nullopt;
   moveOn(std::min(at.jaw.gap_m, at.shaft.gap_m), held, tool, scene, answer.events);
   answer.phase = phase_;
   answer.response = responseTo(at, tool, scene, answer.patches);

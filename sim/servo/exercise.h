@@ -127,7 +127,6 @@ class Exercise {
                                          std::array<ContactPatch, 2>& patches) noexcept;
 
   ExerciseOptions options_;
-  double contactStiffness_N_per_m_;  // rules 1
   ContactCoupling jaw_;
   ContactCoupling shaft_;
   bool shaftTouched_ = false;

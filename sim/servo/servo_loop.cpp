@@ -21,8 +21,7 @@ const HapticDevice& deviceOf(const ServoLoop::Links& links) {
 ExerciseOptions exerciseOptions(const ServoLoop::Links& links, const ServoOptions& options) {
   return {.drive = options.drive,
           .maxStiffness_N_per_m = deviceOf(links).capabilities().maxStiffness_N_per_m,
-          .tickPeriod_us = options.tickPeriod_us,
-          .rules = options.rules};
+          .tickPeriod_us = options.tickPeriod_us};
 }
 
 GovernorLimits governorLimits(const ServoLoop::Links& links, const ServoOptions& options) {
@@ -78,7 +77,6 @@ ServoLoop::ServoLoop(const Links& links, const ServoOptions& options)
 void ServoLoop::tick(std::int64_t time_us) noexcept {
   const auto begun = std::chrono::steady_clock::now();
   countLate(time_us);
-  sample_.rules = options_.rules;
   sample_.tick = nextTick_++;
   sample_.command = nextCommand();
   obey(sample_.command);
@@ -114,7 +112,6 @@ Vec3 ServoLoop::wantedForce_N(const ExerciseStep& step, const ToolState& tool,
   sample_.response = finite ? step.response : TwistResponse{};
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   const Vec3 scaled_N = finite ? step.response.force_N * options_.forceScale : Vec3{kNaN, 0.0, 0.0};
-  if (options_.rules < 2) return scaled_N;
   constexpr std::uint32_t kNoHand = kDeviceLost | kDeviceUncalibrated | kDeviceInvalid | kDeviceEnded;
   const bool sound = finite && (tool.status & kNoHand) == 0;
   const Vec3 passive_N =

@@ -16,10 +16,10 @@
 #include <QCoreApplication>
 
 #include "db/migrations/migrations.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/rating_repository.h"
-#include "db/repository/sheet_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "tests/db/large_record.h"
 
 namespace torsio {

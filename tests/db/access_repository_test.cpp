@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/access_repository.h"
+#include "db/repository/people/access_repository.h"
 
 #include <map>
 

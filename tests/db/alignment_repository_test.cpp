@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/alignment_repository.h"
+#include "db/repository/rating/alignment_repository.h"
 
-#include "db/repository/audit_repository.h"
-#include "db/repository/freeze_repository.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/freeze_repository.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

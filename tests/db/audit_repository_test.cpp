@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/audit_repository.h"
+#include "db/repository/base/audit_repository.h"
 
-#include "db/repository/rating_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "tests/db/sample_record.h"
@@ -81,7 +82,7 @@ TEST_F(AuditRepositoryTest, ChainsEntriesAndListsTheNewestFirst) {
   EXPECT_EQ(entries[1].newJson, R"({"level":"2"})");
   EXPECT_EQ(audit.entries({.fromUtc_us = 11}).size(), 1U);
   EXPECT_TRUE(audit.entries({.objectKind = "trial"}).empty());
-  EXPECT_TRUE(audit.verify().empty());
+  EXPECT_TRUE(verifyAuditTrail(connection).empty());
 }
 
 TEST_F(AuditRepositoryTest, ListsTheNewestOfATimeWhetherFewOrManyLieInIt) {
@@ -130,12 +131,12 @@ TEST_F(AuditRepositoryTest, FindsAnEntryThatWasChangedAndOneThatWasRemoved) {
   dropTriggers(connection, "audit_entry");
 
   connection.execute("UPDATE audit_entry SET actor = ? WHERE sequence = ?", {"nobody", 2});
-  std::vector<AuditFinding> findings = audit.verify();
+  std::vector<AuditFinding> findings = verifyAuditTrail(connection);
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].sequence, 2);
 
   connection.execute("DELETE FROM audit_entry WHERE sequence = ?", {2});
-  findings = audit.verify();
+  findings = verifyAuditTrail(connection);
   ASSERT_EQ(findings.size(), 2U);  // a gap before 3, and 3 does not follow 1
   EXPECT_EQ(findings[0].sequence, 3);
 }
@@ -149,19 +150,19 @@ TEST_F(AuditRepositoryTest, SealsEachMarkAndFindsOneThatWasChanged) {
   EXPECT_EQ(entry.action, "mark.submit");
   EXPECT_EQ(entry.actor, sample.chiefs[0].person.id);
   EXPECT_EQ(entry.station, "ward");
-  EXPECT_TRUE(audit.verify().empty());
+  EXPECT_TRUE(verifyAuditTrail(connection).empty());
   dropTriggers(connection, "training_mark");
 
   connection.execute("UPDATE training_mark SET score_steps = ?", {100});
-  const std::vector<AuditFinding> changed = audit.verify();
+  const std::vector<AuditFinding> changed = verifyAuditTrail(connection);
   ASSERT_EQ(changed.size(), 1U);
   EXPECT_EQ(changed[0].objectId, id);
 
   connection.execute("UPDATE training_mark SET score_steps = ?, comment = ?", {40, "wild"});
-  ASSERT_EQ(audit.verify().size(), 1U);
+  ASSERT_EQ(verifyAuditTrail(connection).size(), 1U);
 
   connection.execute("DELETE FROM training_mark");
-  EXPECT_EQ(audit.verify().at(0).what, "was recorded, but is gone");
+  EXPECT_EQ(verifyAuditTrail(connection).at(0).what, "was recorded, but is gone");
 }
 
 TEST_F(AuditRepositoryTest, FindsAMarkThatWasSlippedIn) {
@@ -174,7 +175,7 @@ TEST_F(AuditRepositoryTest, FindsAMarkThatWasSlippedIn) {
       " VALUES ('x', ?, ?, 'pre', 1, 100, 10, 100, 10, 0, ?)",
       {sample.enrolments[0].id, sample.chiefs[0].person.id, true});
 
-  const std::vector<AuditFinding> findings = AuditRepository(connection).verify();
+  const std::vector<AuditFinding> findings = verifyAuditTrail(connection);
 
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].what, "is there, but was never recorded");
@@ -185,14 +186,14 @@ TEST_F(AuditRepositoryTest, FindsAByteOfARecordingThatWasChanged) {
   SampleRecord sample(connection, 1);
   const std::string id = recordTrial(connection, sample);
   AuditRepository audit(connection);
-  EXPECT_TRUE(audit.verify().empty());
+  EXPECT_TRUE(verifyAuditTrail(connection).empty());
   dropTriggers(connection, "trial_chunk");
   Blob bytes = sampleChunk(1, 300).bytes;
   bytes[17] ^= std::byte{1};
 
   connection.execute("UPDATE trial_chunk SET bytes = ? WHERE chunk_index = ?", {bytes, 1});
 
-  const std::vector<AuditFinding> findings = audit.verify();
+  const std::vector<AuditFinding> findings = verifyAuditTrail(connection);
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].objectId, id);
   EXPECT_NE(findings[0].what.find("chunk 1"), std::string::npos) << findings[0].what;
@@ -217,7 +218,7 @@ TEST_F(AuditRepositoryTest, TwoStationsWriteOneChain) {
     AuditRepository(second).append(entryOf("b", i));
   }
   EXPECT_EQ(AuditRepository(first).entries().size(), 10U);
-  EXPECT_TRUE(AuditRepository(second).verify().empty());
+  EXPECT_TRUE(verifyAuditTrail(second).empty());
 }
 
 }  // namespace

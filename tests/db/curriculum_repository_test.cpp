@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/curriculum_repository.h"
+#include "db/repository/study/curriculum_repository.h"
 
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"
@@ -27,16 +27,17 @@ class CurriculumRepositoryTest : public DatabaseTest {
     basic.maxForce_N = 3.3;
     basic.mastery = {{"path length", "at_most", 0.25, "m", 2}, {"time", "at_most", 12.5, "s", 3}};
     StoredModule hard{.id = sample.ids.newUuid(), .code = "hard", .title = "Turn and hold"};
-    hard.mode = "graded";
+    hard.mode = AttemptMode::kGraded;
     hard.attemptLimit = 5;
     hard.requires_ = {basic.id};
     version.modules = {basic, hard};
     version.arms = {{sample.ids.newUuid(), "A", "40 min virtual", 5 * kMinute_us, false, {}},
                     {sample.ids.newUuid(), "B", "20 min virtual, 20 min real", 5 * kMinute_us, true, {}}};
     version.arms[0].phases = {
-        {sample.ids.newUuid(), "virtual", "virtual 0-40 min", 40 * kMinute_us, basic.id}};
-    version.arms[1].phases = {{sample.ids.newUuid(), "virtual", "virtual 0-20 min", 20 * kMinute_us, ""},
-                              {sample.ids.newUuid(), "real", "real 20-40 min", 20 * kMinute_us, ""}};
+        {sample.ids.newUuid(), PhaseKind::kVirtual, "virtual 0-40 min", 40 * kMinute_us, basic.id}};
+    version.arms[1].phases = {
+        {sample.ids.newUuid(), PhaseKind::kVirtual, "virtual 0-20 min", 20 * kMinute_us, ""},
+        {sample.ids.newUuid(), PhaseKind::kReal, "real 20-40 min", 20 * kMinute_us, ""}};
     version.scoringPoints = {{"pre", 0}, {"mid", 20 * kMinute_us}, {"post", 40 * kMinute_us}};
     return version;
   }
@@ -65,7 +66,7 @@ TEST_F(CurriculumRepositoryTest, ReturnsAVersionWithAllItsParts) {
   EXPECT_EQ(stored.arms[0].phases.at(0).moduleId, version.modules[0].id);
   EXPECT_TRUE(stored.arms[1].restSplittable);
   ASSERT_EQ(stored.arms[1].phases.size(), 2U);
-  EXPECT_EQ(stored.arms[1].phases[1].kind, "real");
+  EXPECT_EQ(stored.arms[1].phases[1].kind, PhaseKind::kReal);
   EXPECT_EQ(stored.arms[1].phases[1].duration_us, 20 * kMinute_us);
   ASSERT_EQ(stored.scoringPoints.size(), 3U);
   EXPECT_EQ(stored.scoringPoints[2].code, "post");

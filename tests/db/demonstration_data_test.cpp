@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/demonstration_data.h"
+#include "db/repository/system/demonstration_data.h"
 
 #include <map>
 
-#include "db/repository/audit_repository.h"
-#include "db/repository/person_data.h"
-#include "db/repository/schema_tables.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/people/person_data.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/system/schema_tables.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/error.h"
 #include "tests/db/full_record.h"
 #include "tests/db/sample_record.h"
@@ -77,7 +78,7 @@ TEST_F(DemonstrationDataTest, TheAuditTrailTellsOfItAndStillVerifies) {
   remove(connection);
 
   AuditRepository audit(connection);
-  const std::vector<AuditFinding> findings = audit.verify();
+  const std::vector<AuditFinding> findings = verifyAuditTrail(connection);
   EXPECT_TRUE(findings.empty()) << findings.at(0).objectKind << ": " << findings.at(0).what;
   const AuditEntry last = audit.entries().at(0);
   EXPECT_EQ(last.action, kDemonstrationRemoved);
@@ -100,7 +101,7 @@ TEST_F(DemonstrationDataTest, ARealMarkThatDisappearsIsStillMissed) {
   connection.executeVerbatim("DROP TRIGGER training_mark_no_DELETE");
   connection.execute("DELETE FROM training_mark");
 
-  const std::vector<AuditFinding> findings = AuditRepository(connection).verify();
+  const std::vector<AuditFinding> findings = verifyAuditTrail(connection);
 
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].what, "was recorded, but is gone");

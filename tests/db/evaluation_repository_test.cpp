@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/evaluation_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
 
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"

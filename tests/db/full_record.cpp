@@ -5,14 +5,14 @@
 #include <ostream>
 #include <set>
 
-#include "db/repository/curriculum_repository.h"
-#include "db/repository/demonstration_data.h"
-#include "db/repository/evaluation_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/schema_tables.h"
-#include "db/repository/sheet_repository.h"
-#include "db/repository/study_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/system/demonstration_data.h"
+#include "db/repository/system/schema_tables.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
 #include "tests/db/sample_record.h"
@@ -170,7 +170,7 @@ void addCurriculum(Connection& connection, const std::string& prefix, bool demon
   StoredArm arm;
   arm.id = prefix + " arm";
   arm.code = "A";
-  arm.phases = {{prefix + " phase", "virtual", "first", 60, version.modules[0].id}};
+  arm.phases = {{prefix + " phase", PhaseKind::kVirtual, "first", 60, version.modules[0].id}};
   version.arms = {arm};
   version.scoringPoints = {{"pre", 0}};
   curricula.addVersion(version, "admin");

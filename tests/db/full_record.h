@@ -5,7 +5,7 @@
 #include <string>
 
 #include "db/connection/connection.h"
-#include "db/repository/schema_tables.h"
+#include "db/repository/system/schema_tables.h"
 
 namespace torsio {
 

@@ -10,9 +10,9 @@
 
 #include "db/migrations/backup.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/rating_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/clock.h"
 #include "sim/base/random.h"
 #include "sim/record/content_hash.h"
@@ -131,7 +131,7 @@ TEST_F(KillTest, NothingCommittedIsLostAndTheTrialIsFoundAsInterrupted) {
     const std::int64_t marks = numberFrom(connection, "SELECT count(*) FROM training_mark") - marksBefore;
     EXPECT_GE(marks, reported.marks);
     EXPECT_LE(marks, reported.marks + 1);
-    EXPECT_TRUE(AuditRepository(connection).verify().empty());
+    EXPECT_TRUE(verifyAuditTrail(connection).empty());
     marksBefore += marks;
     chunksReported += reported.chunks;
     marksReported += reported.marks;

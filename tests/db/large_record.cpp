@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/db/large_record.h"
 
-#include "db/repository/rating_repository.h"
+#include "db/repository/rating/rating_repository.h"
 
 namespace torsio {
 

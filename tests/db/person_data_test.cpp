@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/person_data.h"
+#include "db/repository/people/person_data.h"
 
 #include <algorithm>
 #include <set>
 
-#include "db/repository/access_repository.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/rating_repository.h"
-#include "db/repository/sheet_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
@@ -206,7 +207,7 @@ TEST_F(PersonDataTest, TheAuditTrailStaysWholeAndTellsOfTheErase) {
   erase(connection, full);
 
   AuditRepository audit(connection);
-  const std::vector<AuditFinding> findings = audit.verify();
+  const std::vector<AuditFinding> findings = verifyAuditTrail(connection);
   EXPECT_TRUE(findings.empty()) << findings.at(0).objectKind << ": " << findings.at(0).what;
   EXPECT_EQ(audit.entries().at(0).action, "person.erase");
   EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM erasure_gate"), 0);

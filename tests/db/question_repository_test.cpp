@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/question_repository.h"
+#include "db/repository/trial/question_repository.h"
 
-#include "db/repository/remark_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/remark_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/rating_repository.h"
+#include "db/repository/rating/rating_repository.h"
 
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"

@@ -3,9 +3,10 @@
 // lost or doubled. PostgreSQL only.
 #include <cstdlib>
 
-#include "db/repository/audit_repository.h"
-#include "db/repository/rating_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/clock.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/recorder.h"
@@ -124,7 +125,7 @@ TEST_F(ReconnectTest, ACallerMaySubmitTheSameMarkAgainOverANewConnection) {
   RatingRepository(again).submit(std::span(&mark, 1));
 
   EXPECT_EQ(RatingRepository(connection).marks(sample.cohort.id).size(), 1U);
-  EXPECT_TRUE(AuditRepository(connection).verify().empty());
+  EXPECT_TRUE(verifyAuditTrail(connection).empty());
 }
 
 TEST_F(ReconnectTest, AServerThatStaysAwayIsReportedWithinSeconds) {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/record_copy.h"
+#include "db/repository/system/record_copy.h"
 
 #include <algorithm>
 #include <optional>
 #include <set>
 
 #include "db/migrations/migrations.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/demonstration_data.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/system/demonstration_data.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/db/full_record.h"
 #include "tests/db/test_database.h"
@@ -84,7 +84,7 @@ TEST_F(RecordCopyTest, MovesEveryRowOfEveryTableThereAndBack) {
   for (const TableDigest& table : there.tables)
     EXPECT_TRUE(table.rows > 0 || table.table == "erasure_gate") << table.table;
   EXPECT_EQ(there.auditEntries, 6);
-  EXPECT_TRUE(AuditRepository(middle).verify().empty());
+  EXPECT_TRUE(verifyAuditTrail(middle).empty());
   EXPECT_EQ(TrialRepository(back).load(real.trialId).chunks.size(), 2U);
   EXPECT_EQ(faultFrom([&] { middle.execute("DELETE FROM training_mark"); }), DbFault::kAppendOnly);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/retention_repository.h"
+#include "db/repository/people/retention_repository.h"
 
-#include "db/repository/people_repository.h"
-#include "db/repository/person_data.h"
-#include "db/repository/rating_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/people/person_data.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "db/connection/connection.h"
-#include "db/repository/id_source.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/base/id_source.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/record/trial.h"
 
 namespace torsio {

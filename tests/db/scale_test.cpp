@@ -6,8 +6,8 @@
 #include <functional>
 #include <iostream>
 
-#include "db/repository/rating_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/clock.h"
 #include "tests/db/large_record.h"
 #include "tests/db/sample_record.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/sheet_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 
-#include "db/repository/rating_repository.h"
+#include "db/repository/rating/rating_repository.h"
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"

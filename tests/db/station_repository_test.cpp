@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/station_repository.h"
+#include "db/repository/trial/station_repository.h"
 
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "tests/db/sample_record.h"
 #include "tests/db/test_database.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/study_repository.h"
+#include "db/repository/study/study_repository.h"
 
 #include "sim/base/error.h"
 #include "tests/db/sample_record.h"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "db/migrations/migrations.h"
-#include "db/repository/id_source.h"
+#include "db/repository/base/id_source.h"
 
 namespace torsio {
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 
 #include <thread>
 
-#include "db/repository/curriculum_repository.h"
+#include "db/repository/base/stored_term.h"
+#include "db/repository/study/curriculum_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/content_hash.h"
 #include "sim/record/sample_codec.h"
@@ -325,20 +326,20 @@ TEST_F(TrialRepositoryTest, KeepsForWhatAndOnWhichMachineATrialWasRecorded) {
   module.id = "m";
   module.code = "M1";
   module.exerciseKind = "twist";
-  module.mode = "graded";
+  module.mode = AttemptMode::kGraded;
   module.tolerance_rad = 0.1;
   version.modules = {module};
   StoredArm arm;
   arm.id = "a";
   arm.code = "A1";
-  arm.phases = {{"p", "virtual", "first", 60, "m"}};
+  arm.phases = {{"p", PhaseKind::kVirtual, "first", 60, "m"}};
   version.arms = {arm};
   CurriculumRepository(connection).addVersion(version, "admin");
   const TrialContext context{.station = "station-1",
                              .enrolmentId = sample.enrolments[0].id,
                              .moduleId = "m",
                              .phaseId = "p",
-                             .attemptMode = "graded",
+                             .attemptMode = AttemptMode::kGraded,
                              .host = {"pc-7", "Debian 12", "Core i5", "Arc A380"}};
   const std::string id = sample.ids.newUuid();
   TrialRepository trials(connection, context);
@@ -350,10 +351,21 @@ TEST_F(TrialRepositoryTest, KeepsForWhatAndOnWhichMachineATrialWasRecorded) {
   const std::vector<TrialListing> found = trials.list({.moduleId = "m"});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].phaseId, "p");
-  EXPECT_EQ(found[0].attemptMode, "graded");
+  EXPECT_EQ(found[0].attemptMode, AttemptMode::kGraded);
   EXPECT_TRUE(trials.list({.moduleId = "other"}).empty());
-  TrialRepository wrong(connection, {.station = "s", .attemptMode = "sometimes"});
-  EXPECT_EQ(faultFrom([&] { wrong.begin(sampleHeader(sample.ids.newUuid(), "T-01")); }), DbFault::kCheck);
+}
+
+TEST_F(TrialRepositoryTest, RefusesAModeThatThisVersionDoesNotKnow) {
+  Connection connection = openWithSchema();
+  const auto modeOf = [&](const char* sql) {
+    return selectFirst(connection, sql, {},
+                       [](RowReader& row) { return readMaybeTerm<AttemptMode>(row, "attempt_mode"); });
+  };
+
+  EXPECT_EQ(modeOf("SELECT CAST('graded' AS TEXT)").value(), AttemptMode::kGraded);
+  EXPECT_EQ(modeOf("SELECT CAST(NULL AS TEXT)").value(), std::nullopt);
+  EXPECT_EQ(faultFrom([&] { (void)modeOf("SELECT CAST('sometimes' AS TEXT)"); }), DbFault::kCheck);
+  EXPECT_THROW((void)modeOf("SELECT CAST('' AS TEXT)"), DbError);
 }
 
 TEST_F(TrialRepositoryTest, SaysSoWhenThereIsNoSuchTrial) {

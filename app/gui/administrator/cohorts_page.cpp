@@ -173,14 +173,15 @@ void CohortsPage::changeState() {
   const auto enrolment = std::find_if(enrolments_.begin(), enrolments_.end(),
                                       [&](const StoredEnrolment& e) { return e.id == id; });
   if (row == nullptr || enrolment == enrolments_.end()) return;
-  const bool back = enrolment->state == "withdrawn";
+  const bool back = enrolment->state == EnrolmentState::kWithdrawn;
   const std::optional<std::string> reason = askReason(
       this, back ? tr("Back into the study") : tr("Withdraw from the study"),
       back ? tr("%1 takes part again.").arg(shown(enrolment->traineeCode))
            : tr("%1 trains no further; what was recorded stays.").arg(shown(enrolment->traineeCode)));
   if (!reason) return;
   attempt(shell(), [&] {
-    setEnrolmentState(shell().workplace(), row->cohort.id, id, back ? "enrolled" : "withdrawn", *reason);
+    setEnrolmentState(shell().workplace(), row->cohort.id, id,
+                      back ? EnrolmentState::kEnrolled : EnrolmentState::kWithdrawn, *reason);
     read();
   });
 }

@@ -145,7 +145,11 @@ void ExerciseEditor::connectFields() {
   };
   choice(pattern_, &StoredModule::patternId);
   choice(kind_, &StoredModule::exerciseKind);
-  choice(mode_, &StoredModule::mode);
+  connect(mode_, &QComboBox::activated, this, [this] {
+    take([this](StoredModule& module) {
+      module.mode = fromStoredText<AttemptMode>(chosenId(mode_)).value_or(module.mode);
+    });
+  });
   const auto angle = [this](QDoubleSpinBox* box, double StoredModule::*field) {
     connect(box, &QDoubleSpinBox::valueChanged, this,
             [=, this](double value) { take([=](StoredModule& module) { module.*field = radians(value); }); });
@@ -252,7 +256,7 @@ void ExerciseEditor::showPlaces(const StoredModule& module) {
   kind_->clear();
   for (const std::string& kind : exerciseKinds()) kind_->addItem(exerciseKindName(kind), shown(kind));
   chooseOrAdd(kind_, module.exerciseKind);
-  chooseOrAdd(mode_, module.mode);
+  chooseOrAdd(mode_, std::string(storedText(module.mode)));
 }
 
 void ExerciseEditor::showPrerequisites(const StoredModule& module) {
@@ -469,8 +473,8 @@ void ExerciseEditor::retranslate() {
   for (QDoubleSpinBox* box : {force_, torque_}) box->setSpecialValueText(tr("no limit"));
   attempts_->setSpecialValueText(tr("no limit"));
   mode_->clear();
-  mode_->addItem(tr("practice"), QStringLiteral("practice"));
-  mode_->addItem(tr("graded"), QStringLiteral("graded"));
+  mode_->addItem(tr("practice"), shown(std::string(storedText(AttemptMode::kPractice))));
+  mode_->addItem(tr("graded"), shown(std::string(storedText(AttemptMode::kGraded))));
   list_->setAccessibleName(tr("Exercises, in their order"));
   after_->setAccessibleName(tr("Opens only after these are mastered"));
   mastery_->setAccessibleName(tr("Rules of mastery"));

@@ -193,8 +193,10 @@ void GroupEditor::showPhases(const StoredArm& arm, int current) {
 
 void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
   auto* where = new QComboBox;
-  for (const char* code : {"virtual", "real"}) where->addItem(phaseKindName(code), QString::fromLatin1(code));
-  chooseOrAdd(where, phase.kind);
+  for (const Term<PhaseKind>& term : kPhaseKinds) {
+    where->addItem(phaseKindName(term.value), shown(std::string(term.stored)));
+  }
+  chooseOrAdd(where, std::string(storedText(phase.kind)));
   auto* name = new QLineEdit(shown(phase.label));
   QDoubleSpinBox* time = numberField(0.0, kMostMinutes, 1);
   time->setValue(minutes(phase.duration_us));
@@ -203,7 +205,7 @@ void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
   for (const StoredModule& known : content_.modules)
     module->addItem(QStringLiteral("%1  %2").arg(shown(known.code), spoken(known.title)), shown(known.code));
   chooseOrAdd(module, phase.moduleId);
-  module->setEnabled(phase.kind != "real" || !phase.moduleId.empty());
+  module->setEnabled(phase.kind != PhaseKind::kReal || !phase.moduleId.empty());
   phases_->setCellWidget(row, kWhere, where);
   phases_->setCellWidget(row, kName, name);
   phases_->setCellWidget(row, kMinutes, time);
@@ -214,10 +216,10 @@ void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
   module->setAccessibleName(tr("Exercise of phase %1").arg(row + 1));
   connect(where, &QComboBox::activated, this, [this, where, module] {
     takePhase(where, [&](StoredPhase& changed) {
-      changed.kind = chosenId(where);
-      if (changed.kind == "real") changed.moduleId.clear();  // exercises belong to the simulator
+      changed.kind = fromStoredText<PhaseKind>(chosenId(where)).value_or(changed.kind);
+      if (changed.kind == PhaseKind::kReal) changed.moduleId.clear();  // exercises belong to the simulator
       module->setCurrentIndex(module->findData(shown(changed.moduleId)));
-      module->setEnabled(changed.kind != "real");
+      module->setEnabled(changed.kind != PhaseKind::kReal);
     });
   });
   connect(name, &QLineEdit::textEdited, this, [this, name](const QString& text) {
@@ -237,7 +239,7 @@ void GroupEditor::showTotals(const StoredArm& arm) {
   std::int64_t virtual_us = 0;
   std::int64_t real_us = 0;
   for (const StoredPhase& phase : arm.phases)
-    (phase.kind == "real" ? real_us : virtual_us) += phase.duration_us;
+    (phase.kind == PhaseKind::kReal ? real_us : virtual_us) += phase.duration_us;
   totals_->setText(tr("In all %1 minutes of training: %2 on the simulator, %3 on the real arm. Rest does not "
                       "count.")
                        .arg(locale().toString(minutes(virtual_us + real_us), 'g', 6),

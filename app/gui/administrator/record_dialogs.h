@@ -8,7 +8,7 @@
 #include <QString>
 
 #include "app/maintenance/retention.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/study_repository.h"
 
 class QWidget;
 

@@ -128,7 +128,7 @@ void RunDayPage::refreshAndWait() {
 }
 
 QString RunDayPage::nowText(const RunDayRow& row) const {
-  if (row.state == "withdrawn") return tr("withdrew");
+  if (row.state == EnrolmentState::kWithdrawn) return tr("withdrew");
   if (row.done) return tr("all phases done");
   if (row.phaseLabel.empty()) return tr("no curriculum");
   return shown(row.phaseLabel);
@@ -144,7 +144,7 @@ void RunDayPage::show() {
       running += row.runningTrialId.empty() ? 0 : 1;
       done += row.done ? 1 : 0;
       sheets += row.sheetsMissing;
-      const bool open = !row.done && !row.phaseLabel.empty() && row.state != "withdrawn";
+      const bool open = !row.done && !row.phaseLabel.empty() && row.state != EnrolmentState::kWithdrawn;
       rows.push_back(
           {shown(row.enrolmentId),
            {{shown(row.traineeCode)},
@@ -270,7 +270,7 @@ void RunDayPage::swap() {
   if (row == nullptr) return;
   std::vector<std::pair<std::string, QString>> others;
   for (const RunDayRow& other : board_->rows)
-    if (other.enrolmentId != row->enrolmentId && other.state != "withdrawn")
+    if (other.enrolmentId != row->enrolmentId && other.state != EnrolmentState::kWithdrawn)
       others.emplace_back(other.enrolmentId, shown(other.traineeCode));
   const std::string id = row->enrolmentId;
   const std::optional<Swap> wanted = askSwap(this, shown(row->traineeCode), others);
@@ -293,10 +293,11 @@ const RunDayRow* RunDayPage::current() const {
 void RunDayPage::showButtons() {
   const RunDayRow* row = current();
   time_->setEnabled(row != nullptr);
-  swap_->setEnabled(row != nullptr && row->state != "withdrawn" && board_->rows.size() > 1);
+  swap_->setEnabled(row != nullptr && row->state != EnrolmentState::kWithdrawn && board_->rows.size() > 1);
   deviation_->setEnabled(board_.has_value());
   state_->setEnabled(row != nullptr);
-  state_->setText(row != nullptr && row->state == "withdrawn" ? tr("&Back in\u2026") : tr("&Withdraw\u2026"));
+  state_->setText(row != nullptr && row->state == EnrolmentState::kWithdrawn ? tr("&Back in\u2026")
+                                                                             : tr("&Withdraw\u2026"));
 }
 
 void RunDayPage::logTime() {
@@ -329,7 +330,7 @@ void RunDayPage::reportDeviation() {
 void RunDayPage::changeState() {
   const RunDayRow* row = current();
   if (row == nullptr) return;
-  const bool back = row->state == "withdrawn";
+  const bool back = row->state == EnrolmentState::kWithdrawn;
   const std::optional<std::string> reason =
       back ? askReason(this, tr("Back into the study"),
                        tr("%1 takes part again.").arg(shown(row->traineeCode)))
@@ -338,7 +339,7 @@ void RunDayPage::changeState() {
   if (!reason) return;
   attempt(shell(), [&] {
     setEnrolmentState(shell().workplace(), chosenId(cohort_), row->enrolmentId,
-                      back ? "enrolled" : "withdrawn", *reason);
+                      back ? EnrolmentState::kEnrolled : EnrolmentState::kWithdrawn, *reason);
     read();
   });
 }

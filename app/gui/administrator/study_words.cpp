@@ -37,12 +37,12 @@ QString occasionName(const Occasion& occasion) {
   return named({}, occasion.label);
 }
 
-QString enrolmentStateName(const std::string& code) {
+QString enrolmentStateName(EnrolmentState state) {
   static const std::pair<const char*, const char*> kNames[] = {
       {"enrolled", QT_TRANSLATE_NOOP("Study", "enrolled")},
       {"completed", QT_TRANSLATE_NOOP("Study", "completed")},
       {"withdrawn", QT_TRANSLATE_NOOP("Study", "withdrew")}};
-  return named(kNames, code);
+  return named(kNames, std::string(storedText(state)));
 }
 
 QString factorName(const std::string& code) {
@@ -108,10 +108,10 @@ QString versionStateName(const std::string& code) {
   return named(kNames, code);
 }
 
-QString phaseKindName(const std::string& code) {
+QString phaseKindName(PhaseKind kind) {
   static const std::pair<const char*, const char*> kNames[] = {
       {"virtual", QT_TRANSLATE_NOOP("Study", "simulator")}, {"real", QT_TRANSLATE_NOOP("Study", "real arm")}};
-  return named(kNames, code);
+  return named(kNames, std::string(storedText(kind)));
 }
 
 QString exerciseKindName(const std::string& code) {

@@ -10,6 +10,7 @@
 #include "app/study/scoring_plan.h"
 #include "assessment/study/allocation.h"
 #include "assessment/study/occasion.h"
+#include "assessment/study/protocol_terms.h"
 
 namespace torsio::gui {
 
@@ -17,7 +18,7 @@ namespace torsio::gui {
 
 /// "half-way"; occasions that a centre added are called as it named them.
 [[nodiscard]] QString occasionName(const Occasion& occasion);
-[[nodiscard]] QString enrolmentStateName(const std::string& code);
+[[nodiscard]] QString enrolmentStateName(EnrolmentState state);
 [[nodiscard]] QString factorName(const std::string& code);
 [[nodiscard]] QString raterClassName(const std::string& code);
 [[nodiscard]] QString levelName(const std::string& code);
@@ -26,7 +27,7 @@ namespace torsio::gui {
 [[nodiscard]] QString methodName(AllocationMethod method);
 [[nodiscard]] QString sheetStateName(SheetState state);
 [[nodiscard]] QString versionStateName(const std::string& code);
-[[nodiscard]] QString phaseKindName(const std::string& code);
+[[nodiscard]] QString phaseKindName(PhaseKind kind);
 [[nodiscard]] QString exerciseKindName(const std::string& code);
 
 /// What a mastery rule may be about: id and name.

@@ -208,7 +208,7 @@ void DebriefPage::fill() {
   next_->setText(tr("&Next step"));
   again_->setEnabled(any && !debrief_.moduleId.empty());
   trend_->setEnabled(any && !debrief_.moduleId.empty());
-  const QString mode = debrief_.mode == "graded" ? tr("Graded run") : tr("Practice");
+  const QString mode = debrief_.mode == AttemptMode::kGraded ? tr("Graded run") : tr("Practice");
   heading_->setTexts(
       any && !debrief_.moduleTitle.empty() ? spoken(debrief_.moduleTitle) : tr("Your run"),
       any ? tr("%1  \u00b7  %2  \u00b7  %3 s")

@@ -188,7 +188,7 @@ void NextStepPage::fillNext() {
     texts->addWidget(then);
   }
   const std::string id = steps_.next ? steps_.modules[*steps_.next].module.id : std::string();
-  const bool graded = steps_.next && steps_.modules[*steps_.next].module.mode == "graded";
+  const bool graded = steps_.next && steps_.modules[*steps_.next].module.mode == AttemptMode::kGraded;
   auto* start = primaryButton(next_);
   start->setObjectName(QStringLiteral("begin"));
   start->setText(real ? tr("&Begin on the real arm") : graded ? tr("&Begin graded run") : tr("&Begin"));
@@ -248,7 +248,7 @@ void NextStepPage::addModule(const ModuleStep& step) {
   start->setAccessibleName(tr("Begin %1").arg(spoken(step.module.title)));
   start->setEnabled(!locked && !steps_.allPhasesDone);
   if (locked) start->setToolTip(why->text());
-  const bool graded = step.module.mode == "graded" && step.state != StepState::kUsedUp;
+  const bool graded = step.module.mode == AttemptMode::kGraded && step.state != StepState::kUsedUp;
   connect(start, &QPushButton::clicked, this, [this, id, graded] { begin(id, graded); });
   row->addWidget(start, 0, Qt::AlignTop);
   modules_->addWidget(frame);

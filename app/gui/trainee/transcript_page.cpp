@@ -101,7 +101,7 @@ QString TranscriptPage::html(bool paper) const {
     for (const Attempt& attempt : module.attempts) {
       page += QStringLiteral("<tr>%1%2%3%4%5</tr>")
                   .arg(cell(StationWords::when(attempt.startedUtc_us)),
-                       cell(attempt.mode == "graded" ? tr("Graded") : tr("Practice")),
+                       cell(attempt.mode == AttemptMode::kGraded ? tr("Graded") : tr("Practice")),
                        cell(tr("%1 s").arg(attempt.duration_s, 0, 'f', 0)),
                        cell(tr("%1 of %2").arg(attempt.onTarget).arg(attempt.twists)),
                        cell(attempt.interrupted ? tr("interrupted")

@@ -207,7 +207,7 @@ void TrendPage::fill() {
     row.cells.push_back({QString::number(point.attempt), QVariant::fromValue<qlonglong>(point.attempt)});
     row.cells.push_back(
         {StationWords::when(point.startedUtc_us), QVariant::fromValue<qlonglong>(point.startedUtc_us)});
-    row.cells.push_back({point.mode == "graded" ? tr("Graded") : tr("Practice")});
+    row.cells.push_back({point.mode == AttemptMode::kGraded ? tr("Graded") : tr("Practice")});
     row.cells.push_back(
         {point.value ? StationWords::quantity(trend_.metric, *point.value) : tr("not defined"),
          point.value ? QVariant(*point.value) : QVariant()});

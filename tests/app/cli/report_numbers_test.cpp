@@ -12,7 +12,7 @@
 #include "app/scoring/scoring_service.h"
 #include "assessment/report/number_format.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/base/file_io.h"
 #include "tests/app/cli/program.h"
 

@@ -4,6 +4,7 @@
 
 #include "app/gui/administrator/move_page.h"
 #include "app/gui/administrator/restore_page.h"
+#include "db/repository/system/audit_verification.h"
 #include "tests/app/gui/care_window.h"
 
 namespace torsio::gui {
@@ -41,7 +42,7 @@ TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
   EXPECT_TRUE(contains(trail(safety), "database.restore_begin"));
   {
     Connection restored = openDatabase(record(), OpenMode::kReadOnly);
-    EXPECT_TRUE(AuditRepository(restored).verify().empty());
+    EXPECT_TRUE(verifyAuditTrail(restored).empty());
   }
   signIn();
 }

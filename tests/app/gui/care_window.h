@@ -18,8 +18,8 @@
 #include "app/gui/administrator/office_pages.h"
 #include "app/gui/shell/shell_window.h"
 #include "app/people/people_service.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/trial/station_repository.h"
 
 namespace torsio::gui {
 

@@ -19,7 +19,7 @@
 #include "app/gui/trainee/ask_card.h"
 #include "app/gui/widgets/theme.h"
 #include "app/training/questions.h"
-#include "db/repository/people_repository.h"
+#include "db/repository/people/people_repository.h"
 #include "tests/app/session/training_centre.h"
 
 namespace torsio::gui {

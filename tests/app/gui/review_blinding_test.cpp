@@ -19,7 +19,7 @@
 #include "app/gui/widgets/data_table.h"
 #include "app/review/alignment.h"
 #include "app/review/warm_up.h"
-#include "db/repository/evaluation_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
 #include "tests/app/gui/desk_of.h"
 #include "tests/app/gui/visible_words.h"
 

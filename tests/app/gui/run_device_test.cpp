@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "db/repository/trial_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/gui/trainee_station.h"
 
@@ -110,7 +110,7 @@ TEST(RunDevice, PracticeThatLosesItsDeviceGoesOnWithTheMouse) {
 
 TEST(RunDevice, TheClockWaitsForTheDeviceAndTheWindowDoesNot) {
   TrainingCentre::Setup setup;
-  setup.phases = {{.kind = "virtual", .label = "virtual 1 min", .duration_us = kMinute_us}};
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us}};
   setup.restAllowance_us = 30 * kSecond_us;
   TrainingCentre centre(setup);
   Station station(centre);

@@ -20,8 +20,8 @@
 #include "app/review/case_sheet.h"
 #include "app/review/review_queue.h"
 #include "app/review/warm_up.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "tests/app/session/review_centre.h"
 
 namespace torsio::gui {

@@ -29,8 +29,8 @@
 #include "app/gui/shell/rail.h"
 #include "app/gui/shell/shell_window.h"
 #include "app/gui/shell/sign_in_panel.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
 

@@ -24,7 +24,7 @@
 #include "app/gui/trainee/trend_page.h"
 #include "app/gui/widgets/theme.h"
 #include "app/recording/station_writer.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "tests/app/gui/trainee_station.h"
 #include "tests/app/session/training_centre.h"
 
@@ -56,7 +56,7 @@ TEST(Station, WhatTheDeviceCheckFoundStandsOnTheBoardOfTheDay) {
 
 TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   TrainingCentre::Setup setup;
-  setup.phases = {{.kind = "virtual", .label = "virtual 40 s", .duration_us = 40 * kSecond_us}};
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 40 s", .duration_us = 40 * kSecond_us}};
   TrainingCentre centre(setup);
   for (int i = 0; i < 2; ++i) centre.attempt("first", "practice", 1.0);
   Station station(centre);
@@ -88,7 +88,7 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   ASSERT_EQ(station.pageId, QStringLiteral("station.debrief"));
   auto& debrief = static_cast<DebriefPage&>(*station.page);
   EXPECT_FALSE(debrief.debrief().twists.empty());
-  EXPECT_EQ(debrief.debrief().mode, "graded");
+  EXPECT_EQ(debrief.debrief().mode, AttemptMode::kGraded);
   EXPECT_NEAR(debrief.debrief().duration_s, 40.0, 0.1);
   EXPECT_EQ(debrief.debrief().moduleTitle, "Quarter turn, second");
   station.press("trend");
@@ -136,8 +136,8 @@ TEST(StationPages, AmberAllowsPracticeOnlyAndRedNothing) {
 
 TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsByItself) {
   TrainingCentre::Setup setup;
-  setup.phases = {{.kind = "virtual", .label = "virtual 1 min", .duration_us = kMinute_us},
-                  {.kind = "real", .label = "real 1 min", .duration_us = kMinute_us}};
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us},
+                  {.kind = PhaseKind::kReal, .label = "real 1 min", .duration_us = kMinute_us}};
   setup.restAllowance_us = 30 * kSecond_us;
   TrainingCentre centre(setup);
   Station station(centre);
@@ -169,8 +169,8 @@ TEST(StationPages, RestStopsTheClockAndTheRealArmFollowsByItself) {
 
 TEST(StationPages, TheRunFitsTheSmallestScreenWithoutScrolling) {
   TrainingCentre::Setup setup;
-  setup.phases = {{.kind = "virtual", .label = "virtual 40 s", .duration_us = 40 * kSecond_us},
-                  {.kind = "real", .label = "real 40 s", .duration_us = 40 * kSecond_us}};
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 40 s", .duration_us = 40 * kSecond_us},
+                  {.kind = PhaseKind::kReal, .label = "real 40 s", .duration_us = 40 * kSecond_us}};
   setup.restAllowance_us = 20 * kSecond_us;
   TrainingCentre centre(setup);
   Station station(centre);

@@ -5,7 +5,7 @@
 
 #include "app/access/first_run.h"
 #include "app/access/settings_service.h"
-#include "db/repository/audit_repository.h"
+#include "db/repository/base/audit_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/session/office_centre.h"
 

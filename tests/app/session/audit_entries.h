@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "db/repository/audit_repository.h"
+#include "db/repository/base/audit_repository.h"
 
 namespace torsio::testing {
 

@@ -30,21 +30,23 @@ std::vector<std::string> found(const std::string& text, const std::string& patte
   return all;
 }
 
-/// What a column may hold, by the CHECK of the migration that made its table.
-std::vector<std::string> allowed(const std::string& migration, const std::string& column) {
-  const std::string sql = readFile(kRoot / "db/migrations" / migration);
+/// What a column may hold, by the CHECK of its table in the schema.
+std::vector<std::string> allowed(const std::string& table, const std::string& column) {
+  const std::string sql = readFile(kRoot / "db/migrations/0001_first_release.sql");
+  const std::size_t begin = sql.find("CREATE TABLE " + table + " (");
   const std::vector<std::string> lists =
-      found(sql, "  " + column + " TEXT NOT NULL CHECK \\(" + column + " IN \\(([^)]*)\\)");
-  EXPECT_EQ(lists.size(), 1U) << migration << " " << column;
+      found(sql.substr(begin, sql.find(");\n{{", begin) - begin),
+            "  " + column + " TEXT NOT NULL CHECK \\(" + column + " IN \\(([^)]*)\\)");
+  EXPECT_EQ(lists.size(), 1U) << table << " " << column;
   return lists.empty() ? std::vector<std::string>{} : found(lists.front(), "'([a-z_]+)'");
 }
 
 /// Codes that are put together: what may follow the dot.
 std::vector<std::string> endingsOf(const std::string& prefix) {
-  if (prefix == "alignment.") return allowed("0006_remarks_stations.sql", "decision");
-  if (prefix == "retention.") return allowed("0006_remarks_stations.sql", "kind");
+  if (prefix == "alignment.") return allowed("alignment_decision", "decision");
+  if (prefix == "retention.") return allowed("retention_hold", "kind");
   if (prefix == "curriculum.") {
-    std::vector<std::string> states = allowed("0002_curricula_consent.sql", "state");
+    std::vector<std::string> states = allowed("curriculum_state", "state");
     std::erase(states, "draft");  // as it begins; nobody moves it back
     return states;
   }
@@ -55,7 +57,7 @@ std::vector<std::string> endingsOf(const std::string& prefix) {
 /// Codes of one file whose action is a value, by what stands for it.
 std::vector<std::string> codesBehind(const std::string& value, const std::string& source) {
   // Copies of what somebody else noted.
-  if (value == "note.action" || value == "row.text(4)") return {};
+  if (value == "note.action" || value == "row.text()") return {};
   if (value == "kDemonstrationRemoved") return {"demonstration.remove"};
   // A parameter: whatever looks like a code in this file.
   if (value == "action") return found(source, "\"([a-z_]+\\.[a-z_]+)\"");
@@ -98,7 +100,7 @@ Noted noted() {
   }
   // seals.h: what the repositories seal themselves.
   for (const std::string& kind :
-       found(readFile(kRoot / "db/repository/seals.h"), "kSealed[A-Za-z]+ = \"([a-z_]+)\""))
+       found(readFile(kRoot / "db/repository/base/seals.h"), "kSealed[A-Za-z]+ = \"([a-z_]+)\""))
     all.kinds.insert(kind);
   return all;
 }

@@ -14,10 +14,11 @@
 #include "app/maintenance/record_restore.h"
 #include "app/maintenance/retention.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/station_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/station_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/digest.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -133,7 +134,7 @@ TEST_F(CareTest, WhoeverWasErasedAfterTheBackupStaysErased) {
   EXPECT_EQ(
       numberFrom(ready, "SELECT count(*) FROM person_identity WHERE person_id = '" + real_.traineeId + "'"),
       0);
-  EXPECT_TRUE(AuditRepository(ready).verify().empty());
+  EXPECT_TRUE(verifyAuditTrail(ready).empty());
   EXPECT_EQ(AuditRepository(ready).entries().at(0).action, "database.restore");
 }
 
@@ -309,7 +310,7 @@ TEST_F(CareTest, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
   PeopleRepository(connection_).addTrainees({&due, 1});
   const auto audited = [&](const char* action, const std::function<void()>& change) {
     testing::expectAudited(connection_, "u-administrator", action, change);
-    EXPECT_TRUE(AuditRepository(connection_).verify().empty()) << action;
+    EXPECT_TRUE(verifyAuditTrail(connection_).empty()) << action;
   };
 
   audited("database.backup", [&] { backUpDatabase(office, in("backup.sqlite")); });

@@ -7,7 +7,7 @@
 #include "app/study/curriculum_service.h"
 #include "app/study/rubric_service.h"
 #include "db/connection/db_error.h"
-#include "db/repository/occasion_repository.h"
+#include "db/repository/study/occasion_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/session/office_centre.h"
 

@@ -10,8 +10,8 @@
 #include "app/study/cohort_service.h"
 #include "app/study/curriculum_service.h"
 #include "app/study/run_day.h"
-#include "db/repository/occasion_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/study/occasion_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "tests/app/session/office_centre.h"
 
 namespace torsio {

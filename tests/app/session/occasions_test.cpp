@@ -16,8 +16,8 @@
 #include "app/study/occasion_service.h"
 #include "app/study/scoring_plan.h"
 #include "assessment/report/cohort_csv.h"
-#include "db/repository/occasion_repository.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/study/occasion_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/session/office_centre.h"
 

@@ -7,7 +7,7 @@
 #include "app/study/curriculum_service.h"
 #include "app/study/rubric_service.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/access_repository.h"
+#include "db/repository/people/access_repository.h"
 
 namespace torsio::testing {
 

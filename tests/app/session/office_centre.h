@@ -10,7 +10,7 @@
 
 #include "app/access/workplace.h"
 #include "db/connection/connection.h"
-#include "db/repository/id_source.h"
+#include "db/repository/base/id_source.h"
 
 namespace torsio::testing {
 

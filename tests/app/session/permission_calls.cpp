@@ -177,7 +177,7 @@ std::vector<ServiceCall> studyCalls() {
       {O::kStudySetup, "runDayBoard", [](Workplace& w, Path) { (void)runDayBoard(w, kNoSuch); }},
       {O::kStudyEnrol, "enrolTrainees", [](Workplace& w, Path) { (void)enrolTrainees(w, kNoSuch, {}); }},
       {O::kStudyEnrol, "setEnrolmentState",
-       [](Workplace& w, Path) { setEnrolmentState(w, kNoSuch, kNoSuch, "completed", ""); }},
+       [](Workplace& w, Path) { setEnrolmentState(w, kNoSuch, kNoSuch, EnrolmentState::kCompleted, ""); }},
       {O::kAllocationRun, "previewBalance", [](Workplace& w, Path) { (void)previewBalance(w, {}); }},
       {O::kAllocationRun, "lockAllocation", [](Workplace& w, Path) { (void)lockAllocation(w, {}); }},
       {O::kAllocationRun, "allocateOne", [](Workplace& w, Path) { (void)allocateOne(w, kNoSuch, kNoSuch); }},

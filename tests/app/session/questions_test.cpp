@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "app/training/remarks.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/session/audit_entries.h"
 #include "tests/app/session/training_centre.h"

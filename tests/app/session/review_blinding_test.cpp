@@ -14,10 +14,11 @@
 #include "app/review/own_severity.h"
 #include "app/review/review_queue.h"
 #include "app/review/warm_up.h"
-#include "db/repository/desk_repository.h"
-#include "db/repository/evaluation_repository.h"
-#include "db/repository/remark_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/evaluation_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/remark_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/sample_codec.h"
 #include "tests/app/session/audit_entries.h"
@@ -303,7 +304,7 @@ TEST(ReviewDesk, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
   for (std::size_t i = 0; i < 9; ++i) saveEvaluationScore(*desk, campaign.id, "K", i, 73);
   const auto auditedBy = [&](Workplace& by, const char* action, const std::function<void()>& change) {
     testing::expectAudited(centre.connection(), by.actor().userId, action, change);
-    EXPECT_TRUE(AuditRepository(centre.connection()).verify().empty()) << action;
+    EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty()) << action;
   };
 
   auditedBy(*office, "reference_run.add", [&] {

@@ -7,11 +7,11 @@
 #include "app/base/build_info.h"
 #include "app/recording/pipeline.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/access_repository.h"
-#include "db/repository/desk_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/study_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/study/study_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "tests/sim/servo/bar_scene.h"
 
 namespace torsio::testing {

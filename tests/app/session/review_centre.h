@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/access/workplace.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/rating/sheet_repository.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::testing {

@@ -10,10 +10,11 @@
 #include "app/review/range_pyramid.h"
 #include "app/review/review_queue.h"
 #include "app/review/sheet_editor.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/desk_repository.h"
-#include "db/repository/rating_repository.h"
-#include "db/repository/setting_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/rating_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
 #include "sim/base/random.h"
 #include "tests/app/session/review_centre.h"
@@ -196,7 +197,7 @@ TEST(CaseSheet, SubmittingSealsTheMarkWithWhatWasWatched) {
   EXPECT_EQ(sealed->watched_permille, 1000);
   EXPECT_EQ(sealed->worked_us, 90'000'000);
   EXPECT_THROW(saveSheet(*desk, id, reviewSheet(1, 1, 1), watched), Error);
-  EXPECT_TRUE(AuditRepository(centre.connection()).verify().empty());
+  EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty());
 }
 
 TEST(CaseSheet, AsksForAnswersForWatchingAndForTheNaturalSpeed) {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/people/people_service.h"
-#include "db/repository/audit_repository.h"
+#include "db/repository/base/audit_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/session/office_centre.h"
 

@@ -13,8 +13,9 @@
 #include "app/recording/station_heartbeat.h"
 #include "app/recording/trial_store.h"
 #include "app/training/run_session.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 #include "sim/base/file_io.h"
@@ -63,7 +64,7 @@ class StationStartTest : public ::testing::Test {
 
   static TrainingCentre::Setup setup() {
     TrainingCentre::Setup setup;
-    setup.phases = {{.kind = "virtual", .label = "virtual 10 min", .duration_us = 10 * kMinute_us}};
+    setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 10 min", .duration_us = 10 * kMinute_us}};
     return setup;
   }
 
@@ -161,7 +162,7 @@ TEST_F(StationStartTest, ARecordingFromAFileCountsAsItWouldHaveWithoutTheFailure
   EXPECT_NO_THROW(verifyContent(stored));
   EXPECT_FALSE(fs::exists(*result->spillFile));
   EXPECT_TRUE(note("trial.import").has_value());
-  EXPECT_TRUE(AuditRepository(centre_.connection()).verify().empty());
+  EXPECT_TRUE(verifyAuditTrail(centre_.connection()).empty());
 }
 
 TEST_F(StationStartTest, TheFileIsStoredBeforeTheTrialCouldBeClosedAsInterrupted) {

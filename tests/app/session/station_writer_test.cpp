@@ -9,7 +9,7 @@
 
 #include "app/recording/timed_sink.h"
 #include "app/training/run_session.h"
-#include "db/repository/station_repository.h"
+#include "db/repository/trial/station_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/memory_trial_sink.h"
 #include "sim/record/recorder.h"
@@ -200,7 +200,7 @@ TEST(StationWriter, EndsInTimeThoughTheServerNeverAnswers) {
 
 TEST(StationWriter, ARunGoesOnWhileTheServerHangsAndItsTimeIsLoggedAfterwards) {
   TrainingCentre::Setup setup;
-  setup.phases = {{.kind = "virtual", .label = "virtual", .duration_us = 120 * kSecond_us}};
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual", .duration_us = 120 * kSecond_us}};
   TrainingCentre centre(setup);
   const WorkplaceKey key = keyOf(centre, centre.workplace().actor());
   Gate gate;

@@ -6,9 +6,9 @@
 #include "app/base/build_info.h"
 #include "app/recording/recorded_run.h"
 #include "db/migrations/migrations.h"
-#include "db/repository/access_repository.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/trial_repository.h"
+#include "db/repository/people/access_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/trial/trial_repository.h"
 #include "sim/base/angle.h"
 #include "sim/base/tick_period.h"
 #include "sim/device/virtual/scripted_hand.h"
@@ -30,7 +30,7 @@ StoredModule moduleOf(const std::string& id, const std::string& code, const std:
   module.sceneId = setup.sceneId;
   module.patternId = setup.patternId;
   module.exerciseKind = "twist to target";
-  module.mode = mode;
+  module.mode = fromStoredText<AttemptMode>(mode).value();
   module.targetAngle_rad = trainingBar().pattern.targetAngle_rad;
   module.tolerance_rad = radians(5.0);
   module.maxForce_N = 4.0;  // the scripted hand presses until the device saturates at 3.3 N
@@ -208,7 +208,7 @@ std::string TrainingCentre::attempt(const std::string& moduleCode, const std::st
                                             .enrolmentId = enrolment(workplace_->actor().login),
                                             .moduleId = module(moduleCode),
                                             .phaseId = phaseId,
-                                            .attemptMode = mode}};
+                                            .attemptMode = fromStoredText<AttemptMode>(mode)}};
   RecordedRun run(borrowed(scene), std::make_unique<ScriptedHand>(hand), recording,
                   std::make_shared<TrialRepository>(*connection_, recording.context));
   run.step(ticksIn(duration_s));

@@ -9,8 +9,8 @@
 
 #include "app/access/workplace.h"
 #include "app/devices/device_readiness.h"
-#include "db/repository/curriculum_repository.h"
-#include "db/repository/study_repository.h"
+#include "db/repository/study/curriculum_repository.h"
+#include "db/repository/study/study_repository.h"
 #include "sim/scene/scene.h"
 
 namespace torsio::testing {

@@ -71,7 +71,7 @@ std::int64_t logged_us(TrainingCentre& centre) {
 
 TEST(KilledRun, IsThereAsInterruptedAndItsTimeCounts) {
   TrainingCentre::Setup setup;
-  setup.phases = {{.kind = "virtual", .label = "virtual 10 min", .duration_us = 10 * kMinute_us}};
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 10 min", .duration_us = 10 * kMinute_us}};
   TrainingCentre centre(setup);
   trainAndKill(centre, 33);  // one piece of exposure was logged, three seconds were not
   centre.passTime_us(utcNow_us() - kCentreTime_us + kMinute_us);

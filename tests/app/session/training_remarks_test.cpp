@@ -7,9 +7,10 @@
 #include "app/training/remarks.h"
 #include "app/training/run_session.h"
 #include "app/training/transcript.h"
-#include "db/repository/people_repository.h"
-#include "db/repository/remark_repository.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/people/people_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "db/repository/trial/remark_repository.h"
 #include "sim/base/clock.h"
 #include "sim/base/error.h"
 #include "tests/app/session/audit_entries.h"
@@ -147,7 +148,7 @@ TEST_F(RemarksTest, EveryChangeAtTheStationLeavesAnEntryAndTheTrailStaysWhole) {
   Workplace& desk = centre_.workplace();
   const auto audited = [&](const char* action, const std::function<void()>& change) {
     testing::expectAudited(centre_.connection(), desk.actor().userId, action, change);
-    EXPECT_TRUE(AuditRepository(centre_.connection()).verify().empty()) << action;
+    EXPECT_TRUE(verifyAuditTrail(centre_.connection()).empty()) << action;
   };
   const ManualClock clock;
   RunSession session(desk, {centre_.module("first"), false, testing::deviceWith(Light::kGreen)}, clock);

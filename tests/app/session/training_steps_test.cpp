@@ -4,9 +4,9 @@
 #include "app/training/next_steps.h"
 #include "app/training/run_session.h"
 #include "assessment/metrics/metric_cards.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/digest_repository.h"
-#include "db/repository/setting_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/system/setting_repository.h"
+#include "db/repository/trial/digest_repository.h"
 #include "sim/base/error.h"
 #include "tests/app/session/training_centre.h"
 
@@ -30,8 +30,8 @@ ErrorCode codeOf(const std::function<void()>& act) {
 
 TrainingCentre::Setup twoPhases() {
   TrainingCentre::Setup setup;
-  setup.phases = {{.kind = "virtual", .label = "virtual 1 min", .duration_us = kMinute_us},
-                  {.kind = "real", .label = "real 1 min", .duration_us = kMinute_us}};
+  setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 1 min", .duration_us = kMinute_us},
+                  {.kind = PhaseKind::kReal, .label = "real 1 min", .duration_us = kMinute_us}};
   setup.restAllowance_us = 30 * kSecond_us;
   return setup;
 }
@@ -179,7 +179,7 @@ TEST(RunSession, ATrialSaysWhatItBelongsTo) {
   EXPECT_EQ(recording.phaseLabel, "virtual 1 min");
   EXPECT_EQ(recording.context.moduleId, centre.module("first"));
   EXPECT_EQ(recording.context.phaseId, session.run().phase().phaseId);
-  EXPECT_EQ(recording.context.attemptMode, "graded");
+  EXPECT_EQ(recording.context.attemptMode, AttemptMode::kGraded);
   EXPECT_EQ(recording.context.enrolmentId, centre.enrolment());
   EXPECT_FALSE(recording.context.host.name.empty());
   EXPECT_EQ(session.trials(), std::vector<std::string>{recording.trialId});

@@ -18,8 +18,9 @@
 #include "app/study/frozen_data.h"
 #include "app/study/run_day.h"
 #include "app/study/scoring_plan.h"
-#include "db/repository/audit_repository.h"
-#include "db/repository/sheet_repository.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/rating/sheet_repository.h"
+#include "db/repository/system/audit_verification.h"
 #include "sim/base/error.h"
 #include "tests/app/session/office_centre.h"
 
@@ -232,8 +233,8 @@ TEST(CampaignService, RefusesAClassWithAWeightAndNobodyInIt) {
 
 TEST(PhaseProgress, CountsNamedUnnamedAndRestTime) {
   const StoredArm arm{.restAllowance_us = 5 * kMinute_us,
-                      .phases = {{"p1", "virtual", "first", 20 * kMinute_us, ""},
-                                 {"p2", "real", "second", 20 * kMinute_us, ""}}};
+                      .phases = {{"p1", PhaseKind::kVirtual, "first", 20 * kMinute_us, ""},
+                                 {"p2", PhaseKind::kReal, "second", 20 * kMinute_us, ""}}};
   const auto spent = [](const char* kind, const char* phase, std::int64_t minutes) {
     return StoredExposure{.phaseId = phase, .kind = kind, .duration_us = minutes * kMinute_us};
   };
@@ -257,7 +258,8 @@ TEST(RunDayBoard, ShowsPhaseExposureRestAndMissingSheets) {
   createAssignments(workplace, study.plan());
   const std::string id = study.enrolmentIds[0];
   const StoredArm arm = study.armOf(id);
-  recordExposure(workplace, {study.cohortId, id, arm.phases[0].id, arm.phases[0].kind, 0, 20 * kMinute_us});
+  recordExposure(workplace, {study.cohortId, id, arm.phases[0].id,
+                             std::string(storedText(arm.phases[0].kind)), 0, 20 * kMinute_us});
   recordExposure(workplace, {study.cohortId, id, "", "rest", 0, 2 * kMinute_us});
   reportDeviation(workplace, {.cohortId = study.cohortId, .enrolmentId = id, .kind = "late"});
 
@@ -402,7 +404,7 @@ TEST(CohortService, RefusesTimeInAPhaseOfAnotherArmOrKind) {
   Workplace& workplace = study.centre.as("administrator");
   const std::string id = study.enrolmentIds[0];
   const StoredArm arm = study.armOf(id);
-  const char* other = arm.phases[0].kind == "virtual" ? "real" : "virtual";
+  const char* other = arm.phases[0].kind == PhaseKind::kVirtual ? "real" : "virtual";
 
   EXPECT_THROW(recordExposure(workplace, {study.cohortId, id, arm.phases[0].id, other, 0, kMinute_us}),
                Error);
@@ -454,9 +456,10 @@ TEST(Audit, AWholeStudyLeavesAnEntryForEveryChangeAndVerifies) {
   createAssignments(workplace, study.plan());
   for (const std::string& enrolment : study.enrolmentIds) {
     for (const StoredPhase& phase : study.armOf(enrolment).phases) {
-      recordExposure(workplace, {study.cohortId, enrolment, phase.id, phase.kind, 0, phase.duration_us});
+      recordExposure(workplace, {study.cohortId, enrolment, phase.id, std::string(storedText(phase.kind)), 0,
+                                 phase.duration_us});
     }
-    setEnrolmentState(workplace, study.cohortId, enrolment, "completed", "");
+    setEnrolmentState(workplace, study.cohortId, enrolment, EnrolmentState::kCompleted, "");
   }
   reportDeviation(workplace, {.cohortId = study.cohortId, .kind = "other", .description = "power cut"});
   for (const char* point : {"pre", "mid", "post"}) {
@@ -469,7 +472,7 @@ TEST(Audit, AWholeStudyLeavesAnEntryForEveryChangeAndVerifies) {
   revealSeed(study.centre.as("allocator"),
              allocationDesigns(study.centre.as("allocator"), study.cohortId).at(0).stored.id);
 
-  EXPECT_TRUE(AuditRepository(study.centre.connection()).verify().empty());
+  EXPECT_TRUE(verifyAuditTrail(study.centre.connection()).empty());
   const std::map<std::string, std::int64_t> expected{{"person.add", 9},
                                                      {"rubric.add", 1},
                                                      {"curriculum.add", 1},

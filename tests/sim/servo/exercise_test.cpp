@@ -172,18 +172,6 @@ TEST_F(ExerciseTest, GivesWayUnderTheTipByTheForceOverTheStiffness) {
   EXPECT_EQ(patch.radius_m, kPatchShare * kTipRadius_m);
 }
 
-TEST_F(ExerciseTest, FollowsOlderRulesWhenAsked) {
-  exercise = Exercise({.rules = 1});
-
-  const ExerciseStep answer = step(onSurface(0.0, 0.001));
-
-  EXPECT_NEAR(answer.response.force_N.x, 0.4, 400.0 * kFlat_m);  // a plain spring, at once
-  EXPECT_EQ(answer.contact, 0U);
-  EXPECT_EQ(answer.patches[0], ContactPatch{});
-  EXPECT_THROW(Exercise({.rules = kServoRules + 1}), Error);
-  EXPECT_THROW(Exercise({.rules = 0}), Error);
-}
-
 TEST_F(ExerciseTest, KeepsTheContactSpringBelowTheDevicesStiffness) {
   exercise = Exercise({.maxStiffness_N_per_m = 100.0});
 

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace torsio {
+
+/// One value of a term of the protocol, with the texts that stand for it.
+template <typename Value>
+struct Term {
+  Value value;
+  std::string_view stored;   ///< in the database and in files; released texts never change
+  std::string_view label;    ///< English label, the key of its translation
+  std::string_view meaning;  ///< one line for documents
+};
+
+/// How a run of a module counts.
+enum class AttemptMode : std::uint8_t { kPractice, kGraded };
+inline constexpr std::array<Term<AttemptMode>, 2> kAttemptModes{{
+    {AttemptMode::kPractice, "practice", "Practice", "may be repeated; counts towards modules for practice"},
+    {AttemptMode::kGraded, "graded", "Graded", "counts towards every module and may be limited in number"},
+}};
+
+/// On what the time of a phase of the study is spent.
+enum class PhaseKind : std::uint8_t { kVirtual, kReal };
+inline constexpr std::array<Term<PhaseKind>, 2> kPhaseKinds{{
+    {PhaseKind::kVirtual, "virtual", "virtual", "on the simulator; its runs are recorded"},
+    {PhaseKind::kReal, "real", "real", "on the real forearm; its time is entered by hand"},
+}};
+
+/// Where somebody stands in a cohort.
+enum class EnrolmentState : std::uint8_t { kEnrolled, kCompleted, kWithdrawn };
+inline constexpr std::array<Term<EnrolmentState>, 3> kEnrolmentStates{{
+    {EnrolmentState::kEnrolled, "enrolled", "enrolled", "takes part"},
+    {EnrolmentState::kCompleted, "completed", "completed", "has gone through all phases"},
+    {EnrolmentState::kWithdrawn, "withdrawn", "withdrawn", "takes part no more; what was recorded stays"},
+}};
+
+/// The table of each term.
+[[nodiscard]] constexpr const auto& termsOf(AttemptMode) noexcept {
+  return kAttemptModes;
+}
+[[nodiscard]] constexpr const auto& termsOf(PhaseKind) noexcept {
+  return kPhaseKinds;
+}
+[[nodiscard]] constexpr const auto& termsOf(EnrolmentState) noexcept {
+  return kEnrolmentStates;
+}
+
+/// Returns the text that stands for `value` in the database.
+template <typename Value>
+[[nodiscard]] constexpr std::string_view storedText(Value value) noexcept {
+  return termsOf(value)[static_cast<std::size_t>(value)].stored;
+}
+
+/// Finds the value for which `stored` stands; empty: none.
+template <typename Value>
+[[nodiscard]] constexpr std::optional<Value> fromStoredText(std::string_view stored) noexcept {
+  for (const Term<Value>& term : termsOf(Value{})) {
+    if (term.stored == stored) {
+      return term.value;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace torsio

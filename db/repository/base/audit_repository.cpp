@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/base/audit_repository.h"
+
+#include "db/connection/row_reader.h"
+#include "db/repository/base/field_digest.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr const char* kColumns =
+    "sequence, at_utc_us, actor, station, action, object_kind, object_id, old_json, new_json, reason,"
+    " object_hash, previous_hash, entry_hash";
+constexpr const char* kInTime = " WHERE at_utc_us >= ? AND at_utc_us <= ?";
+
+AuditEntry entryOf(RowReader& row) {
+  return {.sequence = row.int64(),
+          .atUtc_us = row.int64(),
+          .actor = row.text(),
+          .station = row.text(),
+          .action = row.text(),
+          .objectKind = row.text(),
+          .objectId = row.text(),
+          .oldJson = row.text(),
+          .newJson = row.text(),
+          .reason = row.text(),
+          .objectHash = row.text(),
+          .previousHash = row.text(),
+          .entryHash = row.text()};
+}
+
+bool moreThanLimit(Connection& connection, const AuditFilter& filter) {
+  return selectFirst(connection, std::string("SELECT 1 FROM audit_entry") + kInTime + " LIMIT 1 OFFSET ?",
+                     {filter.fromUtc_us, filter.toUtc_us, filter.limit}, readInt64)
+      .has_value();
+}
+
+}  // namespace
+
+std::string auditHash(const AuditEntry& entry) {
+  FieldDigest digest("torsio audit 1");
+  digest.add(entry.previousHash).add(entry.sequence).add(entry.atUtc_us).add(entry.actor).add(entry.station);
+  digest.add(entry.action).add(entry.objectKind).add(entry.objectId).add(entry.oldJson).add(entry.newJson);
+  digest.add(entry.reason).add(entry.objectHash);
+  return digest.hex();
+}
+
+void AuditRepository::append(std::span<const AuditEntry> entries) {
+  Transaction transaction(connection_);
+  if (connection_.engine() == Engine::kPostgresql) {
+    // SQLite holds its one write lock already.
+    connection_.executeVerbatim("LOCK TABLE audit_entry IN SHARE ROW EXCLUSIVE MODE");
+  }
+  auto [sequence, previous] =
+      selectFirst(connection_, "SELECT sequence, entry_hash FROM audit_entry ORDER BY sequence DESC LIMIT 1",
+                  {},
+                  [](RowReader& row) {
+                    return std::pair<std::int64_t, std::string>{row.int64(), row.text()};
+                  })
+          .value_or(std::pair<std::int64_t, std::string>{});
+  Statement insert = connection_.prepare(insertInto("audit_entry", kColumns));
+  for (AuditEntry entry : entries) {
+    entry.sequence = ++sequence;
+    entry.previousHash = previous;
+    entry.entryHash = auditHash(entry);
+    insert.execute({entry.sequence, entry.atUtc_us, entry.actor, entry.station, entry.action,
+                    entry.objectKind, entry.objectId, entry.oldJson, entry.newJson, entry.reason,
+                    entry.objectHash, entry.previousHash, entry.entryHash});
+    previous = entry.entryHash;
+  }
+  transaction.commit();
+}
+
+std::vector<AuditEntry> AuditRepository::entries(const AuditFilter& filter) {
+  // Many entries of a time are not sorted for the newest of them: the chain is walked backwards to the limit.
+  // The sign keeps the index of the times out of the plan. Few are found by that index, wherever they lie.
+  const bool walk =
+      filter.objectKind.empty() && filter.objectId.empty() && moreThanLimit(connection_, filter);
+  std::string where = walk ? " WHERE +at_utc_us >= ? AND +at_utc_us <= ?" : kInTime;
+  std::vector<Value> values{filter.fromUtc_us, filter.toUtc_us};
+  if (!filter.objectKind.empty()) {
+    where += " AND object_kind = ?";
+    values.emplace_back(filter.objectKind);
+  }
+  if (!filter.objectId.empty()) {
+    where += " AND object_id = ?";
+    values.emplace_back(filter.objectId);
+  }
+  values.emplace_back(filter.limit);
+  return selectAll(
+      connection_,
+      std::string("SELECT ") + kColumns + " FROM audit_entry" + where + " ORDER BY sequence DESC LIMIT ?",
+      values, entryOf);
+}
+
+void AuditRepository::forEach(const std::function<void(const AuditEntry&)>& take) const {
+  Statement entries =
+      connection_.prepare(std::string("SELECT ") + kColumns + " FROM audit_entry ORDER BY sequence");
+  entries.execute();
+  while (entries.step()) {
+    take(readRow(entries, entryOf));
+  }
+}
+
+std::int64_t AuditRepository::count(std::int64_t fromUtc_us, std::int64_t toUtc_us) const {
+  return selectFirst(connection_, std::string("SELECT count(*) FROM audit_entry") + kInTime,
+                     {fromUtc_us, toUtc_us}, readInt64)
+      .value_or(0);
+}
+
+std::int64_t AuditRepository::length() const {
+  return selectFirst(connection_, "SELECT count(*) FROM audit_entry", {}, readInt64).value_or(0);
+}
+
+}  // namespace torsio

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "assessment/study/protocol_terms.h"
+#include "db/connection/row_reader.h"
+
+namespace torsio {
+
+/// Throws DbError (kCheck): a column holds a text that stands for none of its values.
+[[noreturn]] void refuseStoredTerm(const std::string& column, const std::string& stored);
+
+/// What goes into the column of a term; empty: null.
+template <typename TermValue>
+[[nodiscard]] Value termOrNull(const std::optional<TermValue>& value) {
+  return value ? Value(storedText(*value)) : Value();
+}
+
+/// Reads the column of a term that may be null. `column`: its name, for the message. Throws DbError (kCheck)
+/// for a text that stands for none of its values.
+template <typename TermValue>
+[[nodiscard]] std::optional<TermValue> readMaybeTerm(RowReader& row, const std::string& column) {
+  const std::optional<std::string> stored = row.maybeText();
+  if (!stored) {
+    return std::nullopt;
+  }
+  const std::optional<TermValue> value = fromStoredText<TermValue>(*stored);
+  if (!value) {
+    refuseStoredTerm(column, *stored);
+  }
+  return value;
+}
+
+/// Reads the column of a term. `column`: its name, for the message. Throws DbError (kCheck) for null and for
+/// a text that stands for none of its values.
+template <typename TermValue>
+[[nodiscard]] TermValue readTerm(RowReader& row, const std::string& column) {
+  const std::optional<TermValue> value = readMaybeTerm<TermValue>(row, column);
+  if (!value) {
+    refuseStoredTerm(column, "");
+  }
+  return *value;
+}
+
+}  // namespace torsio

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/people/access_repository.h"
+
+#include <algorithm>
+
+#include "db/connection/row_reader.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+std::vector<std::string> textsFrom(Connection& connection, const char* sql) {
+  return selectAll(connection, sql, {}, readText);
+}
+
+void insertRoles(Connection& connection, const std::string& userId, const std::vector<std::string>& roles) {
+  Statement insert = connection.prepare(insertInto("user_role", "user_id, role_code"));
+  for (const std::string& role : roles) {
+    insert.execute({userId, role});
+  }
+}
+
+}  // namespace
+
+struct AccessRepository::Account {
+  std::string id;
+  std::string passwordHash;
+  std::string pinHash;
+  bool mustChange = false;
+  bool active = false;
+  std::int64_t failures = 0;
+  std::int64_t lockedUntilUtc_us = 0;
+};
+
+std::set<std::pair<std::string, std::string>> AccessRepository::permissions() const {
+  using Permission = std::pair<std::string, std::string>;
+  const std::vector<Permission> all =
+      selectAll(connection_, "SELECT role_code, operation_code FROM role_operation", {}, [](RowReader& row) {
+        return Permission{row.text(), row.text()};
+      });
+  return {all.begin(), all.end()};
+}
+
+std::vector<std::string> AccessRepository::roles() const {
+  return textsFrom(connection_, "SELECT code FROM role ORDER BY code");
+}
+
+std::vector<std::string> AccessRepository::operations() const {
+  return textsFrom(connection_, "SELECT code FROM operation ORDER BY code");
+}
+
+bool AccessRepository::allowed(const std::string& userId, const std::string& operation) const {
+  return selectFirst(connection_,
+                     "SELECT count(*) FROM app_user u JOIN user_role r ON r.user_id = u.id"
+                     " JOIN role_operation o ON o.role_code = r.role_code"
+                     " WHERE u.id = ? AND u.state = 'active' AND o.operation_code = ?",
+                     {userId, operation}, readInt64)
+             .value_or(0) > 0;
+}
+
+SealedSecret AccessRepository::sealPassword(const std::string& login, const std::string& password) const {
+  checkPassword(password, login);
+  return {hashPassword(password, cost_)};
+}
+
+SealedSecret AccessRepository::sealPin(const std::string& pin) const {
+  if (pin.empty()) {
+    return {};
+  }
+  if (pin.size() < static_cast<std::size_t>(kShortestPin)) {
+    throw Error(ErrorCode::kBadParameter, Text("the PIN is shorter than %1 digits", kShortestPin), "PIN",
+                "Take a longer one");
+  }
+  return {hashPassword(pin, cost_)};
+}
+
+void AccessRepository::addUser(const StoredUser& user, const SealedSecret& password) {
+  Transaction transaction(connection_);
+  connection_.execute(
+      "INSERT INTO app_user (id, login, person_id, password_hash, must_change_password, state, failed_count,"
+      " locked_until_utc_us, created_utc_us, demonstration) VALUES (?, ?, ?, ?, ?, ?, 0, 0, ?, ?)",
+      {user.id, user.login, textOrNull(user.personId), password.hash, true,
+       user.active ? "active" : "disabled", user.createdUtc_us, user.demonstration});
+  insertRoles(connection_, user.id, user.roles);
+  transaction.commit();
+}
+
+std::vector<StoredUser> AccessRepository::users() const {
+  Statement statement = connection_.prepare(
+      "SELECT u.id, u.login, u.person_id, u.must_change_password, u.state, u.pin_hash, u.created_utc_us,"
+      " u.demonstration, r.role_code FROM app_user u LEFT JOIN user_role r ON r.user_id = u.id"
+      " ORDER BY u.login, r.role_code");
+  statement.execute();
+  std::vector<StoredUser> users;
+  while (statement.step()) {  // one row a role
+    RowReader row(statement);
+    StoredUser user{.id = row.text(),
+                    .login = row.text(),
+                    .personId = row.text(),
+                    .mustChangePassword = row.boolean(),
+                    .active = row.text() == "active",
+                    .hasPin = row.hasValue(),
+                    .createdUtc_us = row.int64(),
+                    .demonstration = row.boolean()};
+    const std::optional<std::string> role = row.maybeText();
+    if (users.empty() || users.back().id != user.id) {
+      users.push_back(std::move(user));
+    }
+    if (role) {
+      users.back().roles.push_back(*role);
+    }
+  }
+  return users;
+}
+
+void AccessRepository::setRoles(const std::string& userId, const std::vector<std::string>& roles) {
+  Transaction transaction(connection_);
+  connection_.execute("DELETE FROM user_role WHERE user_id = ?", {userId});
+  insertRoles(connection_, userId, roles);
+  transaction.commit();
+}
+
+void AccessRepository::setActive(const std::string& userId, bool active) {
+  connection_.execute("UPDATE app_user SET state = ? WHERE id = ?", {active ? "active" : "disabled", userId});
+}
+
+std::optional<AccessRepository::Account> AccessRepository::account(const std::string& login) const {
+  return selectFirst(
+      connection_,
+      "SELECT id, password_hash, pin_hash, must_change_password, state, failed_count, locked_until_utc_us"
+      " FROM app_user WHERE login = ?",
+      {login}, [](RowReader& row) {
+        return Account{row.text(),  row.text(), row.text(), row.boolean(), row.text() == "active",
+                       row.int64(), row.int64()};
+      });
+}
+
+void AccessRepository::noteFailure(const std::string& userId, std::int64_t failures, std::int64_t now_us) {
+  constexpr std::int64_t kFirstWait_us = 1'000'000;
+  constexpr std::int64_t kDoublings = 10;  // 2^10 s is beyond the longest wait
+  std::int64_t wait_us = 0;
+  if (failures > kFreeFailures) {
+    wait_us = std::min(kFirstWait_us << std::min(failures - kFreeFailures - 1, kDoublings), kLongestWait_us);
+  }
+  connection_.execute("UPDATE app_user SET failed_count = ?, locked_until_utc_us = ? WHERE id = ?",
+                      {failures, now_us + wait_us, userId});
+}
+
+SignInResult AccessRepository::check(const std::string& login, const std::string& secret, bool pin,
+                                     std::int64_t now_us) {
+  const std::optional<Account> found = account(login);
+  const std::string hash = !found ? std::string() : pin ? found->pinHash : found->passwordHash;
+  if (hash.empty()) {
+    // The same work as for a known login, so that the time does not tell which logins exist.
+    (void)hashPassword(secret, cost_);
+    return {SignIn::kWrong};
+  }
+  if (now_us < found->lockedUntilUtc_us) {
+    return {SignIn::kWait, "", found->lockedUntilUtc_us};
+  }
+  if (!passwordMatches(hash, secret)) {
+    noteFailure(found->id, found->failures + 1, now_us);
+    return {SignIn::kWrong};
+  }
+  if (!found->active) {
+    return {SignIn::kDisabled};
+  }
+  if (found->failures > 0) {
+    noteFailure(found->id, 0, 0);
+  }
+  return {found->mustChange && !pin ? SignIn::kMustChange : SignIn::kOk, found->id};
+}
+
+SignInResult AccessRepository::signIn(const std::string& login, const std::string& password,
+                                      std::int64_t now_us) {
+  return check(login, password, false, now_us);
+}
+
+SignInResult AccessRepository::signInForPractice(const std::string& login, const std::string& pin,
+                                                 std::int64_t now_us) {
+  return check(login, pin, true, now_us);
+}
+
+void AccessRepository::setPassword(const std::string& userId, const SealedSecret& password, bool mustChange) {
+  connection_.execute(
+      "UPDATE app_user SET password_hash = ?, must_change_password = ?, failed_count = 0,"
+      " locked_until_utc_us = 0 WHERE id = ?",
+      {password.hash, mustChange, userId});
+}
+
+void AccessRepository::setPin(const std::string& userId, const SealedSecret& pin) {
+  connection_.execute("UPDATE app_user SET pin_hash = ? WHERE id = ?", {textOrNull(pin.hash), userId});
+}
+
+}  // namespace torsio

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/people/people_repository.h"
+
+#include "db/connection/row_reader.h"
+
+namespace torsio {
+
+namespace {
+
+const std::string kPersonColumns =
+    "p.id, p.code, p.sex, p.level, p.experience, p.age_years, p.state, p.created_utc_us, p.demonstration";
+const std::string kTrainees =
+    "SELECT " + kPersonColumns + ", t.handedness FROM trainee t JOIN person p ON p.id = t.person_id";
+const std::string kRaters = "SELECT " + kPersonColumns +
+                            ", r.class_code FROM rater r JOIN person p ON p.id = r.person_id"
+                            " JOIN rater_class c ON c.code = r.class_code";
+const std::string kIdentities = "SELECT person_id, full_name, email, external_id FROM person_identity";
+const std::string kConsents =
+    "SELECT c.person_id, c.purpose, c.granted, c.text_version, c.decided_utc_us, c.recorded_by,"
+    " c.demonstration FROM consent c";
+
+Statement preparePersonInsert(Connection& connection) {
+  return connection.prepare(insertInto(
+      "person", "id, code, sex, level, experience, age_years, state, created_utc_us, demonstration"));
+}
+
+void insertPerson(Statement& insert, const StoredPerson& person) {
+  insert.execute({person.id, person.code, textOrNull(person.sex), textOrNull(person.level),
+                  textOrNull(person.experience), person.age_years, person.state, person.createdUtc_us,
+                  person.demonstration});
+}
+
+StoredPerson personOf(RowReader& row) {
+  return {.id = row.text(),
+          .code = row.text(),
+          .sex = row.text(),
+          .level = row.text(),
+          .experience = row.text(),
+          .age_years = row.maybeInt64(),
+          .state = row.text(),
+          .createdUtc_us = row.int64(),
+          .demonstration = row.boolean()};
+}
+
+StoredTrainee traineeOf(RowReader& row) {
+  return {.person = personOf(row), .handedness = row.text()};
+}
+
+StoredRater raterOf(RowReader& row) {
+  return {.person = personOf(row), .classCode = row.text()};
+}
+
+StoredIdentity identityOf(RowReader& row) {
+  return {.personId = row.text(), .fullName = row.text(), .email = row.text(), .externalId = row.text()};
+}
+
+StoredConsent consentOf(RowReader& row) {
+  return {.personId = row.text(),
+          .purpose = row.text(),
+          .granted = row.boolean(),
+          .textVersion = row.text(),
+          .decidedUtc_us = row.int64(),
+          .recordedBy = row.text(),
+          .demonstration = row.boolean()};
+}
+
+}  // namespace
+
+void PeopleRepository::addRaterClasses(std::span<const StoredRaterClass> classes) {
+  Transaction transaction(connection_);
+  Statement insert = connection_.prepare(insertInto("rater_class", "code, label, position"));
+  for (const StoredRaterClass& raterClass : classes) {
+    insert.execute({raterClass.code, raterClass.label, raterClass.position});
+  }
+  transaction.commit();
+}
+
+std::vector<StoredRaterClass> PeopleRepository::raterClasses() const {
+  return selectAll(connection_, "SELECT code, label, position FROM rater_class ORDER BY position, code", {},
+                   [](RowReader& row) {
+                     return StoredRaterClass{row.text(), row.text(), row.int64()};
+                   });
+}
+
+void PeopleRepository::addTrainees(std::span<const StoredTrainee> trainees) {
+  Transaction transaction(connection_);
+  Statement person = preparePersonInsert(connection_);
+  Statement part = connection_.prepare(insertInto("trainee", "person_id, handedness"));
+  for (const StoredTrainee& trainee : trainees) {
+    insertPerson(person, trainee.person);
+    part.execute({trainee.person.id, textOrNull(trainee.handedness)});
+  }
+  transaction.commit();
+}
+
+void PeopleRepository::addRaters(std::span<const StoredRater> raters) {
+  Transaction transaction(connection_);
+  Statement person = preparePersonInsert(connection_);
+  for (const StoredRater& rater : raters) {
+    insertPerson(person, rater.person);
+    makeRater(rater.person.id, rater.classCode);
+  }
+  transaction.commit();
+}
+
+void PeopleRepository::makeRater(const std::string& personId, const std::string& classCode) {
+  connection_.execute(insertInto("rater", "person_id, class_code"), {personId, classCode});
+}
+
+void PeopleRepository::makeTrainee(const std::string& personId, const std::string& handedness) {
+  connection_.execute(insertInto("trainee", "person_id, handedness"), {personId, textOrNull(handedness)});
+}
+
+void PeopleRepository::updatePerson(const StoredPerson& person) {
+  connection_.execute(
+      "UPDATE person SET sex = ?, level = ?, experience = ?, age_years = ?, state = ? WHERE id = ?",
+      {textOrNull(person.sex), textOrNull(person.level), textOrNull(person.experience), person.age_years,
+       person.state, person.id});
+}
+
+void PeopleRepository::setHandedness(const std::string& personId, const std::string& handedness) {
+  connection_.execute("UPDATE trainee SET handedness = ? WHERE person_id = ?",
+                      {textOrNull(handedness), personId});
+}
+
+void PeopleRepository::setRaterClass(const std::string& personId, const std::string& classCode) {
+  connection_.execute("UPDATE rater SET class_code = ? WHERE person_id = ?", {classCode, personId});
+}
+
+std::optional<StoredPerson> PeopleRepository::find(const std::string& personId) const {
+  return selectFirst(connection_, "SELECT " + kPersonColumns + " FROM person p WHERE p.id = ?", {personId},
+                     personOf);
+}
+
+std::vector<std::string> PeopleRepository::codes() const {
+  return selectAll(connection_, "SELECT code FROM person", {}, readText);
+}
+
+std::vector<StoredTrainee> PeopleRepository::trainees() const {
+  return selectAll(connection_, kTrainees + " ORDER BY p.code", {}, traineeOf);
+}
+
+std::vector<StoredRater> PeopleRepository::raters() const {
+  return selectAll(connection_, kRaters + " ORDER BY c.position, p.code", {}, raterOf);
+}
+
+std::optional<StoredTrainee> PeopleRepository::findTrainee(const std::string& code) const {
+  return selectFirst(connection_, kTrainees + " WHERE p.code = ?", {code}, traineeOf);
+}
+
+std::optional<StoredRater> PeopleRepository::findRater(const std::string& code) const {
+  return selectFirst(connection_, kRaters + " WHERE p.code = ?", {code}, raterOf);
+}
+
+void PeopleRepository::addIdentities(std::span<const StoredIdentity> identities) {
+  Transaction transaction(connection_);
+  Statement insert =
+      connection_.prepare(insertInto("person_identity", "person_id, full_name, email, external_id"));
+  for (const StoredIdentity& identity : identities) {
+    insert.execute(
+        {identity.personId, identity.fullName, textOrNull(identity.email), textOrNull(identity.externalId)});
+  }
+  transaction.commit();
+}
+
+std::optional<StoredIdentity> PeopleRepository::identity(const std::string& personId) const {
+  return selectFirst(connection_, kIdentities + " WHERE person_id = ?", {personId}, identityOf);
+}
+
+void PeopleRepository::setIdentity(const StoredIdentity& identity) {
+  connection_.execute(
+      insertInto("person_identity", "person_id, full_name, email, external_id") +
+          " ON CONFLICT (person_id) DO UPDATE SET full_name = excluded.full_name, email ="
+          " excluded.email, external_id = excluded.external_id",
+      {identity.personId, identity.fullName, textOrNull(identity.email), textOrNull(identity.externalId)});
+}
+
+std::optional<StoredIdentity> PeopleRepository::identityByExternalId(const std::string& externalId) const {
+  return selectFirst(connection_, kIdentities + " WHERE external_id = ?", {externalId}, identityOf);
+}
+
+std::vector<StoredIdentity> PeopleRepository::identities() const {
+  return selectAll(connection_, kIdentities, {}, identityOf);
+}
+
+void PeopleRepository::recordConsent(const StoredConsent& consent) {
+  connection_.execute(
+      "INSERT INTO consent (person_id, purpose, sequence, granted, text_version, decided_utc_us, recorded_by,"
+      " demonstration) VALUES (?, ?, (SELECT COALESCE(MAX(c.sequence), 0) + 1 FROM consent c"
+      " WHERE c.person_id = ? AND c.purpose = ?), ?, ?, ?, ?, ?)",
+      {consent.personId, consent.purpose, consent.personId, consent.purpose, consent.granted,
+       consent.textVersion, consent.decidedUtc_us, consent.recordedBy, consent.demonstration});
+}
+
+std::vector<StoredConsent> PeopleRepository::consents(const std::string& personId) const {
+  return selectAll(connection_,
+                   kConsents + " WHERE c.person_id = ? ORDER BY c.decided_utc_us, c.purpose, c.sequence",
+                   {personId}, consentOf);
+}
+
+std::vector<StoredConsent> PeopleRepository::newestConsents() const {
+  return selectAll(connection_,
+                   kConsents +
+                       " WHERE c.sequence = (SELECT MAX(n.sequence) FROM consent n"
+                       " WHERE n.person_id = c.person_id AND n.purpose = c.purpose)"
+                       " ORDER BY c.person_id, c.purpose",
+                   {}, consentOf);
+}
+
+bool PeopleRepository::hasConsent(const std::string& personId, const std::string& purpose) const {
+  return selectFirst(
+             connection_,
+             "SELECT granted FROM consent WHERE person_id = ? AND purpose = ? ORDER BY sequence DESC LIMIT 1",
+             {personId, purpose}, readBoolean)
+      .value_or(false);
+}
+
+}  // namespace torsio

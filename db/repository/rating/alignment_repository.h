@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "db/connection/connection.h"
+
+namespace torsio {
+
+/// What was decided about a mark that lies apart from the others.
+struct AlignmentDecision {
+  std::string assignmentId{};
+  std::int64_t sequence = 0;  ///< given by add(): 1, 2, 3 ... of the assignment
+  std::string decision{};     ///< "keep", "move" (a new version of the mark follows), "third" (a third rater)
+  std::string reason{};
+  std::string decidedBy{};
+  std::int64_t decidedUtc_us = 0;
+};
+
+/// Decisions about marks that lie apart. Append-only; the newest counts. Each is told of in the audit trail
+/// in the same transaction.
+class AlignmentRepository {
+ public:
+  /// `station`: for the audit trail.
+  explicit AlignmentRepository(Connection& connection, std::string station = {})
+      : connection_(connection), station_(std::move(station)) {}
+
+  /// Returns the sequence number. Throws DbError: kForeignKey (no such assignment), kCheck (no such
+  /// decision).
+  std::int64_t add(const AlignmentDecision& decision);
+  /// Oldest first.
+  [[nodiscard]] std::vector<AlignmentDecision> history(const std::string& assignmentId) const;
+  [[nodiscard]] std::optional<AlignmentDecision> latest(const std::string& assignmentId) const;
+  /// The newest of every assignment about one trainee at one scoring point.
+  [[nodiscard]] std::vector<AlignmentDecision> ofCase(const std::string& enrolmentId,
+                                                      const std::string& scoringPoint) const;
+  /// The newest of every assignment of a cohort, oldest first.
+  [[nodiscard]] std::vector<AlignmentDecision> ofCohort(const std::string& cohortId) const;
+
+ private:
+  Connection& connection_;
+  std::string station_;
+};
+
+}  // namespace torsio

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "db/connection/row_reader.h"
+#include "db/repository/rating/sheet_repository.h"
+
+namespace torsio {
+
+/// "SELECT ... FROM assignment a" with the columns that readAssignment() takes and then `more`, which begins
+/// with a comma or is empty.
+[[nodiscard]] std::string selectAssignments(std::string_view more = {});
+
+/// Reads the columns of selectAssignments().
+[[nodiscard]] StoredAssignment readAssignment(RowReader& row);
+
+/// Reads the rows of a sheet, by their code: those of a draft or of a sealed mark. Throws DbError.
+[[nodiscard]] std::vector<SheetRow> draftRows(Connection& connection, const std::string& assignmentId);
+[[nodiscard]] std::vector<SheetRow> markRows(Connection& connection, const std::string& markId);
+
+}  // namespace torsio

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/rating/desk_repository.h"
+
+#include <utility>
+
+#include "db/connection/row_reader.h"
+#include "db/repository/rating/assignment_rows.h"
+
+namespace torsio {
+
+std::optional<StoredAssignment> DeskRepository::assignment(const std::string& assignmentId) const {
+  return selectFirst(connection_, selectAssignments() + " WHERE a.id = ?", {assignmentId}, readAssignment);
+}
+
+bool DeskRepository::isWithdrawn(const std::string& assignmentId) const {
+  return selectFirst(connection_, "SELECT count(*) FROM assignment_withdrawal WHERE assignment_id = ?",
+                     {assignmentId}, readInt64)
+             .value_or(0) > 0;
+}
+
+std::vector<CaseMark> DeskRepository::marksOfCase(const std::string& enrolmentId,
+                                                  const std::string& scoringPoint) const {
+  std::vector<CaseMark> marks = selectAll(
+      connection_,
+      "SELECT m.id, m.assignment_id, m.rater_id, m.version, m.score_steps, m.scale_lo_steps, "
+      "m.scale_hi_steps,"
+      " m.steps_per_point FROM training_mark m WHERE m.enrolment_id = ? AND m.scoring_point = ?"
+      " AND m.version = (SELECT MAX(n.version) FROM training_mark n WHERE n.enrolment_id = m.enrolment_id"
+      " AND n.rater_id = m.rater_id AND n.scoring_point = m.scoring_point) ORDER BY m.rater_id",
+      {enrolmentId, scoringPoint}, [](RowReader& row) {
+        return CaseMark{row.text(),  row.text(),       row.text(),
+                        row.int64(), row.maybeInt64(), {row.int64(), row.int64(), row.int64()},
+                        {}};
+      });
+  for (CaseMark& mark : marks) {
+    mark.rows = markRows(connection_, mark.markId);
+  }
+  return marks;
+}
+
+std::vector<StoredAssignment> DeskRepository::committed(const std::string& raterId) const {
+  return selectAll(
+      connection_,
+      selectAssignments() +
+          " WHERE a.rater_id = ?"
+          " AND EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
+          " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id)"
+          " AND EXISTS (SELECT 1 FROM assignment b WHERE b.enrolment_id = a.enrolment_id"
+          "  AND b.scoring_point = a.scoring_point AND b.id <> a.id"
+          "  AND EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = b.id))"
+          " AND NOT EXISTS (SELECT 1 FROM assignment b WHERE b.enrolment_id = a.enrolment_id"
+          "  AND b.scoring_point = a.scoring_point"
+          "  AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = b.id)"
+          "  AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = b.id))"
+          " ORDER BY a.position, a.case_label",
+      {raterId}, readAssignment);
+}
+
+std::optional<std::int64_t> DeskRepository::trialLength_us(const std::string& trialId) const {
+  return selectFirst(
+      connection_,
+      "SELECT e.sample_count * t.tick_period_us FROM trial t JOIN trial_end e ON e.trial_id = t.id"
+      " WHERE t.id = ?",
+      {trialId}, readInt64);
+}
+
+std::string DeskRepository::newestMark(const std::string& assignmentId) const {
+  return selectFirst(connection_,
+                     "SELECT id FROM training_mark WHERE assignment_id = ? ORDER BY version DESC LIMIT 1",
+                     {assignmentId}, readText)
+      .value_or(std::string());
+}
+
+void DeskRepository::saveDraftViewing(const std::string& assignmentId, const StoredViewing& viewing) {
+  connection_.execute(
+      insertInto("draft_viewing", "assignment_id, watched, slowest_permille, fastest_permille, worked_us") +
+          " ON CONFLICT (assignment_id) DO UPDATE SET watched = excluded.watched,"
+          " slowest_permille = excluded.slowest_permille, fastest_permille ="
+          " excluded.fastest_permille, worked_us = excluded.worked_us",
+      {assignmentId, viewing.watched, viewing.slowest_permille, viewing.fastest_permille, viewing.worked_us});
+}
+
+std::optional<StoredViewing> DeskRepository::draftViewing(const std::string& assignmentId) const {
+  return selectFirst(connection_,
+                     "SELECT watched, slowest_permille, fastest_permille, worked_us FROM draft_viewing"
+                     " WHERE assignment_id = ?",
+                     {assignmentId}, [](RowReader& row) {
+                       return StoredViewing{row.text(), {}, row.int64(), row.int64(), row.int64()};
+                     });
+}
+
+void DeskRepository::sealViewing(const std::string& assignmentId, const std::string& markId,
+                                 const StoredViewing& viewing) {
+  Transaction transaction(connection_);
+  connection_.execute(
+      insertInto("mark_viewing", "mark_id, watched_permille, slowest_permille, fastest_permille, worked_us"),
+      {markId, viewing.watched_permille, viewing.slowest_permille, viewing.fastest_permille,
+       viewing.worked_us});
+  connection_.execute("DELETE FROM draft_viewing WHERE assignment_id = ?", {assignmentId});
+  transaction.commit();
+}
+
+std::optional<StoredViewing> DeskRepository::viewing(const std::string& markId) const {
+  return selectFirst(
+      connection_,
+      "SELECT watched_permille, slowest_permille, fastest_permille, worked_us FROM mark_viewing"
+      " WHERE mark_id = ?",
+      {markId}, [](RowReader& row) {
+        return StoredViewing{{}, row.maybeInt64(), row.int64(), row.int64(), row.int64()};
+      });
+}
+
+std::vector<std::int64_t> DeskRepository::workingTimes_us(const std::string& raterId,
+                                                          std::int64_t limit) const {
+  return selectAll(
+      connection_,
+      "SELECT v.worked_us FROM training_mark m JOIN mark_viewing v ON v.mark_id = m.id"
+      " WHERE m.rater_id = ? AND m.version = 1 AND v.worked_us > 0 ORDER BY m.submitted_utc_us DESC, m.id"
+      " LIMIT ?",
+      {raterId, limit}, readInt64);
+}
+
+std::vector<std::string> DeskRepository::assignedTrials() const {
+  return selectAll(connection_, "SELECT DISTINCT trial_id FROM assignment WHERE trial_id IS NOT NULL", {},
+                   readText);
+}
+
+void DeskRepository::addReferenceRuns(std::span<const StoredReferenceRun> runs) {
+  Transaction transaction(connection_);
+  Statement insert = connection_.prepare(
+      insertInto("reference_run",
+                 "trial_id, position, rubric_revision_id, panel_steps, panel_raters, set_by, set_utc_us,"
+                 " demonstration"));
+  for (const StoredReferenceRun& run : runs) {
+    insert.execute({run.trialId, run.position, run.rubricRevisionId, run.panel_steps, run.panelRaters,
+                    run.setBy, run.setUtc_us, run.demonstration});
+  }
+  transaction.commit();
+}
+
+std::vector<StoredReferenceRun> DeskRepository::referenceRuns() const {
+  return referenceRunsWhere(
+      " WHERE NOT EXISTS (SELECT 1 FROM reference_run_withdrawal w WHERE w.trial_id = r.trial_id)");
+}
+
+std::vector<StoredReferenceRun> DeskRepository::allReferenceRuns() const {
+  return referenceRunsWhere("");
+}
+
+std::vector<StoredReferenceRun> DeskRepository::referenceRunsWhere(const char* condition) const {
+  return selectAll(
+      connection_,
+      std::string(
+          "SELECT r.trial_id, r.position, r.rubric_revision_id, r.panel_steps, r.panel_raters, r.set_by,"
+          " r.set_utc_us, r.demonstration FROM reference_run r") +
+          condition + " ORDER BY r.position, r.trial_id",
+      {}, [](RowReader& row) {
+        return StoredReferenceRun{row.text(),  row.int64(), row.text(),  row.real(),
+                                  row.int64(), row.text(),  row.int64(), row.boolean()};
+      });
+}
+
+void DeskRepository::withdrawReferenceRun(const StoredReferenceWithdrawal& withdrawal) {
+  connection_.execute(
+      insertInto("reference_run_withdrawal", "trial_id, reason, withdrawn_by, withdrawn_utc_us"),
+      {withdrawal.trialId, withdrawal.reason, withdrawal.withdrawnBy, withdrawal.withdrawnUtc_us});
+}
+
+std::vector<StoredReferenceWithdrawal> DeskRepository::referenceWithdrawals() const {
+  return selectAll(connection_,
+                   "SELECT trial_id, reason, withdrawn_by, withdrawn_utc_us FROM reference_run_withdrawal"
+                   " ORDER BY withdrawn_utc_us, trial_id",
+                   {}, [](RowReader& row) {
+                     return StoredReferenceWithdrawal{row.text(), row.text(), row.text(), row.int64()};
+                   });
+}
+
+void DeskRepository::saveEvaluationDraft(const std::string& campaignId, const std::string& raterId,
+                                         const std::string& modelCode, std::int64_t indexNumber,
+                                         std::optional<std::int64_t> score_steps, std::int64_t utc_us) {
+  if (!score_steps) {
+    connection_.execute(
+        "DELETE FROM evaluation_draft WHERE campaign_id = ? AND rater_id = ? AND model_code = ?"
+        " AND index_number = ?",
+        {campaignId, raterId, modelCode, indexNumber});
+    return;
+  }
+  connection_.execute(
+      insertInto("evaluation_draft",
+                 "campaign_id, rater_id, model_code, index_number, score_steps, changed_utc_us") +
+          " ON CONFLICT (campaign_id, rater_id, model_code, index_number) DO UPDATE SET"
+          " score_steps = excluded.score_steps, changed_utc_us = excluded.changed_utc_us",
+      {campaignId, raterId, modelCode, indexNumber, *score_steps, utc_us});
+}
+
+std::vector<EvaluationDraftMark> DeskRepository::evaluationDraft(const std::string& campaignId,
+                                                                 const std::string& raterId) const {
+  return selectAll(connection_,
+                   "SELECT model_code, index_number, score_steps FROM evaluation_draft WHERE campaign_id = ?"
+                   " AND rater_id = ? ORDER BY model_code, index_number",
+                   {campaignId, raterId}, [](RowReader& row) {
+                     return EvaluationDraftMark{row.text(), row.int64(), row.int64()};
+                   });
+}
+
+void DeskRepository::removeEvaluationDraft(const std::string& campaignId, const std::string& raterId,
+                                           const std::string& modelCode) {
+  connection_.execute(
+      "DELETE FROM evaluation_draft WHERE campaign_id = ? AND rater_id = ? AND model_code = ?",
+      {campaignId, raterId, modelCode});
+}
+
+}  // namespace torsio

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/rating/rating_repository.h"
+
+#include <algorithm>
+#include <array>
+
+#include "db/connection/row_reader.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/base/insert_idempotent.h"
+#include "db/repository/base/seals.h"
+
+namespace torsio {
+
+namespace {
+
+const std::string kMarks =
+    "SELECT m.id, m.enrolment_id, m.rater_id, m.scoring_point, m.version, m.trial_id, m.score_steps,"
+    " m.scale_lo_steps, m.scale_hi_steps, m.steps_per_point, m.not_assessable_reason, m.comment,"
+    " m.assignment_id, m.amend_reason, m.submitted_utc_us, m.demonstration, t.code, r.code, g.code,"
+    " e.number_in_group"
+    " FROM training_mark m JOIN enrolment e ON e.id = m.enrolment_id JOIN person t ON t.id = e.trainee_id"
+    " JOIN person r ON r.id = m.rater_id JOIN scoring_point s ON s.code = m.scoring_point"
+    " LEFT JOIN training_group g ON g.id = e.group_id";
+
+StoredTrainingMark markOf(RowReader& row) {
+  return {.id = row.text(),
+          .enrolmentId = row.text(),
+          .raterId = row.text(),
+          .scoringPoint = row.text(),
+          .version = row.int64(),
+          .trialId = row.text(),
+          .score_steps = row.maybeInt64(),
+          .scale = {row.int64(), row.int64(), row.int64()},
+          .notAssessableReason = row.text(),
+          .comment = row.text(),
+          .assignmentId = row.text(),
+          .rows = {},
+          .amendReason = row.text(),
+          .submittedUtc_us = row.int64(),
+          .demonstration = row.boolean(),
+          .traineeCode = row.text(),
+          .raterCode = row.text(),
+          .groupCode = row.text(),
+          .numberInGroup = row.int64()};
+}
+
+std::vector<StoredTrainingResult> traineeResults(Connection& connection, const std::string& runId) {
+  return selectAll(
+      connection,
+      "SELECT enrolment_id, scoring_point, mean, variance, rater_count, missing_count, flags"
+      " FROM training_result WHERE run_id = ? ORDER BY enrolment_id, scoring_point",
+      {runId}, [](RowReader& row) {
+        return StoredTrainingResult{
+            row.text(), row.text(), row.real(), row.real(), row.int64(), row.int64(), splitFlags(row.text())};
+      });
+}
+
+std::vector<StoredGroupResult> groupResults(Connection& connection, const std::string& runId) {
+  return selectAll(
+      connection,
+      "SELECT group_id, scoring_point, trainee_count, mean, variance_n, variance_n_minus_1, flags"
+      " FROM training_group_result WHERE run_id = ? ORDER BY group_id, scoring_point",
+      {runId}, [](RowReader& row) {
+        return StoredGroupResult{row.text(), row.text(),      row.int64(),           row.real(),
+                                 row.real(), row.maybeReal(), splitFlags(row.text())};
+      });
+}
+
+/// Of a mark that is stored already: refuses another one under its id. When it was submitted does not count,
+/// and a comment may have been erased since: its hash is there.
+void requireSameMark(Connection& connection, const StoredTrainingMark& mark) {
+  using Kind = IdempotentColumn::Kind;
+  const std::array<IdempotentColumn, 16> columns{
+      {{"id", mark.id, Kind::kKey},
+       {"enrolment_id", mark.enrolmentId},
+       {"rater_id", mark.raterId},
+       {"scoring_point", mark.scoringPoint},
+       {"version", mark.version},
+       {"trial_id", textOrNull(mark.trialId)},
+       {"score_steps", mark.score_steps},
+       {"scale_lo_steps", mark.scale.lo},
+       {"scale_hi_steps", mark.scale.hi},
+       {"steps_per_point", mark.scale.stepsPerPoint},
+       {"not_assessable_reason", textOrNull(mark.notAssessableReason)},
+       {"amend_reason", textOrNull(mark.amendReason)},
+       {"submitted_utc_us", mark.submittedUtc_us, Kind::kIgnored},
+       {"demonstration", mark.demonstration},
+       {"assignment_id", textOrNull(mark.assignmentId)},
+       {"comment_hash", textOrNull(textHash(mark.comment))}}};
+  insertIdempotent(connection, "training_mark", columns, "this mark");
+  const std::vector<StoredMarkRow> stored =
+      selectAll(connection,
+                "SELECT revision_id, row_code, score_steps, not_assessable_reason FROM training_mark_row"
+                " WHERE mark_id = ?",
+                {mark.id}, [](RowReader& row) {
+                  return StoredMarkRow{row.text(), row.text(), row.maybeInt64(), row.text()};
+                });
+  const bool same = std::is_permutation(stored.begin(), stored.end(), mark.rows.begin(), mark.rows.end());
+  if (!same) {
+    refuseOtherContent(connection, "training_mark_row", "this mark");
+  }
+}
+
+/// Those that the database does not have yet.
+std::vector<StoredTrainingMark> newMarks(Connection& connection, std::span<const StoredTrainingMark> marks) {
+  std::vector<StoredTrainingMark> missing;
+  Statement stored = connection.prepare("SELECT id FROM training_mark WHERE id = ?");
+  for (const StoredTrainingMark& mark : marks) {
+    stored.execute({mark.id});
+    if (!readRows(stored, readText).empty()) {
+      requireSameMark(connection, mark);
+    } else {
+      missing.push_back(mark);
+    }
+  }
+  return missing;
+}
+
+}  // namespace
+
+void RatingRepository::submit(std::span<const StoredTrainingMark> marks) {
+  Transaction transaction(connection_);
+  const std::vector<StoredTrainingMark> added = newMarks(connection_, marks);
+  if (added.empty()) {
+    transaction.commit();
+    return;
+  }
+  Statement insert = connection_.prepare(
+      insertInto("training_mark",
+                 "id, enrolment_id, rater_id, scoring_point, version, trial_id, score_steps,"
+                 " scale_lo_steps, scale_hi_steps, steps_per_point, not_assessable_reason, comment,"
+                 " amend_reason, submitted_utc_us, demonstration, assignment_id, comment_hash"));
+  Statement insertRow = connection_.prepare(
+      insertInto("training_mark_row", "mark_id, revision_id, row_code, score_steps, not_assessable_reason"));
+  for (const StoredTrainingMark& mark : added) {
+    insert.execute({mark.id, mark.enrolmentId, mark.raterId, mark.scoringPoint, mark.version,
+                    textOrNull(mark.trialId), mark.score_steps, mark.scale.lo, mark.scale.hi,
+                    mark.scale.stepsPerPoint, textOrNull(mark.notAssessableReason), textOrNull(mark.comment),
+                    textOrNull(mark.amendReason), mark.submittedUtc_us, mark.demonstration,
+                    textOrNull(mark.assignmentId), textOrNull(textHash(mark.comment))});
+    for (const StoredMarkRow& row : mark.rows) {
+      insertRow.execute(
+          {mark.id, row.rubricRevisionId, row.rowCode, row.score_steps, textOrNull(row.notAssessableReason)});
+    }
+  }
+  std::vector<std::string> ids;
+  ids.reserve(added.size());
+  for (const StoredTrainingMark& mark : added) {
+    ids.push_back(mark.id);
+  }
+  const std::map<std::string, std::string> hashes = markHashes(connection_, ids);
+  std::vector<AuditEntry> seals;
+  for (const StoredTrainingMark& mark : added) {
+    AuditEntry seal;
+    seal.atUtc_us = mark.submittedUtc_us;
+    seal.actor = mark.raterId;
+    seal.station = station_;
+    seal.action = mark.version == 1 ? "mark.submit" : "mark.amend";
+    seal.objectKind = kSealedMark;
+    seal.objectId = mark.id;
+    seal.reason = mark.amendReason;
+    seal.objectHash = hashes.at(mark.id);
+    seals.push_back(seal);
+  }
+  AuditRepository(connection_).append(seals);
+  transaction.commit();
+}
+
+std::vector<StoredTrainingMark> RatingRepository::marks(const std::string& cohortId) const {
+  return selectAll(
+      connection_,
+      kMarks +
+          " WHERE e.cohort_id = ? AND NOT EXISTS (SELECT 1 FROM training_mark n"
+          "  WHERE n.enrolment_id = m.enrolment_id AND n.rater_id = m.rater_id"
+          "  AND n.scoring_point = m.scoring_point AND n.version > m.version)"
+          " ORDER BY s.position, COALESCE(g.number, 0), COALESCE(e.number_in_group, 0), t.code, r.code",
+      {cohortId}, markOf);
+}
+
+std::vector<StoredTrainingMark> RatingRepository::history(const std::string& enrolmentId,
+                                                          const std::string& raterId,
+                                                          const std::string& scoringPoint) const {
+  return selectAll(
+      connection_,
+      kMarks + " WHERE m.enrolment_id = ? AND m.rater_id = ? AND m.scoring_point = ? ORDER BY m.version",
+      {enrolmentId, raterId, scoringPoint}, markOf);
+}
+
+void RatingRepository::storeRun(const std::string& cohortId, const StoredTrainingRun& run) {
+  Transaction transaction(connection_);
+  insertRun(connection_, RunOwner::kCohort, cohortId, run.run);
+  Statement trainee = connection_.prepare(
+      insertInto("training_result",
+                 "run_id, enrolment_id, scoring_point, mean, variance, rater_count, missing_count, flags"));
+  for (const StoredTrainingResult& result : run.trainees) {
+    trainee.execute({run.run.id, result.enrolmentId, result.scoringPoint, result.mean, result.variance,
+                     result.raterCount, result.missingCount, joinFlags(result.flags)});
+  }
+  Statement group = connection_.prepare(
+      insertInto("training_group_result",
+                 "run_id, group_id, scoring_point, trainee_count, mean, variance_n, variance_n_minus_1,"
+                 " flags"));
+  for (const StoredGroupResult& result : run.groups) {
+    group.execute({run.run.id, result.groupId, result.scoringPoint, result.traineeCount, result.mean,
+                   result.varianceN, result.varianceNMinus1, joinFlags(result.flags)});
+  }
+  transaction.commit();
+}
+
+std::optional<StoredTrainingRun> RatingRepository::latestRun(const std::string& cohortId) const {
+  const std::optional<AssessmentRun> run = findLatestRun(connection_, RunOwner::kCohort, cohortId);
+  if (!run) {
+    return std::nullopt;
+  }
+  return StoredTrainingRun{*run, traineeResults(connection_, run->id), groupResults(connection_, run->id)};
+}
+
+}  // namespace torsio

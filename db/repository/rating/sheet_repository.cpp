@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/rating/sheet_repository.h"
+
+#include <algorithm>
+
+#include "assessment/rating/sheet_check.h"
+#include "db/connection/row_reader.h"
+#include "db/repository/rating/assignment_rows.h"
+#include "db/repository/rating/rating_repository.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+/// One row a row of the rubric and an anchor of it.
+std::vector<StoredRubricRow> rowsOf(Connection& connection, const std::string& revisionId) {
+  Statement statement = connection.prepare(
+      "SELECT r.row_code, r.label, r.scale_lo_steps, r.scale_hi_steps, r.steps_per_point, a.score_steps,"
+      " a.meaning FROM rubric_row r"
+      " LEFT JOIN rubric_anchor a ON a.revision_id = r.revision_id AND a.row_code = r.row_code"
+      " WHERE r.revision_id = ? ORDER BY r.position, a.score_steps");
+  statement.execute({revisionId});
+  std::vector<StoredRubricRow> rows;
+  while (statement.step()) {
+    RowReader row(statement);
+    StoredRubricRow line{row.text(), row.text(), {row.int64(), row.int64(), row.int64()}, {}};
+    if (rows.empty() || rows.back().code != line.code) {
+      rows.push_back(std::move(line));
+    }
+    if (!row.nextIsNull()) {
+      rows.back().anchors.push_back({row.int64(), row.text()});
+    }
+  }
+  return rows;
+}
+
+StoredAssignment assignmentOf(Connection& connection, const std::string& assignmentId) {
+  std::optional<StoredAssignment> found =
+      selectFirst(connection, selectAssignments() + " WHERE a.id = ?", {assignmentId}, readAssignment);
+  if (!found) {
+    throw Error(ErrorCode::kBadData, "no such assignment", assignmentId, "Read the queue again");
+  }
+  return std::move(*found);
+}
+
+/// The beginning of a query for statusOf().
+std::string selectStatus() {
+  return selectAssignments(
+      ", (SELECT count(*) FROM assignment_withdrawal w WHERE w.assignment_id = a.id),"
+      " (SELECT MAX(m.submitted_utc_us) FROM training_mark m WHERE m.assignment_id = a.id),"
+      " (SELECT d.changed_utc_us FROM mark_draft d WHERE d.assignment_id = a.id)");
+}
+
+AssignmentStatus statusOf(RowReader& row) {
+  AssignmentStatus status{readAssignment(row)};
+  const bool withdrawn = row.int64() > 0;
+  const std::optional<std::int64_t> submitted_us = row.maybeInt64();
+  const std::optional<std::int64_t> drafted_us = row.maybeInt64();
+  status.state = sheetStateOf(withdrawn, submitted_us.has_value(), drafted_us.has_value());
+  status.changedUtc_us = submitted_us ? *submitted_us : drafted_us.value_or(0);
+  return status;
+}
+
+QueueEntry queueEntryOf(RowReader& row) {
+  QueueEntry entry{row.text(), row.text(), row.text(), row.text(), row.maybeInt64()};
+  const std::optional<std::int64_t> submitted_us = row.maybeInt64();
+  const bool drafted = row.int64() > 0;
+  entry.state = sheetStateOf(false, submitted_us.has_value(), drafted);
+  entry.submittedUtc_us = submitted_us.value_or(0);
+  return entry;
+}
+
+void checkAnswer(const std::optional<std::int64_t>& score_steps, const std::string& reason,
+                 const ScoreScale& scale, const std::string& where) {
+  const AnswerFault fault = faultOf({score_steps, reason}, scale);
+  if (fault == AnswerFault::kMissing || fault == AnswerFault::kContradicts) {
+    throw Error(ErrorCode::kBadData, "needs either a score or a reason why there is none", where,
+                "Fill it in");
+  }
+  if (fault == AnswerFault::kOutsideScale) {
+    throw Error(ErrorCode::kBadData, Text("score of %1 steps lies outside its scale", *score_steps), where,
+                "Correct the score");
+  }
+}
+
+/// A sheet may be sealed when every row of its rubric, and no other, has an answer on its scale.
+void checkComplete(const Sheet& sheet, const StoredRubricRevision& rubric, const std::string& caseLabel) {
+  const std::string where = "case " + caseLabel;
+  checkAnswer(sheet.overall_steps, sheet.notAssessableReason, rubric.overall, where + ", overall mark");
+  for (const SheetRow& row : sheet.rows) {
+    const auto known = std::count_if(rubric.rows.begin(), rubric.rows.end(),
+                                     [&](const StoredRubricRow& line) { return line.code == row.code; });
+    if (known == 0) {
+      throw Error(ErrorCode::kBadData, Text("the rubric has no row %1", row.code), where,
+                  "Use the assigned rubric");
+    }
+  }
+  for (const StoredRubricRow& line : rubric.rows) {
+    const auto answer = std::find_if(sheet.rows.begin(), sheet.rows.end(),
+                                     [&](const SheetRow& row) { return row.code == line.code; });
+    if (answer == sheet.rows.end()) {
+      throw Error(ErrorCode::kBadData, Text("row %1 is not answered", line.code), where, "Fill it in");
+    }
+    checkAnswer(answer->score_steps, answer->notAssessableReason, line.scale, where + ", row " + line.code);
+  }
+}
+
+/// Of a mark that is stored already.
+std::optional<std::int64_t> versionOf(Connection& connection, const std::string& markId) {
+  return selectFirst(connection, "SELECT version FROM training_mark WHERE id = ?", {markId}, readInt64);
+}
+
+}  // namespace
+
+void SheetRepository::addRubric(const std::string& id, const std::string& name, std::int64_t createdUtc_us,
+                                bool demonstration) {
+  connection_.execute(insertInto("rubric", "id, name, created_utc_us, demonstration"),
+                      {id, name, createdUtc_us, demonstration});
+}
+
+std::vector<StoredRubric> SheetRepository::rubrics() const {
+  return selectAll(connection_, "SELECT id, name, created_utc_us, demonstration FROM rubric ORDER BY name",
+                   {}, [](RowReader& row) {
+                     return StoredRubric{row.text(), row.text(), row.int64(), row.boolean()};
+                   });
+}
+
+void SheetRepository::addRevision(const StoredRubricRevision& revision) {
+  validateScale(revision.overall);
+  for (const StoredRubricRow& row : revision.rows) {
+    validateScale(row.scale);
+  }
+  Transaction transaction(connection_);
+  connection_.execute(
+      insertInto("rubric_revision",
+                 "id, rubric_id, number, note, scale_lo_steps, scale_hi_steps, steps_per_point, created_by,"
+                 " created_utc_us"),
+      {revision.id, revision.rubricId, revision.number, revision.note, revision.overall.lo,
+       revision.overall.hi, revision.overall.stepsPerPoint, revision.createdBy, revision.createdUtc_us});
+  Statement insert = connection_.prepare(
+      insertInto("rubric_row",
+                 "revision_id, row_code, position, label, scale_lo_steps, scale_hi_steps, steps_per_point"));
+  Statement anchor =
+      connection_.prepare(insertInto("rubric_anchor", "revision_id, row_code, score_steps, meaning"));
+  std::int64_t position = 0;
+  for (const StoredRubricRow& row : revision.rows) {
+    insert.execute(
+        {revision.id, row.code, ++position, row.label, row.scale.lo, row.scale.hi, row.scale.stepsPerPoint});
+    for (const StoredAnchor& part : row.anchors) {
+      anchor.execute({revision.id, row.code, part.score_steps, part.meaning});
+    }
+  }
+  transaction.commit();
+}
+
+std::optional<StoredRubricRevision> SheetRepository::revision(const std::string& revisionId) const {
+  return selectFirst(
+      connection_,
+      "SELECT id, rubric_id, number, note, scale_lo_steps, scale_hi_steps, steps_per_point, created_by,"
+      " created_utc_us FROM rubric_revision WHERE id = ?",
+      {revisionId}, [&](RowReader& row) {
+        return StoredRubricRevision{.id = row.text(),
+                                    .rubricId = row.text(),
+                                    .number = row.int64(),
+                                    .note = row.text(),
+                                    .overall = {row.int64(), row.int64(), row.int64()},
+                                    .rows = rowsOf(connection_, revisionId),
+                                    .createdBy = row.text(),
+                                    .createdUtc_us = row.int64()};
+      });
+}
+
+std::vector<std::string> SheetRepository::revisionIds(const std::string& rubricId) const {
+  return selectAll(connection_, "SELECT id FROM rubric_revision WHERE rubric_id = ? ORDER BY number",
+                   {rubricId}, readText);
+}
+
+void SheetRepository::assign(std::span<const StoredAssignment> assignments) {
+  Transaction transaction(connection_);
+  Statement insert = connection_.prepare(
+      insertInto("assignment",
+                 "id, rater_id, enrolment_id, scoring_point, trial_id, rubric_revision_id, case_label,"
+                 " position, due_utc_us, assigned_by, assigned_utc_us, demonstration"));
+  for (const StoredAssignment& part : assignments) {
+    insert.execute({part.id, part.raterId, part.enrolmentId, part.scoringPoint, textOrNull(part.trialId),
+                    part.rubricRevisionId, part.caseLabel, part.position, part.dueUtc_us, part.assignedBy,
+                    part.assignedUtc_us, part.demonstration});
+  }
+  transaction.commit();
+}
+
+std::vector<AssignmentStatus> SheetRepository::assignments(const std::string& cohortId) const {
+  return selectAll(
+      connection_,
+      selectStatus() +
+          " JOIN enrolment e ON e.id = a.enrolment_id JOIN scoring_point s ON s.code = a.scoring_point"
+          " JOIN person p ON p.id = e.trainee_id JOIN person r ON r.id = a.rater_id WHERE e.cohort_id = ?"
+          " ORDER BY s.position, p.code, r.code",
+      {cohortId}, statusOf);
+}
+
+std::vector<StoredAssignment> SheetRepository::assignmentsOf(const std::string& raterId) const {
+  return selectAll(connection_, selectAssignments() + " WHERE a.rater_id = ? ORDER BY a.position", {raterId},
+                   readAssignment);
+}
+
+std::optional<AssignmentStatus> SheetRepository::findAssignment(const std::string& assignmentId) const {
+  return selectFirst(connection_, selectStatus() + " WHERE a.id = ?", {assignmentId}, statusOf);
+}
+
+void SheetRepository::withdraw(const std::string& assignmentId, const std::string& reason,
+                               const std::string& withdrawnBy, std::int64_t utc_us) {
+  Transaction transaction(connection_);
+  if (stateOf(assignmentId) == SheetState::kSubmitted) {
+    throw Error(ErrorCode::kBadData, "the sheet was submitted already", assignmentId,
+                "Submitted marks stay; amend the mark instead");
+  }
+  connection_.execute(
+      insertInto("assignment_withdrawal", "assignment_id, reason, withdrawn_by, withdrawn_utc_us"),
+      {assignmentId, reason, withdrawnBy, utc_us});
+  transaction.commit();
+}
+
+std::vector<QueueEntry> SheetRepository::queue(const std::string& raterId) const {
+  return selectAll(connection_,
+                   "SELECT a.id, a.case_label, a.trial_id, a.rubric_revision_id, a.due_utc_us,"
+                   " (SELECT MAX(m.submitted_utc_us) FROM training_mark m WHERE m.assignment_id = a.id),"
+                   " (SELECT count(*) FROM mark_draft d WHERE d.assignment_id = a.id) FROM assignment a"
+                   " WHERE a.rater_id = ? AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w"
+                   " WHERE w.assignment_id = a.id) ORDER BY a.position, a.case_label",
+                   {raterId}, queueEntryOf);
+}
+
+SheetState SheetRepository::stateOf(const std::string& assignmentId) const {
+  const std::optional<AssignmentStatus> status = findAssignment(assignmentId);
+  if (!status) {
+    throw Error(ErrorCode::kBadData, "no such assignment", assignmentId, "Read the queue again");
+  }
+  return status->state;
+}
+
+std::int64_t SheetRepository::saveDraft(const std::string& assignmentId, const Sheet& sheet) {
+  Transaction transaction(connection_);
+  const SheetState state = stateOf(assignmentId);
+  if (state == SheetState::kWithdrawn || state == SheetState::kSubmitted) {
+    throw Error(
+        ErrorCode::kBadData,
+        state == SheetState::kSubmitted ? "the sheet was submitted already" : "the sheet was withdrawn",
+        assignmentId, "Read the queue again");
+  }
+  const std::int64_t next = sheet.revision + 1;
+  const std::int64_t changed =
+      sheet.revision == 0
+          ? connection_.execute(
+                insertInto("mark_draft",
+                           "assignment_id, revision, overall_steps, not_assessable_reason, comment, "
+                           "changed_utc_us") +
+                    " ON CONFLICT (assignment_id) DO NOTHING",
+                {assignmentId, next, sheet.overall_steps, textOrNull(sheet.notAssessableReason),
+                 textOrNull(sheet.comment), sheet.changedUtc_us})
+          : connection_.execute(
+                "UPDATE mark_draft SET revision = ?, overall_steps = ?, not_assessable_reason = ?, comment = "
+                "?,"
+                " changed_utc_us = ? WHERE assignment_id = ? AND revision = ?",
+                {next, sheet.overall_steps, textOrNull(sheet.notAssessableReason), textOrNull(sheet.comment),
+                 sheet.changedUtc_us, assignmentId, sheet.revision});
+  if (changed != 1) {
+    throw DbError(DbFault::kConflict, "UPDATE mark_draft",
+                  "this sheet was changed at another station meanwhile", connection_.location(),
+                  "Open the sheet again");
+  }
+  connection_.execute("DELETE FROM mark_draft_row WHERE assignment_id = ?", {assignmentId});
+  Statement insert = connection_.prepare(
+      insertInto("mark_draft_row", "assignment_id, row_code, score_steps, not_assessable_reason"));
+  for (const SheetRow& row : sheet.rows) {
+    insert.execute({assignmentId, row.code, row.score_steps, textOrNull(row.notAssessableReason)});
+  }
+  transaction.commit();
+  return next;
+}
+
+std::optional<Sheet> SheetRepository::draft(const std::string& assignmentId) const {
+  std::optional<Sheet> sheet = selectFirst(
+      connection_,
+      "SELECT revision, overall_steps, not_assessable_reason, comment, changed_utc_us FROM mark_draft"
+      " WHERE assignment_id = ?",
+      {assignmentId}, [](RowReader& row) {
+        return Sheet{row.int64(), row.maybeInt64(), row.text(), row.text(), {}, row.int64()};
+      });
+  if (sheet) {
+    sheet->rows = draftRows(connection_, assignmentId);
+  }
+  return sheet;
+}
+
+void SheetRepository::submit(const std::string& assignmentId, const std::string& markId, const Sheet& sheet,
+                             const std::string& amendReason, std::int64_t submittedUtc_us) {
+  Transaction transaction(connection_);
+  const StoredAssignment assignment = assignmentOf(connection_, assignmentId);
+  const std::optional<std::int64_t> storedVersion = versionOf(connection_, markId);  // a retry
+  if (!storedVersion && stateOf(assignmentId) == SheetState::kWithdrawn) {
+    throw Error(ErrorCode::kBadData, "the sheet was withdrawn", assignment.caseLabel, "Read the queue again");
+  }
+  const StoredRubricRevision rubric = revision(assignment.rubricRevisionId).value();
+  checkComplete(sheet, rubric, assignment.caseLabel);
+  StoredTrainingMark mark;
+  mark.id = markId;
+  mark.enrolmentId = assignment.enrolmentId;
+  mark.raterId = assignment.raterId;
+  mark.scoringPoint = assignment.scoringPoint;
+  mark.assignmentId = assignmentId;
+  mark.trialId = assignment.trialId;
+  mark.score_steps = sheet.overall_steps;
+  mark.scale = rubric.overall;
+  mark.notAssessableReason = sheet.notAssessableReason;
+  mark.comment = sheet.comment;
+  mark.amendReason = amendReason;
+  mark.submittedUtc_us = submittedUtc_us;
+  mark.demonstration = assignment.demonstration;
+  if (storedVersion) {
+    mark.version = *storedVersion;
+  } else if (!amendReason.empty()) {
+    RatingRepository ratings(connection_);
+    mark.version = static_cast<std::int64_t>(
+        1 + ratings.history(mark.enrolmentId, mark.raterId, mark.scoringPoint).size());
+  }
+  for (const SheetRow& row : sheet.rows) {
+    mark.rows.push_back({rubric.id, row.code, row.score_steps, row.notAssessableReason});
+  }
+  RatingRepository(connection_).submit(std::span(&mark, 1));
+  connection_.execute("DELETE FROM mark_draft_row WHERE assignment_id = ?", {assignmentId});
+  connection_.execute("DELETE FROM mark_draft WHERE assignment_id = ?", {assignmentId});
+  transaction.commit();
+}
+
+std::optional<Sheet> SheetRepository::submitted(const std::string& assignmentId) const {
+  std::string markId;
+  std::optional<Sheet> sheet = selectFirst(
+      connection_,
+      "SELECT id, score_steps, not_assessable_reason, comment, submitted_utc_us FROM training_mark"
+      " WHERE assignment_id = ? ORDER BY version DESC LIMIT 1",
+      {assignmentId}, [&markId](RowReader& row) {
+        markId = row.text();
+        return Sheet{0, row.maybeInt64(), row.text(), row.text(), {}, row.int64()};
+      });
+  if (sheet) {
+    sheet->rows = markRows(connection_, markId);
+  }
+  return sheet;
+}
+
+bool SheetRepository::allSubmitted(const std::string& enrolmentId, const std::string& scoringPoint) const {
+  return selectFirst(connection_,
+                     "SELECT count(*) FROM assignment a WHERE a.enrolment_id = ? AND a.scoring_point = ?"
+                     " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
+                     " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id)",
+                     {enrolmentId, scoringPoint}, readInt64)
+             .value_or(1) == 0;
+}
+
+std::int64_t SheetRepository::openAssignments(const std::string& cohortId) const {
+  return selectFirst(connection_,
+                     "SELECT count(*) FROM enrolment e JOIN assignment a ON a.enrolment_id = e.id WHERE "
+                     "e.cohort_id = ?"
+                     " AND NOT EXISTS (SELECT 1 FROM training_mark m WHERE m.assignment_id = a.id)"
+                     " AND NOT EXISTS (SELECT 1 FROM assignment_withdrawal w WHERE w.assignment_id = a.id)",
+                     {cohortId}, readInt64)
+      .value_or(0);
+}
+
+void SheetRepository::setReleased(const std::string& cohortId, const std::string& scoringPoint, bool released,
+                                  const std::string& reason, const std::string& decidedBy,
+                                  std::int64_t utc_us) {
+  connection_.execute(
+      "INSERT INTO mark_release (cohort_id, scoring_point, sequence, released, reason, decided_by, "
+      "decided_utc_us)"
+      " VALUES (?, ?, (SELECT COALESCE(MAX(r.sequence), 0) + 1 FROM mark_release r WHERE r.cohort_id = ?"
+      " AND r.scoring_point = ?), ?, ?, ?, ?)",
+      {cohortId, scoringPoint, cohortId, scoringPoint, released, reason, decidedBy, utc_us});
+}
+
+bool SheetRepository::isReleased(const std::string& cohortId, const std::string& scoringPoint) const {
+  return selectFirst(connection_,
+                     "SELECT released FROM mark_release WHERE cohort_id = ? AND scoring_point = ?"
+                     " ORDER BY sequence DESC LIMIT 1",
+                     {cohortId, scoringPoint}, readBoolean)
+      .value_or(false);
+}
+
+}  // namespace torsio

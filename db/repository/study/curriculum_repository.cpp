@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/study/curriculum_repository.h"
+
+#include <algorithm>
+#include <map>
+
+#include "db/connection/row_reader.h"
+#include "db/repository/base/stored_term.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+const StoredModule* moduleWithId(const StoredCurriculumVersion& version, const std::string& id) {
+  const auto found = std::find_if(version.modules.begin(), version.modules.end(),
+                                  [&](const StoredModule& module) { return module.id == id; });
+  return found == version.modules.end() ? nullptr : &*found;
+}
+
+/// Takes away, again and again, the modules whose prerequisites are all gone; what stays runs in a circle.
+void checkPrerequisites(const StoredCurriculumVersion& version) {
+  std::map<std::string, std::vector<std::string>> open;
+  for (const StoredModule& module : version.modules) {
+    for (const std::string& id : module.requires_) {
+      if (moduleWithId(version, id) == nullptr) {
+        throw Error(ErrorCode::kBadData, "requires a module that is not in this version", module.code,
+                    "Choose prerequisites from the same version");
+      }
+    }
+    open[module.id] = module.requires_;
+  }
+  for (std::size_t before = 0; before != open.size();) {
+    before = open.size();
+    std::erase_if(open, [&](const auto& entry) {
+      return std::none_of(entry.second.begin(), entry.second.end(),
+                          [&](const std::string& id) { return open.contains(id); });
+    });
+  }
+  if (!open.empty()) {
+    throw Error(ErrorCode::kBadData, "prerequisites run in a circle",
+                moduleWithId(version, open.begin()->first)->code, "Remove one of them");
+  }
+}
+
+void insertModules(Connection& connection, const StoredCurriculumVersion& version) {
+  Statement insert = connection.prepare(
+      insertInto("module",
+                 "id, version_id, position, code, title, scene_id, pattern_id, exercise_kind, mode,"
+                 " target_angle_rad, tolerance_rad, hold_us, max_force_n, max_torque_nm, attempt_limit"));
+  std::int64_t position = 0;
+  for (const StoredModule& module : version.modules) {
+    insert.execute({module.id, version.id, ++position, module.code, module.title, module.sceneId,
+                    module.patternId, module.exerciseKind, storedText(module.mode), module.targetAngle_rad,
+                    module.tolerance_rad, module.hold_us, module.maxForce_N, module.maxTorque_Nm,
+                    module.attemptLimit});
+  }
+  Statement prerequisite =
+      connection.prepare(insertInto("module_prerequisite", "module_id, requires_module_id"));
+  Statement mastery = connection.prepare(
+      insertInto("mastery_rule", "module_id, metric, comparison, threshold, unit, consecutive"));
+  for (const StoredModule& module : version.modules) {
+    for (const std::string& id : module.requires_) {
+      prerequisite.execute({module.id, id});
+    }
+    for (const StoredMasteryRule& rule : module.mastery) {
+      mastery.execute({module.id, rule.metric, rule.comparison, rule.threshold, rule.unit, rule.consecutive});
+    }
+  }
+}
+
+void insertArms(Connection& connection, const StoredCurriculumVersion& version) {
+  Statement arm = connection.prepare(insertInto(
+      "curriculum_arm", "id, version_id, number, code, label, rest_allowance_us, rest_splittable"));
+  Statement phase = connection.prepare(
+      insertInto("curriculum_phase", "id, arm_id, position, kind, label, duration_us, module_id"));
+  std::int64_t number = 0;
+  for (const StoredArm& part : version.arms) {
+    arm.execute(
+        {part.id, version.id, ++number, part.code, part.label, part.restAllowance_us, part.restSplittable});
+    std::int64_t position = 0;
+    for (const StoredPhase& step : part.phases) {
+      phase.execute({step.id, part.id, ++position, storedText(step.kind), step.label, step.duration_us,
+                     textOrNull(step.moduleId)});
+    }
+  }
+  Statement point = connection.prepare(
+      insertInto("curriculum_scoring_point", "version_id, scoring_point, after_exposure_us"));
+  for (const StoredScoringPoint& part : version.scoringPoints) {
+    point.execute({version.id, part.code, part.afterExposure_us});
+  }
+}
+
+StoredModule moduleOf(RowReader& row) {
+  return {.id = row.text(),
+          .code = row.text(),
+          .title = row.text(),
+          .sceneId = row.text(),
+          .patternId = row.text(),
+          .exerciseKind = row.text(),
+          .mode = readTerm<AttemptMode>(row, "mode"),
+          .targetAngle_rad = row.real(),
+          .tolerance_rad = row.real(),
+          .hold_us = row.int64(),
+          .maxForce_N = row.maybeReal(),
+          .maxTorque_Nm = row.maybeReal(),
+          .attemptLimit = row.maybeInt64(),
+          .requires_ = {},
+          .mastery = {}};
+}
+
+StoredMasteryRule masteryRuleOf(RowReader& row) {
+  return {row.text(), row.text(), row.real(), row.text(), row.int64()};
+}
+
+std::vector<StoredModule> modulesOf(Connection& connection, const std::string& versionId) {
+  std::vector<StoredModule> modules = selectAll(
+      connection,
+      "SELECT id, code, title, scene_id, pattern_id, exercise_kind, mode, target_angle_rad, tolerance_rad,"
+      " hold_us, max_force_n, max_torque_nm, attempt_limit FROM module WHERE version_id = ?"
+      " ORDER BY position",
+      {versionId}, moduleOf);
+  Statement prerequisites = connection.prepare(
+      "SELECT p.requires_module_id FROM module_prerequisite p JOIN module r ON r.id = p.requires_module_id"
+      " WHERE p.module_id = ? ORDER BY r.position");
+  Statement mastery = connection.prepare(
+      "SELECT metric, comparison, threshold, unit, consecutive FROM mastery_rule WHERE module_id = ?"
+      " ORDER BY metric");
+  for (StoredModule& module : modules) {
+    prerequisites.execute({module.id});
+    module.requires_ = readRows(prerequisites, readText);
+    mastery.execute({module.id});
+    module.mastery = readRows(mastery, masteryRuleOf);
+  }
+  return modules;
+}
+
+StoredPhase phaseOf(RowReader& row) {
+  return {row.text(), readTerm<PhaseKind>(row, "kind"), row.text(), row.int64(), row.text()};
+}
+
+std::vector<StoredArm> armsOf(Connection& connection, const std::string& versionId) {
+  std::vector<StoredArm> arms = selectAll(
+      connection,
+      "SELECT id, code, label, rest_allowance_us, rest_splittable FROM curriculum_arm WHERE version_id = ?"
+      " ORDER BY number",
+      {versionId}, [](RowReader& row) {
+        return StoredArm{row.text(), row.text(), row.text(), row.int64(), row.boolean(), {}};
+      });
+  Statement phases = connection.prepare(
+      "SELECT id, kind, label, duration_us, module_id FROM curriculum_phase WHERE arm_id = ?"
+      " ORDER BY position");
+  for (StoredArm& arm : arms) {
+    phases.execute({arm.id});
+    arm.phases = readRows(phases, phaseOf);
+  }
+  return arms;
+}
+
+std::vector<StoredScoringPoint> scoringPointsOf(Connection& connection, const std::string& versionId) {
+  return selectAll(
+      connection,
+      "SELECT scoring_point, after_exposure_us FROM curriculum_scoring_point WHERE version_id = ?"
+      " ORDER BY after_exposure_us, scoring_point",
+      {versionId}, [](RowReader& row) {
+        return StoredScoringPoint{row.text(), row.int64()};
+      });
+}
+
+}  // namespace
+
+void CurriculumRepository::addCurriculum(const StoredCurriculum& curriculum) {
+  connection_.execute(insertInto("curriculum", "id, name, description, created_utc_us, demonstration"),
+                      {curriculum.id, curriculum.name, curriculum.description, curriculum.createdUtc_us,
+                       curriculum.demonstration});
+}
+
+std::vector<StoredCurriculum> CurriculumRepository::curricula() const {
+  return selectAll(
+      connection_,
+      "SELECT id, name, description, created_utc_us, demonstration FROM curriculum ORDER BY name", {},
+      [](RowReader& row) {
+        return StoredCurriculum{row.text(), row.text(), row.text(), row.int64(), row.boolean()};
+      });
+}
+
+std::int64_t CurriculumRepository::saveDraft(const std::string& curriculumId, const StoredDraft& draft) {
+  Transaction transaction(connection_);
+  const std::int64_t next = draft.revision + 1;
+  // Inserting revision 1 twice, or updating a revision that has moved on, changes no row: somebody was
+  // faster.
+  const std::int64_t changed =
+      draft.revision == 0
+          ? connection_.execute(
+                insertInto("curriculum_draft",
+                           "curriculum_id, revision, content_json, changed_by, changed_utc_us") +
+                    " ON CONFLICT (curriculum_id) DO NOTHING",
+                {curriculumId, next, draft.contentJson, draft.changedBy, draft.changedUtc_us})
+          : connection_.execute(
+                "UPDATE curriculum_draft SET revision = ?, content_json = ?, changed_by = ?,"
+                " changed_utc_us = ? WHERE curriculum_id = ? AND revision = ?",
+                {next, draft.contentJson, draft.changedBy, draft.changedUtc_us, curriculumId,
+                 draft.revision});
+  if (changed != 1) {
+    throw DbError(DbFault::kConflict, "UPDATE curriculum_draft", "somebody else saved this draft meanwhile",
+                  connection_.location(), "Read the draft again and merge your changes");
+  }
+  transaction.commit();
+  return next;
+}
+
+std::optional<StoredDraft> CurriculumRepository::draft(const std::string& curriculumId) const {
+  return selectFirst(connection_,
+                     "SELECT revision, content_json, changed_by, changed_utc_us FROM curriculum_draft"
+                     " WHERE curriculum_id = ?",
+                     {curriculumId}, [](RowReader& row) {
+                       return StoredDraft{row.int64(), row.text(), row.text(), row.int64()};
+                     });
+}
+
+void CurriculumRepository::addVersion(const StoredCurriculumVersion& version, const std::string& createdBy) {
+  checkPrerequisites(version);
+  Transaction transaction(connection_);
+  connection_.execute(
+      insertInto("curriculum_version", "id, curriculum_id, number, note, created_utc_us"),
+      {version.id, version.curriculumId, version.number, version.note, version.createdUtc_us});
+  insertModules(connection_, version);
+  insertArms(connection_, version);
+  connection_.execute(
+      "INSERT INTO curriculum_state (version_id, sequence, state, changed_by, changed_utc_us)"
+      " VALUES (?, 1, 'draft', ?, ?)",
+      {version.id, createdBy, version.createdUtc_us});
+  transaction.commit();
+}
+
+std::optional<StoredCurriculumVersion> CurriculumRepository::version(const std::string& versionId) const {
+  return selectFirst(
+      connection_,
+      "SELECT id, curriculum_id, number, note, created_utc_us FROM curriculum_version WHERE id = ?",
+      {versionId}, [&](RowReader& row) {
+        return StoredCurriculumVersion{.id = row.text(),
+                                       .curriculumId = row.text(),
+                                       .number = row.int64(),
+                                       .note = row.text(),
+                                       .createdUtc_us = row.int64(),
+                                       .modules = modulesOf(connection_, versionId),
+                                       .arms = armsOf(connection_, versionId),
+                                       .scoringPoints = scoringPointsOf(connection_, versionId),
+                                       .state = stateOf(versionId)};
+      });
+}
+
+std::vector<std::string> CurriculumRepository::versionIds(const std::string& curriculumId) const {
+  return selectAll(connection_, "SELECT id FROM curriculum_version WHERE curriculum_id = ? ORDER BY number",
+                   {curriculumId}, readText);
+}
+
+std::string CurriculumRepository::stateOf(const std::string& versionId) const {
+  return selectFirst(connection_,
+                     "SELECT state FROM curriculum_state WHERE version_id = ? ORDER BY sequence DESC LIMIT 1",
+                     {versionId}, readText)
+      .value_or("");
+}
+
+void CurriculumRepository::moveTo(const std::string& versionId, const std::string& state,
+                                  const std::string& changedBy, std::int64_t changedUtc_us) {
+  static const std::map<std::string, std::pair<std::string, std::int64_t>> kNext{{"draft", {"running", 2}},
+                                                                                 {"running", {"closed", 3}}};
+  Transaction transaction(connection_);
+  const std::string now = stateOf(versionId);
+  const auto next = kNext.find(now);
+  if (next == kNext.end() || next->second.first != state) {
+    throw Error(ErrorCode::kBadData,
+                now.empty() ? Text("there is no such curriculum")
+                            : Text("a curriculum that is %1 cannot become %2", now, state),
+                versionId, "Draft becomes running, running becomes closed");
+  }
+  connection_.execute(
+      insertInto("curriculum_state", "version_id, sequence, state, changed_by, changed_utc_us"),
+      {versionId, next->second.second, state, changedBy, changedUtc_us});
+  transaction.commit();
+}
+
+void CurriculumRepository::assign(const std::string& cohortId, const std::string& versionId) {
+  Transaction transaction(connection_);
+  if (stateOf(versionId) != "running") {
+    throw Error(ErrorCode::kBadData, "this version of the curriculum is not running", versionId,
+                "Start it first, or choose another version");
+  }
+  connection_.execute("UPDATE cohort SET curriculum_version_id = ? WHERE id = ?", {versionId, cohortId});
+  connection_.execute(
+      "UPDATE training_group SET arm_id = (SELECT a.id FROM curriculum_arm a WHERE a.version_id = ?"
+      " AND a.number = training_group.number) WHERE cohort_id = ?",
+      {versionId, cohortId});
+  const std::optional<std::string> missing =
+      selectFirst(connection_, "SELECT code FROM training_group WHERE cohort_id = ? AND arm_id IS NULL",
+                  {cohortId}, readText);
+  if (missing) {
+    throw Error(ErrorCode::kBadData, "the curriculum has no arm for this group", *missing,
+                "Give the curriculum as many arms as the cohort has groups");
+  }
+  transaction.commit();
+}
+
+}  // namespace torsio

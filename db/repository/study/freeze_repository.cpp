@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/study/freeze_repository.h"
+
+#include <array>
+
+#include "db/connection/row_reader.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/base/insert_idempotent.h"
+
+namespace torsio {
+
+namespace {
+
+const std::string kFreezes =
+    "SELECT id, cohort_id, name, content_hash, manifest_json, created_by, created_utc_us, demonstration"
+    " FROM frozen_dataset";
+
+StoredFreeze freezeOf(RowReader& row) {
+  return {.id = row.text(),
+          .cohortId = row.text(),
+          .name = row.text(),
+          .contentHash = row.text(),
+          .manifestJson = row.text(),
+          .createdBy = row.text(),
+          .createdUtc_us = row.int64(),
+          .demonstration = row.boolean()};
+}
+
+}  // namespace
+
+void FreezeRepository::add(const StoredFreeze& freeze) {
+  using Kind = IdempotentColumn::Kind;
+  Transaction transaction(connection_);
+  const std::array<IdempotentColumn, 8> columns{{{"id", freeze.id, Kind::kKey},
+                                                 {"cohort_id", freeze.cohortId},
+                                                 {"name", freeze.name},
+                                                 {"content_hash", freeze.contentHash},
+                                                 {"manifest_json", freeze.manifestJson},
+                                                 {"created_by", freeze.createdBy},
+                                                 {"created_utc_us", freeze.createdUtc_us, Kind::kIgnored},
+                                                 {"demonstration", freeze.demonstration}}};
+  if (insertIdempotent(connection_, "frozen_dataset", columns, "this frozen data set") == Inserted::kNew) {
+    AuditEntry entry;
+    entry.atUtc_us = freeze.createdUtc_us;
+    entry.actor = freeze.createdBy;
+    entry.station = station_;
+    entry.action = "dataset.freeze";
+    entry.objectKind = "frozen_dataset";
+    entry.objectId = freeze.id;
+    entry.objectHash = freeze.contentHash;
+    AuditRepository(connection_).append(entry);
+  }
+  transaction.commit();
+}
+
+std::optional<StoredFreeze> FreezeRepository::findByName(const std::string& name) const {
+  return selectFirst(connection_, kFreezes + " WHERE name = ?", {name}, freezeOf);
+}
+
+std::vector<StoredFreeze> FreezeRepository::list(const std::string& cohortId) const {
+  return selectAll(connection_, kFreezes + " WHERE cohort_id = ? ORDER BY created_utc_us, id", {cohortId},
+                   freezeOf);
+}
+
+}  // namespace torsio

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "assessment/study/occasion.h"
+#include "db/connection/connection.h"
+
+namespace torsio {
+
+/// The occasions that the record knows, and which of them a cohort uses. One call, one transaction.
+class OccasionRepository {
+ public:
+  explicit OccasionRepository(Connection& connection) : connection_(connection) {}
+
+  /// Lists all occasions in order of time, without times of exposure: those belong to curricula.
+  [[nodiscard]] Occasions all() const;
+  /// Adds an occasion after all others. Throws DbError{kUnique} when the code is taken.
+  void add(const Occasion& occasion);
+  /// Gives the codes at which somebody of a cohort was marked or a rater is asked for marks.
+  [[nodiscard]] std::set<std::string> usedBy(const std::string& cohortId) const;
+
+ private:
+  Connection& connection_;
+};
+
+}  // namespace torsio

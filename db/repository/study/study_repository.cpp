@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/study/study_repository.h"
+
+#include "db/connection/row_reader.h"
+#include "db/repository/base/field_digest.h"
+#include "db/repository/base/stored_term.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr const char* kAllocationColumns =
+    "id, design_id, sequence, enrolment_id, group_id, number_in_group, covariates_json, counts_before_json,"
+    " scores_json, draw_before, draw_after, enrolled_by, allocated_by, software_version, override_reason,"
+    " allocated_utc_us, demonstration, previous_hash, record_hash";
+
+StoredAllocation allocationOf(RowReader& row) {
+  return {.id = row.text(),
+          .designId = row.text(),
+          .sequence = row.int64(),
+          .enrolmentId = row.text(),
+          .groupId = row.text(),
+          .numberInGroup = row.int64(),
+          .covariatesJson = row.text(),
+          .countsBeforeJson = row.text(),
+          .scoresJson = row.text(),
+          .drawBefore = row.int64(),
+          .drawAfter = row.int64(),
+          .enrolledBy = row.text(),
+          .allocatedBy = row.text(),
+          .softwareVersion = row.text(),
+          .overrideReason = row.text(),
+          .allocatedUtc_us = row.int64(),
+          .demonstration = row.boolean(),
+          .previousHash = row.text(),
+          .recordHash = row.text()};
+}
+
+void insertAllocation(Statement& insert, const StoredAllocation& record) {
+  insert.execute({record.id, record.designId, record.sequence, record.enrolmentId, record.groupId,
+                  record.numberInGroup, record.covariatesJson, record.countsBeforeJson, record.scoresJson,
+                  record.drawBefore, record.drawAfter, record.enrolledBy, record.allocatedBy,
+                  record.softwareVersion, textOrNull(record.overrideReason), record.allocatedUtc_us,
+                  record.demonstration, record.previousHash, record.recordHash});
+}
+
+}  // namespace
+
+std::string allocationHash(const StoredAllocation& record) {
+  FieldDigest digest("torsio allocation 1");
+  digest.add(record.previousHash).add(record.id).add(record.designId).add(record.sequence);
+  digest.add(record.enrolmentId).add(record.groupId).add(record.numberInGroup).add(record.covariatesJson);
+  digest.add(record.countsBeforeJson).add(record.scoresJson).add(record.drawBefore).add(record.drawAfter);
+  digest.add(record.enrolledBy).add(record.allocatedBy).add(record.softwareVersion);
+  digest.add(record.overrideReason).add(record.allocatedUtc_us).add(record.demonstration ? 1 : 0);
+  return digest.hex();
+}
+
+void StudyRepository::setCentre(const StoredCentre& centre) {
+  Transaction transaction(connection_);
+  connection_.execute("DELETE FROM centre");
+  connection_.execute(insertInto("centre", "id, name, created_utc_us, demonstration"),
+                      {centre.id, centre.name, centre.createdUtc_us, centre.demonstration});
+  transaction.commit();
+}
+
+std::optional<StoredCentre> StudyRepository::centre() const {
+  return selectFirst(connection_, "SELECT id, name, created_utc_us, demonstration FROM centre", {},
+                     [](RowReader& row) {
+                       return StoredCentre{row.text(), row.text(), row.int64(), row.boolean()};
+                     });
+}
+
+void StudyRepository::addCohort(const StoredCohort& cohort, std::span<const StoredGroup> groups) {
+  Transaction transaction(connection_);
+  connection_.execute(
+      insertInto("cohort", "id, name, description, created_utc_us, demonstration"),
+      {cohort.id, cohort.name, cohort.description, cohort.createdUtc_us, cohort.demonstration});
+  Statement insert = connection_.prepare(insertInto("training_group", "id, cohort_id, number, code, label"));
+  for (const StoredGroup& group : groups) {
+    insert.execute({group.id, cohort.id, group.number, group.code, group.label});
+  }
+  transaction.commit();
+}
+
+std::vector<StoredCohort> StudyRepository::cohorts() const {
+  return selectAll(
+      connection_,
+      "SELECT id, name, description, created_utc_us, demonstration, curriculum_version_id FROM cohort"
+      " ORDER BY created_utc_us, name",
+      {}, [](RowReader& row) {
+        return StoredCohort{row.text(), row.text(), row.text(), row.int64(), row.boolean(), row.text()};
+      });
+}
+
+StoredCohort StudyRepository::cohort(const std::string& cohortId) const {
+  for (StoredCohort& one : cohorts()) {
+    if (one.id == cohortId) {
+      return std::move(one);
+    }
+  }
+  throw Error(ErrorCode::kBadData, "there is no such cohort", cohortId, "Choose one from the list");
+}
+
+std::vector<StoredGroup> StudyRepository::groups(const std::string& cohortId) const {
+  return selectAll(connection_,
+                   "SELECT id, cohort_id, number, code, label, arm_id FROM training_group WHERE cohort_id = ?"
+                   " ORDER BY number",
+                   {cohortId}, [](RowReader& row) {
+                     return StoredGroup{row.text(), row.text(), row.int64(),
+                                        row.text(), row.text(), row.text()};
+                   });
+}
+
+void StudyRepository::enrol(std::span<const StoredEnrolment> enrolments) {
+  Transaction transaction(connection_);
+  Statement insert = connection_.prepare(
+      insertInto("enrolment",
+                 "id, cohort_id, trainee_id, group_id, number_in_group, state, enrolled_utc_us,"
+                 " demonstration"));
+  for (const StoredEnrolment& enrolment : enrolments) {
+    insert.execute({enrolment.id, enrolment.cohortId, enrolment.traineeId, textOrNull(enrolment.groupId),
+                    enrolment.numberInGroup == 0 ? Value() : Value(enrolment.numberInGroup),
+                    storedText(enrolment.state), enrolment.enrolledUtc_us, enrolment.demonstration});
+  }
+  transaction.commit();
+}
+
+std::vector<StoredEnrolment> StudyRepository::enrolments(const std::string& cohortId) const {
+  return selectAll(
+      connection_,
+      "SELECT e.id, e.cohort_id, e.trainee_id, e.group_id, e.number_in_group, e.state, e.enrolled_utc_us,"
+      " e.demonstration, p.code, g.code FROM enrolment e JOIN person p ON p.id = e.trainee_id"
+      " LEFT JOIN training_group g ON g.id = e.group_id WHERE e.cohort_id = ?"
+      " ORDER BY COALESCE(g.number, 0), COALESCE(e.number_in_group, 0), p.code",
+      {cohortId}, [](RowReader& row) {
+        return StoredEnrolment{.id = row.text(),
+                               .cohortId = row.text(),
+                               .traineeId = row.text(),
+                               .groupId = row.text(),
+                               .numberInGroup = row.int64(),
+                               .state = readTerm<EnrolmentState>(row, "state"),
+                               .enrolledUtc_us = row.int64(),
+                               .demonstration = row.boolean(),
+                               .traineeCode = row.text(),
+                               .groupCode = row.text()};
+      });
+}
+
+void StudyRepository::setEnrolmentState(const std::string& enrolmentId, EnrolmentState state) {
+  connection_.execute("UPDATE enrolment SET state = ? WHERE id = ?", {storedText(state), enrolmentId});
+}
+
+void StudyRepository::lockDesign(const StoredAllocationDesign& design) {
+  Transaction transaction(connection_);
+  connection_.execute(
+      insertInto("allocation_design",
+                 "id, cohort_id, algorithm, algorithm_version, parameters_json, generator, seed_commitment,"
+                 " locked_utc_us, demonstration"),
+      {design.id, design.cohortId, design.algorithm, design.algorithmVersion, design.parametersJson,
+       design.generator, design.seedCommitment, design.lockedUtc_us, design.demonstration});
+  connection_.execute(insertInto("allocation_seed", "design_id, seed"), {design.id, design.seed});
+  transaction.commit();
+}
+
+void StudyRepository::revealSeed(const std::string& designId, std::int64_t utc_us) {
+  connection_.execute("UPDATE allocation_seed SET revealed_utc_us = ? WHERE design_id = ?",
+                      {utc_us, designId});
+}
+
+std::string StudyRepository::sealedSeed(const std::string& designId) const {
+  return selectFirst(connection_, "SELECT seed FROM allocation_seed WHERE design_id = ?", {designId},
+                     readText)
+      .value_or("");
+}
+
+std::vector<StoredAllocationDesign> StudyRepository::designs(const std::string& cohortId) const {
+  return selectAll(
+      connection_,
+      "SELECT d.id, d.cohort_id, d.algorithm, d.algorithm_version, d.parameters_json, d.generator,"
+      " d.seed_commitment, s.seed, d.locked_utc_us, d.demonstration FROM allocation_design d"
+      " LEFT JOIN allocation_seed s ON s.design_id = d.id AND s.revealed_utc_us IS NOT NULL"
+      " WHERE d.cohort_id = ? ORDER BY d.locked_utc_us, d.id",
+      {cohortId}, [](RowReader& row) {
+        return StoredAllocationDesign{.id = row.text(),
+                                      .cohortId = row.text(),
+                                      .algorithm = row.text(),
+                                      .algorithmVersion = row.text(),
+                                      .parametersJson = row.text(),
+                                      .generator = row.text(),
+                                      .seedCommitment = row.text(),
+                                      .seed = row.text(),
+                                      .lockedUtc_us = row.int64(),
+                                      .demonstration = row.boolean()};
+      });
+}
+
+std::vector<StoredAllocation> StudyRepository::allocate(std::span<const StoredAllocation> records) {
+  std::vector<StoredAllocation> stored;
+  Transaction transaction(connection_);
+  Statement last = connection_.prepare(
+      "SELECT sequence, record_hash FROM allocation WHERE design_id = ? ORDER BY sequence DESC LIMIT 1");
+  Statement insert = connection_.prepare(insertInto("allocation", kAllocationColumns));
+  Statement move = connection_.prepare("UPDATE enrolment SET group_id = ?, number_in_group = ? WHERE id = ?");
+  for (StoredAllocation record : records) {
+    last.execute({record.designId});
+    std::int64_t sequence = 0;
+    record.previousHash.clear();
+    while (last.step()) {
+      RowReader row(last);
+      sequence = row.int64();
+      record.previousHash = row.text();
+    }
+    if (record.sequence != sequence + 1) {
+      throw Error(ErrorCode::kBadData,
+                  Text("allocation number %1 does not follow %2", record.sequence, sequence), "allocation",
+                  "Read the list again and repeat");
+    }
+    record.recordHash = allocationHash(record);
+    insertAllocation(insert, record);
+    move.execute({record.groupId, record.numberInGroup, record.enrolmentId});
+    stored.push_back(std::move(record));
+  }
+  transaction.commit();
+  return stored;
+}
+
+std::vector<StoredAllocation> StudyRepository::allocations(const std::string& designId) const {
+  return selectAll(
+      connection_,
+      std::string("SELECT ") + kAllocationColumns + " FROM allocation WHERE design_id = ? ORDER BY sequence",
+      {designId}, allocationOf);
+}
+
+std::optional<std::int64_t> StudyRepository::firstBrokenAllocation(const std::string& designId) const {
+  std::string previous;
+  std::int64_t sequence = 0;
+  for (const StoredAllocation& record : allocations(designId)) {
+    ++sequence;
+    const bool fits = record.sequence == sequence && record.previousHash == previous &&
+                      record.recordHash == allocationHash(record);
+    if (!fits) {
+      return sequence;
+    }
+    previous = record.recordHash;
+  }
+  return std::nullopt;
+}
+
+void StudyRepository::addExposures(std::span<const StoredExposure> exposures) {
+  Transaction transaction(connection_);
+  Statement insert = connection_.prepare(insertInto(
+      "exposure",
+      "id, enrolment_id, phase_id, kind, started_utc_us, duration_us, recorded_by, demonstration"));
+  for (const StoredExposure& exposure : exposures) {
+    insert.execute({exposure.id, exposure.enrolmentId, textOrNull(exposure.phaseId), exposure.kind,
+                    exposure.startedUtc_us, exposure.duration_us, exposure.recordedBy,
+                    exposure.demonstration});
+  }
+  transaction.commit();
+}
+
+std::vector<StoredExposure> StudyRepository::exposures(const std::string& cohortId) const {
+  return selectAll(
+      connection_,
+      "SELECT x.id, x.enrolment_id, x.phase_id, x.kind, x.started_utc_us, x.duration_us, x.recorded_by,"
+      " x.demonstration FROM exposure x JOIN enrolment e ON e.id = x.enrolment_id WHERE e.cohort_id = ?"
+      " ORDER BY x.enrolment_id, x.started_utc_us, x.id",
+      {cohortId}, [](RowReader& row) {
+        return StoredExposure{row.text(),  row.text(),  row.text(), row.text(),
+                              row.int64(), row.int64(), row.text(), row.boolean()};
+      });
+}
+
+std::vector<std::string> StudyRepository::trialIds(const std::string& cohortId) const {
+  return selectAll(connection_,
+                   "SELECT t.id FROM trial t JOIN enrolment e ON e.id = t.enrolment_id WHERE e.cohort_id = ?"
+                   " ORDER BY t.started_utc_us, t.id",
+                   {cohortId}, readText);
+}
+
+std::vector<RunningTrial> StudyRepository::runningTrials(const std::string& cohortId) const {
+  return selectAll(connection_,
+                   "SELECT t.id, t.enrolment_id, t.station, t.phase_label, t.started_utc_us FROM trial t"
+                   " JOIN enrolment e ON e.id = t.enrolment_id LEFT JOIN trial_end x ON x.trial_id = t.id"
+                   " WHERE e.cohort_id = ? AND x.trial_id IS NULL ORDER BY t.started_utc_us DESC, t.id",
+                   {cohortId}, [](RowReader& row) {
+                     return RunningTrial{row.text(), row.text(), row.text(), row.text(), row.int64()};
+                   });
+}
+
+void StudyRepository::addDeviation(const StoredDeviation& deviation) {
+  connection_.execute(
+      insertInto("deviation",
+                 "id, cohort_id, enrolment_id, kind, description, happened_utc_us, reported_by,"
+                 " reported_utc_us, demonstration"),
+      {deviation.id, deviation.cohortId, textOrNull(deviation.enrolmentId), deviation.kind,
+       textOrNull(deviation.description), deviation.happenedUtc_us, deviation.reportedBy,
+       deviation.reportedUtc_us, deviation.demonstration});
+}
+
+std::vector<StoredDeviation> StudyRepository::deviations(const std::string& cohortId) const {
+  return selectAll(
+      connection_,
+      "SELECT id, cohort_id, enrolment_id, kind, description, happened_utc_us, reported_by, reported_utc_us,"
+      " demonstration FROM deviation WHERE cohort_id = ? ORDER BY happened_utc_us, id",
+      {cohortId}, [](RowReader& row) {
+        return StoredDeviation{row.text(),  row.text(), row.text(),  row.text(),   row.text(),
+                               row.int64(), row.text(), row.int64(), row.boolean()};
+      });
+}
+
+}  // namespace torsio

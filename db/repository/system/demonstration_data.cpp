@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/system/demonstration_data.h"
+
+#include <array>
+#include <map>
+
+#include "db/connection/row_reader.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/base/seals.h"
+#include "db/repository/system/schema_tables.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr const char* kNone = "FALSE";
+constexpr const char* kFlag = "demonstration";
+/// What a station shows now belongs to the station, not to the trial.
+constexpr const char* kStations = "station_state";
+
+using Conditions = std::map<std::string, std::string>;
+
+std::string listOf(const std::vector<std::string>& columns) {
+  std::string list;
+  for (const std::string& column : columns) {
+    list.append(list.empty() ? "" : ", ").append(column);
+  }
+  return "(" + list + ")";
+}
+
+/// Rows that name a row of the parent on which `condition` holds.
+std::string refersTo(const TableReference& reference, const std::string& condition) {
+  const std::string parents = listOf(reference.parentColumns);
+  return listOf(reference.columns) + " IN (SELECT " + parents.substr(1, parents.size() - 2) + " FROM " +
+         reference.parent + " WHERE " + condition + ")";
+}
+
+Conditions conditionsOf(const std::vector<SchemaTable>& tables) {
+  Conditions conditions;
+  for (const SchemaTable& table : tables) {
+    std::string condition = kNone;
+    if (table.has(kFlag)) {
+      condition = std::string(kFlag) + " = TRUE";
+    } else if (!table.references.empty() && table.name != kStations) {
+      const TableReference& owner = table.references.front();
+      const std::string& parent = conditions.at(owner.parent);
+      if (parent != kNone) {
+        condition = refersTo(owner, parent);
+      }
+    }
+    conditions[table.name] = condition;
+  }
+  return conditions;
+}
+
+std::int64_t countOf(Connection& connection, const std::string& table, const std::string& condition) {
+  if (condition == kNone) {
+    return 0;
+  }
+  return selectFirst(connection, "SELECT count(*) FROM " + table + " WHERE " + condition, {}, readInt64)
+      .value_or(0);
+}
+
+std::vector<DemonstrationUse> usesOf(Connection& connection, const std::vector<SchemaTable>& tables,
+                                     const Conditions& conditions) {
+  std::vector<DemonstrationUse> uses;
+  for (const SchemaTable& table : tables) {
+    if (table.name == kStations) {
+      continue;
+    }
+    for (const TableReference& reference : table.references) {
+      const std::string& parent = conditions.at(reference.parent);
+      if (parent == kNone) {
+        continue;
+      }
+      const std::int64_t rows =
+          countOf(connection, table.name,
+                  "NOT (" + conditions.at(table.name) + ") AND " + refersTo(reference, parent));
+      if (rows > 0) {
+        uses.push_back({table.name, reference.parent, rows});
+      }
+    }
+  }
+  return uses;
+}
+
+/// Entries for the sealed rows that go, so that the trail does not miss them.
+std::vector<AuditEntry> farewells(Connection& connection, const Conditions& conditions,
+                                  const AuditEntry& pattern) {
+  struct Sealed {
+    const char* kind;
+    const char* table;
+    const char* id;
+  };
+  constexpr std::array<Sealed, 3> kSealed{{{kSealedMark, "training_mark", "id"},
+                                           {kSealedEvaluationMark, "evaluation_mark", "id"},
+                                           {kSealedTrial, "trial_end", "trial_id"}}};
+  std::vector<AuditEntry> entries;
+  for (const Sealed& sealed : kSealed) {
+    const std::string select = std::string("SELECT ") + sealed.id + " FROM " + sealed.table + " WHERE " +
+                               conditions.at(sealed.table) + " ORDER BY " + sealed.id;
+    for (const std::string& id : selectAll(connection, select, {}, readText)) {
+      AuditEntry entry = pattern;
+      entry.objectKind = sealed.kind;
+      entry.objectId = id;
+      entries.push_back(entry);
+    }
+  }
+  return entries;
+}
+
+void refuseUses(Connection& connection, const std::vector<DemonstrationUse>& uses) {
+  if (uses.empty()) {
+    return;
+  }
+  const DemonstrationUse& use = uses.front();
+  throw Error(ErrorCode::kBadData,
+              Text("real data use the demonstration: %1 rows of %2 refer to simulated rows of %3", use.rows,
+                   use.table, use.used),
+              connection.location(), "Finish or move what uses them first; nothing was removed");
+}
+
+}  // namespace
+
+std::vector<DemonstrationRows> demonstrationRows(Connection& connection) {
+  const std::vector<SchemaTable> tables = tablesInReferenceOrder(connection);
+  const Conditions conditions = conditionsOf(tables);
+  std::vector<DemonstrationRows> rows;
+  for (const SchemaTable& table : tables) {
+    const std::string& condition = conditions.at(table.name);
+    rows.push_back({table.name, condition, countOf(connection, table.name, condition)});
+  }
+  return rows;
+}
+
+std::vector<DemonstrationUse> usesOfDemonstration(Connection& connection) {
+  const std::vector<SchemaTable> tables = tablesInReferenceOrder(connection);
+  return usesOf(connection, tables, conditionsOf(tables));
+}
+
+std::vector<DemonstrationRows> removeDemonstration(Connection& connection, const std::string& requestedBy,
+                                                   const std::string& station, const std::string& reason,
+                                                   std::int64_t utc_us) {
+  Transaction transaction(connection);
+  const std::vector<SchemaTable> tables = tablesInReferenceOrder(connection);
+  const Conditions conditions = conditionsOf(tables);
+  refuseUses(connection, usesOf(connection, tables, conditions));
+  AuditEntry entry;
+  entry.atUtc_us = utc_us;
+  entry.actor = requestedBy;
+  entry.station = station;
+  entry.action = kDemonstrationRemoved;
+  entry.reason = reason;
+  std::vector<AuditEntry> entries = farewells(connection, conditions, entry);
+
+  constexpr const char* kGate = "demonstration";
+  connection.execute(insertInto("erasure_gate", "id, reason, opened_utc_us"), {kGate, reason, utc_us});
+  connection.execute(
+      "UPDATE station_state SET trial_id = NULL WHERE trial_id IN (SELECT id FROM trial WHERE " +
+      conditions.at("trial") + ")");
+  std::vector<DemonstrationRows> removed;
+  std::int64_t all = 0;
+  for (auto table = tables.rbegin(); table != tables.rend(); ++table) {
+    const std::string& condition = conditions.at(table->name);
+    if (condition == kNone) {
+      continue;
+    }
+    const std::int64_t rows = connection.execute("DELETE FROM " + table->name + " WHERE " + condition);
+    if (rows > 0) {
+      removed.push_back({table->name, condition, rows});
+    }
+    all += rows;
+  }
+  connection.execute("DELETE FROM erasure_gate WHERE id = ?", {kGate});
+  entry.objectKind = "demonstration";
+  entry.newJson = R"({"rows_removed":)" + std::to_string(all) + "}";
+  entries.push_back(entry);
+  AuditRepository(connection).append(entries);
+  transaction.commit();
+  return removed;
+}
+
+}  // namespace torsio

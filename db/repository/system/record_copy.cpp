@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/system/record_copy.h"
+
+#include <algorithm>
+#include <array>
+
+#include "db/connection/row_reader.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/system/audit_verification.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+/// Filled by the migrations themselves: rows here do not make a record a used one.
+constexpr std::array<std::string_view, 4> kSeeded{"scoring_point", "role", "operation", "role_operation"};
+constexpr std::int64_t kProgressEvery = 500;
+
+bool isSeeded(const std::string& table) {
+  return std::find(kSeeded.begin(), kSeeded.end(), table) != kSeeded.end();
+}
+
+std::int64_t countOf(Connection& connection, const std::string& table) {
+  return selectFirst(connection, "SELECT count(*) FROM " + table, {}, readInt64).value_or(0);
+}
+
+std::vector<std::string> schemaSteps(Connection& connection) {
+  return selectAll(connection, "SELECT checksum FROM schema_migration ORDER BY version", {}, readText);
+}
+
+/// A table with rows of a used record; empty: none.
+std::string usedTable(Connection& connection, const std::vector<SchemaTable>& tables) {
+  for (const SchemaTable& table : tables) {
+    if (!isSeeded(table.name) && countOf(connection, table.name) > 0) {
+      return table.name;
+    }
+  }
+  return {};
+}
+
+void requireFit(Connection& from, Connection& to, const std::vector<SchemaTable>& tables) {
+  if (schemaSteps(from) != schemaSteps(to)) {
+    throw Error(ErrorCode::kBadData, "the two databases have different schemas", to.location(),
+                "Open both with this version of Torsio first");
+  }
+  if (const std::string used = usedTable(to, tables); !used.empty()) {
+    throw Error(ErrorCode::kBadData, Text("the target is not empty: it has rows in the table %1", used),
+                to.location(), "Name a new file, or an empty database");
+  }
+}
+
+void clearSeeds(Connection& to, const std::vector<SchemaTable>& tables) {
+  for (auto table = tables.rbegin(); table != tables.rend(); ++table) {
+    if (isSeeded(table->name)) {
+      to.execute("DELETE FROM " + table->name);
+    }
+  }
+}
+
+void copyTable(Connection& from, Connection& to, const SchemaTable& table,
+               const std::function<void()>& step) {
+  std::string marks;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    marks += i == 0 ? "?" : ", ?";
+  }
+  Statement insert =
+      to.prepare("INSERT INTO " + table.name + " (" + table.columnList() + ") VALUES (" + marks + ")");
+  std::vector<Value> values(table.columns.size());
+  forEachRow(from, table, "", [&](const Statement& row) {
+    for (std::size_t column = 0; column < values.size(); ++column) {
+      values[column] = row.value(static_cast<int>(column));
+      const auto* number = std::get_if<std::int64_t>(&values[column].storage());
+      if (table.columns[column].boolean && number != nullptr) {
+        values[column] = *number != 0;
+      }
+    }
+    insert.execute(values);
+    step();
+  });
+}
+
+void requireSame(Connection& to, const TableDigest& original, const TableDigest& copy) {
+  if (original == copy) {
+    return;
+  }
+  throw Error(ErrorCode::kVerifyFailed,
+              Text("the table %1 differs after copying (%2 rows before, %3 after); nothing was kept",
+                   original.table, original.rows, copy.rows),
+              to.location(), "Check both machines, then copy again");
+}
+
+VerifyProgress verifyProgress(const CopyProgress& progress, CopyPhase phase) {
+  if (!progress) {
+    return {};
+  }
+  return [&progress, phase](std::int64_t done, std::int64_t all) { progress({phase, {}, done, all}); };
+}
+
+/// `rows`: of all tables; both sides are read.
+void compareTables(Connection& from, Connection& to, const std::vector<SchemaTable>& tables,
+                   std::int64_t rows, CopyReport& report, const CopyProgress& progress) {
+  std::int64_t done = 0;
+  for (const SchemaTable& table : tables) {
+    const auto step = [&] {
+      if (++done % kProgressEvery == 0 && progress) {
+        progress({CopyPhase::kComparing, table.name, done, 2 * rows});
+      }
+    };
+    report.tables.push_back(digestOf(from, table, {}, step));
+    requireSame(to, report.tables.back(), digestOf(to, table, {}, step));
+  }
+}
+
+}  // namespace
+
+bool isEmptyRecord(Connection& connection) {
+  return usedTable(connection, tablesInReferenceOrder(connection)).empty();
+}
+
+CopyReport copyRecord(Connection& from, Connection& to, const CopyProgress& progress) {
+  const std::vector<SchemaTable> tables = tablesInReferenceOrder(from);
+  requireFit(from, to, tables);
+  Transaction reading(from);
+  if (from.engine() == Engine::kPostgresql) {
+    from.executeVerbatim("SET TRANSACTION ISOLATION LEVEL REPEATABLE READ");  // one moment for all tables
+  }
+  const std::vector<AuditFinding> findings =
+      verifyAuditTrail(from, verifyProgress(progress, CopyPhase::kVerifying));
+  if (!findings.empty()) {
+    throw Error(ErrorCode::kBadData, Text("its audit trail does not verify (%1 findings)", findings.size()),
+                from.location(), "Run torsio audit verify on it and restore a backup");
+  }
+  std::int64_t all = 0;
+  for (const SchemaTable& table : tables) {
+    all += countOf(from, table.name);
+  }
+
+  Transaction writing(to);
+  requireFit(from, to, tables);  // again, now that nobody else can write in between
+  clearSeeds(to, tables);
+  CopyReport report;
+  for (const SchemaTable& table : tables) {
+    copyTable(from, to, table, [&] {
+      if (++report.rows % kProgressEvery == 0 && progress) {
+        progress({CopyPhase::kCopying, table.name, report.rows, all});
+      }
+    });
+  }
+  compareTables(from, to, tables, all, report, progress);
+  if (!verifyAuditTrail(to, verifyProgress(progress, CopyPhase::kVerifyingCopy)).empty()) {
+    throw Error(ErrorCode::kVerifyFailed, "the audit trail does not verify after copying; nothing was kept",
+                to.location(), "Check both machines, then copy again");
+  }
+  report.auditEntries = AuditRepository(to).length();
+  writing.commit();
+  reading.commit();
+  return report;
+}
+
+}  // namespace torsio

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "db/connection/connection.h"
+
+namespace torsio {
+
+/// Named choices of the centre ("language", "idle_lock_s"), the same for all its stations.
+class SettingRepository {
+ public:
+  explicit SettingRepository(Connection& connection) : connection_(connection) {}
+
+  [[nodiscard]] std::optional<std::string> value(const std::string& name) const;
+  /// All of them, by name.
+  [[nodiscard]] std::map<std::string, std::string> values() const;
+  void set(const std::string& name, const std::string& value, std::int64_t changedUtc_us);
+
+ private:
+  Connection& connection_;
+};
+
+}  // namespace torsio

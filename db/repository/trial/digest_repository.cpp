@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/trial/digest_repository.h"
+
+#include <bit>
+#include <limits>
+
+#include "db/connection/row_reader.h"
+#include "sim/base/contracts.h"
+#include "sim/base/error.h"
+
+namespace torsio {
+
+namespace {
+
+static_assert(std::numeric_limits<double>::is_iec559);
+constexpr std::size_t kNumberBytes = 8;
+constexpr std::size_t kAttemptBytes = kNumberBytes + 1;
+constexpr std::size_t kLongestId = 255;
+constexpr double kNoLimit = -1.0;
+
+[[noreturn]] void refuseCutOff(const std::string& trialId) {
+  throw Error(ErrorCode::kBadData, "the digest of a recording is cut off", trialId,
+              "Check the database, and restore a backup");
+}
+
+void appendNumber(Blob& bytes, double number) {
+  const auto bits = std::bit_cast<std::uint64_t>(number);
+  for (std::size_t i = 0; i < kNumberBytes; ++i) {
+    bytes.push_back(static_cast<std::byte>(bits >> (8 * i)));
+  }
+}
+
+double numberAt(const Blob& bytes, std::size_t at) {
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < kNumberBytes; ++i) {
+    bits |= std::to_integer<std::uint64_t>(bytes[at + i]) << (8 * i);
+  }
+  return std::bit_cast<double>(bits);
+}
+
+Blob packed(const std::vector<std::pair<double, bool>>& attempts) {
+  Blob bytes;
+  bytes.reserve(attempts.size() * kAttemptBytes);
+  for (const auto& [error_deg, onTarget] : attempts) {
+    appendNumber(bytes, error_deg);
+    bytes.push_back(onTarget ? std::byte{1} : std::byte{0});
+  }
+  return bytes;
+}
+
+std::vector<std::pair<double, bool>> attemptsFrom(const Blob& bytes, const std::string& trialId) {
+  if (bytes.size() % kAttemptBytes != 0) {
+    refuseCutOff(trialId);
+  }
+  std::vector<std::pair<double, bool>> attempts;
+  attempts.reserve(bytes.size() / kAttemptBytes);
+  for (std::size_t at = 0; at < bytes.size(); at += kAttemptBytes) {
+    attempts.emplace_back(numberAt(bytes, at), bytes[at + kNumberBytes] != std::byte{0});
+  }
+  return attempts;
+}
+
+Blob packed(const std::map<std::string, double>& measures) {
+  Blob bytes;
+  for (const auto& [id, value] : measures) {
+    TORSIO_EXPECTS(id.size() <= kLongestId);
+    bytes.push_back(static_cast<std::byte>(id.size()));
+    for (const char letter : id) {
+      bytes.push_back(static_cast<std::byte>(letter));
+    }
+    appendNumber(bytes, value);
+  }
+  return bytes;
+}
+
+std::map<std::string, double> measuresFrom(const Blob& bytes, const std::string& trialId) {
+  std::map<std::string, double> measures;
+  for (std::size_t at = 0; at < bytes.size();) {
+    const auto length = std::to_integer<std::size_t>(bytes[at]);
+    ++at;
+    if (bytes.size() - at < length + kNumberBytes) {
+      refuseCutOff(trialId);
+    }
+    std::string id;
+    for (std::size_t i = 0; i < length; ++i) {
+      id.push_back(static_cast<char>(bytes[at + i]));
+    }
+    measures[id] = numberAt(bytes, at + length);
+    at += length + kNumberBytes;
+  }
+  return measures;
+}
+
+std::optional<double> limitFrom(double stored) {
+  return stored >= 0.0 ? std::optional(stored) : std::nullopt;
+}
+
+constexpr const char* kColumns =
+    "d.trial_id, d.formula_version, d.tolerance_rad, d.force_limit_n, d.torque_limit_nm, d.content_hash,"
+    " d.model, d.duration_us, d.unfinished_twists, d.mean_absolute_error_deg, d.peak_torque_nm,"
+    " d.peak_force_n, d.attempts, d.measures, d.computed_utc_us";
+
+StoredTrialDigest digestFrom(RowReader& row) {
+  StoredTrialDigest digest;
+  digest.trialId = row.text();
+  digest.formulaVersion = row.int64();
+  digest.tolerance_rad = row.real();
+  digest.forceLimit_N = limitFrom(row.real());
+  digest.torqueLimit_Nm = limitFrom(row.real());
+  digest.contentHash = row.text();
+  digest.model = row.text();
+  digest.duration_us = row.int64();
+  digest.unfinishedTwists = row.int64();
+  digest.meanAbsoluteError_deg = row.maybeReal();
+  digest.peakTorque_Nm = row.maybeReal();
+  digest.peakForce_N = row.maybeReal();
+  digest.attempts = attemptsFrom(row.blob(), digest.trialId);
+  digest.measures = measuresFrom(row.blob(), digest.trialId);
+  digest.computedUtc_us = row.int64();
+  return digest;
+}
+
+}  // namespace
+
+void DigestRepository::add(std::span<const StoredTrialDigest> digests) {
+  Transaction transaction(connection_);
+  Statement insert = connection_.prepare(
+      insertInto("trial_digest",
+                 "trial_id, formula_version, tolerance_rad, force_limit_n, torque_limit_nm, content_hash,"
+                 " model, duration_us, unfinished_twists, mean_absolute_error_deg, peak_torque_nm,"
+                 " peak_force_n, attempts, measures, computed_utc_us") +
+      " ON CONFLICT (trial_id, formula_version, tolerance_rad, force_limit_n, torque_limit_nm) DO NOTHING");
+  for (const StoredTrialDigest& digest : digests) {
+    insert.execute({digest.trialId, digest.formulaVersion, digest.tolerance_rad,
+                    digest.forceLimit_N.value_or(kNoLimit), digest.torqueLimit_Nm.value_or(kNoLimit),
+                    digest.contentHash, digest.model, digest.duration_us, digest.unfinishedTwists,
+                    digest.meanAbsoluteError_deg, digest.peakTorque_Nm, digest.peakForce_N,
+                    packed(digest.attempts), packed(digest.measures), digest.computedUtc_us});
+  }
+  transaction.commit();
+}
+
+std::multimap<std::string, StoredTrialDigest> DigestRepository::ofCohort(const std::string& cohortId,
+                                                                         std::int64_t formulaVersion) const {
+  std::multimap<std::string, StoredTrialDigest> digests;
+  for (StoredTrialDigest& digest :
+       selectAll(connection_,
+                 std::string("SELECT ") + kColumns +
+                     " FROM enrolment e JOIN trial t ON t.enrolment_id = e.id"
+                     " JOIN trial_digest d ON d.trial_id = t.id AND d.formula_version = ?"
+                     " WHERE e.cohort_id = ?",
+                 {formulaVersion, cohortId}, digestFrom)) {
+    std::string id = digest.trialId;
+    digests.emplace(std::move(id), std::move(digest));
+  }
+  return digests;
+}
+
+std::vector<StoredTrialDigest> DigestRepository::ofTrial(const std::string& trialId,
+                                                         std::int64_t formulaVersion) const {
+  return selectAll(connection_,
+                   std::string("SELECT ") + kColumns +
+                       " FROM trial_digest d WHERE d.trial_id = ? AND d.formula_version = ?",
+                   {trialId, formulaVersion}, digestFrom);
+}
+
+std::optional<StoredExerciseRules> DigestRepository::rulesOfModule(const std::string& moduleId) const {
+  return selectFirst(connection_,
+                     "SELECT tolerance_rad, hold_us, max_force_n, max_torque_nm FROM module WHERE id = ?",
+                     {moduleId}, [](RowReader& row) {
+                       StoredExerciseRules rules;
+                       rules.tolerance_rad = row.real();
+                       rules.hold_us = row.int64();
+                       rules.forceLimit_N = row.maybeReal();
+                       rules.torqueLimit_Nm = row.maybeReal();
+                       return rules;
+                     });
+}
+
+}  // namespace torsio

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/trial/question_repository.h"
+
+#include <algorithm>
+
+#include "db/connection/row_reader.h"
+
+namespace torsio {
+
+namespace {
+
+const std::string kQuestions =
+    "SELECT q.remark_id, q.rater_id, q.asked_utc_us, m.trial_id, m.author_person_id, m.time_us, m.text"
+    " FROM trial_question q JOIN trial_remark m ON m.id = q.remark_id WHERE ";
+
+bool waits(const StoredQuestion& question) {
+  return question.answerId.empty();
+}
+
+}  // namespace
+
+void QuestionRepository::add(const StoredQuestion& question) {
+  connection_.execute(insertInto("trial_question", "remark_id, rater_id, asked_utc_us"),
+                      {question.remarkId, question.raterId, question.askedUtc_us});
+}
+
+std::vector<StoredQuestion> QuestionRepository::read(const std::string& condition,
+                                                     const std::string& value) const {
+  std::vector<StoredQuestion> questions =
+      selectAll(connection_, kQuestions + condition, {value}, [](RowReader& row) {
+        return StoredQuestion{.remarkId = row.text(),
+                              .raterId = row.text(),
+                              .askedUtc_us = row.int64(),
+                              .trialId = row.text(),
+                              .personId = row.text(),
+                              .time_us = row.int64(),
+                              .text = row.text()};
+      });
+  Statement answer = connection_.prepare(
+      "SELECT id, text, created_utc_us FROM trial_remark WHERE reply_to = ? AND author_person_id = ?"
+      " ORDER BY created_utc_us, id LIMIT 1");
+  for (StoredQuestion& question : questions) {
+    answer.execute({question.remarkId, question.raterId});
+    while (answer.step()) {
+      RowReader row(answer);
+      question.answerId = row.text();
+      question.answerText = row.text();
+      question.answeredUtc_us = row.int64();
+    }
+  }
+  return questions;
+}
+
+std::optional<StoredQuestion> QuestionRepository::find(const std::string& remarkId) const {
+  std::vector<StoredQuestion> found = read("q.remark_id = ?", remarkId);
+  return found.empty() ? std::nullopt : std::optional(found.front());
+}
+
+std::vector<StoredQuestion> QuestionRepository::ofTrial(const std::string& trialId) const {
+  return read("m.trial_id = ? ORDER BY m.time_us, q.asked_utc_us, q.remark_id", trialId);
+}
+
+std::vector<StoredQuestion> QuestionRepository::toRater(const std::string& raterId) const {
+  std::vector<StoredQuestion> questions =
+      read("q.rater_id = ? ORDER BY q.asked_utc_us, q.remark_id", raterId);
+  const auto answered = std::stable_partition(questions.begin(), questions.end(), waits);
+  std::reverse(answered, questions.end());
+  return questions;
+}
+
+std::string QuestionRepository::lastAsked(const std::string& personId) const {
+  return selectFirst(connection_,
+                     "SELECT q.rater_id FROM trial_question q JOIN trial_remark m ON m.id = q.remark_id"
+                     " WHERE m.author_person_id = ? ORDER BY q.asked_utc_us DESC, q.remark_id LIMIT 1",
+                     {personId}, readText)
+      .value_or("");
+}
+
+bool QuestionRepository::isScored(const std::string& trialId) const {
+  return selectFirst(connection_,
+                     "SELECT EXISTS (SELECT 1 FROM assignment WHERE trial_id = ?)"
+                     " OR EXISTS (SELECT 1 FROM training_mark WHERE trial_id = ?)"
+                     " OR EXISTS (SELECT 1 FROM reference_run WHERE trial_id = ?)",
+                     {trialId, trialId, trialId}, readBoolean)
+      .value_or(false);
+}
+
+}  // namespace torsio

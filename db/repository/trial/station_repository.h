@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "db/connection/connection.h"
+
+namespace torsio {
+
+/// What a station does now.
+struct StationState {
+  std::string station{};
+  std::string trialId{};  ///< that runs there; empty: none
+  std::string userId{};   ///< signed in there; empty: nobody
+  std::string softwareVersion{};
+  std::int64_t heartbeatUtc_us = 0;  ///< last sign of life
+  std::string deviceJson{};          ///< app/session/care/station_device.h; empty: no training station
+  bool deviceHaptic = false;
+  std::string deviceLight{};             ///< of the last check: "green", "amber", "red"; empty: not checked
+  std::string deviceProblemJson{};       ///< empty: none
+  std::int64_t deviceCheckedUtc_us = 0;  ///< 0: not checked
+  std::string traineeCode{};             ///< filled when read: of the running trial
+  std::string sceneId{};                 ///< filled when read
+  std::string phaseLabel{};              ///< filled when read
+  std::int64_t startedUtc_us = 0;        ///< filled when read: of the running trial; 0: none
+  bool ended = false;                    ///< filled when read: the trial has its closing row already
+};
+
+/// A station that gave no sign of life for so long is shown as not answering.
+inline constexpr std::int64_t kStationSilence_us = 30'000'000;
+
+/// Signs of life of all stations: who records what where, for the board and for whoever wants to take over.
+class StationRepository {
+ public:
+  explicit StationRepository(Connection& connection) : connection_(connection) {}
+
+  /// Writes or overwrites the row of one station. Throws DbError (kForeignKey) when there is no such trial.
+  void heartbeat(const StationState& state);
+  /// The station is closed down in good order.
+  void leave(const std::string& station);
+  [[nodiscard]] std::optional<StationState> find(const std::string& station) const;
+  /// All, by name.
+  [[nodiscard]] std::vector<StationState> board() const;
+  /// Who owns a trial that runs: the station that last showed it with a sign of life after
+  /// `aliveSinceUtc_us`, unless the trial has ended. Empty: nobody, so that its own station may close it.
+  [[nodiscard]] std::optional<StationState> ownerOf(const std::string& trialId,
+                                                    std::int64_t aliveSinceUtc_us) const;
+
+ private:
+  Connection& connection_;
+};
+
+}  // namespace torsio

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/repository/trial/trial_repository.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "db/connection/row_reader.h"
+#include "db/repository/base/audit_repository.h"
+#include "db/repository/base/insert_idempotent.h"
+#include "db/repository/base/seals.h"
+#include "db/repository/base/stored_term.h"
+#include "sim/base/clock.h"
+#include "sim/base/contracts.h"
+#include "sim/base/error.h"
+#include "sim/record/content_hash.h"
+
+namespace torsio {
+
+namespace {
+
+using Kind = IdempotentColumn::Kind;
+
+constexpr const char* kCompleted = "completed";
+constexpr const char* kInterrupted = "interrupted";
+
+constexpr const char* kSelectHeader =
+    "SELECT t.id, p.code, t.scene_id, t.pattern_id, t.organ_hash, t.parameter_hash, t.parameters_json,"
+    " t.device_model, t.device_max_force_n, t.device_continuous_force_n, t.device_max_stiffness_n_per_m,"
+    " t.workspace_min_x_m, t.workspace_min_y_m, t.workspace_min_z_m,"
+    " t.workspace_max_x_m, t.workspace_max_y_m, t.workspace_max_z_m,"
+    " t.software_version, t.phase_label, t.drive, t.target_angle_rad, t.force_scale, t.tick_period_us,"
+    " t.started_utc_us, t.demonstration"
+    " FROM trial t LEFT JOIN person p ON p.id = t.trainee_id WHERE t.id = ?";
+
+DeviceLimits deviceLimitsOf(RowReader& row) {
+  return {.maxForce_N = row.real(),
+          .continuousForce_N = row.real(),
+          .maxStiffness_N_per_m = row.real(),
+          .workspaceMin_m = {row.real(), row.real(), row.real()},
+          .workspaceMax_m = {row.real(), row.real(), row.real()}};
+}
+
+TrialHeader headerOf(RowReader& row) {
+  return {.trialId = row.text(),
+          .traineeCode = row.text(),
+          .sceneId = row.text(),
+          .patternId = row.text(),
+          .organHash = row.text(),
+          .parameterHash = row.text(),
+          .parametersJson = row.text(),
+          .deviceModel = row.text(),
+          .deviceLimits = deviceLimitsOf(row),
+          .softwareVersion = row.text(),
+          .phaseLabel = row.text(),
+          .drive = static_cast<TwistDrive>(row.int64()),
+          .targetAngle_rad = row.real(),
+          .forceScale = row.real(),
+          .tickPeriod_us = row.int64(),
+          .startedUtc_us = row.int64(),
+          .demonstration = row.boolean()};
+}
+
+/// The closing row `e` of a trial, as summaryOf() reads it.
+const std::string kSummaryColumns =
+    "e.sample_count, e.refused_samples, e.late_ticks, e.outcome, e.content_hash";
+constexpr int kSummaryColumnCount = 5;
+
+TrialSummary summaryOf(RowReader& row) {
+  return {.samples = row.int64(),
+          .refusedSamples = row.int64(),
+          .lateTicks = row.int64(),
+          .outcome = row.text() == kCompleted ? TrialOutcome::kCompleted : TrialOutcome::kInterrupted,
+          .contentHash = row.text()};
+}
+
+/// Empty for a trial without its closing row.
+std::optional<TrialSummary> maybeSummaryOf(RowReader& row) {
+  if (row.nextIsNull()) {
+    row.skip(kSummaryColumnCount);
+    return std::nullopt;
+  }
+  return summaryOf(row);
+}
+
+const std::string kSelectListing =
+    "SELECT t.id, p.code, t.enrolment_id, t.station, t.scene_id, t.pattern_id, t.phase_label,"
+    " t.started_utc_us, t.demonstration, " +
+    kSummaryColumns +
+    ", t.module_id, t.phase_id, t.attempt_mode"
+    " FROM trial t LEFT JOIN person p ON p.id = t.trainee_id LEFT JOIN trial_end e ON e.trial_id = t.id";
+
+TrialListing listingOf(RowReader& row) {
+  return {.trialId = row.text(),
+          .traineeCode = row.text(),
+          .enrolmentId = row.text(),
+          .station = row.text(),
+          .sceneId = row.text(),
+          .patternId = row.text(),
+          .phaseLabel = row.text(),
+          .startedUtc_us = row.int64(),
+          .demonstration = row.boolean(),
+          .summary = maybeSummaryOf(row),
+          .moduleId = row.text(),
+          .phaseId = row.text(),
+          .attemptMode = readMaybeTerm<AttemptMode>(row, "attempt_mode")};
+}
+
+TrialChunk chunkOf(RowReader& row) {
+  return {.index = row.int64(),
+          .firstTick = row.int64(),
+          .samples = row.int64(),
+          .bytes = row.blob(),
+          .digest = row.text(),
+          .outputDigest = row.text()};
+}
+
+void insertChunk(Connection& connection, const std::string& trialId, const TrialChunk& chunk) {
+  const std::array<IdempotentColumn, 8> columns{{{"trial_id", trialId, Kind::kKey},
+                                                 {"chunk_index", chunk.index, Kind::kKey},
+                                                 {"first_tick", chunk.firstTick},
+                                                 {"sample_count", chunk.samples},
+                                                 {"digest", chunk.digest},
+                                                 {"output_digest", chunk.outputDigest},
+                                                 {"stored_utc_us", utcNow_us(), Kind::kIgnored},
+                                                 {"bytes", chunk.bytes}}};
+  insertIdempotent(connection, "trial_chunk", columns,
+                   "second " + std::to_string(chunk.index + 1) + " of trial " + trialId);
+}
+
+std::vector<IdempotentColumn> headerColumns(const TrialHeader& header, Value trainee) {
+  const DeviceLimits& limits = header.deviceLimits;
+  return {{"id", header.trialId, Kind::kKey},
+          {"trainee_id", std::move(trainee)},
+          {"scene_id", header.sceneId},
+          {"pattern_id", header.patternId},
+          {"organ_hash", header.organHash},
+          {"parameter_hash", header.parameterHash},
+          {"parameters_json", header.parametersJson},
+          {"device_model", header.deviceModel},
+          {"device_max_force_n", limits.maxForce_N},
+          {"device_continuous_force_n", limits.continuousForce_N},
+          {"device_max_stiffness_n_per_m", limits.maxStiffness_N_per_m},
+          {"workspace_min_x_m", limits.workspaceMin_m.x},
+          {"workspace_min_y_m", limits.workspaceMin_m.y},
+          {"workspace_min_z_m", limits.workspaceMin_m.z},
+          {"workspace_max_x_m", limits.workspaceMax_m.x},
+          {"workspace_max_y_m", limits.workspaceMax_m.y},
+          {"workspace_max_z_m", limits.workspaceMax_m.z},
+          {"software_version", header.softwareVersion},
+          {"phase_label", header.phaseLabel},
+          {"drive", static_cast<std::int64_t>(header.drive)},
+          {"target_angle_rad", header.targetAngle_rad},
+          {"force_scale", header.forceScale},
+          {"tick_period_us", header.tickPeriod_us},
+          {"started_utc_us", header.startedUtc_us},
+          {"demonstration", header.demonstration}};
+}
+
+std::vector<IdempotentColumn> contextColumns(const TrialContext& context, Kind kind) {
+  return {{"station", context.station, kind},
+          {"enrolment_id", textOrNull(context.enrolmentId), kind},
+          {"module_id", textOrNull(context.moduleId), kind},
+          {"phase_id", textOrNull(context.phaseId), kind},
+          {"attempt_mode", termOrNull(context.attemptMode), kind},
+          {"host_name", textOrNull(context.host.name), kind},
+          {"host_os", textOrNull(context.host.os), kind},
+          {"host_cpu", textOrNull(context.host.cpu), kind},
+          {"host_gpu", textOrNull(context.host.gpu), kind}};
+}
+
+Value traineeId(Connection& connection, const std::string& code) {
+  if (code.empty()) {
+    return {};
+  }
+  const std::optional<std::string> id = selectFirst(
+      connection, "SELECT t.person_id FROM trainee t JOIN person p ON p.id = t.person_id WHERE p.code = ?",
+      {code}, readText);
+  if (id) {
+    return *id;
+  }
+  throw Error(ErrorCode::kBadData, Text("no trainee has the code %1", code), "trial",
+              "Enter the trainee first");
+}
+
+}  // namespace
+
+void TrialRepository::begin(const TrialHeader& header) {
+  TORSIO_EXPECTS(current_.empty() && !header.trialId.empty());
+  insertTrial(header, true);
+  current_ = header.trialId;
+}
+
+void TrialRepository::insertTrial(const TrialHeader& header, bool sameContext) {
+  std::vector<IdempotentColumn> columns = headerColumns(header, traineeId(connection_, header.traineeCode));
+  const std::vector<IdempotentColumn> context =
+      contextColumns(context_, sameContext ? Kind::kContent : Kind::kIgnored);
+  columns.insert(columns.end(), context.begin(), context.end());
+  insertIdempotent(connection_, "trial", columns, "trial " + header.trialId);
+}
+
+void TrialRepository::resume(const std::string& trialId) {
+  TORSIO_EXPECTS(current_.empty() && !trialId.empty());
+  current_ = trialId;
+}
+
+void TrialRepository::append(const TrialChunk& chunk) {
+  TORSIO_EXPECTS(!current_.empty());
+  insertChunk(connection_, current_, chunk);
+}
+
+void TrialRepository::finish(const TrialSummary& summary) {
+  TORSIO_EXPECTS(!current_.empty());
+  end(current_, context_.station, summary);
+  current_.clear();
+}
+
+void TrialRepository::import(const Trial& trial) {
+  verifyContent(trial);
+  Transaction transaction(connection_);
+  insertTrial(trial.header, false);  // a file does not know for what it was recorded
+  for (const TrialChunk& chunk : trial.chunks) {
+    insertChunk(connection_, trial.header.trialId, chunk);
+  }
+  end(trial.header.trialId, context_.station, trial.summary);
+  transaction.commit();
+}
+
+void TrialRepository::end(const std::string& trialId, const std::string& station,
+                          const TrialSummary& summary) {
+  Transaction transaction(connection_);
+  const std::int64_t now_us = utcNow_us();
+  const std::array<IdempotentColumn, 7> columns{
+      {{"trial_id", trialId, Kind::kKey},
+       {"sample_count", summary.samples},
+       {"refused_samples", summary.refusedSamples},
+       {"late_ticks", summary.lateTicks},
+       {"outcome", summary.outcome == TrialOutcome::kCompleted ? kCompleted : kInterrupted},
+       {"content_hash", summary.contentHash},
+       {"ended_utc_us", now_us, Kind::kIgnored}}};
+  if (insertIdempotent(connection_, "trial_end", columns, "the end of trial " + trialId) ==
+      Inserted::kThereAlready) {
+    transaction.commit();  // its entry in the audit trail came in the same transaction
+    return;
+  }
+  AuditEntry seal;
+  seal.atUtc_us = now_us;
+  seal.actor = "torsio";
+  seal.station = station;
+  seal.action = summary.outcome == TrialOutcome::kCompleted ? "trial.finish" : "trial.interrupted";
+  seal.objectKind = kSealedTrial;
+  seal.objectId = trialId;
+  seal.objectHash = trialHashes(connection_, std::span(&trialId, 1)).at(trialId);
+  AuditRepository(connection_).append(seal);
+  transaction.commit();
+}
+
+void TrialRepository::addEvents(const std::string& trialId, std::span<const StoredTrialEvent> events) {
+  Transaction transaction(connection_);
+  Statement insert =
+      connection_.prepare(insertInto("trial_event", "trial_id, sequence, tick, time_us, kind, label, value"));
+  for (const StoredTrialEvent& event : events) {
+    insert.execute(
+        {trialId, event.sequence, event.tick, event.time_us, event.kind, event.label, event.value});
+  }
+  transaction.commit();
+}
+
+std::vector<StoredTrialEvent> TrialRepository::events(const std::string& trialId) const {
+  return selectAll(
+      connection_,
+      "SELECT sequence, tick, time_us, kind, label, value FROM trial_event WHERE trial_id = ? ORDER BY "
+      "sequence",
+      {trialId}, [](RowReader& row) {
+        return StoredTrialEvent{row.int64(), row.int64(), row.int64(),
+                                row.text(),  row.text(),  row.maybeReal()};
+      });
+}
+
+std::vector<TrialListing> TrialRepository::list(const TrialFilter& filter) {
+  std::string where;
+  std::vector<Value> values;
+  const auto restrict = [&](const char* column, const std::string& value) {
+    if (value.empty()) {
+      return;
+    }
+    where += (where.empty() ? " WHERE " : " AND ") + std::string(column) + " = ?";
+    values.emplace_back(value);
+  };
+  restrict("p.code", filter.traineeCode);
+  restrict("t.enrolment_id", filter.enrolmentId);
+  restrict("t.scene_id", filter.sceneId);
+  restrict("t.module_id", filter.moduleId);
+  values.emplace_back(filter.limit);
+  values.emplace_back(filter.offset);
+  return selectAll(connection_,
+                   kSelectListing + where + " ORDER BY t.started_utc_us DESC, t.id DESC LIMIT ? OFFSET ?",
+                   values, listingOf);
+}
+
+std::optional<TrialHeader> TrialRepository::find(const std::string& trialId) const {
+  return selectFirst(connection_, kSelectHeader, {trialId}, headerOf);
+}
+
+std::optional<TrialContext> TrialRepository::context(const std::string& trialId) const {
+  return selectFirst(
+      connection_,
+      "SELECT station, enrolment_id, module_id, phase_id, attempt_mode, host_name, host_os, host_cpu, "
+      "host_gpu"
+      " FROM trial WHERE id = ?",
+      {trialId}, [](RowReader& row) {
+        return TrialContext{
+            .station = row.text(),
+            .enrolmentId = row.text(),
+            .moduleId = row.text(),
+            .phaseId = row.text(),
+            .attemptMode = readMaybeTerm<AttemptMode>(row, "attempt_mode"),
+            .host = {.name = row.text(), .os = row.text(), .cpu = row.text(), .gpu = row.text()}};
+      });
+}
+
+Trial TrialRepository::load(const std::string& trialId) const {
+  const std::optional<TrialHeader> header = find(trialId);
+  if (!header) {
+    throw Error(ErrorCode::kBadData, "no such trial", trialId, "List the trials to find its id");
+  }
+  Trial trial{.header = *header, .chunks = {}, .summary = {}};
+  trial.chunks =
+      selectAll(connection_,
+                "SELECT chunk_index, first_tick, sample_count, bytes, digest, output_digest FROM trial_chunk"
+                " WHERE trial_id = ? ORDER BY chunk_index",
+                {trialId}, chunkOf);
+  const std::optional<TrialSummary> closing =
+      selectFirst(connection_, "SELECT " + kSummaryColumns + " FROM trial_end e WHERE e.trial_id = ?",
+                  {trialId}, summaryOf);
+  if (closing) {
+    trial.summary = *closing;
+    return trial;
+  }
+  trial.summary.outcome = TrialOutcome::kInterrupted;
+  for (const TrialChunk& chunk : trial.chunks) {
+    trial.summary.samples += chunk.samples;
+  }
+  return trial;
+}
+
+std::vector<TrialListing> TrialRepository::unfinished(const std::string& station) const {
+  return selectAll(
+      connection_,
+      kSelectListing + " WHERE e.trial_id IS NULL AND t.station = ? ORDER BY t.started_utc_us, t.id",
+      {station}, listingOf);
+}
+
+std::vector<TrialListing> TrialRepository::closeInterrupted(const std::string& station,
+                                                            std::int64_t quietSinceUtc_us) {
+  std::vector<TrialListing> closed;
+  Statement last = connection_.prepare("SELECT max(stored_utc_us) FROM trial_chunk WHERE trial_id = ?");
+  for (TrialListing& listing : unfinished(station)) {
+    last.execute({listing.trialId});
+    std::int64_t lastSign_us = listing.startedUtc_us;
+    for (const std::int64_t stored_us : readRows(last, readInt64)) {
+      lastSign_us = std::max(lastSign_us, stored_us);
+    }
+    if (lastSign_us > quietSinceUtc_us) {
+      continue;
+    }
+    Trial trial = load(listing.trialId);
+    trial.summary.contentHash = contentHash(trial);
+    end(listing.trialId, station, trial.summary);
+    listing.summary = trial.summary;
+    closed.push_back(std::move(listing));
+  }
+  return closed;
+}
+
+}  // namespace torsio

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "assessment/study/protocol_terms.h"
+#include "db/connection/connection.h"
+#include "sim/record/trial.h"
+
+namespace torsio {
+
+/// The machine that recorded, in words: what a late tick is explained by. Empty: not known.
+struct RecordingHost {
+  std::string name{};
+  std::string os{};
+  std::string cpu{};
+  std::string gpu{};
+  friend bool operator==(const RecordingHost&, const RecordingHost&) = default;
+};
+
+/// What the database adds to a trial's header.
+struct TrialContext {
+  std::string station{};      ///< which machine records: it alone may close its interrupted trials
+  std::string enrolmentId{};  ///< the cohort for which the trial counts; empty for free practice
+  std::string moduleId{};     ///< of the curriculum version that was running; empty for free practice
+  std::string phaseId{};      ///< empty: outside any phase
+  std::optional<AttemptMode> attemptMode{};  ///< as it counted then; empty for free practice
+  RecordingHost host{};
+  friend bool operator==(const TrialContext&, const TrialContext&) = default;
+};
+
+/// Something that happened in a trial. Appended beside the samples, never changed.
+struct StoredTrialEvent {
+  std::int64_t sequence = 0;  ///< 1, 2, 3 ... within the trial
+  std::int64_t tick = 0;
+  std::int64_t time_us = 0;  ///< since the first tick
+  std::string kind{};        ///< "contact", "twisting", "released", "bookmark", "limit" ...
+  std::string label{};
+  std::optional<double> value{};
+};
+
+/// One line of a list of trials.
+struct TrialListing {
+  std::string trialId{};
+  std::string traineeCode{};  ///< empty: nobody (free practice)
+  std::string enrolmentId{};
+  std::string station{};
+  std::string sceneId{};
+  std::string patternId{};
+  std::string phaseLabel{};
+  std::int64_t startedUtc_us = 0;
+  bool demonstration = false;
+  std::optional<TrialSummary> summary{};  ///< empty: running, or interrupted and not closed yet
+  std::string moduleId{};
+  std::string phaseId{};
+  std::optional<AttemptMode> attemptMode{};  ///< empty: free practice
+};
+
+/// Which trials to list, newest first. Empty texts do not restrict.
+struct TrialFilter {
+  std::string traineeCode{};
+  std::string enrolmentId{};
+  std::string sceneId{};
+  std::int64_t limit = 200;
+  std::int64_t offset = 0;
+  std::string moduleId{};
+};
+
+/// Recorded trials. Append-only: header at begin(), one row a chunk, a closing row at finish(); each is on
+/// the disk when the call returns. A trial without its closing row is running or was interrupted.
+/// Whatever is given twice is stored once: a retry after a lost answer succeeds. The same id with other
+/// content is refused with DbError (kUnique).
+class TrialRepository final : public TrialSink {
+ public:
+  explicit TrialRepository(Connection& connection, TrialContext context = {})
+      : connection_(connection), context_(std::move(context)) {}
+
+  /// For the trials begun from now on.
+  void setContext(TrialContext context) { context_ = std::move(context); }
+
+  /// Throws Error (kBadData) when no trainee has the header's code, DbError.
+  void begin(const TrialHeader& header) override;
+  /// Goes on with a trial that was begun over another connection. Touches no row.
+  void resume(const std::string& trialId);
+  void append(const TrialChunk& chunk) override;
+  void finish(const TrialSummary& summary) override;
+
+  void addEvents(const std::string& trialId, std::span<const StoredTrialEvent> events);
+  [[nodiscard]] std::vector<StoredTrialEvent> events(const std::string& trialId) const;
+
+  [[nodiscard]] std::vector<TrialListing> list(const TrialFilter& filter = {});
+  [[nodiscard]] std::optional<TrialHeader> find(const std::string& trialId) const;
+  /// Where and for what a trial was recorded; empty: no such trial.
+  [[nodiscard]] std::optional<TrialContext> context(const std::string& trialId) const;
+  /// Header, all chunks and the summary; an unfinished trial has a summary counted from its chunks, without
+  /// content hash, with the outcome kInterrupted. Throws Error (kBadData) when there is no such trial.
+  [[nodiscard]] Trial load(const std::string& trialId) const;
+
+  /// Trials of `station` without a closing row: at program start, the interrupted ones. Oldest first.
+  [[nodiscard]] std::vector<TrialListing> unfinished(const std::string& station) const;
+  /// Closes those of `station` that have shown no sign of life after `quietSinceUtc_us` (another window of
+  /// the same machine may be recording), with the content hash of what is there. Returns them with their
+  /// summaries.
+  std::vector<TrialListing> closeInterrupted(const std::string& station, std::int64_t quietSinceUtc_us);
+
+  /// Stores a trial that went to a file because the database was away, in one transaction; what of it the
+  /// database has already is left as it is. Throws Error (kVerifyFailed) when the file is not what was
+  /// recorded, DbError (kUnique) when the database has the trial with other content: for one, because it was
+  /// closed as interrupted meanwhile.
+  void import(const Trial& trial);
+
+ private:
+  void insertTrial(const TrialHeader& header, bool sameContext);
+  void end(const std::string& trialId, const std::string& station, const TrialSummary& summary);
+
+  Connection& connection_;
+  TrialContext context_;
+  std::string current_;  ///< the trial between begin() and finish()
+};
+
+/// A TrialSink with a connection of its own, opened in the thread that first calls begin(): for the
+/// recorder's thread, since a Connection belongs to the thread that opened it. A connection that was lost is
+/// opened again, and what was being stored is stored again; a server that stays away is reported with DbError
+/// (kUnreachable) after seconds, while the recorder's ring still has room. May be destroyed in any thread.
+class OwnConnectionTrialSink final : public TrialSink {
+ public:
+  OwnConnectionTrialSink(std::string locator, TrialContext context);
+  ~OwnConnectionTrialSink() override;
+
+  void begin(const TrialHeader& header) override;
+  void append(const TrialChunk& chunk) override;
+  void finish(const TrialSummary& summary) override;
+
+ private:
+  struct Open;
+  void store(const std::function<void(TrialRepository&)>& act);
+  void open();
+
+  std::string locator_;
+  TrialContext context_;
+  std::string trialId_;  ///< once begun
+  std::unique_ptr<Open> open_;
+};
+
+}  // namespace torsio

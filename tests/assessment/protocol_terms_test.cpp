@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/study/protocol_terms.h"
+
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace torsio {
+namespace {
+
+template <typename Value>
+class ProtocolTerms : public ::testing::Test {};
+using Terms = ::testing::Types<AttemptMode, PhaseKind, EnrolmentState>;
+TYPED_TEST_SUITE(ProtocolTerms, Terms);
+
+TYPED_TEST(ProtocolTerms, StandForTheirTextAndBack) {
+  std::set<std::string> texts;
+  for (const Term<TypeParam>& term : termsOf(TypeParam{})) {
+    EXPECT_EQ(storedText(term.value), term.stored);
+    EXPECT_EQ(fromStoredText<TypeParam>(term.stored), term.value);
+    EXPECT_FALSE(term.label.empty());
+    EXPECT_FALSE(term.meaning.empty());
+    texts.insert(std::string(term.stored));
+  }
+  EXPECT_EQ(texts.size(), termsOf(TypeParam{}).size());
+}
+
+TYPED_TEST(ProtocolTerms, AreNotGuessed) {
+  for (const char* text : {"", "Practice", "virtual ", "enroled"}) {
+    EXPECT_EQ(fromStoredText<TypeParam>(text), std::nullopt) << text;
+  }
+}
+
+TEST(ProtocolTermsTexts, OfTheFirstReleaseStay) {
+  EXPECT_EQ(storedText(AttemptMode::kPractice), "practice");
+  EXPECT_EQ(storedText(AttemptMode::kGraded), "graded");
+  EXPECT_EQ(storedText(PhaseKind::kVirtual), "virtual");
+  EXPECT_EQ(storedText(PhaseKind::kReal), "real");
+  EXPECT_EQ(storedText(EnrolmentState::kEnrolled), "enrolled");
+  EXPECT_EQ(storedText(EnrolmentState::kCompleted), "completed");
+  EXPECT_EQ(storedText(EnrolmentState::kWithdrawn), "withdrawn");
+}
+
+}  // namespace
+}  // namespace torsio

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/sim/servo/recorded_bar.h"
+
+#include <string>
+#include <vector>
+
+#include "sim/base/portable_math.h"
+#include "sim/device/virtual/scripted_hand.h"
+#include "sim/record/content_hash.h"
+#include "sim/record/sample_codec.h"
+#include "sim/servo/hand_task.h"
+#include "sim/servo/servo_loop.h"
+
+namespace torsio {
+
+namespace {
+
+constexpr std::int64_t kSeconds = 8;
+constexpr std::int64_t kTicksPerSecond = 1000;
+constexpr std::int64_t kTick_us = 1000;
+constexpr std::uint64_t kSeed = 11;
+constexpr std::int64_t kStarted_us = 1'763'712'000'000'000;  // 2025-11-21 08:00 UTC
+
+}  // namespace
+
+const Scene& recordedBar() {
+  static const Scene kScene = [] {
+    testing::Outline2 circle;
+    for (int i = 0; i < 72; ++i) {
+      const SinCos at = portableSinCos(2.0 * kPi * i / 72.0);
+      circle.push_back({kBarRadius_m * at.cos, kBarRadius_m * at.sin});
+    }
+    return barScene(testing::prism(circle, kBarLength_m, 40));
+  }();
+  return kScene;
+}
+
+Trial recordOnBar(const std::string& trialId, const std::string& traineeCode, TwistDrive drive) {
+  const Scene& scene = recordedBar();
+  ScriptedHand hand({.seed = kSeed,
+                     .task = handTask(scene),
+                     .profile = handProfile(kSeed),
+                     .duration_s = static_cast<double>(kSeconds)});
+  ServoLoop loop({.device = &hand, .scene = &scene},
+                 {.drive = drive, .targetAngle_rad = scene.pattern.targetAngle_rad});
+  Trial trial;
+  TrialHeader& header = trial.header;
+  header.trialId = trialId;
+  header.traineeCode = traineeCode;
+  header.sceneId = scene.id;
+  header.patternId = scene.pattern.id;
+  header.organHash = scene.organHash;
+  header.parameterHash = scene.parameterHash;
+  header.parametersJson = scene.parametersJson;
+  header.deviceModel = hand.capabilities().model;
+  header.deviceLimits = deviceLimits(hand.capabilities());
+  header.softwareVersion = "0.1.0";
+  header.drive = drive;
+  header.targetAngle_rad = scene.pattern.targetAngle_rad;
+  header.tickPeriod_us = kTick_us;
+  header.startedUtc_us = kStarted_us;
+  std::int64_t tick = 0;
+  for (std::int64_t second = 0; second < kSeconds; ++second) {
+    std::vector<Sample> samples;
+    for (std::int64_t i = 0; i < kTicksPerSecond; ++i) {
+      loop.tick(tick++ * kTick_us);
+      samples.push_back(loop.lastSample());
+    }
+    trial.chunks.push_back(encodeChunk(second, samples));
+  }
+  trial.summary = {tick, 0, loop.lateTicks(), TrialOutcome::kCompleted, {}};
+  trial.summary.contentHash = contentHash(trial);
+  return trial;
+}
+
+}  // namespace torsio
