@@ -6,8 +6,6 @@
 
 #include "app/base/assets.h"
 #include "assessment/metrics/metric_cards.h"
-#include "assessment/metrics/trial_metrics.h"
-#include "db/repository/study/study_repository.h"
 #include "sim/base/error.h"
 #include "sim/record/sample_codec.h"
 #include "sim/scene/scene_file.h"

@@ -10,7 +10,6 @@
 
 #include "assessment/attempt/attempt_measures.h"
 #include "assessment/report/cohort_report.h"
-#include "db/repository/study/curriculum_repository.h"
 #include "db/repository/trial/digest_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/live_types.h"

@@ -100,23 +100,23 @@ constexpr const char* kColumns =
     " d.model, d.duration_us, d.unfinished_twists, d.mean_absolute_error_deg, d.peak_torque_nm,"
     " d.peak_force_n, d.attempts, d.measures, d.computed_utc_us";
 
-StoredTrialDigest digestFrom(const Statement& row) {
+StoredTrialDigest digestFrom(RowReader& row) {
   StoredTrialDigest digest;
-  digest.trialId = row.text(0);
-  digest.formulaVersion = row.int64(1);
-  digest.tolerance_rad = row.real(2);
-  digest.forceLimit_N = limitFrom(row.real(3));
-  digest.torqueLimit_Nm = limitFrom(row.real(4));
-  digest.contentHash = row.text(5);
-  digest.model = row.text(6);
-  digest.duration_us = row.int64(7);
-  digest.unfinishedTwists = row.int64(8);
-  digest.meanAbsoluteError_deg = row.maybeReal(9);
-  digest.peakTorque_Nm = row.maybeReal(10);
-  digest.peakForce_N = row.maybeReal(11);
-  digest.attempts = attemptsFrom(row.blob(12), digest.trialId);
-  digest.measures = measuresFrom(row.blob(13), digest.trialId);
-  digest.computedUtc_us = row.int64(14);
+  digest.trialId = row.text();
+  digest.formulaVersion = row.int64();
+  digest.tolerance_rad = row.real();
+  digest.forceLimit_N = limitFrom(row.real());
+  digest.torqueLimit_Nm = limitFrom(row.real());
+  digest.contentHash = row.text();
+  digest.model = row.text();
+  digest.duration_us = row.int64();
+  digest.unfinishedTwists = row.int64();
+  digest.meanAbsoluteError_deg = row.maybeReal();
+  digest.peakTorque_Nm = row.maybeReal();
+  digest.peakForce_N = row.maybeReal();
+  digest.attempts = attemptsFrom(row.blob(), digest.trialId);
+  digest.measures = measuresFrom(row.blob(), digest.trialId);
+  digest.computedUtc_us = row.int64();
   return digest;
 }
 
@@ -125,10 +125,10 @@ StoredTrialDigest digestFrom(const Statement& row) {
 void DigestRepository::add(std::span<const StoredTrialDigest> digests) {
   Transaction transaction(connection_);
   Statement insert = connection_.prepare(
-      "INSERT INTO trial_digest (trial_id, formula_version, tolerance_rad, force_limit_n, torque_limit_nm,"
-      " content_hash, model, duration_us, unfinished_twists, mean_absolute_error_deg, peak_torque_nm,"
-      " peak_force_n, attempts, measures, computed_utc_us)"
-      " VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"
+      insertInto("trial_digest",
+                 "trial_id, formula_version, tolerance_rad, force_limit_n, torque_limit_nm, content_hash,"
+                 " model, duration_us, unfinished_twists, mean_absolute_error_deg, peak_torque_nm,"
+                 " peak_force_n, attempts, measures, computed_utc_us") +
       " ON CONFLICT (trial_id, formula_version, tolerance_rad, force_limit_n, torque_limit_nm) DO NOTHING");
   for (const StoredTrialDigest& digest : digests) {
     insert.execute({digest.trialId, digest.formulaVersion, digest.tolerance_rad,
@@ -141,15 +141,15 @@ void DigestRepository::add(std::span<const StoredTrialDigest> digests) {
 }
 
 std::multimap<std::string, StoredTrialDigest> DigestRepository::ofCohort(const std::string& cohortId,
-                                                                         std::int64_t formulaVersion) {
-  Statement row = connection_.prepare(std::string("SELECT ") + kColumns +
-                                      " FROM enrolment e JOIN trial t ON t.enrolment_id = e.id"
-                                      " JOIN trial_digest d ON d.trial_id = t.id AND d.formula_version = ?"
-                                      " WHERE e.cohort_id = ?");
-  row.execute({formulaVersion, cohortId});
+                                                                         std::int64_t formulaVersion) const {
   std::multimap<std::string, StoredTrialDigest> digests;
-  while (row.step()) {
-    StoredTrialDigest digest = digestFrom(row);
+  for (StoredTrialDigest& digest :
+       selectAll(connection_,
+                 std::string("SELECT ") + kColumns +
+                     " FROM enrolment e JOIN trial t ON t.enrolment_id = e.id"
+                     " JOIN trial_digest d ON d.trial_id = t.id AND d.formula_version = ?"
+                     " WHERE e.cohort_id = ?",
+                 {formulaVersion, cohortId}, digestFrom)) {
     std::string id = digest.trialId;
     digests.emplace(std::move(id), std::move(digest));
   }
@@ -157,26 +157,24 @@ std::multimap<std::string, StoredTrialDigest> DigestRepository::ofCohort(const s
 }
 
 std::vector<StoredTrialDigest> DigestRepository::ofTrial(const std::string& trialId,
-                                                         std::int64_t formulaVersion) {
-  Statement row = connection_.prepare(std::string("SELECT ") + kColumns +
-                                      " FROM trial_digest d WHERE d.trial_id = ? AND d.formula_version = ?");
-  row.execute({trialId, formulaVersion});
-  std::vector<StoredTrialDigest> digests;
-  while (row.step()) {
-    digests.push_back(digestFrom(row));
-  }
-  return digests;
+                                                         std::int64_t formulaVersion) const {
+  return selectAll(connection_,
+                   std::string("SELECT ") + kColumns +
+                       " FROM trial_digest d WHERE d.trial_id = ? AND d.formula_version = ?",
+                   {trialId, formulaVersion}, digestFrom);
 }
 
-std::optional<StoredExerciseRules> DigestRepository::rulesOfModule(const std::string& moduleId) {
-  Statement row = connection_.prepare(
-      "SELECT tolerance_rad, hold_us, max_force_n, max_torque_nm FROM module WHERE id = ?");
-  row.execute({moduleId});
-  std::optional<StoredExerciseRules> rules;
-  while (row.step()) {
-    rules = {row.real(0), row.int64(1), row.maybeReal(2), row.maybeReal(3)};
-  }
-  return rules;
+std::optional<StoredExerciseRules> DigestRepository::rulesOfModule(const std::string& moduleId) const {
+  return selectFirst(connection_,
+                     "SELECT tolerance_rad, hold_us, max_force_n, max_torque_nm FROM module WHERE id = ?",
+                     {moduleId}, [](RowReader& row) {
+                       StoredExerciseRules rules;
+                       rules.tolerance_rad = row.real();
+                       rules.hold_us = row.int64();
+                       rules.forceLimit_N = row.maybeReal();
+                       rules.torqueLimit_Nm = row.maybeReal();
+                       return rules;
+                     });
 }
 
 }  // namespace torsio

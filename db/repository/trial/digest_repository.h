@@ -54,13 +54,13 @@ class DigestRepository {
   /// Reads those of the trials of a cohort, with this version of the formulas, by trial; several where rules
   /// differ.
   [[nodiscard]] std::multimap<std::string, StoredTrialDigest> ofCohort(const std::string& cohortId,
-                                                                       std::int64_t formulaVersion);
+                                                                       std::int64_t formulaVersion) const;
   /// Reads those of one trial, with this version of the formulas; several where rules differ.
   [[nodiscard]] std::vector<StoredTrialDigest> ofTrial(const std::string& trialId,
-                                                       std::int64_t formulaVersion);
+                                                       std::int64_t formulaVersion) const;
 
   /// Reads what a module asks of a run; empty: there is no such module.
-  [[nodiscard]] std::optional<StoredExerciseRules> rulesOfModule(const std::string& moduleId);
+  [[nodiscard]] std::optional<StoredExerciseRules> rulesOfModule(const std::string& moduleId) const;
 
  private:
   Connection& connection_;

@@ -12,6 +12,7 @@
 #include "app/training/transcript.h"
 #include "app/training/trend.h"
 #include "assessment/report/cohort_csv.h"
+#include "assessment/study/protocol_terms.h"
 #include "db/repository/people/access_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/random.h"
@@ -164,7 +165,8 @@ class OneNumber : public ::testing::Test {
 
   static TrainingCentre::Setup setup() {
     TrainingCentre::Setup setup;  // with an arm, so that the report has a group
-    setup.phases.push_back({.kind = "virtual", .label = "virtual", .duration_us = 1'000'000'000'000});
+    setup.phases.push_back(
+        {.kind = PhaseKind::kVirtual, .label = "virtual", .duration_us = 1'000'000'000'000});
     return setup;
   }
 
@@ -186,7 +188,7 @@ class OneNumber : public ::testing::Test {
     TrialRepository sink(centre_.connection(), {.station = "station 1",
                                                 .enrolmentId = centre_.enrolment(),
                                                 .moduleId = centre_.module("first"),
-                                                .attemptMode = "practice"});
+                                                .attemptMode = AttemptMode::kPractice});
     sink.begin(trial.header);
     sink.append(trial.chunks.front());
     sink.finish(trial.summary);
