@@ -21,7 +21,9 @@ AccessRepository repository(Workplace& workplace) {
 
 StoredUser userOf(Workplace& workplace, const std::string& userId) {
   for (const StoredUser& user : repository(workplace).users()) {
-    if (user.id == userId) return user;
+    if (user.id == userId) {
+      return user;
+    }
   }
   throw Error(ErrorCode::kBadParameter, "there is no such user", userId, "Choose one from the list");
 }
@@ -36,7 +38,9 @@ void keepAnAdministrator(Workplace& workplace, const std::string& withoutUser) {
   const bool remains = std::any_of(all.begin(), all.end(), [&](const StoredUser& user) {
     return user.id != withoutUser && isActiveAdministrator(user);
   });
-  if (remains) return;
+  if (remains) {
+    return;
+  }
   throw Error(ErrorCode::kBadParameter, "this is the last administrator who can sign in", "",
               "Make somebody else an administrator first");
 }
@@ -56,7 +60,9 @@ const char* failureName(SignIn outcome) {
 void noteFailure(Workplace& workplace, const std::string& login, SignIn outcome, const char* with) {
   std::string userId;
   for (const StoredUser& user : repository(workplace).users()) {
-    if (user.login == login) userId = user.id;
+    if (user.login == login) {
+      userId = user.id;
+    }
   }
   workplace.note({.action = "user.sign_in_failed",
                   .objectKind = "app_user",
@@ -209,7 +215,9 @@ void setUserRoles(Workplace& workplace, const std::string& userId, const std::ve
   Transaction transaction(workplace.connection());
   const StoredUser before = userOf(workplace, userId);
   const bool keepsRole = std::find(roles.begin(), roles.end(), kAdministrator) != roles.end();
-  if (isActiveAdministrator(before) && !keepsRole) keepAnAdministrator(workplace, userId);
+  if (isActiveAdministrator(before) && !keepsRole) {
+    keepAnAdministrator(workplace, userId);
+  }
   repository(workplace).setRoles(userId, roles);
   workplace.note({.action = "user.set_roles",
                   .objectKind = "app_user",
@@ -223,7 +231,9 @@ void setUserRoles(Workplace& workplace, const std::string& userId, const std::ve
 void setUserActive(Workplace& workplace, const std::string& userId, bool active, const std::string& reason) {
   workplace.require(Operation::kUserManage);
   Transaction transaction(workplace.connection());
-  if (!active && isActiveAdministrator(userOf(workplace, userId))) keepAnAdministrator(workplace, userId);
+  if (!active && isActiveAdministrator(userOf(workplace, userId))) {
+    keepAnAdministrator(workplace, userId);
+  }
   repository(workplace).setActive(userId, active);
   workplace.note({.action = active ? "user.enable" : "user.disable",
                   .objectKind = "app_user",
@@ -261,9 +271,13 @@ void setOwnPin(Workplace& workplace, const std::string& pin) {
 }
 
 Home homeOf(const Actor& actor) {
-  if (actor.practiceOnly) return Home::kStation;
+  if (actor.practiceOnly) {
+    return Home::kStation;
+  }
   for (const char* role : {kAdministrator, "allocator", "statistician"}) {
-    if (actor.hasRole(role)) return Home::kOffice;
+    if (actor.hasRole(role)) {
+      return Home::kOffice;
+    }
   }
   return actor.hasRole("rater") ? Home::kReview : Home::kStation;
 }

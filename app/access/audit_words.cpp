@@ -174,7 +174,9 @@ const Words& objectWords() {
 
 Text auditActionLabel(const std::string& action) {
   for (const Words* words : {&peopleWords(), &studyWords(), &scoringWords(), &stationWords()}) {
-    if (const auto found = words->find(action); found != words->end()) return found->second;
+    if (const auto found = words->find(action); found != words->end()) {
+      return found->second;
+    }
   }
   return action;
 }

@@ -23,7 +23,9 @@ constexpr int kLettersInGroup = 5;
 
 CentreSign centreSign(Connection& connection) {
   CentreSign sign;
-  if (const auto centre = StudyRepository(connection).centre()) sign.name = centre->name;
+  if (const auto centre = StudyRepository(connection).centre()) {
+    sign.name = centre->name;
+  }
   sign.language = SettingRepository(connection).value("language").value_or("");
   return sign;
 }
@@ -38,7 +40,9 @@ bool recordHasUsers(const std::string& locator) {
 std::string randomStartPassword() {
   std::string password;
   for (int group = 0; group < kGroups; ++group) {
-    if (group > 0) password += '-';
+    if (group > 0) {
+      password += '-';
+    }
     for (int i = 0; i < kLettersInGroup; ++i) {
       password += kLegible[QRandomGenerator::system()->bounded(static_cast<quint32>(kLegible.size()))];
     }

@@ -18,7 +18,9 @@ void IdleGuard::setLimits(IdleLimits limits) {
                 "Give a warning time above 0 and below the lock time");
   }
   limits_ = limits;
-  if (!locked_) lastActivity_us_ = clock_.now_us();
+  if (!locked_) {
+    lastActivity_us_ = clock_.now_us();
+  }
 }
 
 std::int64_t IdleGuard::idle_us() const noexcept {
@@ -27,18 +29,26 @@ std::int64_t IdleGuard::idle_us() const noexcept {
 
 void IdleGuard::activity() noexcept {
   // What the last look at the state missed counts: a key after the limit finds the place locked.
-  if (state() != IdleState::kLocked) lastActivity_us_ = clock_.now_us();
+  if (state() != IdleState::kLocked) {
+    lastActivity_us_ = clock_.now_us();
+  }
 }
 
 void IdleGuard::setBusy(bool busy) noexcept {
-  if (state() == IdleState::kLocked) return;
+  if (state() == IdleState::kLocked) {
+    return;
+  }
   busy_ = busy;
   lastActivity_us_ = clock_.now_us();
 }
 
 IdleState IdleGuard::state() noexcept {
-  if (idle_us() >= limits_.lock_us) locked_ = true;
-  if (locked_) return IdleState::kLocked;
+  if (idle_us() >= limits_.lock_us) {
+    locked_ = true;
+  }
+  if (locked_) {
+    return IdleState::kLocked;
+  }
   return idle_us() >= limits_.warn_us ? IdleState::kWarning : IdleState::kActive;
 }
 
@@ -47,7 +57,9 @@ std::int64_t IdleGuard::untilLock_us() noexcept {
 }
 
 void IdleGuard::lock() noexcept {
-  if (!busy_) locked_ = true;
+  if (!busy_) {
+    locked_ = true;
+  }
 }
 
 void IdleGuard::unlock() noexcept {

@@ -27,7 +27,9 @@ bool sensible(int warn_min, int lock_min) {
 /// 0 for what is no small number.
 int minutesOf(const std::optional<std::string>& text) {
   int minutes = 0;
-  if (text) std::from_chars(text->data(), text->data() + text->size(), minutes);
+  if (text) {
+    std::from_chars(text->data(), text->data() + text->size(), minutes);
+  }
   return minutes;
 }
 
@@ -64,11 +66,15 @@ void setCentreName(Workplace& workplace, const std::string& name) {
   Transaction transaction(workplace.connection());
   StudyRepository studies(workplace.connection());
   const std::optional<StoredCentre> before = studies.centre();
-  if (before && before->name == name) return;
+  if (before && before->name == name) {
+    return;
+  }
   StoredCentre centre = before.value_or(StoredCentre{.id = workplace.ids().newUuid()});
   centre.name = name;
   centre.demonstration = false;
-  if (!before) centre.createdUtc_us = workplace.now_us();
+  if (!before) {
+    centre.createdUtc_us = workplace.now_us();
+  }
   studies.setCentre(centre);
   workplace.note({.action = "centre.rename",
                   .objectKind = "centre",
@@ -82,7 +88,9 @@ IdleLimits centreIdleLimits(Connection& connection) {
   SettingRepository settings(connection);
   const int warn_min = minutesOf(settings.value(kIdleWarn));
   const int lock_min = minutesOf(settings.value(kIdleLock));
-  if (!sensible(warn_min, lock_min)) return {};
+  if (!sensible(warn_min, lock_min)) {
+    return {};
+  }
   return {.warn_us = warn_min * kMinute_us, .lock_us = lock_min * kMinute_us};
 }
 

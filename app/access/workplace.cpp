@@ -46,17 +46,25 @@ Workplace::~Workplace() = default;
 Workplace::Workplace(Workplace&&) noexcept = default;
 
 void Workplace::reconnect() {
-  if (owned_) owned_->connection = openUpToDate(key_.locator);
+  if (owned_) {
+    owned_->connection = openUpToDate(key_.locator);
+  }
 }
 
 bool Workplace::may(Operation operation) const {
-  if (key_.actor.userId.empty()) return false;
-  if (key_.actor.practiceOnly && operation != Operation::kPractice) return false;
+  if (key_.actor.userId.empty()) {
+    return false;
+  }
+  if (key_.actor.practiceOnly && operation != Operation::kPractice) {
+    return false;
+  }
   return AccessRepository(*connection_).allowed(key_.actor.userId, std::string(operationCode(operation)));
 }
 
 void Workplace::require(Operation operation) const {
-  if (may(operation)) return;
+  if (may(operation)) {
+    return;
+  }
   const std::string code(operationCode(operation));
   if (key_.actor.userId.empty()) {
     throw Error(ErrorCode::kPermission, "nobody is signed in", code, "Sign in first");
@@ -67,7 +75,9 @@ void Workplace::require(Operation operation) const {
 
 void Workplace::requireOwn(Operation operation, const std::string& personId) const {
   require(operation);
-  if (!key_.actor.personId.empty() && key_.actor.personId == personId) return;
+  if (!key_.actor.personId.empty() && key_.actor.personId == personId) {
+    return;
+  }
   throw Error(ErrorCode::kPermission, "this belongs to somebody else", std::string(operationCode(operation)),
               "Open your own record");
 }

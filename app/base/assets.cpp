@@ -24,7 +24,9 @@ bool holdsScenes(const fs::path& folder) {
 
 fs::path assetsFolder() {
   if (const char* chosen = std::getenv("TORSIO_ASSETS"); chosen != nullptr) {
-    if (holdsScenes(chosen)) return chosen;
+    if (holdsScenes(chosen)) {
+      return chosen;
+    }
     throw Error(ErrorCode::kFileMissing, "no folder 'scenes' in it", Text("TORSIO_ASSETS=%1", chosen),
                 "Point TORSIO_ASSETS at the assets folder, or unset it");
   }
@@ -34,7 +36,9 @@ fs::path assetsFolder() {
         fs::path(QCoreApplication::applicationDirPath().toStdString()) / ".." / "share" / "torsio" / "assets";
   }
   for (const fs::path& folder : candidates) {
-    if (!folder.empty() && holdsScenes(folder)) return fs::weakly_canonical(folder);
+    if (!folder.empty() && holdsScenes(folder)) {
+      return fs::weakly_canonical(folder);
+    }
   }
   throw Error(ErrorCode::kFileMissing, "organs and scenes are not installed", TORSIO_SOURCE_ASSETS,
               "Set TORSIO_ASSETS to the assets folder");

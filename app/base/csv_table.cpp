@@ -29,7 +29,9 @@ std::string inQuotes(std::string_view value) {
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
+  if (first == std::string_view::npos) {
+    return {};
+  }
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
@@ -41,12 +43,18 @@ std::size_t firstNoUtf8(std::string_view text) {
     };
     const unsigned lead = byte(0);
     const std::size_t length = lead < 0x80 ? 1 : lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-    if (length == 0 || lead > 0xF4 || lead == 0) return i;
-    for (std::size_t k = 1; k < length; ++k)
-      if ((byte(k) & 0xC0U) != 0x80U) return i;
-    if ((lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) > 0x9F) ||
-        (lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) > 0x8F))
+    if (length == 0 || lead > 0xF4 || lead == 0) {
       return i;
+    }
+    for (std::size_t k = 1; k < length; ++k) {
+      if ((byte(k) & 0xC0U) != 0x80U) {
+        return i;
+      }
+    }
+    if ((lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) > 0x9F) ||
+        (lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) > 0x8F)) {
+      return i;
+    }
     i += length;
   }
   return std::string_view::npos;
@@ -62,20 +70,28 @@ class Reader {
   bool next(std::vector<std::string>& values, std::size_t& line) {
     while (at_ < text_.size() && endOfLine()) {
     }
-    if (at_ >= text_.size()) return false;
+    if (at_ >= text_.size()) {
+      return false;
+    }
     line = line_;
     values.clear();
     while (true) {
       values.push_back(value());
-      if (at_ >= text_.size() || endOfLine()) return true;
+      if (at_ >= text_.size() || endOfLine()) {
+        return true;
+      }
       ++at_;  // the separator
     }
   }
 
  private:
   bool endOfLine() {
-    if (text_[at_] == '\r' && at_ + 1 < text_.size() && text_[at_ + 1] == '\n') ++at_;
-    if (text_[at_] != '\n' && text_[at_] != '\r') return false;
+    if (text_[at_] == '\r' && at_ + 1 < text_.size() && text_[at_ + 1] == '\n') {
+      ++at_;
+    }
+    if (text_[at_] != '\n' && text_[at_] != '\r') {
+      return false;
+    }
     ++at_;
     ++line_;
     return true;
@@ -89,10 +105,11 @@ class Reader {
     }
     const std::size_t end = std::min(text_.find_first_of(valueEnds_, at_), text_.size());
     const std::string_view raw = text_.substr(at_, end - at_);
-    if (raw.find('"') != std::string_view::npos)
+    if (raw.find('"') != std::string_view::npos) {
       refuseAt(name_, line_,
                Text("a quote stands inside the value %1", std::string(trimmed(raw).substr(0, kShown))),
                "Put the whole value in quotes and double each quote in it");
+    }
     at_ = end;
     return std::string(trimmed(raw));
   }
@@ -102,18 +119,23 @@ class Reader {
     std::string value;
     for (; at_ < text_.size(); ++at_) {
       if (text_[at_] == '"') {
-        if (at_ + 1 >= text_.size() || text_[at_ + 1] != '"') break;
+        if (at_ + 1 >= text_.size() || text_[at_ + 1] != '"') {
+          break;
+        }
         ++at_;
       } else if (text_[at_] == '\n') {
         ++line_;
       }
       value.push_back(text_[at_]);
     }
-    if (at_ >= text_.size()) refuseAt(name_, begun, "a quote does not close", "Close the quoted value");
+    if (at_ >= text_.size()) {
+      refuseAt(name_, begun, "a quote does not close", "Close the quoted value");
+    }
     at_ = std::min(text_.find_first_not_of(blanks(), at_ + 1), text_.size());
-    if (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n' && text_[at_] != '\r')
+    if (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n' && text_[at_] != '\r') {
       refuseAt(name_, line_, Text("text follows the quoted value %1", inQuotes(value)),
                "End the value at the closing quote");
+    }
     return value;
   }
 
@@ -129,7 +151,9 @@ class Reader {
 
 std::string listed(std::initializer_list<std::string_view> names) {
   std::string text;
-  for (const std::string_view name : names) text.append(text.empty() ? "" : ",").append(name);
+  for (const std::string_view name : names) {
+    text.append(text.empty() ? "" : ",").append(name);
+  }
   return text;
 }
 
@@ -147,7 +171,9 @@ bool isDigits(std::string_view text) {
 /// The text without a byte order mark; refuses what is no UTF-8.
 std::string_view checkedText(std::string_view text, const std::string& name) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  if (text.starts_with(kByteOrderMark)) {
+    text.remove_prefix(kByteOrderMark.size());
+  }
   if (const std::size_t bad = firstNoUtf8(text); bad != std::string_view::npos) {
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(bad), '\n');
     refuseAt(name, static_cast<std::size_t>(line), "the text is not UTF-8", "Save the table as UTF-8 CSV");
@@ -162,9 +188,13 @@ char guessSeparator(std::string_view text) {
   std::array<std::size_t, kCandidates.size()> counts{};
   bool quoted = false;
   for (const char c : text.substr(0, text.find('\n'))) {
-    if (c == '"') quoted = !quoted;
+    if (c == '"') {
+      quoted = !quoted;
+    }
     const std::size_t candidate = quoted ? std::string_view::npos : kCandidates.find(c);
-    if (candidate != std::string_view::npos) ++counts[candidate];
+    if (candidate != std::string_view::npos) {
+      ++counts[candidate];
+    }
   }
   return kCandidates[static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) -
                                               counts.begin())];
@@ -174,7 +204,9 @@ std::vector<CsvRecord> csvRecords(std::string_view text, const std::string& name
   std::vector<CsvRecord> records;
   Reader reader(checkedText(text, name), name, separator);
   CsvRecord record;
-  while (reader.next(record.values, record.line)) records.push_back(record);
+  while (reader.next(record.values, record.line)) {
+    records.push_back(record);
+  }
   return records;
 }
 
@@ -190,13 +222,17 @@ CsvTable CsvTable::parse(std::string_view text, const std::string& name,
   table.name_ = name;
   Reader reader(checkedText(text, name), table.name_, ',');
   Row row;
-  if (!reader.next(row.values, row.line))
+  if (!reader.next(row.values, row.line)) {
     throw Error(ErrorCode::kBadData, "the table is empty", name,
                 Text("Begin with the header %1", listed(required)));
+  }
   table.takeHeader(row.values, row.line, required, optional);
-  while (reader.next(row.values, row.line)) table.takeRow(row);
-  if (table.rows_.empty())
+  while (reader.next(row.values, row.line)) {
+    table.takeRow(row);
+  }
+  if (table.rows_.empty()) {
     throw Error(ErrorCode::kBadData, "the table has a header but no rows", name, "Add one row a value");
+  }
   return table;
 }
 
@@ -204,19 +240,26 @@ void CsvTable::takeHeader(std::vector<std::string> header, std::size_t line,
                           std::initializer_list<std::string_view> required,
                           std::initializer_list<std::string_view> optional) {
   const std::string remedy = "Begin with the header " + listed(required) + ", in any order";
-  if (header.size() == 1 && required.size() > 1 && header[0].find_first_of(";\t") != std::string::npos)
+  if (header.size() == 1 && required.size() > 1 && header[0].find_first_of(";\t") != std::string::npos) {
     refuseAt(name_, line, Text("the columns are not separated by commas: %1", inQuotes(header[0])),
              "Save the table with commas and decimal points");
-  for (auto name = header.begin(); name != header.end(); ++name)
-    if (std::find(header.begin(), name, *name) != name)
+  }
+  for (auto name = header.begin(); name != header.end(); ++name) {
+    if (std::find(header.begin(), name, *name) != name) {
       refuseAt(name_, line, Text("the header names the column %1 twice", inQuotes(*name)), remedy);
-  for (const std::string_view name : required)
-    if (std::find(header.begin(), header.end(), name) == header.end())
+    }
+  }
+  for (const std::string_view name : required) {
+    if (std::find(header.begin(), header.end(), name) == header.end()) {
       refuseAt(name_, line, Text("the header has no column %1", inQuotes(name)), remedy);
+    }
+  }
   for (const std::string& name : header) {
     const bool known = std::find(required.begin(), required.end(), name) != required.end() ||
                        std::find(optional.begin(), optional.end(), name) != optional.end();
-    if (!known) ignored_.push_back(name);
+    if (!known) {
+      ignored_.push_back(name);
+    }
   }
   header_ = std::move(header);
 }
@@ -226,7 +269,9 @@ void CsvTable::takeRow(Row row) {
     std::string what = "the line has " + std::to_string(row.values.size()) + " values, the header " +
                        std::to_string(header_.size());
     for (std::size_t i = 0; i + 1 < row.values.size() && row.values.size() > header_.size(); ++i) {
-      if (!isDigits(row.values[i]) || !isDigits(row.values[i + 1])) continue;
+      if (!isDigits(row.values[i]) || !isDigits(row.values[i + 1])) {
+        continue;
+      }
       what += "; is " + inQuotes(row.values[i] + "," + row.values[i + 1]) + " a decimal comma?";
       break;
     }
@@ -255,8 +300,9 @@ const std::string& CsvTable::cell(std::size_t row, std::string_view column) cons
 
 const std::string& CsvTable::text(std::size_t row, std::string_view column) const {
   const std::string& value = cell(row, column);
-  if (value.empty())
+  if (value.empty()) {
     refuse(row, Text("the column \"%1\" is empty", std::string(column)), "Fill it in or remove the line");
+  }
   return value;
 }
 
@@ -265,30 +311,42 @@ double CsvTable::number(std::size_t row, std::string_view column) const {
   const Text rule("Write a decimal number with a point, such as 7.5");
   const std::string named = std::string(column) + " " + inQuotes(shown);
   std::string_view digits = shown;
-  if (digits.front() == '+') digits.remove_prefix(1);
+  if (digits.front() == '+') {
+    digits.remove_prefix(1);
+  }
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error == std::errc::result_out_of_range) refuse(row, Text("%1 is too large or too small", named), rule);
-  if (hasDecimalComma(shown)) refuse(row, Text("%1 has a decimal comma", named), rule);
-  if (error != std::errc() || end != digits.data() + digits.size() || digits.front() == '+')
+  if (error == std::errc::result_out_of_range) {
+    refuse(row, Text("%1 is too large or too small", named), rule);
+  }
+  if (hasDecimalComma(shown)) {
+    refuse(row, Text("%1 has a decimal comma", named), rule);
+  }
+  if (error != std::errc() || end != digits.data() + digits.size() || digits.front() == '+') {
     refuse(row, Text("%1 is not a number", named), rule);
-  if (!std::isfinite(value)) refuse(row, Text("%1 is not a finite number", named), rule);
+  }
+  if (!std::isfinite(value)) {
+    refuse(row, Text("%1 is not a finite number", named), rule);
+  }
   return value;
 }
 
 std::optional<double> CsvTable::numberIfGiven(std::size_t row, std::string_view column) const {
-  if (cell(row, column).empty()) return std::nullopt;
+  if (cell(row, column).empty()) {
+    return std::nullopt;
+  }
   return number(row, column);
 }
 
 std::int64_t CsvTable::whole(std::size_t row, std::string_view column, std::int64_t low,
                              std::int64_t high) const {
   const double value = number(row, column);
-  if (value != std::floor(value) || value < static_cast<double>(low) || value > static_cast<double>(high))
+  if (value != std::floor(value) || value < static_cast<double>(low) || value > static_cast<double>(high)) {
     refuse(row,
            Text("%1 %2 is not a whole number from %3 to %4", std::string(column), inQuotes(cell(row, column)),
                 low, high),
            "Correct the value");
+  }
   return static_cast<std::int64_t>(value);
 }
 

@@ -19,12 +19,16 @@ using ProgressCallback = std::function<void(const Progress&)>;
 
 /// Tells how far the work is; does nothing without a listener.
 inline void tellProgress(const ProgressCallback& progress, const Text& step, double fraction) {
-  if (progress) progress({step, fraction, -1.0});
+  if (progress) {
+    progress({step, fraction, -1.0});
+  }
 }
 
 /// For a piece of the work that reaches from `from` to `to` of the whole and counts 0..1 itself.
 [[nodiscard]] inline ProgressCallback partOf(const ProgressCallback& whole, double from, double to) {
-  if (!whole) return {};
+  if (!whole) {
+    return {};
+  }
   return [whole, from, to](const Progress& part) {
     whole({part.step, from + (to - from) * part.fraction, -1.0});
   };

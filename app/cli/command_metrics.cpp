@@ -162,7 +162,9 @@ void runMetrics(const MetricsArguments& arguments) {
   const Trial& trial = run.trial;
   const std::vector<Sample> samples = decodeTrial(trial);
   std::optional<Scene> scene;
-  if (arguments.scene || arguments.shearLimit_Pa) scene = sceneOf(arguments, trial.header);
+  if (arguments.scene || arguments.shearLimit_Pa) {
+    scene = sceneOf(arguments, trial.header);
+  }
   OrganKnowledge organ = scene ? organOf(*scene) : OrganKnowledge{};
   organ.shearLimit_Pa = arguments.shearLimit_Pa;
   const MeasuredTrial measured = measureTwists(trial.header, samples, run.rules, organ);

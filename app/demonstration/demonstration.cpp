@@ -46,7 +46,9 @@ class ProgressMeter {
   explicit ProgressMeter(const ProgressCallback& callback) : callback_(callback) {}
 
   void show(const std::string& step, double fraction) {
-    if (!callback_) return;
+    if (!callback_) {
+      return;
+    }
     const double elapsed_s =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
     callback_({step, fraction, fraction > 0.05 ? elapsed_s * (1.0 - fraction) / fraction : -1.0});
@@ -70,7 +72,9 @@ class TemporaryDatabase {
   [[nodiscard]] std::string locator() const { return temporary_.string(); }
   void keep() {
     std::error_code failed;
-    for (const char* companion : {"-wal", "-shm"}) fs::remove(file_.string() + companion, failed);
+    for (const char* companion : {"-wal", "-shm"}) {
+      fs::remove(file_.string() + companion, failed);
+    }
     fs::rename(temporary_, file_, failed);
     if (failed) {
       throw Error(ErrorCode::kFileUnwritable, "cannot be written", file_.string(),
@@ -81,7 +85,9 @@ class TemporaryDatabase {
  private:
   void discard() const {
     std::error_code ignored;
-    for (const char* ending : {"", "-wal", "-shm"}) fs::remove(temporary_.string() + ending, ignored);
+    for (const char* ending : {"", "-wal", "-shm"}) {
+      fs::remove(temporary_.string() + ending, ignored);
+    }
   }
   fs::path file_;
   fs::path temporary_;
@@ -127,11 +133,15 @@ class Demonstration {
     record(example, show, {}, 0.04);
 
     std::size_t total = 0;
-    for (const VirtualPhase& phase : kVirtualPhases) total += study_.people.groups.at(phase.group).size();
+    for (const VirtualPhase& phase : kVirtualPhases) {
+      total += study_.people.groups.at(phase.group).size();
+    }
     std::size_t done = 0;
     for (const VirtualPhase& phase : kVirtualPhases) {
       for (const DemonstrationTrainee& trainee : study_.trainees) {
-        if (trainee.group != phase.group) continue;
+        if (trainee.group != phase.group) {
+          continue;
+        }
         ScriptedTrial trial;
         trial.personSeed = options_.seed + 1000 * (trainee.group * 10 + trainee.number);
         trial.trialSeed = trial.personSeed + static_cast<std::uint64_t>(phase.practisedBefore_min);
@@ -178,8 +188,12 @@ class Demonstration {
     summary_.samples += row.samples;
     summary_.recorded_min += row.minutes;
     ++summary_.trials;
-    if (trainee == nullptr) return;
-    if (summary_.firstTrialId.empty()) summary_.firstTrialId = recording.trialId;
+    if (trainee == nullptr) {
+      return;
+    }
+    if (summary_.firstTrialId.empty()) {
+      summary_.firstTrialId = recording.trialId;
+    }
     row.group = trainee->group;
     summary_.twists += row.twists;
     DigestRepository(connection_).add({&digest, 1});
@@ -224,7 +238,9 @@ class Demonstration {
 };
 
 void requireShortening(const DemonstrationOptions& options) {
-  if (options.shortening >= 1 && options.shortening <= 600) return;
+  if (options.shortening >= 1 && options.shortening <= 600) {
+    return;
+  }
   throw Error(ErrorCode::kBadParameter, "the shortening must lie between 1 and 600",
               std::to_string(options.shortening), "Give 60 for twenty seconds a phase");
 }
@@ -254,7 +270,9 @@ DemonstrationSummary runDemonstration(const DemonstrationOptions& options) {
     Demonstration demonstration(options, connection);
     const CohortInputs inputs = demonstration.run();
     summary = demonstration.summary();
-    if (options.progress) options.progress({"Writing the report", 0.95, -1.0});
+    if (options.progress) {
+      options.progress({"Writing the report", 0.95, -1.0});
+    }
     summary.report = options.out / "cohort.pdf";
     summary.table = options.out / "cohort.csv";
     summary.database = options.out / "torsio.sqlite";
@@ -262,7 +280,9 @@ DemonstrationSummary runDemonstration(const DemonstrationOptions& options) {
     writeFileAtomically(summary.table, cohortCsvText(cohortCsvRows(inputs)));
   }
   database.keep();
-  if (options.progress) options.progress({"Done", 1.0, 0.0});
+  if (options.progress) {
+    options.progress({"Done", 1.0, 0.0});
+  }
   return summary;
 }
 

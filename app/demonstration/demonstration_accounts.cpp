@@ -32,7 +32,9 @@ DemonstrationUsers fillWithPeople(Workplace& workplace, const std::filesystem::p
   options.progress = progress;
   static_cast<void>(fillDemonstration(options, workplace.connection()));
   // What the trainee and the physician of the demonstration find when they sign in.
-  if (progress) progress({"Laying out the desks", kDesksAt, -1.0});
+  if (progress) {
+    progress({"Laying out the desks", kDesksAt, -1.0});
+  }
   const DemonstrationStation station =
       storeDemonstrationStation(workplace.connection(), workplace.ids(), assets, workplace.now_us());
   const DemonstrationDesk desk =

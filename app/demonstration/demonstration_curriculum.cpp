@@ -20,8 +20,11 @@ constexpr std::uint64_t kCurriculumStream = 0x63'7572'7269'6375ULL;
 constexpr std::uint64_t kExposureStream = 0x65'7870'6f73'75ULL;
 
 CurriculumTemplate paperTemplate(const std::filesystem::path& assets) {
-  for (CurriculumTemplate& found : curriculumTemplates(assets))
-    if (found.id == kTemplate) return std::move(found);
+  for (CurriculumTemplate& found : curriculumTemplates(assets)) {
+    if (found.id == kTemplate) {
+      return std::move(found);
+    }
+  }
   throw Error(ErrorCode::kFileMissing, "there is no such curriculum", kTemplate, "Repair the installation");
 }
 
@@ -39,14 +42,21 @@ void fitTo(StoredModule& module, const Scene& training) {
 /// Codes become ids: a template carries codes where a stored version has ids.
 void giveIds(StoredCurriculumVersion& version, IdSource& ids) {
   std::map<std::string, std::string> idOf;
-  for (StoredModule& module : version.modules) idOf[module.code] = module.id = ids.newUuid();
-  for (StoredModule& module : version.modules)
-    for (std::string& required : module.requires_) required = idOf.at(required);
+  for (StoredModule& module : version.modules) {
+    idOf[module.code] = module.id = ids.newUuid();
+  }
+  for (StoredModule& module : version.modules) {
+    for (std::string& required : module.requires_) {
+      required = idOf.at(required);
+    }
+  }
   for (StoredArm& arm : version.arms) {
     arm.id = ids.newUuid();
     for (StoredPhase& phase : arm.phases) {
       phase.id = ids.newUuid();
-      if (!phase.moduleId.empty()) phase.moduleId = idOf.at(phase.moduleId);
+      if (!phase.moduleId.empty()) {
+        phase.moduleId = idOf.at(phase.moduleId);
+      }
     }
   }
 }
@@ -77,8 +87,11 @@ StoredCurriculumVersion storeDemonstrationCurriculum(Connection& connection, con
 
 DemonstrationPlace demonstrationPlace(const StoredCurriculumVersion& curriculum, std::size_t group,
                                       const std::string& phaseLabel) {
-  for (const StoredPhase& phase : curriculum.arms.at(group).phases)
-    if (phase.label == phaseLabel) return {phase.moduleId, phase.id};
+  for (const StoredPhase& phase : curriculum.arms.at(group).phases) {
+    if (phase.label == phaseLabel) {
+      return {phase.moduleId, phase.id};
+    }
+  }
   return {};
 }
 
@@ -95,8 +108,9 @@ void storeDemonstrationExposures(Connection& connection, const DemonstrationStud
       at_us += duration_us;
     };
     for (std::size_t i = 0; i < arm.phases.size(); ++i) {
-      if (i == 1 && trainee.number % 2 == 0 && arm.restAllowance_us > 0)
+      if (i == 1 && trainee.number % 2 == 0 && arm.restAllowance_us > 0) {
         spend("", "rest", arm.restAllowance_us);
+      }
       spend(arm.phases[i].id, std::string(storedText(arm.phases[i].kind)), arm.phases[i].duration_us);
     }
   }

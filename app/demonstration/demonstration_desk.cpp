@@ -45,7 +45,9 @@ class DeskMaker {
 
   DemonstrationDesk make() {
     for (const StoredRater& rater : PeopleRepository(connection_).raters()) {
-      if (rater.person.code.starts_with("R-")) desk_.raterIds.push_back(rater.person.id);
+      if (rater.person.code.starts_with("R-")) {
+        desk_.raterIds.push_back(rater.person.id);
+      }
     }
     if (desk_.raterIds.empty()) {
       throw Error(ErrorCode::kBadData, "there are no demonstration physicians", "the record",
@@ -55,7 +57,9 @@ class DeskMaker {
     addTrainees();
     addAssignments();
     addReferenceRuns();
-    for (std::size_t rater = 0; rater < desk_.raterIds.size(); ++rater) submitSheets(rater);
+    for (std::size_t rater = 0; rater < desk_.raterIds.size(); ++rater) {
+      submitSheets(rater);
+    }
     addCampaign();
     return desk_;
   }
@@ -148,7 +152,9 @@ class DeskMaker {
         one.assignedBy = "demonstration";
         one.assignedUtc_us = options_.utc_us;
         one.demonstration = true;
-        if (rater == 0 && !live) desk_.assignmentIds.push_back(one.id);
+        if (rater == 0 && !live) {
+          desk_.assignmentIds.push_back(one.id);
+        }
         assignments.push_back(one);
       }
     }
@@ -198,7 +204,9 @@ class DeskMaker {
     DeskRepository desk(connection_);
     int own = 0;
     for (const StoredAssignment& one : assignments_) {
-      if (one.raterId != desk_.raterIds[rater] || one.trialId.empty()) continue;
+      if (one.raterId != desk_.raterIds[rater] || one.trialId.empty()) {
+        continue;
+      }
       const auto trainee = static_cast<std::size_t>(
           std::find(enrolmentIds_.begin(), enrolmentIds_.end(), one.enrolmentId) - enrolmentIds_.begin());
       Sheet sheet = sheetFor(trainee, rater);
@@ -209,7 +217,9 @@ class DeskMaker {
         sheet.comment = "Steady grip; starts late.";
         sheets.saveDraft(one.id, sheet);
       }
-      if (rater == 0 && own > 4) continue;
+      if (rater == 0 && own > 4) {
+        continue;
+      }
       const std::string markId = ids_.newUuid();
       sheets.submit(one.id, markId, sheet, "", options_.utc_us);
       StoredViewing viewing;
@@ -225,7 +235,9 @@ class DeskMaker {
     campaign.name = "Three tissue models, second reading (demonstration)";
     campaign.instrument = paperInstrument();
     constexpr std::array<const char*, 3> kClasses{"intern", "deputy_chief", "chief"};
-    for (std::size_t c = 0; c < kClasses.size(); ++c) campaign.instrument.classes[c].id = kClasses[c];
+    for (std::size_t c = 0; c < kClasses.size(); ++c) {
+      campaign.instrument.classes[c].id = kClasses[c];
+    }
     campaign.models = {{"PM", "proposed model (Kriging + membrane)", "K", 1},
                        {"FEM", "finite elements", "M", 2},
                        {"MSM", "mass-spring", "T", 3}};

@@ -97,7 +97,9 @@ void allocateTrainees(Connection& connection, IdSource& ids, const std::vector<S
 
   AllocationDesign design;
   design.studyId = study.cohortId;
-  for (const StoredGroup& group : groups) design.arms.push_back(group.code);
+  for (const StoredGroup& group : groups) {
+    design.arms.push_back(group.code);
+  }
   const Allocation allocation = allocate(design, seed, persons);
   study.seedCommitment = allocation.commitment;
   study.allocationSeed = static_cast<std::int64_t>(seed);
@@ -148,7 +150,9 @@ StoredCampaign makeCampaign(IdSource& ids, const std::vector<std::vector<StoredR
   campaign.id = ids.newUuid();
   campaign.name = "Nine-index evaluation (demonstration)";
   campaign.instrument = paperInstrument();
-  for (std::size_t c = 0; c < kClasses.size(); ++c) campaign.instrument.classes[c].id = kClasses[c].code;
+  for (std::size_t c = 0; c < kClasses.size(); ++c) {
+    campaign.instrument.classes[c].id = kClasses[c].code;
+  }
   campaign.models = {{"PM", "proposed model (Kriging + membrane)", "X", 1},
                      {"FEM", "finite elements", "Y", 2},
                      {"MSM", "mass-spring", "Z", 3}};
@@ -186,7 +190,9 @@ std::string addOverallRubric(Connection& connection, IdSource& ids, const ScoreS
 std::vector<std::string> liveLabels(std::size_t count, std::uint64_t seed) {
   std::set<std::string> taken;
   for (char figure = '1'; figure <= '9'; ++figure) {
-    for (char letter = 'A'; letter <= 'Z'; ++letter) taken.insert(std::string{figure, letter});
+    for (char letter = 'A'; letter <= 'Z'; ++letter) {
+      taken.insert(std::string{figure, letter});
+    }
   }
   return caseLabels(count, taken, seed, 0);
 }
@@ -196,14 +202,20 @@ std::vector<std::string> liveLabels(std::size_t count, std::uint64_t seed) {
 void assignMarks(Connection& connection, std::vector<StoredTrainingMark>& marks, std::uint64_t seed,
                  std::int64_t utc_us) {
   constexpr std::uint64_t kOwnStream = 0x61'7373'6967'6eULL;
-  if (marks.empty()) return;
+  if (marks.empty()) {
+    return;
+  }
   SeededIdSource ids(seed ^ kOwnStream);
   const std::string rubric = addOverallRubric(connection, ids, marks.front().scale, utc_us);
   std::map<std::pair<std::string, std::string>, std::string> labels;  // one for all raters: it is called out
-  for (const StoredTrainingMark& mark : marks) labels[{mark.enrolmentId, mark.scoringPoint}];
+  for (const StoredTrainingMark& mark : marks) {
+    labels[{mark.enrolmentId, mark.scoringPoint}];
+  }
   const std::vector<std::string> drawn = liveLabels(labels.size(), seed);
   std::size_t next = 0;
-  for (auto& [live, label] : labels) label = drawn.at(next++);
+  for (auto& [live, label] : labels) {
+    label = drawn.at(next++);
+  }
   std::vector<StoredAssignment> assignments;
   std::map<std::string, std::int64_t> positions;
   for (StoredTrainingMark& mark : marks) {
@@ -231,7 +243,9 @@ DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& id
   PeopleRepository people(connection);
   StudyRepository studies(connection);
   DemonstrationStudy study;
-  if (!studies.centre()) studies.setCentre({ids.newUuid(), "Demonstration centre (simulated)", utc_us, true});
+  if (!studies.centre()) {
+    studies.setCentre({ids.newUuid(), "Demonstration centre (simulated)", utc_us, true});
+  }
   std::vector<StoredRaterClass> classes;
   for (const ClassOfRaters& c : kClasses) {
     classes.push_back({c.code, c.label, static_cast<std::int64_t>(classes.size() + 1)});
@@ -243,14 +257,17 @@ DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& id
   const std::vector<StoredRater> markers =
       makeRaters(ids, "R", kTrainingRaters, kMaleTrainingRaters, "chief", utc_us);
   people.addRaters(markers);
-  for (const StoredRater& rater : markers) study.people.raters.push_back(rater.person.code);
+  for (const StoredRater& rater : markers) {
+    study.people.raters.push_back(rater.person.code);
+  }
   std::vector<std::vector<StoredRater>> evaluators;
   for (const ClassOfRaters& c : kClasses) {
     evaluators.push_back(makeRaters(ids, c.prefix, c.count, c.men, c.code, utc_us));
     people.addRaters(evaluators.back());
     study.people.raterClasses.emplace_back();
-    for (const StoredRater& rater : evaluators.back())
+    for (const StoredRater& rater : evaluators.back()) {
       study.people.raterClasses.back().push_back(rater.person.code);
+    }
   }
 
   study.cohortId = ids.newUuid();
@@ -265,8 +282,9 @@ DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& id
                     groups);
   allocateTrainees(connection, ids, trainees, groups, seed, utc_us, study);
   study.people.groups.resize(groups.size());
-  for (const DemonstrationTrainee& trainee : study.trainees)
+  for (const DemonstrationTrainee& trainee : study.trainees) {
     study.people.groups[trainee.group].push_back(trainee.code);
+  }
 
   const StoredCampaign campaign = makeCampaign(ids, evaluators, utc_us);
   EvaluationRepository(connection).addCampaign(campaign);
@@ -277,10 +295,13 @@ DemonstrationStudy storeDemonstrationPeople(Connection& connection, IdSource& id
 void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& study, IdSource& ids,
                               std::uint64_t seed, std::int64_t utc_us) {
   std::map<std::string, std::string> raterIds;
-  for (const StoredRater& rater : PeopleRepository(connection).raters())
+  for (const StoredRater& rater : PeopleRepository(connection).raters()) {
     raterIds[rater.person.code] = rater.person.id;
+  }
   std::map<std::string, std::string> enrolmentIds;
-  for (const DemonstrationTrainee& trainee : study.trainees) enrolmentIds[trainee.code] = trainee.enrolmentId;
+  for (const DemonstrationTrainee& trainee : study.trainees) {
+    enrolmentIds[trainee.code] = trainee.enrolmentId;
+  }
 
   const Occasions occasions = OccasionRepository(connection).all();
   std::vector<StoredTrainingMark> training;
@@ -302,11 +323,15 @@ void submitDemonstrationMarks(Connection& connection, const DemonstrationStudy& 
   EvaluationRepository evaluations(connection);
   const auto campaign = evaluations.campaign(study.campaignId);
   std::vector<std::string> models;
-  for (const StoredModel& model : campaign.value().models) models.push_back(model.code);
+  for (const StoredModel& model : campaign.value().models) {
+    models.push_back(model.code);
+  }
   std::vector<StoredEvaluationMark> marks;
   for (const EvaluationRating& rating :
        demonstrationEvaluationMarks(campaign->instrument, study.people, models, seed)) {
-    if (!rating.steps) continue;
+    if (!rating.steps) {
+      continue;
+    }
     StoredEvaluationMark stored;
     stored.id = ids.newUuid();
     stored.raterId = raterIds.at(rating.rater);

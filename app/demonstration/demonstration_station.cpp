@@ -37,16 +37,23 @@ StoredCurriculumVersion versionFrom(const StoredCurriculumVersion& content, IdSo
   version.arms.clear();
   version.scoringPoints.clear();
   std::map<std::string, std::string> idOf;
-  for (StoredModule& module : version.modules) idOf[module.code] = module.id = ids.newUuid();
-  for (StoredModule& module : version.modules)
-    for (std::string& required : module.requires_) required = idOf.at(required);
+  for (StoredModule& module : version.modules) {
+    idOf[module.code] = module.id = ids.newUuid();
+  }
+  for (StoredModule& module : version.modules) {
+    for (std::string& required : module.requires_) {
+      required = idOf.at(required);
+    }
+  }
   return version;
 }
 
 StoredCurriculumVersion storeCurriculum(Connection& connection, IdSource& ids,
                                         const std::filesystem::path& assets, std::int64_t utc_us) {
   for (const CurriculumTemplate& found : curriculumTemplates(assets)) {
-    if (found.id != kTemplate) continue;
+    if (found.id != kTemplate) {
+      continue;
+    }
     CurriculumRepository curricula(connection);
     const std::string id = ids.newUuid();
     curricula.addCurriculum({id, found.title + " (demonstration)", found.description, utc_us, true});
@@ -104,7 +111,9 @@ void addRemark(Connection& connection, IdSource& ids, const std::string& trialId
   const std::vector<StoredRater> raters = PeopleRepository(connection).raters();
   const auto chief =
       std::find_if(raters.begin(), raters.end(), [](const StoredRater& r) { return r.classCode == "chief"; });
-  if (chief == raters.end()) return;
+  if (chief == raters.end()) {
+    return;
+  }
   RemarkRepository(connection)
       .add({.id = ids.newUuid(),
             .trialId = trialId,
@@ -134,13 +143,19 @@ DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource&
   const StoredPerson& person = trainees.front().person;
   station.personId = person.id;
   for (const StoredCohort& cohort : studies.cohorts()) {
-    if (cohort.name != kCohort) continue;
+    if (cohort.name != kCohort) {
+      continue;
+    }
     station.cohortId = cohort.id;
     const auto version = CurriculumRepository(connection).version(cohort.curriculumVersionId);
-    if (version && !version->modules.empty()) station.firstModuleId = version->modules.front().id;
+    if (version && !version->modules.empty()) {
+      station.firstModuleId = version->modules.front().id;
+    }
     for (const TrialListing& trial : TrialRepository(connection).list({.traineeCode = person.code})) {
       const bool own = trial.station == kBy && !trial.moduleId.empty();
-      if (own && station.newestTrialId.empty()) station.newestTrialId = trial.trialId;
+      if (own && station.newestTrialId.empty()) {
+        station.newestTrialId = trial.trialId;
+      }
     }
     return station;
   }
@@ -150,8 +165,9 @@ DemonstrationStation storeDemonstrationStation(Connection& connection, IdSource&
   station.firstModuleId = version.modules.front().id;
   // After the other cohorts of the demonstration, whatever time they carry.
   std::int64_t newest_us = utc_us;
-  for (const StoredCohort& cohort : studies.cohorts())
+  for (const StoredCohort& cohort : studies.cohorts()) {
     newest_us = std::max(newest_us, cohort.createdUtc_us + 1);
+  }
   studies.addCohort(
       {station.cohortId, kCohort, "A simulated trainee on the way through the first steps", newest_us, true},
       {});

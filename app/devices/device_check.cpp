@@ -33,7 +33,9 @@ void pause_s(double seconds) {
 }
 
 void requireTime(double seconds, double longest, const char* what) {
-  if (seconds > 0.0 && seconds <= longest) return;
+  if (seconds > 0.0 && seconds <= longest) {
+    return;
+  }
   throw Error(ErrorCode::kBadParameter,
               Text("%1 must lie above 0 s and not above %2 s, got %3", std::string(what),
                    formatFixed(longest, 0), formatFixed(seconds, 2)),
@@ -42,7 +44,9 @@ void requireTime(double seconds, double longest, const char* what) {
 
 std::string joined(const std::vector<std::string>& parts) {
   std::string text;
-  for (const std::string& part : parts) text.append(text.empty() ? "" : ", ").append(part);
+  for (const std::string& part : parts) {
+    text.append(text.empty() ? "" : ", ").append(part);
+  }
   return text;
 }
 
@@ -60,7 +64,9 @@ class Check {
       if (waitForCalibration() && measure()) {
         judgeServo();
         judgeStylus();
-        if (request_.forceTest) testForce();
+        if (request_.forceTest) {
+          testForce();
+        }
       }
       close();
     }
@@ -72,7 +78,9 @@ class Check {
     result_.findings.push_back({subject, grade, sentence, remedy});
   }
   void say(const Text& sentence) const {
-    if (request_.say) request_.say(sentence);
+    if (request_.say) {
+      request_.say(sentence);
+    }
   }
   [[nodiscard]] bool cancelled() const { return request_.cancelled && request_.cancelled(); }
   [[nodiscard]] double elapsed_s(std::int64_t from_us) const {
@@ -111,7 +119,9 @@ class Check {
              orNotReported(id.serial), orNotReported(id.driverVersion), orNotReported(id.libraryVersion),
              id.openedAs));
     add(FindingGrade::kGood, "Licence", "the library works on this computer");
-    for (const Text& note : id.notes) add(FindingGrade::kNote, "Device", note);
+    for (const Text& note : id.notes) {
+      add(FindingGrade::kNote, "Device", note);
+    }
     if (!id.assumed.empty()) {
       add(FindingGrade::kNote, "Device",
           Text("not reported in a form that makes sense, so a cautious value is assumed: %1",
@@ -155,8 +165,12 @@ class Check {
     bool asked = false;
     for (;;) {
       const HdapiSnapshot now = device_->snapshot();
-      if (!stillThere(now)) return false;
-      if (now.timing.ticks > 0 && now.calibration == CalibrationState::kCalibrated) break;
+      if (!stillThere(now)) {
+        return false;
+      }
+      if (now.timing.ticks > 0 && now.calibration == CalibrationState::kCalibrated) {
+        break;
+      }
       if (now.calibration == CalibrationState::kFailed) {
         add(FindingGrade::kBad, "Calibration", "the device refused to be calibrated several times",
             "Put the stylus firmly into the inkwell and repeat the check");
@@ -200,7 +214,9 @@ class Check {
     while (elapsed_s(from_us) < request_.seconds) {
       pause_s(kPollEvery_s);
       now = device_->snapshot();
-      if (!stillThere(now)) return false;
+      if (!stillThere(now)) {
+        return false;
+      }
       const double roll_rad = toolState(now.sample).roll_rad;
       docked = docked && now.docked;
       lowest_rad = std::min(lowest_rad, roll_rad);
@@ -218,7 +234,9 @@ class Check {
     result_.timing = now.timing;
     lateTicks_ = now.timing.late - first.timing.late;
     gaps_ = now.timing.gaps - first.timing.gaps;
-    if (docked && highest_rad >= lowest_rad) rollNoise_deg_ = degrees(highest_rad - lowest_rad);
+    if (docked && highest_rad >= lowest_rad) {
+      rollNoise_deg_ = degrees(highest_rad - lowest_rad);
+    }
     return true;
   }
 
@@ -269,7 +287,9 @@ class Check {
   }
 
   void testForce() {
-    if (!waitUntilUndocked()) return;
+    if (!waitUntilUndocked()) {
+      return;
+    }
     say(Text("Hold the stylus: it will push upwards with %1 N for %2 s", formatFixed(kSelfTestForce_N, 1),
              formatFixed(kSelfTestTime_s, 0)));
     device_->enableForce(true);
@@ -283,11 +303,15 @@ class Check {
       pause_s(kWriteEvery_s);
       now = device_->snapshot();
       everOn = everOn || now.forceOn;
-      if (!stillThere(now)) break;
+      if (!stillThere(now)) {
+        break;
+      }
     }
     device_->write({});
     device_->enableForce(false);
-    if (now.state == HdapiState::kLost || cancelled()) return;
+    if (now.state == HdapiState::kLost || cancelled()) {
+      return;
+    }
     if (!everOn) {
       add(FindingGrade::kBad, "Force", "the force output did not switch on",
           "Check the device's power supply and repeat the check");
@@ -302,13 +326,19 @@ class Check {
   }
 
   bool waitUntilUndocked() {
-    if (!device_->snapshot().docked) return true;
+    if (!device_->snapshot().docked) {
+      return true;
+    }
     say("Take the stylus out of the inkwell and hold it in the middle of the workspace");
     const std::int64_t from_us = clock_.now_us();
     while (elapsed_s(from_us) < std::min(kUndockWait_s, request_.calibrationWait_s)) {
       const HdapiSnapshot now = device_->snapshot();
-      if (!stillThere(now)) return false;
-      if (!now.docked) return true;
+      if (!stillThere(now)) {
+        return false;
+      }
+      if (!now.docked) {
+        return true;
+      }
       pause_s(kPollEvery_s);
     }
     add(FindingGrade::kNote, "Force", "not tested: the stylus stayed in the inkwell",
@@ -386,7 +416,9 @@ void monitorDevice(const DeviceMonitorRequest& request) {
   for (double time_s = 0.0; time_s < request.seconds;
        time_s = 1e-6 * static_cast<double>(clock.now_us() - begun_us)) {
     pause_s(request.interval_s);
-    if (request.cancelled && request.cancelled()) return;
+    if (request.cancelled && request.cancelled()) {
+      return;
+    }
     const HdapiSnapshot now = device.snapshot();
     request.show(readout(now, 1e-6 * static_cast<double>(clock.now_us() - begun_us)));
     if (now.state == HdapiState::kLost) {
@@ -401,8 +433,12 @@ std::string deviceStateText(const HdapiSnapshot& snapshot) {
     case HdapiState::kOpened:
       return "starting";
     case HdapiState::kNeedsCalibration:
-      if (snapshot.calibration == CalibrationState::kFailed) return "calibration failed";
-      if (snapshot.calibration == CalibrationState::kUpdating) return "being calibrated";
+      if (snapshot.calibration == CalibrationState::kFailed) {
+        return "calibration failed";
+      }
+      if (snapshot.calibration == CalibrationState::kUpdating) {
+        return "being calibrated";
+      }
       return "put the stylus into the inkwell";
     case HdapiState::kReady:
       return "ready, force off";

@@ -6,7 +6,9 @@
 namespace torsio {
 
 Light DeviceReadiness::light() const noexcept {
-  if (findings.empty()) return Light::kRed;
+  if (findings.empty()) {
+    return Light::kRed;
+  }
   return std::max_element(
              findings.begin(), findings.end(),
              [](const ReadinessFinding& a, const ReadinessFinding& b) { return a.light < b.light; })

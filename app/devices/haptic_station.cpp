@@ -37,7 +37,9 @@ Light lightOf(FindingGrade grade) {
 
 DeviceDriver driverOf(const DeviceChoice& choice) {
   for (const DeviceDriver& driver : deviceDrivers(choice.library)) {
-    if (driver.id == kHapticDriver) return driver;
+    if (driver.id == kHapticDriver) {
+      return driver;
+    }
   }
   throw Error(ErrorCode::kDevice, "this build has no driver for haptic devices", "",
               "Use mouse and keyboard");

@@ -18,15 +18,21 @@ constexpr std::array<std::pair<Light, const char*>, 3> kLights{
 /// A sentence as [pattern, argument ...], the arguments sentences themselves.
 nlohmann::json jsonOf(const Text& text) {
   nlohmann::json json = nlohmann::json::array({text.pattern()});
-  for (const Text& argument : text.arguments()) json.push_back(jsonOf(argument));
+  for (const Text& argument : text.arguments()) {
+    json.push_back(jsonOf(argument));
+  }
   return json;
 }
 
 Text textOf(const nlohmann::json& json) {
-  if (!json.is_array() || json.empty() || !json[0].is_string()) return {};
+  if (!json.is_array() || json.empty() || !json[0].is_string()) {
+    return {};
+  }
   const auto pattern = json[0].get<std::string>();
   std::vector<Text> given;
-  for (std::size_t i = 1; i < json.size(); ++i) given.push_back(textOf(json[i]));
+  for (std::size_t i = 1; i < json.size(); ++i) {
+    given.push_back(textOf(json[i]));
+  }
   switch (given.size()) {
     case 0:
       return pattern;
@@ -40,7 +46,9 @@ Text textOf(const nlohmann::json& json) {
       break;  // findings have three at most: more is read in English
   }
   std::vector<std::string> words;
-  for (const Text& argument : given) words.push_back(argument.str());
+  for (const Text& argument : given) {
+    words.push_back(argument.str());
+  }
   return filledIn(pattern, words);
 }
 
@@ -59,12 +67,18 @@ StationDevice stationDevice(const DeviceReadiness& readiness, std::int64_t check
                        .haptic = readiness.haptic,
                        .light = readiness.light(),
                        .checkedUtc_us = checkedUtc_us};
-  if (*device.light == Light::kGreen) return device;
+  if (*device.light == Light::kGreen) {
+    return device;
+  }
   const auto worst =
       std::find_if(readiness.findings.begin(), readiness.findings.end(),
                    [&](const ReadinessFinding& finding) { return finding.light == device.light; });
-  if (worst != readiness.findings.end()) device.problem = worst->detail;
-  if (!readiness.haptic && *device.light == Light::kAmber) device.problem = Text("the force is not felt");
+  if (worst != readiness.findings.end()) {
+    device.problem = worst->detail;
+  }
+  if (!readiness.haptic && *device.light == Light::kAmber) {
+    device.problem = Text("the force is not felt");
+  }
   return device;
 }
 
@@ -78,8 +92,11 @@ void storeDevice(const StationDevice& device, StationState& state) {
   state.deviceProblemJson = stored(device.problem);
   state.deviceCheckedUtc_us = device.checkedUtc_us;
   state.deviceLight.clear();
-  for (const auto& [light, code] : kLights)
-    if (device.light == light) state.deviceLight = code;
+  for (const auto& [light, code] : kLights) {
+    if (device.light == light) {
+      state.deviceLight = code;
+    }
+  }
 }
 
 StationDevice storedDevice(const StationState& state) {
@@ -87,8 +104,11 @@ StationDevice storedDevice(const StationState& state) {
                        .haptic = state.deviceHaptic,
                        .problem = read(state.deviceProblemJson),
                        .checkedUtc_us = state.deviceCheckedUtc_us};
-  for (const auto& [light, code] : kLights)
-    if (state.deviceLight == code) device.light = light;
+  for (const auto& [light, code] : kLights) {
+    if (state.deviceLight == code) {
+      device.light = light;
+    }
+  }
   return device;
 }
 

@@ -19,14 +19,20 @@ class NewFile {
  public:
   explicit NewFile(const Locator& target) {
     std::error_code ignored;
-    if (target.engine == Engine::kSqlite && !fs::exists(target.file, ignored)) file_ = target.file;
+    if (target.engine == Engine::kSqlite && !fs::exists(target.file, ignored)) {
+      file_ = target.file;
+    }
   }
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
   ~NewFile() {
-    if (file_.empty()) return;
+    if (file_.empty()) {
+      return;
+    }
     std::error_code ignored;
-    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(file_ + suffix, ignored);
+    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) {
+      fs::remove(file_ + suffix, ignored);
+    }
   }
   void keep() { file_.clear(); }
 

@@ -20,7 +20,9 @@ namespace {
 
 void requireSqlite(const std::string& locator, const char* remedy) {
   const Locator parsed = parseLocator(locator);
-  if (parsed.engine == Engine::kSqlite) return;
+  if (parsed.engine == Engine::kSqlite) {
+    return;
+  }
   throw Error(ErrorCode::kUsage, "a PostgreSQL database is backed up and restored by its own tools",
               parsed.shown(), remedy);
 }
@@ -34,7 +36,9 @@ DatabaseCheck check(Connection& connection, const ProgressCallback& progress = {
   result.schemaVersion = checkSchema(connection, embeddedMigrations()).version;
   tellProgress(progress, "Checking tables and references", 0.0);
   result.damage = integrityFindings(connection);
-  if (!result.damage.empty()) return result;  // a damaged file cannot be read to its end
+  if (!result.damage.empty()) {
+    return result;  // a damaged file cannot be read to its end
+  }
   tellProgress(progress, "Checking the audit trail", kReferencesShare);
   result.audit = verifyAuditTrail(connection, [&](std::int64_t done, std::int64_t all) {
     tellProgress(
@@ -50,9 +54,10 @@ class ScratchFile {
  public:
   explicit ScratchFile(const fs::path& original)
       : path_(fs::path(folder_.path().toStdString()) / original.filename()) {
-    if (!folder_.isValid())
+    if (!folder_.isValid()) {
       throw Error(ErrorCode::kFileUnwritable, "no folder for the check can be made",
                   fs::temp_directory_path().string(), "Free some space in the temporary folder");
+    }
   }
   [[nodiscard]] const fs::path& path() const noexcept { return path_; }
 
@@ -74,8 +79,9 @@ BackupContent backUpDatabase(const std::string& locator, const fs::path& target)
 
 void copyStepwise(const fs::path& from, const fs::path& to, const ProgressCallback& progress) {
   std::ifstream in(from, std::ios::binary);
-  if (!in)
+  if (!in) {
     throw Error(ErrorCode::kFileMissing, "the file cannot be read", from.string(), "Choose another file");
+  }
   const std::uintmax_t whole = fs::file_size(from);
   try {
     std::ofstream out(to, std::ios::binary | std::ios::trunc);
@@ -83,14 +89,17 @@ void copyStepwise(const fs::path& from, const fs::path& to, const ProgressCallba
     for (std::uintmax_t done = 0; done < whole && out;) {
       tellProgress(progress, "Copying", static_cast<double>(done) / static_cast<double>(whole));
       in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-      if (in.gcount() <= 0) break;
+      if (in.gcount() <= 0) {
+        break;
+      }
       out.write(piece.data(), in.gcount());
       done += static_cast<std::uintmax_t>(in.gcount());
     }
     out.close();
-    if (!out || fs::file_size(to) != whole)
+    if (!out || fs::file_size(to) != whole) {
       throw Error(ErrorCode::kFileUnwritable, "the file cannot be copied", to.string(),
                   "Check the folder and the free space");
+    }
   } catch (...) {
     std::error_code ignored;
     fs::remove(to, ignored);
@@ -108,7 +117,9 @@ BackupCheck verifyBackup(const fs::path& backup, const ProgressCallback& progres
   Connection connection = openRecord(copy.path().string(), OpenMode::kReadWrite, {.backup = false});
   result.database = check(connection, partOf(progress, 0.3, 1.0));
   result.database.location = backup.string();
-  if (look && result.database.sound()) look(connection);
+  if (look && result.database.sound()) {
+    look(connection);
+  }
   return result;
 }
 

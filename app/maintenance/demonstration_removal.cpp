@@ -13,9 +13,15 @@ DemonstrationSize sizeOf(const std::vector<DemonstrationRows>& tables) {
   DemonstrationSize size;
   for (const DemonstrationRows& table : tables) {
     size.rows += table.rows;
-    if (table.table == "person") size.people += table.rows;
-    if (table.table == "trial") size.trials += table.rows;
-    if (table.table == "training_mark" || table.table == "evaluation_mark") size.marks += table.rows;
+    if (table.table == "person") {
+      size.people += table.rows;
+    }
+    if (table.table == "trial") {
+      size.trials += table.rows;
+    }
+    if (table.table == "training_mark" || table.table == "evaluation_mark") {
+      size.marks += table.rows;
+    }
   }
   return size;
 }

@@ -11,7 +11,9 @@ std::vector<Text> othersAtWork(Workplace& workplace) {
   const std::int64_t aliveSince_us = workplace.now_us() - kStationSilence_us;
   std::vector<Text> sentences;
   for (const StationState& state : StationRepository(workplace.connection()).board()) {
-    if (state.heartbeatUtc_us < aliveSince_us) continue;
+    if (state.heartbeatUtc_us < aliveSince_us) {
+      continue;
+    }
     if (!state.trialId.empty() && !state.ended) {
       sentences.push_back(Text("a run is going on at the station %1", state.station));
     } else if (state.station != workplace.station()) {
@@ -23,7 +25,9 @@ std::vector<Text> othersAtWork(Workplace& workplace) {
 
 void requireNobodyAtWork(Workplace& workplace) {
   const std::vector<Text> others = othersAtWork(workplace);
-  if (others.empty()) return;
+  if (others.empty()) {
+    return;
+  }
   throw Error(ErrorCode::kDatabase, others.front(), workplace.connection().location(),
               "Let the run come to its end, close Torsio at all other stations, wait half a minute, and try "
               "again");

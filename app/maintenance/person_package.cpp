@@ -48,14 +48,21 @@ Json jsonOf(const Value& value) {
 }
 
 std::string csvCell(const Json& value) {
-  if (value.is_null()) return "";
-  if (!value.is_string()) return value.dump();
+  if (value.is_null()) {
+    return "";
+  }
+  if (!value.is_string()) {
+    return value.dump();
+  }
   const std::string& text = value.get_ref<const std::string&>();
   std::string cell = "\"";
   // A spreadsheet would run a text that begins like a formula.
-  if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos)
+  if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos) {
     cell += '\'';
-  for (const char c : text) cell.append(c == '"' ? 2 : 1, c);
+  }
+  for (const char c : text) {
+    cell.append(c == '"' ? 2 : 1, c);
+  }
   cell += '"';
   return cell;
 }
@@ -63,8 +70,9 @@ std::string csvCell(const Json& value) {
 void writeTable(const fs::path& folder, const PersonTable& table) {
   std::string csv = "\xEF\xBB\xBF";
   Json rows = Json::array();
-  for (std::size_t i = 0; i < table.columns.size(); ++i)
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
     csv.append(i == 0 ? "" : ",").append(table.columns[i]);
+  }
   csv += "\r\n";
   for (const std::vector<Value>& values : table.rows) {
     Json row = Json::object();
@@ -82,10 +90,14 @@ void writeTable(const fs::path& folder, const PersonTable& table) {
 /// A trial that still runs or lost its samples to an erase has no whole file.
 bool writeRecording(Connection& connection, const std::string& trialId, const fs::path& folder) {
   const Trial trial = TrialRepository(connection).load(trialId);
-  if (trial.summary.contentHash.empty() || trial.chunks.empty()) return false;
+  if (trial.summary.contentHash.empty() || trial.chunks.empty()) {
+    return false;
+  }
   TrialFileSink file(folder / (trialId + ".torsio-trial"));
   file.begin(trial.header);
-  for (const TrialChunk& chunk : trial.chunks) file.append(chunk);
+  for (const TrialChunk& chunk : trial.chunks) {
+    file.append(chunk);
+  }
   file.finish(trial.summary);
   return true;
 }
@@ -93,7 +105,9 @@ bool writeRecording(Connection& connection, const std::string& trialId, const fs
 void writeManifest(const fs::path& folder, const std::string& personId, std::int64_t now_us) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.is_regular_file()) files.push_back(entry.path());
+    if (entry.is_regular_file()) {
+      files.push_back(entry.path());
+    }
   }
   std::sort(files.begin(), files.end());
   Json list = Json::array();
@@ -147,10 +161,14 @@ PersonPackage exportPersonPackage(Workplace& workplace, const std::string& perso
     writeTable(making.path() / "tables", table);
     ++package.tables;
     package.rows += static_cast<std::int64_t>(table.rows.size());
-    if (table.table != "trial") continue;
+    if (table.table != "trial") {
+      continue;
+    }
     for (const std::vector<Value>& row : table.rows) {
       const std::string& id = std::get<std::string>(row.at(0).storage());
-      if (writeRecording(workplace.connection(), id, making.path() / "recordings")) ++package.recordings;
+      if (writeRecording(workplace.connection(), id, making.path() / "recordings")) {
+        ++package.recordings;
+      }
     }
   }
   writeFileAtomically(making.path() / "README.txt", std::string_view(kReadme));

@@ -27,7 +27,9 @@ namespace {
 constexpr std::uintmax_t kSpareRoom_bytes = 64ULL << 20;  // the write-ahead log of the copy, and some air
 
 void requireFile(Workplace& workplace) {
-  if (workplace.connection().engine() == Engine::kSqlite) return;
+  if (workplace.connection().engine() == Engine::kSqlite) {
+    return;
+  }
   throw Error(ErrorCode::kUsage, "this record lies on a database server, which restores its own backups",
               workplace.connection().location(), "Use pg_restore on the server");
 }
@@ -36,7 +38,9 @@ std::set<std::string> idsOf(Connection& connection, const std::string& table) {
   std::set<std::string> ids;
   Statement row = connection.prepare("SELECT id FROM " + table);
   row.execute();
-  while (row.step()) ids.insert(row.text(0));
+  while (row.step()) {
+    ids.insert(row.text(0));
+  }
   return ids;
 }
 
@@ -51,7 +55,9 @@ std::int64_t newest(Connection& connection) {
         "SELECT max(submitted_utc_us) FROM evaluation_mark"}) {
     Statement row = connection.prepare(sql);
     row.execute();
-    while (row.step()) newest_us = std::max(newest_us, row.int64(0));
+    while (row.step()) {
+      newest_us = std::max(newest_us, row.int64(0));
+    }
   }
   return newest_us;
 }
@@ -87,14 +93,17 @@ std::vector<Erasure> erasedSince(Connection& present, Connection& older) {
   std::set<std::string> already;
   Statement there = older.prepare("SELECT person_id FROM erasure");
   there.execute();
-  while (there.step()) already.insert(there.text(0));
+  while (there.step()) {
+    already.insert(there.text(0));
+  }
   const std::set<std::string> people = idsOf(older, "person");
   std::vector<Erasure> out;
   Statement row = present.prepare("SELECT person_id, requested_by, reason, erased_utc_us FROM erasure");
   row.execute();
   while (row.step()) {
-    if (people.contains(row.text(0)) && !already.contains(row.text(0)))
+    if (people.contains(row.text(0)) && !already.contains(row.text(0))) {
       out.push_back({row.text(0), row.text(1), row.text(2), row.int64(3)});
+    }
   }
   return out;
 }
@@ -111,12 +120,17 @@ void requireRoom(const fs::path& record, const fs::path& backup) {
   std::error_code failed;
   const fs::path folder = fs::absolute(record).parent_path();
   const fs::space_info space = fs::space(folder, failed);
-  if (failed) return;  // then writing says what is wrong
-  if (!fs::exists(backup))
+  if (failed) {
+    return;  // then writing says what is wrong
+  }
+  if (!fs::exists(backup)) {
     throw Error(ErrorCode::kFileMissing, "the backup is not there any more", backup.string(),
                 "Choose the backup again");
+  }
   const std::uintmax_t needed = fs::file_size(record) + fs::file_size(backup) + kSpareRoom_bytes;
-  if (space.available >= needed) return;
+  if (space.available >= needed) {
+    return;
+  }
   throw Error(ErrorCode::kFileUnwritable,
               Text("there is not enough room for a safety backup and the restored record: %1 MiB are needed, "
                    "%2 MiB are "
@@ -145,8 +159,9 @@ void bringToday(Workplace& workplace, const fs::path& ready, const RestorePlan& 
                 const fs::path& safety) {
   Connection copy = openRecord(ready.string(), OpenMode::kReadWrite,
                                {.softwareVersion = softwareVersion(), .backup = false});
-  for (const Erasure& erasure : erasedSince(workplace.connection(), copy))
+  for (const Erasure& erasure : erasedSince(workplace.connection(), copy)) {
     erasePerson(copy, erasure.personId, erasure.requestedBy, erasure.reason, erasure.erasedUtc_us);
+  }
   tell(workplace, copy, "database.restore", plan, safety);
 }
 
@@ -201,7 +216,9 @@ std::shared_ptr<PreparedRestore> prepareRestore(Workplace& workplace, const Rest
 
 PreparedRestore::~PreparedRestore() {
   std::error_code ignored;
-  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(ready_.string() + suffix, ignored);
+  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) {
+    fs::remove(ready_.string() + suffix, ignored);
+  }
 }
 
 void PreparedRestore::takeOver() {

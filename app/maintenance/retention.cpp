@@ -106,7 +106,9 @@ RetentionOutcome eraseDue(Workplace& workplace, std::span<const std::string> per
   }
   for (const RetentionItem& item : outcome.erased) {
     outcome.recordings += recordingsOf(workplace.connection(), item.code);
-    if (dryRun) continue;
+    if (dryRun) {
+      continue;
+    }
     erasePerson(workplace.connection(), item.personId, workplace.actor().userId,
                 reason + " (retention: " + item.category + ")", workplace.now_us());
   }

@@ -25,7 +25,9 @@ std::string locatorOf(const ServerAddress& address, const std::string& password)
   url.setPort(address.port);
   url.setPath(QLatin1Char('/') + QString::fromStdString(address.database), QUrl::DecodedMode);
   url.setUserName(QString::fromStdString(address.user), QUrl::DecodedMode);
-  if (!password.empty()) url.setPassword(QString::fromStdString(password), QUrl::DecodedMode);
+  if (!password.empty()) {
+    url.setPassword(QString::fromStdString(password), QUrl::DecodedMode);
+  }
   if (!address.schema.empty()) {
     QUrlQuery query;
     query.addQueryItem(QStringLiteral("schema"), QString::fromStdString(address.schema));
@@ -40,7 +42,9 @@ std::string oneText(Connection& connection, const std::string& sql) {
   Statement row = connection.prepare(sql);
   row.execute();
   std::string text;
-  while (row.step()) text = row.text(0);
+  while (row.step()) {
+    text = row.text(0);
+  }
   return text;
 }
 
@@ -70,14 +74,20 @@ void lookInto(Connection& connection, ServerCheck& check) {
       connection.prepare("SELECT coalesce(has_schema_privilege(current_schema(), 'CREATE'), FALSE)");
   row.execute();
   bool may = false;
-  while (row.step()) may = row.boolean(0);
-  if (!may) check.hindrance = "this account may not make tables there";
+  while (row.step()) {
+    may = row.boolean(0);
+  }
+  if (!may) {
+    check.hindrance = "this account may not make tables there";
+  }
 }
 
 /// The locator to keep. Throws when it does not open.
 std::string openLasting(const ServerAddress& address) {
   std::string locator = lastingLocator(address);
-  if (opens(locator)) return locator;
+  if (opens(locator)) {
+    return locator;
+  }
   throw Error(ErrorCode::kDatabase, "the server does not let this station in without the typed password",
               parseLocator(locator).shown(),
               "Put the line shown here into the password file of this computer's account");
@@ -85,7 +95,9 @@ std::string openLasting(const ServerAddress& address) {
 
 void requireNothingWaits(const std::string& locator, const std::filesystem::path& folder) {
   const UnstoredTrials waiting = unstoredTrials(locator, folder);
-  if (waiting.trials.empty()) return;
+  if (waiting.trials.empty()) {
+    return;
+  }
   throw Error(ErrorCode::kBadData,
               Text("recordings of this station still wait in files (%1)", waiting.trials.size()),
               folder.string(), "Start Torsio again at this station, which stores them, then try again");

@@ -39,14 +39,18 @@ std::map<std::string, PersonRow> rowsById(PeopleRepository& repository) {
   std::erase_if(rows, [](const auto& entry) { return entry.second.person.state == "erased"; });
   for (const StoredConsent& consent : repository.newestConsents()) {
     const auto row = rows.find(consent.personId);
-    if (row != rows.end() && consent.granted) row->second.consents.push_back(consent.purpose);
+    if (row != rows.end() && consent.granted) {
+      row->second.consents.push_back(consent.purpose);
+    }
   }
   return rows;
 }
 
 std::vector<PersonRow> byCode(std::map<std::string, PersonRow> rows) {
   std::vector<PersonRow> list;
-  for (auto& [id, row] : rows) list.push_back(std::move(row));
+  for (auto& [id, row] : rows) {
+    list.push_back(std::move(row));
+  }
   std::sort(list.begin(), list.end(),
             [](const PersonRow& a, const PersonRow& b) { return a.person.code < b.person.code; });
   return list;
@@ -71,7 +75,9 @@ PersonRow rowOf(PeopleRepository& repository, const std::string& personId) {
 }
 
 void checkEntry(PeopleRepository& repository, const PersonEntry& entry, const std::string& personId) {
-  if (entry.fullName.empty()) refuse("the name is missing", "name", "Enter the full name");
+  if (entry.fullName.empty()) {
+    refuse("the name is missing", "name", "Enter the full name");
+  }
   if (!entry.trainee && entry.raterClass.empty()) {
     refuse("neither a trainee nor a rater", "role", "Choose at least one of the two");
   }
@@ -94,7 +100,9 @@ void checkEntry(PeopleRepository& repository, const PersonEntry& entry, const st
                    [&](const StoredRaterClass& known) { return known.code == entry.raterClass; })) {
     refuse("there is no such class of raters", entry.raterClass, "Choose one from the list");
   }
-  if (entry.externalId.empty()) return;
+  if (entry.externalId.empty()) {
+    return;
+  }
   const auto owner = repository.identityByExternalId(entry.externalId);
   if (owner && owner->personId != personId) {
     refuse("somebody else has this staff or student number", entry.externalId,
@@ -116,16 +124,24 @@ nlohmann::json codedJson(const StoredPerson& person, const std::string& handedne
   nlohmann::json json{{"code", person.code},      {"sex", person.sex},
                       {"level", person.level},    {"experience", person.experience},
                       {"handedness", handedness}, {"rater_class", raterClass}};
-  if (person.age_years) json["age_years"] = *person.age_years;
+  if (person.age_years) {
+    json["age_years"] = *person.age_years;
+  }
   return json;
 }
 
 /// Names of the identity fields that differ, never what stands in them.
 nlohmann::json changedIdentity(const StoredIdentity& before, const PersonEntry& after) {
   nlohmann::json fields = nlohmann::json::array();
-  if (before.fullName != after.fullName) fields.push_back("full_name");
-  if (before.email != after.email) fields.push_back("email");
-  if (before.externalId != after.externalId) fields.push_back("external_id");
+  if (before.fullName != after.fullName) {
+    fields.push_back("full_name");
+  }
+  if (before.email != after.email) {
+    fields.push_back("email");
+  }
+  if (before.externalId != after.externalId) {
+    fields.push_back("external_id");
+  }
   return fields;
 }
 
@@ -136,9 +152,13 @@ std::string csvCell(std::string text) {
     harmless += text;
     text = std::move(harmless);
   }
-  if (text.find_first_of("\",;\r\n") == std::string::npos) return text;
+  if (text.find_first_of("\",;\r\n") == std::string::npos) {
+    return text;
+  }
   std::string quoted(1, '"');
-  for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
+  for (const char c : text) {
+    quoted.append(c == '"' ? 2 : 1, c);
+  }
   quoted += '"';
   return quoted;
 }
@@ -146,7 +166,9 @@ std::string csvCell(std::string text) {
 std::string csvLine(const std::vector<std::string>& cells) {
   std::string line;
   for (const std::string& cell : cells) {
-    if (&cell != &cells.front()) line += ',';
+    if (&cell != &cells.front()) {
+      line += ',';
+    }
     line += csvCell(cell);
   }
   line += "\r\n";
@@ -178,8 +200,9 @@ std::vector<NamedPersonRow> namedPeople(Workplace& workplace) {
   workplace.require(Operation::kPersonViewIdentity);
   PeopleRepository repository(workplace.connection());
   std::map<std::string, StoredIdentity> identities;
-  for (StoredIdentity& identity : repository.identities())
+  for (StoredIdentity& identity : repository.identities()) {
     identities[identity.personId] = std::move(identity);
+  }
   std::vector<NamedPersonRow> list;
   for (PersonRow& row : byCode(rowsById(repository))) {
     NamedPersonRow named;
@@ -194,7 +217,9 @@ std::string addPerson(Workplace& workplace, const PersonEntry& entry) {
   workplace.require(Operation::kPersonEdit);
   Transaction transaction(workplace.connection());
   PeopleRepository repository(workplace.connection());
-  if (!entry.raterClass.empty()) ensureRaterClasses(workplace);
+  if (!entry.raterClass.empty()) {
+    ensureRaterClasses(workplace);
+  }
   checkEntry(repository, entry, "");
   const std::vector<std::string> codes = repository.codes();
   PersonCodes next({codes.begin(), codes.end()});
@@ -204,7 +229,9 @@ std::string addPerson(Workplace& workplace, const PersonEntry& entry) {
   person.createdUtc_us = workplace.now_us();
   if (entry.trainee) {
     repository.addTrainees(std::vector<StoredTrainee>{{person, entry.handedness}});
-    if (!entry.raterClass.empty()) repository.makeRater(person.id, entry.raterClass);
+    if (!entry.raterClass.empty()) {
+      repository.makeRater(person.id, entry.raterClass);
+    }
   } else {
     repository.addRaters(std::vector<StoredRater>{{person, entry.raterClass}});
   }
@@ -241,7 +268,9 @@ void changePerson(Workplace& workplace, const std::string& personId, const Perso
   Transaction transaction(workplace.connection());
   PeopleRepository repository(workplace.connection());
   const PersonRow before = rowOf(repository, personId);
-  if (!entry.raterClass.empty()) ensureRaterClasses(workplace);
+  if (!entry.raterClass.empty()) {
+    ensureRaterClasses(workplace);
+  }
   checkEntry(repository, entry, personId);
   if ((before.trainee && !entry.trainee) || (before.rater && entry.raterClass.empty())) {
     refuse("a part of a person cannot be taken away: records hang on it", before.person.code,
@@ -249,10 +278,18 @@ void changePerson(Workplace& workplace, const std::string& personId, const Perso
   }
   const StoredPerson after = personFrom(entry, before.person);
   repository.updatePerson(after);
-  if (before.trainee) repository.setHandedness(personId, entry.handedness);
-  if (!before.trainee && entry.trainee) repository.makeTrainee(personId, entry.handedness);
-  if (before.rater) repository.setRaterClass(personId, entry.raterClass);
-  if (!before.rater && !entry.raterClass.empty()) repository.makeRater(personId, entry.raterClass);
+  if (before.trainee) {
+    repository.setHandedness(personId, entry.handedness);
+  }
+  if (!before.trainee && entry.trainee) {
+    repository.makeTrainee(personId, entry.handedness);
+  }
+  if (before.rater) {
+    repository.setRaterClass(personId, entry.raterClass);
+  }
+  if (!before.rater && !entry.raterClass.empty()) {
+    repository.makeRater(personId, entry.raterClass);
+  }
   const StoredIdentity old = repository.identity(personId).value_or(StoredIdentity{});
   repository.setIdentity({personId, entry.fullName, entry.email, entry.externalId});
   nlohmann::json now = codedJson(after, entry.handedness, entry.raterClass);
@@ -296,7 +333,9 @@ std::vector<StoredRaterClass> ensureRaterClasses(Workplace& workplace) {
   workplace.require(Operation::kPersonEdit);
   PeopleRepository repository(workplace.connection());
   std::vector<StoredRaterClass> classes = repository.raterClasses();
-  if (!classes.empty()) return classes;
+  if (!classes.empty()) {
+    return classes;
+  }
   classes = paperRaterClasses();
   Transaction transaction(workplace.connection());
   repository.addRaterClasses(classes);

@@ -13,16 +13,24 @@ std::string signInName(const std::string& personCode, const std::set<std::string
   std::string login = personCode;
   std::transform(login.begin(), login.end(), login.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  if (!taken.contains(login)) return login;
+  if (!taken.contains(login)) {
+    return login;
+  }
   int number = 2;
-  while (taken.contains(login + "." + std::to_string(number))) ++number;
+  while (taken.contains(login + "." + std::to_string(number))) {
+    ++number;
+  }
   return login + "." + std::to_string(number);
 }
 
 std::vector<std::string> rolesOf(const PersonRow& row) {
   std::vector<std::string> roles;
-  if (row.trainee) roles.emplace_back("trainee");
-  if (row.rater) roles.emplace_back("rater");
+  if (row.trainee) {
+    roles.emplace_back("trainee");
+  }
+  if (row.rater) {
+    roles.emplace_back("rater");
+  }
   return roles;
 }
 
@@ -31,7 +39,9 @@ std::vector<std::string> rolesOf(const PersonRow& row) {
 std::vector<PersonRow> peopleWithoutAccount(Workplace& workplace) {
   workplace.require(Operation::kUserManage);
   std::set<std::string> withAccount;
-  for (const StoredUser& user : users(workplace)) withAccount.insert(user.personId);
+  for (const StoredUser& user : users(workplace)) {
+    withAccount.insert(user.personId);
+  }
   std::vector<PersonRow> rows = people(workplace);
   std::erase_if(rows, [&withAccount](const PersonRow& row) {
     return row.person.state != "active" || withAccount.contains(row.person.id);
@@ -45,7 +55,9 @@ void addAccounts(Workplace& workplace, const std::vector<std::string>& personIds
   const std::set<std::string> wanted(personIds.begin(), personIds.end());
   std::erase_if(rows, [&wanted](const PersonRow& row) { return !wanted.contains(row.person.id); });
   std::set<std::string> taken;
-  for (const StoredUser& user : users(workplace)) taken.insert(user.login);
+  for (const StoredUser& user : users(workplace)) {
+    taken.insert(user.login);
+  }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const PersonRow& row = rows[i];
     tellProgress(progress, Text("Start password for %1", row.person.code),

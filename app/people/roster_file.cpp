@@ -33,7 +33,9 @@ constexpr std::array<FieldName, kRosterFields> kFields{
 std::string plain(std::string_view text) {
   std::string result;
   for (const char c : text) {
-    if (std::string_view(" \t-_./'()").find(c) != std::string_view::npos) continue;
+    if (std::string_view(" \t-_./'()").find(c) != std::string_view::npos) {
+      continue;
+    }
     result.push_back(c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
   }
   return result;
@@ -59,7 +61,9 @@ const std::map<std::string, RosterField>& knownHeaders() {
          {"raterclass", "class", "rank", "title", "position", "职称", "职务", "类别"}}};
     std::map<std::string, RosterField> known;
     for (const auto& [field, headers] : names) {
-      for (const char* header : headers) known.emplace(header, field);
+      for (const char* header : headers) {
+        known.emplace(header, field);
+      }
     }
     return known;
   }();
@@ -74,10 +78,14 @@ std::string_view rosterFieldCode(RosterField field) noexcept {
 
 std::vector<RosterField> rosterFields(RosterKind kind) {
   std::vector<RosterField> fields{RosterField::kExternalId, RosterField::kFullName};
-  if (kind == RosterKind::kRaters) fields.push_back(RosterField::kRaterClass);
+  if (kind == RosterKind::kRaters) {
+    fields.push_back(RosterField::kRaterClass);
+  }
   fields.insert(fields.end(), {RosterField::kEmail, RosterField::kSex, RosterField::kLevel,
                                RosterField::kExperience, RosterField::kAge});
-  if (kind == RosterKind::kTrainees) fields.push_back(RosterField::kHandedness);
+  if (kind == RosterKind::kTrainees) {
+    fields.push_back(RosterField::kHandedness);
+  }
   return fields;
 }
 
@@ -113,7 +121,9 @@ RosterFile parseRoster(std::string_view text, const std::string& name) {
   roster.header = std::move(roster.rows.front().values);
   roster.rows.erase(roster.rows.begin());
   for (auto column = roster.header.begin(); column != roster.header.end(); ++column) {
-    if (column->empty() || std::find(roster.header.begin(), column, *column) == column) continue;
+    if (column->empty() || std::find(roster.header.begin(), column, *column) == column) {
+      continue;
+    }
     throw Error(ErrorCode::kBadData, Text("two columns are called \"%1\"", *column),
                 Text("%1, line %2", name, headerLine), "Give each column a name of its own");
   }
@@ -132,10 +142,16 @@ RosterColumns suggestColumns(const RosterFile& file, RosterKind kind) {
   RosterColumns columns{};
   for (std::size_t column = 0; column < file.header.size(); ++column) {
     const auto known = knownHeaders().find(plain(file.header[column]));
-    if (known == knownHeaders().end()) continue;
-    if (std::find(wanted.begin(), wanted.end(), known->second) == wanted.end()) continue;
+    if (known == knownHeaders().end()) {
+      continue;
+    }
+    if (std::find(wanted.begin(), wanted.end(), known->second) == wanted.end()) {
+      continue;
+    }
     std::optional<std::size_t>& place = columns[static_cast<std::size_t>(known->second)];
-    if (!place) place = column;
+    if (!place) {
+      place = column;
+    }
   }
   return columns;
 }

@@ -38,13 +38,17 @@ class LineCount {
     say();
   }
   void next() {
-    if (++done_ % kLinesBetweenSigns == 0) say();
+    if (++done_ % kLinesBetweenSigns == 0) {
+      say();
+    }
   }
 
  private:
   void say() const {
     const double share = static_cast<double>(done_) / static_cast<double>(total_);
-    if (progress_) progress_({step_, from_ + (to_ - from_) * share, -1.0});
+    if (progress_) {
+      progress_({step_, from_ + (to_ - from_) * share, -1.0});
+    }
   }
   const ProgressCallback& progress_;
   Text step_;
@@ -60,7 +64,9 @@ std::size_t at(RosterField field) {
 
 std::string lower(std::string text) {
   for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    if (c >= 'A' && c <= 'Z') {
+      c = static_cast<char>(c - 'A' + 'a');
+    }
   }
   return text;
 }
@@ -82,13 +88,17 @@ struct KnownPeople {
 KnownPeople readKnown(Workplace& workplace) {
   KnownPeople known;
   known.classes = PeopleRepository(workplace.connection()).raterClasses();
-  if (known.classes.empty()) known.classes = paperRaterClasses();
+  if (known.classes.empty()) {
+    known.classes = paperRaterClasses();
+  }
   for (NamedPersonRow& named : namedPeople(workplace)) {
     if (!named.identity.email.empty()) {
       known.codeByEmail[lower(named.identity.email)] = named.row.person.code;
       known.numberByEmail[lower(named.identity.email)] = named.identity.externalId;
     }
-    if (named.identity.externalId.empty()) continue;
+    if (named.identity.externalId.empty()) {
+      continue;
+    }
     KnownPeople::Known& person = known.byNumber[named.identity.externalId];
     person.id = named.row.person.id;
     person.code = named.row.person.code;
@@ -132,7 +142,9 @@ std::string& textOf(PersonEntry& entry, RosterField field) {
 }
 
 std::string shownValue(const PersonEntry& entry, RosterField field) {
-  if (field == RosterField::kAge) return entry.age_years ? std::to_string(*entry.age_years) : "";
+  if (field == RosterField::kAge) {
+    return entry.age_years ? std::to_string(*entry.age_years) : "";
+  }
   PersonEntry copy = entry;
   return textOf(copy, field);
 }
@@ -149,7 +161,9 @@ void setValue(PersonEntry& entry, RosterField field, const std::string& value) {
 
 /// Says why a row cannot be taken; the first reason counts.
 void fail(RosterRow& row, const Text& problem, const Text& remedy) {
-  if (!row.problem.empty()) return;
+  if (!row.problem.empty()) {
+    return;
+  }
   row.status = RosterStatus::kError;
   row.problem = problem;
   row.remedy = remedy;
@@ -158,7 +172,9 @@ void fail(RosterRow& row, const Text& problem, const Text& remedy) {
 void understandChoice(RosterRow& row, RosterField field, const std::map<std::string, std::string>& meanings,
                       const Text& choices) {
   std::string& value = row.values[at(field)];
-  if (value.empty()) return;
+  if (value.empty()) {
+    return;
+  }
   const auto meaning = meanings.find(lower(value));
   if (meaning != meanings.end()) {
     value = meaning->second;
@@ -170,7 +186,9 @@ void understandChoice(RosterRow& row, RosterField field, const std::map<std::str
 
 void understandAge(RosterRow& row) {
   const std::string& value = row.values[at(RosterField::kAge)];
-  if (value.empty()) return;
+  if (value.empty()) {
+    return;
+  }
   std::int64_t years = 0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), years);
   if (error == std::errc() && end == value.data() + value.size() && years >= kYoungest_years &&
@@ -199,7 +217,9 @@ void understandClass(RosterRow& row, const std::vector<StoredRaterClass>& classe
 /// Values as the record writes them, or an error.
 void understand(RosterRow& row, RosterKind kind, const KnownPeople& known) {
   for (const RosterField field : rosterFields(kind)) {
-    if (!isRequired(field, kind) || !row.values[at(field)].empty()) continue;
+    if (!isRequired(field, kind) || !row.values[at(field)].empty()) {
+      continue;
+    }
     fail(row, Text("the %1 is missing", std::string(rosterFieldCode(field))), "Fill in the cell");
   }
   understandChoice(row, RosterField::kSex,
@@ -247,14 +267,20 @@ void compareWithKnown(RosterRow& row, RosterKind kind, const KnownPeople& known)
   }
   row.personId = found->second.id;
   row.code = found->second.code;
-  if (found->second.left) row.hint = Text("this person has left; the import does not bring them back");
+  if (found->second.left) {
+    row.hint = Text("this person has left; the import does not bring them back");
+  }
   for (const RosterField field : rosterFields(kind)) {
     const std::string& value = row.values[at(field)];
     const std::string present = shownValue(found->second.entry, field);
-    if (!value.empty() && value != present) row.changes.push_back({field, present, value});
+    if (!value.empty() && value != present) {
+      row.changes.push_back({field, present, value});
+    }
   }
   const bool addsTrainee = kind == RosterKind::kTrainees && !found->second.entry.trainee;
-  if (addsTrainee) row.hint = Text("known as a rater; becomes a trainee too");
+  if (addsTrainee) {
+    row.hint = Text("known as a rater; becomes a trainee too");
+  }
   if (kind == RosterKind::kRaters && found->second.entry.raterClass.empty()) {
     row.hint = Text("known as a trainee; becomes a rater too");
   }
@@ -270,7 +296,9 @@ void checkColumns(const RosterFile& file, RosterKind kind, const RosterColumns& 
       throw Error(ErrorCode::kBadParameter, Text("no column is chosen for %1", code), file.name,
                   "Choose one");
     }
-    if (!column) continue;
+    if (!column) {
+      continue;
+    }
     if (*column >= file.header.size()) {
       throw Error(ErrorCode::kBadParameter, Text("the column for %1 does not exist", code), file.name,
                   "Choose one of the file");
@@ -291,7 +319,9 @@ std::string fingerprintOf(const RosterPreview& preview) {
   for (const RosterRow& row : preview.rows) {
     digest.update(static_cast<std::int64_t>(row.line));
     digest.update(static_cast<std::int64_t>(row.status));
-    for (const std::string& value : row.values) add(value);
+    for (const std::string& value : row.values) {
+      add(value);
+    }
     add(row.personId);
     for (const RosterChange& change : row.changes) {
       digest.update(static_cast<std::int64_t>(change.field));
@@ -318,7 +348,9 @@ RosterPreview preview(Workplace& workplace, const RosterFile& file, RosterKind k
            "Give one value a column; put a value that holds the separator in quotes");
     } else {
       for (const RosterField field : rosterFields(kind)) {
-        if (columns[at(field)]) row.values[at(field)] = record.values[*columns[at(field)]];
+        if (columns[at(field)]) {
+          row.values[at(field)] = record.values[*columns[at(field)]];
+        }
       }
       understand(row, kind, known);
       const std::string& number = row.values[at(RosterField::kExternalId)];
@@ -327,7 +359,9 @@ RosterPreview preview(Workplace& workplace, const RosterFile& file, RosterKind k
         fail(row, Text("the number %1 stands on line %2 already", number, first->second),
              "Remove one of the two lines, or correct the number");
       }
-      if (row.problem.empty()) compareWithKnown(row, kind, known);
+      if (row.problem.empty()) {
+        compareWithKnown(row, kind, known);
+      }
     }
     preview.added += row.status == RosterStatus::kNew ? 1 : 0;
     preview.same += row.status == RosterStatus::kSame ? 1 : 0;
@@ -359,7 +393,9 @@ std::vector<std::string> addNew(Workplace& workplace, const RosterPreview& previ
   PersonCodes codes({used.begin(), used.end()});
   std::map<std::string, const RosterRow*> byId;
   for (const RosterRow& row : preview.rows) {
-    if (row.status == RosterStatus::kNew) byId[workplace.ids().newUuid()] = &row;
+    if (row.status == RosterStatus::kNew) {
+      byId[workplace.ids().newUuid()] = &row;
+    }
   }
   const bool trainees = preview.kind == RosterKind::kTrainees;
   std::vector<std::string> newCodes;
@@ -367,7 +403,9 @@ std::vector<std::string> addNew(Workplace& workplace, const RosterPreview& previ
     count.next();
     PersonEntry entry;
     for (const RosterField field : rosterFields(preview.kind)) {
-      if (!row->values[at(field)].empty()) setValue(entry, field, row->values[at(field)]);
+      if (!row->values[at(field)].empty()) {
+        setValue(entry, field, row->values[at(field)]);
+      }
     }
     StoredPerson person{.id = id,
                         .code = codes.next(trainees ? kTraineePrefix : kRaterPrefix),
@@ -376,8 +414,12 @@ std::vector<std::string> addNew(Workplace& workplace, const RosterPreview& previ
                         .experience = entry.experience,
                         .age_years = entry.age_years,
                         .createdUtc_us = workplace.now_us()};
-    if (trainees) repository.addTrainees(std::vector<StoredTrainee>{{person, entry.handedness}});
-    if (!trainees) repository.addRaters(std::vector<StoredRater>{{person, entry.raterClass}});
+    if (trainees) {
+      repository.addTrainees(std::vector<StoredTrainee>{{person, entry.handedness}});
+    }
+    if (!trainees) {
+      repository.addRaters(std::vector<StoredRater>{{person, entry.raterClass}});
+    }
     repository.setIdentity({id, entry.fullName, entry.email, entry.externalId});
     workplace.note({.action = "person.add",
                     .objectKind = "person",
@@ -390,11 +432,17 @@ std::vector<std::string> addNew(Workplace& workplace, const RosterPreview& previ
 
 void applyChanges(Workplace& workplace, const RosterPreview& preview, LineCount& count) {
   for (const RosterRow& row : preview.rows) {
-    if (row.status != RosterStatus::kChanges) continue;
+    if (row.status != RosterStatus::kChanges) {
+      continue;
+    }
     count.next();
     PersonEntry entry = personEntry(workplace, row.personId);
-    for (const RosterChange& change : row.changes) setValue(entry, change.field, change.to);
-    if (preview.kind == RosterKind::kTrainees) entry.trainee = true;
+    for (const RosterChange& change : row.changes) {
+      setValue(entry, change.field, change.to);
+    }
+    if (preview.kind == RosterKind::kTrainees) {
+      entry.trainee = true;
+    }
     changePerson(workplace, row.personId, entry, "roster import");
   }
 }
@@ -415,14 +463,18 @@ RosterOutcome importRoster(Workplace& workplace, const RosterFile& file, RosterK
   Transaction transaction(workplace.connection());
   const RosterPreview now = preview(workplace, file, kind, columns, progress, kComparing);
   for (const RosterRow& row : now.rows) {
-    if (row.status != RosterStatus::kError) continue;
+    if (row.status != RosterStatus::kError) {
+      continue;
+    }
     throw Error(ErrorCode::kBadData, row.problem, Text("%1, line %2", file.name, row.line), row.remedy);
   }
   if (now.fingerprint != fingerprint) {
     throw Error(ErrorCode::kBadData, "the record has changed since the preview", file.name,
                 "Look at the preview again");
   }
-  if (kind == RosterKind::kRaters) ensureRaterClasses(workplace);
+  if (kind == RosterKind::kRaters) {
+    ensureRaterClasses(workplace);
+  }
   RosterOutcome outcome;
   LineCount count(progress, mode == RosterMode::kDryRun ? Text("Trying it out") : Text("Importing"),
                   now.added + now.changed, kComparing, 1.0);
@@ -437,7 +489,9 @@ RosterOutcome importRoster(Workplace& workplace, const RosterFile& file, RosterK
                                             {"same", now.same},
                                             {"blake2b", file.contentHash}}
                                  .dump()});
-  if (mode == RosterMode::kCommit) transaction.commit();
+  if (mode == RosterMode::kCommit) {
+    transaction.commit();
+  }
   return outcome;
 }
 

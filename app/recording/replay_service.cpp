@@ -20,9 +20,13 @@ std::string fullTrialId(TrialRepository& trials, const std::string& text) {
   everything.limit = std::numeric_limits<std::int32_t>::max();
   std::vector<std::string> found;
   for (const TrialListing& listing : trials.list(everything)) {
-    if (listing.trialId.rfind(text, 0) == 0) found.push_back(listing.trialId);
+    if (listing.trialId.rfind(text, 0) == 0) {
+      found.push_back(listing.trialId);
+    }
   }
-  if (found.size() == 1) return found.front();
+  if (found.size() == 1) {
+    return found.front();
+  }
   throw Error(ErrorCode::kBadData,
               found.empty() ? Text("no trial has this id") : Text("several trials begin like this"),
               Text("trial %1", text),

@@ -20,7 +20,9 @@ void StationHeartbeat::show(const std::string& trialId) {
 }
 
 void StationHeartbeat::showDevice(const StationDevice& device) {
-  if (device == device_) return;
+  if (device == device_) {
+    return;
+  }
   changed_ = true;
   device_ = device;
 }
@@ -28,7 +30,9 @@ void StationHeartbeat::showDevice(const StationDevice& device) {
 void StationHeartbeat::send() {
   const std::int64_t now_us = workplace_->now_us();
   changed_ = changed_ || workplace_->actor().userId != shownUser_;
-  if (!changed_ && now_us < next_us_) return;
+  if (!changed_ && now_us < next_us_) {
+    return;
+  }
   changed_ = false;
   shownUser_ = workplace_->actor().userId;
   next_us_ = now_us + kAgain_us;
@@ -45,7 +49,9 @@ void StationHeartbeat::send() {
     storeDevice(device_, state);
     StationRepository(connection).heartbeat(state);
     shownTrial_ = trial;
-    if (there) next_us_ = now_us + kHeartbeat_us;
+    if (there) {
+      next_us_ = now_us + kHeartbeat_us;
+    }
     answered_ = true;
   } catch (const DbError& error) {
     answered_ = error.fault() != DbFault::kUnreachable;

@@ -22,27 +22,38 @@ constexpr std::int64_t kAgreesWithin_us = 500'000;
 
 std::optional<StoredEnrolment> enrolmentOf(StudyRepository& studies, const std::string& id) {
   for (const StoredCohort& cohort : studies.cohorts()) {
-    for (const StoredEnrolment& enrolment : studies.enrolments(cohort.id))
-      if (enrolment.id == id) return enrolment;
+    for (const StoredEnrolment& enrolment : studies.enrolments(cohort.id)) {
+      if (enrolment.id == id) {
+        return enrolment;
+      }
+    }
   }
   return std::nullopt;
 }
 
 /// Training time that a recording proves and nobody logged; its station or its database went down before.
 std::int64_t logMissing_us(Workplace& workplace, const TrialListing& trial) {
-  if (trial.enrolmentId.empty()) return 0;
+  if (trial.enrolmentId.empty()) {
+    return 0;
+  }
   StudyRepository studies(workplace.connection());
   const std::optional<StoredEnrolment> enrolment = enrolmentOf(studies, trial.enrolmentId);
-  if (!enrolment) return 0;
+  if (!enrolment) {
+    return 0;
+  }
   std::int64_t logged_us = 0;
   for (const StoredExposure& exposure : studies.exposures(enrolment->cohortId)) {
     const bool same = exposure.enrolmentId == trial.enrolmentId && exposure.phaseId == trial.phaseId &&
                       exposure.kind == "virtual" &&
                       exposure.startedUtc_us >= trial.startedUtc_us - kAgreesWithin_us;
-    if (same) logged_us += exposure.duration_us;
+    if (same) {
+      logged_us += exposure.duration_us;
+    }
   }
   const std::int64_t missing_us = trial.summary->samples * kTickPeriod_us - logged_us;
-  if (missing_us < kAgreesWithin_us) return 0;
+  if (missing_us < kAgreesWithin_us) {
+    return 0;
+  }
   const StoredExposure found{
       .id = workplace.ids().newUuid(),
       .enrolmentId = trial.enrolmentId,
@@ -115,7 +126,9 @@ void importFiles(Workplace& workplace, const std::filesystem::path& folder, Stat
       start.trials.push_back(store(workplace, waiting));
     } catch (const Error& refusal) {
       const auto* database = dynamic_cast<const DbError*>(&refusal);
-      if (database != nullptr && database->retryable()) throw;
+      if (database != nullptr && database->retryable()) {
+        throw;
+      }
       start.kept.push_back(Text("A saved recording was not stored, because %1. Its file is kept: %2",
                                 refusal.happenedText(), waiting.file.string()));
     }

@@ -81,12 +81,16 @@ struct StationWriter::State {
     try {
       waiting.write(workplace);
     } catch (const std::exception& problem) {
-      if (isAway(problem)) throw;
+      if (isAway(problem)) {
+        throw;
+      }
       given = true;
     }
     const std::lock_guard lock(mutex);
     writes.pop_front();
-    if (given) ++refused;
+    if (given) {
+      ++refused;
+    }
   }
 
   [[nodiscard]] std::optional<Waiting> front() const {
@@ -139,13 +143,17 @@ void StationWriter::run(const std::shared_ptr<State>& state) {
     state->failed = failed;
     state->ended = last;
     state->changed.notify_all();
-    if (last) return;
+    if (last) {
+      return;
+    }
   }
 }
 
 void StationWriter::signIn(const Actor& actor) {
   const std::lock_guard lock(state_->mutex);
-  if (state_->actor.userId == actor.userId && state_->actor.practiceOnly == actor.practiceOnly) return;
+  if (state_->actor.userId == actor.userId && state_->actor.practiceOnly == actor.practiceOnly) {
+    return;
+  }
   state_->actor = actor;
   state_->fresh = true;
   state_->changed.notify_all();
@@ -153,7 +161,9 @@ void StationWriter::signIn(const Actor& actor) {
 
 void StationWriter::show(const std::string& trialId) {
   const std::lock_guard lock(state_->mutex);
-  if (state_->trialId == trialId) return;
+  if (state_->trialId == trialId) {
+    return;
+  }
   state_->trialId = trialId;
   state_->fresh = true;
   state_->changed.notify_all();
@@ -162,7 +172,9 @@ void StationWriter::show(const std::string& trialId) {
 void StationWriter::showDevice(const StationDevice& device) {
   const std::lock_guard lock(state_->mutex);
   const bool known = state_->device.light && state_->device.haptic == device.haptic;
-  if (state_->device == device || (known && !device.light)) return;
+  if (state_->device == device || (known && !device.light)) {
+    return;
+  }
   state_->device = device;
   state_->fresh = true;
   state_->changed.notify_all();
@@ -177,7 +189,9 @@ void StationWriter::write(Write write) {
 
 bool StationWriter::answers() const {
   const std::lock_guard lock(state_->mutex);
-  if (state_->since && Steady::now() - *state_->since > state_->patience.silence) return false;
+  if (state_->since && Steady::now() - *state_->since > state_->patience.silence) {
+    return false;
+  }
   return !state_->failed;
 }
 
@@ -203,7 +217,9 @@ void StationWriter::leave() {
 }
 
 void StationWriter::end(bool leaveBoard) {
-  if (!thread_.joinable()) return;
+  if (!thread_.joinable()) {
+    return;
+  }
   bool ended = false;
   {
     std::unique_lock lock(state_->mutex);

@@ -27,7 +27,9 @@ TimedTrialSink::TimedTrialSink(std::unique_ptr<TrialSink> sink, SpillPlace place
 }
 
 TimedTrialSink::~TimedTrialSink() {
-  if (!thread_.joinable()) return;
+  if (!thread_.joinable()) {
+    return;
+  }
   {
     const std::lock_guard lock(state_->mutex);
     state_->stop = true;
@@ -40,7 +42,9 @@ void TimedTrialSink::run(const std::shared_ptr<State>& state) {
   std::unique_lock lock(state->mutex);
   for (;;) {
     state->changed.wait(lock, [&] { return state->stop || state->call; });
-    if (!state->call) break;
+    if (!state->call) {
+      break;
+    }
     const Call call = std::move(state->call);
     state->call = nullptr;
     lock.unlock();
@@ -64,8 +68,12 @@ void TimedTrialSink::call(Call call) {
     throw DbError(DbFault::kUnreachable, "", "the database does not answer", "",
                   "The recording is kept in a file until it does");
   };
-  if (lost_) refuse();
-  if (!thread_.joinable()) thread_ = std::thread([state = state_] { run(state); });
+  if (lost_) {
+    refuse();
+  }
+  if (!thread_.joinable()) {
+    thread_ = std::thread([state = state_] { run(state); });
+  }
   std::unique_lock lock(state_->mutex);
   state_->call = std::move(call);
   state_->answered = false;
@@ -77,7 +85,9 @@ void TimedTrialSink::call(Call call) {
     thread_.detach();  // it owns the sink, and ends with the call that it waits for
     refuse();
   }
-  if (state_->problem) std::rethrow_exception(std::exchange(state_->problem, nullptr));
+  if (state_->problem) {
+    std::rethrow_exception(std::exchange(state_->problem, nullptr));
+  }
 }
 
 // The arguments are copied: a call may outlive the one who made it.

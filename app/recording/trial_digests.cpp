@@ -24,7 +24,9 @@ std::map<std::string, std::size_t> groupOfEnrolment(StudyRepository& study, cons
   for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
     const auto group = std::find_if(groups.begin(), groups.end(),
                                     [&](const StoredGroup& g) { return g.code == enrolment.groupCode; });
-    if (group != groups.end()) out[enrolment.id] = static_cast<std::size_t>(group - groups.begin());
+    if (group != groups.end()) {
+      out[enrolment.id] = static_cast<std::size_t>(group - groups.begin());
+    }
   }
   return out;
 }
@@ -62,10 +64,14 @@ class Fresh {
 
   void add(StoredTrialDigest digest) {
     waiting_.push_back(std::move(digest));
-    if (waiting_.size() >= kKeepEvery) keep();
+    if (waiting_.size() >= kKeepEvery) {
+      keep();
+    }
   }
   void keep() {
-    if (!waiting_.empty() && !connection_.readOnly()) DigestRepository(connection_).add(waiting_);
+    if (!waiting_.empty() && !connection_.readOnly()) {
+      DigestRepository(connection_).add(waiting_);
+    }
     waiting_.clear();
   }
 
@@ -95,9 +101,10 @@ std::vector<TrialSummaryRow> TrialDigests::ofCohort(Workplace& workplace, const 
             findDigest(kept[listing.trialId], listing.summary->contentHash, rules)) {
       out.push_back(summaryRow(listing, *known));
     } else {
-      if (progress && measured_ % kProgressEvery == 0)
+      if (progress && measured_ % kProgressEvery == 0) {
         progress({Text("Reading recording %1 of %2", i + 1, listed.size()),
                   static_cast<double>(i) / static_cast<double>(listed.size()), -1.0});
+      }
       const Trial trial = trials.load(listing.trialId);
       StoredTrialDigest digest = keptDigest(trial, measureAttempt(trial.header, decodeTrial(trial), rules),
                                             rules, workplace.now_us());

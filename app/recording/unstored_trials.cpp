@@ -28,7 +28,9 @@ constexpr const char* kTrialFile = ".torsio-trial";
 /// One name a database, whoever signs in to the server and from whichever folder the program was started.
 std::string databaseName(const std::string& locator) {
   const Locator where = parseLocator(locator);
-  if (where.engine == Engine::kSqlite) return fs::weakly_canonical(where.file).string();
+  if (where.engine == Engine::kSqlite) {
+    return fs::weakly_canonical(where.file).string();
+  }
   return "postgresql://" + where.host + ":" + std::to_string(where.port) + "/" + where.database +
          (where.schema.empty() ? "" : "?schema=" + where.schema);
 }
@@ -65,8 +67,12 @@ bool endsWith(const std::string& name, const std::string& ending) {
 
 bool isWaiting(const fs::path& file) {
   const std::string name = file.filename().string();
-  if (endsWith(name, kTrialFile)) return true;
-  if (!endsWith(name, temporaryBeside(kTrialFile).string())) return false;
+  if (endsWith(name, kTrialFile)) {
+    return true;
+  }
+  if (!endsWith(name, temporaryBeside(kTrialFile).string())) {
+    return false;
+  }
   std::error_code gone;
   const fs::file_time_type written = fs::last_write_time(file, gone);
   return !gone && fs::file_time_type::clock::now() - written > std::chrono::microseconds(kQuietFile_us);
@@ -75,7 +81,9 @@ bool isWaiting(const fs::path& file) {
 std::optional<UnstoredTrial> readFor(const std::string& database, const fs::path& file) {
   TrialFile read = openTrialFile(file);
   const json text = json::parse(read.context, nullptr, false);
-  if (!text.is_object() || text.value("database", std::string()) != database) return std::nullopt;
+  if (!text.is_object() || text.value("database", std::string()) != database) {
+    return std::nullopt;
+  }
   return UnstoredTrial{file, std::move(read.trial), contextOf(text)};
 }
 
@@ -97,10 +105,14 @@ UnstoredTrials unstoredTrials(const std::string& locator, const fs::path& folder
   const std::string database = databaseName(locator);
   std::error_code missing;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, missing)) {
-    if (!entry.is_regular_file() || !isWaiting(entry.path())) continue;
+    if (!entry.is_regular_file() || !isWaiting(entry.path())) {
+      continue;
+    }
     try {
       std::optional<UnstoredTrial> trial = readFor(database, entry.path());
-      if (trial) found.trials.push_back(std::move(*trial));
+      if (trial) {
+        found.trials.push_back(std::move(*trial));
+      }
     } catch (const std::exception& problem) {
       found.unreadable.push_back(
           Text("A saved recording cannot be read and stays where it is: %1", problem.what()));

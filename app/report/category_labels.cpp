@@ -20,7 +20,9 @@ constexpr qsizetype kTogether = 6;  // Chinese characters that stay on one line
 /// Lines of a text as an axis takes them.
 QString htmlOf(const QStringList& lines) {
   QStringList escaped;
-  for (const QString& line : lines) escaped << line.toHtmlEscaped();
+  for (const QString& line : lines) {
+    escaped << line.toHtmlEscaped();
+  }
   return escaped.join(QStringLiteral("<br>"));
 }
 
@@ -40,7 +42,9 @@ CategoryLabels categoryLabels(const QStringList& names, int largest_px) {
       labels.html << htmlOf(lines);
       fits = fits && lines.size() <= kMostLines && widestPart(name, metrics, kTogether) <= share_px;
     }
-    if (fits || labels.font.stretch() == QFont::SemiCondensed) return labels;
+    if (fits || labels.font.stretch() == QFont::SemiCondensed) {
+      return labels;
+    }
     if (labels.font.pixelSize() > kSmallest_px) {
       labels.font.setPixelSize(labels.font.pixelSize() - 1);
     } else {

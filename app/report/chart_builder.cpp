@@ -120,7 +120,9 @@ class Builder {
 
   /// Instead of the axis' own, which Qt cuts.
   void addUprightTitle(const Text& words) const {
-    if (words.empty()) return;
+    if (words.empty()) {
+      return;
+    }
     auto* title = new UprightTitle(say_(words), look_, chart_.get());  // the chart owns it
     QMargins margins = chart_->margins();
     margins.setLeft(margins.left() + static_cast<int>(std::ceil(title->width())));
@@ -144,15 +146,30 @@ class Builder {
   [[nodiscard]] Range valueRange() const {
     Range range;
     for (const FigureSeries& series : figure_.series) {
-      for (const auto& y : series.y)
-        if (y) range.take(*y);
-      for (const double v : series.low) range.take(v);
-      for (const double v : series.high) range.take(v);
+      for (const auto& y : series.y) {
+        if (y) {
+          range.take(*y);
+        }
+      }
+      for (const double v : series.low) {
+        range.take(v);
+      }
+      for (const double v : series.high) {
+        range.take(v);
+      }
     }
-    for (const FigureReference& reference : figure_.references) range.take(reference.value);
-    if (range.empty()) range = {0.0, 1.0};
-    if (figure_.kind == FigureKind::kGroupedBars) range.take(0.0);
-    if (range.low == range.high) range.high = range.low + 1.0;
+    for (const FigureReference& reference : figure_.references) {
+      range.take(reference.value);
+    }
+    if (range.empty()) {
+      range = {0.0, 1.0};
+    }
+    if (figure_.kind == FigureKind::kGroupedBars) {
+      range.take(0.0);
+    }
+    if (range.low == range.high) {
+      range.high = range.low + 1.0;
+    }
     return range;
   }
 
@@ -162,10 +179,14 @@ class Builder {
     const Range range = valueRange();
     axis->setRange(figure_.yMin.value_or(range.low), figure_.yMax.value_or(range.high));
     axis->setTickCount(6);
-    if (!figure_.yMin || !figure_.yMax) axis->applyNiceNumbers();
+    if (!figure_.yMin || !figure_.yMax) {
+      axis->applyNiceNumbers();
+    }
     const double span = axis->max() - axis->min();
     axis->setLabelFormat(span >= 8.0 ? "%.0f" : span >= 0.8 ? "%.1f" : "%.2f");
-    if (upright) addUprightTitle(figure_.yLabel);
+    if (upright) {
+      addUprightTitle(figure_.yLabel);
+    }
     chart_->addAxis(axis, side);
     values_ = axis;
   }
@@ -175,9 +196,13 @@ class Builder {
     auto* axis = styled(new QCategoryAxis, figure_.xLabel);
     axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
     QStringList categories;
-    for (const Text& category : figure_.categories) categories << say_(category);
+    for (const Text& category : figure_.categories) {
+      categories << say_(category);
+    }
     const auto [names, letters] = categoryLabels(categories, look_.label_px - 1);
-    for (qsizetype i = 0; i < names.size(); ++i) axis->append(names[i], static_cast<double>(i + 1));
+    for (qsizetype i = 0; i < names.size(); ++i) {
+      axis->append(names[i], static_cast<double>(i + 1));
+    }
     axis->setLabelsFont(letters);
     axis->setRange(0.5, static_cast<double>(figure_.categories.size()) + 0.5);
     axis->setGridLineVisible(false);
@@ -189,10 +214,17 @@ class Builder {
   QValueAxis* numberAxis() {
     auto* axis = styled(new QValueAxis, figure_.xLabel);
     Range range;
-    for (const FigureSeries& series : figure_.series)
-      for (const double x : series.x) range.take(x);
-    if (range.empty()) range = {0.0, 1.0};
-    if (range.low == range.high) range.high = range.low + 1.0;
+    for (const FigureSeries& series : figure_.series) {
+      for (const double x : series.x) {
+        range.take(x);
+      }
+    }
+    if (range.empty()) {
+      range = {0.0, 1.0};
+    }
+    if (range.low == range.high) {
+      range.high = range.low + 1.0;
+    }
     axis->setRange(range.low, range.high);
     if (figure_.kind == FigureKind::kScatter) {
       axis->setTickCount(6);
@@ -212,8 +244,11 @@ class Builder {
     constexpr double kMostTicks = 8.0;
     const double span = range.high - range.low;
     double step = 1.0;
-    for (const double wider : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0})
-      if (span / step > kMostTicks) step = wider;
+    for (const double wider : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
+      if (span / step > kMostTicks) {
+        step = wider;
+      }
+    }
     axis.setTickType(QValueAxis::TicksDynamic);
     axis.setTickAnchor(0.0);
     axis.setTickInterval(step);
@@ -244,14 +279,18 @@ class Builder {
     chart_->addSeries(series);
     series->attachAxis(x);
     series->attachAxis(y);
-    for (QLegendMarker* marker : chart_->legend()->markers(series)) marker->setVisible(inLegend);
+    for (QLegendMarker* marker : chart_->legend()->markers(series)) {
+      marker->setVisible(inLegend);
+    }
     inLegend_ += inLegend ? 1 : 0;
   }
 
   void bars() {
     slotAxis();  // what is seen: the axis of bars would leave its labels less room
     auto* axis = new QBarCategoryAxis;
-    for (std::size_t i = 0; i < figure_.categories.size(); ++i) axis->append(QString::number(i));
+    for (std::size_t i = 0; i < figure_.categories.size(); ++i) {
+      axis->append(QString::number(i));
+    }
     axis->setVisible(false);
     chart_->addAxis(axis, Qt::AlignBottom);
     auto* all = new QBarSeries;
@@ -260,7 +299,9 @@ class Builder {
       auto* set = new QBarSet(say_(figure_.series[s].name));
       set->setBrush(seriesFill(lookOf(s), look_));
       set->setPen(QPen(seriesColour(lookOf(s), look_).darker(look_.dark ? 100 : 130), 1.2));
-      for (const auto& value : figure_.series[s].y) *set << value.value_or(0.0);
+      for (const auto& value : figure_.series[s].y) {
+        *set << value.value_or(0.0);
+      }
       all->append(set);
     }
     add(all, axis, values_, true);
@@ -286,7 +327,9 @@ class Builder {
       TORSIO_EXPECTS(series.low.size() == series.y.size() && series.high.size() == series.y.size());
       auto* middle = marks(lookOf(s), series.name, 9.0);
       for (std::size_t c = 0; c < series.y.size(); ++c) {
-        if (!series.y[c]) continue;
+        if (!series.y[c]) {
+          continue;
+        }
         const double x = slot(c, s);
         add(whisker(lookOf(s), x, series.low[c], series.high[c], 0.05, false), axis, values_, false);
         middle->append(x, *series.y[c]);
@@ -301,7 +344,9 @@ class Builder {
       const FigureSeries& series = figure_.series[s];
       auto* dots = marks(lookOf(s), series.name, 8.0);
       for (std::size_t i = 0; i < series.y.size(); ++i) {
-        if (!series.y[i]) continue;
+        if (!series.y[i]) {
+          continue;
+        }
         const double category = i < series.x.size() ? series.x[i] : static_cast<double>(i);
         dots->append(category + slot(0, s), *series.y[i]);
       }
@@ -321,32 +366,46 @@ class Builder {
       const std::size_t number = lookOf(s);
       auto* line = new QLineSeries;
       QColor colour = seriesColour(number, look_);
-      if (series.faint) colour.setAlpha(130);
+      if (series.faint) {
+        colour.setAlpha(130);
+      }
       QPen pen(colour, series.faint ? 1.1 : 2.2);
       pen.setStyle(static_cast<Qt::PenStyle>(Qt::SolidLine + static_cast<int>(number % 4)));
       line->setPen(pen);
       line->setName(say_(series.name));
-      for (std::size_t i = 0; i < series.y.size(); ++i)
-        if (series.y[i]) line->append(abscissa(series, i), *series.y[i]);
+      for (std::size_t i = 0; i < series.y.size(); ++i) {
+        if (series.y[i]) {
+          line->append(abscissa(series, i), *series.y[i]);
+        }
+      }
       add(line, axis, values_, !series.faint);
-      if (!series.faint) ornaments(series, number, axis);
+      if (!series.faint) {
+        ornaments(series, number, axis);
+      }
     }
   }
 
   /// Intervals and markers of a line.
   void ornaments(const FigureSeries& series, std::size_t number, QAbstractAxis* axis) {
     const double cap = figure_.categories.empty() ? 0.004 * (range_.high - range_.low) : 0.03;
-    if (series.low.size() == series.y.size() && series.high.size() == series.y.size())
-      for (std::size_t i = 0; i < series.y.size(); ++i)
+    if (series.low.size() == series.y.size() && series.high.size() == series.y.size()) {
+      for (std::size_t i = 0; i < series.y.size(); ++i) {
         if (series.y[i] && series.low[i] < series.high[i]) {
           QLineSeries* bar = whisker(number, abscissa(series, i), series.low[i], series.high[i], cap, false);
           bar->setPen(QPen(seriesColour(number, look_), 1.3));
           add(bar, axis, values_, false);
         }
-    if (series.y.size() > kFewPoints) return;
+      }
+    }
+    if (series.y.size() > kFewPoints) {
+      return;
+    }
     auto* dots = marks(number, series.name, 8.0);
-    for (std::size_t i = 0; i < series.y.size(); ++i)
-      if (series.y[i]) dots->append(abscissa(series, i), *series.y[i]);
+    for (std::size_t i = 0; i < series.y.size(); ++i) {
+      if (series.y[i]) {
+        dots->append(abscissa(series, i), *series.y[i]);
+      }
+    }
     add(dots, axis, values_, false);
   }
 
@@ -358,8 +417,11 @@ class Builder {
       QColor fill = seriesColour(lookOf(s), look_);
       fill.setAlpha(150);
       dots->setColor(fill);
-      for (std::size_t i = 0; i < series.y.size(); ++i)
-        if (series.y[i]) dots->append(series.x[i], *series.y[i]);
+      for (std::size_t i = 0; i < series.y.size(); ++i) {
+        if (series.y[i]) {
+          dots->append(series.x[i], *series.y[i]);
+        }
+      }
       add(dots, axis, values_, true);
     }
   }
@@ -368,8 +430,9 @@ class Builder {
     const auto rows = static_cast<double>(figure_.categories.size());
     auto* axis = styled(new QCategoryAxis, figure_.xLabel);
     axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
-    for (std::size_t i = 0; i < figure_.categories.size(); ++i)
+    for (std::size_t i = 0; i < figure_.categories.size(); ++i) {
       axis->append(say_(figure_.categories[i]).toHtmlEscaped(), static_cast<double>(i + 1));
+    }
     axis->setRange(0.4, rows + 0.6);
     axis->setReverse(true);  // first row on top
     axis->setGridLineVisible(false);
@@ -381,7 +444,9 @@ class Builder {
       TORSIO_EXPECTS(series.low.size() == series.y.size() && series.high.size() == series.y.size());
       auto* middle = marks(lookOf(s), series.name, 10.0);
       for (std::size_t c = 0; c < series.y.size(); ++c) {
-        if (!series.y[c]) continue;
+        if (!series.y[c]) {
+          continue;
+        }
         const double at = slot(c, s);
         add(whisker(lookOf(s), at, series.low[c], series.high[c], 0.08, true), values_, axis, false);
         middle->append(*series.y[c], at);
@@ -409,7 +474,9 @@ class Builder {
       set->setPen(QPen(look_.ink, 1.4));
       all->append(set);
       means->append(static_cast<double>(s), box.mean);
-      for (const double value : box.outliers) outliers->append(static_cast<double>(s), value);
+      for (const double value : box.outliers) {
+        outliers->append(static_cast<double>(s), value);
+      }
     }
     chart_->addAxis(axis, Qt::AlignBottom);
     add(all, axis, values_, false);
@@ -465,7 +532,9 @@ std::unique_ptr<QChart> buildChart(const ReportFigure& figure, const ChartLook& 
 
 std::unique_ptr<QGraphicsWidget> buildFigure(const ReportFigure& figure, const ChartLook& look,
                                              const Wording& wording) {
-  if (figure.kind == FigureKind::kHeatMap) return std::make_unique<HeatMapItem>(figure, look, wording);
+  if (figure.kind == FigureKind::kHeatMap) {
+    return std::make_unique<HeatMapItem>(figure, look, wording);
+  }
   return buildChart(figure, look, wording);
 }
 

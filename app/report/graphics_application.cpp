@@ -13,7 +13,9 @@ namespace {
 
 /// Standard error belongs to our own one-line messages; of Qt's, only what ends in failure passes.
 void onlyFailures(QtMsgType type, const QMessageLogContext&, const QString& message) {
-  if (type == QtCriticalMsg || type == QtFatalMsg) std::fprintf(stderr, "%s\n", qPrintable(message));
+  if (type == QtCriticalMsg || type == QtFatalMsg) {
+    std::fprintf(stderr, "%s\n", qPrintable(message));
+  }
 }
 
 }  // namespace

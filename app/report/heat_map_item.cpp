@@ -26,16 +26,23 @@ HeatMapItem::HeatMapItem(const ReportFigure& figure, const ChartLook& look, cons
     : figure_(figure), look_(look), say_(wording) {
   low_ = std::numeric_limits<double>::infinity();
   high_ = -low_;
-  for (const FigureSeries& row : figure_.series)
+  for (const FigureSeries& row : figure_.series) {
     for (const std::optional<double>& value : row.y) {
-      if (!value) continue;
+      if (!value) {
+        continue;
+      }
       low_ = std::min(low_, *value);
       high_ = std::max(high_, *value);
-      if (*value != std::floor(*value)) decimals_ = 1;
+      if (*value != std::floor(*value)) {
+        decimals_ = 1;
+      }
     }
+  }
   low_ = figure_.yMin.value_or(low_);
   high_ = figure_.yMax.value_or(high_);
-  if (!(low_ < high_)) high_ = low_ + 1.0;
+  if (!(low_ < high_)) {
+    high_ = low_ + 1.0;
+  }
 }
 
 QFont HeatMapItem::font(int pixels) const {
@@ -54,7 +61,9 @@ void HeatMapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
   for (const FigureSeries& row : figure_.series) {
     const QString name = say_(row.name);
     const QStringList lines = wrap ? wrappedLines(name, kWidestName, metrics) : QStringList{name};
-    for (const QString& line : lines) names = std::max(names, metrics.horizontalAdvance(line));
+    for (const QString& line : lines) {
+      names = std::max(names, metrics.horizontalAdvance(line));
+    }
     rowNames << lines.join(u'\n');
   }
   const double scaleText = metrics.horizontalAdvance(QStringLiteral("10.0")) + kGap;
@@ -66,7 +75,9 @@ void HeatMapItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
   const double foot = static_cast<double>(columns.lines) * QFontMetricsF(font(columns.pixels)).height() +
                       1.2 * metrics.height() + kGap;
   const QRectF plot = whole.adjusted(left, 0, -right, -foot);
-  if (plot.width() < 10 || plot.height() < 10) return;
+  if (plot.width() < 10 || plot.height() < 10) {
+    return;
+  }
   paintCells(*painter, plot);
   paintRowNames(*painter, plot, rowNames);
   paintColumnNames(*painter, plot, columns);
@@ -81,7 +92,7 @@ void HeatMapItem::paintCells(QPainter& painter, const QRectF& plot) const {
   const double ofWidth = decimals_ == 0 ? 0.6 : 0.42;
   const int pixels = static_cast<int>(std::min({high * 0.62, wide * ofWidth, look_.label_px * 0.85}));
   painter.setFont(font(pixels));
-  for (std::size_t r = 0; r < figure_.series.size(); ++r)
+  for (std::size_t r = 0; r < figure_.series.size(); ++r) {
     for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
       const QRectF cell(plot.left() + wide * static_cast<double>(c),
                         plot.top() + high * static_cast<double>(r), wide, high);
@@ -99,20 +110,24 @@ void HeatMapItem::paintCells(QPainter& painter, const QRectF& plot) const {
       const QColor fill = shade((value - low_) / (high_ - low_), look_);
       painter.setBrush(fill);
       painter.drawRect(cell);
-      if (pixels < 6) continue;
+      if (pixels < 6) {
+        continue;
+      }
       painter.setPen(inkOn(fill));
       painter.drawText(cell, Qt::AlignCenter, QString::number(value, 'f', decimals_));
     }
+  }
 }
 
 void HeatMapItem::paintRowNames(QPainter& painter, const QRectF& plot, const QStringList& names) const {
   const double high = plot.height() / static_cast<double>(figure_.series.size());
   painter.setPen(look_.ink);
   painter.setFont(font(std::min(look_.label_px - 2, static_cast<int>(high * 0.9))));
-  for (qsizetype r = 0; r < names.size(); ++r)
+  for (qsizetype r = 0; r < names.size(); ++r) {
     painter.drawText(
         QRectF(rect().left(), plot.top() + high * static_cast<double>(r), plot.left() - kGap, high),
         Qt::AlignRight | Qt::AlignVCenter, names[r]);
+  }
 }
 
 /// In letters as large as they fit; where even small ones do not, every second or third name.
@@ -120,7 +135,9 @@ HeatMapItem::ColumnNames HeatMapItem::columnNames(double width) const {
   constexpr int kSmallest_px = 8;
   const double wide = std::max(1.0, width / static_cast<double>(figure_.categories.size()));
   QStringList names;
-  for (const Text& category : figure_.categories) names << say_(category);
+  for (const Text& category : figure_.categories) {
+    names << say_(category);
+  }
   ColumnNames out;
   // A long name may reach over its column as far as its neighbours leave room.
   const auto needed = [&names](const QFontMetricsF& metrics) {
@@ -134,7 +151,9 @@ HeatMapItem::ColumnNames HeatMapItem::columnNames(double width) const {
     return most;
   };
   out.pixels = look_.label_px - 2;
-  while (out.pixels > kSmallest_px && needed(QFontMetricsF(font(out.pixels))) > wide) --out.pixels;
+  while (out.pixels > kSmallest_px && needed(QFontMetricsF(font(out.pixels))) > wide) {
+    --out.pixels;
+  }
   out.every = static_cast<qsizetype>(needed(QFontMetricsF(font(out.pixels))) / (wide + 0.5)) + 1;
   const QFontMetricsF metrics(font(out.pixels));
   for (const QString& name : names) {
@@ -165,7 +184,9 @@ void HeatMapItem::paintColumnNames(QPainter& painter, const QRectF& plot, const 
 
 void HeatMapItem::paintScale(QPainter& painter, const QRectF& bar) const {
   QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
-  for (const double at : {0.0, 0.25, 0.5, 0.75, 1.0}) gradient.setColorAt(at, shade(at, look_));
+  for (const double at : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    gradient.setColorAt(at, shade(at, look_));
+  }
   painter.setPen(QPen(look_.ink, 0.6));
   painter.setBrush(gradient);
   painter.drawRect(bar);
@@ -178,7 +199,9 @@ void HeatMapItem::paintScale(QPainter& painter, const QRectF& bar) const {
     painter.drawText(QRectF(bar.right() + 4, inside, 60, metrics.height()), Qt::AlignLeft | Qt::AlignVCenter,
                      QString::number(low_ + at * (high_ - low_), 'f', high_ - low_ >= 8.0 ? 0 : 1));
   }
-  if (figure_.yLabel.empty()) return;
+  if (figure_.yLabel.empty()) {
+    return;
+  }
   painter.save();
   painter.translate(rect().right() - 1, bar.center().y());
   painter.rotate(-90);

@@ -48,13 +48,17 @@ QFont PageFlow::font(double points, bool bold) const {
 }
 
 void PageFlow::newPage() {
-  if (!pages_.empty() && pages_.back().empty()) return;
+  if (!pages_.empty() && pages_.back().empty()) {
+    return;
+  }
   pages_.emplace_back();
   cursor_mm_ = style_.marginTop_mm;
 }
 
 void PageFlow::add(double height_mm, Draw draw, double keepWithNext_mm) {
-  if (cursor_mm_ + height_mm + keepWithNext_mm > bottom_mm()) newPage();
+  if (cursor_mm_ + height_mm + keepWithNext_mm > bottom_mm()) {
+    newPage();
+  }
   pages_.back().push_back({cursor_mm_, height_mm, std::move(draw)});
   cursor_mm_ += height_mm;
 }
@@ -68,7 +72,9 @@ double PageFlow::room_mm() const {
 }
 
 void PageFlow::space(double height_mm) {
-  if (!pages_.back().empty()) cursor_mm_ += height_mm;
+  if (!pages_.back().empty()) {
+    cursor_mm_ += height_mm;
+  }
 }
 
 double PageFlow::textHeight_mm(const QString& content, double points, bool bold) const {
@@ -106,7 +112,9 @@ void PageFlow::table(const PlainTable& table, const TableLayout& layout, double 
     return [=](QPainter& painter, const QRectF& area, double unit) {
       double x = area.left();
       const double total = total_mm * unit;
-      if (fill.isValid()) painter.fillRect(QRectF(x, area.top(), total, area.height()), fill);
+      if (fill.isValid()) {
+        painter.fillRect(QRectF(x, area.top(), total, area.height()), fill);
+      }
       painter.setPen(QPen(kRule, 0.15 * unit));
       painter.drawLine(QPointF(x, area.bottom()), QPointF(x + total, area.bottom()));
       painter.setFont(f);
@@ -122,7 +130,9 @@ void PageFlow::table(const PlainTable& table, const TableLayout& layout, double 
     };
   };
   const auto header = [&] {
-    if (layout.header_mm > 0.0) add(layout.header_mm, drawRow(table.columns, layout.bold, kHeaderFill), 6.0);
+    if (layout.header_mm > 0.0) {
+      add(layout.header_mm, drawRow(table.columns, layout.bold, kHeaderFill), 6.0);
+    }
   };
   header();
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
@@ -144,7 +154,9 @@ void PageFlow::drawFrame(QPainter& painter, std::size_t page, double unit) const
   painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, style_.footerText);
   painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, style_.pageText(page + 1, pages_.size()));
   const QRectF head(left, 9.0 * unit, wide, 6.0 * unit);
-  if (page > 0) painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, style_.headerText);
+  if (page > 0) {
+    painter.drawText(head, Qt::AlignLeft | Qt::AlignVCenter, style_.headerText);
+  }
   if (!style_.watermark.isEmpty()) {
     painter.setFont(font(8.0, true));
     painter.setPen(kWarning);
@@ -155,7 +167,9 @@ void PageFlow::drawFrame(QPainter& painter, std::size_t page, double unit) const
 void PageFlow::render(QPainter& painter,
                       const std::function<void(std::size_t page, std::size_t pages)>& progress) const {
   for (std::size_t page = 0; page < pages_.size(); ++page) {
-    if (page > 0) writer_.newPage();
+    if (page > 0) {
+      writer_.newPage();
+    }
     drawFrame(painter, page, unit_);
     for (const Block& block : pages_[page]) {
       painter.save();
@@ -165,7 +179,9 @@ void PageFlow::render(QPainter& painter,
                  unit_);
       painter.restore();
     }
-    if (progress) progress(page + 1, pages_.size());
+    if (progress) {
+      progress(page + 1, pages_.size());
+    }
   }
 }
 

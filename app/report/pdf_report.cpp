@@ -46,7 +46,9 @@ double heightOf(const ReportFigure& figure) {
   const std::size_t rows = figure.kind == FigureKind::kHeatMap  ? figure.series.size()
                            : figure.kind == FigureKind::kForest ? figure.categories.size()
                                                                 : 0;
-  if (rows == 0) return kChartHeight_mm;
+  if (rows == 0) {
+    return kChartHeight_mm;
+  }
   return std::min(kTallestChart_mm, kFrame_mm + kRowHeight_mm * static_cast<double>(rows));
 }
 
@@ -70,8 +72,12 @@ class Composer {
       flow_.space(6.0);
     }
     PlainTable facts{{QString(), QString()}, {}};
-    if (!model.centre.empty()) facts.rows.push_back({say_(Text("Centre")), say_(model.centre)});
-    for (const auto& [label, value] : model.facts) facts.rows.push_back({say_(label), say_(value)});
+    if (!model.centre.empty()) {
+      facts.rows.push_back({say_(Text("Centre")), say_(model.centre)});
+    }
+    for (const auto& [label, value] : model.facts) {
+      facts.rows.push_back({say_(label), say_(value)});
+    }
     flow_.table(facts);
     flow_.space(8.0);
     flow_.text(say_(Text("Torsio is a training tool. It is not a medical device and holds no patient data.")),
@@ -86,22 +92,29 @@ class Composer {
       flow_.space(2.0);
     }
     flow_.space(2.0);
-    for (const ReportFigure& figure : section.figures) addFigure(figure);
-    for (const ReportTable& table : section.tables) addTable(table);
+    for (const ReportFigure& figure : section.figures) {
+      addFigure(figure);
+    }
+    for (const ReportTable& table : section.tables) {
+      addTable(table);
+    }
   }
 
  private:
   [[nodiscard]] PlainTable plain(const ReportTable& table) const {
     PlainTable out;
-    for (const Text& column : table.columns)  // "[95 %]", "Eq. 25" and "n - 1" stay together
+    for (const Text& column : table.columns) {  // "[95 %]", "Eq. 25" and "n - 1" stay together
       out.columns.push_back(say_(column)
                                 .replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"))
                                 .replace(QStringLiteral("Eq. "), QStringLiteral("Eq.\u00A0"))
                                 .replace(QStringLiteral("n - 1"), QStringLiteral("n\u00A0\u2212\u00A01")));
+    }
     for (const std::vector<Text>& row : table.rows) {
       TORSIO_EXPECTS(row.size() == table.columns.size());
       out.rows.emplace_back();
-      for (const Text& cell : row) out.rows.back().push_back(say_(cell));
+      for (const Text& cell : row) {
+        out.rows.back().push_back(say_(cell));
+      }
     }
     return out;
   }
@@ -145,10 +158,12 @@ class Composer {
     const double notes_mm = notesHeight_mm(table.notes, table.provenance);
     // A title takes the head and the first rows with it, or the whole of a short table.
     double begin_mm = kHeading_mm + layout.header_mm;
-    for (std::size_t r = 0; r < std::min(kRowsWithTitle, layout.rows_mm.size()); ++r)
+    for (std::size_t r = 0; r < std::min(kRowsWithTitle, layout.rows_mm.size()); ++r) {
       begin_mm += layout.rows_mm[r];
-    if (layout.height_mm() + notes_mm < kShortTable_mm)
+    }
+    if (layout.height_mm() + notes_mm < kShortTable_mm) {
       begin_mm = kHeading_mm + layout.height_mm() + notes_mm;
+    }
     flow_.text(say_(table.title), 9.5, true, kAccent, begin_mm);
     flow_.space(1.0);
     flow_.table(cells, layout, notes_mm);
@@ -158,7 +173,9 @@ class Composer {
 
   [[nodiscard]] double notesHeight_mm(const std::vector<Text>& notes, const Provenance& from) const {
     double height_mm = 1.0;
-    for (const Text& note : notes) height_mm += flow_.textHeight_mm(say_(note), kNote_pt);
+    for (const Text& note : notes) {
+      height_mm += flow_.textHeight_mm(say_(note), kNote_pt);
+    }
     const Text line = provenanceLine(from);
     return line.empty() ? height_mm : height_mm + flow_.textHeight_mm(say_(line), kNote_pt);
   }
@@ -166,9 +183,12 @@ class Composer {
   void addNotes(const std::vector<Text>& notes, const Provenance& from) {
     const Text line = provenanceLine(from);
     const double last_mm = line.empty() ? 0.0 : flow_.textHeight_mm(say_(line), kNote_pt);
-    for (const Text& note : notes)  // the last line never stands alone on a page
+    for (const Text& note : notes) {  // the last line never stands alone on a page
       flow_.text(say_(note), kNote_pt, false, kQuiet, &note == &notes.back() ? last_mm : 0.0);
-    if (!line.empty()) flow_.text(say_(line), kNote_pt, false, kQuiet);
+    }
+    if (!line.empty()) {
+      flow_.text(say_(line), kNote_pt, false, kQuiet);
+    }
     flow_.space(4.0);
   }
 
@@ -211,7 +231,9 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
     PageFlow::Style style;
     style.headerText = wording(model.title);
     style.footerText = QStringLiteral("Torsio %1  |  %2").arg(version, created);
-    if (model.demonstration) style.watermark = wording(Text("DEMONSTRATION DATA - SIMULATED"));
+    if (model.demonstration) {
+      style.watermark = wording(Text("DEMONSTRATION DATA - SIMULATED"));
+    }
     style.pageText = [&wording](std::size_t page, std::size_t pages) {
       return wording(Text("page %1 of %2", page, pages));
     };
@@ -229,7 +251,9 @@ void writePdfReport(const ReportModel& model, const std::filesystem::path& file,
       painted = painter.end();
     }
   }
-  if (painted) std::filesystem::rename(temporary, file, failed);
+  if (painted) {
+    std::filesystem::rename(temporary, file, failed);
+  }
   if (!painted || failed) {
     std::filesystem::remove(temporary, failed);
     throw Error(ErrorCode::kFileUnwritable, "the report cannot be written", file.string(),

@@ -60,7 +60,9 @@ Demand demandOf(const PlainTable& table, const QFontMetricsF& regular, const QFo
       longest = std::max(longest, cell);
       if (cell <= kShortCell_mm) {
         wanted = std::max(wanted, cell);
-        if (cell <= word) continue;  // its words are shorter still
+        if (cell <= word) {
+          continue;  // its words are shorter still
+        }
       }
       word = std::max(word, widestPart(row[c], regular) / unit);
     }
@@ -95,16 +97,24 @@ std::vector<double> widthsFor(const Demand& demand, double available_mm) {
   const double natural = sum(demand.natural);
   if (least > available_mm) {
     std::vector<double> widths = demand.least;
-    for (double& width : widths) width *= available_mm / least;
+    for (double& width : widths) {
+      width *= available_mm / least;
+    }
     return widths;
   }
   if (natural <= available_mm) {
     std::vector<double> widths = demand.natural;
-    for (double& width : widths) width *= std::min(kMostStretch, available_mm / natural);
+    for (double& width : widths) {
+      width *= std::min(kMostStretch, available_mm / natural);
+    }
     return widths;
   }
-  if (sum(demand.cells) <= available_mm) return widened(demand.cells, demand.natural, available_mm);
-  if (sum(demand.wanted) <= available_mm) return widened(demand.wanted, demand.cells, available_mm);
+  if (sum(demand.cells) <= available_mm) {
+    return widened(demand.cells, demand.natural, available_mm);
+  }
+  if (sum(demand.wanted) <= available_mm) {
+    return widened(demand.wanted, demand.cells, available_mm);
+  }
   return widened(demand.least, demand.wanted, available_mm);
 }
 
@@ -114,7 +124,9 @@ double heightOf(const std::vector<QString>& cells, const std::vector<double>& wi
   double tallest = metrics.height();
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const double width = (widths_mm[c] - 2.0 * kCellPadding_mm) * unit;
-    if (metrics.horizontalAdvance(cells[c]) <= width) continue;
+    if (metrics.horizontalAdvance(cells[c]) <= width) {
+      continue;
+    }
     tallest = std::max(tallest,
                        metrics.boundingRect(QRectF(0, 0, width, 1e9), Qt::TextWordWrap, cells[c]).height());
   }
@@ -140,18 +152,26 @@ TableLayout layOut(const PlainTable& table, double available_mm, QPaintDevice& d
     layout.bold = font(points, true);
     demand =
         demandOf(table, QFontMetricsF(layout.regular, &device), QFontMetricsF(layout.bold, &device), unit);
-    if (sum(demand.wanted) <= available_mm) break;
+    if (sum(demand.wanted) <= available_mm) {
+      break;
+    }
   }
   layout.widths_mm = widthsFor(demand, available_mm);
   layout.numeric.assign(table.columns.size(), !table.rows.empty());
-  for (const std::vector<QString>& row : table.rows)
-    for (std::size_t c = 0; c < row.size(); ++c)
-      if (!row[c].isEmpty() && !looksNumeric(row[c])) layout.numeric[c] = false;
+  for (const std::vector<QString>& row : table.rows) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      if (!row[c].isEmpty() && !looksNumeric(row[c])) {
+        layout.numeric[c] = false;
+      }
+    }
+  }
   const QFontMetricsF regular(layout.regular, &device);
-  if (table.hasHeader())
+  if (table.hasHeader()) {
     layout.header_mm = heightOf(table.columns, layout.widths_mm, QFontMetricsF(layout.bold, &device), unit);
-  for (const std::vector<QString>& row : table.rows)
+  }
+  for (const std::vector<QString>& row : table.rows) {
     layout.rows_mm.push_back(heightOf(row, layout.widths_mm, regular, unit));
+  }
   return layout;
 }
 

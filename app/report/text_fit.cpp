@@ -50,7 +50,9 @@ QStringList wrappedLines(const QString& text, double width, const QFontMetricsF&
     }
     line += part;
   }
-  if (!line.trimmed().isEmpty()) lines << line.trimmed();
+  if (!line.trimmed().isEmpty()) {
+    lines << line.trimmed();
+  }
   return lines;
 }
 

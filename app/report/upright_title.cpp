@@ -43,7 +43,9 @@ void UprightTitle::place(const QRectF& plot) {
     const QFontMetricsF metrics(font(pixels_));
     lines_ = wrappedLines(words_, plot.height(), metrics);
     const double high = static_cast<double>(lines_.size()) * metrics.height();
-    if (pixels_ <= kSmallest_px || high + kAir_px <= width_ + 0.5) return;
+    if (pixels_ <= kSmallest_px || high + kAir_px <= width_ + 0.5) {
+      return;
+    }
   }
 }
 

@@ -24,11 +24,17 @@ constexpr const char* kContext = "Services";
 }  // namespace
 
 QString worded(const Text& text, const std::function<QString(const std::string&)>& translate) {
-  if (text.empty()) return {};
-  if (text.arguments().empty()) return translate(text.pattern());
+  if (text.empty()) {
+    return {};
+  }
+  if (text.arguments().empty()) {
+    return translate(text.pattern());
+  }
   std::vector<std::string> words;
   words.reserve(text.arguments().size());
-  for (const Text& argument : text.arguments()) words.push_back(worded(argument, translate).toStdString());
+  for (const Text& argument : text.arguments()) {
+    words.push_back(worded(argument, translate).toStdString());
+  }
   return QString::fromStdString(filledIn(translate(text.pattern()).toStdString(), words));
 }
 
@@ -43,9 +49,12 @@ const std::vector<std::string>& reportLanguages() {
 
 Wording wordingIn(const std::string& language) {
   const std::vector<std::string>& known = reportLanguages();
-  if (std::find(known.begin(), known.end(), language) == known.end())
+  if (std::find(known.begin(), known.end(), language) == known.end()) {
     throw Error(ErrorCode::kUsage, "reports are not written in this language", language, "Give en or zh_CN");
-  if (language == kEnglish) return englishWording;
+  }
+  if (language == kEnglish) {
+    return englishWording;
+  }
   initTranslations();
   const auto translator = std::make_shared<QTranslator>();
   const bool loaded = translator->load(

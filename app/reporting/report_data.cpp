@@ -22,15 +22,20 @@ namespace torsio {
 namespace {
 
 void addFreeze(Workplace& workplace, const ReportRequest& request, CohortInputs& inputs) {
-  if (request.frozenId.empty()) return;
+  if (request.frozenId.empty()) {
+    return;
+  }
   for (const FrozenRow& row : frozenData(workplace, request.cohortId)) {
-    if (row.id != request.frozenId) continue;
+    if (row.id != request.frozenId) {
+      continue;
+    }
     CohortFreeze freeze{row.name, row.contentHash, row.createdUtc_us, row.createdBy, true};
     const FrozenCheck check = compareWithFrozen(workplace, row.id);
     freeze.unchanged = check.same;
     inputs.freeze = std::move(freeze);
-    for (const Text& difference : check.differences)
+    for (const Text& difference : check.differences) {
       inputs.provenance.emplace_back(Text("Changed since the freeze"), difference);
+    }
     return;
   }
   throw Error(ErrorCode::kBadParameter, "there is no such frozen data set", request.frozenId,
@@ -40,22 +45,31 @@ void addFreeze(Workplace& workplace, const ReportRequest& request, CohortInputs&
 /// Whoever may not look at marks gets them, under codes, once nothing can be influenced any more
 /// (docs/decisions/0007).
 bool showsSingleMarks(Workplace& workplace, const ReportRequest& request, const CohortInputs& inputs) {
-  if (workplace.may(Operation::kMarkViewCoded)) return true;
+  if (workplace.may(Operation::kMarkViewCoded)) {
+    return true;
+  }
   return request.identity == ReportIdentity::kCoded && inputs.freeze && inputs.freeze->unchanged &&
          SheetRepository(workplace.connection()).openAssignments(request.cohortId) == 0;
 }
 
 /// The design in words, and whether the draw could be repeated.
 void addAllocation(Workplace& workplace, const std::string& cohortId, CohortInputs& inputs) {
-  if (!workplace.may(Operation::kAllocationView)) return;
+  if (!workplace.may(Operation::kAllocationView)) {
+    return;
+  }
   const std::vector<AllocationDesignRow> designs = allocationDesigns(workplace, cohortId);
-  if (designs.empty()) return;
+  if (designs.empty()) {
+    return;
+  }
   const AllocationDesignRow& last = designs.back();
   std::vector<Text> factors;
-  for (const AllocationFactor& factor : last.design.factors) factors.emplace_back(factor.name);
+  for (const AllocationFactor& factor : last.design.factors) {
+    factors.emplace_back(factor.name);
+  }
   std::string blocks;
-  for (const std::size_t size : last.design.blockSizes)
+  for (const std::size_t size : last.design.blockSizes) {
     blocks += (blocks.empty() ? "" : ", ") + std::to_string(size);
+  }
   inputs.allocation.design = {{"Method", Text(last.stored.algorithm)},
                               {"Strata or margins", factors.empty() ? Text("none") : listed(factors)},
                               {"Block sizes", blocks.empty() ? Text("none") : Text(blocks)},
@@ -63,10 +77,14 @@ void addAllocation(Workplace& workplace, const std::string& cohortId, CohortInpu
                               {"People allocated", std::to_string(last.records)},
                               {"Moved by hand, with a reason", std::to_string(last.overrides)},
                               {"Earlier designs", std::to_string(designs.size() - 1)}};
-  if (last.stored.seed.empty()) return;
+  if (last.stored.seed.empty()) {
+    return;
+  }
   const AllocationCheck check = checkAllocation(workplace, last.stored.id);
   inputs.allocation.replayed = check.sound;
-  if (!check.sound) inputs.allocation.design.emplace_back(Text("Check of the draw"), check.finding);
+  if (!check.sound) {
+    inputs.allocation.design.emplace_back(Text("Check of the draw"), check.finding);
+  }
 }
 
 /// "T-07 Li Na" in place of "T-07", everywhere.
@@ -74,20 +92,38 @@ void nameTrainees(Workplace& workplace, CohortInputs& inputs) {
   workplace.require(Operation::kPersonViewIdentity);
   PeopleRepository people(workplace.connection());
   std::map<std::string, std::string> nameOf;  // by person
-  for (const StoredIdentity& identity : people.identities()) nameOf[identity.personId] = identity.fullName;
+  for (const StoredIdentity& identity : people.identities()) {
+    nameOf[identity.personId] = identity.fullName;
+  }
   std::map<std::string, std::string> shown;  // by code
-  for (const StoredTrainee& trainee : people.trainees())
-    if (const auto name = nameOf.find(trainee.person.id); name != nameOf.end() && !name->second.empty())
+  for (const StoredTrainee& trainee : people.trainees()) {
+    if (const auto name = nameOf.find(trainee.person.id); name != nameOf.end() && !name->second.empty()) {
       shown[trainee.person.code] = trainee.person.code + " " + name->second;
+    }
+  }
   const auto rename = [&](std::string& code) {
-    if (const auto found = shown.find(code); found != shown.end()) code = found->second;
+    if (const auto found = shown.find(code); found != shown.end()) {
+      code = found->second;
+    }
   };
-  for (CohortTrainee& trainee : inputs.trainees) rename(trainee.code);
-  for (TraineeScore& score : inputs.scores) rename(score.trainee);
-  for (TrainingMark& mark : inputs.trainingMarks) rename(mark.trainee);
-  for (TrialSummaryRow& trial : inputs.trials) rename(trial.trainee);
-  for (CohortDose& dose : inputs.doses) rename(dose.trainee);
-  for (CohortDeviation& deviation : inputs.deviations) rename(deviation.trainee);
+  for (CohortTrainee& trainee : inputs.trainees) {
+    rename(trainee.code);
+  }
+  for (TraineeScore& score : inputs.scores) {
+    rename(score.trainee);
+  }
+  for (TrainingMark& mark : inputs.trainingMarks) {
+    rename(mark.trainee);
+  }
+  for (TrialSummaryRow& trial : inputs.trials) {
+    rename(trial.trainee);
+  }
+  for (CohortDose& dose : inputs.doses) {
+    rename(dose.trainee);
+  }
+  for (CohortDeviation& deviation : inputs.deviations) {
+    rename(deviation.trainee);
+  }
 }
 
 }  // namespace
@@ -107,29 +143,39 @@ CohortInputs reportInputs(Workplace& workplace, const ReportRequest& request, Tr
   workplace.require(Operation::kResultsCompute);
   Connection& connection = workplace.connection();
   const StoredCohort cohort = StudyRepository(connection).cohort(request.cohortId);
-  if (progress) progress({"Reading marks", 0.0, -1.0});
+  if (progress) {
+    progress({"Reading marks", 0.0, -1.0});
+  }
   CampaignResult campaign;
-  if (!request.campaignId.empty()) campaign = readCampaign(connection, request.campaignId);
+  if (!request.campaignId.empty()) {
+    campaign = readCampaign(connection, request.campaignId);
+  }
   const TrainingResult training = readTraining(connection, cohort.id);
   CohortInputs inputs = cohortInputs(connection, cohort.id, campaign, training);
   inputs.title = cohort.name;
   inputs.createdUtc_us = workplace.now_us();
   inputs.demonstration = cohort.demonstration || campaign.campaign.demonstration;
   inputs.identity = request.identity;
-  if (!cohort.description.empty()) inputs.facts.emplace_back(Text("Cohort"), cohort.description);
-  if (!campaign.campaign.name.empty())
+  if (!cohort.description.empty()) {
+    inputs.facts.emplace_back(Text("Cohort"), cohort.description);
+  }
+  if (!campaign.campaign.name.empty()) {
     inputs.facts.emplace_back(Text("Evaluation of models"), campaign.campaign.name);
+  }
   inputs.facts.emplace_back(Text("Made"), formatUtc(inputs.createdUtc_us));
-  if (inputs.demonstration)
+  if (inputs.demonstration) {
     inputs.simulated = {
         Text("The trainees' movements come from a scripted hand with a seed; the simulator, the recorder and "
              "every computation are the real ones."),
         demonstrationTrainingRule(), demonstrationEvaluationRule()};
+  }
   addAllocation(workplace, cohort.id, inputs);
   addFreeze(workplace, request, inputs);
   inputs.singleMarks = showsSingleMarks(workplace, request, inputs);
   inputs.trials = digests.ofCohort(workplace, cohort.id, progress);
-  if (request.identity == ReportIdentity::kNamed) nameTrainees(workplace, inputs);
+  if (request.identity == ReportIdentity::kNamed) {
+    nameTrainees(workplace, inputs);
+  }
   return inputs;
 }
 

@@ -47,7 +47,9 @@ ReportExport exportReport(Workplace& workplace, const ReportRequest& request, co
   ReportExport done{file, digest.hex(), content.size()};
   nlohmann::ordered_json what;
   what["format"] = format == ReportFormat::kPdf ? "pdf" : "csv";
-  if (format == ReportFormat::kPdf) what["language"] = language;
+  if (format == ReportFormat::kPdf) {
+    what["language"] = language;
+  }
   what["identity"] = identityCode(request.identity);
   what["campaign"] = request.campaignId;
   what["frozen"] = request.frozenId;

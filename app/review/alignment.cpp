@@ -22,16 +22,22 @@ constexpr double kRounding = 1e-9;  // marks are decimal steps
 double threshold_points(Connection& connection) {
   const auto text = SettingRepository(connection).value("review.alignment_points");
   double points = kAlignmentThreshold_points;
-  if (!text) return points;
+  if (!text) {
+    return points;
+  }
   const auto [end, fault] = std::from_chars(text->data(), text->data() + text->size(), points);
   const bool sound = fault == std::errc{} && end == text->data() + text->size() && points > 0.0;
   return sound ? points : kAlignmentThreshold_points;
 }
 
 std::optional<std::int64_t> scoreOf(const CaseMark& mark, const std::string& row) {
-  if (row == kOverallRow) return mark.score_steps;
+  if (row == kOverallRow) {
+    return mark.score_steps;
+  }
   for (const SheetRow& line : mark.rows) {
-    if (line.code == row) return line.score_steps;
+    if (line.code == row) {
+      return line.score_steps;
+    }
   }
   return std::nullopt;
 }
@@ -44,7 +50,9 @@ std::optional<RowComparison> compare(const std::vector<CaseMark>& marks, const s
   double sum = 0.0;
   for (const CaseMark& mark : marks) {
     const auto steps = scoreOf(mark, row);
-    if (!steps) continue;
+    if (!steps) {
+      continue;
+    }
     const double points = pointsFromSteps(*steps, scale);
     if (mark.raterId == rater) {
       own = points;
@@ -55,7 +63,9 @@ std::optional<RowComparison> compare(const std::vector<CaseMark>& marks, const s
     sum += points;
     ++line.others;
   }
-  if (!own || line.others == 0) return std::nullopt;
+  if (!own || line.others == 0) {
+    return std::nullopt;
+  }
   line.own = *own;
   line.mean = sum / static_cast<double>(line.others);
   line.apart = std::abs(line.own - line.mean) >= threshold - kRounding;
@@ -83,7 +93,9 @@ void decide(Workplace& workplace, const std::string& assignmentId, const char* d
 }
 
 void requireReason(const std::string& reason, const std::string& label) {
-  if (!reason.empty()) return;
+  if (!reason.empty()) {
+    return;
+  }
   throw Error(ErrorCode::kBadParameter, "a reason is needed", Text("case %1", label),
               "Write it in a few words");
 }
@@ -104,16 +116,22 @@ std::vector<AlignmentCase> alignmentCases(Workplace& workplace) {
     AlignmentCase line;
     const auto add = [&](const std::string& row, const std::string& label, const ScoreScale& scale) {
       auto compared = compare(marks, rater, row, scale, threshold);
-      if (!compared) return;
+      if (!compared) {
+        return;
+      }
       compared->label = label;
       line.largest = std::max(line.largest, std::abs(compared->own - compared->mean));
       line.rows.push_back(std::move(*compared));
     };
-    for (const StoredRubricRow& row : rubric.rows) add(row.code, row.label, row.scale);
+    for (const StoredRubricRow& row : rubric.rows) {
+      add(row.code, row.label, row.scale);
+    }
     add(kOverallRow, {}, rubric.overall);
     const bool apart =
         std::any_of(line.rows.begin(), line.rows.end(), [](const RowComparison& row) { return row.apart; });
-    if (!apart) continue;
+    if (!apart) {
+      continue;
+    }
     line.shown = blindedCase(workplace, assignment.id);
     if (const auto decided = decisions.latest(assignment.id)) {
       line.decision = decided->decision;

@@ -58,7 +58,9 @@ BlindedCase blindedCase(Workplace& workplace, const std::string& assignmentId) {
                     .label = found.caseLabel,
                     .live = found.trialId.empty(),
                     .dueUtc_us = found.dueUtc_us};
-  if (!shown.live) shown.length_us = DeskRepository(workplace.connection()).trialLength_us(found.trialId);
+  if (!shown.live) {
+    shown.length_us = DeskRepository(workplace.connection()).trialLength_us(found.trialId);
+  }
   return shown;
 }
 
@@ -102,7 +104,9 @@ SceneRequest sceneOf(const BlindedRecording& recording, const std::filesystem::p
 
 void checkScene(const BlindedRecording& recording, const Scene& scene) {
   const TrialHeader& header = recording.trial.header;
-  if (scene.organHash == header.organHash && scene.parameterHash == header.parameterHash) return;
+  if (scene.organHash == header.organHash && scene.parameterHash == header.parameterHash) {
+    return;
+  }
   throw Error(ErrorCode::kVerifyFailed, "the organ here is not the one of the recording",
               placeOf(recording.label), "Score from the traces, or ask the office for the organ file");
 }
@@ -111,7 +115,9 @@ void rethrowBlinded(const std::exception_ptr& problem, const std::string& label)
   try {
     std::rethrow_exception(problem);
   } catch (const Error& error) {
-    if (error.code() == ErrorCode::kPermission) throw;
+    if (error.code() == ErrorCode::kPermission) {
+      throw;
+    }
     // The original texts may carry an id: only the kind of trouble passes.
     const bool changed = error.code() == ErrorCode::kVerifyFailed;
     throw Error(

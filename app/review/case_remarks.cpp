@@ -11,7 +11,9 @@ namespace torsio {
 std::vector<CaseRemark> caseRemarks(Workplace& workplace, const std::string& assignmentId) {
   const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
   std::vector<CaseRemark> own;
-  if (assignment.trialId.empty()) return own;
+  if (assignment.trialId.empty()) {
+    return own;
+  }
   for (const StoredRemark& remark : RemarkRepository(workplace.connection()).remarks(assignment.trialId)) {
     if (remark.author == workplace.actor().userId && remark.purpose != "reply") {
       own.push_back({remark.time_us, remark.text});

@@ -21,7 +21,9 @@ namespace {
 std::optional<double> numberIn(const std::string& text) {
   double number = 0.0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
+  if (fault != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) {
+    return std::nullopt;
+  }
   return number;
 }
 
@@ -44,7 +46,9 @@ ViewingRules viewingRules(Workplace& workplace) {
   SettingRepository settings(workplace.connection());
   if (const auto text = settings.value("review.minimum_watched_percent")) {
     const auto percent = numberIn(*text);
-    if (percent && *percent >= 0.0 && *percent <= 100.0) rules.minimumWatched = *percent / 100.0;
+    if (percent && *percent >= 0.0 && *percent <= 100.0) {
+      rules.minimumWatched = *percent / 100.0;
+    }
   }
   if (const auto text = settings.value("review.speeds")) {
     std::vector<double> speeds;
@@ -53,10 +57,14 @@ ViewingRules viewingRules(Workplace& workplace) {
       const std::size_t comma = std::min(rest.find(','), rest.size());
       const auto speed = numberIn(rest.substr(0, comma));
       rest.erase(0, comma + 1);
-      if (speed && *speed >= 0.1 && *speed <= 4.0) speeds.push_back(*speed);
+      if (speed && *speed >= 0.1 && *speed <= 4.0) {
+        speeds.push_back(*speed);
+      }
     }
     std::sort(speeds.begin(), speeds.end());
-    if (!speeds.empty()) rules.speeds = std::move(speeds);
+    if (!speeds.empty()) {
+      rules.speeds = std::move(speeds);
+    }
   }
   return rules;
 }
@@ -83,7 +91,9 @@ OpenedSheet openSheet(Workplace& workplace, const std::string& assignmentId) {
     opened.state = SheetState::kDraft;
   }
   if (opened.state != SheetState::kSubmitted) {
-    if (const auto seen = desk.draftViewing(assignmentId)) opened.watched = WatchLog(length_us, *seen);
+    if (const auto seen = desk.draftViewing(assignmentId)) {
+      opened.watched = WatchLog(length_us, *seen);
+    }
   }
   return opened;
 }

@@ -20,20 +20,26 @@ std::vector<StoredModel> inOwnOrder(const StoredCampaign& campaign, const std::s
     const std::string code = rest.substr(0, comma);
     rest.erase(0, comma + 1);
     for (const StoredModel& model : campaign.models) {
-      if (model.code == code) models.push_back(model);
+      if (model.code == code) {
+        models.push_back(model);
+      }
     }
   }
   for (const StoredModel& model : campaign.models) {
     const bool there = std::any_of(models.begin(), models.end(),
                                    [&](const StoredModel& one) { return one.code == model.code; });
-    if (!there) models.push_back(model);
+    if (!there) {
+      models.push_back(model);
+    }
   }
   return models;
 }
 
 const StoredCampaignRater* asked(const StoredCampaign& campaign, const std::string& raterId) {
   for (const StoredCampaignRater& rater : campaign.raters) {
-    if (rater.raterId == raterId) return &rater;
+    if (rater.raterId == raterId) {
+      return &rater;
+    }
   }
   return nullptr;
 }
@@ -49,18 +55,23 @@ OpenForm formOf(Connection& connection, const StoredCampaign& campaign, const St
   OpenForm open{{campaign.id, campaign.name, campaign.instrument.scale, {}, {}},
                 inOwnOrder(campaign, rater.modelOrder),
                 campaign.demonstration};
-  for (const EvaluationIndex& index : campaign.instrument.indices) open.form.indices.push_back(index.name);
+  for (const EvaluationIndex& index : campaign.instrument.indices) {
+    open.form.indices.push_back(index.name);
+  }
   const std::size_t count = open.form.indices.size();
   const auto draft = DeskRepository(connection).evaluationDraft(campaign.id, rater.raterId);
   const auto marks = EvaluationRepository(connection).marks(campaign.id);
   for (const StoredModel& model : open.models) {
     EvaluationFormModel shown{model.hiddenLabel, std::vector<std::optional<std::int64_t>>(count), false};
     for (const EvaluationDraftMark& mark : draft) {
-      if (mark.modelCode == model.code)
+      if (mark.modelCode == model.code) {
         shown.scores.at(static_cast<std::size_t>(mark.indexNumber - 1)) = mark.score_steps;
+      }
     }
     for (const StoredEvaluationMark& mark : marks) {
-      if (mark.modelCode != model.code || mark.raterId != rater.raterId) continue;
+      if (mark.modelCode != model.code || mark.raterId != rater.raterId) {
+        continue;
+      }
       shown.submitted = true;
       shown.scores.at(static_cast<std::size_t>(mark.indexNumber - 1)) = mark.score_steps;
     }
@@ -84,8 +95,12 @@ OpenForm ownForm(Workplace& workplace, const std::string& campaignId) {
 /// Position of a model that may still be marked.
 std::size_t openModel(const OpenForm& open, const std::string& hiddenLabel) {
   for (std::size_t i = 0; i < open.form.models.size(); ++i) {
-    if (open.form.models[i].hiddenLabel != hiddenLabel) continue;
-    if (!open.form.models[i].submitted) return i;
+    if (open.form.models[i].hiddenLabel != hiddenLabel) {
+      continue;
+    }
+    if (!open.form.models[i].submitted) {
+      return i;
+    }
     throw Error(ErrorCode::kBadData, "these marks were submitted already", Text("model %1", hiddenLabel),
                 "Go on with the next model");
   }
@@ -104,12 +119,16 @@ std::vector<EvaluationForm> evaluationForms(Workplace& workplace) {
   workplace.require(Operation::kEvaluationSubmit);
   std::vector<EvaluationForm> forms;
   const std::string& person = workplace.actor().personId;
-  if (person.empty()) return forms;
+  if (person.empty()) {
+    return forms;
+  }
   EvaluationRepository repository(workplace.connection());
   for (const auto& [id, name] : repository.campaigns()) {
     const auto campaign = repository.campaign(id);
     const StoredCampaignRater* rater = campaign ? asked(*campaign, person) : nullptr;
-    if (rater != nullptr) forms.push_back(formOf(workplace.connection(), *campaign, *rater).form);
+    if (rater != nullptr) {
+      forms.push_back(formOf(workplace.connection(), *campaign, *rater).form);
+    }
   }
   return forms;
 }

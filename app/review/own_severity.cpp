@@ -21,7 +21,9 @@ std::optional<SeverityCase> compared(const std::vector<CaseMark>& marks, const s
   std::optional<double> own;
   std::vector<double> others;
   for (const CaseMark& mark : marks) {
-    if (!mark.score_steps) continue;
+    if (!mark.score_steps) {
+      continue;
+    }
     const double points = pointsFromSteps(*mark.score_steps, mark.scale);
     if (mark.raterId == rater) {
       own = points;
@@ -29,7 +31,9 @@ std::optional<SeverityCase> compared(const std::vector<CaseMark>& marks, const s
       others.push_back(points);
     }
   }
-  if (!own || others.empty()) return std::nullopt;
+  if (!own || others.empty()) {
+    return std::nullopt;
+  }
   return SeverityCase{{}, *own, meanOf(others)};
 }
 
@@ -46,7 +50,9 @@ OwnSeverity ownSeverity(Workplace& workplace) {
   for (const StoredAssignment& assignment : committed) {
     const std::vector<CaseMark> marks = desk.marksOfCase(assignment.enrolmentId, assignment.scoringPoint);
     auto line = compared(marks, rater);
-    if (!line) continue;
+    if (!line) {
+      continue;
+    }
     const ScoreScale& scale = marks.front().scale;
     out.lowest_points = pointsFromSteps(scale.lo, scale);
     out.highest_points = pointsFromSteps(scale.hi, scale);
@@ -57,14 +63,20 @@ OwnSeverity ownSeverity(Workplace& workplace) {
   }
   std::size_t submitted = 0;
   for (const QueueEntry& entry : SheetRepository(workplace.connection()).queue(rater)) {
-    if (entry.state == SheetState::kSubmitted) ++submitted;
+    if (entry.state == SheetState::kSubmitted) {
+      ++submitted;
+    }
   }
   out.waiting = submitted - std::min(submitted, committed.size());
-  if (own.empty()) return out;
+  if (own.empty()) {
+    return out;
+  }
   out.ownMean_points = meanOf(own);
   out.panelMean_points = meanOf(panel);
   out.difference_points = *out.ownMean_points - *out.panelMean_points;
-  if (const auto agreement = blandAltman(own, panel)) out.interval_points = agreement->meanInterval;
+  if (const auto agreement = blandAltman(own, panel)) {
+    out.interval_points = agreement->meanInterval;
+  }
   out.used.assign(static_cast<std::size_t>(std::lround(out.highest_points - out.lowest_points)) + 1, 0);
   for (const double points : own) {
     const auto bin = static_cast<std::size_t>(std::lround(points - out.lowest_points));

@@ -42,20 +42,30 @@ RangePyramid::RangePyramid(std::vector<float> values) : values_(std::move(values
     levels_.push_back(std::move(level));
     level = std::move(above);
   }
-  if (!level.empty()) levels_.push_back(std::move(level));
+  if (!level.empty()) {
+    levels_.push_back(std::move(level));
+  }
 }
 
 RangePyramid::Range RangePyramid::range(std::size_t first, std::size_t last) const {
   TORSIO_EXPECTS(first < last && last <= values_.size());
   Range found = nothing();
   const auto single = [&](std::size_t i) { found = joined(found, {values_[i], values_[i]}); };
-  while (first < last && first % kBlock != 0) single(first++);
-  while (last > first && last % kBlock != 0) single(--last);
+  while (first < last && first % kBlock != 0) {
+    single(first++);
+  }
+  while (last > first && last % kBlock != 0) {
+    single(--last);
+  }
   std::size_t begin = first / kBlock;
   std::size_t end = last / kBlock;
   for (std::size_t k = 0; begin < end; ++k, begin /= 2, end /= 2) {
-    if (begin % 2 == 1) found = joined(found, levels_[k][begin++]);
-    if (end % 2 == 1 && begin < end) found = joined(found, levels_[k][--end]);
+    if (begin % 2 == 1) {
+      found = joined(found, levels_[k][begin++]);
+    }
+    if (end % 2 == 1 && begin < end) {
+      found = joined(found, levels_[k][--end]);
+    }
   }
   return found;
 }

@@ -21,7 +21,9 @@ constexpr double kMinute_us = 60e6;
 /// Minutes a case takes this rater; empty before there are enough of them.
 std::optional<double> ownPace_min(DeskRepository& desk, const std::string& raterId) {
   std::vector<std::int64_t> times_us = desk.workingTimes_us(raterId, kPaceCases);
-  if (times_us.size() < kFewestForPace) return std::nullopt;
+  if (times_us.size() < kFewestForPace) {
+    return std::nullopt;
+  }
   const auto middle = times_us.begin() + static_cast<std::ptrdiff_t>(times_us.size() / 2);
   std::nth_element(times_us.begin(), middle, times_us.end());
   return static_cast<double>(*middle) / kMinute_us;
@@ -34,7 +36,9 @@ std::vector<QueueLine> allLines(Workplace& workplace, const std::optional<double
   for (const QueueEntry& entry : SheetRepository(workplace.connection()).queue(workplace.actor().personId)) {
     QueueLine line;
     line.shown = {entry.assignmentId, entry.caseLabel, entry.trialId.empty(), entry.dueUtc_us, {}};
-    if (!line.shown.live) line.shown.length_us = desk.trialLength_us(entry.trialId);
+    if (!line.shown.live) {
+      line.shown.length_us = desk.trialLength_us(entry.trialId);
+    }
     line.state = entry.state;
     line.submittedUtc_us = entry.submittedUtc_us;
     if (line.state != SheetState::kSubmitted) {
@@ -59,9 +63,12 @@ ReviewQueue reviewQueue(Workplace& workplace) {
   for (QueueLine& line : allLines(workplace, pace_min)) {
     const bool done = line.state == SheetState::kSubmitted;
     if (!done && line.shown.dueUtc_us &&
-        (!queue.nextDueUtc_us || *line.shown.dueUtc_us < *queue.nextDueUtc_us))
+        (!queue.nextDueUtc_us || *line.shown.dueUtc_us < *queue.nextDueUtc_us)) {
       queue.nextDueUtc_us = line.shown.dueUtc_us;
-    if (line.overdue) ++queue.overdue;
+    }
+    if (line.overdue) {
+      ++queue.overdue;
+    }
     if (line.shown.live) {
       ++(done ? queue.liveSubmitted : queue.liveWaiting);
       continue;
@@ -76,18 +83,24 @@ ReviewQueue reviewQueue(Workplace& workplace) {
   for (const SheetState wanted : {SheetState::kDraft, SheetState::kOpen}) {
     const auto found = std::find_if(queue.lines.begin(), queue.lines.end(),
                                     [wanted](const QueueLine& line) { return line.state == wanted; });
-    if (found == queue.lines.end()) continue;
+    if (found == queue.lines.end()) {
+      continue;
+    }
     queue.next = found->shown.assignmentId;
     break;
   }
   const WarmUp warmUp = torsio::warmUp(workplace);
   queue.warmUpWaiting = !warmUp.runs.empty() && !warmUp.complete();
   for (const AlignmentCase& open : alignmentCases(workplace)) {
-    if (open.decision.empty()) ++queue.disagreements;
+    if (open.decision.empty()) {
+      ++queue.disagreements;
+    }
   }
   if (workplace.may(Operation::kEvaluationSubmit)) {
     for (const EvaluationForm& form : evaluationForms(workplace)) {
-      for (const EvaluationFormModel& model : form.models) queue.models += model.submitted ? 0 : 1;
+      for (const EvaluationFormModel& model : form.models) {
+        queue.models += model.submitted ? 0 : 1;
+      }
     }
   }
   return queue;
@@ -97,7 +110,9 @@ std::vector<QueueLine> liveLines(Workplace& workplace) {
   workplace.require(Operation::kMarkSubmit);
   std::vector<QueueLine> lines;
   for (QueueLine& line : allLines(workplace, std::nullopt)) {
-    if (line.shown.live) lines.push_back(std::move(line));
+    if (line.shown.live) {
+      lines.push_back(std::move(line));
+    }
   }
   return lines;
 }

@@ -36,13 +36,19 @@ SheetEditor::SheetEditor(StoredRubricRevision rubric, Sheet start, bool withOver
 
 std::vector<std::string> SheetEditor::order() const {
   std::vector<std::string> codes;
-  for (const StoredRubricRow& row : rubric_.rows) codes.push_back(row.code);
-  if (withOverall_) codes.push_back(kOverallRow);
+  for (const StoredRubricRow& row : rubric_.rows) {
+    codes.push_back(row.code);
+  }
+  if (withOverall_) {
+    codes.push_back(kOverallRow);
+  }
   return codes;
 }
 
 SheetRow* SheetEditor::rowIn(Sheet& sheet, const std::string& code) {
-  if (code == kOverallRow) return nullptr;
+  if (code == kOverallRow) {
+    return nullptr;
+  }
   const auto found = std::find_if(sheet.rows.begin(), sheet.rows.end(),
                                   [&](const SheetRow& row) { return row.code == code; });
   TORSIO_EXPECTS(found != sheet.rows.end());
@@ -50,7 +56,9 @@ SheetRow* SheetEditor::rowIn(Sheet& sheet, const std::string& code) {
 }
 
 SheetAnswer SheetEditor::answer(const std::string& row) const {
-  if (row == kOverallRow) return {sheet().overall_steps, sheet().notAssessableReason};
+  if (row == kOverallRow) {
+    return {sheet().overall_steps, sheet().notAssessableReason};
+  }
   const auto found = std::find_if(sheet().rows.begin(), sheet().rows.end(),
                                   [&](const SheetRow& line) { return line.code == row; });
   TORSIO_EXPECTS(found != sheet().rows.end());
@@ -58,7 +66,9 @@ SheetAnswer SheetEditor::answer(const std::string& row) const {
 }
 
 const ScoreScale& SheetEditor::scale(const std::string& row) const {
-  if (row == kOverallRow) return rubric_.overall;
+  if (row == kOverallRow) {
+    return rubric_.overall;
+  }
   const auto found = std::find_if(rubric_.rows.begin(), rubric_.rows.end(),
                                   [&](const StoredRubricRow& line) { return line.code == row; });
   TORSIO_EXPECTS(found != rubric_.rows.end());
@@ -83,23 +93,31 @@ bool SheetEditor::apply(Sheet next, SheetChange change, bool joins) {
 bool SheetEditor::setScore(const std::string& row, std::int64_t score_steps, bool merge) {
   const ScoreScale& limits = scale(row);
   const SheetAnswer wanted{score_steps, {}};
-  if (!isOnScale(score_steps, limits) || answer(row) == wanted) return false;
+  if (!isOnScale(score_steps, limits) || answer(row) == wanted) {
+    return false;
+  }
   Sheet next = sheet();
   put(next, rowIn(next, row), wanted);
   return apply(std::move(next), {SheetChange::Kind::kScore, row}, merge);
 }
 
 bool SheetEditor::setNotAssessable(const std::string& row, const std::string& reason) {
-  if (reason.empty()) return clear(row);
+  if (reason.empty()) {
+    return clear(row);
+  }
   const SheetAnswer wanted{std::nullopt, reason};
-  if (answer(row) == wanted) return false;
+  if (answer(row) == wanted) {
+    return false;
+  }
   Sheet next = sheet();
   put(next, rowIn(next, row), wanted);
   return apply(std::move(next), {SheetChange::Kind::kNotAssessable, row}, true);
 }
 
 bool SheetEditor::clear(const std::string& row) {
-  if (!answer(row).given()) return false;
+  if (!answer(row).given()) {
+    return false;
+  }
   Sheet next = sheet();
   put(next, rowIn(next, row), {});
   return apply(std::move(next), {SheetChange::Kind::kCleared, row}, false);
@@ -119,7 +137,9 @@ bool SheetEditor::clearAll() {
 }
 
 bool SheetEditor::setComment(const std::string& comment) {
-  if (sheet().comment == comment) return false;
+  if (sheet().comment == comment) {
+    return false;
+  }
   Sheet next = sheet();
   next.comment = comment;
   return apply(std::move(next), {SheetChange::Kind::kComment, kOverallRow}, true);
@@ -134,20 +154,26 @@ std::optional<SheetChange> SheetEditor::redoable() const {
 }
 
 bool SheetEditor::undo() {
-  if (!canUndo()) return false;
+  if (!canUndo()) {
+    return false;
+  }
   --at_;
   states_[at_].open = false;  // what is typed now is a step of its own
   return true;
 }
 
 bool SheetEditor::redo() {
-  if (!canRedo()) return false;
+  if (!canRedo()) {
+    return false;
+  }
   ++at_;
   return true;
 }
 
 void SheetEditor::saved(std::int64_t revision) {
-  for (State& state : states_) state.sheet.revision = revision;
+  for (State& state : states_) {
+    state.sheet.revision = revision;
+  }
 }
 
 std::optional<std::int64_t> stepsForDigit(const ScoreScale& scale, int digit,
@@ -158,9 +184,13 @@ std::optional<std::int64_t> stepsForDigit(const ScoreScale& scale, int digit,
     return isOnScale(steps, scale) ? std::optional(steps) : std::nullopt;
   };
   if (typed_points && *typed_points > 0) {
-    if (const auto longer = within(*typed_points * 10 + digit)) return longer;
+    if (const auto longer = within(*typed_points * 10 + digit)) {
+      return longer;
+    }
   }
-  if (digit == 0 && !within(0)) return within(10);
+  if (digit == 0 && !within(0)) {
+    return within(10);
+  }
   return within(digit);
 }
 

@@ -42,14 +42,19 @@ struct CaseSheets {
 std::map<CaseKey, CaseSheets> openCases(Connection& connection, const std::string& cohortId) {
   std::map<std::string, AlignmentDecision> asked;
   for (AlignmentDecision& decision : AlignmentRepository(connection).ofCohort(cohortId)) {
-    if (decision.decision == kThird) asked.emplace(decision.assignmentId, std::move(decision));
+    if (decision.decision == kThird) {
+      asked.emplace(decision.assignmentId, std::move(decision));
+    }
   }
   std::map<CaseKey, CaseSheets> cases;
-  if (asked.empty()) return cases;
+  if (asked.empty()) {
+    return cases;
+  }
   for (AssignmentStatus& status : SheetRepository(connection).assignments(cohortId)) {
     CaseSheets& one = cases[keyOf(status.assignment)];
-    if (const auto found = asked.find(status.assignment.id); found != asked.end())
+    if (const auto found = asked.find(status.assignment.id); found != asked.end()) {
       one.asked.push_back(found->second);
+    }
     one.sheets.push_back(std::move(status));
   }
   std::erase_if(cases, [](const auto& entry) {
@@ -81,9 +86,13 @@ std::map<std::string, ThirdRater> activeRaters(Connection& connection) {
   std::map<std::string, ThirdRater> raters;
   SheetRepository sheets(connection);
   for (const StoredRater& rater : PeopleRepository(connection).raters()) {
-    if (rater.person.state != "active") continue;
+    if (rater.person.state != "active") {
+      continue;
+    }
     ThirdRater one{rater.person.id, rater.person.code, rater.classCode, 0};
-    for (const QueueEntry& entry : sheets.queue(one.id)) one.open += entry.state != SheetState::kSubmitted;
+    for (const QueueEntry& entry : sheets.queue(one.id)) {
+      one.open += entry.state != SheetState::kSubmitted;
+    }
     raters.emplace(one.id, std::move(one));
   }
   return raters;
@@ -91,12 +100,16 @@ std::map<std::string, ThirdRater> activeRaters(Connection& connection) {
 
 std::vector<ThirdRater> freeFor(const CaseSheets& sheets, const std::map<std::string, ThirdRater>& raters) {
   std::set<std::string> taken;
-  for (const AssignmentStatus& status : sheets.sheets) taken.insert(status.assignment.raterId);
+  for (const AssignmentStatus& status : sheets.sheets) {
+    taken.insert(status.assignment.raterId);
+  }
   const auto asker = raters.find(assignmentOf(sheets, sheets.asked.front().assignmentId).raterId);
   const std::string wanted = asker != raters.end() ? asker->second.classCode : std::string();
   std::vector<ThirdRater> free;
   for (const auto& [id, rater] : raters) {
-    if (!taken.contains(id)) free.push_back(rater);
+    if (!taken.contains(id)) {
+      free.push_back(rater);
+    }
   }
   std::sort(free.begin(), free.end(), [&wanted](const ThirdRater& a, const ThirdRater& b) {
     const bool otherA = a.classCode != wanted;
@@ -113,14 +126,18 @@ std::vector<ThirdRequest> thirdRequests(Workplace& workplace, const std::string&
   Connection& connection = workplace.connection();
   std::vector<ThirdRequest> requests;
   const std::map<CaseKey, CaseSheets> cases = openCases(connection, cohortId);
-  if (cases.empty()) return requests;
+  if (cases.empty()) {
+    return requests;
+  }
   const Occasions occasions = OccasionRepository(connection).all();
   std::map<std::string, std::string> trainees;
-  for (const StoredEnrolment& enrolment : StudyRepository(connection).enrolments(cohortId))
+  for (const StoredEnrolment& enrolment : StudyRepository(connection).enrolments(cohortId)) {
     trainees[enrolment.id] = enrolment.traineeCode;
+  }
   std::map<std::string, std::string> codes;
-  for (const StoredRater& rater : PeopleRepository(connection).raters())
+  for (const StoredRater& rater : PeopleRepository(connection).raters()) {
     codes[rater.person.id] = rater.person.code;
+  }
   const std::map<std::string, ThirdRater> raters = activeRaters(connection);
   for (const auto& [key, sheets] : cases) {
     const StoredAssignment& first = assignmentOf(sheets, sheets.asked.front().assignmentId);
@@ -129,8 +146,9 @@ std::vector<ThirdRequest> thirdRequests(Workplace& workplace, const std::string&
     request.traineeCode = trainees[key.first];
     request.occasion = occasions.named(key.second);
     request.live = first.trialId.empty();
-    for (const AssignmentStatus& status : sheets.sheets)
+    for (const AssignmentStatus& status : sheets.sheets) {
       request.marks += status.state == SheetState::kSubmitted ? 1 : 0;
+    }
     for (const AlignmentDecision& decision : sheets.asked) {
       request.askedBy.push_back(codes[assignmentOf(sheets, decision.assignmentId).raterId]);
       request.reasons.push_back(decision.reason);
@@ -151,15 +169,19 @@ std::string assignThird(Workplace& workplace, const std::string& cohortId, const
   Transaction transaction(workplace.connection());
   SheetRepository sheets(workplace.connection());
   const auto asked = sheets.findAssignment(assignmentId);
-  if (!asked) refuse("nobody has asked for a third rater here", assignmentId, "Read the list again");
+  if (!asked) {
+    refuse("nobody has asked for a third rater here", assignmentId, "Read the list again");
+  }
   const StoredAssignment& before = asked->assignment;
   const std::map<CaseKey, CaseSheets> cases = openCases(workplace.connection(), cohortId);
   const auto found = cases.find(keyOf(before));
-  if (found == cases.end())
+  if (found == cases.end()) {
     refuse("nobody has asked for a third rater here", assignmentId, "Read the list again");
+  }
   const std::vector<ThirdRater> free = freeFor(found->second, activeRaters(workplace.connection()));
-  if (std::none_of(free.begin(), free.end(), [&](const ThirdRater& rater) { return rater.id == raterId; }))
+  if (std::none_of(free.begin(), free.end(), [&](const ThirdRater& rater) { return rater.id == raterId; })) {
     refuse("this rater cannot be asked about this case", assignmentId, "Choose one from the list");
+  }
   StoredAssignment next = before;
   std::set<std::string> labels;
   next.position = 0;

@@ -44,7 +44,9 @@ ScoreScale checkedScale(Connection& connection, const ReferenceChoice& choice) {
                 "Choose one from the list");
   }
   for (const StoredReferenceRun& run : desk.allReferenceRuns()) {
-    if (run.trialId != choice.trialId) continue;
+    if (run.trialId != choice.trialId) {
+      continue;
+    }
     throw Error(ErrorCode::kBadData, "this recording is or was a reference run", choice.trialId,
                 "Choose another recording");
   }
@@ -73,7 +75,9 @@ std::optional<double> WarmUp::meanOffset_points() const noexcept {
   double sum = 0.0;
   std::size_t n = 0;
   for (const WarmUpRun& run : runs) {
-    if (!run.offset_points) continue;
+    if (!run.offset_points) {
+      continue;
+    }
     sum += *run.offset_points;
     ++n;
   }
@@ -89,12 +93,16 @@ WarmUp warmUp(Workplace& workplace) {
   WarmUp out;
   for (const StoredReferenceRun& run : desk.referenceRuns()) {
     const StoredRubricRevision rubric = sheets.revision(run.rubricRevisionId).value();
-    if (out.runs.empty()) out.rubric = rubric;
+    if (out.runs.empty()) {
+      out.rubric = rubric;
+    }
     WarmUpRun shown;
     shown.number = out.runs.size() + 1;
     shown.length_us = desk.trialLength_us(run.trialId);
     for (const StoredWarmup& one : tries) {
-      if (one.referenceTrialId != run.trialId) continue;
+      if (one.referenceTrialId != run.trialId) {
+        continue;
+      }
       ++shown.tries;
       shown.own_steps = one.score_steps;
       shown.panelRaters = run.panelRaters;
@@ -141,12 +149,18 @@ std::vector<ReferenceCandidate> referenceCandidates(Workplace& workplace) {
   workplace.require(Operation::kStudySetup);
   DeskRepository desk(workplace.connection());
   std::set<std::string> spoken;
-  for (const std::string& trialId : desk.assignedTrials()) spoken.insert(trialId);
-  for (const StoredReferenceRun& run : desk.allReferenceRuns()) spoken.insert(run.trialId);
+  for (const std::string& trialId : desk.assignedTrials()) {
+    spoken.insert(trialId);
+  }
+  for (const StoredReferenceRun& run : desk.allReferenceRuns()) {
+    spoken.insert(run.trialId);
+  }
   std::vector<ReferenceCandidate> candidates;
   for (const TrialListing& trial : TrialRepository(workplace.connection()).list({.limit = kMostListed})) {
     const bool complete = trial.summary && trial.summary->outcome == TrialOutcome::kCompleted;
-    if (!complete || spoken.contains(trial.trialId)) continue;
+    if (!complete || spoken.contains(trial.trialId)) {
+      continue;
+    }
     candidates.push_back({trial.trialId, trial.traineeCode, trial.sceneId, trial.phaseLabel,
                           desk.trialLength_us(trial.trialId).value_or(0), trial.startedUtc_us,
                           trial.demonstration});
@@ -160,8 +174,9 @@ std::vector<ReferenceRow> referenceRows(Workplace& workplace) {
   SheetRepository sheets(workplace.connection());
   TrialRepository trials(workplace.connection());
   std::map<std::string, std::string> reasons;
-  for (const StoredReferenceWithdrawal& withdrawal : desk.referenceWithdrawals())
+  for (const StoredReferenceWithdrawal& withdrawal : desk.referenceWithdrawals()) {
     reasons.emplace(withdrawal.trialId, withdrawal.reason);
+  }
   std::vector<ReferenceRow> rows;
   std::vector<ReferenceRow> withdrawn;
   for (const StoredReferenceRun& run : desk.allReferenceRuns()) {

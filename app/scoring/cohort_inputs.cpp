@@ -22,7 +22,9 @@ CohortAllocation checkedAllocation(StudyRepository& study, const std::string& co
                                    const std::vector<StoredGroup>& groups) {
   const std::vector<StoredAllocationDesign> designs = study.designs(cohortId);
   CohortAllocation shown;
-  if (designs.empty()) return shown;
+  if (designs.empty()) {
+    return shown;
+  }
   const StoredAllocationDesign& stored = designs.back();
   shown.method = stored.algorithm;
   shown.version = stored.algorithmVersion;
@@ -31,11 +33,15 @@ CohortAllocation checkedAllocation(StudyRepository& study, const std::string& co
   shown.sealed = stored.seed.empty();
   const auto [end, error] =
       std::from_chars(stored.seed.data(), stored.seed.data() + stored.seed.size(), shown.seed);
-  if (error != std::errc() || end != stored.seed.data() + stored.seed.size()) return shown;
+  if (error != std::errc() || end != stored.seed.data() + stored.seed.size()) {
+    return shown;
+  }
 
   AllocationDesign design;
   design.studyId = cohortId;
-  for (const StoredGroup& group : groups) design.arms.push_back(group.code);
+  for (const StoredGroup& group : groups) {
+    design.arms.push_back(group.code);
+  }
   std::map<std::string, std::string> codeOf;
   std::map<std::string, std::string> groupOf;
   for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
@@ -43,8 +49,9 @@ CohortAllocation checkedAllocation(StudyRepository& study, const std::string& co
     groupOf[enrolment.traineeCode] = enrolment.groupCode;
   }
   std::vector<AllocationPerson> persons;
-  for (const StoredAllocation& record : study.allocations(stored.id))
+  for (const StoredAllocation& record : study.allocations(stored.id)) {
     persons.push_back({codeOf[record.enrolmentId], {}});
+  }
   const Allocation again = allocate(design, shown.seed, persons);
   shown.replayed =
       again.commitment == stored.seedCommitment &&
@@ -59,8 +66,9 @@ constexpr double kMinute_us = 60e6;
 /// Doses, rests and deviations.
 void addTimes(StudyRepository& study, const std::string& cohortId, CohortInputs& inputs) {
   std::map<std::string, std::string> codeOf;
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId))
+  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
     codeOf[enrolment.id] = enrolment.traineeCode;
+  }
   std::map<std::string, CohortDose> doses;
   for (const StoredExposure& exposure : study.exposures(cohortId)) {
     CohortDose& dose = doses[codeOf[exposure.enrolmentId]];
@@ -74,11 +82,12 @@ void addTimes(StudyRepository& study, const std::string& cohortId, CohortInputs&
     inputs.rests += dose.rest_min > 0.0 ? 1 : 0;
     inputs.doses.push_back(std::move(dose));
   }
-  for (const StoredDeviation& deviation : study.deviations(cohortId))
+  for (const StoredDeviation& deviation : study.deviations(cohortId)) {
     inputs.deviations.push_back(
         {deviation.happenedUtc_us,
          deviation.enrolmentId.empty() ? std::string() : codeOf[deviation.enrolmentId], deviation.kind,
          deviation.description});
+  }
 }
 
 }  // namespace
@@ -87,7 +96,9 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
                           const TrainingResult& training) {
   StudyRepository study(connection);
   CohortInputs inputs;
-  if (const auto centre = study.centre()) inputs.centre = centre->name;
+  if (const auto centre = study.centre()) {
+    inputs.centre = centre->name;
+  }
   inputs.softwareVersion = softwareVersion();
   const std::vector<StoredGroup> groups = study.groups(cohortId);
   for (const StoredGroup& group : groups) {
@@ -111,12 +122,15 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
   inputs.allocation = checkedAllocation(study, cohortId, groups);
 
   inputs.instrument = campaign.campaign.instrument;
-  if (!campaign.classesMissing.empty())
+  if (!campaign.classesMissing.empty()) {
     inputs.unfinishedEvaluation = {static_cast<std::int64_t>(campaign.ratings.size()),
                                    campaign.classesMissing};
-  if (!campaign.models.empty())  // without an evaluation there is no instrument either
-    for (ModelRatings& ratings : groupRatings(inputs.instrument, campaign.ratings))
+  }
+  if (!campaign.models.empty()) {  // without an evaluation there is no instrument either
+    for (ModelRatings& ratings : groupRatings(inputs.instrument, campaign.ratings)) {
       inputs.ratings.push_back(std::move(ratings));
+    }
+  }
   inputs.evaluations = campaign.models;
   const auto positionOf = [&](const std::string& code) {
     return std::find_if(campaign.models.begin(), campaign.models.end(),
@@ -128,14 +142,18 @@ CohortInputs cohortInputs(Connection& connection, const std::string& cohortId, c
                    });
 
   inputs.trainingScale = training.scale;
-  for (const Occasion& occasion : training.occasions) inputs.occasions.push_back(occasionText(occasion));
+  for (const Occasion& occasion : training.occasions) {
+    inputs.occasions.push_back(occasionText(occasion));
+  }
   inputs.scores = training.trainees;
   inputs.summaries = training.groups;
   inputs.trainingMarks = training.marks;
   inputs.notAssessable = training.notAssessable;
   addTimes(study, cohortId, inputs);
   std::set<std::string> raters;
-  for (const TrainingMark& mark : training.marks) raters.insert(mark.rater);
+  for (const TrainingMark& mark : training.marks) {
+    raters.insert(mark.rater);
+  }
   inputs.trainingRaters = raters.size();
   return inputs;
 }

@@ -36,7 +36,9 @@ AssessmentRun makeRun(IdSource& ids, const ScoringStamp& stamp, const char* form
   run.softwareVersion = softwareVersion();
   run.computedUtc_us = stamp.utc_us;
   run.demonstration = stamp.demonstration;
-  if (stamp.demonstration) run.flags.push_back("demonstration data");
+  if (stamp.demonstration) {
+    run.flags.push_back("demonstration data");
+  }
   return run;
 }
 
@@ -69,19 +71,26 @@ std::vector<std::string> classesMissing(const StoredCampaign& campaign,
                                         const std::vector<EvaluationRating>& ratings) {
   using Place = std::tuple<std::string, std::size_t, std::size_t>;  // model, class, index
   std::set<Place> scored;
-  for (const EvaluationRating& rating : ratings)
+  for (const EvaluationRating& rating : ratings) {
     scored.insert({rating.model, rating.raterClass, rating.index});
+  }
   std::vector<std::string> missing;
   const EvaluationInstrument& instrument = campaign.instrument;
   for (std::size_t c = 0; c < instrument.classes.size(); ++c) {
-    if (instrument.classes[c].weight_milli == 0) continue;
+    if (instrument.classes[c].weight_milli == 0) {
+      continue;
+    }
     const auto lacks = [&](const StoredModel& model) {
-      for (std::size_t j = 0; j < instrument.indices.size(); ++j)
-        if (!scored.contains({model.code, c, j})) return true;
+      for (std::size_t j = 0; j < instrument.indices.size(); ++j) {
+        if (!scored.contains({model.code, c, j})) {
+          return true;
+        }
+      }
       return false;
     };
-    if (std::any_of(campaign.models.begin(), campaign.models.end(), lacks))
+    if (std::any_of(campaign.models.begin(), campaign.models.end(), lacks)) {
       missing.push_back(instrument.classes[c].name);
+    }
   }
   return missing;
 }
@@ -143,7 +152,9 @@ ReadTraining trainingWithHash(Connection& connection, const std::string& cohortI
       ++read.result.notAssessable;
       continue;
     }
-    if (mark.groupCode.empty()) continue;  // marked before allocation and in no group yet
+    if (mark.groupCode.empty()) {
+      continue;  // marked before allocation and in no group yet
+    }
     read.result.scale = mark.scale;
     TrainingMark scored;
     scored.trainee = mark.traineeCode;
@@ -161,7 +172,9 @@ ReadTraining trainingWithHash(Connection& connection, const std::string& cohortI
 /// Variance of every trainee's marks between the raters, divisor n, by trainee and occasion.
 std::map<Case, double> betweenRaterVariances(const TrainingResult& result) {
   std::map<Case, double> means;
-  for (const TraineeScore& score : result.trainees) means[{score.trainee, score.occasion}] = score.score;
+  for (const TraineeScore& score : result.trainees) {
+    means[{score.trainee, score.occasion}] = score.score;
+  }
   std::map<Case, std::pair<double, double>> sums;
   for (const TrainingMark& mark : result.marks) {
     const Case key{mark.trainee, mark.occasion};
@@ -170,7 +183,9 @@ std::map<Case, double> betweenRaterVariances(const TrainingResult& result) {
     sums[key].second += 1.0;
   }
   std::map<Case, double> variances;
-  for (const auto& [key, sum] : sums) variances[key] = sum.first / sum.second;
+  for (const auto& [key, sum] : sums) {
+    variances[key] = sum.first / sum.second;
+  }
   return variances;
 }
 
@@ -178,7 +193,9 @@ std::map<Case, double> betweenRaterVariances(const TrainingResult& result) {
 
 CampaignResult readCampaign(Connection& connection, const std::string& campaignId) {
   CampaignResult result = campaignWithHash(connection, campaignId).result;
-  if (result.classesMissing.empty()) evaluateIn(result);
+  if (result.classesMissing.empty()) {
+    evaluateIn(result);
+  }
   return result;
 }
 
@@ -189,14 +206,19 @@ TrainingResult readTraining(Connection& connection, const std::string& cohortId)
 CampaignResult evaluateCampaign(Connection& connection, const std::string& campaignId, IdSource& ids,
                                 const ScoringStamp& stamp) {
   auto [result, inputs] = campaignWithHash(connection, campaignId);
-  if (!result.ratings.empty()) evaluateIn(result);
+  if (!result.ratings.empty()) {
+    evaluateIn(result);
+  }
   StoredEvaluationRun run;
   run.run = makeRun(ids, stamp, kEvaluationFormulaVersion, "available-case", inputs);
   for (const ModelEvaluation& model : result.models) {
-    for (std::size_t i = 0; i < model.indices.size(); ++i)
+    for (std::size_t i = 0; i < model.indices.size(); ++i) {
       run.results.push_back(stored(model.model, i, model.indices[i]));
+    }
     StoredComposite composite{model.model, model.n27, {}, model.flags};
-    if (model.compositeStatistics) composite.standardError = model.compositeStatistics->standardError;
+    if (model.compositeStatistics) {
+      composite.standardError = model.compositeStatistics->standardError;
+    }
     run.composites.push_back(std::move(composite));
   }
   EvaluationRepository(connection).storeRun(campaignId, run);
@@ -208,8 +230,9 @@ TrainingResult scoreTraining(Connection& connection, const std::string& cohortId
   StudyRepository study(connection);
   const std::vector<StoredGroup> groups = study.groups(cohortId);
   std::map<std::string, std::string> enrolmentOf;  // trainee code -> enrolment id
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId))
+  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
     enrolmentOf[enrolment.traineeCode] = enrolment.id;
+  }
   auto [result, notAssessable, inputs] = trainingWithHash(connection, cohortId);
   const std::map<Case, double> variances = betweenRaterVariances(result);
 

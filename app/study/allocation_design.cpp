@@ -35,17 +35,27 @@ std::size_t levelOf(const AllocationFactor& factor, const std::string& level, co
 }  // namespace
 
 std::string factorValue(const StoredTrainee& trainee, const std::string& factor) {
-  if (factor == "sex") return trainee.person.sex;
-  if (factor == "level") return trainee.person.level;
-  if (factor == "experience") return trainee.person.experience;
-  if (factor == "handedness") return trainee.handedness;
+  if (factor == "sex") {
+    return trainee.person.sex;
+  }
+  if (factor == "level") {
+    return trainee.person.level;
+  }
+  if (factor == "experience") {
+    return trainee.person.experience;
+  }
+  if (factor == "handedness") {
+    return trainee.handedness;
+  }
   throw Error(ErrorCode::kBadParameter, Text("people cannot be balanced by \"%1\"", factor), "allocation",
               "Choose sex, level, experience or handedness");
 }
 
 std::string allocationMethodName(AllocationMethod method) {
   for (const auto& [known, name] : kMethods) {
-    if (known == method) return name;
+    if (known == method) {
+      return name;
+    }
   }
   return "";
 }
@@ -82,7 +92,9 @@ AllocationDesign designFromStored(const StoredAllocationDesign& stored,
     const std::string method = source.at("method").get<std::string>();
     const auto known = std::find_if(kMethods.begin(), kMethods.end(),
                                     [&](const auto& entry) { return method == entry.second; });
-    if (known == kMethods.end()) refuse(Text("the method \"%1\" is not known", method), stored.id, "");
+    if (known == kMethods.end()) {
+      refuse(Text("the method \"%1\" is not known", method), stored.id, "");
+    }
     design.method = known->first;
     design.studyId = source.at("study").get<std::string>();
     design.arms = source.at("arms").get<std::vector<std::string>>();
@@ -133,7 +145,9 @@ AllocationPerson personForDraw(const AllocationDesign& design, const StoredTrain
 
 std::string numbersJson(const std::vector<std::string>& names, const std::vector<std::int64_t>& numbers) {
   json out = json::object();
-  for (std::size_t i = 0; i < names.size() && i < numbers.size(); ++i) out[names[i]] = numbers[i];
+  for (std::size_t i = 0; i < names.size() && i < numbers.size(); ++i) {
+    out[names[i]] = numbers[i];
+  }
   return out.dump();
 }
 

@@ -31,14 +31,18 @@ struct Field {
 
   [[nodiscard]] std::vector<std::string> groupCodes() const {
     std::vector<std::string> codes;
-    for (const StoredGroup& group : groups) codes.push_back(group.code);
+    for (const StoredGroup& group : groups) {
+      codes.push_back(group.code);
+    }
     return codes;
   }
   /// Enrolled without a group, in the order of codes.
   [[nodiscard]] std::vector<StoredEnrolment> waiting() const {
     std::vector<StoredEnrolment> list;
     for (const StoredEnrolment& enrolment : enrolments) {
-      if (enrolment.groupId.empty()) list.push_back(enrolment);
+      if (enrolment.groupId.empty()) {
+        list.push_back(enrolment);
+      }
     }
     std::sort(list.begin(), list.end(), [](const StoredEnrolment& a, const StoredEnrolment& b) {
       return a.traineeCode < b.traineeCode;
@@ -66,7 +70,9 @@ AllocationFactor factorOf(const Field& field, const std::string& name) {
   std::set<std::string> levels;
   for (const StoredEnrolment& enrolment : field.waiting()) {
     const std::string level = factorValue(field.trainees.at(enrolment.traineeId), name);
-    if (!level.empty()) levels.insert(level);
+    if (!level.empty()) {
+      levels.insert(level);
+    }
   }
   return {name, {levels.begin(), levels.end()}};
 }
@@ -80,7 +86,9 @@ AllocationDesign designOf(const Field& field, const AllocationPlan& plan) {
   design.blockSizes = plan.blockSizes;
   design.bestArm_tenths = plan.bestArm_tenths;
   design.imbalance = plan.imbalance;
-  for (const std::string& name : plan.factors) design.factors.push_back(factorOf(field, name));
+  for (const std::string& name : plan.factors) {
+    design.factors.push_back(factorOf(field, name));
+  }
   validateDesign(design);
   if (plan.method == AllocationMethod::kStratifiedBlocks && plan.everybodyEnrolled) {
     std::vector<AllocationPerson> persons;
@@ -96,7 +104,9 @@ AllocationDesign designOf(const Field& field, const AllocationPlan& plan) {
 std::vector<StoredAllocation> drawnOf(const std::vector<StoredAllocation>& records) {
   std::vector<StoredAllocation> drawn;
   for (const StoredAllocation& record : records) {
-    if (record.overrideReason.empty()) drawn.push_back(record);
+    if (record.overrideReason.empty()) {
+      drawn.push_back(record);
+    }
   }
   return drawn;
 }
@@ -205,13 +215,17 @@ void addTry(BalancePreview& preview, const Allocation& tried, const Field& field
     return *high - *low;
   };
   std::vector<std::size_t> sizes(preview.groups.size(), 0);
-  for (const AllocationRecord& record : tried.records) ++sizes.at(record.arm);
+  for (const AllocationRecord& record : tried.records) {
+    ++sizes.at(record.arm);
+  }
   preview.worstSizeDifference = std::max(preview.worstSizeDifference, difference(sizes));
   for (BalancePreview::Level& level : preview.levels) {
     std::vector<std::size_t> counts(preview.groups.size(), 0);
     for (const AllocationRecord& record : tried.records) {
       const StoredTrainee& trainee = field.trainees.at(people.at(record.position).traineeId);
-      if (factorValue(trainee, level.factor) == level.level) ++counts.at(record.arm);
+      if (factorValue(trainee, level.factor) == level.level) {
+        ++counts.at(record.arm);
+      }
     }
     for (std::size_t g = 0; g < counts.size(); ++g) {
       level.expected[g] += static_cast<double>(counts[g]) / static_cast<double>(kTries);
@@ -240,9 +254,13 @@ BalancePreview previewBalance(Workplace& workplace, const AllocationPlan& plan) 
     const bool complete =
         std::none_of(plan.factors.begin(), plan.factors.end(),
                      [&](const std::string& name) { return factorValue(trainee, name).empty(); });
-    if (!complete) preview.missing.push_back(enrolment.traineeCode);
+    if (!complete) {
+      preview.missing.push_back(enrolment.traineeCode);
+    }
   }
-  if (!preview.missing.empty() || people.empty()) return preview;
+  if (!preview.missing.empty() || people.empty()) {
+    return preview;
+  }
   const AllocationDesign design = designOf(field, plan);
   for (const std::string& name : allocationFactorNames()) {
     for (const std::string& level : factorOf(field, name).levels) {
@@ -290,7 +308,9 @@ AllocationDesignRow lockAllocation(Workplace& workplace, const AllocationPlan& p
   stored.seedCommitment = seedCommitment(design, seed);
   stored.seed = std::to_string(seed);
   stored.lockedUtc_us = workplace.now_us();
-  if (!before.empty()) stored.lockedUtc_us = std::max(stored.lockedUtc_us, before.back().lockedUtc_us + 1);
+  if (!before.empty()) {
+    stored.lockedUtc_us = std::max(stored.lockedUtc_us, before.back().lockedUtc_us + 1);
+  }
   stored.demonstration = field.cohort.demonstration;
   study.lockDesign(stored);
   stored.seed.clear();
@@ -310,7 +330,9 @@ std::vector<AllocationDesignRow> allocationDesigns(Workplace& workplace, const s
   workplace.require(Operation::kAllocationView);
   StudyRepository study(workplace.connection());
   std::vector<std::string> groups;
-  for (const StoredGroup& group : study.groups(cohortId)) groups.push_back(group.code);
+  for (const StoredGroup& group : study.groups(cohortId)) {
+    groups.push_back(group.code);
+  }
   std::vector<AllocationDesignRow> rows;
   for (const StoredAllocationDesign& stored : study.designs(cohortId)) {
     rows.push_back(rowOf(study, stored, groups));
@@ -347,8 +369,12 @@ std::size_t allocateAll(Workplace& workplace, const std::string& cohortId) {
   const Field field = readField(workplace, cohortId);
   OpenDraw open = openDraw(workplace, field);
   const std::vector<StoredEnrolment> waiting = field.waiting();
-  if (waiting.empty()) refuse("nobody waits for a group", field.cohort.name, "Enrol trainees first");
-  for (const StoredEnrolment& enrolment : waiting) draw(workplace, field, open, enrolment);
+  if (waiting.empty()) {
+    refuse("nobody waits for a group", field.cohort.name, "Enrol trainees first");
+  }
+  for (const StoredEnrolment& enrolment : waiting) {
+    draw(workplace, field, open, enrolment);
+  }
   transaction.commit();
   return waiting.size();
 }
@@ -357,7 +383,9 @@ StoredAllocation overrideAllocation(Workplace& workplace, const std::string& coh
                                     const std::string& enrolmentId, const std::string& groupId,
                                     const std::string& reason) {
   workplace.require(Operation::kAllocationRun);
-  if (reason.empty()) refuse("an override needs a reason", enrolmentId, "Say in a few words why");
+  if (reason.empty()) {
+    refuse("an override needs a reason", enrolmentId, "Say in a few words why");
+  }
   Transaction transaction(workplace.connection());
   const Field field = readField(workplace, cohortId);
   OpenDraw open = openDraw(workplace, field);
@@ -368,8 +396,12 @@ StoredAllocation overrideAllocation(Workplace& workplace, const std::string& coh
   }
   const auto group = std::find_if(field.groups.begin(), field.groups.end(),
                                   [&](const StoredGroup& g) { return g.id == groupId; });
-  if (group == field.groups.end()) refuse("there is no such group", groupId, "Choose one of the cohort");
-  if (last->groupId == groupId) refuse("is in this group already", group->code, "Choose another group");
+  if (group == field.groups.end()) {
+    refuse("there is no such group", groupId, "Choose one of the cohort");
+  }
+  if (last->groupId == groupId) {
+    refuse("is in this group already", group->code, "Choose another group");
+  }
   StudyRepository study(workplace.connection());
   StoredAllocation record = *last;
   record.id = workplace.ids().newUuid();
@@ -396,10 +428,14 @@ std::string revealSeed(Workplace& workplace, const std::string& designId, const 
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
   const std::string seed = study.sealedSeed(designId);
-  if (seed.empty()) refuse("there is no such design", designId, "Choose one from the list");
+  if (seed.empty()) {
+    refuse("there is no such design", designId, "Choose one from the list");
+  }
   for (const StoredCohort& cohort : study.cohorts()) {
     const std::vector<StoredAllocationDesign> designs = study.designs(cohort.id);
-    if (designs.empty() || designs.back().id != designId || !reason.empty()) continue;
+    if (designs.empty() || designs.back().id != designId || !reason.empty()) {
+      continue;
+    }
     if (const std::size_t waiting = readField(workplace, cohort.id).waiting().size(); waiting > 0) {
       refuse(Text("%1 people still wait for a group: the seed would tell them theirs", waiting), cohort.name,
              "Allocate them first, or give a reason");
@@ -431,7 +467,9 @@ AllocationCheck checkAllocation(Workplace& workplace, const std::string& designI
       groupIds[group.code] = group.id;
     }
     for (const StoredAllocationDesign& stored : study.designs(cohort.id)) {
-      if (stored.id != designId) continue;
+      if (stored.id != designId) {
+        continue;
+      }
       const std::vector<StoredAllocation> records = study.allocations(designId);
       const std::vector<StoredAllocation> drawn = drawnOf(records);
       check.records = records.size();
@@ -445,7 +483,9 @@ AllocationCheck checkAllocation(Workplace& workplace, const std::string& designI
         return wrong("seed and design do not give the published commitment");
       }
       const std::map<std::string, std::string> codes = codesOf(study, cohort.id);
-      if (drawn.empty()) return check;
+      if (drawn.empty()) {
+        return check;
+      }
       Allocator allocator(design, seed);
       for (const StoredAllocation& record : drawn) {
         const AllocationRecord again =
@@ -456,7 +496,9 @@ AllocationCheck checkAllocation(Workplace& workplace, const std::string& designI
         }
       }
       std::map<std::string, std::string> lastGroup;
-      for (const StoredAllocation& record : records) lastGroup[record.enrolmentId] = record.groupId;
+      for (const StoredAllocation& record : records) {
+        lastGroup[record.enrolmentId] = record.groupId;
+      }
       for (const StoredEnrolment& enrolment : study.enrolments(cohort.id)) {
         const auto last = lastGroup.find(enrolment.id);
         if (last != lastGroup.end() && last->second != enrolment.groupId) {
@@ -475,15 +517,20 @@ std::vector<SealedCard> takeOutCards(Workplace& workplace, const std::string& co
   StudyRepository study(workplace.connection());
   const std::vector<StoredAllocationDesign> designs = study.designs(cohortId);
   std::map<std::string, std::string> codes;
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId))
+  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
     codes[enrolment.id] = enrolment.traineeCode;
+  }
   std::map<std::string, StoredGroup> groups;
-  for (const StoredGroup& group : study.groups(cohortId)) groups[group.id] = group;
+  for (const StoredGroup& group : study.groups(cohortId)) {
+    groups[group.id] = group;
+  }
   std::vector<SealedCard> cards;
-  if (!designs.empty())
-    for (const StoredAllocation& record : study.allocations(designs.back().id))
+  if (!designs.empty()) {
+    for (const StoredAllocation& record : study.allocations(designs.back().id)) {
       cards.push_back({record.sequence, codes[record.enrolmentId], groups[record.groupId].code,
                        groups[record.groupId].label});
+    }
+  }
   if (cards.empty()) {
     throw Error(ErrorCode::kBadData, "nobody is allocated yet", cohortId, "Lock a design and allocate first");
   }

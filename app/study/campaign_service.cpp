@@ -32,7 +32,9 @@ std::vector<std::string> hiddenLabels(std::size_t count, Random& random) {
                     "Split the evaluation");
   }
   std::vector<std::string> labels;
-  for (const char letter : kLabels.substr(0, count)) labels.emplace_back(1, letter);
+  for (const char letter : kLabels.substr(0, count)) {
+    labels.emplace_back(1, letter);
+  }
   random.shuffle(std::span<std::string>(labels));
   return labels;
 }
@@ -56,7 +58,9 @@ std::vector<std::vector<std::size_t>> ordersOf(std::size_t models) {
 }
 
 void checkModels(const std::vector<NewModel>& models) {
-  if (models.size() < 2) refuseParameter("there is nothing to compare", "models", "Name at least two models");
+  if (models.size() < 2) {
+    refuseParameter("there is nothing to compare", "models", "Name at least two models");
+  }
   std::set<std::string> codes;
   for (const NewModel& model : models) {
     if (model.code.empty() || model.label.empty()) {
@@ -65,8 +69,9 @@ void checkModels(const std::vector<NewModel>& models) {
     if (model.code.find(',') != std::string::npos) {
       refuseParameter("the code of a model holds a comma", model.code, "Use letters and digits");
     }
-    if (!codes.insert(model.code).second)
+    if (!codes.insert(model.code).second) {
       refuseParameter("two models have the same code", model.code, "Rename one");
+    }
   }
 }
 
@@ -81,7 +86,9 @@ std::map<std::string, std::vector<StoredRater>> ratersByClass(Workplace& workpla
   std::map<std::string, std::vector<StoredRater>> byClass;
   std::size_t found = 0;
   for (StoredRater& rater : PeopleRepository(workplace.connection()).raters()) {
-    if (!wanted.contains(rater.person.id) || rater.person.state != "active") continue;
+    if (!wanted.contains(rater.person.id) || rater.person.state != "active") {
+      continue;
+    }
     ++found;
     const auto known = weight_milli.find(rater.classCode);
     if (known == weight_milli.end() || known->second == 0) {
@@ -90,8 +97,9 @@ std::map<std::string, std::vector<StoredRater>> ratersByClass(Workplace& workpla
     }
     byClass[rater.classCode].push_back(std::move(rater));
   }
-  if (found != wanted.size())
+  if (found != wanted.size()) {
     refuseParameter("somebody of the list is no active rater", "raters", "Choose from the list");
+  }
   for (const auto& [code, weight] : weight_milli) {
     if (weight > 0 && byClass[code].empty()) {
       refuseParameter(Text("nobody scores in the class %1, which has a weight", code), "raters",
@@ -106,13 +114,17 @@ std::map<std::string, std::vector<StoredRater>> ratersByClass(Workplace& workpla
 EvaluationInstrument paperEvaluationInstrument() {
   EvaluationInstrument instrument = paperInstrument();
   const char* codes[] = {"intern", "deputy_chief", "chief"};
-  for (std::size_t i = 0; i < instrument.classes.size(); ++i) instrument.classes[i].id = codes[i];
+  for (std::size_t i = 0; i < instrument.classes.size(); ++i) {
+    instrument.classes[i].id = codes[i];
+  }
   return instrument;
 }
 
 std::string addCampaign(Workplace& workplace, const CampaignPlan& plan) {
   workplace.require(Operation::kEvaluationSetup);
-  if (plan.name.empty()) refuseParameter("the evaluation has no name", "name", "Enter one");
+  if (plan.name.empty()) {
+    refuseParameter("the evaluation has no name", "name", "Enter one");
+  }
   checkModels(plan.models);
   validateInstrument(plan.instrument);
   Transaction transaction(workplace.connection());
@@ -171,7 +183,9 @@ std::vector<CampaignRow> campaigns(Workplace& workplace) {
     row.campaign = repository.campaign(id).value();
     const std::size_t each = row.campaign.models.size() * row.campaign.instrument.indices.size();
     std::map<std::string, std::size_t> submitted;
-    for (const StoredEvaluationMark& mark : repository.marks(id)) ++submitted[mark.raterId];
+    for (const StoredEvaluationMark& mark : repository.marks(id)) {
+      ++submitted[mark.raterId];
+    }
     for (const StoredCampaignRater& rater : row.campaign.raters) {
       row.raters.push_back(
           {rater.raterId, codes[rater.raterId], rater.classCode, submitted[rater.raterId], each});

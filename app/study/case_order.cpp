@@ -22,7 +22,9 @@ std::vector<std::size_t> counterbalancedOrder(std::vector<OrderedCase> cases, st
                                               std::uint64_t rater) {
   Random random = Random::forStream(seed, kOrderStream + rater);
   std::map<std::string, std::vector<std::size_t>> strata;
-  for (const OrderedCase& one : cases) strata[one.stratum].push_back(one.index);
+  for (const OrderedCase& one : cases) {
+    strata[one.stratum].push_back(one.index);
+  }
   std::size_t rounds = 0;
   for (auto& [name, members] : strata) {
     random.shuffle(std::span<std::size_t>(members));
@@ -35,7 +37,9 @@ std::vector<std::size_t> counterbalancedOrder(std::vector<OrderedCase> cases, st
       // Small strata are spread over all rounds rather than used up in the first ones.
       const std::size_t from = round * members.size() / rounds;
       const std::size_t to = (round + 1) * members.size() / rounds;
-      for (std::size_t i = from; i < to; ++i) together.push_back(members[i]);
+      for (std::size_t i = from; i < to; ++i) {
+        together.push_back(members[i]);
+      }
     }
     random.shuffle(std::span<std::size_t>(together));
     order.insert(order.end(), together.begin(), together.end());
@@ -52,7 +56,9 @@ std::vector<std::string> caseLabels(std::size_t count, const std::set<std::strin
     for (std::size_t number = first; number < first * 10; ++number) {
       for (const char letter : kLetters) {
         std::string label = std::to_string(number) + letter;
-        if (!taken.contains(label)) pool.push_back(std::move(label));
+        if (!taken.contains(label)) {
+          pool.push_back(std::move(label));
+        }
       }
     }
     random.shuffle(std::span<std::string>(pool));

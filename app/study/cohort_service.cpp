@@ -18,7 +18,9 @@ namespace {
 StoredEnrolment enrolmentOf(StudyRepository& study, const std::string& cohortId,
                             const std::string& enrolmentId) {
   for (StoredEnrolment& enrolment : study.enrolments(cohortId)) {
-    if (enrolment.id == enrolmentId) return enrolment;
+    if (enrolment.id == enrolmentId) {
+      return enrolment;
+    }
   }
   refuse("nobody is enrolled here under this number", enrolmentId, "Choose one from the list");
 }
@@ -27,15 +29,20 @@ void checkNewCohort(const NewCohort& cohort) {
   const auto bad = [](const Text& what, const Text& remedy) {
     throw Error(ErrorCode::kBadParameter, what, "cohort", remedy);
   };
-  if (cohort.name.empty()) bad("the cohort has no name", "Enter one");
+  if (cohort.name.empty()) {
+    bad("the cohort has no name", "Enter one");
+  }
   if (cohort.groups.empty() && cohort.curriculumVersionId.empty()) {
     bad("the cohort has no groups", "Name its groups, or choose a curriculum whose arms they follow");
   }
   std::set<std::string> codes;
   for (const NewGroup& group : cohort.groups) {
-    if (group.code.empty()) bad("a group has no code", "Give each group a short code, such as G1");
-    if (!codes.insert(group.code).second)
+    if (group.code.empty()) {
+      bad("a group has no code", "Give each group a short code, such as G1");
+    }
+    if (!codes.insert(group.code).second) {
       bad(Text("two groups are called %1", group.code), "Rename one of them");
+    }
   }
 }
 
@@ -48,20 +55,32 @@ const StoredPhase* phaseOf(const StoredArm& arm, const std::string& phaseId) {
 
 void checkPhase(Workplace& workplace, const StoredCohort& cohort, const StoredEnrolment& enrolment,
                 const NewExposure& exposure) {
-  if (exposure.phaseId.empty()) return;
+  if (exposure.phaseId.empty()) {
+    return;
+  }
   const auto version = CurriculumRepository(workplace.connection()).version(cohort.curriculumVersionId);
-  if (!version) refuse("the cohort follows no curriculum", "phase", "Record the time without a phase");
+  if (!version) {
+    refuse("the cohort follows no curriculum", "phase", "Record the time without a phase");
+  }
   StudyRepository study(workplace.connection());
   std::string armId;
   for (const StoredGroup& group : study.groups(cohort.id)) {
-    if (group.id == enrolment.groupId) armId = group.armId;
+    if (group.id == enrolment.groupId) {
+      armId = group.armId;
+    }
   }
   for (const StoredArm& arm : version->arms) {
-    if (arm.id != armId) continue;
+    if (arm.id != armId) {
+      continue;
+    }
     const StoredPhase* phase = phaseOf(arm, exposure.phaseId);
-    if (phase == nullptr) break;
+    if (phase == nullptr) {
+      break;
+    }
     const std::string kind(storedText(phase->kind));
-    if (exposure.kind == "rest" || kind == exposure.kind) return;
+    if (exposure.kind == "rest" || kind == exposure.kind) {
+      return;
+    }
     refuse(Text("the phase is %1, the time is %2", kind, exposure.kind), enrolment.traineeCode,
            "Record it for the phase that it was spent in");
   }
@@ -85,12 +104,16 @@ std::vector<CohortRow> cohorts(Workplace& workplace) {
         continue;
       }
       ++row.enrolled;
-      if (!enrolment.groupId.empty()) ++row.allocated;
+      if (!enrolment.groupId.empty()) {
+        ++row.allocated;
+      }
     }
     if (const auto version = curricula.version(cohort.curriculumVersionId)) {
       row.curriculumNumber = version->number;
       for (const StoredCurriculum& curriculum : curricula.curricula()) {
-        if (curriculum.id == version->curriculumId) row.curriculumName = curriculum.name;
+        if (curriculum.id == version->curriculumId) {
+          row.curriculumName = curriculum.name;
+        }
       }
     }
     row.cohort = std::move(cohort);
@@ -102,7 +125,9 @@ std::vector<CohortRow> cohorts(Workplace& workplace) {
 std::vector<StoredEnrolment> enrolments(Workplace& workplace, const std::string& cohortId) {
   workplace.require(Operation::kPersonViewCoded);
   std::vector<StoredEnrolment> list = StudyRepository(workplace.connection()).enrolments(cohortId);
-  if (workplace.may(Operation::kAllocationView)) return list;
+  if (workplace.may(Operation::kAllocationView)) {
+    return list;
+  }
   for (StoredEnrolment& enrolment : list) {
     enrolment.groupId.clear();
     enrolment.groupCode.clear();
@@ -123,9 +148,12 @@ std::string addCohort(Workplace& workplace, const NewCohort& cohort) {
   CurriculumRepository curricula(workplace.connection());
   if (names.empty()) {
     const auto version = curricula.version(cohort.curriculumVersionId);
-    if (!version)
+    if (!version) {
       refuse("there is no such curriculum", cohort.curriculumVersionId, "Choose one from the list");
-    for (const StoredArm& arm : version->arms) names.push_back({arm.code, arm.label});
+    }
+    for (const StoredArm& arm : version->arms) {
+      names.push_back({arm.code, arm.label});
+    }
   }
   std::vector<StoredGroup> groups;
   for (const NewGroup& group : names) {
@@ -135,8 +163,12 @@ std::string addCohort(Workplace& workplace, const NewCohort& cohort) {
   StudyRepository(workplace.connection())
       .addCohort({id, cohort.name, cohort.description, workplace.now_us(), cohort.demonstration}, groups);
   nlohmann::json now{{"groups", nlohmann::json::array()}, {"curriculum_version", cohort.curriculumVersionId}};
-  for (const StoredGroup& group : groups) now["groups"].push_back(group.code);
-  if (!cohort.curriculumVersionId.empty()) curricula.assign(id, cohort.curriculumVersionId);
+  for (const StoredGroup& group : groups) {
+    now["groups"].push_back(group.code);
+  }
+  if (!cohort.curriculumVersionId.empty()) {
+    curricula.assign(id, cohort.curriculumVersionId);
+  }
   workplace.note({.action = "cohort.add", .objectKind = "cohort", .objectId = id, .newJson = now.dump()});
   transaction.commit();
   return id;
@@ -163,12 +195,16 @@ void assignCurriculum(Workplace& workplace, const std::string& cohortId, const s
 std::vector<std::string> enrolTrainees(Workplace& workplace, const std::string& cohortId,
                                        const std::vector<std::string>& traineeIds) {
   workplace.require(Operation::kStudyEnrol);
-  if (traineeIds.empty()) refuse("nobody was chosen", "enrolment", "Choose at least one trainee");
+  if (traineeIds.empty()) {
+    refuse("nobody was chosen", "enrolment", "Choose at least one trainee");
+  }
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
   const StoredCohort cohort = study.cohort(cohortId);
   std::set<std::string> enrolled;
-  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) enrolled.insert(enrolment.traineeId);
+  for (const StoredEnrolment& enrolment : study.enrolments(cohortId)) {
+    enrolled.insert(enrolment.traineeId);
+  }
   PeopleRepository people(workplace.connection());
   std::vector<StoredEnrolment> records;
   std::vector<std::string> ids;
@@ -233,7 +269,9 @@ std::string reportDeviation(Workplace& workplace, const NewDeviation& deviation)
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
   const StoredCohort cohort = study.cohort(deviation.cohortId);
-  if (!deviation.enrolmentId.empty()) (void)enrolmentOf(study, cohort.id, deviation.enrolmentId);
+  if (!deviation.enrolmentId.empty()) {
+    (void)enrolmentOf(study, cohort.id, deviation.enrolmentId);
+  }
   const std::int64_t now_us = workplace.now_us();
   const std::string id = workplace.ids().newUuid();
   study.addDeviation({id, cohort.id, deviation.enrolmentId, deviation.kind, deviation.description,
@@ -257,11 +295,15 @@ std::vector<StoredDeviation> deviations(Workplace& workplace, const std::string&
 }
 
 std::string recordExposure(Workplace& workplace, const NewExposure& exposure) {
-  if (!workplace.may(Operation::kStudySetup)) workplace.require(Operation::kTrialRecordOwn);
+  if (!workplace.may(Operation::kStudySetup)) {
+    workplace.require(Operation::kTrialRecordOwn);
+  }
   if (exposure.kind != "virtual" && exposure.kind != "real" && exposure.kind != "rest") {
     refuse("this is no kind of training time", exposure.kind, "Choose virtual, real or rest");
   }
-  if (exposure.duration_us <= 0) refuse("no time was spent", "exposure", "Enter the minutes");
+  if (exposure.duration_us <= 0) {
+    refuse("no time was spent", "exposure", "Enter the minutes");
+  }
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
   const StoredCohort cohort = study.cohort(exposure.cohortId);

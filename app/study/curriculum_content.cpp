@@ -45,9 +45,15 @@ json moduleJson(const StoredModule& module) {
            {"hold_s", static_cast<double>(module.hold_us) / kSecond_us},
            {"requires", module.requires_},
            {"mastery", json::array()}};
-  if (module.maxForce_N) out["max_force_n"] = *module.maxForce_N;
-  if (module.maxTorque_Nm) out["max_torque_nm"] = *module.maxTorque_Nm;
-  if (module.attemptLimit) out["attempt_limit"] = *module.attemptLimit;
+  if (module.maxForce_N) {
+    out["max_force_n"] = *module.maxForce_N;
+  }
+  if (module.maxTorque_Nm) {
+    out["max_torque_nm"] = *module.maxTorque_Nm;
+  }
+  if (module.attemptLimit) {
+    out["attempt_limit"] = *module.attemptLimit;
+  }
   for (const StoredMasteryRule& rule : module.mastery) {
     out["mastery"].push_back({{"metric", rule.metric},
                               {"comparison", rule.comparison},
@@ -68,7 +74,9 @@ json armJson(const StoredArm& arm) {
     json step{{"kind", storedText(phase.kind)},
               {"label", phase.label},
               {"minutes", static_cast<double>(phase.duration_us) / kMinute_us}};
-    if (!phase.moduleId.empty()) step["module"] = phase.moduleId;
+    if (!phase.moduleId.empty()) {
+      step["module"] = phase.moduleId;
+    }
     out["phases"].push_back(std::move(step));
   }
   return out;
@@ -76,9 +84,13 @@ json armJson(const StoredArm& arm) {
 
 /// The elements of an array that may be missing.
 std::vector<json> elements(JsonFields& fields, const std::string& name) {
-  if (!fields.has(name)) return {};
+  if (!fields.has(name)) {
+    return {};
+  }
   const json& list = fields.child(name);
-  if (!list.is_array()) fields.refuse(name, "must be a list in brackets", "Write [ ... ].");
+  if (!list.is_array()) {
+    fields.refuse(name, "must be a list in brackets", "Write [ ... ].");
+  }
   return list.get<std::vector<json>>();
 }
 
@@ -87,9 +99,13 @@ std::string placeIn(const JsonFields& fields, const std::string& name, std::size
 }
 
 bool flag(JsonFields& fields, const std::string& name) {
-  if (!fields.has(name)) return false;
+  if (!fields.has(name)) {
+    return false;
+  }
   const json& value = fields.child(name);
-  if (!value.is_boolean()) fields.refuse(name, "must be true or false", "Correct the value.");
+  if (!value.is_boolean()) {
+    fields.refuse(name, "must be true or false", "Correct the value.");
+  }
   return value.get<bool>();
 }
 
@@ -135,11 +151,19 @@ StoredModule readModule(const json& source, const std::string& place) {
   module.targetAngle_rad = radians(fields.number("target_deg", -kMostDegrees, kMostDegrees, 0.0));
   module.tolerance_rad = radians(fields.number("tolerance_deg", 0.0, kMostDegrees, 0.0));
   module.hold_us = microseconds(fields, "hold_s", kMostSeconds, kSecond_us, 0.0);
-  if (fields.has("max_force_n")) module.maxForce_N = fields.number("max_force_n", 0.0, kMost);
-  if (fields.has("max_torque_nm")) module.maxTorque_Nm = fields.number("max_torque_nm", 0.0, kMost);
-  if (fields.has("attempt_limit")) module.attemptLimit = fields.integer("attempt_limit", 1, kMostCount, 1);
+  if (fields.has("max_force_n")) {
+    module.maxForce_N = fields.number("max_force_n", 0.0, kMost);
+  }
+  if (fields.has("max_torque_nm")) {
+    module.maxTorque_Nm = fields.number("max_torque_nm", 0.0, kMost);
+  }
+  if (fields.has("attempt_limit")) {
+    module.attemptLimit = fields.integer("attempt_limit", 1, kMostCount, 1);
+  }
   for (const json& required : elements(fields, "requires")) {
-    if (!required.is_string()) fields.refuse("requires", "must list codes of modules", "Put them in quotes.");
+    if (!required.is_string()) {
+      fields.refuse("requires", "must list codes of modules", "Put them in quotes.");
+    }
     module.requires_.push_back(required.get<std::string>());
   }
   const std::vector<json> rules = elements(fields, "mastery");
@@ -212,8 +236,12 @@ std::string curriculumJson(const StoredCurriculumVersion& content) {
            {"modules", json::array()},
            {"arms", json::array()},
            {"scoring_points", json::array()}};
-  for (const StoredModule& module : content.modules) out["modules"].push_back(moduleJson(module));
-  for (const StoredArm& arm : content.arms) out["arms"].push_back(armJson(arm));
+  for (const StoredModule& module : content.modules) {
+    out["modules"].push_back(moduleJson(module));
+  }
+  for (const StoredArm& arm : content.arms) {
+    out["arms"].push_back(armJson(arm));
+  }
   for (const StoredScoringPoint& point : content.scoringPoints) {
     out["scoring_points"].push_back(
         {{"code", point.code}, {"after_min", static_cast<double>(point.afterExposure_us) / kMinute_us}});
@@ -237,7 +265,9 @@ std::vector<CurriculumTemplate> curriculumTemplates(const std::filesystem::path&
   }
   std::vector<CurriculumTemplate> templates;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".json") continue;
+    if (entry.path().extension() != ".json") {
+      continue;
+    }
     const std::string name = entry.path().filename().string();
     const json source = parsed(readFile(entry.path()), name);
     JsonFields fields(source, name);

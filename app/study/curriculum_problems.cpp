@@ -17,10 +17,16 @@ namespace {
 
 /// Unit of a metric that a mastery rule may name; empty: there is no such metric.
 std::optional<std::string_view> unitOf(const std::string& metric) {
-  if (metric == kOnTargetMetric) return "1";
-  if (metric == kTargetsReachedMetric) return "count";
+  if (metric == kOnTargetMetric) {
+    return "1";
+  }
+  if (metric == kTargetsReachedMetric) {
+    return "count";
+  }
   for (const MetricCard& card : metricCards()) {
-    if (card.id == metric) return card.unit;
+    if (card.id == metric) {
+      return card.unit;
+    }
   }
   return std::nullopt;
 }
@@ -38,9 +44,13 @@ class Examination {
     }
     readScenes();
     checkCodes();
-    for (const StoredModule& module : content_.modules) checkModule(module);
+    for (const StoredModule& module : content_.modules) {
+      checkModule(module);
+    }
     checkCircle();
-    for (const StoredArm& arm : content_.arms) checkArm(arm);
+    for (const StoredArm& arm : content_.arms) {
+      checkArm(arm);
+    }
     checkScoringPoints();
     return std::move(problems_);
   }
@@ -51,7 +61,9 @@ class Examination {
   }
 
   void readScenes() {
-    if (assets_.empty()) return;
+    if (assets_.empty()) {
+      return;
+    }
     for (const std::string& scene : sceneIds(assets_)) {
       try {
         patterns_[scene] = patternIds(assets_, scene);
@@ -83,14 +95,20 @@ class Examination {
 
   void checkModule(const StoredModule& module) {
     const Text where("module %1", module.code);
-    if (module.title.empty()) add(where, "has no title", "Say in a few words what is practised");
+    if (module.title.empty()) {
+      add(where, "has no title", "Say in a few words what is practised");
+    }
     checkScene(module, where);
     const std::vector<std::string>& kinds = exerciseKinds();
     if (std::find(kinds.begin(), kinds.end(), module.exerciseKind) == kinds.end()) {
       add(where, Text("has an unknown exercise \"%1\"", module.exerciseKind), "Choose one from the list");
     }
-    if (module.targetAngle_rad == 0.0) add(where, "has a target of 0 degrees", "Enter how far to twist");
-    if (module.tolerance_rad <= 0.0) add(where, "has no tolerance", "Enter at least one degree");
+    if (module.targetAngle_rad == 0.0) {
+      add(where, "has a target of 0 degrees", "Enter how far to twist");
+    }
+    if (module.tolerance_rad <= 0.0) {
+      add(where, "has no tolerance", "Enter at least one degree");
+    }
     if (module.maxForce_N && *module.maxForce_N <= 0.0) {
       add(where, "allows no force", "Enter a limit above 0 N, or none");
     }
@@ -109,7 +127,9 @@ class Examination {
   }
 
   void checkScene(const StoredModule& module, const Text& where) {
-    if (assets_.empty()) return;
+    if (assets_.empty()) {
+      return;
+    }
     const auto scene = patterns_.find(module.sceneId);
     if (scene == patterns_.end()) {
       add(where, Text("has an unknown scene \"%1\"", module.sceneId), "Choose one from the list");
@@ -131,7 +151,9 @@ class Examination {
       } else if (rule.unit != *unit) {
         add(place, Text("is given in \"%1\"", rule.unit), Text("Give it in %1", std::string(*unit)));
       }
-      if (!seen.insert(rule.metric).second) add(place, "stands twice", "Keep one of the two rules");
+      if (!seen.insert(rule.metric).second) {
+        add(place, "stands twice", "Keep one of the two rules");
+      }
       if (rule.comparison != "at_least" && rule.comparison != "at_most") {
         add(place, Text("compares by \"%1\"", rule.comparison), "Choose at least or at most");
       }
@@ -147,7 +169,9 @@ class Examination {
   /// Takes away, again and again, the modules whose prerequisites are all gone; what stays runs in a circle.
   void checkCircle() {
     std::map<std::string, std::vector<std::string>> open;
-    for (const StoredModule& module : content_.modules) open[module.code] = module.requires_;
+    for (const StoredModule& module : content_.modules) {
+      open[module.code] = module.requires_;
+    }
     for (std::size_t before = 0; before != open.size();) {
       before = open.size();
       std::erase_if(open, [&](const auto& entry) {
@@ -156,22 +180,34 @@ class Examination {
         });
       });
     }
-    if (open.empty()) return;
+    if (open.empty()) {
+      return;
+    }
     std::string names;
-    for (const auto& [code, required] : open) names += (names.empty() ? "" : ", ") + code;
+    for (const auto& [code, required] : open) {
+      names += (names.empty() ? "" : ", ") + code;
+    }
     add(Text("modules %1", names), "wait for each other: nobody could ever begin them",
         "Remove one prerequisite");
   }
 
   void checkArm(const StoredArm& arm) {
     const Text where("arm %1", arm.code);
-    if (arm.label.empty()) add(where, "has no name", "Say in a few words what it goes through");
-    if (arm.phases.empty()) add(where, "has no phases", "Add at least one");
+    if (arm.label.empty()) {
+      add(where, "has no name", "Say in a few words what it goes through");
+    }
+    if (arm.phases.empty()) {
+      add(where, "has no phases", "Add at least one");
+    }
     for (std::size_t i = 0; i < arm.phases.size(); ++i) {
       const StoredPhase& phase = arm.phases[i];
       const Text place("%1, phase %2", where, i + 1);
-      if (phase.label.empty()) add(place, "has no name", "Give it one, such as \"virtual 0-20 min\"");
-      if (phase.duration_us <= 0) add(place, "takes no time", "Enter its minutes");
+      if (phase.label.empty()) {
+        add(place, "has no name", "Give it one, such as \"virtual 0-20 min\"");
+      }
+      if (phase.duration_us <= 0) {
+        add(place, "takes no time", "Enter its minutes");
+      }
       if (!phase.moduleId.empty() && !modules_.contains(phase.moduleId)) {
         add(place, Text("practises \"%1\", which is no module of this curriculum", phase.moduleId),
             "Choose one from the list, or none for any module");
@@ -187,15 +223,21 @@ class Examination {
     std::int64_t longest_us = 0;
     for (const StoredArm& arm : content_.arms) {
       std::int64_t total_us = 0;
-      for (const StoredPhase& phase : arm.phases) total_us += phase.duration_us;
+      for (const StoredPhase& phase : arm.phases) {
+        total_us += phase.duration_us;
+      }
       longest_us = std::max(longest_us, total_us);
     }
     std::int64_t before_us = -1;
     for (const Occasion& occasion : known_) {
       for (const StoredScoringPoint& point : content_.scoringPoints) {
-        if (point.code != occasion.code) continue;
+        if (point.code != occasion.code) {
+          continue;
+        }
         const Text where("scoring point %1", point.code);
-        if (!seen.insert(point.code).second) add(where, "stands twice", "Keep one of the two");
+        if (!seen.insert(point.code).second) {
+          add(where, "stands twice", "Keep one of the two");
+        }
         if (point.afterExposure_us <= before_us) {
           add(where, "does not come after the one before", "Give each a later time than the last");
         }

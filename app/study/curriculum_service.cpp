@@ -17,7 +17,9 @@ namespace {
 
 StoredCurriculum curriculumOf(CurriculumRepository& repository, const std::string& curriculumId) {
   for (StoredCurriculum& curriculum : repository.curricula()) {
-    if (curriculum.id == curriculumId) return curriculum;
+    if (curriculum.id == curriculumId) {
+      return curriculum;
+    }
   }
   throw Error(ErrorCode::kBadData, "there is no such curriculum", curriculumId, "Choose one from the list");
 }
@@ -25,16 +27,22 @@ StoredCurriculum curriculumOf(CurriculumRepository& repository, const std::strin
 /// A stored version as a draft: codes in place of ids.
 StoredCurriculumVersion withCodes(StoredCurriculumVersion version) {
   std::map<std::string, std::string> codes;
-  for (const StoredModule& module : version.modules) codes[module.id] = module.code;
+  for (const StoredModule& module : version.modules) {
+    codes[module.id] = module.code;
+  }
   for (StoredModule& module : version.modules) {
     module.id = module.code;
-    for (std::string& required : module.requires_) required = codes[required];
+    for (std::string& required : module.requires_) {
+      required = codes[required];
+    }
   }
   for (StoredArm& arm : version.arms) {
     arm.id = arm.code;
     for (StoredPhase& phase : arm.phases) {
       phase.id.clear();
-      if (!phase.moduleId.empty()) phase.moduleId = codes[phase.moduleId];
+      if (!phase.moduleId.empty()) {
+        phase.moduleId = codes[phase.moduleId];
+      }
     }
   }
   return version;
@@ -48,13 +56,17 @@ StoredCurriculumVersion withIds(StoredCurriculumVersion content, IdSource& ids) 
     idOf[module.code] = module.id;
   }
   for (StoredModule& module : content.modules) {
-    for (std::string& required : module.requires_) required = idOf.at(required);
+    for (std::string& required : module.requires_) {
+      required = idOf.at(required);
+    }
   }
   for (StoredArm& arm : content.arms) {
     arm.id = ids.newUuid();
     for (StoredPhase& phase : arm.phases) {
       phase.id = ids.newUuid();
-      if (!phase.moduleId.empty()) phase.moduleId = idOf.at(phase.moduleId);
+      if (!phase.moduleId.empty()) {
+        phase.moduleId = idOf.at(phase.moduleId);
+      }
     }
   }
   return content;
@@ -80,8 +92,9 @@ std::vector<CurriculumRow> curricula(Workplace& workplace) {
   workplace.require(Operation::kPersonViewCoded);
   CurriculumRepository repository(workplace.connection());
   std::map<std::string, std::vector<std::string>> followers;
-  for (const StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts())
+  for (const StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts()) {
     followers[cohort.curriculumVersionId].push_back(cohort.name);
+  }
   std::vector<CurriculumRow> rows;
   for (StoredCurriculum& curriculum : repository.curricula()) {
     CurriculumRow row;
@@ -110,7 +123,9 @@ StoredCurriculumVersion publishedContent(Workplace& workplace, const std::string
 }
 
 std::optional<StoredCurriculumVersion> curriculumVersion(Workplace& workplace, const std::string& versionId) {
-  if (!workplace.may(Operation::kPractice)) workplace.require(Operation::kPersonViewCoded);
+  if (!workplace.may(Operation::kPractice)) {
+    workplace.require(Operation::kPersonViewCoded);
+  }
   return CurriculumRepository(workplace.connection()).version(versionId);
 }
 
@@ -140,7 +155,9 @@ CurriculumDraft curriculumDraft(Workplace& workplace, const std::string& curricu
             draft->changedUtc_us};
   }
   const std::vector<std::string> versions = repository.versionIds(curriculumId);
-  if (versions.empty()) return {};
+  if (versions.empty()) {
+    return {};
+  }
   return {0, withCodes(repository.version(versions.back()).value()), "", 0};
 }
 

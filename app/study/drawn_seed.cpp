@@ -11,7 +11,9 @@ std::uint64_t drawSeed(IdSource& ids) {
   digest.update(ids.newUuid());
   const Digest::Value value = digest.value();
   std::uint64_t seed = 0;
-  for (std::size_t i = 0; i < sizeof(seed); ++i) seed = seed << 8U | value[i];
+  for (std::size_t i = 0; i < sizeof(seed); ++i) {
+    seed = seed << 8U | value[i];
+  }
   return seed;
 }
 

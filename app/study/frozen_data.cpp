@@ -55,9 +55,15 @@ std::string hashOf(const StoredCampaign& campaign) {
   digest.add(campaign.id).add(campaign.name);
   const EvaluationInstrument& instrument = campaign.instrument;
   digest.add(instrument.scale.lo).add(instrument.scale.hi).add(instrument.scale.stepsPerPoint);
-  for (const RaterClass& part : instrument.classes) digest.add(part.id).add(part.weight_milli);
-  for (const EvaluationIndex& part : instrument.indices) digest.add(part.id).add(part.weight_milli);
-  for (const StoredModel& model : campaign.models) digest.add(model.code).add(model.hiddenLabel);
+  for (const RaterClass& part : instrument.classes) {
+    digest.add(part.id).add(part.weight_milli);
+  }
+  for (const EvaluationIndex& part : instrument.indices) {
+    digest.add(part.id).add(part.weight_milli);
+  }
+  for (const StoredModel& model : campaign.models) {
+    digest.add(model.code).add(model.hiddenLabel);
+  }
   for (const StoredCampaignRater& rater : campaign.raters) {
     digest.add(rater.raterId).add(rater.classCode).add(rater.modelOrder);
   }
@@ -67,14 +73,18 @@ std::string hashOf(const StoredCampaign& campaign) {
 template <class Row>
 Hashes hashesOf(const std::vector<Row>& rows) {
   Hashes hashes;
-  for (const Row& row : rows) hashes[row.id] = hashOf(row);
+  for (const Row& row : rows) {
+    hashes[row.id] = hashOf(row);
+  }
   return hashes;
 }
 
 template <class Row>
 std::vector<std::string> idsOf(const std::vector<Row>& rows) {
   std::vector<std::string> ids;
-  for (const Row& row : rows) ids.push_back(row.id);
+  for (const Row& row : rows) {
+    ids.push_back(row.id);
+  }
   return ids;
 }
 
@@ -97,17 +107,25 @@ Manifest manifestOf(Workplace& workplace, const std::string& cohortId,
   }
   Hashes& trials = manifest["trial"];
   const std::vector<std::string> trialIds = study.trialIds(cohortId);
-  for (const std::string& id : trialIds) trials[id] = "not ended";
+  for (const std::string& id : trialIds) {
+    trials[id] = "not ended";
+  }
   if (!trialIds.empty()) {
-    for (const auto& [id, hash] : trialHashes(connection, trialIds)) trials[id] = hash;
+    for (const auto& [id, hash] : trialHashes(connection, trialIds)) {
+      trials[id] = hash;
+    }
   }
   EvaluationRepository evaluations(connection);
   for (const std::string& campaignId : campaignIds) {
     const auto campaign = evaluations.campaign(campaignId);
-    if (!campaign) refuseParameter("there is no such evaluation", campaignId, "Choose one from the list");
+    if (!campaign) {
+      refuseParameter("there is no such evaluation", campaignId, "Choose one from the list");
+    }
     manifest["evaluation_campaign"][campaignId] = hashOf(*campaign);
     const auto marks = idsOf(evaluations.marks(campaignId));
-    if (marks.empty()) continue;
+    if (marks.empty()) {
+      continue;
+    }
     Hashes& all = manifest["evaluation_mark"];
     all.merge(evaluationMarkHashes(connection, marks));
   }
@@ -152,7 +170,9 @@ std::optional<StoredFreeze> findFreeze(Workplace& workplace, const std::string& 
   FreezeRepository repository(workplace.connection());
   for (const StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts()) {
     for (StoredFreeze& freeze : repository.list(cohort.id)) {
-      if (freeze.id == frozenId) return std::move(freeze);
+      if (freeze.id == frozenId) {
+        return std::move(freeze);
+      }
     }
   }
   return std::nullopt;
@@ -162,7 +182,9 @@ std::optional<StoredFreeze> findFreeze(Workplace& workplace, const std::string& 
 void compareTable(const std::string& table, const Hashes& then, const Hashes& now, FrozenCheck& check) {
   const auto add = [&](const Text& difference) {
     check.same = false;
-    if (check.differences.size() < kShownDifferences) check.differences.push_back(difference);
+    if (check.differences.size() < kShownDifferences) {
+      check.differences.push_back(difference);
+    }
   };
   for (const auto& [id, hash] : then) {
     const auto present = now.find(id);
@@ -173,7 +195,9 @@ void compareTable(const std::string& table, const Hashes& then, const Hashes& no
     }
   }
   for (const auto& [id, hash] : now) {
-    if (!then.contains(id)) add(Text("%1 %2 was added", table, id));
+    if (!then.contains(id)) {
+      add(Text("%1 %2 was added", table, id));
+    }
   }
 }
 
@@ -182,7 +206,9 @@ void compareTable(const std::string& table, const Hashes& then, const Hashes& no
 FrozenRow freezeData(Workplace& workplace, const std::string& cohortId, const std::string& name,
                      const std::vector<std::string>& campaignIds) {
   workplace.require(Operation::kResultsCompute);
-  if (name.empty()) refuseParameter("the data set has no name", "name", "Enter one");
+  if (name.empty()) {
+    refuseParameter("the data set has no name", "name", "Enter one");
+  }
   Transaction transaction(workplace.connection());
   FreezeRepository repository(workplace.connection(), workplace.station());
   if (repository.findByName(name)) {
@@ -207,8 +233,9 @@ FrozenRow freezeData(Workplace& workplace, const std::string& cohortId, const st
 std::vector<FrozenRow> frozenData(Workplace& workplace, const std::string& cohortId) {
   workplace.require(Operation::kResultsCompute);
   std::map<std::string, std::string> loginOf;  // by user
-  for (const StoredUser& user : AccessRepository(workplace.connection()).users())
+  for (const StoredUser& user : AccessRepository(workplace.connection()).users()) {
     loginOf.emplace(user.id, user.login);
+  }
   std::vector<FrozenRow> rows;
   for (const StoredFreeze& stored : FreezeRepository(workplace.connection()).list(cohortId)) {
     const auto known = loginOf.find(stored.createdBy);
@@ -220,7 +247,9 @@ std::vector<FrozenRow> frozenData(Workplace& workplace, const std::string& cohor
 FrozenCheck compareWithFrozen(Workplace& workplace, const std::string& frozenId) {
   workplace.require(Operation::kResultsCompute);
   const auto stored = findFreeze(workplace, frozenId);
-  if (!stored) refuseParameter("there is no such data set", frozenId, "Choose one from the list");
+  if (!stored) {
+    refuseParameter("there is no such data set", frozenId, "Choose one from the list");
+  }
   FrozenCheck check;
   if (hashOfText(stored->manifestJson) != stored->contentHash) {
     check.same = false;
@@ -231,12 +260,18 @@ FrozenCheck compareWithFrozen(Workplace& workplace, const std::string& frozenId)
   const Manifest then = manifestFrom(*stored);
   std::vector<std::string> campaignIds;
   if (const auto campaigns = then.find("evaluation_campaign"); campaigns != then.end()) {
-    for (const auto& [id, hash] : campaigns->second) campaignIds.push_back(id);
+    for (const auto& [id, hash] : campaigns->second) {
+      campaignIds.push_back(id);
+    }
   }
   Manifest now = manifestOf(workplace, stored->cohortId, campaignIds);
-  for (const auto& [table, rows] : then) compareTable(table, rows, now[table], check);
+  for (const auto& [table, rows] : then) {
+    compareTable(table, rows, now[table], check);
+  }
   for (const auto& [table, rows] : now) {
-    if (!then.contains(table)) compareTable(table, {}, rows, check);
+    if (!then.contains(table)) {
+      compareTable(table, {}, rows, check);
+    }
   }
   return check;
 }

@@ -53,15 +53,18 @@ StoredRubricRow readRow(const json& source, const std::string& place) {
 
 void checkRevision(const StoredRubricRevision& revision) {
   validateScale(revision.overall);
-  if (revision.rows.empty())
+  if (revision.rows.empty()) {
     refuseParameter("the rubric has no rows", "rubric", "Add at least one criterion");
+  }
   std::set<std::string> codes;
   for (const StoredRubricRow& row : revision.rows) {
     const std::string where = "row " + row.code;
-    if (row.code.empty() || row.label.empty())
+    if (row.code.empty() || row.label.empty()) {
       refuseParameter("a row has no code or no label", where, "Fill both in");
-    if (!codes.insert(row.code).second)
+    }
+    if (!codes.insert(row.code).second) {
       refuseParameter("two rows have the same code", where, "Rename one of them");
+    }
     validateScale(row.scale);
     std::set<std::int64_t> scores;
     for (const StoredAnchor& anchor : row.anchors) {
@@ -71,8 +74,9 @@ void checkRevision(const StoredRubricRevision& revision) {
       if (!scores.insert(anchor.score_steps).second) {
         refuseParameter("two anchors stand at the same score", where, "Join them");
       }
-      if (anchor.meaning.empty())
+      if (anchor.meaning.empty()) {
         refuseParameter("an anchor has no words", where, "Say what the score means");
+      }
     }
   }
 }
@@ -114,7 +118,9 @@ RubricTemplate parseRubric(const std::string& text, const std::string& id) {
   rubric.revision.overall = readScale(overall);
   overall.finish();
   const json& rows = fields.child("rows");
-  if (!rows.is_array()) fields.refuse("rows", "must be a list in brackets", "Write [ ... ].");
+  if (!rows.is_array()) {
+    fields.refuse("rows", "must be a list in brackets", "Write [ ... ].");
+  }
   for (const json& row : rows) {
     rubric.revision.rows.push_back(
         readRow(row, id + ", row " + std::to_string(rubric.revision.rows.size() + 1)));
@@ -132,7 +138,9 @@ std::vector<RubricTemplate> rubricTemplates(const std::filesystem::path& assets)
   }
   std::vector<RubricTemplate> templates;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".json") continue;
+    if (entry.path().extension() != ".json") {
+      continue;
+    }
     templates.push_back(parseRubric(readFile(entry.path()), entry.path().stem().string()));
   }
   std::sort(templates.begin(), templates.end(),
@@ -157,7 +165,9 @@ std::vector<RubricRow> rubrics(Workplace& workplace) {
 std::string addRubric(Workplace& workplace, const std::string& name, const StoredRubricRevision& first,
                       bool demonstration) {
   workplace.require(Operation::kCurriculumEdit);
-  if (name.empty()) refuseParameter("the rubric has no name", "rubric", "Enter one");
+  if (name.empty()) {
+    refuseParameter("the rubric has no name", "rubric", "Enter one");
+  }
   checkRevision(first);
   Transaction transaction(workplace.connection());
   const std::string rubricId = workplace.ids().newUuid();
@@ -173,7 +183,9 @@ std::string reviseRubric(Workplace& workplace, const std::string& rubricId, cons
   checkRevision(next);
   Transaction transaction(workplace.connection());
   const std::size_t before = SheetRepository(workplace.connection()).revisionIds(rubricId).size();
-  if (before == 0) refuseParameter("there is no such rubric", rubricId, "Choose one from the list");
+  if (before == 0) {
+    refuseParameter("there is no such rubric", rubricId, "Choose one from the list");
+  }
   const std::string id =
       storeRevision(workplace, rubricId, next, static_cast<std::int64_t>(before + 1), note);
   transaction.commit();

@@ -19,7 +19,9 @@ namespace {
 void fillInOrder(const StoredArm& arm, PhaseKind kind, std::int64_t time_us,
                  std::vector<std::int64_t>& spent_us) {
   for (std::size_t i = 0; i < arm.phases.size() && time_us > 0; ++i) {
-    if (arm.phases[i].kind != kind) continue;
+    if (arm.phases[i].kind != kind) {
+      continue;
+    }
     const std::int64_t room_us = std::max<std::int64_t>(0, arm.phases[i].duration_us - spent_us[i]);
     const std::int64_t part_us = std::min(room_us, time_us);
     spent_us[i] += part_us;
@@ -76,7 +78,9 @@ PhaseProgress phaseProgress(const StoredArm& arm, std::span<const StoredExposure
   }
   for (const auto& [kind, time_us] : unnamed_us) {
     const std::optional<PhaseKind> spentOn = fromStoredText<PhaseKind>(kind);  // empty: rest
-    if (spentOn) fillInOrder(arm, *spentOn, time_us, spent_us);
+    if (spentOn) {
+      fillInOrder(arm, *spentOn, time_us, spent_us);
+    }
   }
   while (progress.phase < arm.phases.size() &&
          spent_us[progress.phase] >= arm.phases[progress.phase].duration_us) {
@@ -108,8 +112,9 @@ Today readToday(Workplace& workplace, const std::string& cohortId) {
   for (RunningTrial& trial : study.runningTrials(cohortId)) {
     today.running.emplace(trial.enrolmentId, std::move(trial));
   }
-  for (const StoredDeviation& deviation : study.deviations(cohortId))
+  for (const StoredDeviation& deviation : study.deviations(cohortId)) {
     ++today.deviations[deviation.enrolmentId];
+  }
   for (const AssignmentStatus& status : SheetRepository(workplace.connection()).assignments(cohortId)) {
     if (isOutstanding(status.state)) {
       ++today.missing[{status.assignment.enrolmentId, status.assignment.scoringPoint}];
@@ -132,9 +137,13 @@ RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId) {
   const auto version = CurriculumRepository(workplace.connection()).version(cohort.curriculumVersionId);
   std::map<std::string, const StoredArm*> armOfGroup;
   for (const StoredGroup& group : study.groups(cohortId)) {
-    if (!version) break;
+    if (!version) {
+      break;
+    }
     for (const StoredArm& arm : version->arms) {
-      if (arm.id == group.armId) armOfGroup[group.id] = &arm;
+      if (arm.id == group.armId) {
+        armOfGroup[group.id] = &arm;
+      }
     }
   }
   Today today = readToday(workplace, cohortId);
@@ -169,12 +178,13 @@ std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
   for (const StationState& station : board.stations) {
     if (!silent(station)) {
       const StationDevice device = storedDevice(station);
-      if (device.light == Light::kRed)
+      if (device.light == Light::kRed) {
         alerts.push_back({.kind = Kind::kDeviceUnfit,
                           .subject = station.station,
                           .station = station.station,
                           .sinceUtc_us = device.checkedUtc_us,
                           .reason = device.problem});
+      }
       continue;
     }
     const bool records = !station.trialId.empty() && !station.ended;
@@ -188,18 +198,27 @@ std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
   std::size_t withoutGroup = 0;
   std::map<std::string, RunDayAlert> sheets;  // by code
   for (const RunDayRow& row : board.rows) {
-    if (row.state == EnrolmentState::kWithdrawn) continue;
-    if (row.groupCode.empty()) ++withoutGroup;
+    if (row.state == EnrolmentState::kWithdrawn) {
+      continue;
+    }
+    if (row.groupCode.empty()) {
+      ++withoutGroup;
+    }
     if (row.sheetsMissing > 0) {
       const auto [alert, isNew] = sheets.try_emplace(
           row.occasionDue.code, RunDayAlert{.kind = Kind::kSheetsMissing, .occasion = row.occasionDue});
       alert->second.count += row.sheetsMissing;
     }
-    if (!row.done && row.progress.restUsed_us > row.restAllowance_us)
+    if (!row.done && row.progress.restUsed_us > row.restAllowance_us) {
       alerts.push_back({.kind = Kind::kRestTooLong, .subject = row.traineeCode});
+    }
   }
-  for (const auto& [code, alert] : sheets) alerts.push_back(alert);
-  if (withoutGroup > 0) alerts.push_back({.kind = Kind::kNoGroup, .count = withoutGroup});
+  for (const auto& [code, alert] : sheets) {
+    alerts.push_back(alert);
+  }
+  if (withoutGroup > 0) {
+    alerts.push_back({.kind = Kind::kNoGroup, .count = withoutGroup});
+  }
   return alerts;
 }
 
@@ -211,19 +230,22 @@ void swapTurns(Workplace& workplace, const std::string& cohortId, const std::str
   }
   Transaction transaction(workplace.connection());
   std::map<std::string, std::string> codes;
-  for (const StoredEnrolment& enrolment : StudyRepository(workplace.connection()).enrolments(cohortId))
+  for (const StoredEnrolment& enrolment : StudyRepository(workplace.connection()).enrolments(cohortId)) {
     codes[enrolment.id] = enrolment.traineeCode;
-  for (const std::string& id : {enrolmentId, otherEnrolmentId})
+  }
+  for (const std::string& id : {enrolmentId, otherEnrolmentId}) {
     if (!codes.contains(id)) {
       throw Error(ErrorCode::kBadData, "this trainee is not in the cohort", id, "Choose one from the list");
     }
+  }
   for (const auto& [id, other] :
-       {std::pair(enrolmentId, otherEnrolmentId), std::pair(otherEnrolmentId, enrolmentId)})
+       {std::pair(enrolmentId, otherEnrolmentId), std::pair(otherEnrolmentId, enrolmentId)}) {
     reportDeviation(workplace, {.cohortId = cohortId,
                                 .enrolmentId = id,
                                 .kind = "swapped",
                                 .description = "turn swapped with " + codes.at(other) +
                                                (reason.empty() ? "" : ": " + reason)});
+  }
   transaction.commit();
 }
 

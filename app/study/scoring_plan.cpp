@@ -49,9 +49,13 @@ std::vector<StoredEnrolment> chosenEnrolments(StudyRepository& study, const Scor
                             ? enrolment.state != EnrolmentState::kWithdrawn
                             : std::find(plan.enrolmentIds.begin(), plan.enrolmentIds.end(), enrolment.id) !=
                                   plan.enrolmentIds.end();
-    if (wanted) chosen.push_back(std::move(enrolment));
+    if (wanted) {
+      chosen.push_back(std::move(enrolment));
+    }
   }
-  if (chosen.empty()) refuseParameter("there is nobody to score", "cohort", "Enrol trainees first");
+  if (chosen.empty()) {
+    refuseParameter("there is nobody to score", "cohort", "Enrol trainees first");
+  }
   if (!plan.enrolmentIds.empty() && chosen.size() != plan.enrolmentIds.size()) {
     refuseParameter("somebody of the list is not enrolled here", "cohort", "Choose from the list");
   }
@@ -59,7 +63,9 @@ std::vector<StoredEnrolment> chosenEnrolments(StudyRepository& study, const Scor
 }
 
 void checkPlan(Workplace& workplace, const ScoringPlan& plan) {
-  if (plan.raterIds.empty()) refuseParameter("nobody is asked to score", "raters", "Choose at least one");
+  if (plan.raterIds.empty()) {
+    refuseParameter("nobody is asked to score", "raters", "Choose at least one");
+  }
   if (plan.scoringPoints.empty()) {
     refuseParameter("no scoring point is chosen", "scoring points", "Choose at least one");
   }
@@ -74,12 +80,18 @@ void checkPlan(Workplace& workplace, const ScoringPlan& plan) {
   }
   std::set<std::string> known;
   for (const StoredRater& rater : PeopleRepository(workplace.connection()).raters()) {
-    if (rater.person.state == "active") known.insert(rater.person.id);
+    if (rater.person.state == "active") {
+      known.insert(rater.person.id);
+    }
   }
   std::set<std::string> seen;
   for (const std::string& rater : plan.raterIds) {
-    if (!known.contains(rater)) refuseParameter("this is no active rater", rater, "Choose one from the list");
-    if (!seen.insert(rater).second) refuseParameter("a rater is named twice", rater, "Name each once");
+    if (!known.contains(rater)) {
+      refuseParameter("this is no active rater", rater, "Choose one from the list");
+    }
+    if (!seen.insert(rater).second) {
+      refuseParameter("a rater is named twice", rater, "Name each once");
+    }
   }
 }
 
@@ -117,7 +129,9 @@ void giveCommonLabels(std::vector<Case>& cases, const std::vector<AssignmentStat
   std::size_t next = 0;
   for (Case& one : cases) {
     const auto before = known.find(keyOf(one.enrolment.id, one.scoringPoint));
-    if (one.trialId.empty()) one.commonLabel = before != known.end() ? before->second : fresh.at(next++);
+    if (one.trialId.empty()) {
+      one.commonLabel = before != known.end() ? before->second : fresh.at(next++);
+    }
   }
 }
 
@@ -136,10 +150,14 @@ std::vector<StoredAssignment> assignmentsFor(Workplace& workplace, const Scoring
   }
   std::vector<OrderedCase> open;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    if (asked.contains(keyOf(cases[i].enrolment.id, cases[i].scoringPoint))) continue;
+    if (asked.contains(keyOf(cases[i].enrolment.id, cases[i].scoringPoint))) {
+      continue;
+    }
     open.push_back({i, cases[i].scoringPoint + " " + cases[i].enrolment.groupCode});
   }
-  for (const Case& one : cases) labels.insert(one.commonLabel);
+  for (const Case& one : cases) {
+    labels.insert(one.commonLabel);
+  }
   const std::vector<std::string> own = caseLabels(open.size(), labels, seed, kLabelsOfRater + panelPosition);
   std::vector<StoredAssignment> made;
   for (const std::size_t index : counterbalancedOrder(open, seed, panelPosition)) {
@@ -190,7 +208,9 @@ ScoringPlanOutcome createAssignments(Workplace& workplace, const ScoringPlan& pl
   SheetRepository sheets(workplace.connection());
   std::set<std::string> taken;
   for (const std::string& rater : plan.raterIds) {
-    for (const StoredAssignment& before : sheets.assignmentsOf(rater)) taken.insert(before.caseLabel);
+    for (const StoredAssignment& before : sheets.assignmentsOf(rater)) {
+      taken.insert(before.caseLabel);
+    }
   }
   giveCommonLabels(cases, sheets.assignments(plan.cohortId), taken, outcome.seed);
   for (std::size_t rater = 0; rater < plan.raterIds.size(); ++rater) {
@@ -198,7 +218,9 @@ ScoringPlanOutcome createAssignments(Workplace& workplace, const ScoringPlan& pl
     sheets.assign(made);
     outcome.created += made.size();
     outcome.already += cases.size() - made.size();
-    if (made.empty()) continue;
+    if (made.empty()) {
+      continue;
+    }
     workplace.note({.action = "assignment.create",
                     .objectKind = "assignment",
                     .objectId = plan.raterIds[rater],
@@ -227,9 +249,13 @@ ScoringMatrix scoringMatrix(Workplace& workplace, const std::string& cohortId) {
   matrix.occasions = occasionsOfCohort(workplace.connection(), cohortId);
   std::map<std::string, std::size_t> column;
   std::set<std::string> involved;
-  for (const AssignmentStatus& status : all) involved.insert(status.assignment.raterId);
+  for (const AssignmentStatus& status : all) {
+    involved.insert(status.assignment.raterId);
+  }
   for (const StoredRater& rater : PeopleRepository(workplace.connection()).raters()) {
-    if (!involved.contains(rater.person.id)) continue;
+    if (!involved.contains(rater.person.id)) {
+      continue;
+    }
     column[rater.person.id] = matrix.raters.size();
     matrix.raters.push_back({rater.person.id, rater.person.code, rater.classCode, 0, 0});
   }
@@ -255,11 +281,15 @@ ScoringMatrix scoringMatrix(Workplace& workplace, const std::string& cohortId) {
 std::string reassign(Workplace& workplace, const std::string& assignmentId, const std::string& newRaterId,
                      const std::string& reason) {
   workplace.require(Operation::kStudySetup);
-  if (reason.empty()) refuse("taking a sheet from its rater needs a reason", assignmentId, "Say why");
+  if (reason.empty()) {
+    refuse("taking a sheet from its rater needs a reason", assignmentId, "Say why");
+  }
   Transaction transaction(workplace.connection());
   SheetRepository sheets(workplace.connection());
   const auto before = sheets.findAssignment(assignmentId);
-  if (!before) refuse("there is no such sheet", assignmentId, "Read the matrix again");
+  if (!before) {
+    refuse("there is no such sheet", assignmentId, "Read the matrix again");
+  }
   if (before->state == SheetState::kWithdrawn) {
     refuse("the sheet was withdrawn already", before->assignment.caseLabel, "Read the matrix again");
   }
@@ -312,9 +342,13 @@ std::vector<ReleaseState> releaseStates(Workplace& workplace, const std::string&
   for (const Occasion& occasion : occasionsOfCohort(workplace.connection(), cohortId)) {
     ReleaseState state{occasion, sheets.isReleased(cohortId, occasion.code), 0, 0};
     for (const AssignmentStatus& status : all) {
-      if (status.assignment.scoringPoint != occasion.code || status.state == SheetState::kWithdrawn) continue;
+      if (status.assignment.scoringPoint != occasion.code || status.state == SheetState::kWithdrawn) {
+        continue;
+      }
       ++state.sheets;
-      if (status.state != SheetState::kSubmitted) ++state.missing;
+      if (status.state != SheetState::kSubmitted) {
+        ++state.missing;
+      }
     }
     states.push_back(std::move(state));
   }
@@ -326,8 +360,12 @@ void releaseMarks(Workplace& workplace, const std::string& cohortId, const std::
   workplace.require(Operation::kMarkRelease);
   Transaction transaction(workplace.connection());
   for (const ReleaseState& state : releaseStates(workplace, cohortId)) {
-    if (state.occasion.code != scoringPoint) continue;
-    if (state.released) refuse("these marks are released already", scoringPoint, "Nothing is to be done");
+    if (state.occasion.code != scoringPoint) {
+      continue;
+    }
+    if (state.released) {
+      refuse("these marks are released already", scoringPoint, "Nothing is to be done");
+    }
     if (state.missing > 0 && reason.empty()) {
       refuse(Text("%1 of %2 sheets are not submitted", state.missing, state.sheets), scoringPoint,
              "Wait for them, or give a reason");
@@ -342,7 +380,9 @@ void releaseMarks(Workplace& workplace, const std::string& cohortId, const std::
 void retractMarks(Workplace& workplace, const std::string& cohortId, const std::string& scoringPoint,
                   const std::string& reason) {
   workplace.require(Operation::kMarkRelease);
-  if (reason.empty()) refuse("taking marks back needs a reason", scoringPoint, "Say why");
+  if (reason.empty()) {
+    refuse("taking marks back needs a reason", scoringPoint, "Say why");
+  }
   Transaction transaction(workplace.connection());
   if (!SheetRepository(workplace.connection()).isReleased(cohortId, scoringPoint)) {
     refuse("these marks are not released", scoringPoint, "Nothing is to be done");

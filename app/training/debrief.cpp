@@ -42,21 +42,30 @@ Seconds whereIs(std::string_view metric, double value, const Timeline& line, con
   const Seconds whole{measured.start_s, measured.letGo_s};
   const auto momentOf = [&](auto&& size) {
     std::size_t at = twist.first;
-    for (std::size_t i = twist.first; i < twist.letGo; ++i)
-      if (size(line.samples[i]) > size(line.samples[at])) at = i;
+    for (std::size_t i = twist.first; i < twist.letGo; ++i) {
+      if (size(line.samples[i]) > size(line.samples[at])) {
+        at = i;
+      }
+    }
     const double t = line.at_s(at);
     return Seconds{std::max(whole.from_s, t - kMoment_s), std::min(whole.to_s + kMoment_s, t + kMoment_s)};
   };
-  if (metric == "force.peak") return momentOf([](const Sample& s) { return norm(s.force_N); });
+  if (metric == "force.peak") {
+    return momentOf([](const Sample& s) { return norm(s.force_N); });
+  }
   if (metric == "twist.overshoot") {
     const double sign = twist.target_rad < 0.0 ? -1.0 : 1.0;
     return momentOf([sign](const Sample& s) { return sign * s.response.angle_rad; });
   }
-  if (metric == "twist.time_to_target" || metric == "twist.settling")
+  if (metric == "twist.time_to_target" || metric == "twist.settling") {
     return {whole.from_s, std::min(whole.to_s, whole.from_s + value)};
-  if (metric == "twist.hold_steadiness")
+  }
+  if (metric == "twist.hold_steadiness") {
     return {std::max(whole.from_s, whole.to_s - measured.held_s), whole.to_s};
-  if (metric == "torque.release_rate") return {whole.to_s - kMoment_s, whole.to_s + kMoment_s};
+  }
+  if (metric == "torque.release_rate") {
+    return {whole.to_s - kMoment_s, whole.to_s + kMoment_s};
+  }
   return whole;
 }
 
@@ -66,8 +75,9 @@ DebriefTrace traceOf(const Timeline& line, std::size_t first, std::size_t end) {
   for (std::size_t i = first; i < end; i += stride) {
     // A short peak of force must not fall between two points.
     double force_N = 0.0;
-    for (std::size_t k = i; k < std::min(i + stride, end); ++k)
+    for (std::size_t k = i; k < std::min(i + stride, end); ++k) {
       force_N = std::max(force_N, norm(line.samples[k].force_N));
+    }
     trace.time_s.push_back(line.at_s(i));
     trace.angle_rad.push_back(line.samples[i].response.angle_rad);
     trace.torque_Nm.push_back(line.samples[i].response.torque_Nm);
@@ -81,11 +91,15 @@ void addExpert(const Trial& expert, const AttemptRules& rules, const Timeline& l
   const std::vector<Sample> shown = decodeTrial(expert);
   const MeasuredTrial reference = measureTwists(expert.header, shown, rules);
   const std::vector<const MeasuredTwist*> examples = reference.completed();
-  if (examples.empty()) return;
+  if (examples.empty()) {
+    return;
+  }
   const RecordedTwist& example = examples.front()->twist;
   out.expert = traceOf(Timeline(expert.header, shown), example.first, example.end);
   const double grip_s = out.expert.time_s.front();
-  for (double& t : out.expert.time_s) t -= grip_s;
+  for (double& t : out.expert.time_s) {
+    t -= grip_s;
+  }
   const std::vector<const MeasuredTwist*> twists = own.completed();
   const std::vector<CriterionMerit> all = meritsAgainst(own, reference);
   const auto finding = [&](const CriterionMerit& criterion, const TwistMerit& found) {
@@ -123,14 +137,18 @@ Debrief makeDebrief(const TrialHeader& header, std::span<const Sample> samples, 
   out.forceLimit_N = rules.forceLimit_N.value_or(0.0);
   out.duration_s = measured.duration_s();
   const Timeline line(header, samples);
-  if (samples.size() >= 2) out.own = traceOf(line, 0, samples.size());
+  if (samples.size() >= 2) {
+    out.own = traceOf(line, 0, samples.size());
+  }
   for (const MeasuredTwist* twist : measured.completed()) {
     out.twists.push_back(resultOf(*twist));
     out.grips_s.push_back(twist->start_s);
   }
   out.unfinishedTwists = measured.unfinished();
   out.checks = targetChecks(measured, rules);
-  if (expert != nullptr) addExpert(*expert, rules, line, measured, out);
+  if (expert != nullptr) {
+    addExpert(*expert, rules, line, measured, out);
+  }
   out.passed =
       std::all_of(out.checks.begin(), out.checks.end(), [](const TargetCheck& c) { return c.passed; });
   return out;

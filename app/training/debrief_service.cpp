@@ -24,9 +24,13 @@ std::optional<Trial> storedExpert(TrialRepository& trials, const TrialHeader& he
   for (const TrialListing& listing : trials.list(filter)) {
     const bool fits = listing.phaseLabel == kExpertPhase && listing.traineeCode.empty() &&
                       listing.patternId == header.patternId && listing.summary;
-    if (!fits) continue;
+    if (!fits) {
+      continue;
+    }
     const std::optional<TrialHeader> found = trials.find(listing.trialId);
-    if (found && found->parameterHash == header.parameterHash) return trials.load(listing.trialId);
+    if (found && found->parameterHash == header.parameterHash) {
+      return trials.load(listing.trialId);
+    }
   }
   return std::nullopt;
 }
@@ -34,10 +38,13 @@ std::optional<Trial> storedExpert(TrialRepository& trials, const TrialHeader& he
 /// Empty when the organ is not there any more (a user's own mesh): the debrief then goes without.
 std::optional<Trial> expertFor(TrialRepository& trials, const TrialHeader& header,
                                const std::filesystem::path& assets, const Scene* scene) {
-  if (std::optional<Trial> stored = storedExpert(trials, header)) return stored;
+  if (std::optional<Trial> stored = storedExpert(trials, header)) {
+    return stored;
+  }
   try {
-    if (scene != nullptr && scene->parameterHash == header.parameterHash)
+    if (scene != nullptr && scene->parameterHash == header.parameterHash) {
       return expertRun(*scene, header.targetAngle_rad);
+    }
     SceneRequest request = sceneRequestFor(header.parametersJson);
     request.assets = assets;
     request.id = header.sceneId;
@@ -53,12 +60,16 @@ void addMastery(const StoredModule& module, const Attempt& attempt, const std::v
   std::vector<Attempt> untilNow;
   for (const Attempt& earlier : all) {
     untilNow.push_back(earlier);
-    if (earlier.trialId == attempt.trialId) break;
+    if (earlier.trialId == attempt.trialId) {
+      break;
+    }
   }
   for (const RuleProgress& progress : ruleProgress(module, untilNow)) {
     const auto value = attempt.values.find(progress.rule.metric);
     TargetCheck check{.kind = TargetCheck::Kind::kMastery, .metric = progress.rule.metric};
-    if (value != attempt.values.end()) check.value = value->second;
+    if (value != attempt.values.end()) {
+      check.value = value->second;
+    }
     check.wanted = progress.rule.threshold;
     check.atLeast = !masteryRule(progress.rule).atMost;
     check.passed = check.value && reaches(masteryRule(progress.rule), *check.value);
@@ -98,7 +109,9 @@ Debrief debrief(Workplace& workplace, const std::string& trialId, const std::fil
                out);
   }
   for (const StoredRemark& remark : RemarkRepository(workplace.connection()).remarks(trialId)) {
-    if (remark.purpose != "bookmark" || remark.author != workplace.actor().userId) continue;
+    if (remark.purpose != "bookmark" || remark.author != workplace.actor().userId) {
+      continue;
+    }
     out.bookmarks.push_back({remark.id, static_cast<double>(remark.time_us) * 1e-6, remark.text});
   }
   return out;

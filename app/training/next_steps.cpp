@@ -15,7 +15,9 @@ namespace torsio {
 namespace {
 
 bool mastered(const ModuleStep& step) {
-  if (step.rules.empty()) return step.attempts > 0;
+  if (step.rules.empty()) {
+    return step.attempts > 0;
+  }
   return std::all_of(step.rules.begin(), step.rules.end(), [](const RuleProgress& p) { return p.met; });
 }
 
@@ -26,9 +28,13 @@ ModuleStep stepFor(const StoredModule& module, const std::vector<Attempt>& all) 
   // A rest cuts the recording of a phase in two; that is still one attempt.
   std::set<std::string> counted;
   for (const Attempt& attempt : all) {
-    if (attempt.moduleId != module.id || !attempt.ended) continue;
+    if (attempt.moduleId != module.id || !attempt.ended) {
+      continue;
+    }
     step.last = attempt;
-    if (counts(attempt, module)) counted.insert(attempt.phaseId.empty() ? attempt.trialId : attempt.phaseId);
+    if (counts(attempt, module)) {
+      counted.insert(attempt.phaseId.empty() ? attempt.trialId : attempt.phaseId);
+    }
   }
   step.attempts = static_cast<std::int64_t>(counted.size());
   if (module.attemptLimit) {
@@ -42,16 +48,21 @@ ModuleStep stepFor(const StoredModule& module, const std::vector<Attempt>& all) 
 void decideStates(std::vector<ModuleStep>& steps) {
   std::set<std::string> done;
   for (const ModuleStep& step : steps) {
-    if (mastered(step)) done.insert(step.module.id);
+    if (mastered(step)) {
+      done.insert(step.module.id);
+    }
   }
   for (ModuleStep& step : steps) {
     for (const ModuleStep& other : steps) {
       const auto& needs = other.module.requires_;
-      if (std::find(needs.begin(), needs.end(), step.module.id) != needs.end())
+      if (std::find(needs.begin(), needs.end(), step.module.id) != needs.end()) {
         step.unlocks.push_back(other.module.title);
+      }
       const auto& mine = step.module.requires_;
       const bool needed = std::find(mine.begin(), mine.end(), other.module.id) != mine.end();
-      if (needed && !done.contains(other.module.id)) step.missing.push_back(other.module.title);
+      if (needed && !done.contains(other.module.id)) {
+        step.missing.push_back(other.module.title);
+      }
     }
     if (done.contains(step.module.id)) {
       step.state = StepState::kMastered;
@@ -65,7 +76,9 @@ void decideStates(std::vector<ModuleStep>& steps) {
 
 /// The arm as it is left after what was logged.
 void planArm(Connection& connection, const TraineeRecord& record, NextSteps& steps) {
-  if (!record.arm) return;
+  if (!record.arm) {
+    return;
+  }
   std::vector<StoredExposure> own = StudyRepository(connection).exposures(record.cohort.id);
   std::erase_if(own, [&](const StoredExposure& e) { return e.enrolmentId != record.enrolment->id; });
   const PhaseProgress progress = phaseProgress(*record.arm, own);
@@ -76,8 +89,12 @@ void planArm(Connection& connection, const TraineeRecord& record, NextSteps& ste
                    .arm = stored.kind == PhaseKind::kReal ? TrainingArm::kReal : TrainingArm::kVirtual,
                    .duration_us = stored.duration_us,
                    .moduleId = stored.moduleId};
-    if (i < progress.phase) phase.done_us = phase.duration_us;
-    if (i == progress.phase) phase.done_us = phase.duration_us - progress.left_us;
+    if (i < progress.phase) {
+      phase.done_us = phase.duration_us;
+    }
+    if (i == progress.phase) {
+      phase.done_us = phase.duration_us - progress.left_us;
+    }
     steps.exposureTotal_us += phase.duration_us;
     steps.exposureDone_us += phase.done_us;
     steps.plan.phases.push_back(std::move(phase));
@@ -96,10 +113,14 @@ const RunPhase* presentPhase(const RunPlan& plan) {
 
 void chooseNext(NextSteps& steps) {
   const RunPhase* phase = presentPhase(steps.plan);
-  if (steps.allPhasesDone) return;
+  if (steps.allPhasesDone) {
+    return;
+  }
   for (std::size_t i = 0; i < steps.modules.size(); ++i) {
     ModuleStep& step = steps.modules[i];
-    if (phase != nullptr) step.needed_us = phase->duration_us - phase->done_us;
+    if (phase != nullptr) {
+      step.needed_us = phase->duration_us - phase->done_us;
+    }
     const bool asked = phase != nullptr && phase->moduleId == step.module.id;
     const bool open = step.state == StepState::kOpen;
     if (asked && (open || step.state == StepState::kMastered)) {
@@ -123,16 +144,26 @@ NextSteps nextSteps(Workplace& workplace, const std::string& personId) {
   steps.unreadRemarks = unreadRemarks(workplace);
   const std::vector<Attempt> all = attemptsOf(workplace, personId);
   for (const Attempt& attempt : all) {
-    if (attempt.interrupted) steps.interrupted.insert(steps.interrupted.begin(), attempt);
+    if (attempt.interrupted) {
+      steps.interrupted.insert(steps.interrupted.begin(), attempt);
+    }
   }
-  if (!record.enrolment) return steps;
+  if (!record.enrolment) {
+    return steps;
+  }
   steps.enrolmentId = record.enrolment->id;
   steps.cohortId = record.cohort.id;
   steps.cohortName = record.cohort.name;
-  if (record.arm) steps.armLabel = record.arm->label;
+  if (record.arm) {
+    steps.armLabel = record.arm->label;
+  }
   steps.hasCurriculum = record.version.has_value();
-  if (!record.version) return steps;
-  for (const StoredModule& module : record.version->modules) steps.modules.push_back(stepFor(module, all));
+  if (!record.version) {
+    return steps;
+  }
+  for (const StoredModule& module : record.version->modules) {
+    steps.modules.push_back(stepFor(module, all));
+  }
   decideStates(steps.modules);
   planArm(workplace.connection(), record, steps);
   chooseNext(steps);
@@ -142,7 +173,9 @@ NextSteps nextSteps(Workplace& workplace, const std::string& personId) {
 const ModuleStep& stepOf(const NextSteps& steps, const std::string& moduleId) {
   const auto found = std::find_if(steps.modules.begin(), steps.modules.end(),
                                   [&](const ModuleStep& step) { return step.module.id == moduleId; });
-  if (found != steps.modules.end()) return *found;
+  if (found != steps.modules.end()) {
+    return *found;
+  }
   throw Error(ErrorCode::kBadParameter, "your curriculum has no such module", moduleId,
               "Choose one from the list");
 }

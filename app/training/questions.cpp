@@ -42,8 +42,12 @@ std::vector<AskablePhysician> askable(Workplace& workplace, const TraineeRecord&
   std::vector<AskablePhysician> physicians;
   for (const StoredRater& rater : people.raters()) {
     const StoredPerson& person = rater.person;
-    if (rater.classCode != kChief || person.state != "active") continue;
-    if (person.demonstration != record.demonstration) continue;
+    if (rater.classCode != kChief || person.state != "active") {
+      continue;
+    }
+    if (person.demonstration != record.demonstration) {
+      continue;
+    }
     physicians.push_back({person.id, nameOf(people, person.id, person.code), person.id == last});
   }
   return physicians;
@@ -64,11 +68,15 @@ StoredQuestion questionToMe(Workplace& workplace, const std::string& questionId)
 
 std::string moduleTitle(Workplace& workplace, const std::string& trialId) {
   const auto context = TrialRepository(workplace.connection()).context(trialId);
-  if (!context || context->moduleId.empty()) return {};
+  if (!context || context->moduleId.empty()) {
+    return {};
+  }
   Statement row = workplace.connection().prepare("SELECT title FROM module WHERE id = ?");
   row.execute({context->moduleId});
   std::string title;
-  while (row.step()) title = row.text(0);
+  while (row.step()) {
+    title = row.text(0);
+  }
   return title;
 }
 
@@ -121,7 +129,9 @@ std::string askPhysician(Workplace& workplace, const std::string& trialId, doubl
 std::vector<PhysicianQuestion> questionsToMe(Workplace& workplace) {
   workplace.require(Operation::kTrialViewAssigned);
   std::vector<PhysicianQuestion> questions;
-  if (workplace.actor().personId.empty()) return questions;
+  if (workplace.actor().personId.empty()) {
+    return questions;
+  }
   PeopleRepository people(workplace.connection());
   for (const StoredQuestion& stored :
        QuestionRepository(workplace.connection()).toRater(workplace.actor().personId)) {

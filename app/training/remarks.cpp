@@ -23,13 +23,21 @@ constexpr std::int64_t kAllTrials = 10'000;
 class Release {
  public:
   Release(Connection& connection, const TraineeRecord& record) {
-    if (!record.enrolment) return;
+    if (!record.enrolment) {
+      return;
+    }
     SheetRepository sheets(connection);
     for (AssignmentStatus& status : sheets.assignments(record.cohort.id)) {
       const StoredAssignment& assignment = status.assignment;
-      if (assignment.enrolmentId != record.enrolment->id || assignment.trialId.empty()) continue;
-      if (status.state == SheetState::kWithdrawn) continue;
-      if (!sheets.isReleased(record.cohort.id, assignment.scoringPoint)) held_.insert(assignment.trialId);
+      if (assignment.enrolmentId != record.enrolment->id || assignment.trialId.empty()) {
+        continue;
+      }
+      if (status.state == SheetState::kWithdrawn) {
+        continue;
+      }
+      if (!sheets.isReleased(record.cohort.id, assignment.scoringPoint)) {
+        held_.insert(assignment.trialId);
+      }
       asked_[assignment.trialId].push_back(std::move(status));
     }
   }
@@ -65,22 +73,32 @@ std::vector<TraineeRemark> threads(const std::vector<StoredRemark>& all,
   std::vector<TraineeRemark> roots;
   for (const StoredRemark& stored : all) {
     const bool question = answered.contains(stored.id);
-    if (stored.purpose != "remark" && !question) continue;
+    if (stored.purpose != "remark" && !question) {
+      continue;
+    }
     rootOf[stored.id] = stored.id;
     roots.push_back(shown(stored, read, actor));
     roots.back().question = question;
   }
   std::vector<StoredRemark> replies;
-  for (const StoredRemark& stored : all)
-    if (stored.purpose == "reply") replies.push_back(stored);
+  for (const StoredRemark& stored : all) {
+    if (stored.purpose == "reply") {
+      replies.push_back(stored);
+    }
+  }
   std::sort(replies.begin(), replies.end(),
             [](const StoredRemark& a, const StoredRemark& b) { return a.createdUtc_us < b.createdUtc_us; });
   for (const StoredRemark& reply : replies) {
     const auto root = rootOf.find(reply.replyTo);
-    if (root == rootOf.end()) continue;
+    if (root == rootOf.end()) {
+      continue;
+    }
     rootOf[reply.id] = root->second;
-    for (TraineeRemark& remark : roots)
-      if (remark.id == root->second) remark.replies.push_back(shown(reply, read, actor));
+    for (TraineeRemark& remark : roots) {
+      if (remark.id == root->second) {
+        remark.replies.push_back(shown(reply, read, actor));
+      }
+    }
   }
   return roots;
 }
@@ -88,21 +106,34 @@ std::vector<TraineeRemark> threads(const std::vector<StoredRemark>& all,
 TrialRemarks remarksOf(Workplace& workplace, const TraineeRecord& record, const TrialListing& trial) {
   RemarkRepository repository(workplace.connection());
   std::set<std::string> read;
-  for (const StoredReceipt& receipt : repository.receipts(trial.trialId))
-    if (receipt.reader == workplace.actor().userId) read.insert(receipt.remarkId);
+  for (const StoredReceipt& receipt : repository.receipts(trial.trialId)) {
+    if (receipt.reader == workplace.actor().userId) {
+      read.insert(receipt.remarkId);
+    }
+  }
   TrialRemarks out;
   out.trialId = trial.trialId;
-  if (const StoredModule* module = record.module(trial.moduleId)) out.moduleTitle = module->title;
+  if (const StoredModule* module = record.module(trial.moduleId)) {
+    out.moduleTitle = module->title;
+  }
   out.phaseLabel = trial.phaseLabel;
   out.startedUtc_us = trial.startedUtc_us;
   std::set<std::string> answered;
-  for (const StoredQuestion& question : QuestionRepository(workplace.connection()).ofTrial(trial.trialId))
-    if (!question.answerId.empty()) answered.insert(question.remarkId);
+  for (const StoredQuestion& question : QuestionRepository(workplace.connection()).ofTrial(trial.trialId)) {
+    if (!question.answerId.empty()) {
+      answered.insert(question.remarkId);
+    }
+  }
   out.remarks = threads(repository.remarks(trial.trialId), answered, read, workplace.actor());
   for (const TraineeRemark& remark : out.remarks) {
-    if (!remark.read) ++out.unread;
-    for (const TraineeRemark& reply : remark.replies)
-      if (!reply.read) ++out.unread;
+    if (!remark.read) {
+      ++out.unread;
+    }
+    for (const TraineeRemark& reply : remark.replies) {
+      if (!reply.read) {
+        ++out.unread;
+      }
+    }
   }
   return out;
 }
@@ -140,7 +171,9 @@ ScoreGapRow rowOf(const std::string& code, const std::string& label, const Score
 StoredRubricRevision rubricOf(Connection& connection, const std::vector<AssignmentStatus>& asked) {
   if (!asked.empty()) {
     const auto revision = SheetRepository(connection).revision(asked.front().assignment.rubricRevisionId);
-    if (revision) return *revision;
+    if (revision) {
+      return *revision;
+    }
   }
   StoredRubricRevision overallOnly;
   overallOnly.overall = StoredTrainingMark{}.scale;
@@ -159,18 +192,24 @@ PanelMeans panelOf(Connection& connection, const std::vector<AssignmentStatus>& 
   SheetRepository sheets(connection);
   for (const AssignmentStatus& status : asked) {
     const std::optional<Sheet> sheet = sheets.submitted(status.assignment.id);
-    if (!sheet || !sheet->overall_steps) continue;
+    if (!sheet || !sheet->overall_steps) {
+      continue;
+    }
     means.overall += points(*sheet->overall_steps, rubric.overall);
     ++means.raters;
     for (const SheetRow& row : sheet->rows) {
       for (const StoredRubricRow& known : rubric.rows) {
-        if (known.code != row.code || !row.score_steps) continue;
+        if (known.code != row.code || !row.score_steps) {
+          continue;
+        }
         means.rows[row.code].first += points(*row.score_steps, known.scale);
         ++means.rows[row.code].second;
       }
     }
   }
-  if (means.raters > 0) means.overall /= static_cast<double>(means.raters);
+  if (means.raters > 0) {
+    means.overall /= static_cast<double>(means.raters);
+  }
   return means;
 }
 
@@ -178,7 +217,9 @@ std::int64_t stepsOf(double value, const ScoreScale& scale, const std::string& w
   const double exact = value * static_cast<double>(scale.stepsPerPoint);
   const std::int64_t steps = std::llround(exact);
   const bool onScale = steps >= scale.lo && steps <= scale.hi;
-  if (onScale && std::abs(exact - static_cast<double>(steps)) < 1e-6) return steps;
+  if (onScale && std::abs(exact - static_cast<double>(steps)) < 1e-6) {
+    return steps;
+  }
   throw Error(ErrorCode::kBadParameter, "this scale has no such mark", where,
               "Choose a mark between the ends of the scale");
 }
@@ -193,9 +234,13 @@ std::vector<TrialRemarks> ownRemarks(Workplace& workplace) {
   filter.limit = kAllTrials;
   std::vector<TrialRemarks> all;
   for (const TrialListing& trial : TrialRepository(workplace.connection()).list(filter)) {
-    if (!release.mayShow(trial.trialId)) continue;
+    if (!release.mayShow(trial.trialId)) {
+      continue;
+    }
     TrialRemarks remarks = remarksOf(workplace, record, trial);
-    if (!remarks.remarks.empty()) all.push_back(std::move(remarks));
+    if (!remarks.remarks.empty()) {
+      all.push_back(std::move(remarks));
+    }
   }
   return all;
 }
@@ -256,23 +301,33 @@ ScoreGap scoreGap(Workplace& workplace, const std::string& trialId) {
   ScoreGap gap;
   gap.trialId = trialId;
   gap.overall = rowOf("", "", rubric.overall);
-  for (const StoredRubricRow& row : rubric.rows) gap.rows.push_back(rowOf(row.code, row.label, row.scale));
+  for (const StoredRubricRow& row : rubric.rows) {
+    gap.rows.push_back(rowOf(row.code, row.label, row.scale));
+  }
   gap.released = !release.asked(trialId).empty() && release.mayShow(trialId);
 
   const auto own = RemarkRepository(workplace.connection()).selfScores(trialId);
   gap.selfScored = !own.empty();
-  if (!gap.selfScored) return gap;
+  if (!gap.selfScored) {
+    return gap;
+  }
   gap.overall.own = points(own.back().score_steps, own.back().scale);
   const PanelMeans panel =
       gap.released ? panelOf(workplace.connection(), release.asked(trialId), rubric) : PanelMeans{};
   gap.raters = panel.raters;
-  if (panel.raters > 0) gap.overall.panel = panel.overall;
+  if (panel.raters > 0) {
+    gap.overall.panel = panel.overall;
+  }
   for (std::size_t i = 0; i < gap.rows.size(); ++i) {
-    for (const StoredSelfScoreRow& row : own.back().rows)
-      if (row.rowCode == gap.rows[i].code) gap.rows[i].own = points(row.score_steps, rubric.rows[i].scale);
+    for (const StoredSelfScoreRow& row : own.back().rows) {
+      if (row.rowCode == gap.rows[i].code) {
+        gap.rows[i].own = points(row.score_steps, rubric.rows[i].scale);
+      }
+    }
     const auto mean = panel.rows.find(gap.rows[i].code);
-    if (mean != panel.rows.end())
+    if (mean != panel.rows.end()) {
       gap.rows[i].panel = mean->second.first / static_cast<double>(mean->second.second);
+    }
   }
   return gap;
 }

@@ -48,7 +48,9 @@ bool hasVirtualTime(const RunPlan& plan) {
 
 ModuleStep chosenStep(const NextSteps& steps, const RunRequest& request) {
   checkPermission(steps, request);
-  if (request.moduleId.empty() && !hasVirtualTime(steps.plan)) return {};
+  if (request.moduleId.empty() && !hasVirtualTime(steps.plan)) {
+    return {};
+  }
   const ModuleStep& step = stepOf(steps, request.moduleId);
   if (step.state == StepState::kLocked) {
     throw Error(ErrorCode::kBadParameter,
@@ -63,7 +65,9 @@ ModuleStep chosenStep(const NextSteps& steps, const RunRequest& request) {
 }
 
 RunPlan planOf(const NextSteps& steps, const ModuleStep& step) {
-  if (!steps.plan.phases.empty()) return steps.plan;
+  if (!steps.plan.phases.empty()) {
+    return steps.plan;
+  }
   RunPlan plan;
   plan.phases.push_back({.label = step.module.title,
                          .arm = TrainingArm::kVirtual,
@@ -109,7 +113,9 @@ AttemptMode RunSession::mode() const noexcept {
 }
 
 void RunSession::heartbeat() {
-  if (line_ == nullptr) heartbeat_.send();
+  if (line_ == nullptr) {
+    heartbeat_.send();
+  }
 }
 
 void RunSession::start() {
@@ -125,7 +131,9 @@ void RunSession::start() {
 
 void RunSession::log(bool all) {
   for (const ExposurePiece& piece : run_.takeExposure(all)) {
-    if (piece.duration_us <= 0) continue;
+    if (piece.duration_us <= 0) {
+      continue;
+    }
     write([exposure = NewExposure{.cohortId = steps_.cohortId,
                                   .enrolmentId = steps_.enrolmentId,
                                   .phaseId = piece.phaseId,
@@ -141,7 +149,9 @@ std::vector<RunEvent> RunSession::advance() {
   const RunState before = run_.state();
   std::vector<RunEvent> events = run_.advance();
   log(run_.state() != before || run_.over());
-  if (run_.over()) show("");
+  if (run_.over()) {
+    show("");
+  }
   heartbeat();
   return events;
 }
@@ -158,7 +168,9 @@ const StoredModule& RunSession::module() const {
 
 bool RunSession::rest() {
   static_cast<void>(advance());
-  if (!run_.rest()) return false;
+  if (!run_.rest()) {
+    return false;
+  }
   log(true);
   return true;
 }
@@ -166,13 +178,17 @@ bool RunSession::rest() {
 std::vector<RunEvent> RunSession::resume() {
   std::vector<RunEvent> events = advance();
   run_.resume();
-  for (const RunEvent& event : run_.advance()) events.push_back(event);
+  for (const RunEvent& event : run_.advance()) {
+    events.push_back(event);
+  }
   log(true);
   return events;
 }
 
 void RunSession::stop(const std::string& reason) {
-  if (run_.over() || run_.state() == RunState::kReady) return;
+  if (run_.over() || run_.state() == RunState::kReady) {
+    return;
+  }
   static_cast<void>(run_.advance());
   const bool early = !run_.over();
   run_.stop();
@@ -231,7 +247,9 @@ std::vector<RecoveredTrial> recoverInterrupted(Workplace& workplace, const std::
   std::vector<RecoveredTrial> own;
   for (const SettledTrial& settled : settleStation(workplace, folder).trials) {
     const TrialListing& trial = settled.trial;
-    if (trial.traineeCode != record.code || trial.summary->outcome != TrialOutcome::kInterrupted) continue;
+    if (trial.traineeCode != record.code || trial.summary->outcome != TrialOutcome::kInterrupted) {
+      continue;
+    }
     own.push_back({.trialId = trial.trialId,
                    .moduleId = trial.moduleId,
                    .phaseLabel = trial.phaseLabel,

@@ -21,7 +21,9 @@ void findEnrolment(Connection& connection, TraineeRecord& record) {
       continue;
     }
     for (const StoredEnrolment& enrolment : studies.enrolments(cohort.id)) {
-      if (enrolment.traineeId != record.personId || enrolment.state != EnrolmentState::kEnrolled) continue;
+      if (enrolment.traineeId != record.personId || enrolment.state != EnrolmentState::kEnrolled) {
+        continue;
+      }
       record.enrolment = enrolment;
       record.cohort = cohort;
     }
@@ -29,14 +31,24 @@ void findEnrolment(Connection& connection, TraineeRecord& record) {
 }
 
 void findCurriculum(Connection& connection, TraineeRecord& record) {
-  if (!record.enrolment || record.cohort.curriculumVersionId.empty()) return;
+  if (!record.enrolment || record.cohort.curriculumVersionId.empty()) {
+    return;
+  }
   record.version = CurriculumRepository(connection).version(record.cohort.curriculumVersionId);
-  if (record.version && record.version->state == "draft") record.version.reset();
-  if (!record.version) return;
+  if (record.version && record.version->state == "draft") {
+    record.version.reset();
+  }
+  if (!record.version) {
+    return;
+  }
   for (const StoredGroup& group : StudyRepository(connection).groups(record.cohort.id)) {
-    if (group.id != record.enrolment->groupId) continue;
+    if (group.id != record.enrolment->groupId) {
+      continue;
+    }
     for (const StoredArm& arm : record.version->arms) {
-      if (arm.id == group.armId) record.arm = arm;
+      if (arm.id == group.armId) {
+        record.arm = arm;
+      }
     }
   }
 }
@@ -44,7 +56,9 @@ void findCurriculum(Connection& connection, TraineeRecord& record) {
 }  // namespace
 
 const StoredModule* TraineeRecord::module(const std::string& moduleId) const {
-  if (!version) return nullptr;
+  if (!version) {
+    return nullptr;
+  }
   const auto found = std::find_if(version->modules.begin(), version->modules.end(),
                                   [&](const StoredModule& m) { return m.id == moduleId; });
   return found == version->modules.end() ? nullptr : &*found;
@@ -54,7 +68,9 @@ TraineeRecord ownRecord(Workplace& workplace, Operation operation) {
   const std::string& personId = workplace.actor().personId;
   workplace.requireOwn(operation, personId);
   for (const StoredTrainee& trainee : PeopleRepository(workplace.connection()).trainees()) {
-    if (trainee.person.id != personId) continue;
+    if (trainee.person.id != personId) {
+      continue;
+    }
     TraineeRecord record;
     record.personId = personId;
     record.code = trainee.person.code;
@@ -73,7 +89,9 @@ TrialListing ownTrial(Workplace& workplace, const TraineeRecord& record, const s
   filter.traineeCode = record.code;
   filter.limit = kAllTrials;
   for (TrialListing& listing : trials.list(filter)) {
-    if (listing.trialId == trialId) return std::move(listing);
+    if (listing.trialId == trialId) {
+      return std::move(listing);
+    }
   }
   if (trials.find(trialId)) {
     throw Error(ErrorCode::kPermission, "this recording belongs to somebody else", trialId,

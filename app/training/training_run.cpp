@@ -30,7 +30,9 @@ void check(const RunPlan& plan) {
   }
   const bool something = std::any_of(plan.phases.begin(), plan.phases.end(),
                                      [](const RunPhase& phase) { return left_us(phase) > 0; });
-  if (something) return;
+  if (something) {
+    return;
+  }
   throw Error(ErrorCode::kBadParameter, "no training time is left", "training run",
               "Ask your training office what comes next");
 }
@@ -39,7 +41,9 @@ void check(const RunPlan& plan) {
 
 TrainingRun::TrainingRun(RunPlan plan, const Clock& clock) : plan_(std::move(plan)), clock_(&clock) {
   check(plan_);
-  while (left_us(plan_.phases[phase_]) <= 0) ++phase_;
+  while (left_us(plan_.phases[phase_]) <= 0) {
+    ++phase_;
+  }
   restUsed_ = plan_.restTaken_us > 0;
 }
 
@@ -70,7 +74,9 @@ void TrainingRun::book(const std::string& kind, std::int64_t from_us, std::int64
                         pieces_.back().phaseId == phaseId &&
                         pieces_.back().begun_us + pieces_.back().duration_us == from_us &&
                         pieces_.back().duration_us < kExposurePiece_us;
-    if (!goesOn) pieces_.push_back({phaseId, kind, from_us, 0});
+    if (!goesOn) {
+      pieces_.push_back({phaseId, kind, from_us, 0});
+    }
     const std::int64_t part_us = std::min(span_us, kExposurePiece_us - pieces_.back().duration_us);
     pieces_.back().duration_us += part_us;
     from_us += part_us;
@@ -82,7 +88,9 @@ void TrainingRun::endPhase(std::int64_t at_us) {
   emit(RunEvent::Kind::kPhaseEnded, at_us);
   const TrainingArm before = phase().arm;
   std::size_t next = phase_ + 1;
-  while (next < plan_.phases.size() && left_us(plan_.phases[next]) <= 0) ++next;
+  while (next < plan_.phases.size() && left_us(plan_.phases[next]) <= 0) {
+    ++next;
+  }
   if (next == plan_.phases.size()) {
     state_ = RunState::kFinished;
     emit(RunEvent::Kind::kFinished, at_us);
@@ -103,7 +111,9 @@ std::int64_t TrainingRun::spend(std::int64_t from_us, std::int64_t span_us) {
     const std::int64_t used_us = std::min(span_us, remainingInPhase_us());
     book(kindOf(phase().arm), from_us, used_us);
     plan_.phases[phase_].done_us += used_us;
-    if (remainingInPhase_us() == 0) endPhase(from_us + used_us);
+    if (remainingInPhase_us() == 0) {
+      endPhase(from_us + used_us);
+    }
     return used_us;
   }
   if (state_ == RunState::kResting) {
@@ -118,7 +128,9 @@ std::int64_t TrainingRun::spend(std::int64_t from_us, std::int64_t span_us) {
   }
   const std::int64_t used_us = std::min(span_us, handOverLeft_us_);
   handOverLeft_us_ -= used_us;
-  if (handOverLeft_us_ == 0) begin(from_us + used_us);
+  if (handOverLeft_us_ == 0) {
+    begin(from_us + used_us);
+  }
   return used_us;
 }
 
@@ -129,13 +141,17 @@ std::vector<RunEvent> TrainingRun::advance() {
     emit(RunEvent::Kind::kPaused, now_us);
     last_us_ = now_us;
   }
-  while (moves && !over() && last_us_ < now_us) last_us_ += spend(last_us_, now_us - last_us_);
+  while (moves && !over() && last_us_ < now_us) {
+    last_us_ += spend(last_us_, now_us - last_us_);
+  }
   last_us_ = now_us;
   return std::exchange(events_, {});
 }
 
 void TrainingRun::hold() {
-  if (state_ == RunState::kRunning) last_us_ = clock_->now_us();
+  if (state_ == RunState::kRunning) {
+    last_us_ = clock_->now_us();
+  }
 }
 
 bool TrainingRun::mayRest() const noexcept {
@@ -144,7 +160,9 @@ bool TrainingRun::mayRest() const noexcept {
 }
 
 bool TrainingRun::rest() {
-  if (!mayRest()) return false;
+  if (!mayRest()) {
+    return false;
+  }
   restUsed_ = true;
   state_ = RunState::kResting;
   emit(RunEvent::Kind::kRestBegan, last_us_);
@@ -161,7 +179,9 @@ void TrainingRun::resume() {
 }
 
 void TrainingRun::stop() {
-  if (over()) return;
+  if (over()) {
+    return;
+  }
   state_ = RunState::kStopped;
   emit(RunEvent::Kind::kStopped, last_us_);
 }

@@ -12,13 +12,23 @@ namespace {
 constexpr double kMinute_us = 60e6;
 
 void addTimes(Workplace& workplace, const NextSteps& steps, Transcript& transcript) {
-  if (steps.cohortId.empty()) return;
+  if (steps.cohortId.empty()) {
+    return;
+  }
   for (const StoredExposure& exposure : StudyRepository(workplace.connection()).exposures(steps.cohortId)) {
-    if (exposure.enrolmentId != steps.enrolmentId) continue;
+    if (exposure.enrolmentId != steps.enrolmentId) {
+      continue;
+    }
     const double minutes = static_cast<double>(exposure.duration_us) / kMinute_us;
-    if (exposure.kind == "virtual") transcript.virtual_min += minutes;
-    if (exposure.kind == "real") transcript.real_min += minutes;
-    if (exposure.kind == "rest") transcript.rest_min += minutes;
+    if (exposure.kind == "virtual") {
+      transcript.virtual_min += minutes;
+    }
+    if (exposure.kind == "real") {
+      transcript.real_min += minutes;
+    }
+    if (exposure.kind == "rest") {
+      transcript.rest_min += minutes;
+    }
   }
 }
 
@@ -27,9 +37,12 @@ void addTimes(Workplace& workplace, const NextSteps& steps, Transcript& transcri
 Transcript transcript(Workplace& workplace, const std::string& personId) {
   const NextSteps steps = nextSteps(workplace, personId);
   Transcript transcript;
-  if (const auto centre = StudyRepository(workplace.connection()).centre()) transcript.centre = centre->name;
-  if (const auto identity = PeopleRepository(workplace.connection()).identity(personId))
+  if (const auto centre = StudyRepository(workplace.connection()).centre()) {
+    transcript.centre = centre->name;
+  }
+  if (const auto identity = PeopleRepository(workplace.connection()).identity(personId)) {
     transcript.fullName = identity->fullName;
+  }
   transcript.traineeCode = steps.traineeCode;
   transcript.cohortName = steps.cohortName;
   transcript.armLabel = steps.armLabel;

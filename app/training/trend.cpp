@@ -35,7 +35,9 @@ void describeMetric(Trend& trend) {
     return;
   }
   for (const MetricCard& card : metricCards()) {
-    if (card.id != trend.metric) continue;
+    if (card.id != trend.metric) {
+      continue;
+    }
     trend.unit = std::string(card.unit);
     trend.lowerIsBetter = card.direction != Direction::kHigherIsBetter;
   }
@@ -45,7 +47,9 @@ void fitCurve(Trend& trend) {
   std::vector<double> attempt;
   std::vector<double> value;
   for (const TrendPoint& point : trend.points) {
-    if (!point.value) continue;
+    if (!point.value) {
+      continue;
+    }
     attempt.push_back(static_cast<double>(point.attempt));
     value.push_back(*point.value);
   }
@@ -69,13 +73,17 @@ void fitCurve(Trend& trend) {
 
 void measureDistance(Trend& trend, const StoredModule& module) {
   for (const StoredMasteryRule& rule : module.mastery) {
-    if (rule.metric != trend.metric) continue;
+    if (rule.metric != trend.metric) {
+      continue;
+    }
     trend.threshold = rule.threshold;
     trend.lowerIsBetter = rule.comparison == "at_most";
   }
   const auto last = std::find_if(trend.points.rbegin(), trend.points.rend(),
                                  [](const TrendPoint& point) { return point.value.has_value(); });
-  if (!trend.threshold || last == trend.points.rend()) return;
+  if (!trend.threshold || last == trend.points.rend()) {
+    return;
+  }
   trend.distance = trend.lowerIsBetter ? *last->value - *trend.threshold : *trend.threshold - *last->value;
 }
 
@@ -96,7 +104,9 @@ LevelCourse levelCourse(const std::vector<bool>& failed) {
       course.level = relapsed ? SkillLevel::kRelapsed : SkillLevel::kLearning;
       break;
     }
-    if (!course.ableAt) course.ableAt = course.sums.size();
+    if (!course.ableAt) {
+      course.ableAt = course.sums.size();
+    }
     course.level = SkillLevel::kSteady;
     const std::vector<bool> after(from + static_cast<std::ptrdiff_t>(until), failed.end());
     const RelapseWatch watch = watchForRelapse(after, kDesign);
@@ -110,7 +120,9 @@ LevelCourse levelCourse(const std::vector<bool>& failed) {
       course.level = SkillLevel::kWatch;
     }
     from += static_cast<std::ptrdiff_t>(until + seen);
-    if (!relapsed) break;
+    if (!relapsed) {
+      break;
+    }
   }
   if (failed.size() < kRunsForLevel) {
     course.level = SkillLevel::kNotShown;
@@ -138,17 +150,23 @@ Trend trend(Workplace& workplace, const std::string& personId, const std::string
   describeMetric(trend);
   std::vector<bool> failed;
   for (const Attempt& attempt : attemptsOf(workplace, personId, moduleId)) {
-    if (!attempt.ended || attempt.interrupted) continue;
+    if (!attempt.ended || attempt.interrupted) {
+      continue;
+    }
     TrendPoint point;
     point.trialId = attempt.trialId;
     point.attempt = static_cast<std::int64_t>(trend.points.size()) + 1;
     point.startedUtc_us = attempt.startedUtc_us;
     point.mode = attempt.mode;
     const auto value = attempt.values.find(trend.metric);
-    if (value != attempt.values.end()) point.value = value->second;
+    if (value != attempt.values.end()) {
+      point.value = value->second;
+    }
     point.counted = counts(attempt, *module);
     point.passed = passedAll(*module, attempt);
-    if (point.counted) failed.push_back(!point.passed);
+    if (point.counted) {
+      failed.push_back(!point.passed);
+    }
     trend.points.push_back(std::move(point));
   }
   measureDistance(trend, *module);

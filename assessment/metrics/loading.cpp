@@ -17,7 +17,9 @@ double quantile95(std::span<const double> values) {
   const auto below = static_cast<std::ptrdiff_t>(position);
   std::nth_element(x.begin(), x.begin() + below, x.end());
   const double low = x[static_cast<std::size_t>(below)];
-  if (below + 1 >= std::ssize(x)) return low;
+  if (below + 1 >= std::ssize(x)) {
+    return low;
+  }
   const double high = *std::min_element(x.begin() + below + 1, x.end());
   return low + (position - static_cast<double>(below)) * (high - low);
 }
@@ -25,7 +27,9 @@ double quantile95(std::span<const double> values) {
 }  // namespace
 
 Outcome<Loading> loadingOf(std::span<const double> magnitude, double rate_Hz) {
-  if (magnitude.size() < 2) return Outcome<Loading>::undefined("there are fewer than two samples");
+  if (magnitude.size() < 2) {
+    return Outcome<Loading>::undefined("there are fewer than two samples");
+  }
   Loading out;
   const double duration = static_cast<double>(magnitude.size() - 1) / rate_Hz;
   out.impulse = trapezoid(magnitude, rate_Hz);
@@ -34,7 +38,9 @@ Outcome<Loading> loadingOf(std::span<const double> magnitude, double rate_Hz) {
   out.p95 = quantile95(magnitude);
   std::vector<double> squares;
   squares.reserve(magnitude.size());
-  for (const double value : magnitude) squares.push_back(value * value);
+  for (const double value : magnitude) {
+    squares.push_back(value * value);
+  }
   out.rms = std::sqrt(trapezoid(squares, rate_Hz) / duration);
   std::vector<double> rate = derivative(magnitude, rate_Hz);
   for (double& value : rate) {
@@ -55,18 +61,24 @@ Violations violationsOf(std::span<const double> value, double limit, double rate
   Violations out;
   std::size_t above = 0;
   for (std::size_t i = 0; i < value.size(); ++i) {
-    if (!(value[i] > limit)) continue;
+    if (!(value[i] > limit)) {
+      continue;
+    }
     ++above;
     excess[i] = value[i] - limit;
     const bool joins =
         !stretches.empty() && static_cast<double>(i - stretches.back().to) < kMergeViolations_s * rate_Hz;
-    if (joins)
+    if (joins) {
       stretches.back().to = i;
-    else
+    } else {
       stretches.push_back({i, i});
+    }
   }
-  for (const Stretch& stretch : stretches)
-    if (static_cast<double>(stretch.to - stretch.from + 1) >= kIgnoreViolations_s * rate_Hz) ++out.count;
+  for (const Stretch& stretch : stretches) {
+    if (static_cast<double>(stretch.to - stretch.from + 1) >= kIgnoreViolations_s * rate_Hz) {
+      ++out.count;
+    }
+  }
   out.time_s = static_cast<double>(above) / rate_Hz;
   out.excessImpulse = trapezoid(excess, rate_Hz);
   return out;
@@ -74,7 +86,9 @@ Violations violationsOf(std::span<const double> value, double limit, double rate
 
 Outcome<TwistWork> twistWork(std::span<const double> torque_Nm, std::span<const double> angle_rad) {
   TORSIO_EXPECTS(torque_Nm.size() == angle_rad.size());
-  if (torque_Nm.size() < 2) return Outcome<TwistWork>::undefined("there are fewer than two samples");
+  if (torque_Nm.size() < 2) {
+    return Outcome<TwistWork>::undefined("there are fewer than two samples");
+  }
   TwistWork out;
   for (std::size_t i = 1; i < torque_Nm.size(); ++i) {
     const double work = 0.5 * (torque_Nm[i] + torque_Nm[i - 1]) * (angle_rad[i] - angle_rad[i - 1]);

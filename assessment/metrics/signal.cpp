@@ -57,13 +57,21 @@ double gainAt(const Biquad& f, double frequency_Hz, double rate_Hz) {
 std::vector<double> filterZeroPhase(const Biquad& filter, std::span<const double> signal,
                                     std::size_t reflected) {
   const std::size_t n = signal.size();
-  if (n < 2) return {signal.begin(), signal.end()};
+  if (n < 2) {
+    return {signal.begin(), signal.end()};
+  }
   const std::size_t pad = std::min(reflected, n - 1);
   std::vector<double> x;
   x.reserve(n + 2 * pad);
-  for (std::size_t i = pad; i >= 1; --i) x.push_back(2.0 * signal[0] - signal[i]);
-  for (const double value : signal) x.push_back(value);
-  for (std::size_t i = 1; i <= pad; ++i) x.push_back(2.0 * signal[n - 1] - signal[n - 1 - i]);
+  for (std::size_t i = pad; i >= 1; --i) {
+    x.push_back(2.0 * signal[0] - signal[i]);
+  }
+  for (const double value : signal) {
+    x.push_back(value);
+  }
+  for (std::size_t i = 1; i <= pad; ++i) {
+    x.push_back(2.0 * signal[n - 1] - signal[n - 1 - i]);
+  }
   runSteady(filter, x);
   std::reverse(x.begin(), x.end());
   runSteady(filter, x);
@@ -79,18 +87,26 @@ std::vector<double> lowPass(std::span<const double> signal, double cutoff_Hz, do
 std::vector<double> derivative(std::span<const double> signal, double rate_Hz) {
   const std::size_t n = signal.size();
   std::vector<double> out(n, 0.0);
-  if (n < 2) return out;
+  if (n < 2) {
+    return out;
+  }
   out[0] = (signal[1] - signal[0]) * rate_Hz;
   out[n - 1] = (signal[n - 1] - signal[n - 2]) * rate_Hz;
-  for (std::size_t i = 1; i + 1 < n; ++i) out[i] = 0.5 * (signal[i + 1] - signal[i - 1]) * rate_Hz;
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    out[i] = 0.5 * (signal[i + 1] - signal[i - 1]) * rate_Hz;
+  }
   return out;
 }
 
 double twistAngle(const Quat& orientation, const Vec3& axis) {
   const double along = orientation.x * axis.x + orientation.y * axis.y + orientation.z * axis.z;
   double angle = 2.0 * std::atan2(along, orientation.w);
-  if (angle > std::numbers::pi) angle -= 2.0 * std::numbers::pi;
-  if (angle <= -std::numbers::pi) angle += 2.0 * std::numbers::pi;
+  if (angle > std::numbers::pi) {
+    angle -= 2.0 * std::numbers::pi;
+  }
+  if (angle <= -std::numbers::pi) {
+    angle += 2.0 * std::numbers::pi;
+  }
   return angle;
 }
 
@@ -99,8 +115,12 @@ std::vector<double> unwrapped(std::span<const double> angles_rad) {
   double turns = 0.0;
   for (std::size_t i = 1; i < out.size(); ++i) {
     const double jump = angles_rad[i] - angles_rad[i - 1];
-    if (jump > std::numbers::pi) turns -= 2.0 * std::numbers::pi;
-    if (jump < -std::numbers::pi) turns += 2.0 * std::numbers::pi;
+    if (jump > std::numbers::pi) {
+      turns -= 2.0 * std::numbers::pi;
+    }
+    if (jump < -std::numbers::pi) {
+      turns += 2.0 * std::numbers::pi;
+    }
     out[i] = angles_rad[i] + turns;
   }
   return out;
@@ -108,8 +128,11 @@ std::vector<double> unwrapped(std::span<const double> angles_rad) {
 
 std::vector<std::size_t> longGaps(std::span<const std::int64_t> times_us) {
   std::vector<std::size_t> out;
-  for (std::size_t i = 0; i + 1 < times_us.size(); ++i)
-    if (static_cast<double>(times_us[i + 1] - times_us[i]) > 1e6 * kLargestGap_s) out.push_back(i);
+  for (std::size_t i = 0; i + 1 < times_us.size(); ++i) {
+    if (static_cast<double>(times_us[i + 1] - times_us[i]) > 1e6 * kLargestGap_s) {
+      out.push_back(i);
+    }
+  }
   return out;
 }
 
@@ -129,28 +152,40 @@ UniformSignal resampleUniform(std::span<const std::int64_t> times_us,
   UniformSignal out;
   out.rate_Hz = rate_Hz;
   out.channels.resize(channels.size());
-  if (times_us.empty()) return out;
-  for (std::size_t i = 0; i + 1 < times_us.size(); ++i)
-    if (times_us[i + 1] <= times_us[i])
+  if (times_us.empty()) {
+    return out;
+  }
+  for (std::size_t i = 0; i + 1 < times_us.size(); ++i) {
+    if (times_us[i + 1] <= times_us[i]) {
       throw Error(ErrorCode::kBadData, "time stamps do not rise", Text("sample %1", i + 1),
                   "Record the trial again.");
-  if (!longGaps(times_us).empty())
+    }
+  }
+  if (!longGaps(times_us).empty()) {
     throw Error(ErrorCode::kBadData, "samples are missing for more than 20 ms", "trial",
                 "Split the trial at the gap.");
+  }
   const double step_us = 1e6 / rate_Hz;
   const std::size_t count = gridPoints(times_us, step_us);
-  for (std::vector<double>& channel : out.channels) channel.reserve(count);
+  for (std::vector<double>& channel : out.channels) {
+    channel.reserve(count);
+  }
   std::size_t at = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const double t = static_cast<double>(i) * step_us;
-    while (at + 2 < times_us.size() && static_cast<double>(times_us[at + 1] - times_us.front()) <= t) ++at;
+    while (at + 2 < times_us.size() && static_cast<double>(times_us[at + 1] - times_us.front()) <= t) {
+      ++at;
+    }
     const std::size_t next = std::min(at + 1, times_us.size() - 1);
     const auto from = static_cast<double>(times_us[at] - times_us.front());
     const auto width = static_cast<double>(times_us[next] - times_us[at]);
     const double share = width > 0.0 ? std::clamp((t - from) / width, 0.0, 1.0) : 0.0;
-    if (width > 1.5 * step_us && share > 0.0 && share < 1.0) ++out.lost;
-    for (std::size_t c = 0; c < channels.size(); ++c)
+    if (width > 1.5 * step_us && share > 0.0 && share < 1.0) {
+      ++out.lost;
+    }
+    for (std::size_t c = 0; c < channels.size(); ++c) {
       out.channels[c].push_back(channels[c][at] + share * (channels[c][next] - channels[c][at]));
+    }
   }
   return out;
 }
@@ -175,9 +210,13 @@ std::vector<std::size_t> samplesInForce(std::span<const std::int64_t> times_us, 
 }
 
 double trapezoid(std::span<const double> signal, double rate_Hz) {
-  if (signal.size() < 2) return 0.0;
+  if (signal.size() < 2) {
+    return 0.0;
+  }
   double sum = 0.5 * (signal.front() + signal.back());
-  for (std::size_t i = 1; i + 1 < signal.size(); ++i) sum += signal[i];
+  for (std::size_t i = 1; i + 1 < signal.size(); ++i) {
+    sum += signal[i];
+  }
   return sum / rate_Hz;
 }
 

@@ -21,19 +21,27 @@ TargetApproach targetApproach(std::span<const double> angle, double target, doub
   for (std::size_t i = 0; i < angle.size(); ++i) {
     const double past = side * (angle[i] - target);
     const bool inside = std::abs(past) <= tolerance;
-    if (inside && !out.timeToTarget) out.timeToTarget = static_cast<double>(i) / rate_Hz;
+    if (inside && !out.timeToTarget) {
+      out.timeToTarget = static_cast<double>(i) / rate_Hz;
+    }
     if (!inside) {
       lastOutside = i;
       everOutside = true;
     }
     reached = reached || past >= 0.0;
-    if (!reached) continue;
+    if (!reached) {
+      continue;
+    }
     out.overshoot = std::max(out.overshoot, past);
-    if (past > tolerance && !beyond) ++out.excursions;
+    if (past > tolerance && !beyond) {
+      ++out.excursions;
+    }
     beyond = past > tolerance;
   }
   const std::size_t start = everOutside ? lastOutside + 1 : 0;
-  if (start < angle.size()) out.settling = static_cast<double>(start) / rate_Hz;
+  if (start < angle.size()) {
+    out.settling = static_cast<double>(start) / rate_Hz;
+  }
   return out;
 }
 
@@ -103,7 +111,9 @@ void addLag(std::span<const double> actual, std::span<const double> target, doub
   }
   const double best = search.best;
   const std::ptrdiff_t lag = search.lag;
-  if (best < -1.5) return;
+  if (best < -1.5) {
+    return;
+  }
   out.lag_s = static_cast<double>(lag) / rate_Hz;
   double squares = 0.0;
   const std::ptrdiff_t n = std::ssize(actual) - std::abs(lag);
@@ -121,7 +131,9 @@ void addLag(std::span<const double> actual, std::span<const double> target, doub
 Outcome<TrackingError> trackingError(std::span<const double> actual, std::span<const double> target,
                                      double rate_Hz) {
   TORSIO_EXPECTS(actual.size() == target.size());
-  if (actual.empty()) return Outcome<TrackingError>::undefined("there are no samples");
+  if (actual.empty()) {
+    return Outcome<TrackingError>::undefined("there are no samples");
+  }
   TrackingError out;
   const double n = static_cast<double>(actual.size());
   for (std::size_t i = 0; i < actual.size(); ++i) {
@@ -138,16 +150,24 @@ Outcome<TrackingError> trackingError(std::span<const double> actual, std::span<c
 
 Outcome<double> holdSteadiness(std::span<const double> heldAngle) {
   const std::optional<double> deviation = sampleDeviation(heldAngle);
-  if (!deviation) return Outcome<double>::undefined("the angle was never held");
+  if (!deviation) {
+    return Outcome<double>::undefined("the angle was never held");
+  }
   return *deviation;
 }
 
 Outcome<double> releaseRate(std::span<const double> releasedTorque, double rate_Hz) {
-  if (releasedTorque.size() < 2) return Outcome<double>::undefined("the organ was never released");
+  if (releasedTorque.size() < 2) {
+    return Outcome<double>::undefined("the organ was never released");
+  }
   std::vector<double> magnitude;
-  for (const double torque : releasedTorque) magnitude.push_back(std::abs(torque));
+  for (const double torque : releasedTorque) {
+    magnitude.push_back(std::abs(torque));
+  }
   double fastest = 0.0;
-  for (const double rate : derivative(magnitude, rate_Hz)) fastest = std::max(fastest, -rate);
+  for (const double rate : derivative(magnitude, rate_Hz)) {
+    fastest = std::max(fastest, -rate);
+  }
   return fastest;
 }
 

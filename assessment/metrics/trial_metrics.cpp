@@ -28,45 +28,59 @@ struct Prepared {
 };
 
 void checkList(const std::vector<double>& list, std::size_t n, const char* name) {
-  if (!list.empty() && list.size() != n)
+  if (!list.empty() && list.size() != n) {
     throw Error(ErrorCode::kBadData, "the lists of a trial differ in length", name, "Read the trial again.");
-  for (const double value : list)
-    if (!std::isfinite(value))
+  }
+  for (const double value : list) {
+    if (!std::isfinite(value)) {
       throw Error(ErrorCode::kBadData, "a trial holds a value that is not a number", name,
                   "Record the trial again.");
+    }
+  }
 }
 
 void check(const TrialTrace& trace) {
   const std::size_t n = trace.times_us.size();
-  if (n < 2)
+  if (n < 2) {
     throw Error(ErrorCode::kBadData, "a trial has fewer than two samples", "trial", "Record it again.");
-  if (trace.phase.size() != n || (!trace.tip_m.empty() && trace.tip_m.size() != n))
+  }
+  if (trace.phase.size() != n || (!trace.tip_m.empty() && trace.tip_m.size() != n)) {
     throw Error(ErrorCode::kBadData, "the lists of a trial differ in length", "trial",
                 "Read the trial again.");
+  }
   checkList(trace.angle_rad, n, "angle");
   checkList(trace.targetAngle_rad, n, "target angle");
   checkList(trace.force_N, n, "force");
   checkList(trace.torque_Nm, n, "torque");
   checkList(trace.patchShear_Pa, n, "patch shear");
-  for (const Vec3& tip : trace.tip_m)
-    if (!isFinite(tip))
+  for (const Vec3& tip : trace.tip_m) {
+    if (!isFinite(tip)) {
       throw Error(ErrorCode::kBadData, "a trial holds a value that is not a number", "tip",
                   "Record the trial again.");
+    }
+  }
 }
 
 bool uniform(const std::vector<std::int64_t>& times_us) {
-  for (std::size_t i = 1; i < times_us.size(); ++i)
-    if (times_us[i] - times_us[i - 1] != 1000) return false;
+  for (std::size_t i = 1; i < times_us.size(); ++i) {
+    if (times_us[i] - times_us[i - 1] != 1000) {
+      return false;
+    }
+  }
   return true;
 }
 
 std::vector<double> onGrid(const TrialTrace& trace, const std::vector<double>& list, bool alreadyUniform) {
-  if (list.empty() || alreadyUniform) return list;
+  if (list.empty() || alreadyUniform) {
+    return list;
+  }
   return resampleUniform(trace.times_us, {list}, kRate_Hz).channels[0];
 }
 
 std::vector<double> filtered(std::vector<double> list, double cutoff_Hz) {
-  if (list.empty()) return list;
+  if (list.empty()) {
+    return list;
+  }
   return lowPass(list, cutoff_Hz, kRate_Hz);
 }
 
@@ -90,7 +104,9 @@ Prepared prepare(const TrialTrace& trace) {
   out.force = filtered(out.forceRaw, kForceCutoff_Hz);
   out.torque = filtered(onGrid(trace, trace.torque_Nm, grid), kForceCutoff_Hz);
   out.shear = onGrid(trace, trace.patchShear_Pa, grid);
-  if (trace.tip_m.empty()) return out;
+  if (trace.tip_m.empty()) {
+    return out;
+  }
   std::vector<std::vector<double>> axes(3);
   for (const Vec3& tip : trace.tip_m) {
     axes[0].push_back(tip.x);
@@ -115,8 +131,12 @@ std::pair<std::size_t, std::size_t> longest(const std::vector<TracePhase>& phase
   std::pair<std::size_t, std::size_t> best{0, 0};
   for (std::size_t i = 0; i < phase.size();) {
     std::size_t end = i;
-    while (end < phase.size() && test(phase[end])) ++end;
-    if (end - i > best.second - best.first) best = {i, end};
+    while (end < phase.size() && test(phase[end])) {
+      ++end;
+    }
+    if (end - i > best.second - best.first) {
+      best = {i, end};
+    }
     i = std::max(end, i + 1);
   }
   return best;
@@ -128,7 +148,9 @@ bool isHeld(TracePhase phase) {
 
 template <class T>
 std::span<const T> part(const std::vector<T>& list, std::pair<std::size_t, std::size_t> stretch) {
-  if (list.empty()) return {};
+  if (list.empty()) {
+    return {};
+  }
   return std::span<const T>(list).subspan(stretch.first, stretch.second - stretch.first);
 }
 
@@ -143,9 +165,15 @@ class Measurer {
       set("tip.path", pathLength(s_.tip));
       set("tip.idle", idleTime(s_.tipSpeed, kIdleTip_m_per_s, kRate_Hz));
     }
-    if (!s_.angle.empty()) set("twist.path", angularPath(s_.angle));
-    if (held_.second - held_.first < 2) return;
-    if (!s_.angle.empty()) measureTurn();
+    if (!s_.angle.empty()) {
+      set("twist.path", angularPath(s_.angle));
+    }
+    if (held_.second - held_.first < 2) {
+      return;
+    }
+    if (!s_.angle.empty()) {
+      measureTurn();
+    }
     measureLoads();
   }
 
@@ -163,7 +191,9 @@ class Measurer {
     std::vector<double> speed = derivative(angle, kRate_Hz);
     set("twist.ldlj",
         logDimensionlessJerk(speed, kRate_Hz));  // signed: a kink at each reversal would be our own
-    for (double& value : speed) value = std::abs(value);
+    for (double& value : speed) {
+      value = std::abs(value);
+    }
     set("twist.sparc", spectralArcLength(speed, kRate_Hz));
     set("twist.peaks", static_cast<double>(speedPeaks(speed, kRate_Hz).size()));
     const double target_rad = s_.target.empty() ? targets_.target_rad : s_.target[held_.second - 1];
@@ -186,8 +216,9 @@ class Measurer {
     }
     const auto still = longest(s_.phase, [](TracePhase phase) { return phase == TracePhase::kHolding; });
     set("twist.hold_steadiness", holdSteadiness(part(s_.angle, still)));
-    if (targets_.axisPoint_m && !s_.tip.empty())
+    if (targets_.axisPoint_m && !s_.tip.empty()) {
       set("twist.axis_wander", axisWander(part(s_.tip, held_), *targets_.axisPoint_m, targets_.axis));
+    }
   }
 
   void measureLoads() {
@@ -211,13 +242,16 @@ class Measurer {
     if (!s_.torque.empty()) {
       const std::span<const double> torque = part(s_.torque, held_);
       std::vector<double> magnitude;
-      for (const double value : torque) magnitude.push_back(std::abs(value));
+      for (const double value : torque) {
+        magnitude.push_back(std::abs(value));
+      }
       const Outcome<Loading> load = loadingOf(magnitude, kRate_Hz);
       set("torque.mean", load->mean);
       set("torque.peak", load->peak);
-      if (targets_.torqueLimit_Nm)
+      if (targets_.torqueLimit_Nm) {
         set("torque.violations",
             static_cast<double>(violationsOf(magnitude, *targets_.torqueLimit_Nm, kRate_Hz).count));
+      }
       const auto letGo = longest(s_.phase, [](TracePhase phase) { return phase == TracePhase::kReleasing; });
       set("torque.release_rate", releaseRate(part(s_.torque, letGo), kRate_Hz));
       if (!s_.angle.empty()) {
@@ -226,8 +260,9 @@ class Measurer {
         set("work.loop", work->loop_J);
       }
     }
-    if (!s_.shear.empty() && targets_.shearLimit_Pa)
+    if (!s_.shear.empty() && targets_.shearLimit_Pa) {
       set("shear.over_limit", violationsOf(part(s_.shear, held_), *targets_.shearLimit_Pa, kRate_Hz).time_s);
+    }
   }
 
   const Prepared& s_;

@@ -15,7 +15,9 @@ template <typename Item>
 void keepGroups(std::vector<Item>& items, const std::vector<std::optional<std::size_t>>& newNumber) {
   std::vector<Item> kept;
   for (Item& item : items) {
-    if (!newNumber[item.group]) continue;
+    if (!newNumber[item.group]) {
+      continue;
+    }
     item.group = *newNumber[item.group];
     kept.push_back(std::move(item));
   }
@@ -24,9 +26,13 @@ void keepGroups(std::vector<Item>& items, const std::vector<std::optional<std::s
 
 bool smallClasses(const CohortInputs& in) {
   std::vector<std::int64_t> raters(in.instrument.classes.size(), 0);
-  for (const ModelRatings& model : in.ratings)
-    for (const RaterSheet& sheet : model.sheets)
-      if (&model == &in.ratings.front()) ++raters[sheet.raterClass];
+  for (const ModelRatings& model : in.ratings) {
+    for (const RaterSheet& sheet : model.sheets) {
+      if (&model == &in.ratings.front()) {
+        ++raters[sheet.raterClass];
+      }
+    }
+  }
   return std::any_of(raters.begin(), raters.end(), [](auto n) { return n > 0 && n < kSmallestCell; });
 }
 
@@ -35,7 +41,9 @@ bool smallClasses(const CohortInputs& in) {
 CohortInputs withoutSmallGroups(const CohortInputs& inputs, std::vector<Text>& left) {
   CohortInputs out = inputs;
   std::vector<std::int64_t> members(out.groups.size(), 0);
-  for (const CohortTrainee& trainee : out.trainees) ++members[trainee.group];
+  for (const CohortTrainee& trainee : out.trainees) {
+    ++members[trainee.group];
+  }
   std::vector<std::optional<std::size_t>> newNumber(out.groups.size());
   std::vector<CohortGroup> groups;
   for (std::size_t g = 0; g < out.groups.size(); ++g) {
@@ -54,7 +62,9 @@ CohortInputs withoutSmallGroups(const CohortInputs& inputs, std::vector<Text>& l
   keepGroups(out.summaries, newNumber);
   keepGroups(out.trials, newNumber);
   std::set<std::string> known;
-  for (const CohortTrainee& trainee : out.trainees) known.insert(trainee.code);
+  for (const CohortTrainee& trainee : out.trainees) {
+    known.insert(trainee.code);
+  }
   std::erase_if(out.doses, [&](const CohortDose& dose) { return !known.contains(dose.trainee); });
   if (smallClasses(out)) {
     left.push_back(
@@ -69,9 +79,13 @@ void removeIndividuals(ReportModel& report) {
   for (ReportSection& section : report.sections) {
     std::erase_if(section.figures, [](const ReportFigure& figure) { return figure.individual; });
     std::erase_if(section.tables, [](const ReportTable& table) { return table.individual; });
-    for (ReportFigure& figure : section.figures)
-      for (FigureSeries& series : figure.series)
-        if (series.box) series.box->outliers.clear();
+    for (ReportFigure& figure : section.figures) {
+      for (FigureSeries& series : figure.series) {
+        if (series.box) {
+          series.box->outliers.clear();
+        }
+      }
+    }
   }
   std::erase_if(report.sections, [](const ReportSection& section) {
     return section.figures.empty() && section.tables.empty() && section.paragraphs.empty();
@@ -81,11 +95,13 @@ void removeIndividuals(ReportModel& report) {
 Text countsText(const std::vector<std::pair<Text, std::int64_t>>& counts, ReportIdentity identity) {
   const bool small = std::any_of(counts.begin(), counts.end(),
                                  [](const auto& count) { return count.second < kSmallestCell; });
-  if (identity == ReportIdentity::kAggregated && small && counts.size() > 1)
+  if (identity == ReportIdentity::kAggregated && small && counts.size() > 1) {
     return Text("not shown (fewer than %1)", kSmallestCell);
+  }
   std::vector<Text> parts;
-  for (const auto& [name, count] : counts)
+  for (const auto& [name, count] : counts) {
     parts.push_back(Text("%1 %2", name.empty() ? Text("not known") : name, count));
+  }
   return listed(parts);
 }
 

@@ -83,14 +83,18 @@ std::optional<ReportFigure> agreementFigure(const CohortInputs& in, const StudyA
   mean.name = "ICC(2,k), mean of all raters";
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
     const OccasionMarks& at = study.occasions[t];
-    if (!at.icc || !at.icc->agreementSingle.interval || !at.icc->agreementMean.interval) continue;
+    if (!at.icc || !at.icc->agreementSingle.interval || !at.icc->agreementMean.interval) {
+      continue;
+    }
     figure.categories.push_back(in.occasions[t]);
     addInterval(one, at.icc->agreementSingle.estimate, *at.icc->agreementSingle.interval);
     addInterval(mean, at.icc->agreementMean.estimate, *at.icc->agreementMean.interval);
     figure.provenance.n += at.n;
     figure.provenance.missing += at.missing;
   }
-  if (figure.categories.empty()) return std::nullopt;
+  if (figure.categories.empty()) {
+    return std::nullopt;
+  }
   figure.series = {one, mean};
   figure.yMin = std::min(0.0, *std::min_element(one.low.begin(), one.low.end()));
   figure.yMax = 1.0;
@@ -100,7 +104,9 @@ std::optional<ReportFigure> agreementFigure(const CohortInputs& in, const StudyA
 
 /// Adjusted differences in points, and standardised differences, each with interval and zero line.
 std::vector<ReportFigure> differenceFigures(const CohortInputs& in, const StudyAnalysis& study) {
-  if (!study.ancova) return {};
+  if (!study.ancova) {
+    return {};
+  }
   ReportFigure points = forestOf(in, "figure-differences",
                                  "Differences between the groups at the end, adjusted for the score before",
                                  "difference (points)", "analysis of covariance, one pooled slope");
@@ -115,16 +121,22 @@ std::vector<ReportFigure> differenceFigures(const CohortInputs& in, const StudyA
     points.categories.push_back(pairName(in, pair.first, pair.second));
     addInterval(difference, pair.difference, pair.interval);
     const Outcome<HedgesG> g = hedgesG(after[pair.first], after[pair.second]);
-    if (!g) continue;
+    if (!g) {
+      continue;
+    }
     effects.categories.push_back(pairName(in, pair.first, pair.second));
     addInterval(effect, g->g, g->interval);
   }
   std::vector<ReportFigure> figures;
   for (auto [figure, series] : {std::pair{&points, &difference}, std::pair{&effects, &effect}}) {
-    if (figure->categories.empty()) continue;
+    if (figure->categories.empty()) {
+      continue;
+    }
     figure->series = {*series};
     figure->references = {{0.0, "no difference"}};
-    for (const std::vector<double>& group : after) figure->provenance.n += std::ssize(group);
+    for (const std::vector<double>& group : after) {
+      figure->provenance.n += std::ssize(group);
+    }
     figure->notes = {
         "First group minus second group. An interval that crosses zero leaves the direction open."};
     figures.push_back(*figure);
@@ -150,15 +162,18 @@ ReportTable covarianceTable(const CohortInputs& in, const StudyAnalysis& study) 
                           g ? Text(withInterval(g->g, g->interval)) : notDefined(g.reason())});
   }
   std::vector<Text> means;
-  for (std::size_t i = 0; i < got->adjusted.size(); ++i)
+  for (std::size_t i = 0; i < got->adjusted.size(); ++i) {
     means.push_back(Text("%1 %2", in.groups[i].name, formatFixed(got->adjusted[i].mean, 2)));
+  }
   table.notes = {Text("Effect of the group: F(%1, %2) = %3, %4. Adjusted means: %5.",
                       formatFixed(got->group.df1, 0), formatFixed(got->group.df2, 0),
                       formatFixed(got->group.f, 2), equalsP(got->group.p), listed(means)),
                  got->equalSlopes
                      ? Text("Test of equal slopes: %1.", equalsP(got->equalSlopes->p))
                      : Text("Test of equal slopes not defined: %1.", Text(got->equalSlopes.reason()))};
-  for (const std::vector<double>& group : after) table.provenance.n += std::ssize(group);
+  for (const std::vector<double>& group : after) {
+    table.provenance.n += std::ssize(group);
+  }
   return table;
 }
 
@@ -175,15 +190,22 @@ ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study) {
                               "analysis of variance, groups x scoring points, type III");
   table.columns = {
       "Effect", "F", "Degrees of freedom", "p", "p (Greenhouse-Geisser)", "Generalised eta squared"};
-  for (const std::optional<Groups>& at : study.scores)
-    for (const std::vector<double>& group : *at) table.provenance.n += std::ssize(group);
+  for (const std::optional<Groups>& at : study.scores) {
+    for (const std::vector<double>& group : *at) {
+      table.provenance.n += std::ssize(group);
+    }
+  }
   const Outcome<MixedAnova>& got = study.course;
   if (!got) {
     table.rows.push_back({notDefined(got.reason()), "", "", "", "", ""});
     return table;
   }
-  if (got->interaction) addEffect("group x scoring point", *got->interaction, table);
-  if (got->group) addEffect("group", *got->group, table);
+  if (got->interaction) {
+    addEffect("group x scoring point", *got->interaction, table);
+  }
+  if (got->group) {
+    addEffect("group", *got->group, table);
+  }
   addEffect("scoring point", got->time, table);
   table.notes = {
       Text("The interaction is the question; everybody improves with time. Greenhouse-Geisser epsilon %1.",
@@ -192,10 +214,14 @@ ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study) {
 }
 
 std::optional<ReportTable> gainTable(const CohortInputs& in, const StudyAnalysis& study) {
-  if (study.wholeGains.empty()) return std::nullopt;
+  if (study.wholeGains.empty()) {
+    return std::nullopt;
+  }
   const Groups& gains = study.wholeGains.front();
   const Outcome<KruskalWallis> got = kruskalWallis(gains);
-  if (!got) return std::nullopt;
+  if (!got) {
+    return std::nullopt;
+  }
   ReportTable table = tableOf(in, "table-gains", "Gain from before to the end, by ranks",
                               "Kruskal-Wallis, Dunn with Holm, exact Mann-Whitney");
   table.columns = {"Comparison", "Difference of mean ranks", "z (Dunn)",
@@ -212,28 +238,44 @@ std::optional<ReportTable> gainTable(const CohortInputs& in, const StudyAnalysis
            formatFixed(got->epsilonSquared, kDecimals)),
       "A second look beside the analysis of covariance, which is the primary one. Gains are ranked as whole "
       "numbers."};
-  for (const std::vector<double>& group : gains) table.provenance.n += std::ssize(group);
+  for (const std::vector<double>& group : gains) {
+    table.provenance.n += std::ssize(group);
+  }
   return table;
 }
 
 std::optional<ReportTable> modelsTable(const CohortInputs& in) {
-  if (in.evaluations.size() < 2) return std::nullopt;
+  if (in.evaluations.size() < 2) {
+    return std::nullopt;
+  }
   std::map<std::string, std::vector<double>> byRater;
-  for (const ModelEvaluation& model : in.evaluations)
-    for (const RaterComposite& composite : model.composites)
-      if (composite.score) byRater[composite.rater].push_back(*composite.score);
+  for (const ModelEvaluation& model : in.evaluations) {
+    for (const RaterComposite& composite : model.composites) {
+      if (composite.score) {
+        byRater[composite.rater].push_back(*composite.score);
+      }
+    }
+  }
   std::vector<std::vector<double>> rows;
-  for (const auto& [rater, scores] : byRater)
-    if (scores.size() == in.evaluations.size()) rows.push_back(scores);
-  if (rows.size() < 2) return std::nullopt;
+  for (const auto& [rater, scores] : byRater) {
+    if (scores.size() == in.evaluations.size()) {
+      rows.push_back(scores);
+    }
+  }
+  if (rows.size() < 2) {
+    return std::nullopt;
+  }
   const Outcome<Friedman> got = friedman(NumberTable(rows));
-  if (!got) return std::nullopt;
+  if (!got) {
+    return std::nullopt;
+  }
   ReportTable table = tableOf(in, "table-friedman", "Order of the models over all raters",
                               "Friedman on the raters' own comprehensive scores");
   table.columns = {"Model", "Mean rank (1 is lowest)"};
-  for (std::size_t k = 0; k < in.evaluations.size(); ++k)
+  for (std::size_t k = 0; k < in.evaluations.size(); ++k) {
     table.rows.push_back(
         {in.evaluations[k].model, formatFixed(got->rankSums[k] / static_cast<double>(rows.size()), 2)});
+  }
   table.notes = {Text("Chi-squared(%1) = %2, %3; Kendall W = %4 over %5 raters.", formatFixed(got->df, 0),
                       formatFixed(got->chiSquared, 2), equalsP(got->p), formatFixed(got->kendallW, kDecimals),
                       rows.size())};
@@ -247,27 +289,35 @@ std::optional<ReportTable> modelsTable(const CohortInputs& in) {
 ReportSection analysisSection(const CohortInputs& in, const StudyAnalysis& study) {
   ReportSection section;
   section.title = "Agreement and comparisons";
-  if (in.demonstration)
+  if (in.demonstration) {
     section.paragraphs.push_back(
         "The marks are simulated. The tables show what is computed and how it is presented; their values "
         "mean nothing.");
+  }
   section.paragraphs.push_back(
       "The analysis of covariance is the primary comparison; the others are given beside it. The trainee is "
       "the unit of analysis. p values are adjusted by Holm's method where it is said.");
-  if (const std::optional<ReportFigure> figure = agreementFigure(in, study))
+  if (const std::optional<ReportFigure> figure = agreementFigure(in, study)) {
     section.figures.push_back(*figure);
+  }
   section.tables.push_back(agreementTable(in, study));
   const bool whole = study.scores.size() >= 2 && std::all_of(study.scores.begin(), study.scores.end(),
                                                              [](const auto& at) { return at.has_value(); });
   if (whole) {
-    for (const ReportFigure& figure : differenceFigures(in, study)) section.figures.push_back(figure);
+    for (const ReportFigure& figure : differenceFigures(in, study)) {
+      section.figures.push_back(figure);
+    }
     section.tables.push_back(covarianceTable(in, study));
     section.tables.push_back(courseTable(in, study));
-    if (const std::optional<ReportTable> gains = gainTable(in, study)) section.tables.push_back(*gains);
+    if (const std::optional<ReportTable> gains = gainTable(in, study)) {
+      section.tables.push_back(*gains);
+    }
   } else {
     section.paragraphs.push_back("Groups are not compared: scores are missing at some scoring point.");
   }
-  if (const std::optional<ReportTable> models = modelsTable(in)) section.tables.push_back(*models);
+  if (const std::optional<ReportTable> models = modelsTable(in)) {
+    section.tables.push_back(*models);
+  }
   return section;
 }
 

@@ -38,7 +38,9 @@ class Rows {
   void addInterval(const std::string& statistic, double value, const std::optional<Interval>& interval,
                    std::int64_t n) {
     add(statistic, value, n);
-    if (!interval) return;
+    if (!interval) {
+      return;
+    }
     add(statistic + "_lower_95", interval->lower, n);
     add(statistic + "_upper_95", interval->upper, n);
   }
@@ -46,9 +48,13 @@ class Rows {
   void add(const std::string& statistic, const std::optional<double>& value, std::int64_t n) {
     CohortCsvRow row = place;
     row.statistic = statistic;
-    if (value) row.value = formatExact(*value);
+    if (value) {
+      row.value = formatExact(*value);
+    }
     row.n = std::to_string(n);
-    if (!value) row.flags += row.flags.empty() ? "undefined" : "; undefined";
+    if (!value) {
+      row.flags += row.flags.empty() ? "undefined" : "; undefined";
+    }
     out_.push_back(row);
   }
 
@@ -91,15 +97,18 @@ void addEvaluation(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
       rows.place.flags = joinFlags(common, {});
       rows.add("composite", composite.score, composite.score ? 1 : 0);
     }
-    for (const RaterSheet& sheet : in.ratings[k].sheets)
+    for (const RaterSheet& sheet : in.ratings[k].sheets) {
       for (std::size_t j = 0; j < sheet.steps.size(); ++j) {
         rows.place.item = sheet.rater;
         rows.place.group = in.instrument.classes[sheet.raterClass].id;
         rows.place.index = in.instrument.indices[j].id;
         std::optional<double> mark;
-        if (sheet.steps[j]) mark = pointsFromSteps(*sheet.steps[j], in.instrument.scale);
+        if (sheet.steps[j]) {
+          mark = pointsFromSteps(*sheet.steps[j], in.instrument.scale);
+        }
         rows.add("mark", mark, mark ? 1 : 0);
       }
+    }
   }
 }
 
@@ -189,7 +198,9 @@ void addAgreement(const CohortInputs& in, const StudyAnalysis& study, std::vecto
 }
 
 void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vector<CohortCsvRow>& out) {
-  if (!study.ancova) return;
+  if (!study.ancova) {
+    return;
+  }
   Rows rows(out);
   rows.place.section = "comparison";
   rows.place.item = "all";
@@ -210,8 +221,9 @@ void addComparison(const CohortInputs& in, const StudyAnalysis& study, std::vect
     rows.add("t", pair.t, n);
     rows.add("p", pair.p, n);
     rows.add("p_holm", pair.pHolm, n);
-    if (const Outcome<HedgesG> g = hedgesG(after[pair.first], after[pair.second]))
+    if (const Outcome<HedgesG> g = hedgesG(after[pair.first], after[pair.second])) {
       rows.addInterval("hedges_g", g->g, g->interval, n);
+    }
   }
   rows.place.group.clear();
   if (study.course && study.course->interaction) {
@@ -233,7 +245,9 @@ void addDeviations(const CohortInputs& in, std::vector<CohortCsvRow>& out) {
 
 /// What an aggregated table may hold: summaries over at least kSmallestCell.
 bool isAggregate(const CohortCsvRow& row) {
-  if (row.item != "all" || row.section == "deviation" || row.section == "trial") return false;
+  if (row.item != "all" || row.section == "deviation" || row.section == "trial") {
+    return false;
+  }
   return row.section == "evaluation" || std::stoll(row.n) >= kSmallestCell;
 }
 
@@ -244,7 +258,9 @@ void appendField(std::string& text, const std::string& field) {
   }
   text += '"';
   for (const char c : field) {
-    if (c == '"') text += '"';
+    if (c == '"') {
+      text += '"';
+    }
     text += c;
   }
   text += '"';
@@ -267,11 +283,14 @@ std::vector<CohortCsvRow> cohortCsvRows(const CohortInputs& inputs) {
   }
   addTrials(in, rows);
   addDeviations(in, rows);
-  if (!inputs.singleMarks)
+  if (!inputs.singleMarks) {
     std::erase_if(rows, [](const CohortCsvRow& row) {
       return row.statistic == "mark" || row.statistic == "rater_mark";
     });
-  if (aggregated) std::erase_if(rows, [](const CohortCsvRow& row) { return !isAggregate(row); });
+  }
+  if (aggregated) {
+    std::erase_if(rows, [](const CohortCsvRow& row) { return !isAggregate(row); });
+  }
   return rows;
 }
 
@@ -281,7 +300,9 @@ std::string cohortCsvText(const std::vector<CohortCsvRow>& rows) {
     bool first = true;
     for (const std::string* field : {&row.section, &row.item, &row.group, &row.model, &row.index,
                                      &row.occasion, &row.statistic, &row.value, &row.n, &row.flags}) {
-      if (!first) text += ',';
+      if (!first) {
+        text += ',';
+      }
       first = false;
       appendField(text, *field);
     }

@@ -17,29 +17,49 @@ void checkInputs(const CohortInputs& in) {
   const auto refuse = [](const char* what) {
     throw Error(ErrorCode::kBadData, what, "cohort report", "Check the data that the report is made from.");
   };
-  if (in.ratings.size() != in.evaluations.size()) refuse("ratings and evaluations name different models");
-  for (const ModelEvaluation& model : in.evaluations)
-    if (model.indices.size() != in.instrument.indices.size()) refuse("an evaluation lacks an index");
-  if (!in.evaluations.empty() && in.chiefClass >= in.instrument.classes.size())
+  if (in.ratings.size() != in.evaluations.size()) {
+    refuse("ratings and evaluations name different models");
+  }
+  for (const ModelEvaluation& model : in.evaluations) {
+    if (model.indices.size() != in.instrument.indices.size()) {
+      refuse("an evaluation lacks an index");
+    }
+  }
+  if (!in.evaluations.empty() && in.chiefClass >= in.instrument.classes.size()) {
     refuse("the class of chief physicians does not exist");
-  for (const CohortTrainee& trainee : in.trainees)
-    if (trainee.group >= in.groups.size()) refuse("a trainee is in a group that does not exist");
-  for (const TraineeScore& score : in.scores)
-    if (score.group >= in.groups.size() || score.occasion >= in.occasions.size() || score.number == 0)
+  }
+  for (const CohortTrainee& trainee : in.trainees) {
+    if (trainee.group >= in.groups.size()) {
+      refuse("a trainee is in a group that does not exist");
+    }
+  }
+  for (const TraineeScore& score : in.scores) {
+    if (score.group >= in.groups.size() || score.occasion >= in.occasions.size() || score.number == 0) {
       refuse("a score belongs to a group or a scoring point that does not exist");
-  for (const GroupSummary& summary : in.summaries)
-    if (summary.group >= in.groups.size() || summary.occasion >= in.occasions.size())
+    }
+  }
+  for (const GroupSummary& summary : in.summaries) {
+    if (summary.group >= in.groups.size() || summary.occasion >= in.occasions.size()) {
       refuse("a summary belongs to a group or a scoring point that does not exist");
-  for (const TrainingMark& mark : in.trainingMarks)
-    if (mark.group >= in.groups.size() || mark.occasion >= in.occasions.size())
+    }
+  }
+  for (const TrainingMark& mark : in.trainingMarks) {
+    if (mark.group >= in.groups.size() || mark.occasion >= in.occasions.size()) {
       refuse("a mark belongs to a group or a scoring point that does not exist");
-  for (const TrialSummaryRow& trial : in.trials)
-    if (trial.group >= in.groups.size()) refuse("a trial is in a group that does not exist");
+    }
+  }
+  for (const TrialSummaryRow& trial : in.trials) {
+    if (trial.group >= in.groups.size()) {
+      refuse("a trial is in a group that does not exist");
+    }
+  }
 }
 
 double mean(const std::vector<double>& values) {
   double sum = 0.0;
-  for (const double value : values) sum += value;
+  for (const double value : values) {
+    sum += value;
+  }
   return sum / static_cast<double>(values.size());
 }
 
@@ -57,7 +77,9 @@ ReportTable groupsTable(const CohortInputs& in) {
     std::map<std::string, std::int64_t> levels;
     std::int64_t n = 0;
     for (const CohortTrainee& trainee : in.trainees) {
-      if (trainee.group != g) continue;
+      if (trainee.group != g) {
+        continue;
+      }
       ++n;
       ++sexes[trainee.sex];
       ++levels[trainee.level];
@@ -66,8 +88,11 @@ ReportTable groupsTable(const CohortInputs& in) {
       return countsText({counts.begin(), counts.end()}, in.identity);
     };
     Text baseline = Text("not recorded");
-    for (const GroupSummary& summary : in.summaries)
-      if (summary.group == g && summary.occasion == 0) baseline = formatFixed(summary.mean, 2);
+    for (const GroupSummary& summary : in.summaries) {
+      if (summary.group == g && summary.occasion == 0) {
+        baseline = formatFixed(summary.mean, 2);
+      }
+    }
     table.rows.push_back({in.groups[g].name, in.groups[g].protocol, std::to_string(n), counted(sexes),
                           counted(levels), baseline});
   }
@@ -84,7 +109,9 @@ ReportTable flowTable(const CohortInputs& in) {
   table.id = "table-flow";
   table.title = "Flow of participants";
   table.columns = {"Group", "Allocated", "Withdrew", "Recorded trials", "Interrupted trials"};
-  for (const Text& occasion : in.occasions) table.columns.push_back(Text("Marked %1", occasion));
+  for (const Text& occasion : in.occasions) {
+    table.columns.push_back(Text("Marked %1", occasion));
+  }
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     std::int64_t allocated = 0;
     std::int64_t withdrew = 0;
@@ -100,11 +127,12 @@ ReportTable flowTable(const CohortInputs& in) {
     }
     std::vector<Text> row = {in.groups[g].name, std::to_string(allocated), std::to_string(withdrew),
                              std::to_string(trials), std::to_string(interrupted)};
-    for (std::size_t t = 0; t < in.occasions.size(); ++t)
+    for (std::size_t t = 0; t < in.occasions.size(); ++t) {
       row.push_back(
           std::to_string(std::count_if(in.scores.begin(), in.scores.end(), [&](const TraineeScore& score) {
             return score.group == g && score.occasion == t;
           })));
+    }
     table.rows.push_back(row);
   }
   table.provenance.formula = "counts";
@@ -132,9 +160,15 @@ ReportTable trialsByPhase(const CohortInputs& in) {
     sums.minutes += trial.minutes;
     sums.twists += trial.twists;
     sums.onTarget += trial.twistsOnTarget;
-    if (trial.meanAbsoluteError_deg) sums.errors.push_back(*trial.meanAbsoluteError_deg);
-    if (trial.peakTorque_Nm) sums.torques.push_back(*trial.peakTorque_Nm);
-    if (trial.peakForce_N) sums.forces.push_back(*trial.peakForce_N);
+    if (trial.meanAbsoluteError_deg) {
+      sums.errors.push_back(*trial.meanAbsoluteError_deg);
+    }
+    if (trial.peakTorque_Nm) {
+      sums.torques.push_back(*trial.peakTorque_Nm);
+    }
+    if (trial.peakForce_N) {
+      sums.forces.push_back(*trial.peakForce_N);
+    }
   }
   ReportTable table;
   table.id = "table-trials";
@@ -148,11 +182,12 @@ ReportTable trialsByPhase(const CohortInputs& in) {
                    "Mean absolute angle error (deg)",
                    "Mean peak torque (N m)",
                    "Mean peak force (N)"};
-  for (const auto& [key, sums] : cells)
+  for (const auto& [key, sums] : cells) {
     table.rows.push_back({in.groups[key.first].name, sums.phase, std::to_string(sums.trials),
                           formatFixed(sums.minutes, 2), std::to_string(sums.twists),
                           std::to_string(sums.onTarget), meanOrDash(sums.errors, 2),
                           meanOrDash(sums.torques, 3), meanOrDash(sums.forces, 2)});
+  }
   table.notes = {
       "Means are taken over trials. Measured by the simulator; the marks of the physicians are separate."};
   table.provenance.formula = "means over trials";
@@ -166,7 +201,9 @@ ReportTable pairsTable(const std::string& id, const Text& title, const Facts& pa
   table.id = id;
   table.title = title;
   table.columns = {"Item", "Value"};
-  for (const auto& [label, value] : pairs) table.rows.push_back({label, value});
+  for (const auto& [label, value] : pairs) {
+    table.rows.push_back({label, value});
+  }
   return table;
 }
 
@@ -188,7 +225,9 @@ Text policyText(MissingPolicy policy) {
 }  // namespace
 
 std::vector<Text> commonFlags(const CohortInputs& in) {
-  if (in.demonstration) return {Text("demonstration data")};
+  if (in.demonstration) {
+    return {Text("demonstration data")};
+  }
   return {};
 }
 
@@ -212,9 +251,10 @@ ReportSection participantsSection(const CohortInputs& in) {
            drawn.replayed ? Text("The sequence was repeated from the seed and every arm was found the same.")
                           : Text("The sequence has not been repeated from the seed.")));
   section.tables = {groupsTable(in), flowTable(in)};
-  if (!in.allocation.design.empty())
+  if (!in.allocation.design.empty()) {
     section.tables.push_back(
         pairsTable("table-allocation", "Design of the allocation", in.allocation.design));
+  }
   return section;
 }
 
@@ -226,7 +266,9 @@ ReportSection deviationsSection(const CohortInputs& in) {
     return section;
   }
   std::map<std::string, std::int64_t> kinds;
-  for (const CohortDeviation& deviation : in.deviations) ++kinds[deviation.kind];
+  for (const CohortDeviation& deviation : in.deviations) {
+    ++kinds[deviation.kind];
+  }
   section.paragraphs.push_back(Text("%1 deviations from the protocol were reported: %2.",
                                     in.deviations.size(),
                                     countsText({kinds.begin(), kinds.end()}, in.identity)));
@@ -235,10 +277,11 @@ ReportSection deviationsSection(const CohortInputs& in) {
   table.title = "Deviations from the protocol";
   table.individual = true;
   table.columns = {"When", "Trainee", "Kind", "What happened"};
-  for (const CohortDeviation& deviation : in.deviations)
+  for (const CohortDeviation& deviation : in.deviations) {
     table.rows.push_back({formatUtc(deviation.happenedUtc_us),
                           deviation.trainee.empty() ? Text("whole cohort") : Text(deviation.trainee),
                           deviation.kind, deviation.description});
+  }
   table.provenance.n = std::ssize(in.deviations);
   table.provenance.flags = commonFlags(in);
   section.tables.push_back(table);
@@ -262,9 +305,10 @@ ReportSection trialsSection(const CohortInputs& in) {
       Text("%1 trials were recorded, %2 minutes and %3 samples in all; samples not recorded: %4; late ticks: "
            "%5.",
            in.trials.size(), formatFixed(minutes, 1), samples, refused, late));
-  if (refused > 0)
+  if (refused > 0) {
     section.paragraphs.push_back(
         "Trials with samples that were not recorded are incomplete and marked in the data.");
+  }
   section.tables.push_back(trialsByPhase(in));
   return section;
 }
@@ -301,10 +345,11 @@ ReportSection methodsSection(const CohortInputs& in) {
       "Groups of ten detect only very large differences: with two groups of ten, a two-sided test at 5 % has "
       "a power of 0.40 for a difference of 0.8 standard deviations. A difference that is not significant is "
       "no evidence of equality.");
-  if (in.demonstration)
+  if (in.demonstration) {
     section.paragraphs.push_back(
         "All people and marks in this report are simulated. No conclusion about training, trainees or models "
         "may be drawn from it.");
+  }
   return section;
 }
 
@@ -348,18 +393,29 @@ ReportModel reportOf(const CohortInputs& in) {
     section.paragraphs = in.simulated;
     report.sections.push_back(section);
   }
-  if (!in.trainees.empty()) report.sections.push_back(participantsSection(in));
-  if (!in.evaluations.empty() || in.unfinishedEvaluation) report.sections.push_back(evaluationSection(in));
-  if (!in.scores.empty()) report.sections.push_back(trainingSection(in));
+  if (!in.trainees.empty()) {
+    report.sections.push_back(participantsSection(in));
+  }
+  if (!in.evaluations.empty() || in.unfinishedEvaluation) {
+    report.sections.push_back(evaluationSection(in));
+  }
+  if (!in.scores.empty()) {
+    report.sections.push_back(trainingSection(in));
+  }
   if (!in.trainingMarks.empty()) {
     const StudyAnalysis study = analyseStudy(in);
     report.sections.push_back(analysisSection(in, study));
     report.sections.push_back(ratersSection(in, study));
   }
-  if (ReportSection learning = learningSection(in); !learning.tables.empty())
+  if (ReportSection learning = learningSection(in); !learning.tables.empty()) {
     report.sections.push_back(std::move(learning));
-  if (!in.trials.empty()) report.sections.push_back(trialsSection(in));
-  if (!in.trainees.empty()) report.sections.push_back(deviationsSection(in));
+  }
+  if (!in.trials.empty()) {
+    report.sections.push_back(trialsSection(in));
+  }
+  if (!in.trainees.empty()) {
+    report.sections.push_back(deviationsSection(in));
+  }
   report.sections.push_back(methodsSection(in));
   report.sections.push_back(provenanceSection(in));
   return report;
@@ -369,7 +425,9 @@ ReportModel reportOf(const CohortInputs& in) {
 
 ReportModel cohortReport(const CohortInputs& in) {
   checkInputs(in);
-  if (in.identity != ReportIdentity::kAggregated) return reportOf(in);
+  if (in.identity != ReportIdentity::kAggregated) {
+    return reportOf(in);
+  }
   std::vector<Text> left;
   ReportModel report = reportOf(withoutSmallGroups(in, left));
   removeIndividuals(report);

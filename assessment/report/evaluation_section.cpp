@@ -15,15 +15,21 @@ constexpr int kReadableDecimals = 2;
 
 std::vector<Text> indexNames(const CohortInputs& in) {
   std::vector<Text> names;
-  for (const EvaluationIndex& index : in.instrument.indices) names.emplace_back(index.name);
+  for (const EvaluationIndex& index : in.instrument.indices) {
+    names.emplace_back(index.name);
+  }
   return names;
 }
 
 std::vector<Text> mergedFlags(const CohortInputs& in) {
   std::vector<Text> flags = commonFlags(in);
-  for (const ModelEvaluation& model : in.evaluations)
-    for (const std::string& flag : model.flags)
-      if (std::find(flags.begin(), flags.end(), Text(flag)) == flags.end()) flags.emplace_back(flag);
+  for (const ModelEvaluation& model : in.evaluations) {
+    for (const std::string& flag : model.flags) {
+      if (std::find(flags.begin(), flags.end(), Text(flag)) == flags.end()) {
+        flags.emplace_back(flag);
+      }
+    }
+  }
   return flags;
 }
 
@@ -32,7 +38,9 @@ Provenance provenance(const CohortInputs& in, const Text& formula) {
   out.formula = formula;
   out.formulaVersion = kEvaluationFormulaVersion;
   for (const ModelEvaluation& model : in.evaluations) {
-    for (const ScoreStatistics& index : model.indices) out.n += index.n;
+    for (const ScoreStatistics& index : model.indices) {
+      out.n += index.n;
+    }
     out.missing += model.missing;
   }
   out.flags = mergedFlags(in);
@@ -80,7 +88,9 @@ ReportFigure barsFigure(const CohortInputs& in, bool variance) {
   for (const ModelEvaluation& model : in.evaluations) {
     FigureSeries series;
     series.name = model.model;
-    for (const ScoreStatistics& index : model.indices) series.y.emplace_back(variance ? index.s2 : index.m);
+    for (const ScoreStatistics& index : model.indices) {
+      series.y.emplace_back(variance ? index.s2 : index.m);
+    }
     out.series.push_back(series);
   }
   if (variance) {
@@ -108,32 +118,44 @@ ReportFigure chiefsFigure(const CohortInputs& in) {
     FigureSeries series;
     series.name = model.model;
     for (const RaterComposite& composite : model.composites) {
-      if (composite.raterClass != in.chiefClass) continue;
+      if (composite.raterClass != in.chiefClass) {
+        continue;
+      }
       const Text rater = composite.rater;
       auto at = std::find(out.categories.begin(), out.categories.end(), rater);
-      if (at == out.categories.end()) at = out.categories.insert(out.categories.end(), rater);
+      if (at == out.categories.end()) {
+        at = out.categories.insert(out.categories.end(), rater);
+      }
       series.x.push_back(static_cast<double>(std::distance(out.categories.begin(), at)));
       series.y.push_back(composite.score);
     }
     out.series.push_back(series);
   }
   out.provenance.n = 0;
-  for (const FigureSeries& series : out.series)
-    for (const std::optional<double>& y : series.y) out.provenance.n += y ? 1 : 0;
+  for (const FigureSeries& series : out.series) {
+    for (const std::optional<double>& y : series.y) {
+      out.provenance.n += y ? 1 : 0;
+    }
+  }
   out.notes = {Text("Corresponds to Fig. 18 of the paper: %1 only, one point a rater and model.", of)};
   return out;
 }
 
 std::vector<double> completeComposites(const ModelEvaluation& model) {
   std::vector<double> scores;
-  for (const RaterComposite& composite : model.composites)
-    if (composite.score) scores.push_back(*composite.score);
+  for (const RaterComposite& composite : model.composites) {
+    if (composite.score) {
+      scores.push_back(*composite.score);
+    }
+  }
   return scores;
 }
 
 std::optional<BoxSummary> boxOf(const std::vector<double>& values) {
   const std::optional<BoxNumbers> box = boxNumbers(values);
-  if (!box) return std::nullopt;
+  if (!box) {
+    return std::nullopt;
+  }
   return BoxSummary{box->whiskerLow,  box->q1,   box->median,  box->q3,
                     box->whiskerHigh, box->mean, box->outliers};
 }
@@ -146,7 +168,9 @@ ReportFigure boxesFigure(const CohortInputs& in) {
     out.categories.push_back(model.model);
     FigureSeries series;
     series.name = model.model;
-    for (const double score : completeComposites(model)) series.y.emplace_back(score);
+    for (const double score : completeComposites(model)) {
+      series.y.emplace_back(score);
+    }
     series.box = boxOf(completeComposites(model));
     out.provenance.n += std::ssize(series.y);
     out.series.push_back(series);
@@ -166,14 +190,16 @@ ReportFigure classesFigure(const CohortInputs& in) {
                             "class means of Eq. 25");
   out.xLabel = "index";
   out.categories = indexNames(in);
-  for (const ModelEvaluation& model : in.evaluations)
+  for (const ModelEvaluation& model : in.evaluations) {
     for (std::size_t c = 0; c < in.instrument.classes.size(); ++c) {
       FigureSeries series;
       series.name = Text("%1, %2", model.model, Text(in.instrument.classes[c].name));
-      for (const ScoreStatistics& index : model.indices)
+      for (const ScoreStatistics& index : model.indices) {
         series.y.push_back(c < index.classMeans.size() ? index.classMeans[c] : std::nullopt);
+      }
       out.series.push_back(series);
     }
+  }
   return out;
 }
 
@@ -204,8 +230,9 @@ ReportTable comprehensiveTable(const CohortInputs& in) {
     row.push_back(known ? Text(formatFixed(model.compositeStatistics->standardError, kScoreDecimals))
                         : Text("not defined"));
     for (const auto part :
-         {&BoxNumbers::min, &BoxNumbers::q1, &BoxNumbers::median, &BoxNumbers::q3, &BoxNumbers::max})
+         {&BoxNumbers::min, &BoxNumbers::q1, &BoxNumbers::median, &BoxNumbers::q3, &BoxNumbers::max}) {
       row.push_back(box ? Text(formatFixed((*box).*part, kScoreDecimals)) : Text("not defined"));
+    }
     row.push_back(listed(flags));
     table.rows.push_back(row);
   }
@@ -234,7 +261,9 @@ ReportTable indexTable(const CohortInputs& in, const ModelEvaluation& model) {
       "divisor n - 1. SE is the standard error of M from the spread within the rater classes."};
   table.provenance = provenance(in, "Eqs. 25 and 26");
   table.provenance.n = 0;
-  for (const ScoreStatistics& s : model.indices) table.provenance.n += s.n;
+  for (const ScoreStatistics& s : model.indices) {
+    table.provenance.n += s.n;
+  }
   table.provenance.missing = model.missing;
   return table;
 }
@@ -257,9 +286,11 @@ ReportSection evaluationSection(const CohortInputs& in) {
   std::vector<Text> classes;
   for (const RaterClass& raterClass : in.instrument.classes) {
     std::int64_t n = 0;
-    if (!in.ratings.empty())
-      for (const RaterSheet& sheet : in.ratings.front().sheets)
+    if (!in.ratings.empty()) {
+      for (const RaterSheet& sheet : in.ratings.front().sheets) {
         n += in.instrument.classes[sheet.raterClass].id == raterClass.id ? 1 : 0;
+      }
+    }
     classes.push_back(
         Text("%1 %2 (weight %3)", n, Text(raterClass.name),
              formatFixed(static_cast<double>(raterClass.weight_milli) / 1000.0, kReadableDecimals)));
@@ -270,8 +301,9 @@ ReportSection evaluationSection(const CohortInputs& in) {
            formatFixed(pointsFromSteps(in.instrument.scale.lo, in.instrument.scale), 0),
            formatFixed(pointsFromSteps(in.instrument.scale.hi, in.instrument.scale), 0), listed(classes)));
   std::vector<Text> ranking;
-  for (const ModelEvaluation& model : in.evaluations)
+  for (const ModelEvaluation& model : in.evaluations) {
     ranking.push_back(Text("%1 %2", model.model, formatFixed(model.n27, kScoreDecimals)));
+  }
   section.paragraphs.push_back(Text("Comprehensive score N: %1.", listed(ranking, "%1; %2")));
   section.paragraphs.push_back(
       "Marks are whole steps of the scale; M, s2 and N are computed in whole numbers and rounded once, so "
@@ -279,7 +311,9 @@ ReportSection evaluationSection(const CohortInputs& in) {
   section.figures = {rangesFigure(in), barsFigure(in, false), barsFigure(in, true),
                      chiefsFigure(in), boxesFigure(in),       classesFigure(in)};
   section.tables.push_back(comprehensiveTable(in));
-  for (const ModelEvaluation& model : in.evaluations) section.tables.push_back(indexTable(in, model));
+  for (const ModelEvaluation& model : in.evaluations) {
+    section.tables.push_back(indexTable(in, model));
+  }
   return section;
 }
 

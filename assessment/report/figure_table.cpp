@@ -58,17 +58,25 @@ class Twin {
     table_.columns = {heading()};
     for (const FigureSeries& series : figure_.series) {
       const bool alone = figure_.series.size() == 1;
-      if (!series.low.empty()) table_.columns.push_back(alone ? Text("low") : Text("%1: low", series.name));
+      if (!series.low.empty()) {
+        table_.columns.push_back(alone ? Text("low") : Text("%1: low", series.name));
+      }
       table_.columns.push_back(alone && series.name.empty() ? Text("value") : series.name);
-      if (!series.low.empty()) table_.columns.push_back(alone ? Text("high") : Text("%1: high", series.name));
+      if (!series.low.empty()) {
+        table_.columns.push_back(alone ? Text("high") : Text("%1: high", series.name));
+      }
     }
     for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
       std::vector<Text> row = {figure_.categories[c]};
       for (const FigureSeries& series : figure_.series) {
         const bool known = c < series.y.size() && series.y[c].has_value();
-        if (!series.low.empty()) row.emplace_back(known ? number(series.low[c]) : std::string());
+        if (!series.low.empty()) {
+          row.emplace_back(known ? number(series.low[c]) : std::string());
+        }
         row.emplace_back(known ? number(*series.y[c]) : std::string());
-        if (!series.low.empty()) row.emplace_back(known ? number(series.high[c]) : std::string());
+        if (!series.low.empty()) {
+          row.emplace_back(known ? number(series.high[c]) : std::string());
+        }
       }
       table_.rows.push_back(row);
     }
@@ -77,15 +85,21 @@ class Twin {
   /// One row a category, the value of each series at it.
   void points() {
     table_.columns = {heading()};
-    for (const FigureSeries& series : figure_.series) table_.columns.push_back(series.name);
+    for (const FigureSeries& series : figure_.series) {
+      table_.columns.push_back(series.name);
+    }
     for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
       std::vector<Text> row = {figure_.categories[c]};
       for (const FigureSeries& series : figure_.series) {
         std::string cell;
         for (std::size_t i = 0; i < series.y.size(); ++i) {
           const std::size_t at = i < series.x.size() ? static_cast<std::size_t>(series.x[i]) : i;
-          if (at != c || !series.y[i]) continue;
-          if (!cell.empty()) cell += "; ";
+          if (at != c || !series.y[i]) {
+            continue;
+          }
+          if (!cell.empty()) {
+            cell += "; ";
+          }
           cell += number(*series.y[i]);
         }
         row.emplace_back(cell);
@@ -100,7 +114,9 @@ class Twin {
     for (const FigureSeries& series : figure_.series) {
       const BoxSummary box = series.box.value_or(BoxSummary{});
       std::string outside;
-      for (const double value : box.outliers) outside += (outside.empty() ? "" : "; ") + number(value);
+      for (const double value : box.outliers) {
+        outside += (outside.empty() ? "" : "; ") + number(value);
+      }
       table_.rows.push_back({series.name, std::to_string(series.y.size()), number(box.lowerWhisker),
                              number(box.lowerQuartile), number(box.median), number(box.upperQuartile),
                              number(box.upperWhisker), number(box.mean), outside});
@@ -109,13 +125,16 @@ class Twin {
 
   void scatter() {
     table_.columns = {"Series", heading(), figure_.yLabel};
-    for (const FigureSeries& series : figure_.series)
+    for (const FigureSeries& series : figure_.series) {
       for (std::size_t i = 0; i < series.y.size(); ++i) {
-        if (!series.y[i]) continue;
+        if (!series.y[i]) {
+          continue;
+        }
         const double x = i < series.x.size() ? series.x[i] : static_cast<double>(i + 1);
         table_.rows.push_back(
             {series.name, x == std::floor(x) ? formatExact(x) : number(x), number(*series.y[i])});
       }
+    }
   }
 
   void heatMap() {
@@ -123,8 +142,9 @@ class Twin {
     table_.columns.insert(table_.columns.end(), figure_.categories.begin(), figure_.categories.end());
     for (const FigureSeries& series : figure_.series) {
       std::vector<Text> row = {series.name};
-      for (std::size_t c = 0; c < figure_.categories.size(); ++c)
+      for (std::size_t c = 0; c < figure_.categories.size(); ++c) {
         row.emplace_back(c < series.y.size() && series.y[c] ? number(*series.y[c]) : std::string());
+      }
       table_.rows.push_back(row);
     }
   }

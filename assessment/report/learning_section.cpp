@@ -30,8 +30,11 @@ std::vector<Course> courses(const CohortInputs& in) {
     course.attempts.insert(course.attempts.end(), trial.attempts.begin(), trial.attempts.end());
   }
   std::vector<Course> out;
-  for (auto& [code, course] : byTrainee)
-    if (!course.attempts.empty()) out.push_back(std::move(course));
+  for (auto& [code, course] : byTrainee) {
+    if (!course.attempts.empty()) {
+      out.push_back(std::move(course));
+    }
+  }
   std::stable_sort(out.begin(), out.end(),
                    [](const Course& a, const Course& b) { return a.group < b.group; });
   return out;
@@ -50,7 +53,9 @@ Item itemOf(const CohortInputs& in, const std::string& id, const Text& title, co
 
 std::size_t longest(const std::vector<Course>& all) {
   std::size_t most = 0;
-  for (const Course& course : all) most = std::max(most, course.attempts.size());
+  for (const Course& course : all) {
+    most = std::max(most, course.attempts.size());
+  }
   return most;
 }
 
@@ -69,9 +74,14 @@ ReportFigure learningFigure(const CohortInputs& in, const std::vector<Course>& a
     series.look = g;
     for (std::size_t n = 0; n < longest(all); ++n) {
       std::vector<double> errors;
-      for (const Course& course : all)
-        if (course.group == g && n < course.attempts.size()) errors.push_back(course.attempts[n].error_deg);
-      if (std::ssize(errors) < 2) continue;
+      for (const Course& course : all) {
+        if (course.group == g && n < course.attempts.size()) {
+          errors.push_back(course.attempts[n].error_deg);
+        }
+      }
+      if (std::ssize(errors) < 2) {
+        continue;
+      }
       const double mean = meanOf(errors);
       const auto count = static_cast<double>(errors.size());
       const double half =
@@ -82,7 +92,9 @@ ReportFigure learningFigure(const CohortInputs& in, const std::vector<Course>& a
       series.high.push_back(mean + half);
       figure.provenance.n += std::ssize(errors);
     }
-    if (!series.y.empty()) figure.series.push_back(series);
+    if (!series.y.empty()) {
+      figure.series.push_back(series);
+    }
   }
   figure.notes = {
       "Twists on the simulator only; a point needs at least two trainees. Fewer trainees make more "
@@ -102,7 +114,9 @@ ReportFigure cusumFigure(const CohortInputs& in, const std::vector<Course>& all,
   std::vector<bool> named(in.groups.size(), false);
   for (const Course& course : all) {
     std::vector<bool> failed;
-    for (const TwistAttempt& attempt : course.attempts) failed.push_back(!attempt.onTarget);
+    for (const TwistAttempt& attempt : course.attempts) {
+      failed.push_back(!attempt.onTarget);
+    }
     const LcCusum sums = lcCusum(failed, design);
     FigureSeries series;
     series.name = course.trainee;
@@ -173,21 +187,27 @@ ReportTable doseTable(const CohortInputs& in) {
                    "Trainees who rested",
                    "Rest in all (min)"};
   std::map<std::string, std::size_t> groupOf;
-  for (const CohortTrainee& trainee : in.trainees) groupOf[trainee.code] = trainee.group;
+  for (const CohortTrainee& trainee : in.trainees) {
+    groupOf[trainee.code] = trainee.group;
+  }
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     CohortDose sum;
     std::int64_t n = 0;
     std::int64_t rested = 0;
     for (const CohortDose& dose : in.doses) {
       const auto found = groupOf.find(dose.trainee);
-      if (found == groupOf.end() || found->second != g) continue;
+      if (found == groupOf.end() || found->second != g) {
+        continue;
+      }
       ++n;
       sum.virtual_min += dose.virtual_min;
       sum.real_min += dose.real_min;
       sum.rest_min += dose.rest_min;
       rested += dose.rest_min > 0.0 ? 1 : 0;
     }
-    if (n == 0) continue;
+    if (n == 0) {
+      continue;
+    }
     const auto count = static_cast<double>(n);
     table.rows.push_back({in.groups[g].name, std::to_string(n), formatFixed(sum.virtual_min / count, 1),
                           formatFixed(sum.real_min / count, 1), std::to_string(rested),
@@ -205,14 +225,20 @@ ReportSection learningSection(const CohortInputs& in) {
   section.title = "Learning";
   const std::vector<Course> all = courses(in);
   const LcCusumDesign design;
-  if (!in.doses.empty()) section.tables.push_back(doseTable(in));
-  if (all.empty()) return section;
+  if (!in.doses.empty()) {
+    section.tables.push_back(doseTable(in));
+  }
+  if (all.empty()) {
+    return section;
+  }
   section.paragraphs.push_back(
       "Measured by the simulator, twist by twist, in the order of the recordings. The marks of the "
       "physicians "
       "are a separate matter.");
   const ReportFigure learning = learningFigure(in, all);
-  if (!learning.series.empty()) section.figures.push_back(learning);
+  if (!learning.series.empty()) {
+    section.figures.push_back(learning);
+  }
   section.figures.push_back(cusumFigure(in, all, design));
   section.tables.push_back(learningTable(in, all, design));
   return section;

@@ -17,7 +17,9 @@ std::string formatFixed(double value, int decimals) {
   const auto end =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
   std::string text(buffer.data(), end.ptr);
-  if (text.front() == '-' && text.find_first_of("123456789") == std::string::npos) text.erase(0, 1);
+  if (text.front() == '-' && text.find_first_of("123456789") == std::string::npos) {
+    text.erase(0, 1);
+  }
   return text;
 }
 
@@ -27,7 +29,9 @@ std::string formatFixed(const std::optional<double>& value, int decimals) {
 
 std::string formatExact(double value) {
   TORSIO_EXPECTS(std::isfinite(value));
-  if (value == 0.0) return "0";
+  if (value == 0.0) {
+    return "0";
+  }
   std::array<char, 64> buffer{};
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
   return std::string(buffer.data(), end.ptr);

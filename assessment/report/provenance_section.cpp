@@ -25,12 +25,15 @@ std::string hashOfTrainingMarks(const CohortInputs& in) {
 
 std::string hashOfEvaluationMarks(const CohortInputs& in) {
   Digest digest;
-  for (const ModelRatings& model : in.ratings)
+  for (const ModelRatings& model : in.ratings) {
     for (const RaterSheet& sheet : model.sheets) {
       digest.update(model.model);
       digest.update(sheet.rater);
-      for (const std::optional<std::int64_t>& steps : sheet.steps) digest.update(steps.value_or(-1));
+      for (const std::optional<std::int64_t>& steps : sheet.steps) {
+        digest.update(steps.value_or(-1));
+      }
     }
+  }
   return digest.hex();
 }
 
@@ -61,7 +64,9 @@ ReportTable versionsTable(const CohortInputs& in) {
     table.rows.push_back(
         {"Record compared with it", in.freeze->unchanged ? Text("unchanged") : Text("changed since then")});
   }
-  for (const auto& [label, value] : in.provenance) table.rows.push_back({label, value});
+  for (const auto& [label, value] : in.provenance) {
+    table.rows.push_back({label, value});
+  }
   return table;
 }
 
@@ -72,14 +77,17 @@ ReportTable sourcesTable(const CohortInputs& in) {
   table.title = "What each part is computed from";
   table.columns = {"Part of the report", "Source", "Count", "Hash of the source"};
   const auto add = [&](const Text& part, const Text& source, std::int64_t count, const std::string& hash) {
-    if (count > 0)
+    if (count > 0) {
       table.rows.push_back({part, source, std::to_string(count), hash.substr(0, kPrintedDigits)});
+    }
   };
   std::int64_t evaluationMarks = 0;
-  for (const ModelRatings& model : in.ratings)
-    for (const RaterSheet& sheet : model.sheets)
+  for (const ModelRatings& model : in.ratings) {
+    for (const RaterSheet& sheet : model.sheets) {
       evaluationMarks += std::count_if(sheet.steps.begin(), sheet.steps.end(),
                                        [](const auto& steps) { return steps.has_value(); });
+    }
+  }
   add("Evaluation of the models", "submitted marks of the campaign", evaluationMarks,
       hashOfEvaluationMarks(in));
   add("Training study; Agreement and comparisons; Raters", "submitted marks of the scoring points",
@@ -89,9 +97,10 @@ ReportTable sourcesTable(const CohortInputs& in) {
       "Every submitted mark and every recording is sealed in the record; a trial can be replayed and "
       "compared "
       "bit for bit (torsio replay TRIAL --verify)."};
-  if (in.notAssessable > 0)
+  if (in.notAssessable > 0) {
     table.notes.push_back(
         Text("%1 marks could not be given and carry a reason; they count as missing.", in.notAssessable));
+  }
   table.provenance.flags = commonFlags(in);
   return table;
 }
@@ -103,10 +112,14 @@ ReportTable chainTable(const CohortInputs& in) {
     std::string trials;
   };
   std::map<std::string, Chain> chains;
-  for (const TrainingMark& mark : in.trainingMarks) ++chains[mark.trainee].marks;
+  for (const TrainingMark& mark : in.trainingMarks) {
+    ++chains[mark.trainee].marks;
+  }
   for (const TrialSummaryRow& trial : in.trials) {
     std::string& trials = chains[trial.trainee].trials;
-    if (!trials.empty()) trials += ", ";
+    if (!trials.empty()) {
+      trials += ", ";
+    }
     trials += trial.trialId.substr(0, 8);
   }
   ReportTable table;
@@ -114,9 +127,10 @@ ReportTable chainTable(const CohortInputs& in) {
   table.title = "From every trainee's scores back to marks and recordings";
   table.individual = true;
   table.columns = {"Trainee", "Marks behind the scores", "Recordings (first eight digits of the trial)"};
-  for (const auto& [trainee, chain] : chains)
+  for (const auto& [trainee, chain] : chains) {
     table.rows.push_back({trainee, std::to_string(chain.marks),
                           chain.trials.empty() ? Text("none on the simulator") : Text(chain.trials)});
+  }
   table.provenance.flags = commonFlags(in);
   return table;
 }
@@ -127,11 +141,12 @@ ReportTable trialsTable(const CohortInputs& in) {
   table.title = "Recorded trials";
   table.individual = true;
   table.columns = {"Trial", "Trainee", "Phase", "Model", "Minutes", "Outcome", "Content hash"};
-  for (const TrialSummaryRow& trial : in.trials)
+  for (const TrialSummaryRow& trial : in.trials) {
     table.rows.push_back({trial.trialId, trial.trainee, trial.phase, trial.model,
                           formatFixed(trial.minutes, 2),
                           trial.interrupted ? Text("interrupted") : Text("completed"),
                           trial.contentHash.substr(0, kPrintedDigits)});
+  }
   table.notes = {
       "The first 16 digits of each content hash; the whole hashes stand in the table of numbers (CSV)."};
   table.provenance.n = std::ssize(in.trials);
@@ -145,10 +160,15 @@ ReportSection provenanceSection(const CohortInputs& in) {
   ReportSection section;
   section.title = "Provenance";
   section.tables = {versionsTable(in)};
-  if (ReportTable sources = sourcesTable(in); !sources.rows.empty())
+  if (ReportTable sources = sourcesTable(in); !sources.rows.empty()) {
     section.tables.push_back(std::move(sources));
-  if (ReportTable chain = chainTable(in); !chain.rows.empty()) section.tables.push_back(std::move(chain));
-  if (!in.trials.empty()) section.tables.push_back(trialsTable(in));
+  }
+  if (ReportTable chain = chainTable(in); !chain.rows.empty()) {
+    section.tables.push_back(std::move(chain));
+  }
+  if (!in.trials.empty()) {
+    section.tables.push_back(trialsTable(in));
+  }
   return section;
 }
 

@@ -37,7 +37,9 @@ ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study) {
   for (std::size_t r = 0; r < study.raters.size(); ++r) {
     FigureSeries series;
     series.name = study.raters[r];
-    for (const std::vector<std::optional<double>>& row : last.marks) series.y.push_back(row[r]);
+    for (const std::vector<std::optional<double>>& row : last.marks) {
+      series.y.push_back(row[r]);
+    }
     figure.series.push_back(series);
   }
   figure.provenance.n = last.n;
@@ -85,24 +87,32 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
   series.name = "one mark";
   std::vector<double> own;
   std::vector<double> panel;
-  for (const std::vector<std::optional<double>>& row : study.occasions.back().marks)
+  for (const std::vector<std::optional<double>>& row : study.occasions.back().marks) {
     for (std::size_t r = 0; r < row.size(); ++r) {
-      if (!row[r]) continue;
+      if (!row[r]) {
+        continue;
+      }
       double sum = 0.0;
       std::int64_t others = 0;
-      for (std::size_t k = 0; k < row.size(); ++k)
+      for (std::size_t k = 0; k < row.size(); ++k) {
         if (k != r && row[k]) {
           sum += *row[k];
           ++others;
         }
-      if (others == 0) continue;
+      }
+      if (others == 0) {
+        continue;
+      }
       own.push_back(*row[r]);
       panel.push_back(sum / static_cast<double>(others));
       series.x.push_back(0.5 * (own.back() + panel.back()));
       series.y.emplace_back(own.back() - panel.back());
     }
+  }
   const Outcome<BlandAltmanResult> limits = blandAltman(own, panel);
-  if (!limits) return std::nullopt;
+  if (!limits) {
+    return std::nullopt;
+  }
   figure.series = {series};
   figure.references = {{limits->meanDifference, "mean"},
                        {limits->limits.lower, "lower limit"},
@@ -124,11 +134,12 @@ ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
     const auto at = static_cast<std::size_t>(
         std::lower_bound(study.raters.begin(), study.raters.end(), rater.rater) - study.raters.begin());
     Text limits = Text("marks are missing");
-    if (at < study.againstPanel.size())
+    if (at < study.againstPanel.size()) {
       limits = study.againstPanel[at]
                    ? Text("%1 to %2", formatFixed(study.againstPanel[at]->limits.lower, kDecimals),
                           formatFixed(study.againstPanel[at]->limits.upper, kDecimals))
                    : notDefined(study.againstPanel[at].reason());
+    }
     table.rows.push_back(
         {rater.rater, std::to_string(rater.n), withInterval(rater.offset, rater.interval), limits});
     table.provenance.n += rater.n;
@@ -152,11 +163,17 @@ ReportSection ratersSection(const CohortInputs& in, const StudyAnalysis& study) 
         "Single marks are not shown. The role that made this report sees them, under codes, once every rater "
         "has submitted and the data set is frozen.");
   }
-  if (!study.severity.empty()) section.figures.push_back(severityFigure(in, study));
-  if (in.singleMarks)
-    if (const std::optional<ReportFigure> figure = blandAltmanFigure(in, study))
+  if (!study.severity.empty()) {
+    section.figures.push_back(severityFigure(in, study));
+  }
+  if (in.singleMarks) {
+    if (const std::optional<ReportFigure> figure = blandAltmanFigure(in, study)) {
       section.figures.push_back(*figure);
-  if (!study.severity.empty()) section.tables = {ratersTable(in, study)};
+    }
+  }
+  if (!study.severity.empty()) {
+    section.tables = {ratersTable(in, study)};
+  }
   return section;
 }
 

@@ -12,7 +12,9 @@ constexpr int kDecimals = 3;
 }  // namespace
 
 std::string withInterval(double value, const std::optional<Interval>& interval) {
-  if (!interval) return formatFixed(value, kDecimals);
+  if (!interval) {
+    return formatFixed(value, kDecimals);
+  }
   return filledIn("%1 [%2, %3]", {formatFixed(value, kDecimals), formatFixed(interval->lower, kDecimals),
                                   formatFixed(interval->upper, kDecimals)});
 }

@@ -42,17 +42,22 @@ ReportFigure scoresFigure(const CohortInputs& in, std::size_t occasion) {
   fixScale(in, out);
   std::size_t largest = 0;
   std::int64_t n = 0;
-  for (const TraineeScore& score : in.scores) largest = std::max(largest, score.number);
-  for (std::size_t i = 1; i <= largest; ++i) out.categories.push_back(std::to_string(i));
+  for (const TraineeScore& score : in.scores) {
+    largest = std::max(largest, score.number);
+  }
+  for (std::size_t i = 1; i <= largest; ++i) {
+    out.categories.push_back(std::to_string(i));
+  }
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     FigureSeries series;
     series.name = in.groups[g].name;
     series.y.assign(largest, std::nullopt);
-    for (const TraineeScore& score : in.scores)
+    for (const TraineeScore& score : in.scores) {
       if (score.group == g && score.occasion == occasion) {
         series.y[score.number - 1] = score.score;
         ++n;
       }
+    }
     out.series.push_back(series);
   }
   out.notes = {Text(
@@ -76,8 +81,11 @@ ReportFigure varianceFigure(const CohortInputs& in) {
     FigureSeries series;
     series.name = in.groups[g].name;
     series.y.assign(in.occasions.size(), std::nullopt);
-    for (const GroupSummary& summary : in.summaries)
-      if (summary.group == g) series.y[summary.occasion] = summary.varianceOfScores;
+    for (const GroupSummary& summary : in.summaries) {
+      if (summary.group == g) {
+        series.y[summary.occasion] = summary.varianceOfScores;
+      }
+    }
     out.series.push_back(series);
   }
   out.notes = {
@@ -99,11 +107,12 @@ ReportFigure meansFigure(const CohortInputs& in) {
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     FigureSeries series;
     series.name = in.groups[g].name;
-    for (const GroupSummary& summary : in.summaries)
+    for (const GroupSummary& summary : in.summaries) {
       if (summary.group == g) {
         series.x.push_back(static_cast<double>(summary.occasion));
         series.y.emplace_back(summary.mean);
       }
+    }
     out.series.push_back(series);
   }
   out.provenance = provenance(in, "mean over trainees", std::ssize(in.scores));
@@ -123,7 +132,9 @@ ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
   out.categories = in.occasions;
   std::map<std::string, FigureSeries> byTrainee;
   for (const TraineeScore& score : in.scores) {
-    if (score.group != group) continue;
+    if (score.group != group) {
+      continue;
+    }
     FigureSeries& series = byTrainee[score.trainee];
     series.name = score.trainee;
     series.look = group;
@@ -139,7 +150,9 @@ ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
   mean.low.resize(in.occasions.size(), 0.0);
   mean.high.resize(in.occasions.size(), 0.0);
   for (const GroupSummary& summary : in.summaries) {
-    if (summary.group != group) continue;
+    if (summary.group != group) {
+      continue;
+    }
     const auto n = static_cast<double>(summary.trainees);
     const double half = summary.sampleVarianceOfScores && n > 1.0
                             ? tQuantile(0.975, n - 1.0) * std::sqrt(*summary.sampleVarianceOfScores / n)
@@ -148,12 +161,16 @@ ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
     mean.low[summary.occasion] = summary.mean - half;
     mean.high[summary.occasion] = summary.mean + half;
   }
-  for (auto& [code, series] : byTrainee) out.series.push_back(std::move(series));
+  for (auto& [code, series] : byTrainee) {
+    out.series.push_back(std::move(series));
+  }
   out.series.push_back(mean);
   const std::int64_t n = out.provenance.n;
   out.provenance = provenance(in, "mean over raters; mean over trainees with Student's t", n);
   std::int64_t members = 0;
-  for (const CohortTrainee& trainee : in.trainees) members += trainee.group == group ? 1 : 0;
+  for (const CohortTrainee& trainee : in.trainees) {
+    members += trainee.group == group ? 1 : 0;
+  }
   out.provenance.missing = members * std::ssize(in.occasions) - n;
   return out;
 }
@@ -208,7 +225,9 @@ ReportTable scoresTable(const CohortInputs& in) {
     }
     row[3 + score.occasion] = formatFixed(score.score, kScoreDecimals);
   }
-  for (auto& [place, row] : rows) table.rows.push_back(std::move(row));
+  for (auto& [place, row] : rows) {
+    table.rows.push_back(std::move(row));
+  }
   table.provenance = provenance(in, "mean over raters", std::ssize(in.scores));
   return table;
 }
@@ -224,16 +243,21 @@ ReportSection trainingSection(const CohortInputs& in) {
            in.trainingRaters, in.occasions.size(),
            formatFixed(pointsFromSteps(in.trainingScale.lo, in.trainingScale), 0),
            formatFixed(pointsFromSteps(in.trainingScale.hi, in.trainingScale), 0)));
-  if (in.trainingTimeDivisor > 1)
+  if (in.trainingTimeDivisor > 1) {
     section.paragraphs.push_back(
         Text("Training was shortened for this demonstration: each minute of the protocol stands for %1 "
              "seconds of simulated exercise (1 : %2).",
              formatFixed(60.0 / static_cast<double>(in.trainingTimeDivisor), 1), in.trainingTimeDivisor));
+  }
   section.paragraphs.push_back(Text("Rests taken during training: %1.", in.rests));
-  for (std::size_t t = 0; t < in.occasions.size(); ++t) section.figures.push_back(scoresFigure(in, t));
+  for (std::size_t t = 0; t < in.occasions.size(); ++t) {
+    section.figures.push_back(scoresFigure(in, t));
+  }
   section.figures.push_back(varianceFigure(in));
   section.figures.push_back(meansFigure(in));
-  for (std::size_t g = 0; g < in.groups.size(); ++g) section.figures.push_back(coursesFigure(in, g));
+  for (std::size_t g = 0; g < in.groups.size(); ++g) {
+    section.figures.push_back(coursesFigure(in, g));
+  }
   section.tables = {summaryTable(in), scoresTable(in)};
   return section;
 }

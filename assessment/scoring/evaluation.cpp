@@ -32,16 +32,23 @@ double quotient(std::int64_t numerator, std::int64_t denominator) {
 }
 
 double quotient(const BigInteger& numerator, const BigInteger& denominator) {
-  if (numerator < 0) return -nearestQuotient<BigInteger>(-numerator, denominator);
+  if (numerator < 0) {
+    return -nearestQuotient<BigInteger>(-numerator, denominator);
+  }
   return nearestQuotient<BigInteger>(numerator, denominator);
 }
 
 /// Weights over their greatest common divisor: smaller numbers, the same shares.
 std::vector<std::int64_t> reduced(std::vector<std::int64_t> weights) {
   std::int64_t divisor = 0;
-  for (const std::int64_t weight : weights) divisor = std::gcd(divisor, weight);
-  if (divisor > 1)
-    for (std::int64_t& weight : weights) weight /= divisor;
+  for (const std::int64_t weight : weights) {
+    divisor = std::gcd(divisor, weight);
+  }
+  if (divisor > 1) {
+    for (std::int64_t& weight : weights) {
+      weight /= divisor;
+    }
+  }
   return weights;
 }
 
@@ -74,7 +81,9 @@ double commonDenominatorSize(const IndexInput& in) {
   std::int64_t exact = 1;
   double weightSum = 0.0;
   for (std::size_t c = 0; c < in.classes.size(); ++c) {
-    if (in.weights[c] == 0) continue;
+    if (in.weights[c] == 0) {
+      continue;
+    }
     weightSum += static_cast<double>(in.weights[c]);
     if (lcm < 1e9) {
       exact = std::lcm(exact, in.classes[c].n);
@@ -102,7 +111,9 @@ IndexExact solve(const IndexInput& in) {
   Integer lcm = 1;
   Integer weightSum = 0;
   for (std::size_t c = 0; c < in.classes.size(); ++c) {
-    if (in.weights[c] == 0) continue;
+    if (in.weights[c] == 0) {
+      continue;
+    }
     const Integer n = in.classes[c].n;
     lcm = lcm / greatestDivisor<Integer>(lcm, n) * n;
     weightSum += in.weights[c];
@@ -120,7 +131,9 @@ IndexExact solve(const IndexInput& in) {
       mNumerator += factor * sums.sum;
       weightedSquares += factor * sums.squares;
     }
-    if (!in.inVariance[c]) continue;
+    if (!in.inVariance[c]) {
+      continue;
+    }
     n += sums.n;
     sum += sums.sum;
     squares += sums.squares;
@@ -139,21 +152,31 @@ IndexExact solve(const IndexInput& in) {
 
 IndexExact solveIndex(const IndexInput& in) {
   std::int64_t n = 0;
-  for (const ClassSums& sums : in.classes) n += sums.n;
-  if (fitsDouble(n, in.maxSteps, commonDenominatorSize(in), in.stepsPerPoint)) return solve<std::int64_t>(in);
+  for (const ClassSums& sums : in.classes) {
+    n += sums.n;
+  }
+  if (fitsDouble(n, in.maxSteps, commonDenominatorSize(in), in.stepsPerPoint)) {
+    return solve<std::int64_t>(in);
+  }
   return solve<BigInteger>(in);
 }
 
 /// SE(M)^2 = sum w^2 s_c^2 / n_c, and its Welch-Satterthwaite degrees of freedom.
 void addStandardError(const IndexInput& in, ScoreStatistics& out) {
   double weightSum = 0.0;
-  for (const std::int64_t weight : in.weights) weightSum += static_cast<double>(weight);
+  for (const std::int64_t weight : in.weights) {
+    weightSum += static_cast<double>(weight);
+  }
   double variance = 0.0;
   double denominator = 0.0;
   for (std::size_t c = 0; c < in.classes.size(); ++c) {
-    if (in.weights[c] == 0) continue;
+    if (in.weights[c] == 0) {
+      continue;
+    }
     const ClassSums& sums = in.classes[c];
-    if (sums.n < 2) return;
+    if (sums.n < 2) {
+      return;
+    }
     const BigInteger spread = BigInteger(sums.n) * sums.squares - BigInteger(sums.sum) * sums.sum;
     const BigInteger scale = BigInteger(sums.n) * sums.n * (sums.n - 1) * in.stepsPerPoint * in.stepsPerPoint;
     const double share = static_cast<double>(in.weights[c]) / weightSum;
@@ -162,7 +185,9 @@ void addStandardError(const IndexInput& in, ScoreStatistics& out) {
     denominator += part * part / static_cast<double>(sums.n - 1);
   }
   out.standardError = std::sqrt(variance);
-  if (denominator > 0.0) out.standardErrorDf = variance * variance / denominator;
+  if (denominator > 0.0) {
+    out.standardErrorDf = variance * variance / denominator;
+  }
 }
 
 /// Values of one index: those of class c are values[c].
@@ -179,7 +204,9 @@ ScoreStatistics statisticsOf(const std::vector<std::vector<std::int64_t>>& value
       in.classes[c].n += 1;
       in.classes[c].sum += x;
       in.classes[c].squares += x * x;
-      if (!in.inVariance[c]) continue;
+      if (!in.inVariance[c]) {
+        continue;
+      }
       low = std::min(low, x);
       high = std::max(high, x);
     }
@@ -190,15 +217,18 @@ ScoreStatistics statisticsOf(const std::vector<std::vector<std::int64_t>>& value
     }
     out.classCounts.push_back(in.classes[c].n);
     out.classMeans.push_back(std::nullopt);
-    if (in.classes[c].n > 0)
+    if (in.classes[c].n > 0) {
       out.classMeans[c] = roundedQuotient(in.classes[c].sum, in.classes[c].n * in.stepsPerPoint);
+    }
   }
   const BigInteger n = out.n;
   const BigInteger q = in.stepsPerPoint;
   const BigInteger spread = n * squares - sum * sum;
   out.plainMean = quotient(sum, BigInteger(n * q));
   out.populationVariance = quotient(spread, BigInteger(n * n * q * q));
-  if (out.n > 1) out.sampleVariance = quotient(spread, BigInteger(n * (n - 1) * q * q));
+  if (out.n > 1) {
+    out.sampleVariance = quotient(spread, BigInteger(n * (n - 1) * q * q));
+  }
   out.min = roundedQuotient(low, in.stepsPerPoint);
   out.max = roundedQuotient(high, in.stepsPerPoint);
   exact = solveIndex(in);
@@ -211,19 +241,25 @@ ScoreStatistics statisticsOf(const std::vector<std::vector<std::int64_t>>& value
 
 std::vector<std::int64_t> classWeights(const EvaluationInstrument& instrument) {
   std::vector<std::int64_t> weights;
-  for (const RaterClass& raterClass : instrument.classes) weights.push_back(raterClass.weight_milli);
+  for (const RaterClass& raterClass : instrument.classes) {
+    weights.push_back(raterClass.weight_milli);
+  }
   return weights;
 }
 
 std::vector<std::int64_t> indexWeights(const EvaluationInstrument& instrument) {
   std::vector<std::int64_t> weights;
-  for (const EvaluationIndex& index : instrument.indices) weights.push_back(index.weight_milli);
+  for (const EvaluationIndex& index : instrument.indices) {
+    weights.push_back(index.weight_milli);
+  }
   return reduced(weights);
 }
 
 void addFlag(std::vector<std::string>& flags, const std::string& flag) {
   const auto at = std::lower_bound(flags.begin(), flags.end(), flag);
-  if (at == flags.end() || *at != flag) flags.insert(at, flag);
+  if (at == flags.end() || *at != flag) {
+    flags.insert(at, flag);
+  }
 }
 
 /// The working copy of one evaluation.
@@ -236,7 +272,9 @@ class ModelSolver {
   ModelEvaluation run() {
     out_.model = ratings_.model;
     selectSheets();
-    for (std::size_t j = 0; j < instrument_.indices.size(); ++j) evaluateIndex(j);
+    for (std::size_t j = 0; j < instrument_.indices.size(); ++j) {
+      evaluateIndex(j);
+    }
     combine();
     evaluateComposites();
     return std::move(out_);
@@ -249,20 +287,25 @@ class ModelSolver {
       TORSIO_EXPECTS(sheet.raterClass < instrument_.classes.size());
       std::int64_t holes = 0;
       for (std::size_t j = 0; j < sheet.steps.size(); ++j) {
-        if (sheet.steps[j]) continue;
+        if (sheet.steps[j]) {
+          continue;
+        }
         ++holes;
-        if (policy_.missing == MissingPolicy::kRefuse)
+        if (policy_.missing == MissingPolicy::kRefuse) {
           throw Error(ErrorCode::kBadData,
                       Text("rater %1 gave no score for index \"%2\"", sheet.rater, instrument_.indices[j].id),
                       Text("model %1", ratings_.model),
                       "Complete the ratings or choose another policy for missing ones.");
+        }
       }
       out_.missing += holes;
       if (holes > 0 && policy_.missing == MissingPolicy::kListWise) {
         addFlag(out_.flags, "list-wise");
         continue;
       }
-      if (holes > 0) addFlag(out_.flags, "available-case");
+      if (holes > 0) {
+        addFlag(out_.flags, "available-case");
+      }
       used_.push_back(&sheet);
     }
   }
@@ -279,16 +322,21 @@ class ModelSolver {
       const bool weighted = in.weights[c] > 0;
       in.inVariance.push_back(weighted || policy_.zeroWeightClassesInVariance);
       if (weighted && values[c].empty()) {
-        if (policy_.missing != MissingPolicy::kRenormalise) refuseEmptyClass(c, of);
+        if (policy_.missing != MissingPolicy::kRenormalise) {
+          refuseEmptyClass(c, of);
+        }
         addFlag(flags, "renormalised");
         in.weights[c] = 0;
       }
-      if (weighted && std::ssize(values[c]) < policy_.minimumPerClass) addFlag(flags, "few raters");
+      if (weighted && std::ssize(values[c]) < policy_.minimumPerClass) {
+        addFlag(flags, "few raters");
+      }
       any = any || in.weights[c] > 0;
     }
-    if (!any)
+    if (!any) {
       throw Error(ErrorCode::kBadData, Text("nobody rated %1", of), Text("model %1", ratings_.model),
                   "Collect ratings first.");
+    }
     in.weights = reduced(in.weights);
     return in;
   }
@@ -303,16 +351,24 @@ class ModelSolver {
     std::vector<std::vector<std::int64_t>> values(instrument_.classes.size());
     std::int64_t missing = 0;
     for (const RaterSheet* sheet : used_) {
-      if (sheet->steps[j]) values[sheet->raterClass].push_back(*sheet->steps[j]);
-      if (!sheet->steps[j]) ++missing;
+      if (sheet->steps[j]) {
+        values[sheet->raterClass].push_back(*sheet->steps[j]);
+      }
+      if (!sheet->steps[j]) {
+        ++missing;
+      }
     }
     std::vector<std::string> flags;
     const IndexInput in = inputFor(values, "index \"" + instrument_.indices[j].id + "\"", flags);
     IndexExact exact;
     ScoreStatistics statistics = statisticsOf(values, in, exact);
     statistics.missing = missing;
-    if (missing > 0) addFlag(flags, "available-case");
-    for (const std::string& flag : flags) addFlag(out_.flags, flag);
+    if (missing > 0) {
+      addFlag(flags, "available-case");
+    }
+    for (const std::string& flag : flags) {
+      addFlag(out_.flags, flag);
+    }
     statistics.flags = flags;
     exact_.push_back(std::move(exact));
     out_.indices.push_back(std::move(statistics));
@@ -341,7 +397,9 @@ class ModelSolver {
       std::int64_t sum = 0;
       bool complete = true;
       for (std::size_t j = 0; j < v_.size(); ++j) {
-        if (sheet.steps[j]) sum += v_[j] * *sheet.steps[j];
+        if (sheet.steps[j]) {
+          sum += v_[j] * *sheet.steps[j];
+        }
         complete = complete && sheet.steps[j].has_value();
       }
       if (complete) {
@@ -350,11 +408,15 @@ class ModelSolver {
       }
       out_.composites.push_back(std::move(composite));
     }
-    for (std::size_t c = 0; c < values.size(); ++c)
+    for (std::size_t c = 0; c < values.size(); ++c) {
       if (values[c].empty() && instrument_.classes[c].weight_milli > 0 &&
-          policy_.missing != MissingPolicy::kRenormalise)
+          policy_.missing != MissingPolicy::kRenormalise) {
         return;  // no class-weighted mean of composites without complete raters in every class
-    if (std::all_of(values.begin(), values.end(), [](const auto& of) { return of.empty(); })) return;
+      }
+    }
+    if (std::all_of(values.begin(), values.end(), [](const auto& of) { return of.empty(); })) {
+      return;
+    }
     std::vector<std::string> flags;
     IndexInput in = inputFor(values, "the composites", flags);
     in.stepsPerPoint *= weightSum;
@@ -385,37 +447,45 @@ std::vector<ModelRatings> groupRatings(const EvaluationInstrument& instrument,
   std::map<std::pair<std::size_t, std::string>, std::size_t> sheetAt;
   std::set<std::tuple<std::string, std::string, std::size_t>> seen;
   for (const EvaluationRating& rating : ratings) {
-    if (rating.raterClass >= instrument.classes.size() || rating.index >= instrument.indices.size())
+    if (rating.raterClass >= instrument.classes.size() || rating.index >= instrument.indices.size()) {
       throw Error(ErrorCode::kBadData, "a rating names a class or an index that the instrument does not have",
                   Text("rater %1, model %2", rating.rater, rating.model),
                   "Use the classes and indices of the instrument.");
+    }
     const std::string where = "rater " + rating.rater + ", index " + instrument.indices[rating.index].id +
                               ", model " + rating.model;
-    if (!seen.insert({rating.model, rating.rater, rating.index}).second)
+    if (!seen.insert({rating.model, rating.rater, rating.index}).second) {
       throw Error(ErrorCode::kBadData, "the same mark appears twice", where,
                   "Keep one; a correction supersedes the earlier mark.");
-    if (rating.steps && !isOnScale(*rating.steps, instrument.scale))
+    }
+    if (rating.steps && !isOnScale(*rating.steps, instrument.scale)) {
       throw Error(ErrorCode::kBadData,
                   Text("score %1 lies outside the scale",
                        std::to_string(pointsFromSteps(*rating.steps, instrument.scale))),
                   where, "Correct the mark; marks are never clamped.");
+    }
     const auto [knownClass, isNew] = classOf.emplace(rating.rater, rating.raterClass);
-    if (!isNew && knownClass->second != rating.raterClass)
+    if (!isNew && knownClass->second != rating.raterClass) {
       throw Error(ErrorCode::kBadData, "a rater appears in two classes", where, "Give each rater one class.");
+    }
     const auto [model, modelIsNew] = modelAt.emplace(rating.model, models.size());
-    if (modelIsNew) models.push_back({rating.model, {}});
+    if (modelIsNew) {
+      models.push_back({rating.model, {}});
+    }
     ModelRatings& of = models[model->second];
     const auto [sheet, sheetIsNew] =
         sheetAt.emplace(std::pair{model->second, rating.rater}, of.sheets.size());
-    if (sheetIsNew)
+    if (sheetIsNew) {
       of.sheets.push_back({rating.rater, rating.raterClass,
                            std::vector<std::optional<std::int64_t>>(instrument.indices.size())});
+    }
     of.sheets[sheet->second].steps[rating.index] = rating.steps;
   }
-  for (ModelRatings& model : models)
+  for (ModelRatings& model : models) {
     std::sort(model.sheets.begin(), model.sheets.end(), [](const RaterSheet& a, const RaterSheet& b) {
       return std::tie(a.raterClass, a.rater) < std::tie(b.raterClass, b.rater);
     });
+  }
   return models;
 }
 
@@ -429,8 +499,9 @@ std::vector<ModelEvaluation> evaluate(const EvaluationInstrument& instrument,
                                       std::span<const EvaluationRating> ratings,
                                       const EvaluationPolicy& policy) {
   std::vector<ModelEvaluation> out;
-  for (const ModelRatings& model : groupRatings(instrument, ratings))
+  for (const ModelRatings& model : groupRatings(instrument, ratings)) {
     out.push_back(evaluateModel(instrument, model, policy));
+  }
   return out;
 }
 
@@ -452,23 +523,29 @@ EvaluationKernel::EvaluationKernel(const EvaluationInstrument& instrument,
   std::int64_t lcm = 1;
   std::int64_t weightSum = 0;
   for (std::size_t c = 0; c < weights.size(); ++c) {
-    if (weights[c] == 0) continue;
+    if (weights[c] == 0) {
+      continue;
+    }
     TORSIO_EXPECTS(classCounts_[c] > 0);
     lcm = std::lcm(lcm, classCounts_[c]);
     TORSIO_EXPECTS(lcm < 1'000'000);
     weightSum += weights[c];
   }
-  for (std::size_t c = 0; c < weights.size(); ++c)
-    if (weights[c] > 0) meanFactors_[c] = weights[c] * (lcm / classCounts_[c]);
+  for (std::size_t c = 0; c < weights.size(); ++c) {
+    if (weights[c] > 0) {
+      meanFactors_[c] = weights[c] * (lcm / classCounts_[c]);
+    }
+  }
   commonDenominator_ = lcm * weightSum;
   indexWeights_ = indexWeights(instrument);
   indexWeightSum_ = std::accumulate(indexWeights_.begin(), indexWeights_.end(), std::int64_t{0});
   const std::int64_t maxSteps = std::max(std::abs(instrument.scale.lo), std::abs(instrument.scale.hi));
   if (!fitsDouble(std::ssize(raterClasses_), maxSteps, static_cast<double>(commonDenominator_),
-                  instrument.scale.stepsPerPoint))
+                  instrument.scale.stepsPerPoint)) {
     throw Error(ErrorCode::kBadParameter,
                 "the class sizes have too large a common multiple for the fast evaluation", "rater classes",
                 "Use evaluateModel.");
+  }
 }
 
 double EvaluationKernel::run(std::span<const std::int64_t> steps, std::span<double> m, std::span<double> s2) {

@@ -33,7 +33,9 @@ template <class Integer>
     ++exponent;
   }
   std::uint64_t bits = static_cast<std::uint64_t>(quotient);
-  if (sticky) bits |= 1U;
+  if (sticky) {
+    bits |= 1U;
+  }
   return std::ldexp(static_cast<double>(bits), exponent);  // the conversion rounds once, to nearest even
 }
 
@@ -42,8 +44,9 @@ inline constexpr std::int64_t kExactDouble = std::int64_t{1} << 53;
 /// Returns the double nearest to numerator / denominator; denominator > 0. Dividing two converted integers
 /// rounds three times once they pass 2^53.
 [[nodiscard]] inline double roundedQuotient(std::int64_t numerator, std::int64_t denominator) {
-  if (numerator <= kExactDouble && numerator >= -kExactDouble && denominator <= kExactDouble)
+  if (numerator <= kExactDouble && numerator >= -kExactDouble && denominator <= kExactDouble) {
     return static_cast<double>(numerator) / static_cast<double>(denominator);
+  }
   const bool negative = numerator < 0;
   const std::uint64_t magnitude =
       negative ? 0 - static_cast<std::uint64_t>(numerator) : static_cast<std::uint64_t>(numerator);

@@ -24,10 +24,11 @@ using Cell = std::tuple<std::size_t, std::size_t, std::string>;  // occasion, gr
 using Cells = std::map<Cell, std::vector<std::int64_t>>;
 
 void checkMark(const ScoreScale& scale, const TrainingMark& mark, const std::string& where) {
-  if (!isOnScale(mark.steps, scale))
+  if (!isOnScale(mark.steps, scale)) {
     throw Error(ErrorCode::kBadData,
                 Text("score %1 lies outside the scale", std::to_string(pointsFromSteps(mark.steps, scale))),
                 where, "Correct the mark; marks are never clamped.");
+  }
 }
 
 Cells collect(const ScoreScale& scale, std::span<const TrainingMark> marks) {
@@ -39,12 +40,14 @@ Cells collect(const ScoreScale& scale, std::span<const TrainingMark> marks) {
     const std::string where =
         "trainee " + mark.trainee + ", occasion " + std::to_string(mark.occasion) + ", rater " + mark.rater;
     checkMark(scale, mark, where);
-    if (!seen.insert({mark.trainee, mark.occasion, mark.rater}).second)
+    if (!seen.insert({mark.trainee, mark.occasion, mark.rater}).second) {
       throw Error(ErrorCode::kBadData, "the same mark appears twice", where,
                   "Keep one; a correction supersedes the earlier mark.");
+    }
     const auto [known, isNew] = groupOf.emplace(mark.trainee, mark.group);
-    if (!isNew && known->second != mark.group)
+    if (!isNew && known->second != mark.group) {
       throw Error(ErrorCode::kBadData, "a trainee appears in two groups", where, "Analyse as allocated.");
+    }
     cells[{mark.occasion, mark.group, mark.trainee}].push_back(mark.steps);
   }
   return cells;
@@ -57,14 +60,18 @@ std::int64_t sumOf(const std::vector<std::int64_t>& values) {
 /// Sum of squares about the mean is spread / n, with spread a whole number.
 BigInteger spreadOf(const std::vector<std::int64_t>& values) {
   BigInteger squares = 0;
-  for (const std::int64_t x : values) squares += BigInteger(x) * x;
+  for (const std::int64_t x : values) {
+    squares += BigInteger(x) * x;
+  }
   const BigInteger sum = sumOf(values);
   return std::ssize(values) * squares - sum * sum;
 }
 
 double quotientOf(const BigInteger& spread, std::initializer_list<std::int64_t> divisors) {
   BigInteger denominator = 1;
-  for (const std::int64_t divisor : divisors) denominator *= divisor;
+  for (const std::int64_t divisor : divisors) {
+    denominator *= divisor;
+  }
   return nearestQuotient<BigInteger>(spread, denominator);
 }
 
@@ -77,7 +84,9 @@ struct CommonScores {
 CommonScores commonScores(const std::vector<const std::vector<std::int64_t>*>& trainees, std::int64_t q) {
   std::int64_t lcm = 1;
   for (const auto* marks : trainees) {
-    if (lcm <= kMaxCommonRaters) lcm = std::lcm(lcm, std::ssize(*marks));
+    if (lcm <= kMaxCommonRaters) {
+      lcm = std::lcm(lcm, std::ssize(*marks));
+    }
   }
   // No common denominator at hand: units of a millionth of a step, far below any reporting precision.
   const bool exact = lcm <= kMaxCommonRaters;
@@ -104,7 +113,9 @@ GroupSummary summarise(std::size_t occasion, std::size_t group,
   out.mean = roundedQuotient(sumOf(scores.values), n * d);
   const BigInteger spread = spreadOf(scores.values);
   out.varianceOfScores = quotientOf(spread, {n, n, d, d});
-  if (n > 1) out.sampleVarianceOfScores = quotientOf(spread, {n, n - 1, d, d});
+  if (n > 1) {
+    out.sampleVarianceOfScores = quotientOf(spread, {n, n - 1, d, d});
+  }
   std::vector<std::int64_t> all;
   double between = 0.0;
   BigInteger betweenNumerator = 0;
@@ -117,13 +128,16 @@ GroupSummary summarise(std::size_t occasion, std::size_t group,
     betweenDefined = betweenDefined && raters > 1;
     sameCount = sameCount && raters == k;
     betweenNumerator += spreadOf(*marks);
-    if (raters > 1) between += quotientOf(spreadOf(*marks), {raters, raters - 1, q, q});
+    if (raters > 1) {
+      between += quotientOf(spreadOf(*marks), {raters, raters - 1, q, q});
+    }
   }
   out.marks = std::ssize(all);
   out.varianceOfMarks = quotientOf(spreadOf(all), {out.marks, out.marks, q, q});
-  if (betweenDefined)
+  if (betweenDefined) {
     out.meanBetweenRaterVariance =
         sameCount ? quotientOf(betweenNumerator, {n, k, k - 1, q, q}) : between / static_cast<double>(n);
+  }
   std::sort(scores.values.begin(), scores.values.end());
   out.min = roundedQuotient(scores.values.front(), d);
   out.max = roundedQuotient(scores.values.back(), d);
@@ -139,7 +153,9 @@ GroupSummary summarise(std::size_t occasion, std::size_t group,
 std::vector<TraineeScore> traineeScores(const ScoreScale& scale, std::span<const TrainingMark> marks) {
   const Cells cells = collect(scale, marks);
   std::map<std::size_t, std::set<std::string>> members;
-  for (const auto& [cell, steps] : cells) members[std::get<1>(cell)].insert(std::get<2>(cell));
+  for (const auto& [cell, steps] : cells) {
+    members[std::get<1>(cell)].insert(std::get<2>(cell));
+  }
   std::vector<TraineeScore> out;
   for (const auto& [cell, steps] : cells) {
     const auto& [occasion, group, trainee] = cell;
@@ -157,11 +173,14 @@ std::vector<TraineeScore> traineeScores(const ScoreScale& scale, std::span<const
 std::vector<GroupSummary> groupSummaries(const ScoreScale& scale, std::span<const TrainingMark> marks) {
   const Cells cells = collect(scale, marks);
   std::map<std::pair<std::size_t, std::size_t>, std::vector<const std::vector<std::int64_t>*>> groups;
-  for (const auto& [cell, steps] : cells) groups[{std::get<0>(cell), std::get<1>(cell)}].push_back(&steps);
+  for (const auto& [cell, steps] : cells) {
+    groups[{std::get<0>(cell), std::get<1>(cell)}].push_back(&steps);
+  }
   std::vector<GroupSummary> out;
   out.reserve(groups.size());
-  for (const auto& [key, trainees] : groups)
+  for (const auto& [key, trainees] : groups) {
     out.push_back(summarise(key.first, key.second, trainees, scale.stepsPerPoint));
+  }
   return out;
 }
 
@@ -171,19 +190,31 @@ std::optional<std::vector<std::int64_t>> exactGains(std::span<const TraineeScore
   std::map<std::string, std::int64_t> after;
   std::optional<std::int64_t> raters;
   for (const TraineeScore& score : scores) {
-    if (raters && *raters != score.n) return std::nullopt;
+    if (raters && *raters != score.n) {
+      return std::nullopt;
+    }
     raters = score.n;
-    if (score.group != group) continue;
-    if (score.occasion == from) before[score.trainee] = score.sum_steps;
-    if (score.occasion == to) after[score.trainee] = score.sum_steps;
+    if (score.group != group) {
+      continue;
+    }
+    if (score.occasion == from) {
+      before[score.trainee] = score.sum_steps;
+    }
+    if (score.occasion == to) {
+      after[score.trainee] = score.sum_steps;
+    }
   }
   std::vector<std::int64_t> gains;
   for (const auto& [trainee, sum] : before) {
     const auto at = after.find(trainee);
-    if (at == after.end()) return std::nullopt;
+    if (at == after.end()) {
+      return std::nullopt;
+    }
     gains.push_back(at->second - sum);
   }
-  if (gains.size() != after.size()) return std::nullopt;
+  if (gains.size() != after.size()) {
+    return std::nullopt;
+  }
   return gains;
 }
 

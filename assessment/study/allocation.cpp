@@ -44,7 +44,9 @@ void appendNumbers(std::string& text, const Numbers& numbers) {
 
 std::vector<std::size_t> equalArms(std::size_t count, std::size_t arms) {
   std::vector<std::size_t> labels;
-  for (std::size_t arm = 0; arm < arms; ++arm) labels.insert(labels.end(), count / arms, arm);
+  for (std::size_t arm = 0; arm < arms; ++arm) {
+    labels.insert(labels.end(), count / arms, arm);
+  }
   return labels;
 }
 
@@ -64,11 +66,15 @@ std::int64_t imbalanceOf(const std::vector<std::int64_t>& counts, Imbalance meas
 }
 
 void checkBlockSizes(const std::vector<std::size_t>& sizes, std::size_t arms) {
-  if (sizes.empty()) refuseDesign("no block size is given", "Give one or more block sizes.");
-  for (const std::size_t size : sizes)
-    if (size == 0 || size % arms != 0)
+  if (sizes.empty()) {
+    refuseDesign("no block size is given", "Give one or more block sizes.");
+  }
+  for (const std::size_t size : sizes) {
+    if (size == 0 || size % arms != 0) {
       refuseDesign(Text("block size %1 is no multiple of the number of arms", size),
                    "Give multiples of the number of arms.");
+    }
+  }
 }
 
 }  // namespace
@@ -83,10 +89,14 @@ bool usesBlocks(AllocationMethod method) noexcept {
 
 void validateDesign(const AllocationDesign& design) {
   const std::size_t arms = design.arms.size();
-  if (arms < 2) refuseDesign("there are fewer than two arms", "Name at least two arms.");
-  for (const AllocationFactor& factor : design.factors)
-    if (factor.levels.empty())
+  if (arms < 2) {
+    refuseDesign("there are fewer than two arms", "Name at least two arms.");
+  }
+  for (const AllocationFactor& factor : design.factors) {
+    if (factor.levels.empty()) {
       refuseDesign(Text("factor \"%1\" has no levels", factor.name), "List its levels.");
+    }
+  }
   if (usesFactors(design.method) && design.factors.empty()) {
     refuseDesign(design.method == AllocationMethod::kMinimisation ? Text("minimisation needs a factor")
                                                                   : Text("stratified blocks need a factor"),
@@ -114,14 +124,18 @@ std::string designText(const AllocationDesign& design) {
   text += "; ";
   text += methodText(design.method);
   text += "; arms";
-  for (const std::string& arm : design.arms) text += " [" + arm + "]";
+  for (const std::string& arm : design.arms) {
+    text += " [" + arm + "]";
+  }
   text += "; participants ";
   text += std::to_string(design.participants);
   text += "; blocks";
   appendNumbers(text, design.blockSizes);
   for (const AllocationFactor& factor : design.factors) {
     text += "; factor [" + factor.name + "]:";
-    for (const std::string& level : factor.levels) text += " [" + level + "]";
+    for (const std::string& level : factor.levels) {
+      text += " [" + level + "]";
+    }
   }
   for (const auto& [stratum, total] : design.stratumTotals) {
     text += "; stratum [" + stratum + "] ";
@@ -178,7 +192,9 @@ std::uint64_t Allocator::draw(std::uint64_t n) {
 }
 
 std::vector<std::size_t> Allocator::shuffled(std::vector<std::size_t> labels) {
-  if (labels.size() > 1) draws_ += labels.size() - 1;
+  if (labels.size() > 1) {
+    draws_ += labels.size() - 1;
+  }
   random_.shuffle(std::span<std::size_t>(labels));
   std::reverse(labels.begin(), labels.end());  // handed out from the back
   return labels;
@@ -192,22 +208,30 @@ std::vector<std::size_t> Allocator::nextBlock() {
 
 std::size_t Allocator::fromBlocks(const std::string& stratum) {
   std::vector<std::size_t>& list = waiting_[stratum];
-  if (list.empty()) list = nextBlock();
+  if (list.empty()) {
+    list = nextBlock();
+  }
   const std::size_t arm = list.back();
   list.pop_back();
   return arm;
 }
 
 std::size_t Allocator::fromStratum(const std::string& stratum) {
-  if (design_.stratumTotals.empty()) return fromBlocks(stratum);
+  if (design_.stratumTotals.empty()) {
+    return fromBlocks(stratum);
+  }
   const std::size_t block = *std::max_element(design_.blockSizes.begin(), design_.blockSizes.end());
   const auto total = design_.stratumTotals.find(stratum);
   const std::size_t known = total == design_.stratumTotals.end() ? 0 : total->second;
-  if (served_[stratum]++ < known / block * block) return fromBlocks(stratum);
+  if (served_[stratum]++ < known / block * block) {
+    return fromBlocks(stratum);
+  }
   std::vector<std::size_t>& list = waiting_[kLeftovers];
   if (list.empty()) {
     std::size_t leftovers = 0;
-    for (const auto& [name, persons] : design_.stratumTotals) leftovers += persons % block;
+    for (const auto& [name, persons] : design_.stratumTotals) {
+      leftovers += persons % block;
+    }
     const std::size_t arms = design_.arms.size();
     list = shuffled(equalArms(std::max<std::size_t>(1, (leftovers + arms - 1) / arms) * arms, arms));
   }
@@ -219,7 +243,7 @@ std::size_t Allocator::fromStratum(const std::string& stratum) {
 std::size_t Allocator::minimise(const AllocationPerson& person, std::vector<std::int64_t>& scores) {
   const std::size_t arms = design_.arms.size();
   scores.assign(arms, 0);
-  for (std::size_t arm = 0; arm < arms; ++arm)
+  for (std::size_t arm = 0; arm < arms; ++arm) {
     for (std::size_t f = 0; f < person.levels.size(); ++f) {
       std::vector<std::int64_t>& margin = margins_[{f, person.levels[f]}];
       margin.resize(arms, 0);
@@ -227,37 +251,48 @@ std::size_t Allocator::minimise(const AllocationPerson& person, std::vector<std:
       scores[arm] += imbalanceOf(margin, design_.imbalance);
       --margin[arm];
     }
+  }
   const std::int64_t least = *std::min_element(scores.begin(), scores.end());
   std::vector<std::size_t> best;
   std::vector<std::size_t> rest;
-  for (std::size_t arm = 0; arm < arms; ++arm) (scores[arm] == least ? best : rest).push_back(arm);
+  for (std::size_t arm = 0; arm < arms; ++arm) {
+    (scores[arm] == least ? best : rest).push_back(arm);
+  }
   const bool takeBest = rest.empty() || draw(10) < static_cast<std::uint64_t>(design_.bestArm_tenths);
   const std::vector<std::size_t>& from = takeBest ? best : rest;
   const std::size_t arm = from.size() == 1 ? from[0] : from[draw(from.size())];
-  for (std::size_t f = 0; f < person.levels.size(); ++f) ++margins_[{f, person.levels[f]}][arm];
+  for (std::size_t f = 0; f < person.levels.size(); ++f) {
+    ++margins_[{f, person.levels[f]}][arm];
+  }
   return arm;
 }
 
 std::string Allocator::stratumOf(const AllocationPerson& person) const {
   std::string stratum;
   for (std::size_t f = 0; f < design_.factors.size(); ++f) {
-    if (!stratum.empty()) stratum += " / ";
+    if (!stratum.empty()) {
+      stratum += " / ";
+    }
     stratum += design_.factors[f].levels[person.levels[f]];
   }
   return stratum;
 }
 
 AllocationRecord Allocator::assign(const AllocationPerson& person, const AllocationStamp& stamp) {
-  for (const AllocationRecord& record : records_)
-    if (record.person == person.code)
+  for (const AllocationRecord& record : records_) {
+    if (record.person == person.code) {
       throw Error(ErrorCode::kBadData, Text("person %1 is already allocated", person.code), "allocation",
                   "Enrol each person once; analyse as allocated.");
+    }
+  }
   bool levelsKnown = person.levels.size() == design_.factors.size();
-  for (std::size_t f = 0; levelsKnown && f < person.levels.size(); ++f)
+  for (std::size_t f = 0; levelsKnown && f < person.levels.size(); ++f) {
     levelsKnown = person.levels[f] < design_.factors[f].levels.size();
-  if (!levelsKnown)
+  }
+  if (!levelsKnown) {
     throw Error(ErrorCode::kBadData, Text("a factor of person %1 has no valid level", person.code),
                 "allocation", "Record every factor before allocation.");
+  }
   AllocationRecord record;
   record.position = records_.size();
   record.person = person.code;
@@ -267,11 +302,13 @@ AllocationRecord Allocator::assign(const AllocationPerson& person, const Allocat
   record.countsBefore = counts_;
   switch (design_.method) {
     case AllocationMethod::kCompletePermutation:
-      if (record.position >= design_.participants)
+      if (record.position >= design_.participants) {
         throw Error(ErrorCode::kBadData, "the allocation list is used up", "allocation",
                     "Plan a new list; the old one stays as it is.");
-      if (record.position == 0)
+      }
+      if (record.position == 0) {
         waiting_[kOneList] = shuffled(equalArms(design_.participants, design_.arms.size()));
+      }
       record.arm = fromBlocks(kOneList);
       break;
     case AllocationMethod::kPermutedBlocks:
@@ -295,36 +332,48 @@ AllocationRecord Allocator::assign(const AllocationPerson& person, const Allocat
 
 Allocation allocate(AllocationDesign design, std::uint64_t seed, const std::vector<AllocationPerson>& persons,
                     bool jointLeftovers) {
-  if (design.method == AllocationMethod::kCompletePermutation) design.participants = persons.size();
+  if (design.method == AllocationMethod::kCompletePermutation) {
+    design.participants = persons.size();
+  }
   if (design.method == AllocationMethod::kStratifiedBlocks && jointLeftovers) {
     design.stratumTotals.clear();
     for (const AllocationPerson& person : persons) {
       std::string stratum;
       for (std::size_t f = 0; f < design.factors.size() && f < person.levels.size(); ++f) {
-        if (!stratum.empty()) stratum += " / ";
+        if (!stratum.empty()) {
+          stratum += " / ";
+        }
         stratum += design.factors[f].levels.at(person.levels[f]);
       }
       ++design.stratumTotals[stratum];
     }
   }
   Allocator allocator(design, seed);
-  for (const AllocationPerson& person : persons) allocator.assign(person);
+  for (const AllocationPerson& person : persons) {
+    allocator.assign(person);
+  }
   return {design, seed, seedCommitment(design, seed), allocator.records()};
 }
 
 ReplayFinding replayAllocation(const Allocation& allocation) {
-  if (seedCommitment(allocation.design, allocation.seed) != allocation.commitment)
+  if (seedCommitment(allocation.design, allocation.seed) != allocation.commitment) {
     return {false, std::nullopt, "seed and design do not give the published commitment"};
+  }
   Allocator allocator(allocation.design, allocation.seed);
   std::string previous;
   for (std::size_t i = 0; i < allocation.records.size(); ++i) {
     const AllocationRecord& kept = allocation.records[i];
-    if (kept.position != i || kept.previousHash != previous || recordHash(kept) != kept.hash)
+    if (kept.position != i || kept.previousHash != previous || recordHash(kept) != kept.hash) {
       return {false, i, "the chain of records is broken"};
+    }
     previous = kept.hash;
     const AllocationRecord again = allocator.assign({kept.person, kept.levels}, kept.stamp);
-    if (again.arm != kept.arm) return {false, i, "the seed gives another arm"};
-    if (again.hash != kept.hash) return {false, i, "the seed gives another record"};
+    if (again.arm != kept.arm) {
+      return {false, i, "the seed gives another arm"};
+    }
+    if (again.hash != kept.hash) {
+      return {false, i, "the seed gives another record"};
+    }
   }
   return {};
 }

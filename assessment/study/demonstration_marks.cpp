@@ -45,7 +45,9 @@ std::vector<double> centredNormals(Random& random, std::size_t count, double spr
     values.push_back(spread * random.normal());
     sum += values.back();
   }
-  for (double& value : values) value -= sum / static_cast<double>(count);
+  for (double& value : values) {
+    value -= sum / static_cast<double>(count);
+  }
   return values;
 }
 
@@ -76,25 +78,30 @@ std::vector<TrainingMark> demonstrationTrainingMarks(const ScoreScale& scale,
   Random severities = Random::forStream(seed, kSeverity);
   Random noise = Random::forStream(seed, kNoise);
   std::vector<std::vector<double>> talent;
-  for (const std::vector<std::string>& group : people.groups)
+  for (const std::vector<std::string>& group : people.groups) {
     talent.push_back(centredNormals(talents, group.size(), kTalentSpread));
+  }
   const std::vector<double> severity = centredNormals(severities, people.raters.size(), kSeveritySpread);
   std::vector<TrainingMark> marks;
-  for (std::size_t t = 0; t < kOccasions; ++t)
-    for (std::size_t g = 0; g < kGroups; ++g)
-      for (std::size_t i = 0; i < people.groups[g].size(); ++i)
+  for (std::size_t t = 0; t < kOccasions; ++t) {
+    for (std::size_t g = 0; g < kGroups; ++g) {
+      for (std::size_t i = 0; i < people.groups[g].size(); ++i) {
         for (std::size_t r = 0; r < people.raters.size(); ++r) {
           const double points =
               kBaseline + kGain[g][t] + talent[g][i] - severity[r] + kMarkSpread * noise.normal();
           marks.push_back({people.groups[g][i], g, t, people.raters[r], wholePoint(points, scale)});
         }
+      }
+    }
+  }
   return marks;
 }
 
 Text demonstrationTrainingRule() {
   std::vector<Text> gains;
-  for (std::size_t g = 0; g < kGroups; ++g)
+  for (std::size_t g = 0; g < kGroups; ++g) {
     gains.push_back(Text("group %1: %2 and %3", g + 1, decimal(kGain[g][1]), decimal(kGain[g][2])));
+  }
   return Text(
       "Each simulated mark is the whole point nearest to baseline + gain of the group + talent of the "
       "trainee - severity of the rater + chance, held on the scale. Baseline %1; gains after 20 and 40 "
@@ -116,19 +123,22 @@ std::vector<EvaluationRating> demonstrationEvaluationMarks(const EvaluationInstr
   Random judges = Random::forStream(seed, kJudge);
   Random judgement = Random::forStream(seed, kJudgement);
   std::vector<std::vector<double>> severity;
-  for (const std::vector<std::string>& raters : people.raterClasses)
+  for (const std::vector<std::string>& raters : people.raterClasses) {
     severity.push_back(centredNormals(judges, raters.size(), kJudgeSpread));
+  }
   std::vector<EvaluationRating> ratings;
   for (const std::string& model : models) {
     const std::size_t row = model == "PM" ? 0 : model == "FEM" ? 1 : 2;
-    for (std::size_t c = 0; c < people.raterClasses.size(); ++c)
-      for (std::size_t i = 0; i < people.raterClasses[c].size(); ++i)
+    for (std::size_t c = 0; c < people.raterClasses.size(); ++c) {
+      for (std::size_t i = 0; i < people.raterClasses[c].size(); ++i) {
         for (std::size_t j = 0; j < instrument.indices.size(); ++j) {
           const double points = kQuality[row][j % kIndices] +
                                 kClassShift[std::min(c, kClassShift.size() - 1)] - severity[c][i] +
                                 kJudgementSpread * judgement.normal();
           ratings.push_back({model, people.raterClasses[c][i], c, j, wholePoint(points, instrument.scale)});
         }
+      }
+    }
   }
   return ratings;
 }
@@ -138,7 +148,9 @@ Text demonstrationEvaluationRule() {
   std::vector<Text> qualities;
   for (std::size_t row = 0; row < kQuality.size(); ++row) {
     std::string line = kNames[row];
-    for (const double quality : kQuality[row]) (line += ' ') += decimal(quality);
+    for (const double quality : kQuality[row]) {
+      (line += ' ') += decimal(quality);
+    }
     qualities.emplace_back(line);
   }
   return Text(

@@ -12,7 +12,9 @@ namespace {
 bool toSteps(double value, double step, std::int32_t& out) noexcept {
   const double steps = value / step;
   constexpr double kLimit = static_cast<double>(std::numeric_limits<std::int32_t>::max());
-  if (!(std::abs(steps) < kLimit)) return false;  // also catches NaN
+  if (!(std::abs(steps) < kLimit)) {
+    return false;  // also catches NaN
+  }
   out = static_cast<std::int32_t>(steps < 0.0 ? steps - 0.5 : steps + 0.5);
   return true;
 }

@@ -11,7 +11,9 @@ namespace {
 
 std::string sentence(const std::string& what, const std::string& where, const std::string& remedy) {
   std::string text = where.empty() ? what : where + ": " + what;
-  if (!remedy.empty()) text += ". " + remedy;
+  if (!remedy.empty()) {
+    text += ". " + remedy;
+  }
   return text;
 }
 

@@ -45,10 +45,14 @@ void writeFileAtomically(const fs::path& file, const std::function<void(std::ost
   std::error_code failed;
   try {
     std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-    if (!out) unwritable(file);
+    if (!out) {
+      unwritable(file);
+    }
     write(out);
     out.close();
-    if (!out) unwritable(file);
+    if (!out) {
+      unwritable(file);
+    }
   } catch (...) {
     fs::remove(temporary, failed);
     throw;

@@ -90,10 +90,14 @@ SinCos portableSinCos(double x) noexcept {
 }
 
 double portableAtan2(double y, double x) noexcept {
-  if (std::isnan(x) || std::isnan(y)) return std::numeric_limits<double>::quiet_NaN();
+  if (std::isnan(x) || std::isnan(y)) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
   const double ax = std::abs(x);
   const double ay = std::abs(y);
-  if (ax == 0.0 && ay == 0.0) return 0.0;
+  if (ax == 0.0 && ay == 0.0) {
+    return 0.0;
+  }
   const bool steep = ay > ax;
   const double t = steep ? ax / ay : ay / ax;  // in [0, 1]
   // Fold [0, 1] onto [-tan(pi/16), tan(pi/16)] about the tabled angles 0, pi/8, pi/4.
@@ -109,26 +113,44 @@ double portableAtan2(double y, double x) noexcept {
     u = (t - kTanPi8) / (1.0 + t * kTanPi8);
   }
   double angle = base + (u < 0.0 ? -arctanKernel(-u) : arctanKernel(u));
-  if (steep) angle = kPi / 2.0 - angle;
-  if (std::signbit(x) && x != 0.0) angle = kPi - angle;
+  if (steep) {
+    angle = kPi / 2.0 - angle;
+  }
+  if (std::signbit(x) && x != 0.0) {
+    angle = kPi - angle;
+  }
   return y < 0.0 ? -angle : angle;
 }
 
 double portableExp(double x) noexcept {
-  if (std::isnan(x)) return x;
-  if (x < -708.0) return 0.0;
-  if (x > 709.0) return std::numeric_limits<double>::infinity();
+  if (std::isnan(x)) {
+    return x;
+  }
+  if (x < -708.0) {
+    return 0.0;
+  }
+  if (x > 709.0) {
+    return std::numeric_limits<double>::infinity();
+  }
   const double k = std::floor(x / 0.69314718055994530942 + 0.5);
   const double r = (x - k * kLn2High) - k * kLn2Low;  // |r| <= ln(2) / 2
   double p = 1.0;
-  for (int i = 14; i >= 2; --i) p = 1.0 + r * p / static_cast<double>(i);
+  for (int i = 14; i >= 2; --i) {
+    p = 1.0 + r * p / static_cast<double>(i);
+  }
   return scaleByPowerOfTwo(1.0 + r * p, static_cast<int>(k));
 }
 
 double portableLog(double x) noexcept {
-  if (x == 0.0) return -std::numeric_limits<double>::infinity();
-  if (!(x > 0.0)) return std::numeric_limits<double>::quiet_NaN();
-  if (std::isinf(x)) return x;
+  if (x == 0.0) {
+    return -std::numeric_limits<double>::infinity();
+  }
+  if (!(x > 0.0)) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  if (std::isinf(x)) {
+    return x;
+  }
   int exponent = 0;
   double m = std::frexp(x, &exponent);  // [0.5, 1)
   if (m < 0.70710678118654752440) {
@@ -138,7 +160,9 @@ double portableLog(double x) noexcept {
   const double t = (m - 1.0) / (m + 1.0);  // log m = 2 artanh t, |t| <= 0.1716
   const double z = t * t;
   double p = 0.0;
-  for (int k = 10; k >= 1; --k) p = 1.0 / static_cast<double>(2 * k + 1) + z * p;
+  for (int k = 10; k >= 1; --k) {
+    p = 1.0 / static_cast<double>(2 * k + 1) + z * p;
+  }
   const double e = static_cast<double>(exponent);
   return e * kLn2High + (2.0 * (t + t * (z * p)) + e * kLn2Low);
 }

@@ -13,7 +13,9 @@ std::uint64_t Random::bounded(std::uint64_t n) {
   const std::uint64_t remainder = (0 - n) % n;  // 2^64 mod n
   std::uint64_t x = engine_();
   // Values from 2^64 - remainder upwards would favour the small results.
-  while (remainder != 0 && x >= 0 - remainder) x = engine_();
+  while (remainder != 0 && x >= 0 - remainder) {
+    x = engine_();
+  }
   return x % n;
 }
 
@@ -30,7 +32,9 @@ double Random::normal() {
     const double u = 2.0 * uniform() - 1.0;
     const double v = 2.0 * uniform() - 1.0;
     const double s = u * u + v * v;
-    if (s >= 1.0 || s == 0.0) continue;
+    if (s >= 1.0 || s == 0.0) {
+      continue;
+    }
     const double scale = std::sqrt(-2.0 * portableLog(s) / s);
     spare_ = v * scale;
     hasSpare_ = true;

@@ -28,7 +28,9 @@ class Random {
   /// Shuffles `items` by Fisher and Yates from the back: for i = n..2 swap(i - 1, bounded(i)).
   template <typename T>
   void shuffle(std::span<T> items) {
-    for (std::size_t i = items.size(); i >= 2; --i) std::swap(items[i - 1], items[bounded(i)]);
+    for (std::size_t i = items.size(); i >= 2; --i) {
+      std::swap(items[i - 1], items[bounded(i)]);
+    }
   }
 
  private:

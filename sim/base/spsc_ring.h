@@ -40,7 +40,9 @@ class SpscRing {
   /// Takes the oldest element. False when the ring is empty. Consumer thread only.
   [[nodiscard]] bool pop(T& value) noexcept {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);
-    if (tail == head_.load(std::memory_order_acquire)) return false;
+    if (tail == head_.load(std::memory_order_acquire)) {
+      return false;
+    }
     value = data_[tail];
     tail_.store(tail + 1 == slots_ ? 0 : tail + 1, std::memory_order_release);
     return true;

@@ -6,10 +6,14 @@
 namespace torsio {
 
 std::string Text::str() const {
-  if (arguments_.empty()) return pattern_;
+  if (arguments_.empty()) {
+    return pattern_;
+  }
   std::vector<std::string> words;
   words.reserve(arguments_.size());
-  for (const Text& argument : arguments_) words.push_back(argument.str());
+  for (const Text& argument : arguments_) {
+    words.push_back(argument.str());
+  }
   return filledIn(pattern_, words);
 }
 

@@ -31,7 +31,9 @@ std::uint64_t unfold(std::uint64_t folded) noexcept {
 
 /// Replaces values[k..] by their differences; unsigned, so that any overflow wraps and is undone.
 void difference(std::span<std::uint64_t> values, std::size_t k) noexcept {
-  for (std::size_t i = values.size(); i-- > k;) values[i] -= values[i - 1];
+  for (std::size_t i = values.size(); i-- > k;) {
+    values[i] -= values[i - 1];
+  }
 }
 
 std::uint64_t costOf(std::span<const std::uint64_t> values, std::size_t first) noexcept {
@@ -43,12 +45,16 @@ std::uint64_t costOf(std::span<const std::uint64_t> values, std::size_t first) n
 }
 
 void putVarint(std::uint64_t value, std::vector<std::uint8_t>& out) {
-  for (; value >= 0x80; value >>= 7) out.push_back(static_cast<std::uint8_t>(value | 0x80));
+  for (; value >= 0x80; value >>= 7) {
+    out.push_back(static_cast<std::uint8_t>(value | 0x80));
+  }
   out.push_back(static_cast<std::uint8_t>(value));
 }
 
 std::uint8_t takeByte(std::span<const std::uint8_t>& in) {
-  if (in.empty()) damaged();
+  if (in.empty()) {
+    damaged();
+  }
   const std::uint8_t byte = in.front();
   in = in.subspan(1);
   return byte;
@@ -59,7 +65,9 @@ std::uint64_t takeVarint(std::span<const std::uint8_t>& in) {
   for (unsigned shift = 0; shift < 64; shift += 7) {
     const std::uint8_t byte = takeByte(in);
     value |= static_cast<std::uint64_t>(byte & 0x7F) << shift;
-    if ((byte & 0x80) == 0) return value;
+    if ((byte & 0x80) == 0) {
+      return value;
+    }
   }
   damaged();
 }
@@ -77,18 +85,24 @@ void packColumn(std::span<const std::int64_t> column, std::vector<std::uint8_t>&
   for (std::size_t k = 1; k <= std::min(kLargestOrder, n); ++k) {
     difference(values, k);
     const std::uint64_t cost = costOf(values, k);
-    if (cost >= lowest) continue;
+    if (cost >= lowest) {
+      continue;
+    }
     lowest = cost;
     order = k;
     best = values;
   }
 
   std::uint64_t all = 0;
-  for (std::size_t i = order; i < n; ++i) all |= fold(best[i]);
+  for (std::size_t i = order; i < n; ++i) {
+    all |= fold(best[i]);
+  }
   const auto width = static_cast<std::size_t>((std::bit_width(all) + 7) / 8);
   packed.push_back(static_cast<std::uint8_t>(order));
   packed.push_back(static_cast<std::uint8_t>(width));
-  for (std::size_t i = 0; i < order; ++i) putVarint(fold(best[i]), packed);
+  for (std::size_t i = 0; i < order; ++i) {
+    putVarint(fold(best[i]), packed);
+  }
   for (std::size_t plane = 0; plane < width; ++plane) {
     for (std::size_t i = order; i < n; ++i) {
       packed.push_back(static_cast<std::uint8_t>(fold(best[i]) >> (8 * plane)));
@@ -101,19 +115,29 @@ std::span<const std::uint8_t> unpackColumn(std::span<const std::uint8_t> packed,
   const std::size_t n = column.size();
   const std::size_t order = takeByte(packed);
   const std::size_t width = takeByte(packed);
-  if (order > std::min(kLargestOrder, n) || width > kLargestWidth) damaged();
+  if (order > std::min(kLargestOrder, n) || width > kLargestWidth) {
+    damaged();
+  }
   std::vector<std::uint64_t> values(n, 0);
-  for (std::size_t i = 0; i < order; ++i) values[i] = unfold(takeVarint(packed));
+  for (std::size_t i = 0; i < order; ++i) {
+    values[i] = unfold(takeVarint(packed));
+  }
   const std::size_t coded = n - order;
-  if (packed.size() < width * coded) damaged();
+  if (packed.size() < width * coded) {
+    damaged();
+  }
   for (std::size_t plane = 0; plane < width; ++plane) {
     for (std::size_t i = 0; i < coded; ++i) {
       values[order + i] |= static_cast<std::uint64_t>(packed[plane * coded + i]) << (8 * plane);
     }
   }
-  for (std::size_t i = order; i < n; ++i) values[i] = unfold(values[i]);
+  for (std::size_t i = order; i < n; ++i) {
+    values[i] = unfold(values[i]);
+  }
   for (std::size_t k = order; k >= 1; --k) {
-    for (std::size_t i = k; i < n; ++i) values[i] += values[i - 1];
+    for (std::size_t i = k; i < n; ++i) {
+      values[i] += values[i - 1];
+    }
   }
   std::transform(values.begin(), values.end(), column.begin(),
                  [](std::uint64_t v) { return static_cast<std::int64_t>(v); });

@@ -35,7 +35,9 @@ void ContentHash::add(const TrialChunk& chunk) {
 
 std::string contentHash(const Trial& trial) {
   ContentHash hash(trial.header);
-  for (const TrialChunk& chunk : trial.chunks) hash.add(chunk);
+  for (const TrialChunk& chunk : trial.chunks) {
+    hash.add(chunk);
+  }
   return hash.hex();
 }
 
@@ -47,8 +49,12 @@ void verifyContent(const Trial& trial) {
     }
     samples += chunk.samples;
   }
-  if (contentHash(trial) != trial.summary.contentHash) unfit("the content hash does not match", trial);
-  if (samples != trial.summary.samples) unfit("the number of samples does not match", trial);
+  if (contentHash(trial) != trial.summary.contentHash) {
+    unfit("the content hash does not match", trial);
+  }
+  if (samples != trial.summary.samples) {
+    unfit("the number of samples does not match", trial);
+  }
 }
 
 }  // namespace torsio

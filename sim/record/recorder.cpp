@@ -24,7 +24,9 @@ constexpr std::chrono::milliseconds kPeriodAfterRefusal{1000};
 std::string fileNameOf(const std::string& trialId) {
   std::string name = trialId.empty() ? "trial" : trialId;
   for (char& c : name) {
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') {
+      c = '_';
+    }
   }
   return name + ".torsio-trial";
 }
@@ -44,7 +46,9 @@ Recorder::Recorder(SpscRing<Sample>& ring, TrialSink& sink, TrialHeader header, 
 }
 
 Recorder::~Recorder() {
-  if (!thread_.joinable()) return;
+  if (!thread_.joinable()) {
+    return;
+  }
   {
     const std::lock_guard lock(mutex_);
     stop_ = true;
@@ -64,9 +68,13 @@ void Recorder::run() {
     pack();
     const bool accepted = deliver();
     std::unique_lock lock(mutex_);
-    if (wake_.wait_for(lock, accepted ? kPeriod : kPeriodAfterRefusal, [this] { return stop_; })) break;
+    if (wake_.wait_for(lock, accepted ? kPeriod : kPeriodAfterRefusal, [this] { return stop_; })) {
+      break;
+    }
   }
-  if (abandoned_) return;
+  if (abandoned_) {
+    return;
+  }
   try {
     finishSink();
   } catch (...) {
@@ -93,7 +101,9 @@ RecordingResult Recorder::finish(TrialOutcome outcome, std::int64_t lateTicks) {
   }
   wake_.notify_one();
   thread_.join();
-  if (failure_) std::rethrow_exception(failure_);
+  if (failure_) {
+    std::rethrow_exception(failure_);
+  }
   return result_;
 }
 
@@ -102,7 +112,9 @@ void Recorder::pack() {
   while (ring_.pop(sample)) {
     gathered_.push_back(sample);
     taken_.fetch_add(1, std::memory_order_relaxed);
-    if (static_cast<std::int64_t>(gathered_.size()) < options_.samplesPerChunk) continue;
+    if (static_cast<std::int64_t>(gathered_.size()) < options_.samplesPerChunk) {
+      continue;
+    }
     chunks_.push_back(encodeChunk(static_cast<std::int64_t>(chunks_.size()), gathered_));
     hash_.add(chunks_.back());
     gathered_.clear();
@@ -111,7 +123,9 @@ void Recorder::pack() {
 
 bool Recorder::deliver() {
   try {
-    if (!begun_) sink_->begin(header_);
+    if (!begun_) {
+      sink_->begin(header_);
+    }
     begun_ = true;
     for (; delivered_ < chunks_.size(); ++delivered_) {
       sink_->append(chunks_[delivered_]);
@@ -130,10 +144,14 @@ bool Recorder::deliver() {
 
 void Recorder::spill() {
   SpillPlace place;
-  if (const auto* knowing = dynamic_cast<const SpillingTrialSink*>(sink_)) place = knowing->spillPlace();
+  if (const auto* knowing = dynamic_cast<const SpillingTrialSink*>(sink_)) {
+    place = knowing->spillPlace();
+  }
   std::filesystem::path folder = place.folder.empty() ? options_.spillFolder : place.folder;
   try {
-    if (folder.empty()) folder = std::filesystem::temp_directory_path();
+    if (folder.empty()) {
+      folder = std::filesystem::temp_directory_path();
+    }
     ensureFolder(folder);
   } catch (const std::exception& refusal) {
     result_.problem += "; " + std::string(refusal.what());
@@ -167,7 +185,9 @@ void Recorder::finishSink() {
     } catch (const std::exception& refusal) {
       result_.problem = refusal.what();
     }
-    if (attempt < options_.attempts) continue;
+    if (attempt < options_.attempts) {
+      continue;
+    }
     if (spillSink_) {
       throw Error(ErrorCode::kFileUnwritable,
                   Text("the recorded trial could not be kept: %1", result_.problem),

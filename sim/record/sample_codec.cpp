@@ -68,7 +68,9 @@ using Row = std::array<std::int64_t, kColumns>;
 /// it); if one came it would be 0 here and still show in the output digest.
 std::int64_t toSteps(double value, double step) noexcept {
   constexpr double kLimit = 0x1p62;
-  if (std::isnan(value)) return 0;
+  if (std::isnan(value)) {
+    return 0;
+  }
   const double steps = std::clamp(value / step, -kLimit, kLimit);
   return static_cast<std::int64_t>(steps < 0.0 ? steps - 0.5 : steps + 0.5);
 }
@@ -77,8 +79,12 @@ Row toRow(const Sample& s) noexcept {
   Row row{};
   row[kTick] = s.tick;
   row[kTime] = s.device.time_us;
-  for (std::size_t i = 0; i < 3; ++i) row[kPositionX + i] = s.device.position[i];
-  for (std::size_t i = 0; i < 4; ++i) row[kOrientationW + i] = s.device.orientation[i];
+  for (std::size_t i = 0; i < 3; ++i) {
+    row[kPositionX + i] = s.device.position[i];
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    row[kOrientationW + i] = s.device.orientation[i];
+  }
   row[kRoll] = s.device.roll;
   row[kGrip] = s.device.grip;
   row[kButtons] = s.device.buttons;
@@ -128,17 +134,27 @@ Sample toSample(const Row& row) {
   Sample s;
   s.tick = row[kTick];
   s.device.time_us = row[kTime];
-  for (std::size_t i = 0; i < 3; ++i) s.device.position[i] = within<std::int32_t>(row[kPositionX + i]);
-  for (std::size_t i = 0; i < 4; ++i) s.device.orientation[i] = within<std::int32_t>(row[kOrientationW + i]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    s.device.position[i] = within<std::int32_t>(row[kPositionX + i]);
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    s.device.orientation[i] = within<std::int32_t>(row[kOrientationW + i]);
+  }
   s.device.roll = within<std::int32_t>(row[kRoll]);
   s.device.grip = within<std::int32_t>(row[kGrip]);
   s.device.buttons = within<std::uint32_t>(row[kButtons]);
   s.device.status = within<std::uint32_t>(row[kStatus]);
-  if (row[kCommandKind] < 0 || row[kCommandKind] > kLastKind) damaged("an unknown command");
-  if (row[kPhase] < 0 || row[kPhase] > kLastPhase) damaged("an unknown phase");
+  if (row[kCommandKind] < 0 || row[kCommandKind] > kLastKind) {
+    damaged("an unknown command");
+  }
+  if (row[kPhase] < 0 || row[kPhase] > kLastPhase) {
+    damaged("an unknown phase");
+  }
   s.command.kind = static_cast<ServoCommand::Kind>(row[kCommandKind]);
   s.command.value = std::bit_cast<double>(row[kCommandValue]);
-  if (!std::isfinite(s.command.value)) damaged("a command value that is not finite");
+  if (!std::isfinite(s.command.value)) {
+    damaged("a command value that is not finite");
+  }
   s.phase = static_cast<ExercisePhase>(row[kPhase]);
   s.limits = within<std::uint32_t>(row[kLimits]);
   s.contact = within<std::uint32_t>(row[kContact]);
@@ -150,11 +166,15 @@ Sample toSample(const Row& row) {
 std::vector<std::uint8_t> packColumns(std::span<const Sample> samples) {
   std::vector<Row> rows;
   rows.reserve(samples.size());
-  for (const Sample& sample : samples) rows.push_back(toRow(sample));
+  for (const Sample& sample : samples) {
+    rows.push_back(toRow(sample));
+  }
   std::vector<std::uint8_t> packed;
   std::vector<std::int64_t> column(samples.size());
   for (std::size_t c = 0; c < kColumns; ++c) {
-    for (std::size_t i = 0; i < rows.size(); ++i) column[i] = rows[i][c];
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      column[i] = rows[i][c];
+    }
     packColumn(column, packed);
   }
   return packed;
@@ -169,7 +189,9 @@ std::vector<std::uint8_t> decompress(std::span<const std::byte> frame, std::size
   }
   std::vector<std::uint8_t> packed(static_cast<std::size_t>(size));
   const std::size_t written = ZSTD_decompress(packed.data(), packed.size(), frame.data(), frame.size());
-  if (ZSTD_isError(written) != 0U || written != packed.size()) damaged("the packed samples do not unpack");
+  if (ZSTD_isError(written) != 0U || written != packed.size()) {
+    damaged("the packed samples do not unpack");
+  }
   return packed;
 }
 
@@ -184,7 +206,9 @@ TrialChunk encodeChunk(std::int64_t index, std::span<const Sample> samples) {
   chunk.firstTick = samples.front().tick;
   chunk.samples = static_cast<std::int64_t>(samples.size());
   chunk.bytes.resize(kHeaderSize + ZSTD_compressBound(packed.size()));
-  for (std::size_t i = 0; i < kMagic.size(); ++i) chunk.bytes[i] = std::byte{kMagic[i]};
+  for (std::size_t i = 0; i < kMagic.size(); ++i) {
+    chunk.bytes[i] = std::byte{kMagic[i]};
+  }
   chunk.bytes[kMagic.size()] = std::byte{kVersion};
 
   ZSTD_CCtx* const context = ZSTD_createCCtx();
@@ -203,8 +227,12 @@ TrialChunk encodeChunk(std::int64_t index, std::span<const Sample> samples) {
 }
 
 std::vector<Sample> decodeChunk(const TrialChunk& chunk) {
-  if (chunk.samples < 1 || chunk.samples > kLargestChunk) damaged("the number of samples is impossible");
-  if (chunkDigest(chunk) != chunk.digest) damaged("the bytes do not match their digest");
+  if (chunk.samples < 1 || chunk.samples > kLargestChunk) {
+    damaged("the number of samples is impossible");
+  }
+  if (chunkDigest(chunk) != chunk.digest) {
+    damaged("the bytes do not match their digest");
+  }
   const std::span<const std::byte> bytes(chunk.bytes);
   if (bytes.size() < kHeaderSize ||
       !std::equal(kMagic.begin(), kMagic.end(), bytes.begin(),
@@ -224,17 +252,25 @@ std::vector<Sample> decodeChunk(const TrialChunk& chunk) {
   std::span<const std::uint8_t> rest(packed);
   for (std::size_t c = 0; c < kColumns; ++c) {
     rest = unpackColumn(rest, column);
-    for (std::size_t i = 0; i < count; ++i) rows[i][c] = column[i];
+    for (std::size_t i = 0; i < count; ++i) {
+      rows[i][c] = column[i];
+    }
   }
-  if (!rest.empty()) damaged("bytes follow after the last column");
+  if (!rest.empty()) {
+    damaged("bytes follow after the last column");
+  }
 
   std::vector<Sample> samples;
   samples.reserve(count);
   for (const Row& row : rows) {
-    if (!samples.empty() && row[kTick] <= samples.back().tick) damaged("the ticks do not increase");
+    if (!samples.empty() && row[kTick] <= samples.back().tick) {
+      damaged("the ticks do not increase");
+    }
     samples.push_back(toSample(row));
   }
-  if (samples.front().tick != chunk.firstTick) damaged("the first tick is another one");
+  if (samples.front().tick != chunk.firstTick) {
+    damaged("the first tick is another one");
+  }
   return samples;
 }
 
@@ -242,9 +278,13 @@ std::vector<Sample> decodeTrial(const Trial& trial) {
   std::vector<Sample> all;
   std::int64_t expected = 0;
   for (const TrialChunk& chunk : trial.chunks) {
-    if (chunk.index != expected++) damaged("a chunk is missing or out of order");
+    if (chunk.index != expected++) {
+      damaged("a chunk is missing or out of order");
+    }
     const std::vector<Sample> samples = decodeChunk(chunk);
-    if (!all.empty() && samples.front().tick <= all.back().tick) damaged("the ticks do not increase");
+    if (!all.empty() && samples.front().tick <= all.back().tick) {
+      damaged("the ticks do not increase");
+    }
     all.insert(all.end(), samples.begin(), samples.end());
   }
   return all;

@@ -52,11 +52,15 @@ class Reader {
   void operator()(std::int64_t& value) { value = number(); }
   void operator()(double& value) {
     value = std::bit_cast<double>(number());
-    if (!std::isfinite(value)) damaged();
+    if (!std::isfinite(value)) {
+      damaged();
+    }
   }
   void operator()(bool& value) {
     const std::int64_t bit = number();
-    if (bit != 0 && bit != 1) damaged();
+    if (bit != 0 && bit != 1) {
+      damaged();
+    }
     value = bit == 1;
   }
   void operator()(std::string& text) {
@@ -71,24 +75,34 @@ class Reader {
   requires std::is_enum_v<Enum>
   void operator()(Enum& value, Enum last) {
     const std::int64_t found = number();
-    if (found < 0 || found > static_cast<std::int64_t>(last)) damaged();
+    if (found < 0 || found > static_cast<std::int64_t>(last)) {
+      damaged();
+    }
     value = static_cast<Enum>(found);
   }
   void end() const {
-    if (!rest_.empty()) damaged();
+    if (!rest_.empty()) {
+      damaged();
+    }
   }
 
  private:
   std::int64_t number() {
-    if (rest_.size() < 8) damaged();
+    if (rest_.size() < 8) {
+      damaged();
+    }
     std::uint64_t value = 0;
-    for (unsigned i = 0; i < 8; ++i) value |= static_cast<std::uint64_t>(rest_[i]) << (8 * i);
+    for (unsigned i = 0; i < 8; ++i) {
+      value |= static_cast<std::uint64_t>(rest_[i]) << (8 * i);
+    }
     rest_ = rest_.subspan(8);
     return static_cast<std::int64_t>(value);
   }
   std::span<const std::byte> block() {
     const std::int64_t size = number();
-    if (size < 0 || static_cast<std::uint64_t>(size) > rest_.size()) damaged();
+    if (size < 0 || static_cast<std::uint64_t>(size) > rest_.size()) {
+      damaged();
+    }
     const auto found = rest_.first(static_cast<std::size_t>(size));
     rest_ = rest_.subspan(found.size());
     return found;

@@ -40,7 +40,9 @@ std::string record(RecordKind kind, const std::vector<std::byte>& payload) {
     bytes.push_back(static_cast<char>((static_cast<std::uint64_t>(payload.size()) >> (8 * i)) & 0xFFU));
   }
   bytes.append(reinterpret_cast<const char*>(payload.data()), payload.size());
-  for (const std::uint8_t byte : recordDigest(kind, payload)) bytes.push_back(static_cast<char>(byte));
+  for (const std::uint8_t byte : recordDigest(kind, payload)) {
+    bytes.push_back(static_cast<char>(byte));
+  }
   return bytes;
 }
 
@@ -51,11 +53,17 @@ struct Record {
 
 /// The record at the front of `rest`, which is moved on; nothing when it was cut off.
 std::optional<Record> takeRecord(std::span<const std::byte>& rest, const std::filesystem::path& file) {
-  if (rest.size() < 1 + kLengthSize) return std::nullopt;
+  if (rest.size() < 1 + kLengthSize) {
+    return std::nullopt;
+  }
   std::uint64_t length = 0;
-  for (unsigned i = 0; i < kLengthSize; ++i) length |= static_cast<std::uint64_t>(rest[1 + i]) << (8 * i);
+  for (unsigned i = 0; i < kLengthSize; ++i) {
+    length |= static_cast<std::uint64_t>(rest[1 + i]) << (8 * i);
+  }
   const std::span<const std::byte> body = rest.subspan(1 + kLengthSize);
-  if (body.size() < kDigestSize || length > body.size() - kDigestSize) return std::nullopt;
+  if (body.size() < kDigestSize || length > body.size() - kDigestSize) {
+    return std::nullopt;
+  }
   Record found;
   found.kind = static_cast<RecordKind>(rest[0]);
   found.payload = body.first(static_cast<std::size_t>(length));
@@ -77,7 +85,9 @@ TrialFileSink::TrialFileSink(std::filesystem::path file, std::string context)
     : file_(std::move(file)), context_(std::move(context)) {}
 
 void TrialFileSink::write(const std::string& bytes) {
-  if (!out_.is_open()) out_.open(temporaryBeside(file_), std::ios::binary | std::ios::in | std::ios::ate);
+  if (!out_.is_open()) {
+    out_.open(temporaryBeside(file_), std::ios::binary | std::ios::in | std::ios::ate);
+  }
   out_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out_.flush();
   if (out_) {
@@ -133,7 +143,9 @@ TrialFile openTrialFile(const std::filesystem::path& file) {
   Trial& trial = read.trial;
   bool begun = false;
   while (const std::optional<Record> next = takeRecord(rest, file)) {
-    if (read.finished || begun == (next->kind == RecordKind::kHeader)) broken("the records are out of order");
+    if (read.finished || begun == (next->kind == RecordKind::kHeader)) {
+      broken("the records are out of order");
+    }
     switch (next->kind) {
       case RecordKind::kHeader:
         trial.header = headerFromBytes(next->payload);
@@ -153,11 +165,17 @@ TrialFile openTrialFile(const std::filesystem::path& file) {
         broken("an unknown record");
     }
   }
-  if (!begun) broken("the file ends before the trial begins");
-  if (read.finished && !rest.empty()) broken("bytes follow after the end of the trial");
+  if (!begun) {
+    broken("the file ends before the trial begins");
+  }
+  if (read.finished && !rest.empty()) {
+    broken("bytes follow after the end of the trial");
+  }
   if (!read.finished) {
     trial.summary.outcome = TrialOutcome::kInterrupted;
-    for (const TrialChunk& chunk : trial.chunks) trial.summary.samples += chunk.samples;
+    for (const TrialChunk& chunk : trial.chunks) {
+      trial.summary.samples += chunk.samples;
+    }
     trial.summary.contentHash = contentHash(trial);
   }
   return read;

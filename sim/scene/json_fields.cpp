@@ -13,7 +13,9 @@ namespace {
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
   return text;
 }
 
@@ -37,7 +39,9 @@ bool JsonFields::has(const std::string& name) const {
 const nlohmann::json& JsonFields::find(const std::string& name) {
   asked_.insert(name);
   const auto found = json_.find(name);
-  if (found == json_.end()) refuse(name, "is missing", "Add it.");
+  if (found == json_.end()) {
+    refuse(name, "is missing", "Add it.");
+  }
   return *found;
 }
 
@@ -47,7 +51,9 @@ const nlohmann::json& JsonFields::child(const std::string& name) {
 
 std::string JsonFields::text(const std::string& name) {
   const nlohmann::json& value = find(name);
-  if (!value.is_string()) refuse(name, "must be a text", "Put it in quotes.");
+  if (!value.is_string()) {
+    refuse(name, "must be a text", "Put it in quotes.");
+  }
   return value.get<std::string>();
 }
 
@@ -62,7 +68,9 @@ double JsonFields::number(const std::string& name, double low, double high) {
   if (!(number >= low && number <= high)) {
     std::ostringstream limits;
     limits << "must be a number from " << low << " to " << high;
-    if (value.is_number()) limits << ", not " << number;
+    if (value.is_number()) {
+      limits << ", not " << number;
+    }
     refuse(name, limits.str(), "Correct the value.");
   }
   return number;
@@ -75,7 +83,9 @@ double JsonFields::number(const std::string& name, double low, double high, doub
 
 int JsonFields::integer(const std::string& name, int low, int high, int fallback) {
   const double value = number(name, low, high, fallback);
-  if (value != std::floor(value)) refuse(name, "must be a whole number", "Correct the value.");
+  if (value != std::floor(value)) {
+    refuse(name, "must be a whole number", "Correct the value.");
+  }
   return static_cast<int>(value);
 }
 
@@ -91,18 +101,23 @@ Vec3 JsonFields::vector(const std::string& name) {
 std::size_t JsonFields::choice(const std::string& name, const std::vector<std::string>& names,
                                std::size_t fallback) {
   asked_.insert(name);
-  if (!has(name)) return fallback;
+  if (!has(name)) {
+    return fallback;
+  }
   const std::string given = text(name);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (names[i] == given) return i;
+    if (names[i] == given) {
+      return i;
+    }
   }
   refuse(name, Text("is '%1'", given), Text("Choose one of %1.", joined(names)));
 }
 
 void JsonFields::finish() const {
   for (const auto& item : json_.items()) {
-    if (!asked_.contains(item.key()))
+    if (!asked_.contains(item.key())) {
       refuse(item.key(), "is not known here", "Remove it, or check its spelling.");
+    }
   }
 }
 

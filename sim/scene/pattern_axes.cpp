@@ -21,10 +21,14 @@ double reach_m(const SectionLattice& lattice, int j, const AxisFrame& frame, con
 void throughEnds(TwistOperation& operation, const SectionLattice& lattice) {
   operation.axisFrom_m = lattice.frameAt(0.0).centre_m;
   operation.axisTo_m = lattice.frameAt(lattice.length_m()).centre_m;
-  if (operation.coordinate != TwistCoordinate::kAlongAxis) return;
+  if (operation.coordinate != TwistCoordinate::kAlongAxis) {
+    return;
+  }
   operation.from = 0.0;
   operation.to = 1.0;
-  if (operation.peak) operation.peak = std::clamp(*operation.peak, 0.1, 0.9);
+  if (operation.peak) {
+    operation.peak = std::clamp(*operation.peak, 0.1, 0.9);
+  }
 }
 
 void acrossBend(TwistOperation& operation, const SectionLattice& lattice) {
@@ -44,7 +48,9 @@ TwistPattern patternFor(const SectionLattice& lattice, const PatternDescription&
   TwistPattern pattern = description.pattern;
   for (std::size_t i = 0; i < pattern.operations.size(); ++i) {
     TwistOperation& operation = pattern.operations[i];
-    if (operation.axis != TwistAxis::kStraight) continue;
+    if (operation.axis != TwistAxis::kStraight) {
+      continue;
+    }
     if (description.elsewhere[i] == AxisElsewhere::kEnds) {
       throughEnds(operation, lattice);
     } else {

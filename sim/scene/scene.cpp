@@ -20,13 +20,17 @@ namespace {
 
 std::vector<std::string> idsOf(const SceneDescription& scene) {
   std::vector<std::string> ids;
-  for (const PatternDescription& description : scene.patterns) ids.push_back(description.pattern.id);
+  for (const PatternDescription& description : scene.patterns) {
+    ids.push_back(description.pattern.id);
+  }
   return ids;
 }
 
 /// Place of the asked-for pattern among the scene's; their number when there is none.
 std::size_t placeOfPattern(const SceneDescription& scene, const std::string& id) {
-  if (id.empty()) return 0;
+  if (id.empty()) {
+    return 0;
+  }
   const std::vector<std::string> ids = idsOf(scene);
   return static_cast<std::size_t>(std::find(ids.begin(), ids.end(), id) - ids.begin());
 }
@@ -34,14 +38,20 @@ std::size_t placeOfPattern(const SceneDescription& scene, const std::string& id)
 /// The scene asked for, or, for a user's mesh, the one that has the pattern.
 SceneDescription describe(const SceneRequest& request) {
   SceneDescription scene = readSceneFile(request.assets, request.id);
-  if (placeOfPattern(scene, request.pattern) < scene.patterns.size()) return scene;
+  if (placeOfPattern(scene, request.pattern) < scene.patterns.size()) {
+    return scene;
+  }
   std::vector<std::string> known = idsOf(scene);
   if (request.organFile) {
     known.clear();
     for (const std::string& id : sceneIds(request.assets)) {
       SceneDescription other = readSceneFile(request.assets, id);
-      if (placeOfPattern(other, request.pattern) < other.patterns.size()) return other;
-      for (std::string& pattern : idsOf(other)) known.push_back(std::move(pattern));
+      if (placeOfPattern(other, request.pattern) < other.patterns.size()) {
+        return other;
+      }
+      for (std::string& pattern : idsOf(other)) {
+        known.push_back(std::move(pattern));
+      }
     }
   }
   throw Error(ErrorCode::kBadParameter,
@@ -71,11 +81,21 @@ void replaceOrgan(SceneDescription& scene, const SceneRequest& request) {
 }
 
 void applyWishes(SceneDescription& scene, const SceneRequest& request) {
-  if (request.organFile) replaceOrgan(scene, request);
-  if (request.ridges) scene.lattice.ridges = *request.ridges;
-  if (request.sections) scene.lattice.sections = *request.sections;
-  if (request.latticeMode) scene.lattice.mode = *request.latticeMode;
-  if (request.formulation) scene.formulation = *request.formulation;
+  if (request.organFile) {
+    replaceOrgan(scene, request);
+  }
+  if (request.ridges) {
+    scene.lattice.ridges = *request.ridges;
+  }
+  if (request.sections) {
+    scene.lattice.sections = *request.sections;
+  }
+  if (request.latticeMode) {
+    scene.lattice.mode = *request.latticeMode;
+  }
+  if (request.formulation) {
+    scene.formulation = *request.formulation;
+  }
   if (!request.material.empty()) {
     scene.material = findMaterial(request.assets, request.material, ErrorCode::kBadParameter, "");
   }

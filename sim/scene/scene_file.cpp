@@ -30,7 +30,9 @@ nlohmann::json readJson(const fs::path& file) {
 /// A direction; its length does not matter, but it has one.
 Vec3 readDirection(JsonFields& fields, const std::string& name) {
   const Vec3 direction = normalized(fields.vector(name));
-  if (direction == Vec3{}) fields.refuse(name, "points nowhere", "Give a direction that is not zero.");
+  if (direction == Vec3{}) {
+    fields.refuse(name, "points nowhere", "Give a direction that is not zero.");
+  }
   return direction;
 }
 
@@ -48,10 +50,16 @@ LatticeOptions readLattice(JsonFields& parent) {
     lattice.fixedEnd_m = fields.vector("fixed_end_mm") * kMillimetre;
     lattice.freeEnd_m = fields.vector("free_end_mm") * kMillimetre;
   }
-  if (fields.has("fixed_cut")) lattice.fixedCut = readDirection(fields, "fixed_cut");
-  if (fields.has("free_cut")) lattice.freeCut = readDirection(fields, "free_cut");
+  if (fields.has("fixed_cut")) {
+    lattice.fixedCut = readDirection(fields, "fixed_cut");
+  }
+  if (fields.has("free_cut")) {
+    lattice.freeCut = readDirection(fields, "free_cut");
+  }
   lattice.capRadius_m = fields.number("cap_radius_mm", 0.0, 200.0, 0.0) * kMillimetre;
-  if (fields.has("ridge_zero")) lattice.ridgeZero = readDirection(fields, "ridge_zero");
+  if (fields.has("ridge_zero")) {
+    lattice.ridgeZero = readDirection(fields, "ridge_zero");
+  }
   lattice.ridgeZeroFraction = fields.number("ridge_zero_fraction", 0.0, 1.0, 0.0);
   fields.finish();
   return lattice;
@@ -77,7 +85,9 @@ TwistOperation readOperation(const nlohmann::json& json, const std::string& wher
       kProfiles[fields.choice("profile", {"elastic", "ramp", "tent", "smooth-ramp", "smooth-tent"}, 0)];
   operation.from = fields.number("from", -10.0, 10.0, operation.from);
   operation.to = fields.number("to", -10.0, 10.0, operation.to);
-  if (fields.has("peak")) operation.peak = fields.number("peak", -10.0, 10.0);
+  if (fields.has("peak")) {
+    operation.peak = fields.number("peak", -10.0, 10.0);
+  }
   operation.ratio = fields.number("ratio", -10.0, 10.0, operation.ratio);
   fields.finish();
   return operation;
@@ -99,7 +109,9 @@ PatternDescription readPattern(const nlohmann::json& json, const std::string& wh
   pattern.source = fields.text("source");
   if (fields.has("operations")) {
     const nlohmann::json& operations = fields.child("operations");
-    if (!operations.is_array()) fields.refuse("operations", "must be a list", "Put it in brackets.");
+    if (!operations.is_array()) {
+      fields.refuse("operations", "must be a list", "Put it in brackets.");
+    }
     for (const auto& operation : operations) {
       const std::string name = where + " operation " + std::to_string(pattern.operations.size() + 1);
       pattern.operations.push_back(readOperation(operation, name, description.elsewhere.emplace_back()));
@@ -112,7 +124,9 @@ PatternDescription readPattern(const nlohmann::json& json, const std::string& wh
 
 std::vector<PatternDescription> readPatterns(JsonFields& scene) {
   const nlohmann::json& list = scene.child("patterns");
-  if (!list.is_array() || list.empty()) scene.refuse("patterns", "must list at least one", "Add a pattern.");
+  if (!list.is_array() || list.empty()) {
+    scene.refuse("patterns", "must list at least one", "Add a pattern.");
+  }
   std::vector<PatternDescription> patterns;
   for (const auto& entry : list) {
     const std::string where = scene.where() + " pattern " + std::to_string(patterns.size() + 1);
@@ -145,7 +159,9 @@ Instrument readInstrument(const fs::path& assets, const std::string& id) {
 
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
   return text;
 }
 
@@ -153,7 +169,9 @@ Material findMaterial(const fs::path& assets, const std::string& id, ErrorCode c
                       const std::string& where) {
   std::vector<std::string> known;
   for (Material& material : readMaterials(assets)) {
-    if (material.id == id) return material;
+    if (material.id == id) {
+      return material;
+    }
     known.push_back(material.id);
   }
   throw Error(code, Text("no material is called '%1'", id), where, Text("Choose one of %1.", listed(known)));
@@ -162,8 +180,9 @@ Material findMaterial(const fs::path& assets, const std::string& id, ErrorCode c
 std::vector<Material> readMaterials(const fs::path& assets) {
   const fs::path file = assets / "scenes" / "materials.json";
   const nlohmann::json json = readJson(file);
-  if (!json.is_array())
+  if (!json.is_array()) {
     throw Error(ErrorCode::kBadData, "must be a list", file.string(), "Put it in brackets.");
+  }
   std::vector<Material> materials;
   for (const auto& entry : json) {
     JsonFields fields(entry, file.string() + " material " + std::to_string(materials.size() + 1));

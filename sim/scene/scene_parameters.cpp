@@ -54,7 +54,9 @@ Json toJson(const TwistOperation& operation) {
   json["profile"] = nameOf(kProfiles, operation.profile);
   json["from"] = operation.from;
   json["to"] = operation.to;
-  if (operation.peak) json["peak"] = *operation.peak;
+  if (operation.peak) {
+    json["peak"] = *operation.peak;
+  }
   json["ratio"] = operation.ratio;
   return json;
 }
@@ -65,8 +67,9 @@ Json toJson(const Instrument& instrument) {
             {"grip_reach_m", instrument.gripReach_m}};
   // Trials recorded before the shaft could touch know of no length: the usual one goes unsaid, so that their
   // hashes stay true.
-  if (instrument.shaftLength_m != Instrument{}.shaftLength_m)
+  if (instrument.shaftLength_m != Instrument{}.shaftLength_m) {
     json["shaft_length_m"] = instrument.shaftLength_m;
+  }
   return json;
 }
 
@@ -76,7 +79,9 @@ Vec3 vectorOf(const nlohmann::json& json) {
 
 LatticeMode modeOf(const std::string& name) {
   const auto found = std::find(kModes.begin(), kModes.end(), name);
-  if (found == kModes.end()) throw Error(ErrorCode::kBadData, Text("lattice mode '%1'", name), "", "");
+  if (found == kModes.end()) {
+    throw Error(ErrorCode::kBadData, Text("lattice mode '%1'", name), "", "");
+  }
   return static_cast<LatticeMode>(found - kModes.begin());
 }
 
@@ -98,7 +103,9 @@ std::string parametersText(const SceneDescription& scene, const TwistPattern& pa
                      {"force_limit_n", pattern.forceLimit_N},
                      {"torque_limit_nm", pattern.torqueLimit_Nm}};
   json["operations"] = Json::array();
-  for (const TwistOperation& operation : pattern.operations) json["operations"].push_back(toJson(operation));
+  for (const TwistOperation& operation : pattern.operations) {
+    json["operations"].push_back(toJson(operation));
+  }
   return json.dump();
 }
 

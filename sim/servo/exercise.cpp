@@ -81,7 +81,9 @@ bool Exercise::grip(const Vec3& held_m, const ToolState& tool, const Scene& scen
   const double arc_m = scene.lattice().nearestArc_m(held_m);
   axis_ = scene.model.graspFrame(arc_m);
   const double share = graspShare(scene.model, axis_, arc_m, held_m);
-  if (!(std::abs(share) > kLeastShare)) return false;  // held there: nothing to twist
+  if (!(std::abs(share) > kLeastShare)) {
+    return false;  // held there: nothing to twist
+  }
   gain_ = 1.0 / share;
   twist_ = {arc_m, 0.0};
   grippedAt_ = tool.pose.orientation;
@@ -101,7 +103,9 @@ double Exercise::driveAngle(const ToolState& tool) const noexcept {
   const Vec3 way = tool.pose.position_m - axis_.centre_m;
   const double x = dot(way, axis_.e1);
   const double y = dot(way, axis_.e2);
-  if (x * x + y * y < kNearAxis_m * kNearAxis_m) return angle_rad_;
+  if (x * x + y * y < kNearAxis_m * kNearAxis_m) {
+    return angle_rad_;
+  }
   return unwrapNear(portableAtan2(y, x), angle_rad_);
 }
 
@@ -124,7 +128,9 @@ void Exercise::letGo(std::uint32_t why, std::uint32_t& events) noexcept {
 
 void Exercise::relax(bool touching, std::uint32_t& events) noexcept {
   twist_.graspAngle_rad *= returnFactor_;
-  if (std::abs(twist_.graspAngle_rad) > kAtRest_rad) return;
+  if (std::abs(twist_.graspAngle_rad) > kAtRest_rad) {
+    return;
+  }
   twist_ = {};
   phase_ = touching ? ExercisePhase::kContact : ExercisePhase::kTracking;
   events |= touching ? (kEventReturned | kEventTouched) : kEventReturned;
@@ -137,7 +143,9 @@ void Exercise::moveOn(double gap_m, const std::optional<SurfacePoint>& held, con
   gripPending_ = gripsNext;  // a grip begins with one tick of contact
   switch (phase_) {
     case ExercisePhase::kTracking:
-      if (!touching && !gripsNext) break;
+      if (!touching && !gripsNext) {
+        break;
+      }
       phase_ = ExercisePhase::kContact;
       events |= kEventTouched;
       break;
@@ -154,7 +162,9 @@ void Exercise::moveOn(double gap_m, const std::optional<SurfacePoint>& held, con
       break;
     case ExercisePhase::kReleased:
       // A release is seen for one tick at least, also of an organ that was not turned.
-      if ((events & kEventReleased) == 0) relax(touching, events);
+      if ((events & kEventReleased) == 0) {
+        relax(touching, events);
+      }
       break;
   }
 }
@@ -192,12 +202,22 @@ TwistResponse Exercise::responseTo(const ToolTouch& at, const ToolState& tool, c
 
 void Exercise::noteContacts(const ToolTouch& at, ExerciseStep& answer) noexcept {
   const bool holding = phase_ == ExercisePhase::kTwisting;
-  if (holding) answer.contact |= kContactHeld;
-  if (!holding && at.jaw.gap_m < 0.0) answer.contact |= kContactJaw;
-  if (at.shaft.gap_m < 0.0) answer.contact |= kContactShaft;
+  if (holding) {
+    answer.contact |= kContactHeld;
+  }
+  if (!holding && at.jaw.gap_m < 0.0) {
+    answer.contact |= kContactJaw;
+  }
+  if (at.shaft.gap_m < 0.0) {
+    answer.contact |= kContactShaft;
+  }
   const bool leaves = at.shaft.gap_m > kContactHysteresis_m;
-  if (!shaftTouched_ && at.shaft.gap_m < 0.0) answer.events |= kEventShaftTouched;
-  if (shaftTouched_ && leaves) answer.events |= kEventShaftLeft;
+  if (!shaftTouched_ && at.shaft.gap_m < 0.0) {
+    answer.events |= kEventShaftTouched;
+  }
+  if (shaftTouched_ && leaves) {
+    answer.events |= kEventShaftLeft;
+  }
   shaftTouched_ = at.shaft.gap_m < 0.0 || (shaftTouched_ && !leaves);
 }
 

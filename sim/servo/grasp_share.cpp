@@ -19,7 +19,9 @@ constexpr double kRounding = 1e-6;
 double graspShare(const TwistModel& model, const AxisFrame& axis, double arc_m, const Vec3& rest_m) noexcept {
   const Vec3 forward = cross(axis.tangent, rest_m - axis.centre_m);
   const double radius_m = norm(forward);
-  if (!(radius_m > kNearAxis_m)) return 0.0;
+  if (!(radius_m > kNearAxis_m)) {
+    return 0.0;
+  }
   const Vec3 more = model.toDeformed_m(rest_m, {arc_m, kProbe_rad});
   const Vec3 less = model.toDeformed_m(rest_m, {arc_m, -kProbe_rad});
   const double share = dot(more - less, forward) / (2.0 * kProbe_rad * radius_m * radius_m);

@@ -31,12 +31,16 @@ Candidate candidateAt(const Scene& scene, const AxisFrame& axis, double arc_m, d
   found.point_m = scene.lattice().surfacePoint({arc_m, angle_rad}).position_m;
   const Vec3 way = found.point_m - axis.centre_m;
   const Vec3 arm = way - axis.tangent * dot(way, axis.tangent);
-  if (norm(arm) < kSmallestArm_m) return found;
+  if (norm(arm) < kSmallestArm_m) {
+    return found;
+  }
   found.outwards = normalized(arm);
   const double tipRadius_m = scene.instrument.tipRadius_m;
   for (double height_m = kFreeFrom_m; height_m <= kStartWay_m; height_m += kProbe_m) {
     const Vec3 probe_m = found.point_m + found.outwards * height_m;
-    if (scene.collision.closest(probe_m).distance_m <= tipRadius_m) return found;
+    if (scene.collision.closest(probe_m).distance_m <= tipRadius_m) {
+      return found;
+    }
   }
   found.facing = dot(scene.collision.closest(found.point_m + found.outwards * 1e-4).normal, found.outwards);
   return found;
@@ -51,7 +55,9 @@ HandTask handTask(const Scene& scene) {
   Candidate best;
   for (int i = 0; i < kDirections; ++i) {
     const Candidate next = candidateAt(scene, axis, arc_m, 2.0 * kPi * i / kDirections);
-    if (next.facing > best.facing) best = next;
+    if (next.facing > best.facing) {
+      best = next;
+    }
   }
   if (!(best.facing > 0.0)) {
     throw Error(ErrorCode::kBadParameter, "no point of the grasped section can be reached from outside",

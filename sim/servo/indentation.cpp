@@ -16,7 +16,9 @@ bool presses(const ContactPatch& patch) noexcept {
 
 Vec3 total(const LiveState& state, const Vec3& point_m) noexcept {
   Vec3 sum;
-  for (const ContactPatch& patch : state.patches) sum += indentationAt(patch, point_m);
+  for (const ContactPatch& patch : state.patches) {
+    sum += indentationAt(patch, point_m);
+  }
   return sum;
 }
 
@@ -27,26 +29,36 @@ bool anyPresses(const LiveState& state) noexcept {
 }  // namespace
 
 Vec3 indentationAt(const ContactPatch& patch, const Vec3& point_m) noexcept {
-  if (!presses(patch)) return {};
+  if (!presses(patch)) {
+    return {};
+  }
   const Vec3 way = point_m - patch.point_m;
   const double r2 = dot(way, way);
-  if (!(r2 < patch.radius_m * patch.radius_m)) return {};
+  if (!(r2 < patch.radius_m * patch.radius_m)) {
+    return {};
+  }
   const double r_m = std::max(patch.toolRadius_m, std::sqrt(r2));
   const double share = portableLog(patch.radius_m / r_m) / portableLog(patch.radius_m / patch.toolRadius_m);
   return patch.normal * (-patch.depth_m * share);
 }
 
 double membraneTension_N_per_m(const ContactPatch& patch, double surface_N_per_m) noexcept {
-  if (!(patch.toolRadius_m > 0.0) || !(patch.radius_m > patch.toolRadius_m)) return 0.0;
+  if (!(patch.toolRadius_m > 0.0) || !(patch.radius_m > patch.toolRadius_m)) {
+    return 0.0;
+  }
   return surface_N_per_m * portableLog(patch.radius_m / patch.toolRadius_m) / (2.0 * kPi);
 }
 
 bool indentSurface(const LiveState& state, std::span<float> xyz, int stride, double unit_m) noexcept {
-  if (!anyPresses(state) || stride < 3) return false;
+  if (!anyPresses(state) || stride < 3) {
+    return false;
+  }
   for (std::size_t at = 0; at + 2 < xyz.size(); at += static_cast<std::size_t>(stride)) {
     const Vec3 point_m = Vec3{xyz[at], xyz[at + 1], xyz[at + 2]} * unit_m;
     const Vec3 moved = total(state, point_m) / unit_m;
-    if (moved == Vec3{}) continue;
+    if (moved == Vec3{}) {
+      continue;
+    }
     xyz[at] += static_cast<float>(moved.x);
     xyz[at + 1] += static_cast<float>(moved.y);
     xyz[at + 2] += static_cast<float>(moved.z);
@@ -55,8 +67,12 @@ bool indentSurface(const LiveState& state, std::span<float> xyz, int stride, dou
 }
 
 bool indentSurface(const LiveState& state, std::span<Vec3> vertices_m) noexcept {
-  if (!anyPresses(state)) return false;
-  for (Vec3& v : vertices_m) v += total(state, v);
+  if (!anyPresses(state)) {
+    return false;
+  }
+  for (Vec3& v : vertices_m) {
+    v += total(state, v);
+  }
   return true;
 }
 

@@ -18,7 +18,9 @@ namespace {
 
 void requireSameScene(const Scene& scene, const TrialHeader& header) {
   const bool sameOrgan = scene.organHash == header.organHash;
-  if (sameOrgan && scene.parameterHash == header.parameterHash) return;
+  if (sameOrgan && scene.parameterHash == header.parameterHash) {
+    return;
+  }
   throw Error(ErrorCode::kVerifyFailed,
               sameOrgan ? "the trial was recorded with other parameters of the model"
                         : "the trial was recorded with another organ",
@@ -27,7 +29,9 @@ void requireSameScene(const Scene& scene, const TrialHeader& header) {
 
 void requireKnownRules(const std::vector<Sample>& recorded, const TrialHeader& header) {
   const auto known = [](const Sample& sample) { return sample.rules == kServoRules; };
-  if (std::all_of(recorded.begin(), recorded.end(), known)) return;
+  if (std::all_of(recorded.begin(), recorded.end(), known)) {
+    return;
+  }
   throw Error(ErrorCode::kVerifyFailed, "the trial was recorded by rules that this version does not know",
               Text("trial %1", header.trialId),
               "Replay it with the version that recorded it, or a newer one");
@@ -63,7 +67,9 @@ std::optional<ReplayDifference> difference(const Sample& recorded, const Sample&
       {"sent force y", [](const Sample& s) { return s.force_N.y; }},
       {"sent force z", [](const Sample& s) { return s.force_N.z; }},
   }};
-  if (recorded == replayed) return std::nullopt;
+  if (recorded == replayed) {
+    return std::nullopt;
+  }
   for (const auto& [name, value] : kFields) {
     if (value(recorded) != value(replayed)) {
       return ReplayDifference{recorded.tick, name, value(recorded), value(replayed)};
@@ -80,7 +86,9 @@ class Rerun {
         loop_({.device = &device_, .scene = &scene, .commands = &commands_}, optionsOf(header, recorded)) {}
 
   const Sample& next(const Sample& recorded) {
-    if (recorded.command.kind != ServoCommand::Kind::kNone) (void)commands_.push(recorded.command);
+    if (recorded.command.kind != ServoCommand::Kind::kNone) {
+      (void)commands_.push(recorded.command);
+    }
     loop_.tick(recorded.device.time_us);
     return loop_.lastSample();
   }
@@ -88,13 +96,17 @@ class Rerun {
  private:
   static ServoOptions optionsOf(const TrialHeader& header, const std::vector<Sample>& recorded) {
     ServoOptions options = servoOptions(header);
-    if (!recorded.empty()) options.rules = recorded.front().rules;
+    if (!recorded.empty()) {
+      options.rules = recorded.front().rules;
+    }
     return options;
   }
   static std::vector<DeviceSample> deviceSamples(const std::vector<Sample>& recorded) {
     std::vector<DeviceSample> samples;
     samples.reserve(recorded.size());
-    for (const Sample& sample : recorded) samples.push_back(sample.device);
+    for (const Sample& sample : recorded) {
+      samples.push_back(sample.device);
+    }
     return samples;
   }
 
@@ -128,13 +140,21 @@ ReplayReport replayTrial(const Scene& scene, const Trial& trial) {
       replayed.push_back(rerun.next(recorded[at]));
       ++report.samples;
       const auto differs = difference(recorded[at], inStoredSteps(replayed.back()));
-      if (!differs) continue;
+      if (!differs) {
+        continue;
+      }
       ++report.differentSamples;
-      if (!report.first) report.first = differs;
+      if (!report.first) {
+        report.first = differs;
+      }
     }
-    if (outputDigest(replayed) == chunk.outputDigest) continue;
+    if (outputDigest(replayed) == chunk.outputDigest) {
+      continue;
+    }
     ++report.differentChunks;
-    if (!report.first) report.first = ReplayDifference{chunk.firstTick, "exact answers", 0.0, 0.0};
+    if (!report.first) {
+      report.first = ReplayDifference{chunk.firstTick, "exact answers", 0.0, 0.0};
+    }
   }
   return report;
 }

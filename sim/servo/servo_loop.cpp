@@ -99,7 +99,9 @@ void ServoLoop::tick(std::int64_t time_us) noexcept {
   sample_.limits = force.limits | damped;
 
   // A refused sample is counted by the ring.
-  if (links_.recording != nullptr) (void)links_.recording->push(sample_);
+  if (links_.recording != nullptr) {
+    (void)links_.recording->push(sample_);
+  }
   publish();
   lastTickDuration_us_ =
       std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begun).count();
@@ -121,27 +123,47 @@ Vec3 ServoLoop::wantedForce_N(const ExerciseStep& step, const ToolState& tool,
 
 void ServoLoop::noteEvents(const ExerciseStep& step) noexcept {
   const std::int64_t now_us = sample_.device.time_us;
-  if (step.phase != sample_.phase || nextTick_ == 1) times_.phaseSince_us = now_us;
-  if ((step.events & kEventTouched) != 0) times_.touched_us = now_us;
-  if ((step.events & kEventGripped) != 0) times_.gripped_us = now_us;
-  if ((step.events & kEventReleased) != 0) times_.released_us = now_us;
-  if ((step.events & kEventSlipped) != 0) times_.slipped_us = now_us;
-  if ((step.events & kEventReturned) != 0) times_.returned_us = now_us;
+  if (step.phase != sample_.phase || nextTick_ == 1) {
+    times_.phaseSince_us = now_us;
+  }
+  if ((step.events & kEventTouched) != 0) {
+    times_.touched_us = now_us;
+  }
+  if ((step.events & kEventGripped) != 0) {
+    times_.gripped_us = now_us;
+  }
+  if ((step.events & kEventReleased) != 0) {
+    times_.released_us = now_us;
+  }
+  if ((step.events & kEventSlipped) != 0) {
+    times_.slipped_us = now_us;
+  }
+  if ((step.events & kEventReturned) != 0) {
+    times_.returned_us = now_us;
+  }
   events_ = step.events;
   sample_.phase = step.phase;
   sample_.contact = step.contact;
   patches_ = step.patches;
-  if (links_.events == nullptr || events_ == kEventNone) return;
+  if (links_.events == nullptr || events_ == kEventNone) {
+    return;
+  }
   // A refused moment is counted by the ring; the phases of the samples still tell it.
   (void)links_.events->push({sample_.tick, now_us, events_, step.phase});
 }
 
 ServoCommand ServoLoop::nextCommand() noexcept {
   ServoCommand command;
-  if (links_.commands == nullptr || !links_.commands->pop(command)) return {};
+  if (links_.commands == nullptr || !links_.commands->pop(command)) {
+    return {};
+  }
   // What makes no sense is not obeyed and not recorded.
-  if (!std::isfinite(command.value)) return {};
-  if (command.kind == ServoCommand::Kind::kSetForceScale && !inUnitRange(command.value)) return {};
+  if (!std::isfinite(command.value)) {
+    return {};
+  }
+  if (command.kind == ServoCommand::Kind::kSetForceScale && !inUnitRange(command.value)) {
+    return {};
+  }
   return command;
 }
 
@@ -169,13 +191,17 @@ void ServoLoop::countLate(std::int64_t time_us) noexcept {
   const std::int64_t period_us = options_.tickPeriod_us;
   if (nextTick_ > 0) {
     const std::int64_t periods = (time_us - last_us_ + period_us / 2) / period_us;
-    if (periods > 1) lateTicks_ += periods - 1;
+    if (periods > 1) {
+      lateTicks_ += periods - 1;
+    }
   }
   last_us_ = time_us;
 }
 
 void ServoLoop::publish() noexcept {
-  if (links_.live == nullptr) return;
+  if (links_.live == nullptr) {
+    return;
+  }
   const ToolState tool = toolState(sample_.device);
   LiveState live;
   live.time_us = sample_.device.time_us;

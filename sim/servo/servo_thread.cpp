@@ -24,7 +24,9 @@ void ServoThread::start() {
 
 void ServoThread::stop() noexcept {
   stop_.store(true, std::memory_order_relaxed);
-  if (thread_.joinable()) thread_.join();
+  if (thread_.joinable()) {
+    thread_.join();
+  }
   watchdog_.stop();
 }
 

@@ -18,7 +18,9 @@ ServoWatchdog::~ServoWatchdog() {
 
 void ServoWatchdog::check(std::int64_t now_ns) noexcept {
   const std::int64_t beat_ns = lastBeat_ns_.load(std::memory_order_relaxed);
-  if (beat_ns == kNever || beat_ns == stalledSince_ns_ || now_ns - beat_ns < kStall_ns) return;
+  if (beat_ns == kNever || beat_ns == stalledSince_ns_ || now_ns - beat_ns < kStall_ns) {
+    return;
+  }
   stalledSince_ns_ = beat_ns;
   dropForce_();
   stalls_.fetch_add(1, std::memory_order_relaxed);
@@ -33,7 +35,9 @@ void ServoWatchdog::start() {
 
 void ServoWatchdog::stop() noexcept {
   stop_.store(true, std::memory_order_relaxed);
-  if (thread_.joinable()) thread_.join();
+  if (thread_.joinable()) {
+    thread_.join();
+  }
 }
 
 void ServoWatchdog::run() noexcept {

@@ -38,7 +38,9 @@ class TimingHistogram {
     for (std::size_t i = 0; i < kBuckets; ++i) {
       const std::int64_t count = buckets_[i].load(std::memory_order_relaxed);
       const double from_us = i > 0 ? static_cast<double>(edgeAfter_ns(i - 1)) * 1e-3 : 0.0;
-      if (count > 0) visit(from_us, static_cast<double>(edgeAfter_ns(i)) * 1e-3, count);
+      if (count > 0) {
+        visit(from_us, static_cast<double>(edgeAfter_ns(i)) * 1e-3, count);
+      }
     }
   }
 
@@ -75,7 +77,9 @@ class TimingHistogram {
 
   static std::size_t bucketOf(std::int64_t duration_ns) noexcept {
     const auto units = static_cast<std::uint64_t>(duration_ns) >> kUnitBits;
-    if (units < 4) return static_cast<std::size_t>(units);
+    if (units < 4) {
+      return static_cast<std::size_t>(units);
+    }
     const auto exponent = static_cast<std::size_t>(std::bit_width(units)) - 1;
     const auto quarter = static_cast<std::size_t>((units >> (exponent - 2)) & 3U);
     const std::size_t bucket = 4 * (exponent - 1) + quarter;
@@ -83,7 +87,9 @@ class TimingHistogram {
   }
   static std::int64_t edgeAfter_ns(std::size_t bucket) noexcept {
     const std::size_t next = bucket + 1;
-    if (next <= 4) return static_cast<std::int64_t>(next) << kUnitBits;
+    if (next <= 4) {
+      return static_cast<std::int64_t>(next) << kUnitBits;
+    }
     const std::size_t exponent = next / 4 + 1;
     return static_cast<std::int64_t>((4 + next % 4) << (exponent - 2)) << kUnitBits;
   }

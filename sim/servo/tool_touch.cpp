@@ -44,7 +44,9 @@ void lookWithin(Surface& surface, const Segment& axis, const SegmentHit& hit, do
     const double along = std::clamp(hit.along + side * way_m / length_m, 0.0, 1.0);
     // The place of entry is so far away; it is the surface too, so that this point is not deeper.
     const double deepest_m = std::abs(along - hit.along) * length_m - hit.surface.distance_m;
-    if (along == before || touch.gap_m + touch.radius_m <= -deepest_m) continue;
+    if (along == before || touch.gap_m + touch.radius_m <= -deepest_m) {
+      continue;
+    }
     before = along;
     const Vec3 point_m = axis.at(along);
     touch = deeper(touch, fromSurface(point_m, surface.closest(point_m), touch.radius_m));
@@ -54,17 +56,27 @@ void lookWithin(Surface& surface, const Segment& axis, const SegmentHit& hit, do
 template <typename Surface>
 PartTouch touchCapsule(Surface& surface, const Segment& axis, double radius_m) noexcept {
   const SegmentHit hit = surface.nearest(axis, radius_m + kLookAhead_m);
-  if (!hit.found) return {};
+  if (!hit.found) {
+    return {};
+  }
   PartTouch touch = fromSurface(axis.at(hit.along), hit.surface, radius_m);
-  if (hit.surface.distance_m > 0.0) return touch;
+  if (hit.surface.distance_m > 0.0) {
+    return touch;
+  }
   const Vec3 way_m = axis.to_m - axis.from_m;
   const double length_m = norm(way_m);
-  if (!(length_m > 0.0)) return touch;
+  if (!(length_m > 0.0)) {
+    return touch;
+  }
   // One that pierces the surface is inside on one side only.
   const bool pierces = hit.surface.distance_m == 0.0;
   const bool inwards = dot(way_m, hit.surface.normal) < 0.0;
-  if (inwards || !pierces) lookWithin(surface, axis, hit, length_m, 1.0, touch);
-  if (!inwards || !pierces) lookWithin(surface, axis, hit, length_m, -1.0, touch);
+  if (inwards || !pierces) {
+    lookWithin(surface, axis, hit, length_m, 1.0, touch);
+  }
+  if (!inwards || !pierces) {
+    lookWithin(surface, axis, hit, length_m, -1.0, touch);
+  }
   return touch;
 }
 
@@ -87,9 +99,13 @@ ToolTouch touchAll(Surface& surface, const PartTouch& tip, const ToolShape& shap
 PartTouch touchTip(DeformedSurface& surface, const ToolShape& shape, const Scene& scene,
                    const TwistState& twist) noexcept {
   const SegmentHit hit = surface.nearest({shape.tip_m, shape.tip_m}, kTipReach_m);
-  if (hit.found) return fromSurface(shape.tip_m, hit.surface, shape.tipRadius_m);
+  if (hit.found) {
+    return fromSurface(shape.tip_m, hit.surface, shape.tipRadius_m);
+  }
   const Vec3 rest_m = scene.model.toRest_m(shape.tip_m, twist);
-  if (scene.collision.closest(rest_m).distance_m > 0.0) return {};
+  if (scene.collision.closest(rest_m).distance_m > 0.0) {
+    return {};
+  }
   return fromSurface(shape.tip_m, surface.closest(shape.tip_m), shape.tipRadius_m);
 }
 
@@ -143,9 +159,13 @@ std::optional<SurfacePoint> tissueInMouth(const ToolShape& shape, const ToolStat
   const double reach_m = scene.instrument.gripReach_m + shape.tipRadius_m;
   const SurfacePoint atTip = scene.collision.closest(shape.tip_m);
   const SegmentHit hit = scene.collision.nearest(shape.mouth, reach_m);
-  if (!hit.found && !(atTip.distance_m <= reach_m)) return std::nullopt;
+  if (!hit.found && !(atTip.distance_m <= reach_m)) {
+    return std::nullopt;
+  }
   const SurfacePoint found = hit.found ? hit.surface : atTip;  // else the mouth is deep inside
-  if (found.distance_m <= 0.0) return found;
+  if (found.distance_m <= 0.0) {
+    return found;
+  }
   const Vec3 inTool_m = rotate(conjugate(tool.pose.orientation), found.position_m - shape.shaft.from_m);
   const double forward_m = -inTool_m.z;
   const SinCos open = portableSinCos(kJawOpening_rad);

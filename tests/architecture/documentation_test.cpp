@@ -40,9 +40,11 @@ std::vector<std::string> linkedPaths(const fs::path& document) {
   const std::string text(std::istreambuf_iterator<char>(in), {});
   static const std::regex kLink(R"(\]\(([^)\s#]+)(#[^)]*)?\))");
   std::vector<std::string> paths;
-  for (std::sregex_iterator link(text.begin(), text.end(), kLink); link != std::sregex_iterator(); ++link)
-    if (const std::string target = (*link)[1]; target.find("://") == std::string::npos)
+  for (std::sregex_iterator link(text.begin(), text.end(), kLink); link != std::sregex_iterator(); ++link) {
+    if (const std::string target = (*link)[1]; target.find("://") == std::string::npos) {
       paths.push_back(target);
+    }
+  }
   return paths;
 }
 
@@ -114,12 +116,13 @@ TEST(Documentation, ProseIsWrappedAtOneHundredColumns) {
 
 TEST(Documentation, EveryLinkLeadsToAFile) {
   std::size_t links = 0;
-  for (const fs::path& document : documents())
+  for (const fs::path& document : documents()) {
     for (const std::string& path : linkedPaths(document)) {
       ++links;
       EXPECT_TRUE(fs::exists(document.parent_path() / path))
           << document.string() << " points at " << path << ", which is not there";
     }
+  }
   EXPECT_GT(links, 40U);  // the guide alone has more: the expression finds them
 }
 

@@ -36,7 +36,9 @@ std::vector<Include> allIncludes() {
   for (const std::string& top : kTopFolders) {
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / top)) {
       const std::string extension = entry.path().extension().string();
-      if (extension != ".h" && extension != ".cpp") continue;
+      if (extension != ".h" && extension != ".cpp") {
+        continue;
+      }
       const std::string file = fs::relative(entry.path(), kRoot).generic_string();
       std::ifstream in(entry.path());
       for (std::string line; std::getline(in, line);) {
@@ -76,7 +78,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
        {"app/access", "app/devices", "app/gui/base", "app/gui/simulator", "app/gui/widgets",
         "app/maintenance", "app/people", "app/recording", "app/report", "app/reporting", "app/review",
         "app/study", "app/training", "assessment/metrics", "assessment/report", "assessment/study",
-        "db/repository/study", "sim/base", "sim/scene"}},
+        "sim/base", "sim/scene"}},
       {"app/gui/base",
        {"app/access", "app/base", "app/gui/widgets", "app/recording", "app/report", "assessment/report",
         "sim/base"}},
@@ -92,8 +94,8 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "app/gui/trainee", "app/gui/widgets", "app/recording", "app/report", "sim/base",
         "sim/device/virtual"}},
       {"app/gui/scene",
-       {"app/gui/base", "app/gui/widgets", "sim/base", "sim/geometry/lattice", "sim/geometry/mesh",
-        "sim/scene", "sim/servo", "sim/tissue/twist"}},
+       {"app/gui/widgets", "sim/base", "sim/geometry/lattice", "sim/geometry/mesh", "sim/scene", "sim/servo",
+        "sim/tissue/twist"}},
       {"app/gui/shell",
        {"app/access", "app/base", "app/demonstration", "app/gui/base", "app/gui/scene", "app/gui/widgets",
         "app/maintenance", "app/recording", "sim/base"}},
@@ -206,7 +208,9 @@ bool isHeader(const std::string& file) {
 
 TEST(IncludeRules, EveryFolderIncludesOnlyWhatItMay) {
   for (const Include& include : allIncludes()) {
-    if (!include.quoted) continue;
+    if (!include.quoted) {
+      continue;
+    }
     const std::string to = folderOf(include.target);
     ASSERT_TRUE(allowed().contains(include.folder)) << include.file << ": folder without a row in the table";
     EXPECT_TRUE(to == include.folder || allowed().at(include.folder).contains(to))
@@ -239,7 +243,9 @@ TEST(IncludeRules, NoFolderReachesItself) {
 
 TEST(IncludeRules, EveryFolderIsATargetThatSaysWhatLivesThere) {
   for (const auto& [folder, targets] : allowed()) {
-    if (folder == "app") continue;  // main.cpp
+    if (folder == "app") {
+      continue;  // main.cpp
+    }
     std::ifstream in(kRoot / folder / "CMakeLists.txt");
     std::string licence;
     std::string sentence;
@@ -251,7 +257,9 @@ TEST(IncludeRules, EveryFolderIsATargetThatSaysWhatLivesThere) {
 
 TEST(IncludeRules, QuotedIncludesAreWrittenFromTheRootAndExist) {
   for (const Include& include : allIncludes()) {
-    if (!include.quoted) continue;
+    if (!include.quoted) {
+      continue;
+    }
     EXPECT_TRUE(fs::exists(kRoot / include.target) || startsWith(include.target, "ui_"))
         << include.file << " includes " << include.target;
   }
@@ -260,7 +268,9 @@ TEST(IncludeRules, QuotedIncludesAreWrittenFromTheRootAndExist) {
 TEST(IncludeRules, LibrariesStayInsideTheFolderThatOwnsThem) {
   for (const Include& include : allIncludes()) {
     for (const auto& [prefix, folders] : privateLibraries()) {
-      if (!startsWith(include.target, prefix)) continue;
+      if (!startsWith(include.target, prefix)) {
+        continue;
+      }
       const auto owner = [&](const std::string& folder) { return startsWith(include.folder, folder); };
       EXPECT_TRUE(std::any_of(folders.begin(), folders.end(), owner))
           << include.file << " may not include <" << include.target << ">";
@@ -273,7 +283,9 @@ TEST(IncludeRules, LibrariesStayInsideTheFolderThatOwnsThem) {
 
 TEST(IncludeRules, SimAndAssessmentKnowNoQt) {
   for (const Include& include : allIncludes()) {
-    if (!startsWith(include.file, "sim/") && !startsWith(include.file, "assessment/")) continue;
+    if (!startsWith(include.file, "sim/") && !startsWith(include.file, "assessment/")) {
+      continue;
+    }
     const bool qt = include.target.size() > 1 && include.target[0] == 'Q' &&
                     std::isupper(static_cast<unsigned char>(include.target[1])) != 0;
     EXPECT_FALSE(qt || startsWith(include.target, "Qt")) << include.file << " includes " << include.target;
@@ -282,7 +294,9 @@ TEST(IncludeRules, SimAndAssessmentKnowNoQt) {
 
 TEST(IncludeRules, NoQtTypeInThePublicHeadersOfTheDatabase) {
   for (const Include& include : allIncludes()) {
-    if (!startsWith(include.file, "db/") || !isHeader(include.file)) continue;
+    if (!startsWith(include.file, "db/") || !isHeader(include.file)) {
+      continue;
+    }
     EXPECT_FALSE(startsWith(include.target, "Q")) << include.file << " includes " << include.target;
   }
 }
@@ -293,7 +307,9 @@ TEST(SourceRules, EverySourceNamesItsLicenceInTheFirstLine) {
   for (const std::string& top : tops) {
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / top)) {
       const std::string extension = entry.path().extension().string();
-      if (extension != ".h" && extension != ".cpp") continue;
+      if (extension != ".h" && extension != ".cpp") {
+        continue;
+      }
       std::ifstream in(entry.path());
       std::string first;
       std::getline(in, first);
@@ -322,7 +338,9 @@ TEST(SourceRules, TheTopLevelHoldsOnlyTheNamedFolders) {
   const std::set<std::string> ignored = {"build", "torsio-demo", "compile_commands.json"};
   for (const auto& entry : fs::directory_iterator(kRoot)) {
     const std::string name = entry.path().filename().string();
-    if (name[0] == '.' || ignored.contains(name)) continue;
+    if (name[0] == '.' || ignored.contains(name)) {
+      continue;
+    }
     EXPECT_TRUE(expected.contains(name)) << name;
   }
 }

@@ -26,7 +26,9 @@ IncompleteRatings incomplete(const nlohmann::json& coders) {
     out.emplace_back();
     for (const nlohmann::json& value : coder) {
       out.back().push_back(std::nullopt);
-      if (!value.is_null()) out.back().back() = value.get<double>();
+      if (!value.is_null()) {
+        out.back().back() = value.get<double>();
+      }
     }
   }
   return out;
@@ -50,8 +52,9 @@ void expectIcc(const IccResult& got, const nlohmann::json& expected, double tole
                                                                                {"F_oneway", got.fOneWay},
                                                                                {"p_oneway", got.pOneWay},
                                                                                {"F_twoway", got.fTwoWay},
-                                                                               {"p_twoway", got.pTwoWay}})
+                                                                               {"p_twoway", got.pTwoWay}}) {
     EXPECT_TRUE(matches(value, expected.at(name).get<double>(), tolerance)) << name;
+  }
 }
 
 TEST(IntraclassCorrelation, AgreesWithShroutAndFleiss) {
@@ -79,8 +82,11 @@ TEST(IntraclassCorrelation, AgreesOnEveryScoringPointOfTheSyntheticStudy) {
   const ReferenceCase c = referenceCase("training_study", "training_study_synthetic");
   for (std::size_t t = 0; t < 3; ++t) {
     std::vector<std::vector<double>> rows;
-    for (const nlohmann::json& group : c.input.at("data_g_i_t_r"))
-      for (const nlohmann::json& trainee : group) rows.push_back(numbers(trainee[t]));
+    for (const nlohmann::json& group : c.input.at("data_g_i_t_r")) {
+      for (const nlohmann::json& trainee : group) {
+        rows.push_back(numbers(trainee[t]));
+      }
+    }
     const Outcome<IccResult> got = intraclassCorrelation(NumberTable(rows));
     const nlohmann::json& expected = c.expected.at("icc_per_occasion_pre_mid_post")[t];
     EXPECT_TRUE(matches(got->agreementSingle.estimate, expected.at("ICC2").get<double>(), 1e-9));
@@ -115,10 +121,12 @@ TEST(KrippendorffAlpha, AgreesWithTheTextbookDataForAllMetrics) {
     EXPECT_EQ(got->pairable, expected.at("n_pairable").get<std::int64_t>());
   }
   const Outcome<KrippendorffResult> nominal = krippendorffAlpha(ratings, AlphaMetric::kNominal);
-  for (std::size_t i = 0; i < 5; ++i)
-    for (std::size_t j = 0; j < 5; ++j)
+  for (std::size_t i = 0; i < 5; ++i) {
+    for (std::size_t j = 0; j < 5; ++j) {
       EXPECT_NEAR(nominal->coincidences.at(i, j), c.expected.at("coincidence_matrix")[i][j].get<double>(),
                   1e-12);
+    }
+  }
 }
 
 TEST(KrippendorffAlpha, AgreesOnCompleteDataOfThreeRaters) {
@@ -173,8 +181,9 @@ TEST(CohenKappa, AgreesWithTheWorkedTableForAllWeights) {
 TEST(CohenKappa, AgreesOnTwoRatersOfTheAnxietyData) {
   const ReferenceCase c = referenceCase("agreement", "kappa_anxiety_r1_r2");
   NumberTable table(6, 6);
-  for (const nlohmann::json& pair : c.input.at("ratings"))
+  for (const nlohmann::json& pair : c.input.at("ratings")) {
     table.at(pair[0].get<std::size_t>() - 1, pair[1].get<std::size_t>() - 1) += 1.0;
+  }
   expectKappa(*cohenKappa(table, KappaWeights::kUnweighted), c.expected.at("un"), c.tolerance);
   expectKappa(*cohenKappa(table, KappaWeights::kLinear), c.expected.at("eq"), c.tolerance);
   expectKappa(*cohenKappa(table, KappaWeights::kQuadratic), c.expected.at("sq"), c.tolerance);
@@ -194,8 +203,9 @@ TEST(FleissKappa, AgreesWithThePublishedDiagnosesAndTheSecondExample) {
   EXPECT_TRUE(matches(got->errorUnderNull, c.expected.at("se0").get<double>(), c.tolerance));
   EXPECT_TRUE(matches(got->z, c.expected.at("z").get<double>(), c.tolerance));
   EXPECT_TRUE(matches(got->errorByCategory, c.expected.at("se_j").get<double>(), c.tolerance));
-  for (std::size_t j = 0; j < 5; ++j)
+  for (std::size_t j = 0; j < 5; ++j) {
     EXPECT_TRUE(matches(got->byCategory[j].value(), c.expected.at("kappa_j")[j].get<double>(), c.tolerance));
+  }
   const ReferenceCase second = referenceCase("agreement", "fleiss_kappa_10x14");
   const Outcome<FleissResult> other = fleissKappa(tableOf(second.input.at("counts_subject_by_category")));
   EXPECT_TRUE(matches(other->kappa, second.expected.at("kappa").get<double>(), second.tolerance));
@@ -224,9 +234,10 @@ TEST(CronbachAlpha, AgreesOnTheAttitudeDataAndWithTheConsistencyCorrelation) {
   EXPECT_TRUE(matches(got->interval.upper, c.expected.at("ci")[1].get<double>(), c.tolerance));
   EXPECT_TRUE(
       matches(got->standardized.value(), c.expected.at("standardized_alpha").get<double>(), c.tolerance));
-  for (std::size_t j = 0; j < 7; ++j)
+  for (std::size_t j = 0; j < 7; ++j) {
     EXPECT_TRUE(
         matches(got->alphaWithout[j].value(), c.expected.at("if_deleted")[j].get<double>(), c.tolerance));
+  }
   const ReferenceCase same = referenceCase("agreement", "cronbach_shrout_fleiss");
   const NumberTable ratings =
       tableOf(referenceCase("agreement", "icc_shrout_fleiss_1979").input.at("ratings_target_by_judge"));

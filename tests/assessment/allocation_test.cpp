@@ -21,8 +21,12 @@ struct Vectors {
     const auto sexes = reference.input.at("sex").get<std::string>();
     for (std::size_t i = 0; i < sexes.size(); ++i) {
       AllocationPerson person{std::to_string(100 + i), {}};
-      if (sex) person.levels.push_back(sexes[i] == 'M' ? 0 : 1);
-      if (experience) person.levels.push_back(reference.input.at("experience_level")[i].get<std::size_t>());
+      if (sex) {
+        person.levels.push_back(sexes[i] == 'M' ? 0 : 1);
+      }
+      if (experience) {
+        person.levels.push_back(reference.input.at("experience_level")[i].get<std::size_t>());
+      }
       out.push_back(person);
     }
     return out;
@@ -46,7 +50,9 @@ AllocationDesign design(AllocationMethod method) {
 
 std::vector<std::size_t> armsFromOne(const Allocation& allocation) {
   std::vector<std::size_t> arms;
-  for (const AllocationRecord& record : allocation.records) arms.push_back(record.arm + 1);
+  for (const AllocationRecord& record : allocation.records) {
+    arms.push_back(record.arm + 1);
+  }
   return arms;
 }
 
@@ -95,7 +101,9 @@ TEST(Allocate, FillsTheLeftoversOfAllStrataJointlySoThatTheArmsComeOutEven) {
     const Allocation got = allocate(strata, seed, vectors.persons(true, false));
 
     std::vector<std::vector<int>> counts(2, std::vector<int>(3, 0));
-    for (const AllocationRecord& record : got.records) ++counts[record.levels[0]][record.arm];
+    for (const AllocationRecord& record : got.records) {
+      ++counts[record.levels[0]][record.arm];
+    }
     for (std::size_t arm = 0; arm < 3; ++arm) {
       EXPECT_EQ(counts[0][arm] + counts[1][arm], 10);
       EXPECT_GE(counts[0][arm], 5);  // 17 men: five complete blocks of three, two leftovers
@@ -116,8 +124,9 @@ TEST(Allocate, ReproducesTheVectorOfMinimisationWithItsScores) {
   const nlohmann::json& scores = vectors.reference.expected.at("minimisation_scores_first6_and_last");
   for (std::size_t i = 0; i < 7; ++i) {
     const AllocationRecord& record = got.records[i < 6 ? i : 29];
-    for (std::size_t arm = 0; arm < 3; ++arm)
+    for (std::size_t arm = 0; arm < 3; ++arm) {
       EXPECT_EQ(record.scores[arm], scores[3 * i + arm].get<std::int64_t>()) << i;
+    }
   }
   std::vector<std::vector<std::int64_t>> table(3, std::vector<std::int64_t>(5, 0));
   for (const AllocationRecord& record : got.records) {

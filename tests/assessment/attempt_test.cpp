@@ -262,7 +262,9 @@ TEST(PassRule, ARunWithoutTwistsHasNothingToPassBy) {
   const std::vector<TargetCheck> checks =
       targetChecks(Recording().free(10).trial(), {.forceLimit_N = 5.0, .hold_s = 0.1});
 
-  for (const TargetCheck& check : checks) EXPECT_FALSE(check.passed);
+  for (const TargetCheck& check : checks) {
+    EXPECT_FALSE(check.passed);
+  }
 }
 
 TEST(Mastery, CountsInARowAndIsNotLostAgain) {
@@ -312,7 +314,9 @@ TEST(Merit, NamesTheBestAndTheWorstTwistOfEveryCriterionAndLeavesTheUnfinishedOu
   EXPECT_EQ(force->worst.twist, 0U);
   EXPECT_NEAR(force->expert, 1.1, 0.05);  // the filter rounds the edge of the release
   EXPECT_NEAR(force->merit, 0.0, 0.01);   // median of 1.2 and 1.0 N
-  for (std::size_t i = 1; i < all.size(); ++i) EXPECT_GE(all[i - 1].merit, all[i].merit);
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    EXPECT_GE(all[i - 1].merit, all[i].merit);
+  }
 }
 
 }  // namespace

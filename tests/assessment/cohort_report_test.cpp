@@ -20,9 +20,13 @@ namespace {
 using testing::demonstrationCohort;
 
 const ReportFigure* find(const ReportModel& report, const std::string& id) {
-  for (const ReportSection& section : report.sections)
-    for (const ReportFigure& figure : section.figures)
-      if (figure.id == id) return &figure;
+  for (const ReportSection& section : report.sections) {
+    for (const ReportFigure& figure : section.figures) {
+      if (figure.id == id) {
+        return &figure;
+      }
+    }
+  }
   return nullptr;
 }
 
@@ -64,13 +68,16 @@ TEST(CohortReport, HasTablesWhoseRowsFitTheirColumnsAndUniqueNames) {
   const ReportModel report = cohortReport(demonstrationCohort());
   std::set<std::string> ids;
   int tables = 0;
-  for (const ReportSection& section : report.sections)
+  for (const ReportSection& section : report.sections) {
     for (const ReportTable& table : section.tables) {
       ++tables;
       EXPECT_TRUE(ids.insert(table.id).second) << table.id;
       EXPECT_FALSE(table.rows.empty()) << table.id;
-      for (const std::vector<Text>& row : table.rows) EXPECT_EQ(row.size(), table.columns.size()) << table.id;
+      for (const std::vector<Text>& row : table.rows) {
+        EXPECT_EQ(row.size(), table.columns.size()) << table.id;
+      }
     }
+  }
   EXPECT_GE(tables, 9);
   EXPECT_TRUE(report.demonstration);
   EXPECT_EQ(report.sections.front().title, "What was simulated");
@@ -84,15 +91,20 @@ TEST(CohortReport, ComparesGroupsAndRatersWhenTheMarksAreGiven) {
                    [](const ReportSection& of) { return of.title == "Agreement and comparisons"; });
   ASSERT_NE(section, report.sections.end());
   std::vector<std::string> ids;
-  for (const ReportTable& table : section->tables) ids.push_back(table.id);
+  for (const ReportTable& table : section->tables) {
+    ids.push_back(table.id);
+  }
   EXPECT_THAT(ids, ::testing::ElementsAre("table-agreement", "table-ancova", "table-mixed-anova",
                                           "table-gains", "table-friedman"));
   EXPECT_EQ(section->tables[0].rows.size(), 3U);
   EXPECT_EQ(section->tables[1].rows.size(), 3U);
-  for (const ReportTable& table : section->tables)
-    for (const std::vector<Text>& row : table.rows)
-      for (const Text& cell : row)
+  for (const ReportTable& table : section->tables) {
+    for (const std::vector<Text>& row : table.rows) {
+      for (const Text& cell : row) {
         EXPECT_THAT(cell.str(), ::testing::Not(::testing::HasSubstr("not defined")));
+      }
+    }
+  }
 }
 
 TEST(CohortReport, HasTheAdditionsOfTheStatistician) {
@@ -117,24 +129,29 @@ TEST(CohortReport, HasTheAdditionsOfTheStatistician) {
   const ReportFigure* severity = find(report, "figure-severity");
   ASSERT_NE(severity, nullptr);
   double sum = 0.0;
-  for (const auto& offset : severity->series[0].y) sum += *offset;
+  for (const auto& offset : severity->series[0].y) {
+    sum += *offset;
+  }
   EXPECT_NEAR(sum, 0.0, 1e-12);  // complete marks: what one rater is above, the others are below
   ASSERT_NE(find(report, "figure-bland-altman"), nullptr);
   ASSERT_NE(find(report, "figure-lc-cusum"), nullptr);
   EXPECT_EQ(find(report, "figure-lc-cusum")->series.at(0).y.size(), 3U);
-  for (const char* id : {"figure-courses-1", "figure-courses-2", "figure-courses-3", "figure-classes"})
+  for (const char* id : {"figure-courses-1", "figure-courses-2", "figure-courses-3", "figure-classes"}) {
     EXPECT_NE(find(report, id), nullptr) << id;
+  }
 }
 
 TEST(CohortReport, EveryFigureHasATableOfTheValuesThatAreDrawn) {
   const ReportModel report = cohortReport(demonstrationCohort());
-  for (const ReportSection& section : report.sections)
+  for (const ReportSection& section : report.sections) {
     for (const ReportFigure& figure : section.figures) {
       const ReportTable table = figureTable(figure);
       EXPECT_FALSE(table.rows.empty()) << figure.id;
-      for (const std::vector<Text>& row : table.rows)
+      for (const std::vector<Text>& row : table.rows) {
         EXPECT_EQ(row.size(), table.columns.size()) << figure.id;
+      }
     }
+  }
   // The very numbers, to the last digit.
   const ReportFigure* means = find(report, "figure-16");
   EXPECT_EQ(std::stod(figureTable(*means).rows.at(0).at(1).str()), *means->series.at(0).y.at(0));
@@ -148,17 +165,29 @@ TEST(CohortReport, AnAggregatedReportHasNoLineAboutASinglePerson) {
   const ReportModel report = cohortReport(in);
   std::string all;
   for (const ReportSection& section : report.sections) {
-    for (const Text& paragraph : section.paragraphs) all += paragraph.str();
+    for (const Text& paragraph : section.paragraphs) {
+      all += paragraph.str();
+    }
     for (const ReportFigure& figure : section.figures) {
       EXPECT_FALSE(figure.individual) << figure.id;
-      for (const FigureSeries& series : figure.series) all += series.name.str();
-      for (const Text& category : figure.categories) all += category.str();
+      for (const FigureSeries& series : figure.series) {
+        all += series.name.str();
+      }
+      for (const Text& category : figure.categories) {
+        all += category.str();
+      }
     }
-    for (const ReportTable& table : section.tables)
-      for (const std::vector<Text>& row : table.rows)
-        for (const Text& cell : row) all += cell.str();
+    for (const ReportTable& table : section.tables) {
+      for (const std::vector<Text>& row : table.rows) {
+        for (const Text& cell : row) {
+          all += cell.str();
+        }
+      }
+    }
   }
-  for (const CohortTrainee& trainee : in.trainees) EXPECT_EQ(all.find(trainee.code), std::string::npos);
+  for (const CohortTrainee& trainee : in.trainees) {
+    EXPECT_EQ(all.find(trainee.code), std::string::npos);
+  }
   EXPECT_EQ(all.find("R101"), std::string::npos);
   EXPECT_NE(all.find("Group 1 is left out: it has fewer than 5 trainees"), std::string::npos);
   EXPECT_EQ(find(report, "figure-20"), nullptr);
@@ -190,11 +219,16 @@ TEST(CohortReport, SaysWhatWasFrozenWhenAndWhatDeviated) {
               ::testing::Contains(::testing::Pair(Text("Frozen"), Text("2026-01-05 08:00 UTC by admin"))));
   bool deviation = false;
   bool dose = false;
-  for (const ReportSection& section : report.sections)
+  for (const ReportSection& section : report.sections) {
     for (const ReportTable& table : section.tables) {
-      if (table.id == "table-deviations") deviation = table.rows.at(0).at(3) == "came twenty minutes late";
-      if (table.id == "table-dose") dose = table.rows.at(0).at(2) == "38.5";
+      if (table.id == "table-deviations") {
+        deviation = table.rows.at(0).at(3) == "came twenty minutes late";
+      }
+      if (table.id == "table-dose") {
+        dose = table.rows.at(0).at(2) == "38.5";
+      }
     }
+  }
   EXPECT_TRUE(deviation);
   EXPECT_TRUE(dose);
 }
@@ -206,18 +240,22 @@ TEST(CohortReport, SingleMarksAreLeftOutForWhoMayNotSeeThem) {
   EXPECT_EQ(find(report, "figure-marks"), nullptr);
   EXPECT_EQ(find(report, "figure-bland-altman"), nullptr);
   EXPECT_NE(find(report, "figure-severity"), nullptr);
-  for (const CohortCsvRow& row : cohortCsvRows(in)) EXPECT_NE(row.statistic, "mark");
+  for (const CohortCsvRow& row : cohortCsvRows(in)) {
+    EXPECT_NE(row.statistic, "mark");
+  }
 }
 
 TEST(CohortReport, SaysWhyAgreementIsNotDefinedWhenMarksAreMissing) {
   CohortInputs in = demonstrationCohort();
   in.trainingMarks.pop_back();
-  for (const ReportSection& section : cohortReport(in).sections)
-    for (const ReportTable& table : section.tables)
+  for (const ReportSection& section : cohortReport(in).sections) {
+    for (const ReportTable& table : section.tables) {
       if (table.id == "table-agreement") {
         EXPECT_THAT(table.rows[2][1].str(), ::testing::HasSubstr("marks are missing"));
         EXPECT_EQ(table.provenance.missing, 1);
       }
+    }
+  }
 }
 
 TEST(CohortReport, RefusesInputsThatDoNotBelongTogether) {
@@ -258,7 +296,9 @@ TEST(CohortCsv, IsTidyCompleteAndTheSameEachTime) {
   EXPECT_EQ(count("composite"), 120);
   EXPECT_EQ(count("score"), 90);
   EXPECT_EQ(count("N_eq27"), 3);
-  for (const CohortCsvRow& row : rows) EXPECT_THAT(row.flags, ::testing::HasSubstr("demonstration data"));
+  for (const CohortCsvRow& row : rows) {
+    EXPECT_THAT(row.flags, ::testing::HasSubstr("demonstration data"));
+  }
   const auto n27 = std::find_if(rows.begin(), rows.end(),
                                 [](const CohortCsvRow& row) { return row.statistic == "N_eq27"; });
   EXPECT_EQ(std::stod(n27->value), in.evaluations[0].n27);

@@ -16,17 +16,39 @@ using test::ReferenceCase;
 using test::referenceCase;
 
 double valueOf(const std::string& f, const std::vector<double>& a) {
-  if (f == "t_cdf" && a[0] < 0.0) return 0.5 * tTwoSided(a[0], a[1]);
-  if (f == "t_quantile") return tQuantile(a[0], a[1]);
-  if (f == "F_sf") return fUpper(a[0], a[1], a[2]);
-  if (f == "F_quantile") return fQuantile(a[0], a[1], a[2]);
-  if (f == "chi2_sf") return chiSquaredUpper(a[0], a[1]);
-  if (f == "norm_quantile") return normalQuantile(a[0]);
-  if (f == "norm_sf") return normalUpper(a[0]);
-  if (f == "nct_cdf") return noncentralTCdf(a[0], a[1], a[2]);
-  if (f == "ncF_cdf") return noncentralFCdf(a[0], a[1], a[2], a[3]);
-  if (f == "tukey_sf") return studentizedRangeUpper(a[0], static_cast<int>(a[1]), a[2]);
-  if (f == "tukey_quantile") return studentizedRangeQuantile(a[0], static_cast<int>(a[1]), a[2]);
+  if (f == "t_cdf" && a[0] < 0.0) {
+    return 0.5 * tTwoSided(a[0], a[1]);
+  }
+  if (f == "t_quantile") {
+    return tQuantile(a[0], a[1]);
+  }
+  if (f == "F_sf") {
+    return fUpper(a[0], a[1], a[2]);
+  }
+  if (f == "F_quantile") {
+    return fQuantile(a[0], a[1], a[2]);
+  }
+  if (f == "chi2_sf") {
+    return chiSquaredUpper(a[0], a[1]);
+  }
+  if (f == "norm_quantile") {
+    return normalQuantile(a[0]);
+  }
+  if (f == "norm_sf") {
+    return normalUpper(a[0]);
+  }
+  if (f == "nct_cdf") {
+    return noncentralTCdf(a[0], a[1], a[2]);
+  }
+  if (f == "ncF_cdf") {
+    return noncentralFCdf(a[0], a[1], a[2], a[3]);
+  }
+  if (f == "tukey_sf") {
+    return studentizedRangeUpper(a[0], static_cast<int>(a[1]), a[2]);
+  }
+  if (f == "tukey_quantile") {
+    return studentizedRangeQuantile(a[0], static_cast<int>(a[1]), a[2]);
+  }
   throw std::runtime_error("unknown function " + f);
 }
 
@@ -68,7 +90,9 @@ TEST(Bootstrap, AgreesWithTheEnumerationOfAllResamples) {
   const std::vector<double> data = numbers(c.input.at("data"));
   const ResampledStatistic mean = [&](std::span<const std::size_t> rows) {
     double sum = 0.0;
-    for (const std::size_t row : rows) sum += data[row];
+    for (const std::size_t row : rows) {
+      sum += data[row];
+    }
     return sum / static_cast<double>(rows.size());
   };
   const Outcome<Bootstrap> got = bootstrap(data.size(), mean, {.everyResample = true});
@@ -94,7 +118,9 @@ TEST(Bootstrap, RepeatsForTheSameSeedAndIsUndefinedForAConstant) {
   const std::vector<double> data = {1, 4, 2, 8, 5, 7};
   const ResampledStatistic mean = [&](std::span<const std::size_t> rows) {
     double sum = 0.0;
-    for (const std::size_t row : rows) sum += data[row];
+    for (const std::size_t row : rows) {
+      sum += data[row];
+    }
     return sum / static_cast<double>(rows.size());
   };
   EXPECT_EQ(bootstrap(6, mean, {.seed = 3})->bca.lower, bootstrap(6, mean, {.seed = 3})->bca.lower);

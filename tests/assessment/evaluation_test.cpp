@@ -29,8 +29,9 @@ EvaluationInstrument instrumentWith(const std::vector<double>& indexWeights) {
   EvaluationInstrument instrument = paperInstrument();
   instrument.indices.clear();
   const std::vector<std::int64_t> milli = weightsInMilli(indexWeights);
-  for (std::size_t j = 0; j < milli.size(); ++j)
+  for (std::size_t j = 0; j < milli.size(); ++j) {
     instrument.indices.push_back({std::to_string(j + 1), "", milli[j]});
+  }
   return instrument;
 }
 
@@ -43,8 +44,9 @@ ModelRatings ratingsFrom(const EvaluationInstrument& instrument, const nlohmann:
       RaterSheet sheet{instrument.classes[c].id + std::to_string(++number), c, {}};
       for (const nlohmann::json& mark : row) {
         sheet.steps.push_back(std::nullopt);
-        if (!mark.is_null())
+        if (!mark.is_null()) {
           sheet.steps.back() = stepsFromPoints(mark.get<double>(), instrument.scale, "case");
+        }
       }
       ratings.sheets.push_back(sheet);
     }
@@ -56,7 +58,9 @@ nlohmann::json oneIndex(const nlohmann::json& input) {
   nlohmann::json byClass;
   for (const char* id : {"A", "B", "C"}) {
     byClass[id] = nlohmann::json::array();
-    for (const nlohmann::json& mark : input.at(id)) byClass[id].push_back(nlohmann::json::array({mark}));
+    for (const nlohmann::json& mark : input.at(id)) {
+      byClass[id].push_back(nlohmann::json::array({mark}));
+    }
   }
   return byClass;
 }
@@ -100,25 +104,29 @@ TEST(EvaluateModel, GivesExampleTwoWithMissingMarksToTheLastDigit) {
   const EvaluationInstrument instrument = instrumentWith(test::numbers(example.input.at("index_weights")));
   nlohmann::json byClass;
   const nlohmann::json& indices = example.input.at("indices");
-  for (const char* id : {"A", "B", "C"})
+  for (const char* id : {"A", "B", "C"}) {
     for (std::size_t i = 0; i < indices[0].at(id).size(); ++i) {
       nlohmann::json row = nlohmann::json::array();
-      for (const nlohmann::json& index : indices) row.push_back(index.at(id)[i]);
+      for (const nlohmann::json& index : indices) {
+        row.push_back(index.at(id)[i]);
+      }
       byClass[id].push_back(row);
     }
+  }
   const ModelRatings ratings = ratingsFrom(instrument, byClass);
 
   const ModelEvaluation result = evaluateModel(instrument, ratings);
 
-  for (std::size_t j = 0; j < 3; ++j)
+  for (std::size_t j = 0; j < 3; ++j) {
     expectStatistics(result.indices[j], example.expected.at("indices")[j], example.tolerance);
+  }
   EXPECT_TRUE(matches(result.n27, value(example.expected.at("N_eq27")), kSameDouble));
   EXPECT_EQ(result.missing, 2);
   EXPECT_THAT(result.flags, ::testing::ElementsAre("available-case"));
   EXPECT_TRUE(matches(result.compositeStatistics->m,
                       value(example.expected.at("N_from_complete_rater_composites")), kSameDouble));
   std::size_t at = 0;
-  for (const char* id : {"A", "B", "C"})
+  for (const char* id : {"A", "B", "C"}) {
     for (const nlohmann::json& composite : example.expected.at("rater_composites").at(id)) {
       const RaterComposite& got = result.composites[at++];
       EXPECT_EQ(got.score.has_value(), !composite.is_null());
@@ -126,6 +134,7 @@ TEST(EvaluateModel, GivesExampleTwoWithMissingMarksToTheLastDigit) {
         EXPECT_TRUE(matches(*got.score, value(composite), kSameDouble));
       }
     }
+  }
 }
 
 TEST(EvaluateModel, GivesAnotherCompositeForListWiseDeletionAndSaysSo) {
@@ -133,16 +142,19 @@ TEST(EvaluateModel, GivesAnotherCompositeForListWiseDeletionAndSaysSo) {
   const EvaluationInstrument instrument = instrumentWith({0.5, 0.3, 0.2});
   ModelRatings ratings{"PM", {}};
   const nlohmann::json& indices = example.input.at("indices");
-  for (std::size_t c = 0; c < 3; ++c)
+  for (std::size_t c = 0; c < 3; ++c) {
     for (std::size_t i = 0; i < indices[0].at(instrument.classes[c].id).size(); ++i) {
       RaterSheet sheet{instrument.classes[c].id + std::to_string(i), c, {}};
       for (const nlohmann::json& index : indices) {
         const nlohmann::json& mark = index.at(instrument.classes[c].id)[i];
         sheet.steps.push_back(std::nullopt);
-        if (!mark.is_null()) sheet.steps.back() = stepsFromPoints(mark.get<double>(), instrument.scale, "");
+        if (!mark.is_null()) {
+          sheet.steps.back() = stepsFromPoints(mark.get<double>(), instrument.scale, "");
+        }
       }
       ratings.sheets.push_back(sheet);
     }
+  }
 
   const ModelEvaluation result = evaluateModel(instrument, ratings, {.missing = MissingPolicy::kListWise});
 
@@ -157,16 +169,22 @@ TEST(EvaluateModel, GivesExampleThreeToTheLastDigit) {
   const EvaluationInstrument instrument = paperInstrument();
   const auto shifted = [&](int model) {
     nlohmann::json byClass = example.input.at("scores_PM");
-    for (const char* id : {"A", "B", "C"})
-      for (std::size_t i = 0; i < byClass[id].size(); ++i)
+    for (const char* id : {"A", "B", "C"}) {
+      for (std::size_t i = 0; i < byClass[id].size(); ++i) {
         for (std::size_t j = 0; j < 9; ++j) {
           // The rule that the case states: FEM = b - 1 - (i + j) mod 2, MSM = b - 2 - (i + 2 j) mod 3.
           const int b = byClass[id][i][j].get<int>();
           const int rater = static_cast<int>(i) + 1;
           const int index = static_cast<int>(j) + 1;
-          if (model == 1) byClass[id][i][j] = b - 1 - (rater + index) % 2;
-          if (model == 2) byClass[id][i][j] = b - 2 - (rater + 2 * index) % 3;
+          if (model == 1) {
+            byClass[id][i][j] = b - 1 - (rater + index) % 2;
+          }
+          if (model == 2) {
+            byClass[id][i][j] = b - 2 - (rater + 2 * index) % 3;
+          }
         }
+      }
+    }
     return byClass;
   };
   const char* names[] = {"PM", "FEM", "MSM"};
@@ -176,14 +194,17 @@ TEST(EvaluateModel, GivesExampleThreeToTheLastDigit) {
     const ModelEvaluation result = evaluateModel(instrument, ratingsFrom(instrument, shifted(model)));
 
     ASSERT_EQ(result.indices.size(), 9U);
-    for (std::size_t j = 0; j < 9; ++j)
+    for (std::size_t j = 0; j < 9; ++j) {
       expectStatistics(result.indices[j], expected.at("indices")[j], example.tolerance);
+    }
     EXPECT_TRUE(matches(result.n27, value(expected.at("N_eq27")), kSameDouble));
     expectStatistics(*result.compositeStatistics, expected.at("composite_stats"), example.tolerance);
     std::size_t at = 0;
-    for (const char* id : {"A", "B", "C"})
-      for (const nlohmann::json& composite : expected.at("rater_composites").at(id))
+    for (const char* id : {"A", "B", "C"}) {
+      for (const nlohmann::json& composite : expected.at("rater_composites").at(id)) {
         EXPECT_TRUE(matches(result.composites[at++].score.value(), composite.get<double>(), kSameDouble));
+      }
+    }
     EXPECT_TRUE(result.flags.empty());
   }
 }
@@ -215,8 +236,9 @@ TEST(StepsFromText, AcceptsStepsOfTheScaleAndRefusesTheRest) {
   EXPECT_EQ(stepsFromText("0.0", zeroToTen, ""), 0);
   EXPECT_EQ(stepsFromText("7.30", zeroToTen, ""), 73);
   for (const char* bad :
-       {"10.0000001", "-0.5", "nan", "inf", "7,5", "", "1e1", "7.25", "ten", "10.1", "1.2.3"})
+       {"10.0000001", "-0.5", "nan", "inf", "7,5", "", "1e1", "7.25", "ten", "10.1", "1.2.3"}) {
     EXPECT_THROW((void)stepsFromText(bad, zeroToTen, "line 3"), Error) << bad;
+  }
   EXPECT_THROW((void)stepsFromText("0", oneToTen, ""), Error);
 }
 
@@ -228,7 +250,9 @@ TEST(StepsFromPoints, FollowsTheValidationTable) {
                           : score == "nan"  ? std::numeric_limits<double>::quiet_NaN()
                                             : std::numeric_limits<double>::infinity();
     ScoreScale scale;
-    if (rule.contains("scale")) scale.lo = rule.at("scale")[0].get<std::int64_t>() * scale.stepsPerPoint;
+    if (rule.contains("scale")) {
+      scale.lo = rule.at("scale")[0].get<std::int64_t>() * scale.stepsPerPoint;
+    }
     if (rule.at("ok").get<bool>()) {
       EXPECT_NO_THROW((void)stepsFromPoints(points, scale, "")) << rule;
     } else {
@@ -263,13 +287,15 @@ TEST(GroupRatings, RefusesDuplicatesForeignClassesAndMarksOutsideTheScale) {
 ModelRatings randomRatings(Random& random, const EvaluationInstrument& instrument,
                            const std::vector<std::size_t>& sizes) {
   ModelRatings ratings{"PM", {}};
-  for (std::size_t c = 0; c < sizes.size(); ++c)
+  for (std::size_t c = 0; c < sizes.size(); ++c) {
     for (std::size_t i = 0; i < sizes[c]; ++i) {
       RaterSheet sheet{std::to_string(1000 * c + i), c, {}};
-      for (std::size_t j = 0; j < instrument.indices.size(); ++j)
+      for (std::size_t j = 0; j < instrument.indices.size(); ++j) {
         sheet.steps.push_back(20 + static_cast<std::int64_t>(random.bounded(61)));
+      }
       ratings.sheets.push_back(sheet);
     }
+  }
   return ratings;
 }
 
@@ -297,11 +323,12 @@ TEST(EvaluateModel, ShiftsAndScalesAsItsFormulasDo) {
   ModelRatings doubled = ratings;
   EvaluationInstrument wide = instrument;
   wide.scale.hi = 200;
-  for (std::size_t i = 0; i < ratings.sheets.size(); ++i)
+  for (std::size_t i = 0; i < ratings.sheets.size(); ++i) {
     for (std::size_t j = 0; j < 9; ++j) {
       *shifted.sheets[i].steps[j] += 10;  // one point
       *doubled.sheets[i].steps[j] *= 2;
     }
+  }
 
   const ModelEvaluation base = evaluateModel(instrument, ratings);
   const ModelEvaluation plusOne = evaluateModel(wide, shifted);
@@ -366,11 +393,12 @@ TEST(EvaluateModel, StaysExactWhenTheClassSizesShareNoDivisor) {
     for (std::size_t c = 0; c < 3; ++c) {
       long double sum = 0.0L;
       long double n = 0.0L;
-      for (const RaterSheet& sheet : ratings.sheets)
+      for (const RaterSheet& sheet : ratings.sheets) {
         if (sheet.raterClass == c) {
           sum += static_cast<long double>(*sheet.steps[j]) / 10.0L;
           n += 1.0L;
         }
+      }
       m += static_cast<long double>(instrument.classes[c].weight_milli) / 1000.0L * sum / n;
     }
     EXPECT_NEAR(result.indices[j].m, static_cast<double>(m), 1e-14);
@@ -385,7 +413,9 @@ TEST(EvaluateModel, LeavesTheStandardErrorUndefinedForASingleRaterInAClass) {
 
   const ModelEvaluation one = evaluateModel(instrument, randomRatings(random, instrument, {3, 2, 1}));
   ModelRatings constant = randomRatings(random, instrument, {3, 2, 2});
-  for (RaterSheet& sheet : constant.sheets) std::fill(sheet.steps.begin(), sheet.steps.end(), 70);
+  for (RaterSheet& sheet : constant.sheets) {
+    std::fill(sheet.steps.begin(), sheet.steps.end(), 70);
+  }
   const ModelEvaluation same = evaluateModel(instrument, constant);
 
   EXPECT_FALSE(one.indices[0].standardError.has_value());
@@ -418,7 +448,9 @@ TEST(EvaluationKernel, GivesTheSameBitsAsTheFullEvaluation) {
   std::vector<std::int64_t> steps;
   for (const RaterSheet& sheet : ratings.sheets) {
     classes.push_back(sheet.raterClass);
-    for (const std::optional<std::int64_t>& mark : sheet.steps) steps.push_back(*mark);
+    for (const std::optional<std::int64_t>& mark : sheet.steps) {
+      steps.push_back(*mark);
+    }
   }
   std::vector<double> m(9);
   std::vector<double> s2(9);

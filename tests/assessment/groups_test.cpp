@@ -139,8 +139,9 @@ TEST(SignedRank, AgreesWithHollanderAndWolfe) {
   const std::vector<double> y = numbers(c.input.at("y"));
   std::vector<double> differences;
   // Whole thousandths, so that ties are ties.
-  for (std::size_t i = 0; i < x.size(); ++i)
+  for (std::size_t i = 0; i < x.size(); ++i) {
     differences.push_back(std::round(1000.0 * x[i]) - std::round(1000.0 * y[i]));
+  }
   const Outcome<SignedRank> got = signedRank(differences);
   const Expect expect{c.expected, c.tolerance};
   expect.value("V", got->v);
@@ -182,9 +183,11 @@ TEST(Friedman, GivesTheOrderOfTheThreeModelsInExampleThree) {
   std::size_t model = 0;
   for (const char* name : {"PM", "FEM", "MSM"}) {
     std::size_t rater = 0;
-    for (const char* id : {"A", "B", "C"})
-      for (const double x : numbers(example.at("models").at(name).at("rater_composites").at(id)))
+    for (const char* id : {"A", "B", "C"}) {
+      for (const double x : numbers(example.at("models").at(name).at("rater_composites").at(id))) {
         values.at(rater++, model) = x;
+      }
+    }
     ++model;
   }
   const Outcome<Friedman> got = friedman(values);
@@ -232,8 +235,11 @@ TEST(OneWayAnova, AgreesOnThePlantData) {
 TEST(ShapiroWilk, AgreesOnTheResidualsOfThePlantData) {
   const PlantGrowth plants;
   std::vector<double> residuals;
-  for (const std::vector<double>& group : plants.groups)
-    for (const double x : group) residuals.push_back(x - meanOf(group));
+  for (const std::vector<double>& group : plants.groups) {
+    for (const double x : group) {
+      residuals.push_back(x - meanOf(group));
+    }
+  }
   const Outcome<NormalityTest> got = shapiroWilk(residuals);
   const Expect expect{plants.reference.expected.at("shapiro_residuals"), plants.reference.tolerance};
   expect.value("W", got->w);
@@ -250,8 +256,9 @@ void expectKruskal(const KruskalWallis& got, const nlohmann::json& kw, const nlo
   expect.value("epsilon2", got.epsilonSquared);
   expect.value("eta2_H", got.etaSquaredH);
   expect.value("T", got.tieTerm);
-  for (std::size_t g = 0; g < 3; ++g)
+  for (std::size_t g = 0; g < 3; ++g) {
     EXPECT_TRUE(matches(got.meanRanks[g], kw.at("mean_ranks")[g].get<double>(), tolerance));
+  }
   for (std::size_t i = 0; i < 3; ++i) {
     const Expect pair{dunn[i], tolerance};
     pair.value("diff", got.pairs[i].difference);
@@ -313,8 +320,9 @@ TEST(AdjustedP, AgreesForAllMethods) {
   const ReferenceCase c = referenceCase("groups", "p_adjust");
   const std::vector<double> p = numbers(c.input.at("p"));
   const auto expectAll = [&](const std::vector<double>& got, const char* name) {
-    for (std::size_t i = 0; i < p.size(); ++i)
+    for (std::size_t i = 0; i < p.size(); ++i) {
       EXPECT_TRUE(matches(got[i], c.expected.at(name)[i].get<double>(), c.tolerance)) << name;
+    }
   };
   expectAll(adjustHolm(p), "holm");
   expectAll(adjustBenjaminiHochberg(p), "BH");
@@ -372,7 +380,9 @@ TEST(MixedAnova, AgreesOnUnbalancedGroupsForBothTypes) {
     rows[c.input.at("treatment")[i].get<std::string>()].push_back(all.back());
   }
   std::vector<NumberTable> groups;
-  for (const auto& [name, trainees] : rows) groups.emplace_back(trainees);
+  for (const auto& [name, trainees] : rows) {
+    groups.emplace_back(trainees);
+  }
   expectMixed(*mixedAnova(groups), c.expected, c.tolerance);
 
   const ReferenceCase one = referenceCase("groups", "rm_anova_obrien_kaiser_phase_means");
@@ -397,7 +407,9 @@ struct Study {
     Groups out;
     for (const Groups& group : scores) {
       out.emplace_back();
-      for (const std::vector<double>& trainee : group) out.back().push_back(trainee[t]);
+      for (const std::vector<double>& trainee : group) {
+        out.back().push_back(trainee[t]);
+      }
     }
     return out;
   }
@@ -405,8 +417,9 @@ struct Study {
     Groups out;
     for (const Groups& group : scores) {
       out.emplace_back();
-      for (const std::vector<double>& trainee : group)
+      for (const std::vector<double>& trainee : group) {
         out.back().push_back(std::round(10.0 * trainee[2]) - std::round(10.0 * trainee[0]));
+      }
     }
     return out;
   }
@@ -415,7 +428,9 @@ struct Study {
 TEST(MixedAnova, AgreesOnTheSyntheticTrainingStudy) {
   const Study study;
   std::vector<NumberTable> groups;
-  for (const Groups& group : study.scores) groups.emplace_back(group);
+  for (const Groups& group : study.scores) {
+    groups.emplace_back(group);
+  }
   expectMixed(*mixedAnova(groups), study.reference.expected.at("mixed_anova"), study.reference.tolerance);
 }
 
@@ -470,8 +485,9 @@ TEST(GainScores, AreRankedOnExactDecimals) {
   Groups noisy;
   for (std::size_t g = 0; g < 3; ++g) {
     noisy.emplace_back();
-    for (const std::vector<double>& trainee : study.scores[g])
+    for (const std::vector<double>& trainee : study.scores[g]) {
       noisy.back().push_back(trainee[2] - trainee[0]);
+    }
   }
   EXPECT_NEAR(kruskalWallis(noisy)->h, 21.297724, 1e-5);
 }

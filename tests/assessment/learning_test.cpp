@@ -127,7 +127,9 @@ TEST(AverageRunLength, AgreesInAndOutOfControl) {
 
 std::vector<bool> outcomes(const nlohmann::json& list) {
   std::vector<bool> out;
-  for (const nlohmann::json& value : list) out.push_back(value.get<int>() == 1);
+  for (const nlohmann::json& value : list) {
+    out.push_back(value.get<int>() == 1);
+  }
   return out;
 }
 
@@ -138,8 +140,9 @@ TEST(BinaryCusum, AgreesWithTheSeries) {
   EXPECT_TRUE(matches(got.s, e.at("s").get<double>(), c.tolerance));
   EXPECT_TRUE(matches(got.h0, e.at("h0").get<double>(), c.tolerance));
   EXPECT_TRUE(matches(got.h1, e.at("h1").get<double>(), c.tolerance));
-  for (std::size_t i = 0; i < got.sums.size(); ++i)
+  for (std::size_t i = 0; i < got.sums.size(); ++i) {
     EXPECT_TRUE(matches(got.sums[i], e.at("S")[i].get<double>(), c.tolerance)) << i;
+  }
 }
 
 TEST(LcCusum, SignalsWhereTheSeriesSays) {
@@ -148,23 +151,31 @@ TEST(LcCusum, SignalsWhereTheSeriesSays) {
   const LcCusum got = lcCusum(outcomes(c.input.at("outcomes_failure1")), {0.1, 0.2, 1.25});
   EXPECT_TRUE(matches(got.successWeight, e.at("w_success").get<double>(), c.tolerance));
   EXPECT_TRUE(matches(got.failureWeight, e.at("w_failure").get<double>(), c.tolerance));
-  for (std::size_t i = 0; i < got.sums.size(); ++i)
+  for (std::size_t i = 0; i < got.sums.size(); ++i) {
     EXPECT_NEAR(got.sums[i], e.at("S")[i].get<double>(), 1e-12) << i;
+  }
   EXPECT_EQ(got.competentAt, 32U);  // stated with the series: signals at trial 32 with h = 1.25
 }
 
 TEST(LcCusumProbability, AgreesWithTheExactTable) {
   const ReferenceCase c = referenceCase("learning", "cusum_binary_and_lc");
   const nlohmann::json* table = nullptr;
-  for (const auto& [key, value] : c.expected.items())
-    if (value.is_object() && value.contains("1.25")) table = &value;
-  if (table == nullptr)
-    for (const auto& [key, value] : c.expected.at("lc_cusum").items())
-      if (value.is_object() && value.contains("1.25")) table = &c.expected.at("lc_cusum").at(key);
+  for (const auto& [key, value] : c.expected.items()) {
+    if (value.is_object() && value.contains("1.25")) {
+      table = &value;
+    }
+  }
+  if (table == nullptr) {
+    for (const auto& [key, value] : c.expected.at("lc_cusum").items()) {
+      if (value.is_object() && value.contains("1.25")) {
+        table = &c.expected.at("lc_cusum").at(key);
+      }
+    }
+  }
   ASSERT_NE(table, nullptr);
   int compared = 0;
-  for (const auto& [h, byAttempts] : table->items())
-    for (const auto& [attempts, byRate] : byAttempts.items())
+  for (const auto& [h, byAttempts] : table->items()) {
+    for (const auto& [attempts, byRate] : byAttempts.items()) {
       for (const auto& [rate, probability] : byRate.items()) {
         const double got =
             lcCusumProbability({0.1, 0.2, std::stod(h)}, std::stod(rate), std::stoul(attempts.substr(1)));
@@ -172,6 +183,8 @@ TEST(LcCusumProbability, AgreesWithTheExactTable) {
             << h << " " << attempts << " " << rate;
         ++compared;
       }
+    }
+  }
   EXPECT_EQ(compared, 72);
 }
 
@@ -195,9 +208,10 @@ TEST(ContrastingGroups, AgreesForTheNormalAndTheLogisticCut) {
   const ReferenceCase c = referenceCase("learning", "contrasting_groups");
   std::vector<double> novices;
   std::vector<double> masters;
-  for (std::size_t i = 0; i < c.input.at("score").size(); ++i)
+  for (std::size_t i = 0; i < c.input.at("score").size(); ++i) {
     (c.input.at("master")[i].get<int>() == 1 ? masters : novices)
         .push_back(c.input.at("score")[i].get<double>());
+  }
   const Outcome<ContrastingGroups> got = contrastingGroups(novices, masters);
   const auto expectValue = [&](const char* name, double value) {
     EXPECT_TRUE(matches(value, c.expected.at(name).get<double>(), c.tolerance)) << name;

@@ -37,14 +37,18 @@ double minimumJerkSpeed(double s) {
 std::vector<double> turnSpeed(double angle, double duration) {
   std::vector<double> out;
   const int n = static_cast<int>(std::lround(duration * kRate));
-  for (int i = 0; i <= n; ++i) out.push_back(angle * minimumJerkSpeed(static_cast<double>(i) / n) / duration);
+  for (int i = 0; i <= n; ++i) {
+    out.push_back(angle * minimumJerkSpeed(static_cast<double>(i) / n) / duration);
+  }
   return out;
 }
 
 std::vector<double> twoSubMovements() {
   std::vector<double> out = turnSpeed(60.0, 1.5);
   const std::vector<double> second = turnSpeed(30.0, 1.5);
-  for (std::size_t i = 1; i < second.size(); ++i) out.push_back(second[i]);
+  for (std::size_t i = 1; i < second.size(); ++i) {
+    out.push_back(second[i]);
+  }
   return out;
 }
 
@@ -60,7 +64,9 @@ class TraceCase : public ::testing::Test {
 
 TEST_F(TraceCase, SpectralArcLengthAgreesWithTheAuthorsExampleAndTheTurns) {
   std::vector<double> bell;
-  for (int i = 0; i < 200; ++i) bell.push_back(std::exp(-5.0 * std::pow(-1.0 + 0.01 * i, 2)));
+  for (int i = 0; i < 200; ++i) {
+    bell.push_back(std::exp(-5.0 * std::pow(-1.0 + 0.01 * i, 2)));
+  }
   expectValue("author_docstring", "sparc", *spectralArcLength(bell, 100.0));
   expectValue("minjerk", "sparc", *spectralArcLength(turnSpeed(90.0, 2.0), kRate));
   expectValue("minjerk", "sparc_T1_A1", *spectralArcLength(turnSpeed(1.0, 1.0), kRate));
@@ -115,10 +121,14 @@ TEST_F(TraceCase, StepResponseGivesOvershootAndSettling) {
   // First inside 88..92 comes before the first sample at or above 90.
   EXPECT_LE(*got.timeToTarget, reference.expected.at("step2").at("first_sample_ge_90").get<double>());
   std::vector<double> mirrored;
-  for (const double a : angle) mirrored.push_back(-a);
+  for (const double a : angle) {
+    mirrored.push_back(-a);
+  }
   EXPECT_EQ(targetApproach(mirrored, -90.0, 2.0, kRate).overshoot, got.overshoot);
   std::vector<double> turn;
-  for (int i = 0; i <= 2000; ++i) turn.push_back(90.0 * minimumJerk(i / 2000.0));
+  for (int i = 0; i <= 2000; ++i) {
+    turn.push_back(90.0 * minimumJerk(i / 2000.0));
+  }
   const TargetApproach smooth = targetApproach(turn, 90.0, 2.0, kRate);
   expectValue("minjerk", "t_settle_2deg_sample", *smooth.settling);
   EXPECT_EQ(smooth.excursions, 0);
@@ -127,7 +137,9 @@ TEST_F(TraceCase, StepResponseGivesOvershootAndSettling) {
 
 TEST_F(TraceCase, ForceMeasuresAgreeWithTheirIntegrals) {
   std::vector<double> force;
-  for (int i = 0; i <= 2000; ++i) force.push_back(3.0 * std::pow(std::sin(kPi_ * i / 2000.0), 2));
+  for (int i = 0; i <= 2000; ++i) {
+    force.push_back(3.0 * std::pow(std::sin(kPi_ * i / 2000.0), 2));
+  }
   const Outcome<Loading> got = loadingOf(force, kRate);
   expectValue("force", "impulse_trapz", got->impulse);
   expectValue("force", "mean_exact", got->mean);
@@ -143,10 +155,18 @@ TEST_F(TraceCase, ForceMeasuresAgreeWithTheirIntegrals) {
 
 TEST(ViolationsOf, MergesNeighboursAndIgnoresTheShortest) {
   std::vector<double> force(1000, 0.0);
-  for (std::size_t i = 100; i < 130; ++i) force[i] = 5.0;  // 30 ms
-  for (std::size_t i = 160; i < 190; ++i) force[i] = 5.0;  // 30 ms later: the same excursion
-  for (std::size_t i = 400; i < 405; ++i) force[i] = 5.0;  // 5 ms: ignored
-  for (std::size_t i = 600; i < 620; ++i) force[i] = 5.0;
+  for (std::size_t i = 100; i < 130; ++i) {
+    force[i] = 5.0;  // 30 ms
+  }
+  for (std::size_t i = 160; i < 190; ++i) {
+    force[i] = 5.0;  // 30 ms later: the same excursion
+  }
+  for (std::size_t i = 400; i < 405; ++i) {
+    force[i] = 5.0;  // 5 ms: ignored
+  }
+  for (std::size_t i = 600; i < 620; ++i) {
+    force[i] = 5.0;
+  }
   const Violations got = violationsOf(force, 2.0, kRate);
   EXPECT_EQ(got.count, 2);
   EXPECT_DOUBLE_EQ(got.time_s, 0.085);
@@ -198,8 +218,9 @@ TEST_F(TraceCase, FiltersHaveTheStatedCoefficientsAndGain) {
   const nlohmann::json& filtfilt = reference.expected.at("filtfilt");
   const std::vector<double> got =
       filterZeroPhase(butterworthForTwoPasses(10.0, kRate), numbers(filtfilt.at("x")), 9);
-  for (std::size_t i = 0; i < got.size(); ++i)
+  for (std::size_t i = 0; i < got.size(); ++i) {
     EXPECT_NEAR(got[i], filtfilt.at("y")[i].get<double>(), 1e-12) << i;
+  }
 }
 
 TEST(Smoothness, SuffersFromNoiseAsThePreparationSays) {
@@ -215,7 +236,9 @@ TEST(Smoothness, SuffersFromNoiseAsThePreparationSays) {
     EXPECT_TRUE(matches(*logDimensionlessJerk(speed, kRate), c.expected.at(name).at("ldlj").get<double>(),
                         c.tolerance))
         << name;
-    for (double& value : speed) value = std::abs(value);
+    for (double& value : speed) {
+      value = std::abs(value);
+    }
     EXPECT_TRUE(
         matches(*spectralArcLength(speed, kRate), c.expected.at(name).at("sparc").get<double>(), c.tolerance))
         << name;
@@ -243,7 +266,9 @@ TEST(ResampleUniform, InterpolatesShortGapsAndRefusesLongOnes) {
   const UniformSignal got =
       resampleUniform(std::vector<std::int64_t>{0, 1000, 5000, 6000}, {{0.0, 1.0, 5.0, 6.0}});
   ASSERT_EQ(got.channels[0].size(), 7U);
-  for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(got.channels[0][i], static_cast<double>(i), 1e-12);
+  for (std::size_t i = 0; i < 7; ++i) {
+    EXPECT_NEAR(got.channels[0][i], static_cast<double>(i), 1e-12);
+  }
   EXPECT_EQ(got.lost, 3U);
   const std::vector<std::int64_t> broken = {0, 1000, 30000};
   EXPECT_THROW((void)resampleUniform(broken, {{0, 1, 2}}), Error);
@@ -270,8 +295,9 @@ TEST(MetricCards, AreCompleteAndUnique) {
   std::set<std::string_view> ids;
   for (const MetricCard& card : metricCards()) {
     EXPECT_TRUE(ids.insert(card.id).second) << card.id;
-    for (const std::string_view text : {card.name, card.meaning, card.formula, card.unit, card.window})
+    for (const std::string_view text : {card.name, card.meaning, card.formula, card.unit, card.window}) {
       EXPECT_FALSE(text.empty()) << card.id;
+    }
   }
   EXPECT_EQ(metricCard("twist.sparc").direction, Direction::kHigherIsBetter);
 }
@@ -323,7 +349,9 @@ TEST(MeasureTrial, GivesEveryMetricThatAppliesAndLeavesTheOthersUndefined) {
 TrialTrace letGoInAGap() {
   TrialTrace trace;
   for (int i = 0; i < 1500; ++i) {
-    if (i > 999 && i < 1015) continue;
+    if (i > 999 && i < 1015) {
+      continue;
+    }
     trace.times_us.push_back(1000 * i + 300 * ((i * 7) % 3 - 1));
     trace.phase.push_back(i < 1000 ? TracePhase::kTwisting : TracePhase::kReleasing);
     trace.angle_rad.push_back(i < 1000 ? 0.001 * i : std::exp(-0.01 * (i - 1000)));

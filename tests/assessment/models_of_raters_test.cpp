@@ -24,8 +24,11 @@ TEST(GStudy, AgreesWithBrennansRatersInTasks) {
   const ReferenceCase c = referenceCase("generalizability", "g_brennan_synth4_p_x_r_in_t");
   std::vector<NumberTable> byTask(3, NumberTable(10, 4));
   const nlohmann::json& data = c.input.at("persons_by_(task*4+rater)");
-  for (std::size_t p = 0; p < 10; ++p)
-    for (std::size_t j = 0; j < 12; ++j) byTask[j / 4].at(p, j % 4) = data[p][j].get<double>();
+  for (std::size_t p = 0; p < 10; ++p) {
+    for (std::size_t j = 0; j < 12; ++j) {
+      byTask[j / 4].at(p, j % 4) = data[p][j].get<double>();
+    }
+  }
 
   const Outcome<GStudy> got = gStudyPRinT(byTask);
 
@@ -50,10 +53,13 @@ TEST(GStudy, AgreesWithBrennansRatersInTasks) {
 TEST(GStudy, AgreesWithBrennansCrossedDesign) {
   const ReferenceCase c = referenceCase("generalizability", "g_brennan_synth3_p_x_i_x_o");
   std::vector<NumberTable> byOccasion(2, NumberTable(10, 4));
-  for (std::size_t o = 0; o < 2; ++o)
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t p = 0; p < 10; ++p)
+  for (std::size_t o = 0; o < 2; ++o) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t p = 0; p < 10; ++p) {
         byOccasion[o].at(p, i) = c.input.at("o_i_p")[o][i][p].get<double>();
+      }
+    }
+  }
 
   const Outcome<GStudy> got = gStudyPRO(byOccasion);
 
@@ -79,16 +85,21 @@ TEST(GStudy, AgreesWithBrennansCrossedDesign) {
 TEST(GStudy, AgreesOnTheSyntheticTrainingStudy) {
   const ReferenceCase c = referenceCase("training_study", "training_study_synthetic");
   std::vector<NumberTable> byOccasion(3, NumberTable(30, 10));
-  for (std::size_t g = 0; g < 3; ++g)
-    for (std::size_t i = 0; i < 10; ++i)
-      for (std::size_t t = 0; t < 3; ++t)
-        for (std::size_t r = 0; r < 10; ++r)
+  for (std::size_t g = 0; g < 3; ++g) {
+    for (std::size_t i = 0; i < 10; ++i) {
+      for (std::size_t t = 0; t < 3; ++t) {
+        for (std::size_t r = 0; r < 10; ++r) {
           byOccasion[t].at(10 * g + i, r) = c.input.at("data_g_i_t_r")[g][i][t][r].get<double>();
+        }
+      }
+    }
+  }
   const Outcome<GStudy> got = gStudyPRO(byOccasion);
-  for (const char* effect : {"p", "r", "o", "pr", "po", "ro", "pro"})
+  for (const char* effect : {"p", "r", "o", "pr", "po", "ro", "pro"}) {
     EXPECT_TRUE(matches(got->at(effect).variance,
                         c.expected.at("g_study_p_r_o").at("var").at(effect).get<double>(), 1e-9))
         << effect;
+  }
   const Outcome<DStudy> d = dStudyPRO(*got, 10, 3);
   EXPECT_TRUE(matches(d->generalizability,
                       c.expected.at("g_study_p_r_o").at("D_r10_o3").at("Erho2").get<double>(), 1e-9));
@@ -109,7 +120,9 @@ std::vector<std::vector<std::optional<int>>> ratingsOf(const nlohmann::json& row
   std::vector<std::vector<std::optional<int>>> out;
   for (const nlohmann::json& row : rows) {
     out.emplace_back();
-    for (const nlohmann::json& mark : row) out.back().emplace_back(mark.get<int>());
+    for (const nlohmann::json& mark : row) {
+      out.back().emplace_back(mark.get<int>());
+    }
   }
   return out;
 }
@@ -170,7 +183,9 @@ TEST(ManyFacetRasch, EstimatesAnIncompletePlan) {
   const Outcome<RaschResult> got = manyFacetRasch(ratings, 4);
   ASSERT_TRUE(got) << got.reason();
   double sum = 0.0;
-  for (const RaschRater& rater : got->raters) sum += *rater.severity;
+  for (const RaschRater& rater : got->raters) {
+    sum += *rater.severity;
+  }
   EXPECT_NEAR(sum, 0.0, 1e-12);
   // A fair average undoes the luck of the draw of raters: higher ability, higher fair average.
   EXPECT_GT(*got->persons[10].fairAverage, *got->persons[3].fairAverage);
@@ -289,8 +304,8 @@ TEST(ManyFacetRasch, IsEstimatedExactlyWhereTheLikelihoodHasAFiniteMaximum) {
 }
 
 TEST(ManyFacetRasch, NamesTheRatersWhomNothingBounds) {
-  // Raters 1 and 2 bound each other, so do 3 and 4. The only person whom both pairs rate has 0 from 1 and 1 from
-  // 3: a plan of one piece, but 3 and 4 may be more lenient than 1 and 2 by any amount.
+  // Raters 1 and 2 bound each other, so do 3 and 4. The only person whom both pairs rate has 0 from 1 and 1
+  // from 3: a plan of one piece, but 3 and 4 may be more lenient than 1 and 2 by any amount.
   const std::optional<int> hole;
   const Marks marks = {
       {0, 1, hole, hole}, {1, 0, hole, hole}, {hole, hole, 0, 1}, {hole, hole, 1, 0}, {0, hole, 1, hole}};

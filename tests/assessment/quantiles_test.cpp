@@ -19,10 +19,11 @@ TEST(Quantile, FollowsAllNineRules) {
     const std::vector<double> values = numbers(rules.input.at(data));
     for (int type = 1; type <= 9; ++type) {
       const std::vector<double> expected = numbers(rules.expected.at(data).at("type" + std::to_string(type)));
-      for (std::size_t i = 0; i < p.size(); ++i)
+      for (std::size_t i = 0; i < p.size(); ++i) {
         EXPECT_TRUE(matches(quantile(values, p[i], static_cast<QuantileRule>(type)).value(), expected[i],
                             rules.tolerance))
             << data << " type " << type << " p " << p[i];
+      }
     }
   }
 }
@@ -32,9 +33,11 @@ TEST(BoxNumbers, GivesTheBoxesOfExampleThree) {
   constexpr double kTolerance = 1e-13;  // composites are rounded once, interpolation rounds again
   for (const char* model : {"PM", "FEM", "MSM"}) {
     std::vector<double> composites;
-    for (const char* id : {"A", "B", "C"})
-      for (const double x : numbers(example.at("models").at(model).at("rater_composites").at(id)))
+    for (const char* id : {"A", "B", "C"}) {
+      for (const double x : numbers(example.at("models").at(model).at("rater_composites").at(id))) {
         composites.push_back(x);
+      }
+    }
     const nlohmann::json& expected = example.at("box").at(model);
     const std::vector<double> type7 = numbers(expected.at("type7"));
 
@@ -67,8 +70,9 @@ TEST(Quantile, IsUndefinedForNoValuesAndTheValueItselfForOne) {
   EXPECT_FALSE(quantile({}, 0.5).has_value());
   EXPECT_FALSE(boxNumbers({}).has_value());
   const std::vector<double> one = {3.25};
-  for (int type = 1; type <= 9; ++type)
+  for (int type = 1; type <= 9; ++type) {
     EXPECT_EQ(quantile(one, 0.9, static_cast<QuantileRule>(type)).value(), 3.25);
+  }
 }
 
 }  // namespace

@@ -22,7 +22,9 @@ struct ReferenceCase {
 inline ReferenceCase referenceCase(const std::string& family, const std::string& id) {
   const std::string path = std::string(TORSIO_TEST_DATA) + "/assessment/" + family + ".json";
   std::ifstream file(path);
-  if (!file) throw std::runtime_error("cannot read " + path);
+  if (!file) {
+    throw std::runtime_error("cannot read " + path);
+  }
   const nlohmann::json all = nlohmann::json::parse(file);
   const nlohmann::json& found = all.at(id);
   return {found.at("input"), found.at("expected"), found.at("relative_tolerance").get<double>()};
@@ -31,7 +33,9 @@ inline ReferenceCase referenceCase(const std::string& family, const std::string&
 /// |got - expected| <= tolerance * max(1e-12, |expected|), and never below an absolute 1e-12 for true zeros.
 inline ::testing::AssertionResult matches(double got, double expected, double tolerance) {
   const double allowed = expected == 0.0 ? 1e-12 : tolerance * std::max(1e-12, std::abs(expected));
-  if (std::isfinite(got) && std::abs(got - expected) <= allowed) return ::testing::AssertionSuccess();
+  if (std::isfinite(got) && std::abs(got - expected) <= allowed) {
+    return ::testing::AssertionSuccess();
+  }
   return ::testing::AssertionFailure() << std::scientific << "got " << ::testing::PrintToString(got)
                                        << ", expected " << ::testing::PrintToString(expected)
                                        << ", difference " << got - expected << ", allowed " << allowed;

@@ -24,13 +24,16 @@ std::vector<TrainingMark> syntheticStudy() {
   const nlohmann::json data =
       test::referenceCase("training_study", "training_study_synthetic").input.at("data_g_i_t_r");
   std::vector<TrainingMark> marks;
-  for (std::size_t g = 0; g < 3; ++g)
-    for (std::size_t i = 0; i < 10; ++i)
-      for (std::size_t t = 0; t < 3; ++t)
+  for (std::size_t g = 0; g < 3; ++g) {
+    for (std::size_t i = 0; i < 10; ++i) {
+      for (std::size_t t = 0; t < 3; ++t) {
         for (std::size_t r = 0; r < 10; ++r) {
           marks.push_back(
               {code('G', 100 * (g + 1) + i), g, t, code('R', r), data[g][i][t][r].get<std::int64_t>()});
         }
+      }
+    }
+  }
   return marks;
 }
 
@@ -72,8 +75,9 @@ TEST(TraineeScores, AreTheMeansOverTheRatersInTheOrderOfTheCodes) {
   const std::vector<TraineeScore> scores = traineeScores(kWholePoints, syntheticStudy());
 
   ASSERT_EQ(scores.size(), 90U);
-  for (const TraineeScore& score : scores)
+  for (const TraineeScore& score : scores) {
     EXPECT_EQ(score.score, expected[score.group][score.number - 1][score.occasion].get<double>());
+  }
 }
 
 TEST(ExactGains, KeepTiesThatDifferencesOfDoublesBreak) {

@@ -20,10 +20,14 @@ constexpr int kEvaluations = 1'000'000;
 
 void evaluateAMillionTimes(benchmark::State& state) {
   std::vector<std::size_t> classes(kRaters, 0);  // 20 interns, 10 deputy chiefs, 10 chiefs, as in the paper
-  for (std::size_t r = 20; r < kRaters; ++r) classes[r] = r < 30 ? 1 : 2;
+  for (std::size_t r = 20; r < kRaters; ++r) {
+    classes[r] = r < 30 ? 1 : 2;
+  }
   EvaluationKernel kernel(paperInstrument(), classes);
   std::vector<std::int64_t> steps(kRaters * kIndices);
-  for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = static_cast<std::int64_t>(i * 37 % 101);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    steps[i] = static_cast<std::int64_t>(i * 37 % 101);
+  }
   std::vector<double> m(kIndices);
   std::vector<double> s2(kIndices);
   for (auto _ : state) {
@@ -72,7 +76,9 @@ void measureFortyMinutes(benchmark::State& state) {
   targets.torqueLimit_Nm = 0.05;
   targets.shearLimit_Pa = 1000.0;
   targets.axisPoint_m = Vec3{0.0, 0.0, 0.1};
-  for (auto _ : state) benchmark::DoNotOptimize(measureTrial(trace, targets));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(measureTrial(trace, targets));
+  }
   state.SetItemsProcessed(state.iterations() * 2'400'000);
 }
 BENCHMARK(measureFortyMinutes)->Unit(benchmark::kMillisecond);

@@ -55,7 +55,9 @@ double triad_ms() {
   double scale = 0.5;
   for (std::size_t repeat = 0; repeat < 41; ++repeat) {
     times_ms.push_back(time_ms([&] {
-      for (std::size_t i = 0; i < kTriadDoubles; ++i) a[i] = b[i] + scale * c[i];
+      for (std::size_t i = 0; i < kTriadDoubles; ++i) {
+        a[i] = b[i] + scale * c[i];
+      }
     }));
     scale = a[repeat] * 0.25;  // each pass needs the one before
   }
@@ -76,7 +78,9 @@ struct Bench {
 
   void list(const char* name, const std::function<void()>& open) {
     std::vector<double> times_ms;
-    for (int i = 0; i < kOpenings; ++i) times_ms.push_back(time_ms(open));
+    for (int i = 0; i < kOpenings; ++i) {
+      times_ms.push_back(time_ms(open));
+    }
     print(name, times_ms, 0.5, kListLimit_ms);
   }
 };
@@ -142,6 +146,8 @@ int main(int argc, char** argv) {
   const bool sound = torsio::run((folder / "record.sqlite").string());
   std::error_code ignored;
   std::filesystem::remove_all(folder, ignored);
-  if (!sound) std::printf("too slow: see the limits above\n");
+  if (!sound) {
+    std::printf("too slow: see the limits above\n");
+  }
   return sound ? 0 : 1;
 }

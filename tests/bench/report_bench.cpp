@@ -63,7 +63,9 @@ bool machineIsBusy() {
   constexpr double kHeldUp = 1.25;
   volatile double sum = 0.0;
   const Took took = milliseconds([&sum] {
-    for (int i = 1; i < 20'000'000; ++i) sum = sum + 1.0 / i;
+    for (int i = 1; i < 20'000'000; ++i) {
+      sum = sum + 1.0 / i;
+    }
   });
   return took.elapsed_ms > kHeldUp * took.processor_ms;
 }
@@ -84,7 +86,9 @@ Verdict report(const char* what, const Took& took, double target_ms) {
 
 /// A miss is worse than nothing measured.
 Verdict worse(Verdict a, Verdict b) {
-  if (a == Verdict::kMissed || b == Verdict::kMissed) return Verdict::kMissed;
+  if (a == Verdict::kMissed || b == Verdict::kMissed) {
+    return Verdict::kMissed;
+  }
   return a == Verdict::kUndecided ? a : b;
 }
 
@@ -119,25 +123,27 @@ std::string fill(testing::OfficeCentre& centre) {
   StudyRepository study(connection);
   StoredCohort cohort{.id = ids.newUuid(), .name = "Large", .createdUtc_us = testing::kOfficeTime_us};
   std::vector<StoredGroup> groups;
-  for (int g = 1; g <= 3; ++g)
+  for (int g = 1; g <= 3; ++g) {
     groups.push_back({.id = ids.newUuid(),
                       .cohortId = cohort.id,
                       .number = g,
                       .code = "G" + std::to_string(g),
                       .label = "arm"});
+  }
   study.addCohort(cohort, groups);
   std::vector<StoredEnrolment> enrolments;
-  for (int i = 0; i < kTrainees; ++i)
+  for (int i = 0; i < kTrainees; ++i) {
     enrolments.push_back({.id = ids.newUuid(),
                           .cohortId = cohort.id,
                           .traineeId = trainees[static_cast<std::size_t>(i)].person.id,
                           .groupId = groups[static_cast<std::size_t>(i % 3)].id,
                           .numberInGroup = 1 + i / 3,
                           .enrolledUtc_us = testing::kOfficeTime_us});
+  }
   study.enrol(enrolments);
   std::vector<StoredTrainingMark> marks;
-  for (const StoredEnrolment& enrolment : enrolments)
-    for (std::size_t r = 0; r < raters.size(); ++r)
+  for (const StoredEnrolment& enrolment : enrolments) {
+    for (std::size_t r = 0; r < raters.size(); ++r) {
       for (const char* point : {"pre", "mid", "post"}) {
         StoredTrainingMark mark;
         mark.id = ids.newUuid();
@@ -148,6 +154,8 @@ std::string fill(testing::OfficeCentre& centre) {
         mark.submittedUtc_us = testing::kOfficeTime_us;
         marks.push_back(std::move(mark));
       }
+    }
+  }
   RatingRepository(connection).submit(marks);
   const TrialChunk chunk = encodeChunk(0, twist());
   for (std::size_t i = 0; i < enrolments.size() * kTrialsEach; ++i) {
@@ -178,7 +186,9 @@ Verdict measureReport(testing::OfficeCentre& centre, const std::string& cohortId
   const auto build = [&] {
     TrialDigests digests(centre.assets());  // as in a program that has just been started
     const ReportModel model = cohortReport(reportInputs(workplace, request, digests));
-    if (model.sections.empty()) std::abort();
+    if (model.sections.empty()) {
+      std::abort();
+    }
     return digests.measured();
   };
   std::size_t measured = 0;
@@ -186,7 +196,9 @@ Verdict measureReport(testing::OfficeCentre& centre, const std::string& cohortId
   print("the report of a record of an older version", old);
   std::printf("   (%zu recordings measured, once)\n", measured);
   const Took first = milliseconds([&] { measured = build(); });
-  if (measured != 0) return Verdict::kMissed;  // everything is kept beside the recordings by now
+  if (measured != 0) {
+    return Verdict::kMissed;  // everything is kept beside the recordings by now
+  }
   return report("the report, the first time in a program", first, kReportTarget_ms);
 }
 
@@ -208,7 +220,9 @@ Took openings(const gui::PageEntry& entry, gui::ShellContext& shell) {
       page->grab();
     });
     static_cast<void>(page->leave());
-    if (took.elapsed_ms < shortest.elapsed_ms) shortest = took;
+    if (took.elapsed_ms < shortest.elapsed_ms) {
+      shortest = took;
+    }
   }
   return shortest;
 }
@@ -218,7 +232,9 @@ Verdict measureLists(testing::OfficeCentre& centre) {
   gui::ShellContext shell(centre.workplace(), centre.assets(), gui::ThemeKind::kLight);
   Verdict worst = Verdict::kMet;
   for (const gui::PageEntry& entry : gui::officePages()) {
-    if (entry.id == gui::PageId::kResults || entry.id == gui::PageId::kReports) continue;  // measured above
+    if (entry.id == gui::PageId::kResults || entry.id == gui::PageId::kReports) {
+      continue;  // measured above
+    }
     centre.as(entry.id == gui::PageId::kAllocation ? "allocator" : "administrator");
     worst = worse(worst, report(gui::factsOf(entry.id).text, openings(entry, shell), kListTarget_ms));
   }
@@ -228,7 +244,9 @@ Verdict measureLists(testing::OfficeCentre& centre) {
 Verdict measureTrials(testing::OfficeCentre& centre) {
   std::size_t listed = 0;
   const Took took = milliseconds([&] { listed = codedTrials(centre.as("administrator")).size(); });
-  if (listed == 0) std::abort();
+  if (listed == 0) {
+    std::abort();
+  }
   return report("trials under their codes, the newest page", took, kListTarget_ms);
 }
 
@@ -238,8 +256,9 @@ void measureRoster() {
   testing::OfficeCentre centre;
   Workplace& workplace = centre.as("administrator");
   std::string text = "external_id,full_name,sex,level\r\n";
-  for (int i = 0; i < kPeople; ++i)
+  for (int i = 0; i < kPeople; ++i) {
     text += std::to_string(500'000 + i) + ",Person " + std::to_string(i) + ",female,intern\r\n";
+  }
   const RosterFile file = parseRoster(text, "roster.csv");
   const RosterColumns columns = suggestColumns(file, RosterKind::kTrainees);
   RosterPreview preview;

@@ -91,7 +91,9 @@ Trial recorded(const std::filesystem::path& assets, double duration_s) {
 
 double packed_MB(const Trial& trial) {
   double sum_MB = 0.0;
-  for (const TrialChunk& chunk : trial.chunks) sum_MB += static_cast<double>(chunk.bytes.size()) / 1e6;
+  for (const TrialChunk& chunk : trial.chunks) {
+    sum_MB += static_cast<double>(chunk.bytes.size()) / 1e6;
+  }
   return sum_MB;
 }
 
@@ -108,7 +110,9 @@ double quantile(const std::vector<double>& sorted, std::size_t percent) {
 }
 
 void tell(const char* what, const std::vector<double>& sorted_ms) {
-  if (sorted_ms.empty()) return;
+  if (sorted_ms.empty()) {
+    return;
+  }
   std::printf("%-28s median %.2f ms, 99 %% %.2f ms, worst %.2f ms\n", what, quantile(sorted_ms, 50),
               quantile(sorted_ms, 99), sorted_ms.back());
 }
@@ -127,17 +131,24 @@ Times scrub(gui::ReplayPanel& panel, int jumps) {
     const auto start = SteadyClock::now();
     panel.seek_us(to_us);
     // With a picture the window is put together once, for the organ and the traces.
-    if (!gui::SceneView::platformCanRender()) traces->repaint();
+    if (!gui::SceneView::platformCanRender()) {
+      traces->repaint();
+    }
     into.answers_ms.push_back(since_ms(start));
     into.work_ms.push_back(worked_ms(begun));
-    if (!gui::SceneView::platformCanRender()) continue;
-    while (view->framesDrawn() == frames && since_ms(start) < kPatience_ms) QApplication::processEvents();
+    if (!gui::SceneView::platformCanRender()) {
+      continue;
+    }
+    while (view->framesDrawn() == frames && since_ms(start) < kPatience_ms) {
+      QApplication::processEvents();
+    }
     QApplication::processEvents();
     into.pictures_ms.push_back(since_ms(start));
     into.pictureWork_ms.push_back(worked_ms(begun));
   }
-  for (auto* list : {&into.work_ms, &into.answers_ms, &into.pictureWork_ms, &into.pictures_ms})
+  for (auto* list : {&into.work_ms, &into.answers_ms, &into.pictureWork_ms, &into.pictures_ms}) {
     std::sort(list->begin(), list->end());
+  }
   return into;
 }
 
@@ -154,7 +165,9 @@ void open(gui::ReplayPanel& panel, Trial trial, const std::filesystem::path& ass
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (qEnvironmentVariableIsEmpty("DISPLAY")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (qEnvironmentVariableIsEmpty("DISPLAY")) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  }
   const int minutes = argc > 1 ? std::max(1, std::atoi(argv[1])) : kMinutes;
   const QSize size = argc > 3 ? QSize(std::atoi(argv[2]), std::atoi(argv[3])) : kPanel;
   gui::SceneView::prepareGraphics();

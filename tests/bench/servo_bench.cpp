@@ -39,7 +39,9 @@ struct Quantiles {
 };
 
 Quantiles quantiles(std::vector<double> values_us) {
-  if (values_us.empty()) return {};
+  if (values_us.empty()) {
+    return {};
+  }
   std::sort(values_us.begin(), values_us.end());
   const auto at = [&](double share) {
     return values_us[static_cast<std::size_t>(share * static_cast<double>(values_us.size() - 1))];
@@ -60,7 +62,9 @@ double triad_us(std::size_t vertices) {
   double scale = 0.5;
   for (int repeat = 0; repeat < 401; ++repeat) {
     const auto begun = std::chrono::steady_clock::now();
-    for (std::size_t i = 0; i < a.size(); ++i) a[i] = b[i] + scale * c[i];
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      a[i] = b[i] + scale * c[i];
+    }
     times_us.push_back(
         std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begun).count());
     scale = a[static_cast<std::size_t>(repeat)] * 0.25;  // each pass needs the one before
@@ -86,7 +90,9 @@ void measure(const Scene& scene, double seconds) {
   std::vector<double> wall_us(static_cast<std::size_t>(ticks));
   std::vector<double> processor(wall_us.size());
   std::array<std::vector<double>, 4> byPhase_us;
-  for (auto& phase : byPhase_us) phase.reserve(wall_us.size());
+  for (auto& phase : byPhase_us) {
+    phase.reserve(wall_us.size());
+  }
   TimingHistogram histogram;
 
   const std::int64_t allocations = testing::allocationCount();
@@ -111,7 +117,9 @@ void measure(const Scene& scene, double seconds) {
   print("wall time", wall_us);
   print("processor time", processor);
   constexpr std::array kPhases{"tracking", "contact", "twisting, organ deformed", "released, organ deformed"};
-  for (std::size_t p = 0; p < kPhases.size(); ++p) print(kPhases[p], byPhase_us[p]);
+  for (std::size_t p = 0; p < kPhases.size(); ++p) {
+    print(kPhases[p], byPhase_us[p]);
+  }
   const double triad = triad_us(scene.mesh.vertices_m.size());
   const Quantiles q = quantiles(wall_us);
   const Quantiles deformed = quantiles(byPhase_us[2]);

@@ -27,7 +27,9 @@ void measure(benchmark::State& state, Isa isa, int in, int out, const Kernel& ke
   const std::size_t lanes = static_cast<std::size_t>(kBlocks) * kKernelBlock;
   KernelBuffer<float> input(lanes * static_cast<std::size_t>(in));
   KernelBuffer<float> output(lanes * static_cast<std::size_t>(out), 32);
-  for (std::size_t i = 0; i < input.size(); ++i) input[i] = static_cast<float>(i % 97) * 0.01F;
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    input[i] = static_cast<float>(i % 97) * 0.01F;
+  }
   const TwistKernels& kernels = twistKernels(isa);
   for (auto _ : state) {
     kernel(kernels, input.data(), output.data());
@@ -97,7 +99,9 @@ void printRatios() {
 int main(int argc, char** argv) {
   torsio::addAll();
   benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
+    return 2;
+  }
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   torsio::printRatios();

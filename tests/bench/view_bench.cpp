@@ -117,7 +117,9 @@ Outcome measure(const std::shared_ptr<const Scene>& scene, SceneView* view, doub
       view->redraw();
     }
     wait();
-    if (view == nullptr || view->framesDrawn() == drawn) continue;
+    if (view == nullptr || view->framesDrawn() == drawn) {
+      continue;
+    }
     drawn = view->framesDrawn();
     if (sinceFrame.isValid()) {
       outcome.frames_ms.push_back(static_cast<double>(sinceFrame.nsecsElapsed()) * 1e-6);
@@ -139,7 +141,9 @@ Outcome measure(const std::shared_ptr<const Scene>& scene, SceneView* view, doub
 }
 
 double quantile(const std::vector<double>& sorted, double share) {
-  if (sorted.empty()) return 0.0;
+  if (sorted.empty()) {
+    return 0.0;
+  }
   const double place = share * static_cast<double>(sorted.size() - 1);
   return sorted[static_cast<std::size_t>(place)];
 }
@@ -188,14 +192,26 @@ Options parse(const QStringList& arguments) {
   Options options;
   const auto value = [&](const char* name) { return parser.value(QLatin1String(name)); };
   options.smoke = parser.isSet(QStringLiteral("smoke"));
-  if (options.smoke) options.seconds = 1.0, options.size = {480, 320};
-  if (parser.isSet(QStringLiteral("seconds"))) options.seconds = std::max(0.5, value("seconds").toDouble());
+  if (options.smoke) {
+    options.seconds = 1.0, options.size = {480, 320};
+  }
+  if (parser.isSet(QStringLiteral("seconds"))) {
+    options.seconds = std::max(0.5, value("seconds").toDouble());
+  }
   const QStringList sides = value("size").split(QLatin1Char('x'));
-  if (sides.size() == 2) options.size = QSize(sides[0].toInt(), sides[1].toInt());
-  if (parser.isSet(QStringLiteral("organ"))) options.organ = value("organ").toStdString();
+  if (sides.size() == 2) {
+    options.size = QSize(sides[0].toInt(), sides[1].toInt());
+  }
+  if (parser.isSet(QStringLiteral("organ"))) {
+    options.organ = value("organ").toStdString();
+  }
   options.triangles = value("triangles").toInt();
-  if (value("level") == QLatin1String("fast")) options.levels = {RenderQuality::kFast};
-  if (value("level") == QLatin1String("fine")) options.levels = {RenderQuality::kFine};
+  if (value("level") == QLatin1String("fast")) {
+    options.levels = {RenderQuality::kFast};
+  }
+  if (value("level") == QLatin1String("fine")) {
+    options.levels = {RenderQuality::kFine};
+  }
   return options;
 }
 

@@ -144,7 +144,9 @@ TEST_F(AccessRepositoryTest, MakesGuessingSlowAndForgetsAfterASuccess) {
   AccessRepository repository = access(connection);
   repository.addUser(anna(), kPassword);
   std::int64_t now_us = kSampleTime_us;
-  for (int i = 0; i < 4; ++i) EXPECT_EQ(repository.signIn("anna", "guess", now_us).outcome, SignIn::kWrong);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(repository.signIn("anna", "guess", now_us).outcome, SignIn::kWrong);
+  }
 
   const SignInResult wait = repository.signIn("anna", kPassword, now_us);
   EXPECT_EQ(wait.outcome, SignIn::kWait);

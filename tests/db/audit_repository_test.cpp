@@ -89,10 +89,14 @@ TEST_F(AuditRepositoryTest, ListsTheNewestOfATimeWhetherFewOrManyLieInIt) {
   Connection connection = openWithSchema();
   AuditRepository audit(connection);
   // Stations' clocks differ: the third entry came later than the fourth, by its clock earlier.
-  for (const std::int64_t at_us : {10, 20, 40, 30, 50}) audit.append(entryOf("person.edit", at_us));
+  for (const std::int64_t at_us : {10, 20, 40, 30, 50}) {
+    audit.append(entryOf("person.edit", at_us));
+  }
   const auto listed = [&audit](const AuditFilter& filter) {
     std::vector<std::int64_t> sequences;
-    for (const AuditEntry& entry : audit.entries(filter)) sequences.push_back(entry.sequence);
+    for (const AuditEntry& entry : audit.entries(filter)) {
+      sequences.push_back(entry.sequence);
+    }
     return sequences;
   };
   using Sequences = std::vector<std::int64_t>;
@@ -127,7 +131,9 @@ TEST_F(AuditRepositoryTest, CannotBeChangedEvenWhileAPersonIsErased) {
 TEST_F(AuditRepositoryTest, FindsAnEntryThatWasChangedAndOneThatWasRemoved) {
   Connection connection = openWithSchema();
   AuditRepository audit(connection);
-  for (int i = 0; i < 4; ++i) audit.append(entryOf("person.edit", i));
+  for (int i = 0; i < 4; ++i) {
+    audit.append(entryOf("person.edit", i));
+  }
   dropTriggers(connection, "audit_entry");
 
   connection.execute("UPDATE audit_entry SET actor = ? WHERE sequence = ?", {"nobody", 2});

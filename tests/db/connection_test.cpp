@@ -69,10 +69,14 @@ TEST_F(ConnectionTest, TellsNullFromEmpty) {
   Statement row = connection.prepare("SELECT whole, part, flag, words, bytes FROM thing WHERE id = ?");
   row.execute({"null"});
   ASSERT_TRUE(row.step());
-  for (int column = 0; column < 5; ++column) EXPECT_TRUE(row.isNull(column)) << column;
+  for (int column = 0; column < 5; ++column) {
+    EXPECT_TRUE(row.isNull(column)) << column;
+  }
   row.execute({"empty"});
   ASSERT_TRUE(row.step());
-  for (int column = 0; column < 5; ++column) EXPECT_FALSE(row.isNull(column)) << column;
+  for (int column = 0; column < 5; ++column) {
+    EXPECT_FALSE(row.isNull(column)) << column;
+  }
 }
 
 TEST_F(ConnectionTest, RefusesNumbersThatAreNotFinite) {

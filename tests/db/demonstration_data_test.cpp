@@ -24,12 +24,15 @@ class DemonstrationDataTest : public DatabaseTest {
   /// Of the real rows of every table, but the audit trail, which grows, and what stations show now.
   static std::vector<TableDigest> realRows(Connection& connection) {
     std::map<std::string, std::string> conditions;
-    for (const DemonstrationRows& rows : demonstrationRows(connection))
+    for (const DemonstrationRows& rows : demonstrationRows(connection)) {
       conditions[rows.table] = rows.condition;
+    }
     Transaction transaction(connection);
     std::vector<TableDigest> digests;
     for (const SchemaTable& table : tablesInReferenceOrder(connection)) {
-      if (table.name == "audit_entry" || table.name == "station_state") continue;
+      if (table.name == "audit_entry" || table.name == "station_state") {
+        continue;
+      }
       const std::string& condition = conditions.at(table.name);
       digests.push_back(
           digestOf(connection, table, condition == "FALSE" ? "" : " WHERE NOT (" + condition + ")"));
@@ -54,11 +57,17 @@ TEST_F(DemonstrationDataTest, NothingSimulatedIsLeftAndEveryRealRowIsAsItWas) {
       removeDemonstration(connection, "admin", "room 1", "the real course begins", kSampleTime_us);
 
   std::int64_t removedRows = 0;
-  for (const DemonstrationRows& rows : removed) removedRows += rows.rows;
+  for (const DemonstrationRows& rows : removed) {
+    removedRows += rows.rows;
+  }
   EXPECT_EQ(removedRows, simulatedRows);
-  for (const DemonstrationRows& rows : demonstrationRows(connection)) EXPECT_EQ(rows.rows, 0) << rows.table;
+  for (const DemonstrationRows& rows : demonstrationRows(connection)) {
+    EXPECT_EQ(rows.rows, 0) << rows.table;
+  }
   for (const SchemaTable& table : tablesInReferenceOrder(connection)) {
-    if (!table.has("demonstration")) continue;
+    if (!table.has("demonstration")) {
+      continue;
+    }
     EXPECT_EQ(numberFrom(connection, "SELECT count(*) FROM " + table.name + " WHERE demonstration = TRUE"),
               0);
   }
@@ -92,7 +101,9 @@ TEST_F(DemonstrationDataTest, TheAuditTrailTellsOfItAndStillVerifies) {
 }
 
 TEST_F(DemonstrationDataTest, ARealMarkThatDisappearsIsStillMissed) {
-  if (onPostgresql()) GTEST_SKIP() << "the trigger is taken off in the words of SQLite";
+  if (onPostgresql()) {
+    GTEST_SKIP() << "the trigger is taken off in the words of SQLite";
+  }
   Connection connection = openWithSchema();
   const FullRecord real(connection, "real", false);
   const FullRecord simulated(connection, "demo", true);

@@ -50,15 +50,25 @@ std::map<std::string, std::string> typesOf(Connection& connection, const std::st
             " JOIN pg_class t ON t.oid = a.attrelid JOIN pg_namespace n ON n.oid = t.relnamespace"
             " WHERE n.nspname = current_schema() AND t.relname = ? AND a.attnum > 0");
   row.execute({table});
-  while (row.step()) types[row.text(0)] = row.text(1);
+  while (row.step()) {
+    types[row.text(0)] = row.text(1);
+  }
   return types;
 }
 
 Value madeUp(const std::string& type, const std::string& text, bool demonstration) {
-  if (type == "bigint") return 1;
-  if (type == "double precision") return 0.1;
-  if (type == "boolean") return demonstration;
-  if (type == "blob" || type == "bytea") return Blob{std::byte{7}, std::byte{0}, std::byte{255}};
+  if (type == "bigint") {
+    return 1;
+  }
+  if (type == "double precision") {
+    return 0.1;
+  }
+  if (type == "boolean") {
+    return demonstration;
+  }
+  if (type == "blob" || type == "bytea") {
+    return Blob{std::byte{7}, std::byte{0}, std::byte{255}};
+  }
   return text;
 }
 
@@ -66,12 +76,15 @@ class Filler {
  public:
   Filler(Connection& connection, std::string prefix, bool demonstration)
       : connection_(connection), prefix_(std::move(prefix)), demonstration_(demonstration) {
-    for (const DemonstrationRows& rows : demonstrationRows(connection))
+    for (const DemonstrationRows& rows : demonstrationRows(connection)) {
       conditions_[rows.table] = rows.condition;
+    }
   }
 
   void fill(const SchemaTable& table) {
-    if (kLeftAlone.contains(table.name) || hasOne(table.name)) return;
+    if (kLeftAlone.contains(table.name) || hasOne(table.name)) {
+      return;
+    }
     const std::map<std::string, std::string> types = typesOf(connection_, table.name);
     std::map<std::string, Value> values;
     for (const TableColumn& column : table.columns) {
@@ -79,7 +92,9 @@ class Filler {
       text.append(" ").append(column.name);
       values[column.name] = madeUp(types.at(column.name), text, demonstration_);
     }
-    for (const TableReference& reference : table.references) refer(reference, values);
+    for (const TableReference& reference : table.references) {
+      refer(reference, values);
+    }
     std::vector<Value> row;
     std::string marks;
     for (const TableColumn& column : table.columns) {
@@ -98,7 +113,9 @@ class Filler {
   /// " WHERE ..." for rows of the kind that is being made.
   [[nodiscard]] std::string ofKind(const std::string& table) const {
     const std::string& condition = conditions_.at(table);
-    if (condition == "FALSE") return "";
+    if (condition == "FALSE") {
+      return "";
+    }
     return demonstration_ ? " WHERE " + condition : " WHERE NOT (" + condition + ")";
   }
 
@@ -115,8 +132,9 @@ class Filler {
 
   void refer(const TableReference& reference, std::map<std::string, Value>& values) {
     std::string columns;
-    for (const std::string& column : reference.parentColumns)
+    for (const std::string& column : reference.parentColumns) {
       columns += (columns.empty() ? "" : ", ") + column;
+    }
     Statement parent = connection_.prepare("SELECT " + columns + " FROM " + reference.parent +
                                            ofKind(reference.parent) + " ORDER BY " + columns + " LIMIT 1");
     parent.execute();
@@ -253,7 +271,9 @@ FullRecord::FullRecord(Connection& connection, const std::string& prefix, bool d
   addTrialAndMark(connection, *this, prefix, demonstration);
   addEvaluation(connection, *this, prefix, demonstration);
   Filler filler(connection, prefix, demonstration);
-  for (const SchemaTable& table : tablesInReferenceOrder(connection)) filler.fill(table);
+  for (const SchemaTable& table : tablesInReferenceOrder(connection)) {
+    filler.fill(table);
+  }
   transaction.commit();
 }
 

@@ -35,8 +35,9 @@ TrialChunk wholeChunk(std::int64_t index) {
 /// Records chunks and submits marks without end; a line on standard output follows each commit.
 [[noreturn]] void recordForever(const std::string& locator) {
   Connection connection = openDatabase(locator, OpenMode::kReadWrite);
-  if (connection.engine() == Engine::kPostgresql)
+  if (connection.engine() == Engine::kPostgresql) {
     connection.executeVerbatim("SET application_name = '" + parseLocator(locator).schema + "'");
+  }
   PeopleRepository people(connection);
   SystemIdSource ids;
   TrialRepository trials(connection, {"killed", ""});
@@ -80,8 +81,9 @@ class KillTest : public DatabaseTest {
                   {QString::fromLatin1(kRecord), QString::fromStdString(locator())});
     const std::int64_t lines = 1 + static_cast<std::int64_t>(random.bounded(12));
     QByteArray said;
-    while (said.count('\n') < lines && program.waitForReadyRead(30'000))
+    while (said.count('\n') < lines && program.waitForReadyRead(30'000)) {
       said += program.readAllStandardOutput();
+    }
     const MonotonicClock clock;
     const std::int64_t until_us = clock.now_us() + static_cast<std::int64_t>(random.bounded(3'000));
     while (clock.now_us() < until_us) {
@@ -95,13 +97,16 @@ class KillTest : public DatabaseTest {
 
   /// A server goes on for a moment with what the killed program had sent; after that nothing more comes.
   void waitForServer(Connection& connection) const {
-    if (!onPostgresql()) return;
+    if (!onPostgresql()) {
+      return;
+    }
     const std::string still = "SELECT count(*) FROM pg_stat_activity WHERE application_name = '" +
                               parseLocator(locator()).schema + "'";
     const MonotonicClock clock;
     const std::int64_t until_us = clock.now_us() + 30'000'000;
-    while (numberFrom(connection, still) > 0)
+    while (numberFrom(connection, still) > 0) {
       ASSERT_LT(clock.now_us(), until_us) << "the server goes on and on";
+    }
   }
 };
 
@@ -145,7 +150,9 @@ TEST_F(KillTest, NothingCommittedIsLostAndTheTrialIsFoundAsInterrupted) {
 
 int main(int argc, char** argv) {
   const QCoreApplication application(argc, argv);
-  if (argc == 3 && std::string(argv[1]) == torsio::kRecord) torsio::recordForever(argv[2]);
+  if (argc == 3 && std::string(argv[1]) == torsio::kRecord) {
+    torsio::recordForever(argv[2]);
+  }
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

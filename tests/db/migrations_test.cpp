@@ -106,7 +106,9 @@ TEST_F(MigrationsTest, LeaveTheDatabaseAtTheStepBeforeOneThatFails) {
 }
 
 TEST_F(MigrationsTest, CopyAnExistingFileBeforeTheFirstStep) {
-  if (onPostgresql()) GTEST_SKIP() << "a server is backed up by its own tools";
+  if (onPostgresql()) {
+    GTEST_SKIP() << "a server is backed up by its own tools";
+  }
   Connection connection = open();
   const Migration first = step(1, "CREATE TABLE a (x BIGINT);\n");
   EXPECT_FALSE(migrate(connection, {first}, kOptions).backup.has_value());
@@ -148,7 +150,9 @@ class BackupTest : public DatabaseTest {
  protected:
   void SetUp() override {
     DatabaseTest::SetUp();
-    if (onPostgresql()) GTEST_SKIP() << "a server is backed up by its own tools";
+    if (onPostgresql()) {
+      GTEST_SKIP() << "a server is backed up by its own tools";
+    }
   }
 };
 

@@ -32,7 +32,9 @@ class PersonDataTest : public DatabaseTest {
             : "SELECT name FROM sqlite_master WHERE type = 'table' AND name NOT LIKE 'sqlite_%'"
               " ORDER BY name");
     row.execute();
-    while (row.step()) names.push_back(row.text(0));
+    while (row.step()) {
+      names.push_back(row.text(0));
+    }
     return names;
   }
 
@@ -50,7 +52,9 @@ class PersonDataTest : public DatabaseTest {
           here = here || (text != nullptr && text->find(kMarker) != std::string::npos);
         }
       }
-      if (here) found.push_back(table);
+      if (here) {
+        found.push_back(table);
+      }
     }
     return found;
   }
@@ -58,7 +62,9 @@ class PersonDataTest : public DatabaseTest {
   /// Two trainees with a name, a user, consent, a recording, a mark with comment, a draft, a deviation.
   struct Full {
     explicit Full(Connection& connection) : sample(connection, 2) {
-      for (std::size_t i = 0; i < 2; ++i) fill(connection, i);
+      for (std::size_t i = 0; i < 2; ++i) {
+        fill(connection, i);
+      }
     }
     void fill(Connection& connection, std::size_t i) {
       const std::string person = sample.trainees[i].person.id;
@@ -122,11 +128,15 @@ class PersonDataTest : public DatabaseTest {
 TEST_F(PersonDataTest, EveryTableHasExactlyOneRule) {
   Connection connection = openWithSchema();
   std::multiset<std::string> ruled;
-  for (const PersonRule& rule : personRules()) ruled.insert(std::string(rule.table));
+  for (const PersonRule& rule : personRules()) {
+    ruled.insert(std::string(rule.table));
+  }
 
   const std::vector<std::string> names = tables(connection);
 
-  for (const std::string& table : names) EXPECT_EQ(ruled.count(table), 1U) << table;
+  for (const std::string& table : names) {
+    EXPECT_EQ(ruled.count(table), 1U) << table;
+  }
   EXPECT_EQ(ruled.size(), names.size());
 }
 
@@ -156,7 +166,9 @@ TEST_F(PersonDataTest, ExportsAllAboutOnePersonAndNothingAboutAnother) {
       ASSERT_EQ(row.size(), table.columns.size());
       for (const Value& value : row) {
         const auto* text = std::get_if<std::string>(&value.storage());
-        if (text == nullptr) continue;
+        if (text == nullptr) {
+          continue;
+        }
         EXPECT_EQ(text->find("somebody else"), std::string::npos) << table.table;
         EXPECT_EQ(text->find("$argon2"), std::string::npos) << table.table;
       }

@@ -32,7 +32,9 @@ class QueryPlanTest : public DatabaseTest {
  protected:
   void SetUp() override {
     DatabaseTest::SetUp();
-    if (onPostgresql()) GTEST_SKIP() << "PostgreSQL plans by the size of its tables";
+    if (onPostgresql()) {
+      GTEST_SKIP() << "PostgreSQL plans by the size of its tables";
+    }
   }
 
   /// Lines of the plans of all that `list` prepares.
@@ -45,7 +47,9 @@ class QueryPlanTest : public DatabaseTest {
     for (const std::string& sql : statements) {
       Statement plan = connection.prepare("EXPLAIN QUERY PLAN " + sql);
       plan.execute(std::vector<Value>(static_cast<std::size_t>(std::count(sql.begin(), sql.end(), '?'))));
-      while (plan.step()) lines.push_back(plan.text(3));
+      while (plan.step()) {
+        lines.push_back(plan.text(3));
+      }
     }
     return lines;
   }
@@ -59,7 +63,9 @@ class QueryPlanTest : public DatabaseTest {
     }
   }
   static void expectNoSort(const std::vector<std::string>& lines) {
-    for (const std::string& line : lines) EXPECT_EQ(line.find("TEMP B-TREE"), std::string::npos) << line;
+    for (const std::string& line : lines) {
+      EXPECT_EQ(line.find("TEMP B-TREE"), std::string::npos) << line;
+    }
   }
 };
 
@@ -109,7 +115,9 @@ TEST_F(QueryPlanTest, TheQueueOfARaterAndTheAuditTrailAreFoundByIndex) {
   expectNoWalk(
       plansOf(connection, [&] { (void)AuditRepository(connection).entries({.objectKind = "trial"}); }));
   expectNoWalk(plansOf(connection, [&] { (void)AuditRepository(connection).entries({.fromUtc_us = 1}); }));
-  for (int i = 0; i < 2; ++i) AuditRepository(connection).append(AuditEntry{.atUtc_us = 5});
+  for (int i = 0; i < 2; ++i) {
+    AuditRepository(connection).append(AuditEntry{.atUtc_us = 5});
+  }
   const auto newest = plansOf(connection, [&] { (void)AuditRepository(connection).entries({.limit = 1}); });
   expectNoWalk(newest, true);  // LIMIT ends it
   expectNoSort(newest);
@@ -169,7 +177,9 @@ TEST_F(QueryPlanTest, WhatTheOfficeOpensIsFoundByIndex) {
   RetentionRepository(connection).setRule({kRetainTrainee, 1, "contract", 1});
   const auto due = plansOf(connection, [&] { (void)RetentionRepository(connection).due(1); });
   for (const std::string& line : due) {
-    if (line.find(" m ") == std::string::npos) continue;
+    if (line.find(" m ") == std::string::npos) {
+      continue;
+    }
     EXPECT_NE(line.find("COVERING INDEX"), std::string::npos) << line;  // the marks themselves are not read
   }
   AccessRepository access(connection, PasswordCost::kTest);

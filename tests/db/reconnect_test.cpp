@@ -19,12 +19,16 @@ namespace {
 class ReconnectTest : public DatabaseTest {
  protected:
   void SetUp() override {
-    if (!onPostgresql()) GTEST_SKIP() << "SQLite has no server that could go away";
+    if (!onPostgresql()) {
+      GTEST_SKIP() << "SQLite has no server that could go away";
+    }
     DatabaseTest::SetUp();
   }
 
   void TearDown() override {
-    if (onPostgresql() && !role_.empty()) open().executeVerbatim("DROP ROLE " + role_);
+    if (onPostgresql() && !role_.empty()) {
+      open().executeVerbatim("DROP ROLE " + role_);
+    }
     DatabaseTest::TearDown();
   }
 
@@ -43,7 +47,9 @@ class ReconnectTest : public DatabaseTest {
         connection.prepare("SELECT pg_terminate_backend(pid, 5000) FROM pg_stat_activity WHERE usename = ?");
     end.execute({role_});
     int ended = 0;
-    while (end.step()) ended += end.boolean(0) ? 1 : 0;
+    while (end.step()) {
+      ended += end.boolean(0) ? 1 : 0;
+    }
     ASSERT_EQ(ended, 1);
   }
 
@@ -65,7 +71,9 @@ TEST_F(ReconnectTest, ATrialSurvivesTheLossOfItsConnectionAtEveryStep) {
 
   sink.begin(sampleHeader(id, "T-01"));
   for (std::int64_t i = 0; i < 6; ++i) {
-    if (i % 2 == 1) endConnection(connection);
+    if (i % 2 == 1) {
+      endConnection(connection);
+    }
     sink.append(sampleChunk(i, 500));
   }
   endConnection(connection);
@@ -90,9 +98,13 @@ TEST_F(ReconnectTest, ARecordingLosesNoSampleAndNeedsNoFile) {
 
   std::int64_t tick = 0;
   for (int second = 0; second < 5; ++second) {
-    for (int i = 0; i < 1000; ++i) ASSERT_TRUE(ring.push(sampleAt(tick++)));
+    for (int i = 0; i < 1000; ++i) {
+      ASSERT_TRUE(ring.push(sampleAt(tick++)));
+    }
     recorder.pump();
-    if (second == 2) endConnection(connection);
+    if (second == 2) {
+      endConnection(connection);
+    }
   }
   const RecordingResult result = recorder.finish(TrialOutcome::kCompleted, 0);
 

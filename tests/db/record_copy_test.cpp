@@ -81,8 +81,9 @@ TEST_F(RecordCopyTest, MovesEveryRowOfEveryTableThereAndBack) {
   EXPECT_EQ(there.tables, andBack.tables);
   EXPECT_EQ(digests(original), digests(back));
   EXPECT_EQ(digests(original), digests(middle));
-  for (const TableDigest& table : there.tables)
+  for (const TableDigest& table : there.tables) {
     EXPECT_TRUE(table.rows > 0 || table.table == "erasure_gate") << table.table;
+  }
   EXPECT_EQ(there.auditEntries, 6);
   EXPECT_TRUE(verifyAuditTrail(middle).empty());
   EXPECT_EQ(TrialRepository(back).load(real.trialId).chunks.size(), 2U);
@@ -114,7 +115,9 @@ TEST_F(RecordCopyTest, LeavesNothingWhenItIsStoppedHalfWay) {
   Connection target = openWithSchema();
   const std::vector<TableDigest> before = digests(target);
   const auto stop = [](const CopyStep& step) {
-    if (step.phase == CopyPhase::kCopying) throw Error(ErrorCode::kUsage, "stopped", "", "");
+    if (step.phase == CopyPhase::kCopying) {
+      throw Error(ErrorCode::kUsage, "stopped", "", "");
+    }
   };
 
   EXPECT_EQ(refusalFrom([&] { (void)copyRecord(original, target, stop); }).code, ErrorCode::kUsage);
@@ -145,7 +148,9 @@ TEST_F(RecordCopyTest, AHashNoticesOneChangedValueAndNotTheOrder) {
   const auto hash = [&] {
     Transaction transaction(connection);
     for (const SchemaTable& table : tablesInReferenceOrder(connection)) {
-      if (table.name == "setting") return digestOf(connection, table).hash;
+      if (table.name == "setting") {
+        return digestOf(connection, table).hash;
+      }
     }
     return std::string();
   };

@@ -9,7 +9,9 @@ namespace {
 
 /// "T-07": three digits at most.
 std::string numbered(std::string prefix, int number) {
-  if (number < 10) prefix += "0";
+  if (number < 10) {
+    prefix += "0";
+  }
   prefix += std::to_string(number);
   return prefix;
 }
@@ -94,7 +96,9 @@ TrialChunk sampleChunk(std::int64_t index, std::size_t size) {
   chunk.digest = std::string("d").append(std::to_string(index));
   chunk.outputDigest = std::string("o").append(std::to_string(index));
   Random random = Random::forStream(7, static_cast<std::uint64_t>(index));
-  for (std::size_t i = 0; i < size; ++i) chunk.bytes.push_back(static_cast<std::byte>(random.bounded(256)));
+  for (std::size_t i = 0; i < size; ++i) {
+    chunk.bytes.push_back(static_cast<std::byte>(random.bounded(256)));
+  }
   return chunk;
 }
 

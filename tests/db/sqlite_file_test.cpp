@@ -66,7 +66,9 @@ TEST_F(SqliteFileTest, RefusesAReadOnlyFolderAndLeavesNothingBehind) {
 }
 
 TEST_F(SqliteFileTest, RefusesAFolderInWhichNoFileCanBeMade) {
-  if (!fs::is_directory("/proc")) GTEST_SKIP() << "needs a file system that refuses files";
+  if (!fs::is_directory("/proc")) {
+    GTEST_SKIP() << "needs a file system that refuses files";
+  }
   const Refusal refusal = opening("/proc/record.sqlite", OpenMode::kCreate);
   EXPECT_EQ(refusal.code, ErrorCode::kFileUnwritable);
   expectOneLine(refusal);

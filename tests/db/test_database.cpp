@@ -56,7 +56,9 @@ void DatabaseTest::SetUp() {
 }
 
 void DatabaseTest::TearDown() {
-  if (schema_.empty()) return;
+  if (schema_.empty()) {
+    return;
+  }
   Connection connection = openDatabase(server(), OpenMode::kReadWrite);
   connection.executeVerbatim("SET client_min_messages = warning");
   connection.executeVerbatim("DROP SCHEMA " + schema_ + " CASCADE");

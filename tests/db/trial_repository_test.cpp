@@ -52,8 +52,12 @@ class TrialRepositoryTest : public DatabaseTest {
   /// Records `chunks` seconds, finished unless `cut`.
   static void record(TrialSink& sink, const TrialHeader& header, std::int64_t chunks, bool cut = false) {
     sink.begin(header);
-    for (std::int64_t i = 0; i < chunks; ++i) sink.append(sampleChunk(i, 500));
-    if (!cut) sink.finish({1000 * chunks, 3, 2, TrialOutcome::kCompleted, "hash"});
+    for (std::int64_t i = 0; i < chunks; ++i) {
+      sink.append(sampleChunk(i, 500));
+    }
+    if (!cut) {
+      sink.finish({1000 * chunks, 3, 2, TrialOutcome::kCompleted, "hash"});
+    }
   }
 };
 
@@ -204,7 +208,9 @@ TEST_F(TrialRepositoryTest, NothingRecordedCanBeChanged) {
 }
 
 TEST_F(TrialRepositoryTest, ReplacingARowIsAChangeToo) {
-  if (onPostgresql()) GTEST_SKIP() << "REPLACE is a word of SQLite";
+  if (onPostgresql()) {
+    GTEST_SKIP() << "REPLACE is a word of SQLite";
+  }
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   TrialRepository trials(connection);

@@ -32,13 +32,17 @@ CohortInputs demonstrationCohort() {
   DemonstrationPeople people{{codes('x', 10), codes('y', 10), codes('z', 10)},
                              codes('R', 10),
                              {codes('A', 20), codes('B', 10), codes('C', 10)}};
-  for (std::size_t g = 0; g < 3; ++g)
-    for (std::size_t i = 0; i < 10; ++i)
+  for (std::size_t g = 0; g < 3; ++g) {
+    for (std::size_t i = 0; i < 10; ++i) {
       in.trainees.push_back({people.groups[g][i], g, i % 2 == 0 ? "male" : "female", "first-year graduate"});
+    }
+  }
   const std::vector<std::string> models = {"PM", "FEM", "MSM"};
   in.instrument = paperInstrument();
   in.ratings = groupRatings(in.instrument, demonstrationEvaluationMarks(in.instrument, people, models, 3));
-  for (const ModelRatings& model : in.ratings) in.evaluations.push_back(evaluateModel(in.instrument, model));
+  for (const ModelRatings& model : in.ratings) {
+    in.evaluations.push_back(evaluateModel(in.instrument, model));
+  }
   const std::vector<TrainingMark> marks = demonstrationTrainingMarks(in.trainingScale, people, 3);
   in.scores = traineeScores(in.trainingScale, marks);
   in.summaries = groupSummaries(in.trainingScale, marks);

@@ -18,7 +18,9 @@ constexpr bool kCounts = true;
 template <typename Function>
 Function* hidden(const char* name) noexcept {
   void* const found = dlsym(RTLD_NEXT, name);
-  if (found == nullptr) std::abort();
+  if (found == nullptr) {
+    std::abort();
+  }
   return reinterpret_cast<Function*>(found);
 }
 #endif

@@ -9,7 +9,9 @@ namespace {
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
+    if (c == '"' || c == '\\') {
+      out += '\\';
+    }
     out += c == '\n' ? std::string("\\n") : std::string(1, c);
   }
   return out;

@@ -20,7 +20,9 @@ double side(const Point& a, const Point& b, const Point& p) {
 /// Ear clipping: triangles over the indices of a simple anticlockwise polygon.
 std::vector<std::array<std::uint32_t, 3>> triangulate(const Outline2& outline) {
   std::vector<std::uint32_t> rest(outline.size());
-  for (std::uint32_t i = 0; i < rest.size(); ++i) rest[i] = i;
+  for (std::uint32_t i = 0; i < rest.size(); ++i) {
+    rest[i] = i;
+  }
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::size_t at = 0;
   for (std::size_t tries = 0; rest.size() > 3 && tries < 2 * rest.size();) {
@@ -29,8 +31,12 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const Outline2& outline) {
     const std::uint32_t c = rest[(at + 2) % rest.size()];
     bool ear = side(outline[a], outline[b], outline[c]) > 0.0;
     for (const std::uint32_t p : rest) {
-      if (!ear) break;
-      if (p == a || p == b || p == c) continue;
+      if (!ear) {
+        break;
+      }
+      if (p == a || p == b || p == c) {
+        continue;
+      }
       ear = !(side(outline[a], outline[b], outline[p]) >= 0.0 &&
               side(outline[b], outline[c], outline[p]) >= 0.0 &&
               side(outline[c], outline[a], outline[p]) >= 0.0);
@@ -176,8 +182,12 @@ TriangleMesh jTube(double radius_m, double straight_m, double bend_m, int points
   const double total = straight_m + bow + back;
   return sweep(circleOutline(radius_m, points), rings, [=](double t) {
     const double s = t * total;
-    if (s <= straight_m) return inPlane({0, 0, s}, 0.0);
-    if (s >= straight_m + bow) return inPlane({2.0 * bend_m, 0, straight_m - (s - straight_m - bow)}, kPi);
+    if (s <= straight_m) {
+      return inPlane({0, 0, s}, 0.0);
+    }
+    if (s >= straight_m + bow) {
+      return inPlane({2.0 * bend_m, 0, straight_m - (s - straight_m - bow)}, kPi);
+    }
     const double turn = (s - straight_m) / bend_m;
     return inPlane({bend_m * (1.0 - std::cos(turn)), 0, straight_m + bend_m * std::sin(turn)}, turn);
   });
@@ -216,18 +226,26 @@ TriangleMesh capsule(double radius_m, double length_m, int points, int rings) {
 }
 
 TriangleMesh turned(TriangleMesh mesh, const Vec3& axis, double angle_rad) {
-  for (Vec3& p : mesh.vertices_m) p = rotateAbout(p, normalized(axis), angle_rad);
+  for (Vec3& p : mesh.vertices_m) {
+    p = rotateAbout(p, normalized(axis), angle_rad);
+  }
   return mesh;
 }
 
 TriangleMesh shifted(TriangleMesh mesh, const Vec3& by_m) {
-  for (Vec3& p : mesh.vertices_m) p += by_m;
+  for (Vec3& p : mesh.vertices_m) {
+    p += by_m;
+  }
   return mesh;
 }
 
 TriangleMesh mirroredX(TriangleMesh mesh) {
-  for (Vec3& p : mesh.vertices_m) p.x = -p.x;
-  for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  for (Vec3& p : mesh.vertices_m) {
+    p.x = -p.x;
+  }
+  for (auto& triangle : mesh.triangles) {
+    std::swap(triangle[1], triangle[2]);
+  }
   return mesh;
 }
 

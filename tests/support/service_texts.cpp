@@ -33,7 +33,9 @@ class Lexer {
   explicit Lexer(const std::string& source) : source_(source) {}
 
   std::vector<Token> run() {
-    while (at_ < source_.size()) step();
+    while (at_ < source_.size()) {
+      step();
+    }
     return std::move(tokens_);
   }
 
@@ -44,7 +46,9 @@ class Lexer {
 
   void step() {
     const char c = source_[at_];
-    if (c == '\n') ++line_;
+    if (c == '\n') {
+      ++line_;
+    }
     if (std::isspace(static_cast<unsigned char>(c)) != 0) {
       ++at_;
     } else if (begins("//")) {
@@ -90,7 +94,9 @@ class Lexer {
 
   void character() {
     for (++at_; at_ < source_.size() && source_[at_] != '\''; ++at_) {
-      if (source_[at_] == '\\') ++at_;
+      if (source_[at_] == '\\') {
+        ++at_;
+      }
     }
     ++at_;
   }
@@ -118,7 +124,9 @@ bool is(const Token& token, std::string_view text) {
 /// Whether somebody would read it: two letters in a row beside the places.
 bool hasWords(const std::string& text) {
   const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
-  if (text.rfind("--", 0) == 0) return false;  // an option of the command line
+  if (text.rfind("--", 0) == 0) {
+    return false;  // an option of the command line
+  }
   return std::adjacent_find(text.begin(), text.end(),
                             [&](char a, char b) { return letter(a) && letter(b); }) != text.end();
 }
@@ -129,19 +137,29 @@ class Reader {
       : tokens_(tokens), file_(std::move(file)), texts_(texts) {}
 
   void run() {
-    for (std::size_t i = 1; i + 1 < tokens_.size(); ++i) findSpeaker(i);
+    for (std::size_t i = 1; i + 1 < tokens_.size(); ++i) {
+      findSpeaker(i);
+    }
     for (std::size_t i = 1; i < tokens_.size(); ++i) {
-      if (is(tokens_[i], "(") || is(tokens_[i], "{")) readCall(i);
+      if (is(tokens_[i], "(") || is(tokens_[i], "{")) {
+        readCall(i);
+      }
     }
   }
 
   /// Report models: what is written into the members that hold texts, and what is given to functions whose
   /// parameter is a `const Text&`.
   void runReport() {
-    for (std::size_t i = 1; i + 2 < tokens_.size(); ++i) findTextParameter(i);
-    for (std::size_t i = 2; i + 2 < tokens_.size(); ++i) readMember(i);
+    for (std::size_t i = 1; i + 2 < tokens_.size(); ++i) {
+      findTextParameter(i);
+    }
+    for (std::size_t i = 2; i + 2 < tokens_.size(); ++i) {
+      readMember(i);
+    }
     for (std::size_t i = 1; i < tokens_.size(); ++i) {
-      if (is(tokens_[i], "(") && textArguments_.contains(tokens_[nameBefore(i)].text)) readTextArguments(i);
+      if (is(tokens_[i], "(") && textArguments_.contains(tokens_[nameBefore(i)].text)) {
+        readTextArguments(i);
+      }
     }
   }
 
@@ -155,50 +173,86 @@ class Reader {
   /// A parameter with one of the telling names makes its function one that speaks.
   void findSpeaker(std::size_t i) {
     static constexpr std::array<std::string_view, 5> kNames{"what", "why", "remedy", "problem", "sentence"};
-    if (std::find(kNames.begin(), kNames.end(), tokens_[i].text) == kNames.end()) return;
+    if (std::find(kNames.begin(), kNames.end(), tokens_[i].text) == kNames.end()) {
+      return;
+    }
     const bool parameter = is(tokens_[i - 1], "&") || is(tokens_[i - 1], "*") || is(tokens_[i - 1], "Text");
     const bool ends = is(tokens_[i + 1], ",") || is(tokens_[i + 1], ")") || is(tokens_[i + 1], "=");
-    if (!parameter || !ends) return;
+    if (!parameter || !ends) {
+      return;
+    }
     int depth = 0;
     for (std::size_t k = i; k-- > 1;) {
-      if (is(tokens_[k], ")")) ++depth;
-      if (is(tokens_[k], ";")) return;
-      if (!is(tokens_[k], "(") || depth-- > 0) continue;
-      if (tokens_[k - 1].kind == Kind::kWord) speakers_.insert(tokens_[k - 1].text);
-      if (is(tokens_[k - 1], "]")) speakers_.insert(nameOfLambda(k - 1));
+      if (is(tokens_[k], ")")) {
+        ++depth;
+      }
+      if (is(tokens_[k], ";")) {
+        return;
+      }
+      if (!is(tokens_[k], "(") || depth-- > 0) {
+        continue;
+      }
+      if (tokens_[k - 1].kind == Kind::kWord) {
+        speakers_.insert(tokens_[k - 1].text);
+      }
+      if (is(tokens_[k - 1], "]")) {
+        speakers_.insert(nameOfLambda(k - 1));
+      }
       return;
     }
   }
 
   std::string nameOfLambda(std::size_t close) const {
     std::size_t k = close;
-    while (k > 2 && !is(tokens_[k], "[")) --k;
+    while (k > 2 && !is(tokens_[k], "[")) {
+      --k;
+    }
     return k > 2 && is(tokens_[k - 1], "=") ? tokens_[k - 2].text : std::string();
   }
 
   /// Who is called with the parenthesis at `open`: "Text" for `Text(..)`, `Text name(..)` and `Text{..}`.
   std::string callee(std::size_t open) const {
-    if (open < 1 || tokens_[open - 1].kind != Kind::kWord) return {};
-    if (open >= 2 && is(tokens_[open - 2], "Text")) return "Text";
+    if (open < 1 || tokens_[open - 1].kind != Kind::kWord) {
+      return {};
+    }
+    if (open >= 2 && is(tokens_[open - 2], "Text")) {
+      return "Text";
+    }
     return tokens_[open - 1].text;
   }
 
   /// `const Text& name` in the list of parameters: the place in the call is remembered.
   void findTextParameter(std::size_t i) {
-    if (!is(tokens_[i - 1], "const") || !is(tokens_[i], "Text") || !is(tokens_[i + 1], "&")) return;
+    if (!is(tokens_[i - 1], "const") || !is(tokens_[i], "Text") || !is(tokens_[i + 1], "&")) {
+      return;
+    }
     int depth = 0;
     int angles = 0;
     std::size_t place = 0;
     for (std::size_t k = i; k-- > 1;) {
-      if (is(tokens_[k], ";") || is(tokens_[k], "{")) return;
-      if (is(tokens_[k], ">")) ++angles;
-      if (is(tokens_[k], "<")) --angles;
-      if (is(tokens_[k], ")")) ++depth;
-      if (is(tokens_[k], ",") && depth == 0 && angles == 0) ++place;
-      if (!is(tokens_[k], "(") || depth-- > 0) continue;
+      if (is(tokens_[k], ";") || is(tokens_[k], "{")) {
+        return;
+      }
+      if (is(tokens_[k], ">")) {
+        ++angles;
+      }
+      if (is(tokens_[k], "<")) {
+        --angles;
+      }
+      if (is(tokens_[k], ")")) {
+        ++depth;
+      }
+      if (is(tokens_[k], ",") && depth == 0 && angles == 0) {
+        ++place;
+      }
+      if (!is(tokens_[k], "(") || depth-- > 0) {
+        continue;
+      }
       const std::string name =
           is(tokens_[k - 1], "]") ? nameOfLambda(k - 1) : std::string(tokens_[k - 1].text);
-      if (tokens_[k - 1].kind == Kind::kWord || is(tokens_[k - 1], "]")) textArguments_[name].insert(place);
+      if (tokens_[k - 1].kind == Kind::kWord || is(tokens_[k - 1], "]")) {
+        textArguments_[name].insert(place);
+      }
       return;
     }
   }
@@ -207,7 +261,9 @@ class Reader {
   std::size_t nameBefore(std::size_t open) const {
     std::size_t k = open - 1;
     if (is(tokens_[k], ">")) {
-      while (k > 1 && !is(tokens_[k], "<")) --k;
+      while (k > 1 && !is(tokens_[k], "<")) {
+        --k;
+      }
       --k;
     }
     return k;
@@ -225,11 +281,18 @@ class Reader {
         }
         ++depth;
       }
-      if (is(tokens_[k], ")") || is(tokens_[k], "}")) --depth;
-      if (depth == 0) return;
-      if (depth == 1 && is(tokens_[k], ",")) ++argument;
-      if (tokens_[k].kind == Kind::kLiteral && places.contains(argument) && hasWords(tokens_[k].text))
+      if (is(tokens_[k], ")") || is(tokens_[k], "}")) {
+        --depth;
+      }
+      if (depth == 0) {
+        return;
+      }
+      if (depth == 1 && is(tokens_[k], ",")) {
+        ++argument;
+      }
+      if (tokens_[k].kind == Kind::kLiteral && places.contains(argument) && hasWords(tokens_[k].text)) {
         take(k);
+      }
     }
   }
 
@@ -240,11 +303,15 @@ class Reader {
         "name",       "xLabel",     "yLabel",    "formula",   "flags", "facts",
         "references", "categories", "simulated", "occasions", "design"};
     const bool member = is(tokens_[i - 1], ".") || (is(tokens_[i - 2], "-") && is(tokens_[i - 1], ">"));
-    if (!member || std::find(kMembers.begin(), kMembers.end(), tokens_[i].text) == kMembers.end()) return;
+    if (!member || std::find(kMembers.begin(), kMembers.end(), tokens_[i].text) == kMembers.end()) {
+      return;
+    }
     const bool assigned = is(tokens_[i + 1], "=") && !is(tokens_[i + 2], "=");
     const bool grown = is(tokens_[i + 1], ".") && i + 3 < tokens_.size() &&
                        (is(tokens_[i + 2], "push_back") || is(tokens_[i + 2], "insert"));
-    if (!assigned && !grown) return;
+    if (!assigned && !grown) {
+      return;
+    }
     int depth = 0;
     for (std::size_t k = assigned ? i + 2 : i + 3; k < tokens_.size(); ++k) {
       const Token& token = tokens_[k];
@@ -256,16 +323,24 @@ class Reader {
         }
         ++depth;
       }
-      if (is(token, ")") || is(token, "}")) --depth;
-      if (is(token, ";") || depth < 0) return;
+      if (is(token, ")") || is(token, "}")) {
+        --depth;
+      }
+      if (is(token, ";") || depth < 0) {
+        return;
+      }
       const bool compared = is(tokens_[k - 1], "=") && is(tokens_[k - 2], "=");
-      if (token.kind == Kind::kLiteral && !compared && hasWords(token.text)) take(k);
+      if (token.kind == Kind::kLiteral && !compared && hasWords(token.text)) {
+        take(k);
+      }
     }
   }
 
   void readCall(std::size_t open) {
     const std::string name = callee(open);
-    if (!speakers_.contains(name)) return;
+    if (!speakers_.contains(name)) {
+      return;
+    }
     int depth = 0;
     int argument = 0;
     for (std::size_t k = open; k < tokens_.size(); ++k) {
@@ -278,12 +353,24 @@ class Reader {
         }
         ++depth;
       }
-      if (is(token, ")") || is(token, "}") || is(token, "]")) --depth;
-      if (depth == 0) return;
-      if (depth == 1 && is(token, ",")) ++argument;
-      if (token.kind != Kind::kLiteral || !hasWords(token.text)) continue;
-      if (name == "DbError" && argument == 1) continue;  // the SQL operation
-      if (name == "Text" && argument > 0) continue;
+      if (is(token, ")") || is(token, "}") || is(token, "]")) {
+        --depth;
+      }
+      if (depth == 0) {
+        return;
+      }
+      if (depth == 1 && is(token, ",")) {
+        ++argument;
+      }
+      if (token.kind != Kind::kLiteral || !hasWords(token.text)) {
+        continue;
+      }
+      if (name == "DbError" && argument == 1) {
+        continue;  // the SQL operation
+      }
+      if (name == "Text" && argument > 0) {
+        continue;
+      }
       take(k);
     }
   }
@@ -291,9 +378,15 @@ class Reader {
   std::size_t closing(std::size_t open) const {
     int depth = 0;
     for (std::size_t k = open; k < tokens_.size(); ++k) {
-      if (is(tokens_[k], "(") || is(tokens_[k], "{") || is(tokens_[k], "[")) ++depth;
-      if (is(tokens_[k], ")") || is(tokens_[k], "}") || is(tokens_[k], "]")) --depth;
-      if (depth == 0) return k;
+      if (is(tokens_[k], "(") || is(tokens_[k], "{") || is(tokens_[k], "[")) {
+        ++depth;
+      }
+      if (is(tokens_[k], ")") || is(tokens_[k], "}") || is(tokens_[k], "]")) {
+        --depth;
+      }
+      if (depth == 0) {
+        return k;
+      }
     }
     return tokens_.size() - 1;
   }
@@ -327,7 +420,9 @@ void readAssetTexts(const std::string& json, ServiceTexts& texts) {
     const bool named = tokens[i].kind == Kind::kLiteral && is(tokens[i + 1], ":") &&
                        tokens[i + 2].kind == Kind::kLiteral &&
                        std::find(kFields.begin(), kFields.end(), tokens[i].text) != kFields.end();
-    if (named && hasWords(tokens[i + 2].text)) texts.patterns.insert(tokens[i + 2].text);
+    if (named && hasWords(tokens[i + 2].text)) {
+      texts.patterns.insert(tokens[i + 2].text);
+    }
   }
 }
 
@@ -340,8 +435,9 @@ void readServiceTexts(const std::string& source, const std::string& file, Servic
   Reader(tokens, file, texts).run();
   static constexpr std::array<std::string_view, 3> kReport{"assessment/report/", "app/reporting/",
                                                            "app/demonstration/demonstration.cpp"};
-  if (std::any_of(kReport.begin(), kReport.end(), [&](auto part) { return file.starts_with(part); }))
+  if (std::any_of(kReport.begin(), kReport.end(), [&](auto part) { return file.starts_with(part); })) {
     Reader(tokens, file, texts).runReport();
+  }
 }
 
 ServiceTexts readServiceTexts(const fs::path& root) {
@@ -372,12 +468,18 @@ ServiceTexts readServiceTexts(const fs::path& root) {
   ServiceTexts texts;
   for (const char* folder : kFolders) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-      if (!entry.is_regular_file()) continue;
+      if (!entry.is_regular_file()) {
+        continue;
+      }
       const std::string extension = entry.path().extension().string();
       std::ifstream in(entry.path());
       const std::string source{std::istreambuf_iterator<char>(in), {}};
-      if (extension == ".json") readAssetTexts(source, texts);
-      if (extension != ".h" && extension != ".cpp") continue;
+      if (extension == ".json") {
+        readAssetTexts(source, texts);
+      }
+      if (extension != ".h" && extension != ".cpp") {
+        continue;
+      }
       readServiceTexts(source, fs::relative(entry.path(), root).generic_string(), texts);
     }
   }

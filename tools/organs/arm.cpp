@@ -36,7 +36,9 @@ void smooth(TriangleMesh& mesh, int passes) {
   constexpr std::array<double, 2> kSteps{0.5, -0.53};
   std::vector<std::uint32_t> count(mesh.vertices_m.size(), 0);
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    for (const std::uint32_t corner : t) count[corner] += 2;
+    for (const std::uint32_t corner : t) {
+      count[corner] += 2;
+    }
   }
   for (int pass = 0; pass < 2 * passes; ++pass) {
     std::vector<Vec3> sum(mesh.vertices_m.size());
@@ -120,7 +122,9 @@ Arm makeArm(const ArmMeasures& measures) {
   arm.surface = remeshed(fine, [&](const Vec3& p) { return edgeLength_mm(p, shape.wristZ(), websZ); });
   constexpr double kOnPlane_mm = 1e-6;
   for (Vec3& v : arm.surface.vertices_m) {
-    if (std::abs(v.z) < kOnPlane_mm) v.z = 0.0;
+    if (std::abs(v.z) < kOnPlane_mm) {
+      v.z = 0.0;
+    }
     v *= kMillimetre_m;
   }
   arm.wrist_m = {0, 0, kMillimetre_m * shape.wristZ()};

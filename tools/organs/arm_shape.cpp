@@ -32,7 +32,9 @@ double unitGirth(double ratio) {
     return Vec3{ratio * axis(a.cos), axis(a.sin), 0.0};
   };
   double girth = 0.0;
-  for (int i = 0; i < kSides; ++i) girth += norm(at(i + 1) - at(i));
+  for (int i = 0; i < kSides; ++i) {
+    girth += norm(at(i + 1) - at(i));
+  }
   return girth;
 }
 
@@ -84,7 +86,9 @@ double join(double a, double b, double width) {
 
 double chain(std::span<const RoundCone> cones, const Vec3& p, double width) {
   double d = std::numeric_limits<double>::max();
-  for (const RoundCone& cone : cones) d = join(d, distance(cone, p), width);
+  for (const RoundCone& cone : cones) {
+    d = join(d, distance(cone, p), width);
+  }
   return d;
 }
 
@@ -175,14 +179,19 @@ double ArmShape::operator()(const Vec3& p) const {
   constexpr double kJoints = 3.0;
   constexpr double kRim = 5.0;
   double d = tube(p);
-  for (std::size_t k = 0; k < eminences_.size(); ++k)
+  for (std::size_t k = 0; k < eminences_.size(); ++k) {
     d = join(d, distance(eminences_[k], p), k < 2 ? kFleshy : kBony);
+  }
   constexpr double kHandBegins = 45.0;  // below the wrist crease nothing of the hand is felt any more
   if (p.z > wristZ_ - kHandBegins) {
     double hand = std::numeric_limits<double>::max();
-    for (const std::vector<RoundCone>& f : fingers_) hand = join(hand, chain(f, p, kJoints), kWebs);
+    for (const std::vector<RoundCone>& f : fingers_) {
+      hand = join(hand, chain(f, p, kJoints), kWebs);
+    }
     d = join(d, hand, kBony);
-    for (const RoundCone& knuckle : knuckles_) d = join(d, distance(knuckle, p), kBony);
+    for (const RoundCone& knuckle : knuckles_) {
+      d = join(d, distance(knuckle, p), kBony);
+    }
     d = join(d, chain(thumb_, p, kBony), kFleshy);
   }
   return -join(-d, p.z, kRim);  // cut at the elbow

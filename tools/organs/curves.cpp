@@ -21,18 +21,24 @@ std::vector<Vec3> solve(std::vector<std::vector<double>> a, std::vector<Vec3> b)
   for (std::size_t k = 0; k < n; ++k) {
     std::size_t pivot = k;
     for (std::size_t r = k + 1; r < n; ++r) {
-      if (std::abs(a[r][k]) > std::abs(a[pivot][k])) pivot = r;
+      if (std::abs(a[r][k]) > std::abs(a[pivot][k])) {
+        pivot = r;
+      }
     }
     std::swap(a[k], a[pivot]);
     std::swap(b[k], b[pivot]);
     for (std::size_t r = k + 1; r < n; ++r) {
       const double factor = a[r][k] / a[k][k];
-      for (std::size_t c = k; c < n; ++c) a[r][c] -= factor * a[k][c];
+      for (std::size_t c = k; c < n; ++c) {
+        a[r][c] -= factor * a[k][c];
+      }
       b[r] -= factor * b[k];
     }
   }
   for (std::size_t k = n; k-- > 0;) {
-    for (std::size_t c = k + 1; c < n; ++c) b[k] -= a[k][c] * b[c];
+    for (std::size_t c = k + 1; c < n; ++c) {
+      b[k] -= a[k][c] * b[c];
+    }
     b[k] = b[k] / a[k][k];
   }
   return b;
@@ -49,7 +55,9 @@ MonotoneCurve::MonotoneCurve(std::vector<double> x, std::vector<double> y)
   for (std::size_t i = 1; i < last; ++i) {
     const double a = rise(i - 1);
     const double b = rise(i);
-    if (a * b <= 0.0) continue;
+    if (a * b <= 0.0) {
+      continue;
+    }
     const double w1 = 2.0 * width(i) + width(i - 1);
     const double w2 = width(i) + 2.0 * width(i - 1);
     slope_[i] = (w1 + w2) / (w1 / a + w2 / b);
@@ -57,7 +65,9 @@ MonotoneCurve::MonotoneCurve(std::vector<double> x, std::vector<double> y)
   // Ends: a parabola through three points, limited so that it keeps the sign of the first rise.
   const auto end = [](double h0, double h1, double d0, double d1) {
     const double slope = ((2.0 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
-    if (slope * d0 <= 0.0) return 0.0;
+    if (slope * d0 <= 0.0) {
+      return 0.0;
+    }
     return d0 * d1 <= 0.0 && std::abs(slope) > std::abs(3.0 * d0) ? 3.0 * d0 : slope;
   };
   slope_[0] = last == 1 ? rise(0) : end(width(0), width(1), rise(0), rise(1));
@@ -65,8 +75,12 @@ MonotoneCurve::MonotoneCurve(std::vector<double> x, std::vector<double> y)
 }
 
 double MonotoneCurve::operator()(double x) const {
-  if (x <= x_.front()) return y_.front();
-  if (x >= x_.back()) return y_.back();
+  if (x <= x_.front()) {
+    return y_.front();
+  }
+  if (x >= x_.back()) {
+    return y_.back();
+  }
   const std::size_t i = interval(x_, x);
   const double h = x_[i + 1] - x_[i];
   const double t = (x - x_[i]) / h;
@@ -79,7 +93,9 @@ SplineCurve::SplineCurve(const std::vector<Vec3>& points) : points_(points) {
   const std::size_t n = points.size();
   TORSIO_EXPECTS(n >= 4);
   knots_.assign(1, 0.0);
-  for (std::size_t i = 1; i < n; ++i) knots_.push_back(knots_.back() + norm(points[i] - points[i - 1]));
+  for (std::size_t i = 1; i < n; ++i) {
+    knots_.push_back(knots_.back() + norm(points[i] - points[i - 1]));
+  }
   const auto h = [this](std::size_t i) { return knots_[i + 1] - knots_[i]; };
   std::vector<std::vector<double>> a(n, std::vector<double>(n, 0.0));
   std::vector<Vec3> b(n);
@@ -137,7 +153,9 @@ std::vector<CurveFrame> framesAlong(const SplineCurve& curve, std::size_t count,
     g.e1 = c2 > 0.0 ? e - (2.0 * dot(v2, e) / c2) * v2 : e;
     g.e1 = normalized(g.e1 - dot(g.e1, g.tangent) * g.tangent);
   }
-  for (CurveFrame& f : frames) f.e2 = cross(f.tangent, f.e1);
+  for (CurveFrame& f : frames) {
+    f.e2 = cross(f.tangent, f.e1);
+  }
   return frames;
 }
 

@@ -26,7 +26,9 @@ TriangleMesh loft(const std::vector<std::vector<Vec3>>& outlines) {
   }
   for (const std::vector<Vec3>& end : {outlines.front(), outlines.back()}) {
     Vec3 middle;
-    for (const Vec3& p : end) middle += p / static_cast<double>(n);
+    for (const Vec3& p : end) {
+      middle += p / static_cast<double>(n);
+    }
     mesh.vertices_m.push_back(middle);
   }
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -106,7 +108,9 @@ Grasper makeGrasper() {
   grasper.shaft = loft(outlines);
   grasper.upperJaw = upperJaw(kPivot_mm);
   grasper.lowerJaw = grasper.upperJaw;
-  for (Vec3& v : grasper.lowerJaw.vertices_m) v = {-v.x, -v.y, v.z};  // half a turn about the shaft
+  for (Vec3& v : grasper.lowerJaw.vertices_m) {
+    v = {-v.x, -v.y, v.z};  // half a turn about the shaft
+  }
   grasper.jawPivot_m = {0, 0, kMillimetre_m * kPivot_mm};
   grasper.shaftLength_m = kMillimetre_m * kLength_mm;
   grasper.shaftRadius_m = kMillimetre_m * kRadius_mm;

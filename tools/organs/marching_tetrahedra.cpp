@@ -29,7 +29,9 @@ class Marcher {
   TriangleMesh run() {
     for (std::size_t z = 0; z + 1 < grid_.count[2]; ++z) {
       for (std::size_t y = 0; y + 1 < grid_.count[1]; ++y) {
-        for (std::size_t x = 0; x + 1 < grid_.count[0]; ++x) cube(x, y, z);
+        for (std::size_t x = 0; x + 1 < grid_.count[0]; ++x) {
+          cube(x, y, z);
+        }
       }
     }
     return std::move(mesh_);
@@ -54,9 +56,15 @@ class Marcher {
   void cube(std::size_t x, std::size_t y, std::size_t z) {
     const std::size_t base = index(x, y, z);
     unsigned inside = 0;
-    for (unsigned bits = 0; bits < 8; ++bits) inside += values_[corner(base, bits)] < 0.0 ? 1 : 0;
-    if (inside == 0 || inside == 8) return;
-    for (const std::array<unsigned, 4>& tetrahedron : kTetrahedra) cut(base, tetrahedron);
+    for (unsigned bits = 0; bits < 8; ++bits) {
+      inside += values_[corner(base, bits)] < 0.0 ? 1 : 0;
+    }
+    if (inside == 0 || inside == 8) {
+      return;
+    }
+    for (const std::array<unsigned, 4>& tetrahedron : kTetrahedra) {
+      cut(base, tetrahedron);
+    }
   }
 
   // Vertex on the edge between two corners of one cube, made once for all tetrahedra around it.
@@ -64,7 +72,9 @@ class Marcher {
     const unsigned low = p & q;  // the corners of an edge of these tetrahedra contain one another
     const unsigned direction = p ^ q;
     std::uint32_t& found = onEdge_[7 * corner(base, low) + direction - 1];
-    if (found != kNone) return found;
+    if (found != kNone) {
+      return found;
+    }
     const std::size_t i = corner(base, low);
     const std::size_t j = corner(base, low | direction);
     const double t = std::clamp(values_[i] / (values_[i] - values_[j]), kClearOfCorner, 1.0 - kClearOfCorner);
@@ -81,7 +91,9 @@ class Marcher {
     const auto isInside = [this, base](unsigned bits) { return values_[corner(base, bits)] < 0.0; };
     std::size_t inside = 0;
     for (std::size_t k = 0; k < 4; ++k) {
-      if (!isInside(c[k])) continue;
+      if (!isInside(c[k])) {
+        continue;
+      }
       if (k != inside) {
         std::swap(c[k], c[inside]);
         turned = !turned;
@@ -109,7 +121,9 @@ class Marcher {
   }
 
   void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool turned) {
-    if (turned) std::swap(b, c);
+    if (turned) {
+      std::swap(b, c);
+    }
     mesh_.triangles.push_back({a, b, c});
   }
 

@@ -33,13 +33,19 @@ class Stars {
  public:
   explicit Stars(const TriangleMesh& mesh) : first_(mesh.vertices_m.size() + 1, 0) {
     for (const Triangle& t : mesh.triangles) {
-      for (const std::uint32_t corner : t) ++first_[corner + 1];
+      for (const std::uint32_t corner : t) {
+        ++first_[corner + 1];
+      }
     }
-    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+    for (std::size_t v = 1; v < first_.size(); ++v) {
+      first_[v] += first_[v - 1];
+    }
     triangles_.resize(first_.back());
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      for (const std::uint32_t corner : mesh.triangles[t]) triangles_[next[corner]++] = t;
+      for (const std::uint32_t corner : mesh.triangles[t]) {
+        triangles_[next[corner]++] = t;
+      }
     }
   }
   [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t vertex) const {
@@ -65,7 +71,9 @@ class Reference {
       for (const std::uint32_t corner : here) {
         for (const std::uint32_t t : stars_.of(corner)) {
           const NearestOnTriangle n = nearest(point, t);
-          if (!(n.distance2 < best.distance2)) continue;
+          if (!(n.distance2 < best.distance2)) {
+            continue;
+          }
           best = n;
           home = t;
           moved = true;
@@ -96,18 +104,26 @@ class Remesher {
  public:
   Remesher(const TriangleMesh& mesh, const std::function<double(const Vec3&)>& edgeLength)
       : reference_(mesh), edgeLength_(edgeLength), mesh_(mesh), homes_(mesh.vertices_m.size()) {
-    for (std::uint32_t v = 0; v < homes_.size(); ++v) homes_[v] = reference_.someTriangleOf(v);
+    for (std::uint32_t v = 0; v < homes_.size(); ++v) {
+      homes_[v] = reference_.someTriangleOf(v);
+    }
   }
 
   TriangleMesh run() {
-    for (int pass = 0; pass < kCollapsePasses && collapseShort() > 0; ++pass) turnEdges();
+    for (int pass = 0; pass < kCollapsePasses && collapseShort() > 0; ++pass) {
+      turnEdges();
+    }
     for (int round = 0; round < kRounds; ++round) {
       splitLong();
       collapseShort();
-      for (int pass = 0; pass < kTurnPasses && turnEdges() > 0; ++pass) continue;
+      for (int pass = 0; pass < kTurnPasses && turnEdges() > 0; ++pass) {
+        continue;
+      }
       relax();
     }
-    for (int pass = 0; pass < kTurnPasses && turnEdges() > 0; ++pass) continue;
+    for (int pass = 0; pass < kTurnPasses && turnEdges() > 0; ++pass) {
+      continue;
+    }
     return std::move(mesh_);
   }
 
@@ -146,7 +162,9 @@ class Remesher {
                      [](auto& x, auto& y) { return x.ratio > y.ratio; });
     std::vector<bool> touched(mesh_.triangles.size(), false);
     for (const Edge& e : candidates) {
-      if (touched[e.left] || touched[e.right]) continue;
+      if (touched[e.left] || touched[e.right]) {
+        continue;
+      }
       touched[e.left] = touched[e.right] = true;
       const std::uint32_t m = addMidpoint(e.a, e.b);
       mesh_.triangles[e.left] = {e.a, m, e.c};
@@ -160,7 +178,9 @@ class Remesher {
     std::vector<std::uint32_t> ring;
     for (const std::uint32_t t : stars.of(vertex)) {
       for (const std::uint32_t corner : mesh_.triangles[t]) {
-        if (corner != vertex) ring.push_back(corner);
+        if (corner != vertex) {
+          ring.push_back(corner);
+        }
       }
     }
     std::sort(ring.begin(), ring.end());
@@ -172,19 +192,25 @@ class Remesher {
   // moves to `target`.
   bool mayMove(const Stars& stars, std::uint32_t vertex, const Edge& e, const Vec3& target) const {
     for (const std::uint32_t t : stars.of(vertex)) {
-      if (t == e.left || t == e.right) continue;
+      if (t == e.left || t == e.right) {
+        continue;
+      }
       std::array<Vec3, 3> p{};
       std::array<Vec3, 3> q{};
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t corner = mesh_.triangles[t][k];
         p[k] = at(corner);
         q[k] = corner == vertex ? target : p[k];
-        if (corner != vertex && ratio(target, p[k]) > kLong) return false;
+        if (corner != vertex && ratio(target, p[k]) > kLong) {
+          return false;
+        }
       }
       const Vec3 before = normalized(cross(p[1] - p[0], p[2] - p[0]));
       const Vec3 after = normalized(cross(q[1] - q[0], q[2] - q[0]));
       // A sliver of the fine surface has no direction worth keeping.
-      if (!isDegenerate(p[0], p[1], p[2]) && dot(before, after) < kSmallestTurn) return false;
+      if (!isDegenerate(p[0], p[1], p[2]) && dot(before, after) < kSmallestTurn) {
+        return false;
+      }
     }
     return true;
   }
@@ -199,25 +225,37 @@ class Remesher {
     std::vector<bool> dead(mesh_.triangles.size(), false);
     std::size_t collapsed = 0;
     for (const Edge& e : candidates) {
-      if (locked[e.a] || locked[e.b]) continue;
+      if (locked[e.a] || locked[e.b]) {
+        continue;
+      }
       const std::vector<std::uint32_t> ringA = ringOf(stars, e.a);
       const std::vector<std::uint32_t> ringB = ringOf(stars, e.b);
       std::vector<std::uint32_t> common;
       std::set_intersection(ringA.begin(), ringA.end(), ringB.begin(), ringB.end(),
                             std::back_inserter(common));
-      if (common.size() != 2) continue;  // link condition: otherwise the surface would be pinched
+      if (common.size() != 2) {
+        continue;  // link condition: otherwise the surface would be pinched
+      }
       Vec3 target = 0.5 * (at(e.a) + at(e.b));
       std::uint32_t home = homes_[e.a];
       reference_.project(target, home);
-      if (!mayMove(stars, e.a, e, target) || !mayMove(stars, e.b, e, target)) continue;
+      if (!mayMove(stars, e.a, e, target) || !mayMove(stars, e.b, e, target)) {
+        continue;
+      }
       mesh_.vertices_m[e.a] = target;
       homes_[e.a] = home;
       for (const std::uint32_t t : stars.of(e.b)) {
-        for (std::uint32_t& corner : mesh_.triangles[t]) corner = corner == e.b ? e.a : corner;
+        for (std::uint32_t& corner : mesh_.triangles[t]) {
+          corner = corner == e.b ? e.a : corner;
+        }
       }
       dead[e.left] = dead[e.right] = true;
-      for (const std::uint32_t v : ringA) locked[v] = true;
-      for (const std::uint32_t v : ringB) locked[v] = true;
+      for (const std::uint32_t v : ringA) {
+        locked[v] = true;
+      }
+      for (const std::uint32_t v : ringB) {
+        locked[v] = true;
+      }
       ++collapsed;
     }
     removeDead(dead);
@@ -227,16 +265,22 @@ class Remesher {
   void removeDead(const std::vector<bool>& dead) {
     std::size_t kept = 0;
     for (std::size_t t = 0; t < dead.size(); ++t) {
-      if (!dead[t]) mesh_.triangles[kept++] = mesh_.triangles[t];
+      if (!dead[t]) {
+        mesh_.triangles[kept++] = mesh_.triangles[t];
+      }
     }
     mesh_.triangles.resize(kept);
     std::vector<std::uint32_t> target(mesh_.vertices_m.size(), 0);
     for (const Triangle& t : mesh_.triangles) {
-      for (const std::uint32_t corner : t) target[corner] = 1;
+      for (const std::uint32_t corner : t) {
+        target[corner] = 1;
+      }
     }
     std::uint32_t next = 0;
     for (std::size_t v = 0; v < target.size(); ++v) {
-      if (target[v] == 0) continue;
+      if (target[v] == 0) {
+        continue;
+      }
       mesh_.vertices_m[next] = mesh_.vertices_m[v];
       homes_[next] = homes_[v];
       target[v] = next++;
@@ -244,7 +288,9 @@ class Remesher {
     mesh_.vertices_m.resize(next);
     homes_.resize(next);
     for (Triangle& t : mesh_.triangles) {
-      for (std::uint32_t& corner : t) corner = target[corner];
+      for (std::uint32_t& corner : t) {
+        corner = target[corner];
+      }
     }
   }
 
@@ -274,9 +320,13 @@ class Remesher {
     std::vector<bool> touched(mesh_.triangles.size(), false);
     std::size_t turned = 0;
     for (const Edge& e : all) {
-      if (touched[e.left] || touched[e.right] || e.c == e.d || connected(e.c, e.d)) continue;
+      if (touched[e.left] || touched[e.right] || e.c == e.d || connected(e.c, e.d)) {
+        continue;
+      }
       constexpr double kWorthIt = -1e-6;
-      if (!(cotangent(e.c, e.a, e.b) + cotangent(e.d, e.a, e.b) < kWorthIt)) continue;
+      if (!(cotangent(e.c, e.a, e.b) + cotangent(e.d, e.a, e.b) < kWorthIt)) {
+        continue;
+      }
       const Vec3 old = normalized(normal(e.a, e.b, e.c) + normal(e.b, e.a, e.d));
       if (dot(old, normal(e.a, e.d, e.c)) < kSmallestTurn ||
           dot(old, normal(e.d, e.b, e.c)) < kSmallestTurn) {
@@ -307,7 +357,9 @@ class Remesher {
       }
     }
     for (std::uint32_t v = 0; v < sum.size(); ++v) {
-      if (!(weight[v] > 0.0)) continue;
+      if (!(weight[v] > 0.0)) {
+        continue;
+      }
       Vec3 step = kRelaxation * (sum[v] / weight[v] - at(v));
       step -= dot(step, normals[v]) * normals[v];
       mesh_.vertices_m[v] += step;

@@ -49,7 +49,9 @@ class JsonObject {
   explicit JsonObject(std::string indent = "  ") : indent_(std::move(indent)) {}
   JsonObject& text(const char* key, const std::string& value) { return raw(key, '"' + value + '"'); }
   JsonObject& raw(const char* key, const std::string& value) {
-    if (!body_.empty()) body_ += ",\n";
+    if (!body_.empty()) {
+      body_ += ",\n";
+    }
     body_.append(indent_).append(1, '"').append(key).append("\": ").append(value);
     return *this;
   }

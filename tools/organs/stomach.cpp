@@ -47,12 +47,16 @@ double wavesAt(const std::array<Wave, N>& waves, double share, double angle_rad)
 
 // Interpolated squares of the half-widths round the fundus off like a paraboloid, not like a cone.
 std::vector<double> squares(std::vector<double> values) {
-  for (double& v : values) v *= v;
+  for (double& v : values) {
+    v *= v;
+  }
   return values;
 }
 
 TriangleMesh inMetres(TriangleMesh mesh) {
-  for (Vec3& v : mesh.vertices_m) v *= kMillimetre_m;
+  for (Vec3& v : mesh.vertices_m) {
+    v *= kMillimetre_m;
+  }
   return mesh;
 }
 

@@ -39,10 +39,11 @@ AccountsDialog::AccountsDialog(const std::vector<StartAccount>& accounts, const 
   words->setWordWrap(true);
   table_->setColumns({{tr("Person")}, {tr("Sign-in name")}, {tr("Start password")}});
   std::vector<Row> rows;
-  for (const StartAccount& account : accounts_)
+  for (const StartAccount& account : accounts_) {
     rows.push_back(
         {toQString(account.login),
          {{toQString(account.personCode)}, {toQString(account.login)}, {toQString(account.startPassword)}}});
+  }
   table_->setRows(std::move(rows));
   auto* buttons = new QDialogButtonBox(this);
   buttons->addButton(cards_, QDialogButtonBox::ActionRole);
@@ -75,7 +76,9 @@ void AccountsDialog::saveCards(const std::filesystem::path& file) {
 
 void AccountsDialog::askCards() {
   const QString file = askFileToSave(this, tr("Save cards"), tr("start-passwords.pdf"), tr("PDF (*.pdf)"));
-  if (file.isEmpty()) return;
+  if (file.isEmpty()) {
+    return;
+  }
   try {
     saveCards(toPath(file));
   } catch (const Error& error) {

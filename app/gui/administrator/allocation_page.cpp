@@ -67,8 +67,12 @@ AllocationPage::AllocationPage(ShellContext& shell)
   records_->setObjectName(QStringLiteral("records"));
   balance_->setObjectName(QStringLiteral("balance"));
   method_->setObjectName(QStringLiteral("method"));
-  for (const AllocationMethod method : kMethods) method_->addItem(QString(), static_cast<int>(method));
-  for (const std::string& name : allocationFactorNames()) factors_[name] = new QCheckBox(this);
+  for (const AllocationMethod method : kMethods) {
+    method_->addItem(QString(), static_cast<int>(method));
+  }
+  for (const std::string& name : allocationFactorNames()) {
+    factors_[name] = new QCheckBox(this);
+  }
   auto* choices = new QHBoxLayout;
   choices->setSpacing(kSpace);
   cohortLabel_ = fieldBeside(choices, cohort_);
@@ -80,11 +84,15 @@ AllocationPage::AllocationPage(ShellContext& shell)
   stateText_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   state_->content()->addWidget(stateText_, 1);
   auto* acts = new QHBoxLayout;
-  for (QPushButton* button : {allocate_, cards_, reveal_, check_}) acts->addWidget(button);
+  for (QPushButton* button : {allocate_, cards_, reveal_, check_}) {
+    acts->addWidget(button);
+  }
   acts->addStretch(1);
   state_->content()->addLayout(acts);
   cards->addWidget(state_, 1);
-  for (QLabel* title : {balanceTitle_, recordsTitle_}) title->setObjectName(QStringLiteral("cardTitle"));
+  for (QLabel* title : {balanceTitle_, recordsTitle_}) {
+    title->setObjectName(QStringLiteral("cardTitle"));
+  }
   auto* lists = new QGridLayout;
   lists->setHorizontalSpacing(2 * kSpace);
   lists->setVerticalSpacing(kSpace);
@@ -125,7 +133,9 @@ QWidget* AllocationPage::designForm() {
   grid->addWidget(factorsLabel_, 1, 0);
   auto* checks = new QHBoxLayout;
   checks->setSpacing(2 * kSpace);
-  for (const std::string& name : allocationFactorNames()) checks->addWidget(factors_.at(name));
+  for (const std::string& name : allocationFactorNames()) {
+    checks->addWidget(factors_.at(name));
+  }
   checks->addStretch(1);
   grid->addLayout(checks, 1, 1);
   grid->addWidget(blocksLabel_, 2, 0);
@@ -144,7 +154,9 @@ QWidget* AllocationPage::designForm() {
 void AllocationPage::enter(const QVariant& argument) {
   attempt(shell(), [&] {
     fillCohorts(cohort_, shell().workplace());
-    if (argument.isValid()) chooseId(cohort_, argument.toString().toStdString());
+    if (argument.isValid()) {
+      chooseId(cohort_, argument.toString().toStdString());
+    }
     read();
   });
 }
@@ -165,18 +177,26 @@ AllocationPlan AllocationPage::plan() const {
   AllocationPlan plan;
   plan.cohortId = chosenId(cohort_);
   plan.method = static_cast<AllocationMethod>(method_->currentData().toInt());
-  if (usesFactors(plan.method))
-    for (const std::string& name : allocationFactorNames())
-      if (factors_.at(name)->isChecked()) plan.factors.push_back(name);
-  if (usesBlocks(plan.method))
-    for (const QString& size : blocks_->text().split(QLatin1Char(','), Qt::SkipEmptyParts))
+  if (usesFactors(plan.method)) {
+    for (const std::string& name : allocationFactorNames()) {
+      if (factors_.at(name)->isChecked()) {
+        plan.factors.push_back(name);
+      }
+    }
+  }
+  if (usesBlocks(plan.method)) {
+    for (const QString& size : blocks_->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
       plan.blockSizes.push_back(static_cast<std::size_t>(size.trimmed().toUInt()));
+    }
+  }
   return plan;
 }
 
 void AllocationPage::showFields() {
   const auto method = static_cast<AllocationMethod>(method_->currentData().toInt());
-  for (const auto& [name, box] : factors_) box->setEnabled(usesFactors(method));
+  for (const auto& [name, box] : factors_) {
+    box->setEnabled(usesFactors(method));
+  }
   blocks_->setEnabled(usesBlocks(method));
   const bool some = cohort_->count() > 0;
   const bool run = shell().may(Operation::kAllocationRun);
@@ -199,10 +219,12 @@ bool AllocationPage::preview() {
 
 void AllocationPage::showBalance() {
   std::vector<Row> rows;
-  if (preview_)
+  if (preview_) {
     for (const BalancePreview::Level& level : preview_->levels) {
       QStringList expected;
-      for (const double people : level.expected) expected << locale().toString(people, 'f', 1);
+      for (const double people : level.expected) {
+        expected << locale().toString(people, 'f', 1);
+      }
       rows.push_back(
           {QStringLiteral("%1/%2").arg(toQString(level.factor), toQString(level.level)),
            {{factorName(level.factor)},
@@ -212,14 +234,16 @@ void AllocationPage::showBalance() {
             {locale().toString(level.meanDifference, 'f', 1), level.meanDifference},
             {QString::number(level.worstDifference), static_cast<qlonglong>(level.worstDifference)}}});
     }
+  }
   balance_->setRows(std::move(rows));
   QString title = tr("How even it would come out");
   if (preview_) {
     title = tr("How even it would come out, over %1 tries with other seeds").arg(preview_->tries);
-    if (!preview_->missing.empty())
+    if (!preview_->missing.empty()) {
       title = tr("%1 trainee(s) lack one of these details: %2")
                   .arg(preview_->missing.size())
                   .arg(toQString(preview_->missing.front()));
+    }
   }
   balanceTitle_->setText(title);
 }
@@ -240,12 +264,16 @@ void AllocationPage::showDesign() {
                     row.stored.seed.empty() ? tr("sealed") : toQString(row.stored.seed));
     std::map<std::string, std::string> codes;
     std::map<std::string, std::string> groups;
-    for (const StoredEnrolment& enrolment : enrolments(shell().workplace(), chosenId(cohort_)))
+    for (const StoredEnrolment& enrolment : enrolments(shell().workplace(), chosenId(cohort_))) {
       codes[enrolment.id] = enrolment.traineeCode;
-    for (const CohortRow& cohort : cohorts(shell().workplace()))
-      for (const StoredGroup& group : cohort.groups) groups[group.id] = group.code;
+    }
+    for (const CohortRow& cohort : cohorts(shell().workplace())) {
+      for (const StoredGroup& group : cohort.groups) {
+        groups[group.id] = group.code;
+      }
+    }
     drawn_ = allocations(shell().workplace(), row.stored.id);
-    for (const StoredAllocation& record : drawn_)
+    for (const StoredAllocation& record : drawn_) {
       rows.push_back({toQString(record.id),
                       {{QString::number(record.sequence), static_cast<qlonglong>(record.sequence)},
                        {toQString(codes[record.enrolmentId])},
@@ -253,13 +281,15 @@ void AllocationPage::showDesign() {
                        {QString::number(record.numberInGroup), static_cast<qlonglong>(record.numberInGroup)},
                        {record.overrideReason.empty() ? tr("as drawn") : toQString(record.overrideReason)},
                        {toQString(record.recordHash.substr(0, 12))}}});
+    }
   }
-  if (cohort_->count() == 0)
+  if (cohort_->count() == 0) {
     text = tr("There is no cohort yet. Make one under Cohorts and enrol its trainees.");
-  else if (!shell().may(Operation::kAllocationRun))
+  } else if (!shell().may(Operation::kAllocationRun)) {
     text = tr("%1\n\nOnly a keeper of the allocation previews, locks and draws. Whoever has the role "
               "Administrator gives it to somebody under Users.")
                .arg(text);
+  }
   stateText_->setText(text);
   records_->setRows(std::move(rows));
 }
@@ -278,7 +308,9 @@ void AllocationPage::askLock() {
     const std::optional<std::string> given =
         askReason(this, tr("Replace the design"),
                   tr("Trainees were already allocated by the present design; they stay where they are."));
-    if (!given) return;
+    if (!given) {
+      return;
+    }
     reason = *given;
   } else if (QMessageBox::question(
                  this, tr("Lock the design"),
@@ -310,27 +342,41 @@ void AllocationPage::askMove() {
   const std::string id = records_->currentId().toStdString();
   const auto record =
       std::find_if(drawn_.begin(), drawn_.end(), [&](const StoredAllocation& one) { return one.id == id; });
-  if (record == drawn_.end()) return;
+  if (record == drawn_.end()) {
+    return;
+  }
   attempt(shell(), [&] {
     const std::string enrolmentId = record->enrolmentId;
     std::string present;  // where the newest record puts them
-    for (const StoredAllocation& one : drawn_)
-      if (one.enrolmentId == enrolmentId) present = one.groupId;
+    for (const StoredAllocation& one : drawn_) {
+      if (one.enrolmentId == enrolmentId) {
+        present = one.groupId;
+      }
+    }
     QString code;
-    for (const StoredEnrolment& one : enrolments(shell().workplace(), chosenId(cohort_)))
-      if (one.id == enrolmentId) code = toQString(one.traineeCode);
+    for (const StoredEnrolment& one : enrolments(shell().workplace(), chosenId(cohort_))) {
+      if (one.id == enrolmentId) {
+        code = toQString(one.traineeCode);
+      }
+    }
     std::vector<StoredGroup> groups;
-    for (const CohortRow& cohort : cohorts(shell().workplace()))
-      if (cohort.cohort.id == chosenId(cohort_)) groups = cohort.groups;
+    for (const CohortRow& cohort : cohorts(shell().workplace())) {
+      if (cohort.cohort.id == chosenId(cohort_)) {
+        groups = cohort.groups;
+      }
+    }
     std::erase_if(groups, [&](const StoredGroup& group) { return group.id == present; });
-    if (const std::optional<GroupMove> move = askGroupMove(this, code, groups))
+    if (const std::optional<GroupMove> move = askGroupMove(this, code, groups)) {
       moveByHand(enrolmentId, move->groupId, move->reason);
+    }
   });
 }
 
 bool AllocationPage::reveal(const std::string& reason) {
   return attempt(shell(), [&] {
-    if (designs_.empty()) return;
+    if (designs_.empty()) {
+      return;
+    }
     revealSeed(shell().workplace(), designs_.back().stored.id, reason);
     read();
   });
@@ -340,7 +386,9 @@ void AllocationPage::askReveal() {
   const std::optional<std::string> reason =
       askReason(this, tr("Open the seal"),
                 tr("From now on anybody can repeat the draw, and foresee what is left of it."));
-  if (reason) reveal(*reason);
+  if (reason) {
+    reveal(*reason);
+  }
 }
 
 bool AllocationPage::writeCards(const std::filesystem::path& file) {
@@ -354,7 +402,9 @@ bool AllocationPage::writeCards(const std::filesystem::path& file) {
 void AllocationPage::askCards() {
   const QString file =
       askFileToSave(this, tr("Sealed cards"), QStringLiteral("cards.pdf"), tr("PDF (*.pdf)"));
-  if (!file.isEmpty()) writeCards(toPath(file));
+  if (!file.isEmpty()) {
+    writeCards(toPath(file));
+  }
 }
 
 void AllocationPage::check() {
@@ -379,9 +429,12 @@ void AllocationPage::retranslate() {
   factorsLabel_->setText(tr("Balanced by"));
   blocksLabel_->setText(tr("&Block sizes"));
   blocks_->setToolTip(tr("Multiples of the number of groups; several are mixed at random"));
-  for (const auto& [name, box] : factors_) box->setText(factorName(name));
-  for (int i = 0; i < method_->count(); ++i)
+  for (const auto& [name, box] : factors_) {
+    box->setText(factorName(name));
+  }
+  for (int i = 0; i < method_->count(); ++i) {
     method_->setItemText(i, methodName(static_cast<AllocationMethod>(method_->itemData(i).toInt())));
+  }
   previewButton_->setText(tr("&Preview balance"));
   lock_->setText(tr("&Lock design\u2026"));
   state_->setTitle(tr("What counts now"));

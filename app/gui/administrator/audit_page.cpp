@@ -36,7 +36,9 @@ QDateTime timeOf(const AuditEntry& entry) {
 
 QString indented(const std::string& json) {
   const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(json));
-  if (document.isNull()) return toQString(json);
+  if (document.isNull()) {
+    return toQString(json);
+  }
   return QString::fromUtf8(document.toJson(QJsonDocument::Indented)).trimmed();
 }
 
@@ -73,7 +75,9 @@ AuditPage::AuditPage(ShellContext& shell)
   column->addWidget(verdict_);
   column->addWidget(splitter, 1);
 
-  for (const int days : {1, 7, 30, 0}) days_->addItem(QString(), days);
+  for (const int days : {1, 7, 30, 0}) {
+    days_->addItem(QString(), days);
+  }
   days_->setCurrentIndex(1);
   connect(verify_, &QPushButton::clicked, this, &AuditPage::verify);
   connect(days_, &QComboBox::currentIndexChanged, this, [this] {
@@ -106,7 +110,9 @@ void AuditPage::retranslate() {
   verify_->setText(tr("&Verify"));
   verify_->setToolTip(tr("Checks every entry, every sealed mark and every recorded trial"));
   const QStringList spans{tr("Last day"), tr("Last week"), tr("Last month"), tr("Everything")};
-  for (int index = 0; index < spans.size(); ++index) days_->setItemText(index, spans[index]);
+  for (int index = 0; index < spans.size(); ++index) {
+    days_->setItemText(index, spans[index]);
+  }
   more_->setToolTip(tr("Only the newest entries of this time are shown; this shows twice as many"));
   days_->setAccessibleName(tr("Time span"));
   entry_->setAccessibleName(tr("Chosen entry"));
@@ -128,10 +134,14 @@ void AuditPage::read() {
   attempt(shell(), [&] {
     const int days = days_->currentData().toInt();
     AuditFilter filter{.limit = most_ + 1};  // one more tells whether there are older ones
-    if (days > 0) filter.fromUtc_us = shell().workplace().now_us() - days * kDay_us;
+    if (days > 0) {
+      filter.fromUtc_us = shell().workplace().now_us() - days * kDay_us;
+    }
     entries_ = auditEntries(shell().workplace(), filter);
     const bool older = std::ssize(entries_) > most_;
-    if (older) entries_.pop_back();
+    if (older) {
+      entries_.pop_back();
+    }
     all_ = older ? auditEntryCount(shell().workplace(), filter.fromUtc_us) : std::ssize(entries_);
     more_->setVisible(older);
     logins_ = auditActors(shell().workplace());
@@ -170,7 +180,9 @@ void AuditPage::showEntry(const QString& id) {
   }
   QStringList lines;
   const auto add = [&lines](const QString& name, const QString& value) {
-    if (!value.isEmpty()) lines << QStringLiteral("%1: %2").arg(name, value);
+    if (!value.isEmpty()) {
+      lines << QStringLiteral("%1: %2").arg(name, value);
+    }
   };
   add(tr("When (UTC)"), timeOf(*found).toUTC().toString(Qt::ISODateWithMs));
   const auto withCode = [](const Text& words, const std::string& code) {
@@ -202,7 +214,9 @@ void AuditPage::verify() {
 
 void AuditPage::showVerdict() {
   verdict_->setVisible(findings_.has_value());
-  if (!findings_) return;
+  if (!findings_) {
+    return;
+  }
   const bool sound = findings_->empty();
   verdict_->setProperty("good", sound);
   verdict_->setProperty("caution", !sound);

@@ -33,7 +33,9 @@ std::int64_t milli(const QDoubleSpinBox* field) {
 
 std::int64_t sumOf(const std::vector<QDoubleSpinBox*>& fields) {
   std::int64_t sum = 0;
-  for (const QDoubleSpinBox* field : fields) sum += milli(field);
+  for (const QDoubleSpinBox* field : fields) {
+    sum += milli(field);
+  }
   return sum;
 }
 
@@ -68,12 +70,15 @@ CampaignDialog::CampaignDialog(const std::vector<PersonRow>& raters, QWidget* pa
   raters_->setColumns({{tr("Rater")}, {tr("Class")}});
   raters_->setEmptyText(tr("No raters yet: import them under Roster."));
   std::vector<Row> rows;
-  for (const PersonRow& rater : raters)
+  for (const PersonRow& rater : raters) {
     rows.push_back(
         {toQString(rater.person.id), {{toQString(rater.person.code)}, {raterClassName(rater.raterClass)}}});
+  }
   raters_->setRows(std::move(rows));
   raters_->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
-  for (const PersonRow& rater : raters) classOf_[toQString(rater.person.id)] = rater.raterClass;
+  for (const PersonRow& rater : raters) {
+    classOf_[toQString(rater.person.id)] = rater.raterClass;
+  }
   raters_->view().selectAll();
   connect(raters_, &DataTable::currentChanged, this, &CampaignDialog::check);
   auto* left = new QVBoxLayout;
@@ -108,12 +113,15 @@ QWidget* CampaignDialog::weightFields() {
   auto* indices = new QLabel(tr("Weights of the indices"), box);
   indices->setObjectName(QStringLiteral("cardTitle"));
   form->addRow(indices);
-  for (const EvaluationIndex& index : instrument_.indices) add(index.name, index.weight_milli, indexWeights_);
+  for (const EvaluationIndex& index : instrument_.indices) {
+    add(index.name, index.weight_milli, indexWeights_);
+  }
   auto* classes = new QLabel(tr("Weights of the classes of raters"), box);
   classes->setObjectName(QStringLiteral("cardTitle"));
   form->addRow(classes);
-  for (const RaterClass& raterClass : instrument_.classes)
+  for (const RaterClass& raterClass : instrument_.classes) {
     add(raterClass.name, raterClass.weight_milli, classWeights_);
+  }
   sums_->setWordWrap(true);
   form->addRow(sums_);
   return box;
@@ -122,21 +130,26 @@ QWidget* CampaignDialog::weightFields() {
 void CampaignDialog::check() {
   const bool even = sumOf(indexWeights_) == kWhole_milli && sumOf(classWeights_) == kWhole_milli;
   std::set<std::string> present;
-  for (const QString& id : raters_->selectedIds()) present.insert(classOf_[id]);
+  for (const QString& id : raters_->selectedIds()) {
+    present.insert(classOf_[id]);
+  }
   QStringList empty;
-  for (std::size_t i = 0; i < classWeights_.size(); ++i)
-    if (milli(classWeights_[i]) > 0 && !present.contains(instrument_.classes[i].id))
+  for (std::size_t i = 0; i < classWeights_.size(); ++i) {
+    if (milli(classWeights_[i]) > 0 && !present.contains(instrument_.classes[i].id)) {
       empty << raterClassName(instrument_.classes[i].id);
-  if (!even)
+    }
+  }
+  if (!even) {
     sums_->setText(tr("The weights must sum to 1: indices %1, classes %2.")
                        .arg(locale().toString(static_cast<double>(sumOf(indexWeights_)) / 1000.0, 'f', 3),
                             locale().toString(static_cast<double>(sumOf(classWeights_)) / 1000.0, 'f', 3)));
-  else if (!empty.isEmpty())
+  } else if (!empty.isEmpty()) {
     sums_->setText(
         tr("Choose raters of every class that has a weight. Missing: %1.").arg(empty.join(tr(", "))));
-  else
+  } else {
     sums_->setText(
         tr("Both lists of weights sum to 1; %1 raters are chosen.").arg(raters_->selectedIds().size()));
+  }
   buttons_->button(QDialogButtonBox::Ok)
       ->setEnabled(even && empty.isEmpty() && !name_->text().trimmed().isEmpty() &&
                    plan().models.size() >= 2);
@@ -146,17 +159,22 @@ CampaignPlan CampaignDialog::plan() const {
   CampaignPlan out;
   out.name = name_->text().trimmed().toStdString();
   out.instrument = instrument_;
-  for (std::size_t i = 0; i < indexWeights_.size(); ++i)
+  for (std::size_t i = 0; i < indexWeights_.size(); ++i) {
     out.instrument.indices[i].weight_milli = milli(indexWeights_[i]);
-  for (std::size_t i = 0; i < classWeights_.size(); ++i)
+  }
+  for (std::size_t i = 0; i < classWeights_.size(); ++i) {
     out.instrument.classes[i].weight_milli = milli(classWeights_[i]);
+  }
   for (const QString& line : models_->toPlainText().split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
     const QString code = line.section(QLatin1Char('='), 0, 0).trimmed();
     const QString label = line.section(QLatin1Char('='), 1).trimmed();
-    if (!code.isEmpty())
+    if (!code.isEmpty()) {
       out.models.push_back({code.toStdString(), (label.isEmpty() ? code : label).toStdString()});
+    }
   }
-  for (const QString& id : raters_->selectedIds()) out.raterIds.push_back(id.toStdString());
+  for (const QString& id : raters_->selectedIds()) {
+    out.raterIds.push_back(id.toStdString());
+  }
   return out;
 }
 

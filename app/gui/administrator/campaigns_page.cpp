@@ -39,7 +39,9 @@ CampaignsPage::CampaignsPage(ShellContext& shell)
 
 void CampaignsPage::enter(const QVariant&) {
   read();
-  if (table_->currentId().isEmpty() && !rows_.empty()) table_->select(toQString(rows_.back().campaign.id));
+  if (table_->currentId().isEmpty() && !rows_.empty()) {
+    table_->select(toQString(rows_.back().campaign.id));
+  }
 }
 
 void CampaignsPage::read() {
@@ -53,8 +55,9 @@ void CampaignsPage::showContent() {
   std::vector<Row> rows;
   for (const CampaignRow& row : rows_) {
     QStringList models;
-    for (const StoredModel& model : row.campaign.models)
+    for (const StoredModel& model : row.campaign.models) {
       models << tr("%1 (shown as %2)").arg(toQString(model.label), toQString(model.hiddenLabel));
+    }
     rows.push_back({toQString(row.campaign.id),
                     {{toQString(row.campaign.name)},
                      {QString::number(row.raters.size()), static_cast<qlonglong>(row.raters.size())},
@@ -76,8 +79,8 @@ void CampaignsPage::showRaters() {
   std::vector<Row> rows;
   ratersTitle_->setText(row != rows_.end() ? tr("Raters of %1").arg(toQString(row->campaign.name))
                                            : QString());
-  if (row != rows_.end())
-    for (const CampaignRow::Rater& rater : row->raters)
+  if (row != rows_.end()) {
+    for (const CampaignRow::Rater& rater : row->raters) {
       rows.push_back({toQString(rater.id),
                       {{toQString(rater.code)},
                        {raterClassName(rater.classCode)},
@@ -86,6 +89,8 @@ void CampaignsPage::showRaters() {
                        {rater.submitted == rater.expected ? tr("done")
                         : rater.submitted == 0            ? tr("not begun")
                                                           : tr("begun")}}});
+    }
+  }
   raters_->setRows(std::move(rows));
 }
 
@@ -100,10 +105,15 @@ bool CampaignsPage::add(const CampaignPlan& plan) {
 void CampaignsPage::askNew() {
   attempt(shell(), [&] {
     std::vector<PersonRow> raters;
-    for (PersonRow& person : people(shell().workplace()))
-      if (person.rater && person.person.state == "active") raters.push_back(std::move(person));
+    for (PersonRow& person : people(shell().workplace())) {
+      if (person.rater && person.person.state == "active") {
+        raters.push_back(std::move(person));
+      }
+    }
     CampaignDialog dialog(raters, this);
-    if (dialog.exec() == QDialog::Accepted) add(dialog.plan());
+    if (dialog.exec() == QDialog::Accepted) {
+      add(dialog.plan());
+    }
   });
 }
 

@@ -97,10 +97,14 @@ QWidget* CarePage::cards() {
   backupButton_->setProperty("primary", true);
   const auto fill = [](Card* card, std::initializer_list<QWidget*> content,
                        std::initializer_list<QPushButton*> acts) {
-    for (QWidget* widget : content) card->content()->addWidget(widget);
+    for (QWidget* widget : content) {
+      card->content()->addWidget(widget);
+    }
     card->content()->addStretch(1);
     auto* row = new QHBoxLayout;
-    for (QPushButton* button : acts) row->addWidget(button);
+    for (QPushButton* button : acts) {
+      row->addWidget(button);
+    }
     row->addStretch(1);
     card->content()->addLayout(row);
   };
@@ -122,12 +126,16 @@ void CarePage::enter(const QVariant&) {
 
 void CarePage::read() {
   attempt(shell(), [&] {
-    if (shell().may(Operation::kPersonErase)) demonstration_ = demonstrationSize(shell().workplace());
+    if (shell().may(Operation::kPersonErase)) {
+      demonstration_ = demonstrationSize(shell().workplace());
+    }
     due_.clear();
-    if (shell().may(Operation::kRetentionManage)) due_ = retentionQueue(shell().workplace());
+    if (shell().may(Operation::kRetentionManage)) {
+      due_ = retentionQueue(shell().workplace());
+    }
     showRecord();
     std::vector<Row> rows;
-    for (const RetentionItem& item : due_)
+    for (const RetentionItem& item : due_) {
       rows.push_back(
           {toQString(item.personId),
            {{toQString(item.code)},
@@ -138,6 +146,7 @@ void CarePage::read() {
             {!item.held                  ? tr("to be reviewed")
              : item.hold->kind == "lock" ? tr("locked: %1").arg(toQString(item.hold->reason))
                                          : tr("kept longer: %1").arg(toQString(item.hold->reason))}}});
+    }
     queue_->setRows(std::move(rows));
     showButtons();
   });
@@ -153,16 +162,17 @@ void CarePage::showRecord() {
     lines << tr("%1, %2 free on the disk")
                  .arg(locale().formattedDataSize(file.size()),
                       locale().formattedDataSize(disk.bytesAvailable()));
-    if (disk.bytesTotal() > 0)
+    if (disk.bytesTotal() > 0) {
       disk_->setValue(static_cast<int>(kDiskParts * (1.0 - static_cast<double>(disk.bytesAvailable()) /
                                                                static_cast<double>(disk.bytesTotal()))));
+    }
     disk_->setAccessibleName(tr("Disk in use"));
     disk_->setVisible(true);
   } else {
     lines << tr("On a database server");
     disk_->setVisible(false);
   }
-  if (check_)
+  if (check_) {
     lines << (check_->sound() ? tr("\u2713 Checked: sound, schema %1, %2 audit entries")
                                     .arg(check_->schemaVersion)
                                     .arg(check_->auditEntries)
@@ -170,6 +180,7 @@ void CarePage::showRecord() {
                                     .arg(check_->damage.size() + check_->audit.size())
                                     .arg(check_->damage.empty() ? toQString(check_->audit.front().what)
                                                                 : toQString(check_->damage.front())));
+  }
   recordText_->setText(lines.join(QLatin1Char('\n')));
   setLook(recordText_, "caution", check_ && !check_->sound());
   simulatedText_->setText(demonstration_.people == 0
@@ -198,7 +209,9 @@ void CarePage::showButtons() {
                "server's own tools."));
   rules_->setEnabled(shell().may(Operation::kRetentionManage));
   const RetentionItem* item = current();
-  for (QPushButton* button : {keep_, lock_}) button->setEnabled(item != nullptr);
+  for (QPushButton* button : {keep_, lock_}) {
+    button->setEnabled(item != nullptr);
+  }
   lock_->setText(item != nullptr && item->held ? tr("&Release\u2026") : tr("&Lock\u2026"));
   erase_->setEnabled(item != nullptr && !item->held && shell().may(Operation::kPersonErase));
 }
@@ -265,12 +278,16 @@ bool CarePage::removeDemonstration(const std::string& reason) {
 void CarePage::askBackUp() {
   const QString name = QStringLiteral("torsio-%1.sqlite").arg(QDate::currentDate().toString(Qt::ISODate));
   const QString file = askFileToSave(this, tr("Back up to"), name, tr("Backup (*.sqlite)"));
-  if (!file.isEmpty()) backUp(toPath(file));
+  if (!file.isEmpty()) {
+    backUp(toPath(file));
+  }
 }
 
 void CarePage::askTest() {
   const QString file = askFileToOpen(this, tr("Test a backup"), tr("Backup (*.sqlite)"));
-  if (!file.isEmpty()) testBackup(toPath(file));
+  if (!file.isEmpty()) {
+    testBackup(toPath(file));
+  }
 }
 
 void CarePage::askRemoveDemonstration() {
@@ -278,27 +295,38 @@ void CarePage::askRemoveDemonstration() {
       askReason(this, tr("Remove the demonstration"),
                 tr("%1 simulated people and all that belongs to them go at once. This cannot be taken back.")
                     .arg(demonstration_.people));
-  if (reason) removeDemonstration(*reason);
+  if (reason) {
+    removeDemonstration(*reason);
+  }
 }
 
 void CarePage::changeRules() {
   attempt(shell(), [&] {
     const std::optional<RetentionRulesEdit> edit =
         askRetentionRules(this, retentionRules(shell().workplace()));
-    if (!edit) return;
-    for (const RetentionRule& rule : edit->set)
+    if (!edit) {
+      return;
+    }
+    for (const RetentionRule& rule : edit->set) {
       setRetentionRule(shell().workplace(), rule.category, rule.keep_days, rule.basis);
-    for (const std::string& category : edit->removed) removeRetentionRule(shell().workplace(), category);
+    }
+    for (const std::string& category : edit->removed) {
+      removeRetentionRule(shell().workplace(), category);
+    }
     read();
   });
 }
 
 void CarePage::keepLonger() {
   const RetentionItem* item = current();
-  if (item == nullptr) return;
+  if (item == nullptr) {
+    return;
+  }
   const std::optional<std::string> reason = askReason(
       this, tr("Keep longer"), tr("The record of %1 is kept for another year.").arg(toQString(item->code)));
-  if (!reason) return;
+  if (!reason) {
+    return;
+  }
   attempt(shell(), [&] {
     extendRecord(shell().workplace(), item->personId, shell().workplace().now_us() + kYear_us, *reason);
     read();
@@ -307,14 +335,18 @@ void CarePage::keepLonger() {
 
 void CarePage::lock() {
   const RetentionItem* item = current();
-  if (item == nullptr) return;
+  if (item == nullptr) {
+    return;
+  }
   const std::optional<std::string> reason =
       item->held
           ? askReason(this, tr("Release"),
                       tr("The record of %1 is no longer held.").arg(toQString(item->code)))
           : askReason(this, tr("Lock"),
                       tr("The record of %1 is kept until somebody releases it.").arg(toQString(item->code)));
-  if (!reason) return;
+  if (!reason) {
+    return;
+  }
   attempt(shell(), [&] {
     if (item->held) {
       releaseRecord(shell().workplace(), item->personId, *reason);
@@ -327,7 +359,9 @@ void CarePage::lock() {
 
 void CarePage::erase() {
   const RetentionItem* item = current();
-  if (item == nullptr) return;
+  if (item == nullptr) {
+    return;
+  }
   attempt(shell(), [&] {
     const std::array<std::string, 1> who = {item->personId};
     const RetentionOutcome tried = eraseDue(shell().workplace(), who, "dry run", true);
@@ -337,7 +371,9 @@ void CarePage::erase() {
                      "person, so that statistics remain right.")
                       .arg(toQString(item->code))
                       .arg(tried.recordings));
-    if (!reason) return;
+    if (!reason) {
+      return;
+    }
     static_cast<void>(eraseDue(shell().workplace(), who, *reason, false));
     read();
   });

@@ -30,7 +30,9 @@ CohortDialog::CohortDialog(const std::vector<CurriculumRow>& curricula, QWidget*
   name_->setObjectName(QStringLiteral("name"));
   setWindowTitle(tr("New cohort"));
   curriculum_->addItem(tr("none yet"), QString());
-  for (const auto& [id, title] : runningVersions(curricula)) curriculum_->addItem(title, toQString(id));
+  for (const auto& [id, title] : runningVersions(curricula)) {
+    curriculum_->addItem(title, toQString(id));
+  }
   curriculum_->setCurrentIndex(curriculum_->count() > 1 ? 1 : 0);
   groups_->setPlaceholderText(tr("Group 1, Group 2, Group 3"));
   groupsLabel_->setBuddy(groups_);
@@ -65,10 +67,13 @@ NewCohort CohortDialog::cohort() const {
   out.name = name_->text().trimmed().toStdString();
   out.description = description_->text().trimmed().toStdString();
   out.curriculumVersionId = chosenId(curriculum_);
-  if (!out.curriculumVersionId.empty()) return out;
+  if (!out.curriculumVersionId.empty()) {
+    return out;
+  }
   int number = 0;
-  for (const QString& label : groups_->text().split(QLatin1Char(','), Qt::SkipEmptyParts))
+  for (const QString& label : groups_->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
     out.groups.push_back({QStringLiteral("G%1").arg(++number).toStdString(), label.trimmed().toStdString()});
+  }
   return out;
 }
 
@@ -82,13 +87,14 @@ PeopleDialog::PeopleDialog(const QString& title, const QString& question,
   table_->setColumns({{tr("Code")}, {tr("Sex")}, {tr("Level")}, {tr("Experience")}, {tr("Class of raters")}});
   table_->setEmptyText(tr("Nobody is left to choose."));
   std::vector<Row> rows;
-  for (const PersonRow& row : people)
+  for (const PersonRow& row : people) {
     rows.push_back({toQString(row.person.id),
                     {{toQString(row.person.code)},
                      {levelName(row.person.sex)},
                      {orDash(row.person.level)},
                      {orDash(row.person.experience)},
                      {raterClassName(row.raterClass)}}});
+  }
   table_->setRows(std::move(rows));
   table_->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
   table_->view().selectAll();
@@ -113,33 +119,45 @@ PeopleDialog::PeopleDialog(const QString& title, const QString& question,
 
 std::vector<std::string> PeopleDialog::chosen() const {
   std::vector<std::string> out;
-  for (const QString& id : table_->selectedIds()) out.push_back(id.toStdString());
+  for (const QString& id : table_->selectedIds()) {
+    out.push_back(id.toStdString());
+  }
   return out;
 }
 
 std::vector<std::pair<std::string, QString>> runningVersions(const std::vector<CurriculumRow>& curricula) {
   std::vector<std::pair<std::string, QString>> out;
-  for (const CurriculumRow& row : curricula)
-    for (auto version = row.versions.rbegin(); version != row.versions.rend(); ++version)
-      if (version->state == "running")
+  for (const CurriculumRow& row : curricula) {
+    for (auto version = row.versions.rbegin(); version != row.versions.rend(); ++version) {
+      if (version->state == "running") {
         out.emplace_back(
             version->id,
             CohortDialog::tr("%1, version %2").arg(toQString(row.curriculum.name)).arg(version->number));
+      }
+    }
+  }
   return out;
 }
 
 std::optional<std::string> askCurriculum(QWidget* parent, const std::vector<CurriculumRow>& curricula) {
   const auto running = runningVersions(curricula);
   QStringList titles;
-  for (const auto& [id, title] : running) titles << title;
+  for (const auto& [id, title] : running) {
+    titles << title;
+  }
   bool given = false;
   const QString title = QInputDialog::getItem(
       parent, CohortDialog::tr("Follow a curriculum"),
       CohortDialog::tr("The groups of the cohort go through its arms, number by number."), titles, 0, false,
       &given);
-  if (!given) return std::nullopt;
-  for (const auto& [id, known] : running)
-    if (known == title) return id;
+  if (!given) {
+    return std::nullopt;
+  }
+  for (const auto& [id, known] : running) {
+    if (known == title) {
+      return id;
+    }
+  }
   return std::nullopt;
 }
 

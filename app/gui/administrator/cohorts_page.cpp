@@ -45,7 +45,9 @@ CohortsPage::CohortsPage(ShellContext& shell)
   connect(enrol_, &QPushButton::clicked, this, &CohortsPage::enrol);
   connect(follow_, &QPushButton::clicked, this, &CohortsPage::follow);
   connect(allocate_, &QPushButton::clicked, this, [this] {
-    if (const CohortRow* row = current()) this->shell().open(PageId::kAllocation, toQString(row->cohort.id));
+    if (const CohortRow* row = current()) {
+      this->shell().open(PageId::kAllocation, toQString(row->cohort.id));
+    }
   });
   connect(state_, &QPushButton::clicked, this, &CohortsPage::changeState);
   connect(table_, &DataTable::currentChanged, this, &CohortsPage::showMembers);
@@ -57,8 +59,12 @@ CohortsPage::CohortsPage(ShellContext& shell)
 
 void CohortsPage::enter(const QVariant& argument) {
   read();
-  if (argument.isValid()) table_->select(argument.toString());
-  if (table_->currentId().isEmpty() && !rows_.empty()) table_->select(toQString(rows_.back().cohort.id));
+  if (argument.isValid()) {
+    table_->select(argument.toString());
+  }
+  if (table_->currentId().isEmpty() && !rows_.empty()) {
+    table_->select(toQString(rows_.back().cohort.id));
+  }
 }
 
 void CohortsPage::read() {
@@ -70,7 +76,7 @@ void CohortsPage::read() {
 
 void CohortsPage::showContent() {
   std::vector<Row> rows;
-  for (const CohortRow& row : rows_)
+  for (const CohortRow& row : rows_) {
     rows.push_back(
         {toQString(row.cohort.id),
          {{toQString(row.cohort.name)},
@@ -83,6 +89,7 @@ void CohortsPage::showContent() {
           {QString::number(row.withdrawn), static_cast<qlonglong>(row.withdrawn)},
           {row.cohort.demonstration ? tr("demonstration") : QStringLiteral("\u2013")},
           timeCell(row.cohort.createdUtc_us)}});
+  }
   table_->setRows(std::move(rows));
   showMembers();
 }
@@ -104,9 +111,11 @@ void CohortsPage::showMembers() {
   state_->setEnabled(false);
   membersTitle_->setText(row != nullptr ? tr("Trainees of %1").arg(toQString(row->cohort.name)) : QString());
   enrolments_.clear();
-  if (row != nullptr) attempt(shell(), [&] { enrolments_ = enrolments(workplace, row->cohort.id); });
+  if (row != nullptr) {
+    attempt(shell(), [&] { enrolments_ = enrolments(workplace, row->cohort.id); });
+  }
   std::vector<Row> rows;
-  for (const StoredEnrolment& enrolment : enrolments_)
+  for (const StoredEnrolment& enrolment : enrolments_) {
     rows.push_back(
         {toQString(enrolment.id),
          {{toQString(enrolment.traineeCode)},
@@ -115,13 +124,16 @@ void CohortsPage::showMembers() {
            static_cast<qlonglong>(enrolment.numberInGroup)},
           {enrolmentStateName(enrolment.state)},
           timeCell(enrolment.enrolledUtc_us)}});
+  }
   members_->setRows(std::move(rows));
 }
 
 void CohortsPage::addNew() {
   attempt(shell(), [&] {
     CohortDialog dialog(curricula(shell().workplace()), this);
-    if (dialog.exec() != QDialog::Accepted) return;
+    if (dialog.exec() != QDialog::Accepted) {
+      return;
+    }
     const std::string id = addCohort(shell().workplace(), dialog.cohort());
     read();
     table_->select(toQString(id));
@@ -130,19 +142,27 @@ void CohortsPage::addNew() {
 
 void CohortsPage::enrol() {
   const CohortRow* row = current();
-  if (row == nullptr) return;
+  if (row == nullptr) {
+    return;
+  }
   attempt(shell(), [&] {
     std::set<std::string> there;
-    for (const StoredEnrolment& enrolment : enrolments_) there.insert(enrolment.traineeId);
+    for (const StoredEnrolment& enrolment : enrolments_) {
+      there.insert(enrolment.traineeId);
+    }
     std::vector<PersonRow> free;
-    for (PersonRow& person : people(shell().workplace()))
+    for (PersonRow& person : people(shell().workplace())) {
       if (person.trainee && person.person.state == "active" && !there.contains(person.person.id) &&
-          person.person.demonstration == row->cohort.demonstration)
+          person.person.demonstration == row->cohort.demonstration) {
         free.push_back(std::move(person));
+      }
+    }
     PeopleDialog dialog(tr("Enrol trainees"),
                         tr("Who takes part in %1? Groups are drawn later.").arg(toQString(row->cohort.name)),
                         free, this);
-    if (dialog.exec() != QDialog::Accepted || dialog.chosen().empty()) return;
+    if (dialog.exec() != QDialog::Accepted || dialog.chosen().empty()) {
+      return;
+    }
     const std::string cohort = row->cohort.id;
     enrolTrainees(shell().workplace(), cohort, dialog.chosen());
     read();
@@ -152,7 +172,9 @@ void CohortsPage::enrol() {
 
 void CohortsPage::follow() {
   const CohortRow* row = current();
-  if (row == nullptr) return;
+  if (row == nullptr) {
+    return;
+  }
   attempt(shell(), [&] {
     const std::vector<CurriculumRow> all = curricula(shell().workplace());
     if (runningVersions(all).empty()) {
@@ -161,7 +183,9 @@ void CohortsPage::follow() {
       return;
     }
     const std::optional<std::string> version = askCurriculum(this, all);
-    if (!version) return;
+    if (!version) {
+      return;
+    }
     const std::string cohort = row->cohort.id;
     assignCurriculum(shell().workplace(), cohort, *version);
     read();
@@ -174,13 +198,17 @@ void CohortsPage::changeState() {
   const std::string id = members_->currentId().toStdString();
   const auto enrolment = std::find_if(enrolments_.begin(), enrolments_.end(),
                                       [&](const StoredEnrolment& e) { return e.id == id; });
-  if (row == nullptr || enrolment == enrolments_.end()) return;
+  if (row == nullptr || enrolment == enrolments_.end()) {
+    return;
+  }
   const bool back = enrolment->state == EnrolmentState::kWithdrawn;
   const std::optional<std::string> reason = askReason(
       this, back ? tr("Back into the study") : tr("Withdraw from the study"),
       back ? tr("%1 takes part again.").arg(toQString(enrolment->traineeCode))
            : tr("%1 trains no further; what was recorded stays.").arg(toQString(enrolment->traineeCode)));
-  if (!reason) return;
+  if (!reason) {
+    return;
+  }
   attempt(shell(), [&] {
     setEnrolmentState(shell().workplace(), row->cohort.id, id,
                       back ? EnrolmentState::kEnrolled : EnrolmentState::kWithdrawn, *reason);

@@ -66,7 +66,9 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
   showing_->setBuddy(versions_);
   acts->addWidget(showing_);
   acts->addWidget(versions_, 1);
-  for (QPushButton* button : {save_, publish_, take_, begin_, close_}) acts->addWidget(button);
+  for (QPushButton* button : {save_, publish_, take_, begin_, close_}) {
+    acts->addWidget(button);
+  }
   rightColumn->addLayout(acts);
   rightColumn->addWidget(state_);
   rightColumn->addWidget(editor_, 1);
@@ -100,8 +102,12 @@ CurriculaPage::CurriculaPage(ShellContext& shell)
 
 void CurriculaPage::enter(const QVariant& argument) {
   read();
-  if (argument.isValid()) table_->select(argument.toString());
-  if (table_->currentId().isEmpty() && !rows_.empty()) table_->select(toQString(rows_.front().curriculum.id));
+  if (argument.isValid()) {
+    table_->select(argument.toString());
+  }
+  if (table_->currentId().isEmpty() && !rows_.empty()) {
+    table_->select(toQString(rows_.front().curriculum.id));
+  }
 }
 
 bool CurriculaPage::leave() {
@@ -158,12 +164,15 @@ void CurriculaPage::showDraft() {
   }
   CurriculumDraft draft;
   const bool found = attempt(shell(), [&] {
-    if (shell().may(Operation::kCurriculumEdit))
+    if (shell().may(Operation::kCurriculumEdit)) {
       draft = curriculumDraft(shell().workplace(), row->curriculum.id);
-    else if (!row->versions.empty())
+    } else if (!row->versions.empty()) {
       draft.content = publishedContent(shell().workplace(), row->versions.back().id);
+    }
   });
-  if (!found) return;
+  if (!found) {
+    return;
+  }
   const bool sameAsShown = shownId_ == row->curriculum.id && shownVersion() == nullptr &&
                            curriculumJson(draft.content) == curriculumJson(editor_->content());
   draft_ = std::move(draft);
@@ -185,12 +194,15 @@ void CurriculaPage::fillVersions() {
                              ? versions_->currentData().toString()
                              : QString();
   versions_->clear();
-  if (row == nullptr) return;
+  if (row == nullptr) {
+    return;
+  }
   versions_->setProperty("of", toQString(row->curriculum.id));
   versions_->addItem(tr("Draft"), QString());
-  for (auto version = row->versions.rbegin(); version != row->versions.rend(); ++version)
+  for (auto version = row->versions.rbegin(); version != row->versions.rend(); ++version) {
     versions_->addItem(tr("Version %1 (%2)").arg(version->number).arg(versionStateName(version->state)),
                        toQString(version->id));
+  }
   versions_->setCurrentIndex(std::max(0, versions_->findData(before)));
 }
 
@@ -216,14 +228,18 @@ void CurriculaPage::showChosenVersion() {
 const CurriculumVersionRow* CurriculaPage::shownVersion() const {
   const CurriculumRow* row = current();
   const std::string id = versions_->currentData().toString().toStdString();
-  if (row == nullptr || id.empty()) return nullptr;
+  if (row == nullptr || id.empty()) {
+    return nullptr;
+  }
   const auto found = std::find_if(row->versions.begin(), row->versions.end(),
                                   [&](const CurriculumVersionRow& version) { return version.id == id; });
   return found == row->versions.end() ? nullptr : &*found;
 }
 
 const CurriculumVersionRow* CurriculaPage::versionAtHand() const {
-  if (const CurriculumVersionRow* version = shownVersion()) return version;
+  if (const CurriculumVersionRow* version = shownVersion()) {
+    return version;
+  }
   const CurriculumRow* row = current();
   return row == nullptr || row->versions.empty() ? nullptr : &row->versions.back();
 }
@@ -256,13 +272,18 @@ void CurriculaPage::sayState() {
 }
 
 QString CurriculaPage::draftText(const CurriculumRow& row) const {
-  if (dirty_)
+  if (dirty_) {
     return tr("%1: changed, not saved. The draft is also saved when you leave.")
         .arg(toQString(row.curriculum.name));
+  }
   QString next = tr("Everything may be changed; nobody is touched until it is published as version %1.")
                      .arg(row.versions.size() + 1);
-  if (row.hasDraft) next = tr("Saved %1. %2").arg(shownTime(row.draftChangedUtc_us, locale()), next);
-  if (row.versions.empty()) return next;
+  if (row.hasDraft) {
+    next = tr("Saved %1. %2").arg(shownTime(row.draftChangedUtc_us, locale()), next);
+  }
+  if (row.versions.empty()) {
+    return next;
+  }
   const CurriculumVersionRow& newest = row.versions.back();
   return tr("%1 The newest version is %2: %3.")
       .arg(next)
@@ -272,24 +293,30 @@ QString CurriculaPage::draftText(const CurriculumRow& row) const {
 
 QString CurriculaPage::versionText(const CurriculumRow& row, const CurriculumVersionRow& version) const {
   QStringList followers;
-  for (const std::string& cohort : version.cohorts) followers << toQString(cohort);
+  for (const std::string& cohort : version.cohorts) {
+    followers << toQString(cohort);
+  }
   const QString who = followers.isEmpty() ? tr("No cohort follows it.")
                                           : tr("Followed by: %1.").arg(followers.join(tr(", ")));
   QString words;
-  if (version.state == "draft")
+  if (version.state == "draft") {
     words = tr("Published on %1 and never changes. Begin it, so that cohorts can follow it.");
-  else if (version.state == "running")
+  } else if (version.state == "running") {
     words =
         tr("Published on %1, running: cohorts can choose it. It never changes; to change anything, edit the "
            "draft and publish the next version.");
-  else
+  } else {
     words =
         tr("Published on %1, closed: no further cohort can choose it; who follows it goes on. It is kept as "
            "it was.");
+  }
   words = words.arg(shownTime(version.createdUtc_us, locale()));
-  if (!version.note.empty()) words = tr("%1 Note: %2.").arg(words, toQString(version.note));
-  if (version.number < row.versions.back().number)
+  if (!version.note.empty()) {
+    words = tr("%1 Note: %2.").arg(words, toQString(version.note));
+  }
+  if (version.number < row.versions.back().number) {
     words = tr("%1 Superseded by version %2.").arg(words).arg(row.versions.back().number);
+  }
   return tr("%1 %2").arg(words, who);
 }
 
@@ -297,11 +324,12 @@ bool CurriculaPage::add(const std::string& name, const std::string& templateId) 
   return attempt(shell(), [&] {
     std::optional<StoredCurriculumVersion> content;
     std::string description;
-    for (const CurriculumTemplate& known : curriculumTemplates(shell().assets()))
+    for (const CurriculumTemplate& known : curriculumTemplates(shell().assets())) {
       if (known.id == templateId) {
         content = known.content;
         description = known.description;
       }
+    }
     const std::string id = addCurriculum(shell().workplace(), name, description, content);
     read();
     table_->select(toQString(id));
@@ -309,7 +337,9 @@ bool CurriculaPage::add(const std::string& name, const std::string& templateId) 
 }
 
 bool CurriculaPage::save() {
-  if (shownId_.empty() || shownVersion() != nullptr) return true;
+  if (shownId_.empty() || shownVersion() != nullptr) {
+    return true;
+  }
   return attempt(shell(), [&] {
     draft_.content = editor_->content();
     draft_.revision = saveCurriculumDraft(shell().workplace(), shownId_, draft_);
@@ -320,7 +350,9 @@ bool CurriculaPage::save() {
 }
 
 bool CurriculaPage::publish(const std::string& note) {
-  if (dirty_ && !save()) return false;
+  if (dirty_ && !save()) {
+    return false;
+  }
   return attempt(shell(), [&] {
     const std::string id = shownId_;
     // A curriculum that was never saved as a draft is published from what stands in the editor.
@@ -337,7 +369,9 @@ bool CurriculaPage::publish(const std::string& note) {
 
 bool CurriculaPage::begin() {
   const CurriculumVersionRow* version = versionAtHand();
-  if (version == nullptr) return false;
+  if (version == nullptr) {
+    return false;
+  }
   return attempt(shell(), [&] {
     const std::string id = shownId_;
     runCurriculum(shell().workplace(), version->id);
@@ -349,14 +383,17 @@ bool CurriculaPage::begin() {
 
 bool CurriculaPage::takeAsDraft() {
   const CurriculumVersionRow* version = shownVersion();
-  if (version == nullptr) return false;
+  if (version == nullptr) {
+    return false;
+  }
   const StoredCurriculumVersion content = editor_->content();
   if (curriculumJson(content) != curriculumJson(draft_.content) &&
       QMessageBox::question(this, tr("Edit as draft"),
                             tr("The draft differs from version %1. Put this version in its place? Published "
                                "versions stay as they are.")
-                                .arg(version->number)) != QMessageBox::Yes)
+                                .arg(version->number)) != QMessageBox::Yes) {
     return false;
+  }
   return attempt(shell(), [&] {
     draft_.content = content;
     draft_.revision = saveCurriculumDraft(shell().workplace(), shownId_, draft_);
@@ -373,8 +410,9 @@ void CurriculaPage::askNew() {
     dialog.setWindowTitle(tr("New curriculum"));
     auto* name = new QLineEdit(&dialog);
     auto* from = new QComboBox(&dialog);
-    for (const CurriculumTemplate& known : curriculumTemplates(shell().assets()))
+    for (const CurriculumTemplate& known : curriculumTemplates(shell().assets())) {
       from->addItem(toQString(Text(known.title)), toQString(known.id));
+    }
     from->addItem(tr("nothing in it yet"), QString());
     chooseId(from, "paper-three-arms");
     auto* form = new QFormLayout(&dialog);
@@ -390,7 +428,9 @@ void CurriculaPage::askNew() {
     });
     connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-    if (dialog.exec() == QDialog::Accepted) add(name->text().trimmed().toStdString(), chosenId(from));
+    if (dialog.exec() == QDialog::Accepted) {
+      add(name->text().trimmed().toStdString(), chosenId(from));
+    }
   });
 }
 
@@ -401,7 +441,9 @@ void CurriculaPage::askOccasion() {
                             tr("It comes after all others, for every curriculum from now on, and is never "
                                "taken away. What is it called?"),
                             QLineEdit::Normal, QString(), &given);
-  if (!given) return;
+  if (!given) {
+    return;
+  }
   attempt(shell(), [&] {
     const Occasion added = addOccasion(shell().workplace(), label.trimmed().toStdString());
     editor_->setOccasions(knownOccasions(shell().workplace()));
@@ -415,15 +457,21 @@ void CurriculaPage::askPublish() {
       QInputDialog::getText(this, tr("Publish a version"),
                             tr("A published version never changes. What is new in it, in a few words:"),
                             QLineEdit::Normal, QString(), &given);
-  if (given) publish(note.trimmed().toStdString());
+  if (given) {
+    publish(note.trimmed().toStdString());
+  }
 }
 
 void CurriculaPage::askClose() {
   const CurriculumVersionRow* version = versionAtHand();
-  if (version == nullptr) return;
+  if (version == nullptr) {
+    return;
+  }
   const std::optional<std::string> reason = askReason(
       this, tr("Close a version"), tr("No further cohort can begin it; those who follow it go on."));
-  if (!reason) return;
+  if (!reason) {
+    return;
+  }
   attempt(shell(), [&] {
     closeCurriculum(shell().workplace(), version->id, *reason);
     read();

@@ -40,7 +40,9 @@ std::vector<StoredScoringPoint>::iterator placeOf(StoredCurriculumVersion& conte
                                                   const Occasions& occasions, std::size_t point) {
   for (std::size_t later = point + 1; later < occasions.size(); ++later) {
     const auto at = pointOf(content, occasions.at(later).code);
-    if (at != content.scoringPoints.end()) return at;
+    if (at != content.scoringPoints.end()) {
+      return at;
+    }
   }
   return content.scoringPoints.end();
 }
@@ -60,8 +62,9 @@ CurriculumEditor::CurriculumEditor(std::filesystem::path assets, QWidget* parent
   addTab(pointsTab(), QString());
   problemList_->setWordWrap(true);
   addTab(problemList_, QString());
-  for (QWidget* part : {static_cast<QWidget*>(exercises_), static_cast<QWidget*>(groups_)})
+  for (QWidget* part : {static_cast<QWidget*>(exercises_), static_cast<QWidget*>(groups_)}) {
     part->layout()->setContentsMargins(0, kSpace, 0, 0);
+  }
   connect(exercises_, &ExerciseEditor::edited, this, [this] {
     groups_->fill();  // phases name exercises
     changed();
@@ -98,7 +101,9 @@ void CurriculumEditor::addPointRow(std::size_t point) {
 }
 
 void CurriculumEditor::setOccasions(Occasions occasions) {
-  if (std::equal(occasions.begin(), occasions.end(), occasions_.begin(), occasions_.end())) return;
+  if (std::equal(occasions.begin(), occasions.end(), occasions_.begin(), occasions_.end())) {
+    return;
+  }
   for (const PointRow& row : points_) {
     delete row.wanted;
     delete row.after;
@@ -141,17 +146,22 @@ void CurriculumEditor::fillPoints() {
 }
 
 void CurriculumEditor::takePoint(std::size_t point) {
-  if (filling_) return;
+  if (filling_) {
+    return;
+  }
   const std::string& code = occasions_.at(point).code;
   const PointRow& row = points_[point];
   auto stored = pointOf(content_, code);
   row.after->setEnabled(row.wanted->isChecked());
   if (!row.wanted->isChecked()) {
-    if (stored != content_.scoringPoints.end()) content_.scoringPoints.erase(stored);
+    if (stored != content_.scoringPoints.end()) {
+      content_.scoringPoints.erase(stored);
+    }
   } else {
-    if (stored == content_.scoringPoints.end())
+    if (stored == content_.scoringPoints.end()) {
       stored =
           content_.scoringPoints.insert(placeOf(content_, occasions_, point), StoredScoringPoint{code, 0});
+    }
     stored->afterExposure_us = std::llround(row.after->value() * kMicrosecondsOfMinute);
   }
   changed();
@@ -165,10 +175,13 @@ void CurriculumEditor::changed() {
 void CurriculumEditor::judge() {
   problems_ = curriculumProblems(content_, assets_, occasions_);
   problemList_->clear();
-  for (const CurriculumProblem& problem : problems_)
+  for (const CurriculumProblem& problem : problems_) {
     problemList_->addItem(
         tr("%1 %2. %3.").arg(toQString(problem.where), toQString(problem.what), toQString(problem.remedy)));
-  if (problems_.empty()) problemList_->addItem(tr("\u2713 Nothing is missing: this can be published."));
+  }
+  if (problems_.empty()) {
+    problemList_->addItem(tr("\u2713 Nothing is missing: this can be published."));
+  }
   setTabText(3, problems_.empty() ? tr("Check: complete")
                                   : tr("Check: %n to mend", nullptr, static_cast<int>(problems_.size())));
 }

@@ -63,21 +63,29 @@ void fitRows(QTableWidget* table, int leastRows) {
 }
 
 void chooseOrAdd(QComboBox* box, const std::string& value) {
-  if (box->findData(toQString(value)) < 0) box->addItem(orDash(value), toQString(value));
+  if (box->findData(toQString(value)) < 0) {
+    box->addItem(orDash(value), toQString(value));
+  }
   box->setCurrentIndex(box->findData(toQString(value)));
 }
 
 int rowOf(const QTableWidget* table, const QWidget* cell) {
-  for (int row = 0; row < table->rowCount(); ++row)
-    for (int column = 0; column < table->columnCount(); ++column)
-      if (table->cellWidget(row, column) == cell) return row;
+  for (int row = 0; row < table->rowCount(); ++row) {
+    for (int column = 0; column < table->columnCount(); ++column) {
+      if (table->cellWidget(row, column) == cell) {
+        return row;
+      }
+    }
+  }
   return -1;
 }
 
 std::string freeCode(const std::string& prefix, const std::vector<std::string>& taken) {
   for (std::size_t number = taken.size() + 1;; ++number) {
     std::string code = prefix + std::to_string(number);
-    if (std::find(taken.begin(), taken.end(), code) == taken.end()) return code;
+    if (std::find(taken.begin(), taken.end(), code) == taken.end()) {
+      return code;
+    }
   }
 }
 
@@ -118,7 +126,9 @@ void FormTexts::title(QFormLayout* form, const char* source) {
 }
 
 void FormTexts::retranslate(const char* context) {
-  for (const auto& [label, source] : labels_) nameField(label, QCoreApplication::translate(context, source));
+  for (const auto& [label, source] : labels_) {
+    nameField(label, QCoreApplication::translate(context, source));
+  }
 }
 
 }  // namespace torsio::gui

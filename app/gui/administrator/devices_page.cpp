@@ -70,8 +70,9 @@ void DevicesPage::check() {
       },
       [this, result] {
         result_ = *result;
-        if (StationWriter* line = shell().line(); line != nullptr)
+        if (StationWriter* line = shell().line(); line != nullptr) {
           line->showDevice(stationDevice(hapticReadiness(*result), shell().workplace().now_us()));
+        }
         showContent();
       });
   check_->setEnabled(true);
@@ -79,7 +80,7 @@ void DevicesPage::check() {
 
 void DevicesPage::showContent() {
   std::vector<Row> rows;
-  if (result_)
+  if (result_) {
     for (const DeviceFinding& finding : result_->findings) {
       // Sign and word: never colour alone.
       const QString grade = finding.grade == FindingGrade::kGood   ? tr("\u2713 good")
@@ -91,6 +92,7 @@ void DevicesPage::showContent() {
                        {toQString(finding.sentence)},
                        {finding.remedy.empty() ? orDash({}) : toQString(finding.remedy)}}});
     }
+  }
   table_->setRows(std::move(rows));
   if (!result_) {
     verdict_->setText(

@@ -43,7 +43,9 @@ enum RuleColumn { kMetric, kDirection, kThreshold, kInARow };
 
 std::vector<std::string> codesOf(const StoredCurriculumVersion& content) {
   std::vector<std::string> codes;
-  for (const StoredModule& module : content.modules) codes.push_back(module.code);
+  for (const StoredModule& module : content.modules) {
+    codes.push_back(module.code);
+  }
   return codes;
 }
 
@@ -117,7 +119,9 @@ QWidget* ExerciseEditor::form() {
   prepareFieldTable(mastery_);
   mastery_->horizontalHeader()->setSectionResizeMode(kMetric, QHeaderView::Stretch);
   mastery_->setColumnWidth(kDirection, 15 * kSpace);
-  for (const int column : {kThreshold, kInARow}) mastery_->setColumnWidth(column, 10 * kSpace);
+  for (const int column : {kThreshold, kInARow}) {
+    mastery_->setColumnWidth(column, 10 * kSpace);
+  }
   form->addRow(mastery_);
   form->addRow(buttonRow({addRule_, removeRule_}));
   return fields;
@@ -181,7 +185,9 @@ StoredModule* ExerciseEditor::exercise() {
 
 QStringList ExerciseEditor::lines() const {
   QStringList lines;
-  for (const StoredModule& module : content_.modules) lines << lineOf(module);
+  for (const StoredModule& module : content_.modules) {
+    lines << lineOf(module);
+  }
   return lines;
 }
 
@@ -195,14 +201,17 @@ void ExerciseEditor::select(int row) {
 }
 
 void ExerciseEditor::showContent() {
-  if (filling_) return;
+  if (filling_) {
+    return;
+  }
   const StoredModule* module = exercise();
   const bool change = module != nullptr && !readOnly_;
   addRule_->setEnabled(change);
   for (QWidget* field :
        std::initializer_list<QWidget*>{title_, code_.field(), scene_, pattern_, kind_, mode_, target_,
-                                       tolerance_, hold_, force_, torque_, attempts_, after_, mastery_})
+                                       tolerance_, hold_, force_, torque_, attempts_, after_, mastery_}) {
     field->setEnabled(change);
+  }
   if (module == nullptr) {
     code_.show({});
     removeRule_->setEnabled(false);
@@ -225,18 +234,23 @@ void ExerciseEditor::showContent() {
 
 void ExerciseEditor::showPlaces(const StoredModule& module) {
   scene_->clear();
-  for (const std::string& id : sceneIds(assets_)) scene_->addItem(placeName(id), toQString(id));
+  for (const std::string& id : sceneIds(assets_)) {
+    scene_->addItem(placeName(id), toQString(id));
+  }
   chooseOrAdd(scene_, module.sceneId);
   pattern_->clear();
   try {
-    for (const std::string& id : patternIds(assets_, module.sceneId))
+    for (const std::string& id : patternIds(assets_, module.sceneId)) {
       pattern_->addItem(placeName(id), toQString(id));
+    }
   } catch (const Error&) {
     // The scene belongs to another installation: its own pattern is offered alone, the check says the rest.
   }
   chooseOrAdd(pattern_, module.patternId);
   kind_->clear();
-  for (const std::string& kind : exerciseKinds()) kind_->addItem(exerciseKindName(kind), toQString(kind));
+  for (const std::string& kind : exerciseKinds()) {
+    kind_->addItem(exerciseKindName(kind), toQString(kind));
+  }
   chooseOrAdd(kind_, module.exerciseKind);
   chooseOrAdd(mode_, std::string(storedText(module.mode)));
 }
@@ -250,34 +264,45 @@ void ExerciseEditor::showPrerequisites(const StoredModule& module) {
     item->setCheckState(required ? Qt::Checked : Qt::Unchecked);
   };
   const std::vector<std::string>& required = module.requires_;
-  for (const StoredModule& other : content_.modules)
-    if (&other != &module)
+  for (const StoredModule& other : content_.modules) {
+    if (&other != &module) {
       offer(lineOf(other), other.code,
             std::find(required.begin(), required.end(), other.code) != required.end());
+    }
+  }
   // One that was removed meanwhile stays in sight until somebody takes its mark away.
   const std::vector<std::string> known = codesOf(content_);
-  for (const std::string& code : required)
-    if (code == module.code || std::find(known.begin(), known.end(), code) == known.end())
+  for (const std::string& code : required) {
+    if (code == module.code || std::find(known.begin(), known.end(), code) == known.end()) {
       offer(tr("%1  (no such exercise any more)").arg(toQString(code)), code, true);
+    }
+  }
   constexpr int kMostRows = 3;  // in a low window; a high one shows more
   const int rows = std::clamp(after_->count(), 1, kMostRows);
   after_->setMinimumHeight(rows * std::max(after_->sizeHintForRow(0), 3 * kSpace) + 2 * kSpace);
 }
 
 void ExerciseEditor::showMastery(const StoredModule& module) {
-  for (int row = 0; row < mastery_->rowCount(); ++row)
-    for (int column = 0; column < mastery_->columnCount(); ++column)
-      if (QWidget* before = mastery_->cellWidget(row, column)) before->hide();  // it goes a moment later
+  for (int row = 0; row < mastery_->rowCount(); ++row) {
+    for (int column = 0; column < mastery_->columnCount(); ++column) {
+      if (QWidget* before = mastery_->cellWidget(row, column)) {
+        before->hide();  // it goes a moment later
+      }
+    }
+  }
   mastery_->setRowCount(static_cast<int>(module.mastery.size()));
-  for (int row = 0; row < mastery_->rowCount(); ++row)
+  for (int row = 0; row < mastery_->rowCount(); ++row) {
     addMasteryRow(row, module.mastery[static_cast<std::size_t>(row)]);
+  }
   fitRows(mastery_, kFewRows);
   removeRule_->setEnabled(!readOnly_ && !module.mastery.empty());
 }
 
 void ExerciseEditor::addMasteryRow(int row, const StoredMasteryRule& rule) {
   auto* metric = new QComboBox;
-  for (const auto& [id, name] : masteryMetrics()) metric->addItem(name, toQString(id));
+  for (const auto& [id, name] : masteryMetrics()) {
+    metric->addItem(name, toQString(id));
+  }
   chooseOrAdd(metric, rule.metric);
   auto* direction = new QComboBox;
   direction->addItem(tr("at least"), QStringLiteral("at_least"));
@@ -299,7 +324,9 @@ void ExerciseEditor::addMasteryRow(int row, const StoredMasteryRule& rule) {
   inARow->setAccessibleName(tr("Attempts in a row of rule %1").arg(row + 1));
   connect(metric, &QComboBox::activated, this, [this, metric] {
     takeRule(metric, [metric](StoredMasteryRule& changed) {
-      if (changed.metric == chosenId(metric)) return;
+      if (changed.metric == chosenId(metric)) {
+        return;
+      }
       changed.metric = chosenId(metric);
       changed.comparison = metricBetter(changed.metric);
       changed.unit = metricUnit(changed.metric);
@@ -324,7 +351,9 @@ void ExerciseEditor::addMasteryRow(int row, const StoredMasteryRule& rule) {
 
 void ExerciseEditor::take(const std::function<void(StoredModule&)>& change) {
   StoredModule* module = exercise();
-  if (filling_ || module == nullptr) return;
+  if (filling_ || module == nullptr) {
+    return;
+  }
   change(*module);
   list_->setCurrentLine(lineOf(*module));
   Q_EMIT edited();
@@ -333,29 +362,42 @@ void ExerciseEditor::take(const std::function<void(StoredModule&)>& change) {
 void ExerciseEditor::takeRule(const QWidget* cell, const std::function<void(StoredMasteryRule&)>& change) {
   const int row = rowOf(mastery_, cell);
   take([&](StoredModule& module) {
-    if (row >= 0 && row < std::ssize(module.mastery)) change(module.mastery[static_cast<std::size_t>(row)]);
+    if (row >= 0 && row < std::ssize(module.mastery)) {
+      change(module.mastery[static_cast<std::size_t>(row)]);
+    }
   });
 }
 
 void ExerciseEditor::takeCode() {
   const StoredModule* current = exercise();
-  if (filling_ || current == nullptr) return;
+  if (filling_ || current == nullptr) {
+    return;
+  }
   const std::string before = current->code;
   const std::optional<std::string> code = code_.changed(
       before, codesOf(content_), tr("An exercise needs a code; it keeps %1.").arg(toQString(before)),
       tr("Another exercise has this code; this one keeps %1.").arg(toQString(before)));
-  if (!code) return;
-  for (StoredModule& module : content_.modules)
+  if (!code) {
+    return;
+  }
+  for (StoredModule& module : content_.modules) {
     std::replace(module.requires_.begin(), module.requires_.end(), before, *code);
-  for (StoredArm& arm : content_.arms)
-    for (StoredPhase& phase : arm.phases)
-      if (phase.moduleId == before) phase.moduleId = *code;
+  }
+  for (StoredArm& arm : content_.arms) {
+    for (StoredPhase& phase : arm.phases) {
+      if (phase.moduleId == before) {
+        phase.moduleId = *code;
+      }
+    }
+  }
   take([&](StoredModule& module) { module.code = module.id = *code; });
 }
 
 void ExerciseEditor::takeScene() {
   take([this](StoredModule& module) {
-    if (module.sceneId == chosenId(scene_)) return;
+    if (module.sceneId == chosenId(scene_)) {
+      return;
+    }
     module.sceneId = chosenId(scene_);
     const std::vector<std::string> patterns = patternIds(assets_, module.sceneId);
     module.patternId = patterns.empty() ? std::string() : patterns.front();
@@ -368,7 +410,9 @@ void ExerciseEditor::takePrerequisite(const QListWidgetItem* item) {
   const bool wanted = item->checkState() == Qt::Checked;
   take([&](StoredModule& module) {
     std::erase(module.requires_, code);
-    if (wanted) module.requires_.push_back(code);
+    if (wanted) {
+      module.requires_.push_back(code);
+    }
   });
 }
 
@@ -395,7 +439,9 @@ void ExerciseEditor::add() {
 
 void ExerciseEditor::remove() {
   const int row = list_->row();
-  if (row < 0) return;
+  if (row < 0) {
+    return;
+  }
   content_.modules.erase(content_.modules.begin() + row);
   select(row);
   Q_EMIT edited();
@@ -404,7 +450,9 @@ void ExerciseEditor::remove() {
 void ExerciseEditor::move(int by) {
   const int row = list_->row();
   const int to = moved(content_.modules, row, by);
-  if (to == row) return;
+  if (to == row) {
+    return;
+  }
   select(to);
   Q_EMIT edited();
 }
@@ -416,23 +464,31 @@ void ExerciseEditor::addRule() {
       const bool used =
           std::any_of(module.mastery.begin(), module.mastery.end(),
                       [&](const StoredMasteryRule& known) { return known.metric == metric.first; });
-      if (used) continue;
+      if (used) {
+        continue;
+      }
       rule.metric = metric.first;
       break;
     }
-    if (rule.metric.empty()) return;  // every metric has its rule
+    if (rule.metric.empty()) {
+      return;  // every metric has its rule
+    }
     rule.comparison = metricBetter(rule.metric);
     rule.unit = metricUnit(rule.metric);
     module.mastery.push_back(rule);
   });
   showContent();
-  if (mastery_->rowCount() > 0) mastery_->cellWidget(mastery_->rowCount() - 1, kMetric)->setFocus();
+  if (mastery_->rowCount() > 0) {
+    mastery_->cellWidget(mastery_->rowCount() - 1, kMetric)->setFocus();
+  }
 }
 
 void ExerciseEditor::removeRule() {
   const int row = mastery_->currentRow() >= 0 ? mastery_->currentRow() : mastery_->rowCount() - 1;
   take([row](StoredModule& module) {
-    if (row >= 0 && row < std::ssize(module.mastery)) module.mastery.erase(module.mastery.begin() + row);
+    if (row >= 0 && row < std::ssize(module.mastery)) {
+      module.mastery.erase(module.mastery.begin() + row);
+    }
   });
   showContent();
 }
@@ -445,7 +501,9 @@ void ExerciseEditor::setReadOnly(bool readOnly) {
 
 void ExerciseEditor::retranslate() {
   texts_.retranslate(staticMetaObject.className());
-  for (QDoubleSpinBox* box : {force_, torque_}) box->setSpecialValueText(tr("no limit"));
+  for (QDoubleSpinBox* box : {force_, torque_}) {
+    box->setSpecialValueText(tr("no limit"));
+  }
   attempts_->setSpecialValueText(tr("no limit"));
   mode_->clear();
   mode_->addItem(tr("practice"), toQString(std::string(storedText(AttemptMode::kPractice))));

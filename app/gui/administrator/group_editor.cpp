@@ -37,7 +37,9 @@ enum PhaseColumn { kWhere, kName, kMinutes, kExercise };
 
 std::vector<std::string> codesOf(const StoredCurriculumVersion& content) {
   std::vector<std::string> codes;
-  for (const StoredArm& arm : content.arms) codes.push_back(arm.code);
+  for (const StoredArm& arm : content.arms) {
+    codes.push_back(arm.code);
+  }
   return codes;
 }
 
@@ -120,7 +122,9 @@ StoredArm* GroupEditor::group() {
 
 QStringList GroupEditor::lines() const {
   QStringList lines;
-  for (const StoredArm& arm : content_.arms) lines << lineOf(arm);
+  for (const StoredArm& arm : content_.arms) {
+    lines << lineOf(arm);
+  }
   return lines;
 }
 
@@ -134,12 +138,15 @@ void GroupEditor::select(int row) {
 }
 
 void GroupEditor::showContent() {
-  if (filling_) return;
+  if (filling_) {
+    return;
+  }
   const StoredArm* arm = group();
   const bool change = arm != nullptr && !readOnly_;
   for (QWidget* field : std::initializer_list<QWidget*>{label_, code_.field(), rest_, splittable_, phases_,
-                                                        addPhase_, removePhase_, phaseUp_, phaseDown_})
+                                                        addPhase_, removePhase_, phaseUp_, phaseDown_}) {
     field->setEnabled(change);
+  }
   if (arm == nullptr) {
     code_.show({});
     phases_->setRowCount(0);
@@ -158,17 +165,25 @@ void GroupEditor::showContent() {
 
 void GroupEditor::showPhases(const StoredArm& arm, int current) {
   filling_ = true;
-  for (int row = 0; row < phases_->rowCount(); ++row)
-    for (int column = 0; column < phases_->columnCount(); ++column)
-      if (QWidget* before = phases_->cellWidget(row, column)) before->hide();  // it goes a moment later
+  for (int row = 0; row < phases_->rowCount(); ++row) {
+    for (int column = 0; column < phases_->columnCount(); ++column) {
+      if (QWidget* before = phases_->cellWidget(row, column)) {
+        before->hide();  // it goes a moment later
+      }
+    }
+  }
   phases_->setRowCount(static_cast<int>(arm.phases.size()));
-  for (int row = 0; row < phases_->rowCount(); ++row)
+  for (int row = 0; row < phases_->rowCount(); ++row) {
     addPhaseRow(row, arm.phases[static_cast<std::size_t>(row)]);
+  }
   fitRows(phases_, kFewRows);
-  if (current >= 0 && current < phases_->rowCount()) phases_->setCurrentCell(current, kWhere);
+  if (current >= 0 && current < phases_->rowCount()) {
+    phases_->setCurrentCell(current, kWhere);
+  }
   filling_ = false;
-  for (QPushButton* button : {removePhase_, phaseUp_, phaseDown_})
+  for (QPushButton* button : {removePhase_, phaseUp_, phaseDown_}) {
     button->setEnabled(!readOnly_ && !arm.phases.empty());
+  }
   showTotals(arm);
 }
 
@@ -183,9 +198,10 @@ void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
   time->setValue(minutes(phase.duration_us));
   auto* module = new QComboBox;
   module->addItem(tr("any exercise"), QString());
-  for (const StoredModule& known : content_.modules)
+  for (const StoredModule& known : content_.modules) {
     module->addItem(QStringLiteral("%1  %2").arg(toQString(known.code), toQString(Text(known.title))),
                     toQString(known.code));
+  }
   chooseOrAdd(module, phase.moduleId);
   module->setEnabled(phase.kind != PhaseKind::kReal || !phase.moduleId.empty());
   phases_->setCellWidget(row, kWhere, where);
@@ -199,7 +215,9 @@ void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
   connect(where, &QComboBox::activated, this, [this, where, module] {
     takePhase(where, [&](StoredPhase& changed) {
       changed.kind = fromStoredText<PhaseKind>(chosenId(where)).value_or(changed.kind);
-      if (changed.kind == PhaseKind::kReal) changed.moduleId.clear();  // exercises belong to the simulator
+      if (changed.kind == PhaseKind::kReal) {
+        changed.moduleId.clear();  // exercises belong to the simulator
+      }
       module->setCurrentIndex(module->findData(toQString(changed.moduleId)));
       module->setEnabled(changed.kind != PhaseKind::kReal);
     });
@@ -220,8 +238,9 @@ void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
 void GroupEditor::showTotals(const StoredArm& arm) {
   std::int64_t virtual_us = 0;
   std::int64_t real_us = 0;
-  for (const StoredPhase& phase : arm.phases)
+  for (const StoredPhase& phase : arm.phases) {
     (phase.kind == PhaseKind::kReal ? real_us : virtual_us) += phase.duration_us;
+  }
   totals_->setText(tr("In all %1 minutes of training: %2 on the simulator, %3 on the real arm. Rest does not "
                       "count.")
                        .arg(locale().toString(minutes(virtual_us + real_us), 'g', 6),
@@ -231,7 +250,9 @@ void GroupEditor::showTotals(const StoredArm& arm) {
 
 void GroupEditor::take(const std::function<void(StoredArm&)>& change) {
   StoredArm* arm = group();
-  if (filling_ || arm == nullptr) return;
+  if (filling_ || arm == nullptr) {
+    return;
+  }
   change(*arm);
   list_->setCurrentLine(lineOf(*arm));
   showTotals(*arm);
@@ -241,18 +262,24 @@ void GroupEditor::take(const std::function<void(StoredArm&)>& change) {
 void GroupEditor::takePhase(const QWidget* cell, const std::function<void(StoredPhase&)>& change) {
   const int row = rowOf(phases_, cell);
   take([&](StoredArm& arm) {
-    if (row >= 0 && row < std::ssize(arm.phases)) change(arm.phases[static_cast<std::size_t>(row)]);
+    if (row >= 0 && row < std::ssize(arm.phases)) {
+      change(arm.phases[static_cast<std::size_t>(row)]);
+    }
   });
 }
 
 void GroupEditor::takeCode() {
   const StoredArm* arm = group();
-  if (filling_ || arm == nullptr) return;
+  if (filling_ || arm == nullptr) {
+    return;
+  }
   const std::string before = arm->code;
   const std::optional<std::string> code = code_.changed(
       before, codesOf(content_), tr("A group needs a code; it keeps %1.").arg(toQString(before)),
       tr("Another group has this code; this one keeps %1.").arg(toQString(before)));
-  if (!code) return;
+  if (!code) {
+    return;
+  }
   take([&](StoredArm& changed) { changed.code = changed.id = *code; });
 }
 
@@ -270,7 +297,9 @@ void GroupEditor::add() {
 
 void GroupEditor::remove() {
   const int row = list_->row();
-  if (row < 0) return;
+  if (row < 0) {
+    return;
+  }
   content_.arms.erase(content_.arms.begin() + row);
   select(row);
   Q_EMIT edited();
@@ -279,14 +308,18 @@ void GroupEditor::remove() {
 void GroupEditor::move(int by) {
   const int row = list_->row();
   const int to = moved(content_.arms, row, by);
-  if (to == row) return;
+  if (to == row) {
+    return;
+  }
   select(to);
   Q_EMIT edited();
 }
 
 void GroupEditor::addPhase() {
   StoredArm* arm = group();
-  if (arm == nullptr) return;
+  if (arm == nullptr) {
+    return;
+  }
   StoredPhase phase;
   phase.label = tr("New phase").toStdString();
   phase.duration_us = std::llround(kUsualPhase_min * kMicrosecondsOfMinute);
@@ -298,7 +331,9 @@ void GroupEditor::addPhase() {
 void GroupEditor::removePhase() {
   StoredArm* arm = group();
   const int row = phases_->currentRow() >= 0 ? phases_->currentRow() : phases_->rowCount() - 1;
-  if (arm == nullptr || row < 0) return;
+  if (arm == nullptr || row < 0) {
+    return;
+  }
   arm->phases.erase(arm->phases.begin() + row);
   showPhases(*arm, std::min(row, static_cast<int>(arm->phases.size()) - 1));
   Q_EMIT edited();
@@ -306,10 +341,14 @@ void GroupEditor::removePhase() {
 
 void GroupEditor::movePhase(int by) {
   StoredArm* arm = group();
-  if (arm == nullptr) return;
+  if (arm == nullptr) {
+    return;
+  }
   const int row = phases_->currentRow();
   const int to = moved(arm->phases, row, by);
-  if (to == row) return;
+  if (to == row) {
+    return;
+  }
   showPhases(*arm, to);
   Q_EMIT edited();
 }

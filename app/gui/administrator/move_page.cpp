@@ -99,7 +99,9 @@ QWidget* MovePage::form() {
   put(userLabel_, user_, 1, 0);
   put(passwordLabel_, password_, 1, 1);
   put(schemaLabel_, schema_, 1, 2);
-  for (const int column : {0, 1, 2}) grid->setColumnStretch(column, 1);
+  for (const int column : {0, 1, 2}) {
+    grid->setColumnStretch(column, 1);
+  }
   return box;
 }
 
@@ -107,16 +109,22 @@ void MovePage::layOut() {
   heading_->addAction(back_);
   QVBoxLayout* column = scrolledColumn(this);
   column->addWidget(heading_);
-  for (Card* card : {server_, copyCard_, switchCard_}) column->addWidget(card);
+  for (Card* card : {server_, copyCard_, switchCard_}) {
+    column->addWidget(card);
+  }
   column->addStretch(1);
   const auto row = [](Card* card, std::initializer_list<QWidget*> widgets) {
     auto* line = new QHBoxLayout;
     line->setSpacing(kSpace);
-    for (QWidget* widget : widgets) line->addWidget(widget);
+    for (QWidget* widget : widgets) {
+      line->addWidget(widget);
+    }
     line->addStretch(1);
     card->content()->addLayout(line);
   };
-  for (QPushButton* button : {test_, copy_, switch_}) button->setProperty("primary", true);
+  for (QPushButton* button : {test_, copy_, switch_}) {
+    button->setProperty("primary", true);
+  }
   server_->content()->addWidget(form());
   server_->content()->addWidget(serverText_);
   row(server_, {test_});
@@ -163,7 +171,9 @@ void MovePage::addressChanged() {
 }
 
 void MovePage::testServer() {
-  if (shell().working()) return;
+  if (shell().working()) {
+    return;
+  }
   auto found = std::make_shared<ServerCheck>();
   shell().run(
       tr("Looking at the server"),
@@ -177,7 +187,9 @@ void MovePage::testServer() {
 }
 
 void MovePage::copyRecord() {
-  if (!check_ || shell().working()) return;
+  if (!check_ || shell().working()) {
+    return;
+  }
   auto report = std::make_shared<CopyReport>();
   shell().run(
       tr("Moving the record to the server"),
@@ -191,7 +203,9 @@ void MovePage::copyRecord() {
 }
 
 void MovePage::switchStation() {
-  if (!ready() || shell().working()) return;
+  if (!ready() || shell().working()) {
+    return;
+  }
   auto locator = std::make_shared<std::string>();
   shell().run(
       tr("Turning this station to the server"),
@@ -226,11 +240,14 @@ void MovePage::showCheck() {
                   .arg(toQString(check_->server), toQString(check_->location))
             : tr("\u2717 %1 answers at %2, but the record cannot go there: %3.")
                   .arg(toQString(check_->server), toQString(check_->location), toQString(check_->hindrance));
-    if (check_->holdsRecord)
+    if (check_->holdsRecord) {
       words =
           tr("\u2713 %1 answers at %2. There is a record in this database already: this station can join it.")
               .arg(toQString(check_->server), toQString(check_->location));
-    if (copied_) words = tr("\u2713 %1 at %2").arg(toQString(check_->server), toQString(check_->location));
+    }
+    if (copied_) {
+      words = tr("\u2713 %1 at %2").arg(toQString(check_->server), toQString(check_->location));
+    }
   }
   serverText_->setText(words);
   setLook(serverText_, "caution", check_ && !check_->hindrance.empty() && !check_->holdsRecord);
@@ -251,7 +268,9 @@ void MovePage::showCopy() {
                "Nobody may be at work meanwhile: close Torsio at all other stations."));
   copy_->setVisible(!copied_);
   switchCard_->setVisible(ready());
-  if (!ready()) return;
+  if (!ready()) {
+    return;
+  }
   const bool open = check_->opensWithoutPassword;
   QString words =
       copied_ ? tr("From then on this station works with the server. At every other station open this "
@@ -259,13 +278,14 @@ void MovePage::showCopy() {
               : tr("From then on this station works with that record, and everybody signs in with "
                    "the names and passwords of that record. The record here stays as it is and is "
                    "not used any more.");
-  if (!open)
+  if (!open) {
     words += QLatin1Char('\n') +
              tr("Torsio stores no password. For this station put the line below, with the real password in "
                 "place of the last word, into the password file of this computer's account: .pgpass in the "
                 "home "
                 "folder, readable by the account only (on Windows %APPDATA%\\postgresql\\pgpass.conf). Then "
                 "switch.");
+  }
   switchText_->setText(words);
   line_->setVisible(!open);
   copyLine_->setVisible(!open);
@@ -274,8 +294,9 @@ void MovePage::showCopy() {
 
 void MovePage::showButtons() {
   const bool free = !shell().working();
-  for (QWidget* field : std::initializer_list<QWidget*>{host_, port_, database_, user_, password_, schema_})
+  for (QWidget* field : std::initializer_list<QWidget*>{host_, port_, database_, user_, password_, schema_}) {
     field->setEnabled(free);
+  }
   const ServerAddress typed = address();
   test_->setEnabled(free && !typed.host.empty() && !typed.database.empty() && !typed.user.empty());
   copy_->setEnabled(free && check_ && check_->hindrance.empty());

@@ -58,8 +58,9 @@ std::vector<ScreenEntry> officeScreens() {
   };
   const auto fromTemplate = [](Page& page) {
     auto& curricula = dynamic_cast<CurriculaPage&>(page);
-    if (child<DataTable>(curricula, "curricula").visibleRows() == 0)
+    if (child<DataTable>(curricula, "curricula").visibleRows() == 0) {
       curricula.add("Twist skills 2026", "paper-three-arms");
+    }
     child<CurriculumEditor>(curricula, "editor")
         .setCurrentIndex(child<CurriculumEditor>(curricula, "editor").content().arms.empty() ? 0 : 1);
   };

@@ -60,10 +60,14 @@ void fillCohorts(QComboBox* chooser, Workplace& workplace) {
   int first = -1;
   for (const CohortRow& row : cohorts(workplace)) {
     chooser->addItem(toQString(row.cohort.name), toQString(row.cohort.id));
-    if (row.allocated > 0) first = chooser->count() - 1;
+    if (row.allocated > 0) {
+      first = chooser->count() - 1;
+    }
   }
   chooser->setCurrentIndex(first >= 0 ? first : chooser->count() - 1);
-  if (!before.empty()) chooseId(chooser, before);
+  if (!before.empty()) {
+    chooseId(chooser, before);
+  }
 }
 
 void fillCampaigns(QComboBox* chooser, Workplace& workplace, const QString& none) {
@@ -74,10 +78,14 @@ void fillCampaigns(QComboBox* chooser, Workplace& workplace, const QString& none
   int first = 0;
   for (const ReportableCampaign& campaign : reportableCampaigns(workplace)) {
     chooser->addItem(toQString(campaign.name), toQString(campaign.id));
-    if (campaign.hasMarks) first = chooser->count() - 1;
+    if (campaign.hasMarks) {
+      first = chooser->count() - 1;
+    }
   }
   chooser->setCurrentIndex(first);
-  if (!before.empty()) chooseId(chooser, before);
+  if (!before.empty()) {
+    chooseId(chooser, before);
+  }
 }
 
 std::string chosenId(const QComboBox* chooser) {
@@ -86,7 +94,9 @@ std::string chosenId(const QComboBox* chooser) {
 
 void chooseId(QComboBox* chooser, const std::string& id) {
   const int at = chooser->findData(toQString(id));
-  if (at >= 0) chooser->setCurrentIndex(at);
+  if (at >= 0) {
+    chooser->setCurrentIndex(at);
+  }
 }
 
 QString orDash(const std::string& text) {
@@ -94,7 +104,9 @@ QString orDash(const std::string& text) {
 }
 
 QString shownTime(std::int64_t utc_us, const QLocale& locale) {
-  if (utc_us == 0) return QStringLiteral("\u2013");
+  if (utc_us == 0) {
+    return QStringLiteral("\u2013");
+  }
   return locale.toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
 }
 

@@ -80,7 +80,9 @@ void OrderedList::setLines(const QStringList& lines, int row) {
 }
 
 void OrderedList::setCurrentLine(const QString& line) {
-  if (QListWidgetItem* item = list_->currentItem()) item->setText(line);
+  if (QListWidgetItem* item = list_->currentItem()) {
+    item->setText(line);
+  }
 }
 
 int OrderedList::row() const {
@@ -131,8 +133,12 @@ std::optional<std::string> CodeField::changed(const std::string& before,
   const bool free = code == before || std::find(taken.begin(), taken.end(), code) == taken.end();
   problem_->setText(code.empty() ? missing : used);
   problem_->setVisible(code.empty() || !free);
-  if (code == before) return std::nullopt;
-  if (!code.empty() && free) return code;
+  if (code == before) {
+    return std::nullopt;
+  }
+  if (!code.empty() && free) {
+    return code;
+  }
   field_->setText(toQString(before));
   return std::nullopt;
 }

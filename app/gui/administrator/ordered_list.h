@@ -21,7 +21,9 @@ namespace torsio::gui {
 template <typename T>
 int moved(std::vector<T>& list, int row, int by) {
   const int to = row + by;
-  if (row < 0 || row >= std::ssize(list) || to < 0 || to >= std::ssize(list)) return row;
+  if (row < 0 || row >= std::ssize(list) || to < 0 || to >= std::ssize(list)) {
+    return row;
+  }
   std::swap(list[static_cast<std::size_t>(row)], list[static_cast<std::size_t>(to)]);
   return to;
 }

@@ -34,7 +34,9 @@ class PersonDialog : public QDialog {
     setWindowTitle(change_ ? tr("Change a person") : tr("New person"));
     setMinimumWidth(kDialogWidth);
     fill(classes);
-    if (present) set(*present);
+    if (present) {
+      set(*present);
+    }
     layOut();
     check();
   }
@@ -47,9 +49,13 @@ class PersonDialog : public QDialog {
     edit.entry.sex = sex_->currentData().toString().toStdString();
     edit.entry.level = level_->text().trimmed().toStdString();
     edit.entry.experience = experience_->text().trimmed().toStdString();
-    if (age_->value() > 0) edit.entry.age_years = age_->value();
+    if (age_->value() > 0) {
+      edit.entry.age_years = age_->value();
+    }
     edit.entry.trainee = trainee_->isChecked();
-    if (edit.entry.trainee) edit.entry.handedness = handedness_->currentData().toString().toStdString();
+    if (edit.entry.trainee) {
+      edit.entry.handedness = handedness_->currentData().toString().toStdString();
+    }
     edit.entry.raterClass = raterClass_->currentData().toString().toStdString();
     edit.reason = reason_->text().trimmed().toStdString();
     return edit;
@@ -105,7 +111,9 @@ class PersonDialog : public QDialog {
     form->addRow(QString(), trainee_);
     form->addRow(tr("&Handedness"), handedness_);
     form->addRow(tr("S&cores as"), raterClass_);
-    if (change_) form->addRow(tr("&Reason of the change"), reason_);
+    if (change_) {
+      form->addRow(tr("&Reason of the change"), reason_);
+    }
     reason_->setVisible(change_);
     auto* buttons = new QDialogButtonBox(this);
     accept_ = buttons->addButton(change_ ? tr("Save") : tr("Add person"), QDialogButtonBox::AcceptRole);
@@ -152,7 +160,9 @@ class PersonDialog : public QDialog {
 std::optional<PersonEdit> askPerson(QWidget* parent, const std::optional<PersonEntry>& present,
                                     const std::vector<StoredRaterClass>& classes) {
   PersonDialog dialog(parent, present, classes);
-  if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+  if (dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
   return dialog.get();
 }
 

@@ -82,7 +82,9 @@ void writeCards(const std::vector<PrintedCard>& cards, const QString& title,
     const double height = page.height() / kCardsOnPage;
     for (std::size_t i = 0; i < cards.size(); ++i) {
       const auto place = static_cast<int>(i % kCardsOnPage);
-      if (i > 0 && place == 0) writer.newPage();
+      if (i > 0 && place == 0) {
+        writer.newPage();
+      }
       drawCard(painter, QRectF(0.0, place * height, page.width(), height), cards[i]);
     }
   }

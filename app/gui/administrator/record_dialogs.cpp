@@ -108,10 +108,18 @@ RuleRow addRow(QDialog& dialog, QGridLayout& grid, const char* category,
 }  // namespace
 
 QString retentionCategoryName(const std::string& code) {
-  if (code == kRetainTrainee) return RecordDialogs::tr("trainee");
-  if (code == kRetainRater) return RecordDialogs::tr("rater");
-  if (code == kRetainLeft) return RecordDialogs::tr("left the centre");
-  if (code == kRetainWithdrawn) return RecordDialogs::tr("consent withdrawn");
+  if (code == kRetainTrainee) {
+    return RecordDialogs::tr("trainee");
+  }
+  if (code == kRetainRater) {
+    return RecordDialogs::tr("rater");
+  }
+  if (code == kRetainLeft) {
+    return RecordDialogs::tr("left the centre");
+  }
+  if (code == kRetainWithdrawn) {
+    return RecordDialogs::tr("consent withdrawn");
+  }
   return toQString(code);
 }
 
@@ -125,7 +133,9 @@ std::optional<RetentionRulesEdit> askRetentionRules(QWidget* parent,
   grid->setVerticalSpacing(kSpace);
   grid->setColumnStretch(2, 1);
   std::vector<RuleRow> rows;
-  for (const char* category : kCategories) rows.push_back(addRow(asked.dialog, *grid, category, rules));
+  for (const char* category : kCategories) {
+    rows.push_back(addRow(asked.dialog, *grid, category, rules));
+  }
   asked.column->addLayout(grid);
   QPushButton* ok = asked.finish(RecordDialogs::tr("Keep these rules"));
   const auto check = [&rows, ok] {
@@ -138,13 +148,17 @@ std::optional<RetentionRulesEdit> askRetentionRules(QWidget* parent,
     QObject::connect(row.basis, &QLineEdit::textChanged, ok, check);
   }
   check();
-  if (asked.dialog.exec() != QDialog::Accepted) return std::nullopt;
+  if (asked.dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
   RetentionRulesEdit edit;
   for (const RuleRow& row : rows) {
     RetentionRule now{row.before.category, row.days->value(), row.basis->text().trimmed().toStdString(), 0};
     const bool same = now.keep_days == row.before.keep_days && now.basis == row.before.basis;
     if (row.wanted->isChecked()) {
-      if (!row.existed || !same) edit.set.push_back(std::move(now));
+      if (!row.existed || !same) {
+        edit.set.push_back(std::move(now));
+      }
     } else if (row.existed) {
       edit.removed.push_back(now.category);
     }
@@ -160,7 +174,9 @@ std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& traineeCod
                   .arg(traineeCode));
   auto* group = new QComboBox(&asked.dialog);
   group->setObjectName(QStringLiteral("group"));
-  for (const StoredGroup& one : groups) group->addItem(toQString(one.code), toQString(one.id));
+  for (const StoredGroup& one : groups) {
+    group->addItem(toQString(one.code), toQString(one.id));
+  }
   auto* reason = new QLineEdit(&asked.dialog);
   reason->setObjectName(QStringLiteral("reason"));
   auto* form = new QFormLayout;
@@ -171,7 +187,9 @@ std::optional<GroupMove> askGroupMove(QWidget* parent, const QString& traineeCod
   const auto check = [=] { ok->setEnabled(group->count() > 0 && !reason->text().trimmed().isEmpty()); };
   QObject::connect(reason, &QLineEdit::textChanged, ok, check);
   check();
-  if (asked.dialog.exec() != QDialog::Accepted) return std::nullopt;
+  if (asked.dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
   return GroupMove{chosenId(group), reason->text().trimmed().toStdString()};
 }
 

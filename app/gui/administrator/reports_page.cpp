@@ -66,8 +66,12 @@ ReportsPage::ReportsPage(ShellContext& shell)
   grid->addWidget(freeze_, 1, 3);
   identityLabel_ = gridField(grid, 4, identity_);
   languageLabel_ = gridField(grid, 5, language_);
-  for (const int wide : {0, 1, 2, 4}) grid->setColumnStretch(wide, 1);
-  for (QComboBox* box : {cohort_, campaign_, frozen_, identity_}) box->setMinimumContentsLength(14);
+  for (const int wide : {0, 1, 2, 4}) {
+    grid->setColumnStretch(wide, 1);
+  }
+  for (QComboBox* box : {cohort_, campaign_, frozen_, identity_}) {
+    box->setMinimumContentsLength(14);
+  }
   QVBoxLayout* column = pageColumn(this);
   column->addWidget(heading_);
   column->addLayout(grid);
@@ -78,21 +82,24 @@ ReportsPage::ReportsPage(ShellContext& shell)
     fillFrozen();
     compute();
   });
-  for (QComboBox* box : {campaign_, frozen_, identity_})
+  for (QComboBox* box : {campaign_, frozen_, identity_}) {
     connect(box, &QComboBox::currentIndexChanged, this, &ReportsPage::compute);
+  }
   connect(language_, &QComboBox::currentIndexChanged, this, &ReportsPage::showReport);
   connect(freeze_, &QPushButton::clicked, this, &ReportsPage::askFreeze);
   connect(pdf_, &QPushButton::clicked, this, [this] { askExport(ReportFormat::kPdf); });
   connect(csv_, &QPushButton::clicked, this, [this] { askExport(ReportFormat::kCsv); });
   const QSignalBlocker quietLanguage(language_);
   language_->addItem(QString(), QString());  // that of the window
-  for (const Language language : {Language::kEnglish, Language::kSimplifiedChinese})
+  for (const Language language : {Language::kEnglish, Language::kSimplifiedChinese}) {
     language_->addItem(languageName(language), languageCode(language));
+  }
   const QSignalBlocker quiet(identity_);
   identity_->addItem(QString(), static_cast<int>(ReportIdentity::kCoded));
   identity_->addItem(QString(), static_cast<int>(ReportIdentity::kAggregated));
-  if (shell.may(Operation::kReportExportNamed) && shell.may(Operation::kPersonViewIdentity))
+  if (shell.may(Operation::kReportExportNamed) && shell.may(Operation::kPersonViewIdentity)) {
     identity_->addItem(QString(), static_cast<int>(ReportIdentity::kNamed));
+  }
   retranslate();
 }
 
@@ -113,12 +120,17 @@ void ReportsPage::fillFrozen() {
     frozen_->clear();
     frozen_->addItem(tr("as they are now"), QString());
     const std::string cohort = chosenId(cohort_);
-    if (cohort.empty()) return;
-    for (const FrozenRow& row : frozenData(shell().workplace(), cohort))
+    if (cohort.empty()) {
+      return;
+    }
+    for (const FrozenRow& row : frozenData(shell().workplace(), cohort)) {
       frozen_->addItem(
           QStringLiteral("%1 (%2)").arg(toQString(row.name), shownTime(row.createdUtc_us, locale())),
           toQString(row.id));
-    if (!before.empty()) chooseId(frozen_, before);
+    }
+    if (!before.empty()) {
+      chooseId(frozen_, before);
+    }
   });
 }
 
@@ -162,7 +174,9 @@ std::string ReportsPage::reportLanguage() const {
 }
 
 void ReportsPage::showReport() {
-  if (!model_) return;
+  if (!model_) {
+    return;
+  }
   shownLanguage_ = reportLanguage();
   preview_->setReport(*model_, wordingIn(shownLanguage_));
 }
@@ -177,14 +191,15 @@ void ReportsPage::showButtons() {
   csv_->setEnabled(ready);
   freeze_->setEnabled(cohort_->count() > 0);
   QString words;
-  if (ready && inputs_->identity == ReportIdentity::kNamed)
+  if (ready && inputs_->identity == ReportIdentity::kNamed) {
     words = tr("This report will name the trainees. That you took it out is kept in the audit trail.");
-  else if (ready && inputs_->freeze && !inputs_->freeze->unchanged)
+  } else if (ready && inputs_->freeze && !inputs_->freeze->unchanged) {
     words = tr("The record has changed since this data set was frozen; the report says so.");
-  else if (ready && !inputs_->freeze)
+  } else if (ready && !inputs_->freeze) {
     words =
         tr("For a report that others rely on, freeze the data first: then anybody can check later that "
            "nothing changed.");
+  }
   warning_->setText(words);
   warning_->setVisible(!words.isEmpty());
 }
@@ -195,13 +210,17 @@ void ReportsPage::askFreeze() {
       this, tr("Freeze data"),
       tr("Name of the data set. It keeps a list of everything the report is made of, with hashes."),
       QLineEdit::Normal, QString(), &given);
-  if (given && !name.trimmed().isEmpty()) freeze(name.trimmed().toStdString());
+  if (given && !name.trimmed().isEmpty()) {
+    freeze(name.trimmed().toStdString());
+  }
 }
 
 bool ReportsPage::freeze(const std::string& name) {
   return attempt(shell(), [&] {
     std::vector<std::string> campaigns;
-    if (const std::string campaign = chosenId(campaign_); !campaign.empty()) campaigns.push_back(campaign);
+    if (const std::string campaign = chosenId(campaign_); !campaign.empty()) {
+      campaigns.push_back(campaign);
+    }
     const FrozenRow row = freezeData(shell().workplace(), chosenId(cohort_), name, campaigns);
     fillFrozen();
     chooseId(frozen_, row.id);
@@ -210,17 +229,23 @@ bool ReportsPage::freeze(const std::string& name) {
 }
 
 void ReportsPage::askExport(ReportFormat format) {
-  if (!inputs_) return;
+  if (!inputs_) {
+    return;
+  }
   const bool pdf = format == ReportFormat::kPdf;
   const QString suggestion = QStringLiteral("%1.%2").arg(cohort_->currentText(),
                                                          pdf ? QStringLiteral("pdf") : QStringLiteral("csv"));
   const QString file = askFileToSave(this, pdf ? tr("Save report") : tr("Save table of numbers"), suggestion,
                                      pdf ? tr("PDF (*.pdf)") : tr("Table, comma-separated (*.csv)"));
-  if (!file.isEmpty()) exportTo(format, toPath(file));
+  if (!file.isEmpty()) {
+    exportTo(format, toPath(file));
+  }
 }
 
 bool ReportsPage::exportTo(ReportFormat format, const std::filesystem::path& file) {
-  if (!inputs_) return false;
+  if (!inputs_) {
+    return false;
+  }
   QProgressDialog wait(tr("Writing the report\u2026"), tr("Cancel"), 0, 0, this);
   wait.setWindowModality(Qt::WindowModal);
   wait.setMinimumDuration(400);
@@ -229,7 +254,9 @@ bool ReportsPage::exportTo(ReportFormat format, const std::filesystem::path& fil
     wait.setMaximum(static_cast<int>(pages));
     wait.setValue(static_cast<int>(page));
     QApplication::processEvents();
-    if (wait.wasCanceled()) throw Cancelled{};
+    if (wait.wasCanceled()) {
+      throw Cancelled{};
+    }
   };
   return attempt(
       shell(),
@@ -253,12 +280,20 @@ void ReportsPage::retranslate() {
   identityLabel_->setText(tr("People are &shown"));
   identity_->setItemText(0, tr("by code"));
   identity_->setItemText(1, tr("aggregated only"));
-  if (identity_->count() > 2) identity_->setItemText(2, tr("trainees with names"));
-  if (campaign_->count() > 0) campaign_->setItemText(0, tr("none"));
-  if (frozen_->count() > 0) frozen_->setItemText(0, tr("as they are now"));
+  if (identity_->count() > 2) {
+    identity_->setItemText(2, tr("trainees with names"));
+  }
+  if (campaign_->count() > 0) {
+    campaign_->setItemText(0, tr("none"));
+  }
+  if (frozen_->count() > 0) {
+    frozen_->setItemText(0, tr("as they are now"));
+  }
   languageLabel_->setText(tr("&Language of the report"));
   language_->setItemText(0, tr("as the window"));
-  if (shownLanguage_ != reportLanguage()) showReport();
+  if (shownLanguage_ != reportLanguage()) {
+    showReport();
+  }
   preview_->setAccessibleName(tr("Preview of the report"));
   showButtons();
 }

@@ -71,7 +71,9 @@ void RestorePage::layOut() {
   heading_->addAction(back_);
   QVBoxLayout* column = scrolledColumn(this);
   column->addWidget(heading_);
-  for (Card* card : {backup_, compare_, confirm_}) column->addWidget(card);
+  for (Card* card : {backup_, compare_, confirm_}) {
+    column->addWidget(card);
+  }
   column->addStretch(1);
 
   check_->setProperty("primary", true);
@@ -115,7 +117,9 @@ void RestorePage::enter(const QVariant& argument) {
 
 void RestorePage::choose() {
   const QString chosen = askFileToOpen(this, tr("Choose a backup"), tr("Backup (*.sqlite)"), file_->text());
-  if (chosen.isEmpty()) return;
+  if (chosen.isEmpty()) {
+    return;
+  }
   file_->setText(chosen);
   check();
 }
@@ -127,7 +131,9 @@ void RestorePage::fileChanged() {
 }
 
 void RestorePage::check() {
-  if (file_->text().trimmed().isEmpty() || shell().working()) return;
+  if (file_->text().trimmed().isEmpty() || shell().working()) {
+    return;
+  }
   const std::filesystem::path file(file_->text().trimmed().toStdString());
   auto plan = std::make_shared<RestorePlan>();
   shell().run(
@@ -143,7 +149,9 @@ void RestorePage::check() {
 }
 
 void RestorePage::restore() {
-  if (!plan_ || shell().working()) return;
+  if (!plan_ || shell().working()) {
+    return;
+  }
   auto prepared = std::make_shared<std::shared_ptr<PreparedRestore>>();
   shell().run(
       tr("Restoring the backup"),
@@ -168,7 +176,9 @@ void RestorePage::showPlan() {
   compare_->setVisible(plan_.has_value());
   confirm_->setVisible(plan_.has_value());
   showButtons();
-  if (!plan_) return;
+  if (!plan_) {
+    return;
+  }
   const RestorePlan& plan = *plan_;
   using Line = std::array<QString, kNumberColumns>;
   const auto line = [this](const QString& what, std::int64_t now, std::int64_t then, std::int64_t lost) {
@@ -181,13 +191,16 @@ void RestorePage::showPlan() {
       line(tr("People"), plan.present.people, plan.restored.people, plan.lostPeople),
       {tr("Newest recording or mark"), shownTime(plan.present.newestUtc_us, locale()),
        shownTime(plan.restored.newestUtc_us, locale()), QString()}};
-  for (std::size_t row = 0; row < lines.size(); ++row)
+  for (std::size_t row = 0; row < lines.size(); ++row) {
     for (std::size_t place = 0; place < lines[row].size(); ++place) {
       auto* label = new QLabel(lines[row][place], compare_);
-      if (row == 0 || place == 0) setLook(label, "quiet", true);
+      if (row == 0 || place == 0) {
+        setLook(label, "quiet", true);
+      }
       numbers_->addWidget(label, static_cast<int>(row), static_cast<int>(place),
                           place == 0 ? Qt::AlignLeft : Qt::AlignRight);
     }
+  }
   const bool loses = plan.lostTrials + plan.lostMarks + plan.lostPeople > 0;
   QString words =
       loses ? tr("What was added after the backup is no longer in the record: %1 recordings, %2 marks and %3 "
@@ -198,9 +211,10 @@ void RestorePage::showPlan() {
   words +=
       QLatin1Char('\n') +
       tr("Passwords, accounts, settings and consents are those of the backup. Look at consents afterwards.");
-  if (plan.erasedSince > 0)
+  if (plan.erasedSince > 0) {
     words += QLatin1Char('\n') +
              tr("%1 people were erased after this backup. They stay erased.").arg(plan.erasedSince);
+  }
   loss_->setText(words);
   setLook(loss_, "caution", loses);
 }

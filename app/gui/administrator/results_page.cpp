@@ -28,16 +28,24 @@ constexpr int kIdRole = Qt::UserRole;
 constexpr int kContentsWidth = 300;
 
 const ReportFigure* figureWith(const ReportModel& model, const std::string& id) {
-  for (const ReportSection& section : model.sections)
-    for (const ReportFigure& figure : section.figures)
-      if (figure.id == id) return &figure;
+  for (const ReportSection& section : model.sections) {
+    for (const ReportFigure& figure : section.figures) {
+      if (figure.id == id) {
+        return &figure;
+      }
+    }
+  }
   return nullptr;
 }
 
 const ReportTable* tableWith(const ReportModel& model, const std::string& id) {
-  for (const ReportSection& section : model.sections)
-    for (const ReportTable& table : section.tables)
-      if (table.id == id) return &table;
+  for (const ReportSection& section : model.sections) {
+    for (const ReportTable& table : section.tables) {
+      if (table.id == id) {
+        return &table;
+      }
+    }
+  }
   return nullptr;
 }
 
@@ -62,7 +70,9 @@ ResultsPage::ResultsPage(ShellContext& shell)
   choices->addSpacing(2 * kSpace);
   campaignLabel_ = fieldBeside(choices, campaign_);
   choices->addStretch(1);
-  for (QComboBox* box : {cohort_, campaign_}) box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  for (QComboBox* box : {cohort_, campaign_}) {
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  }
   contents_->setWordWrap(true);
   contents_->setMinimumWidth(kContentsWidth * 2 / 3);
   contents_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -93,7 +103,9 @@ void ResultsPage::enter(const QVariant& argument) {
     Workplace& workplace = shell().workplace();
     fillCohorts(cohort_, workplace);
     fillCampaigns(campaign_, workplace, tr("none"));
-    if (argument.isValid()) chooseId(cohort_, argument.toString().toStdString());
+    if (argument.isValid()) {
+      chooseId(cohort_, argument.toString().toStdString());
+    }
     compute();
   });
 }
@@ -126,9 +138,11 @@ void ResultsPage::fill() {
   contents_->clear();
   QPixmap indent(kSpace, 1);  // also of the second line of a long title
   indent.fill(Qt::transparent);
-  if (model_)
+  if (model_) {
     for (const ReportSection& section : model_->sections) {
-      if (section.figures.empty() && section.tables.empty()) continue;
+      if (section.figures.empty() && section.tables.empty()) {
+        continue;
+      }
       auto* head = new QListWidgetItem(toQString(section.title), contents_);
       QFont bold = head->font();
       bold.setBold(true);
@@ -139,26 +153,39 @@ void ResultsPage::fill() {
         item->setData(Qt::DecorationRole, indent);
         item->setData(kIdRole, toQString(id));
       };
-      for (const ReportFigure& figure : section.figures) add(figure.id, figure.title);
-      for (const ReportTable& table : section.tables) add(table.id, table.title);
+      for (const ReportFigure& figure : section.figures) {
+        add(figure.id, figure.title);
+      }
+      for (const ReportTable& table : section.tables) {
+        add(table.id, table.title);
+      }
     }
+  }
   const bool some = contents_->count() > 0;
   contents_->setVisible(some);
   card_->setVisible(some);
   empty_->setVisible(!some);
-  if (some) showItem(wanted.isEmpty() ? QStringLiteral("figure-22") : wanted);
+  if (some) {
+    showItem(wanted.isEmpty() ? QStringLiteral("figure-22") : wanted);
+  }
 }
 
 void ResultsPage::showItem(const QString& id) {
   int first = -1;
   for (int i = 0; i < contents_->count(); ++i) {
     const QString here = contents_->item(i)->data(kIdRole).toString();
-    if (first < 0 && !here.isEmpty()) first = i;
-    if (here != id) continue;
+    if (first < 0 && !here.isEmpty()) {
+      first = i;
+    }
+    if (here != id) {
+      continue;
+    }
     first = i;
     break;
   }
-  if (first < 0) return;
+  if (first < 0) {
+    return;
+  }
   contents_->setCurrentRow(first);
   contents_->scrollToItem(contents_->item(first));
   showCurrent();
@@ -170,7 +197,9 @@ void ResultsPage::settle() {
 
 void ResultsPage::showCurrent() {
   const QListWidgetItem* item = contents_->currentItem();
-  if (item == nullptr || !model_) return;
+  if (item == nullptr || !model_) {
+    return;
+  }
   const std::string id = item->data(kIdRole).toString().toStdString();
   if (const ReportFigure* figure = figureWith(*model_, id)) {
     card_->setFigure(*figure);
@@ -186,8 +215,12 @@ void ResultsPage::retranslate() {
   campaignLabel_->setText(tr("&Evaluation of models"));
   contents_->setAccessibleName(tr("Figures and tables"));
   empty_->setText(tr("There is nothing to show yet: no cohort has marks or recordings."));
-  if (campaign_->count() > 0) campaign_->setItemText(0, tr("none"));
-  if (model_) fill();
+  if (campaign_->count() > 0) {
+    campaign_->setItemText(0, tr("none"));
+  }
+  if (model_) {
+    fill();
+  }
 }
 
 void ResultsPage::applyTheme(const Theme& theme) {

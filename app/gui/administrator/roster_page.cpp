@@ -123,7 +123,9 @@ void RosterPage::read() {
     if (names_->isChecked()) {
       people_ = namedPeople(shell().workplace());
     } else {
-      for (PersonRow& row : people(shell().workplace())) people_.push_back({std::move(row), {}});
+      for (PersonRow& row : people(shell().workplace())) {
+        people_.push_back({std::move(row), {}});
+      }
     }
     showContent();
   });
@@ -149,7 +151,9 @@ void RosterPage::showContent() {
                      {row.person.state == "active" ? tr("active") : tr("left")}}});
   }
   table_->setRows(std::move(rows));
-  for (const int column : {1, 2}) table_->setColumnHidden(column, !names_->isChecked());
+  for (const int column : {1, 2}) {
+    table_->setColumnHidden(column, !names_->isChecked());
+  }
   showButtons();
 }
 
@@ -174,7 +178,9 @@ void RosterPage::showButtons() {
 
 void RosterPage::import() {
   RosterWizard wizard(shell(), this);
-  if (wizard.exec() != QDialog::Accepted || !wizard.outcome()) return;
+  if (wizard.exec() != QDialog::Accepted || !wizard.outcome()) {
+    return;
+  }
   shell().notify(
       tr("%1 people added, %2 changed").arg(wizard.outcome()->added).arg(wizard.outcome()->changed));
   read();
@@ -184,7 +190,9 @@ void RosterPage::add() {
   attempt(shell(), [&] {
     const std::optional<PersonEdit> edit =
         askPerson(this, std::nullopt, ensureRaterClasses(shell().workplace()));
-    if (!edit) return;
+    if (!edit) {
+      return;
+    }
     const std::string id = addPerson(shell().workplace(), edit->entry);
     read();
     table_->select(toQString(id));
@@ -193,11 +201,15 @@ void RosterPage::add() {
 
 void RosterPage::edit() {
   const std::string id = table_->currentId().toStdString();
-  if (id.empty() || !edit_->isVisible()) return;
+  if (id.empty() || !edit_->isVisible()) {
+    return;
+  }
   attempt(shell(), [&] {
     const std::optional<PersonEdit> edit =
         askPerson(this, personEntry(shell().workplace(), id), ensureRaterClasses(shell().workplace()));
-    if (!edit) return;
+    if (!edit) {
+      return;
+    }
     changePerson(shell().workplace(), id, edit->entry, edit->reason);
     read();
   });
@@ -207,7 +219,9 @@ void RosterPage::switchState() {
   const std::string id = table_->currentId().toStdString();
   const auto person = std::find_if(people_.begin(), people_.end(),
                                    [&id](const NamedPersonRow& named) { return named.row.person.id == id; });
-  if (person == people_.end()) return;
+  if (person == people_.end()) {
+    return;
+  }
   attempt(shell(), [&] {
     const bool active = person->row.person.state == "active";
     const QString code = toQString(person->row.person.code);
@@ -215,7 +229,9 @@ void RosterPage::switchState() {
         active ? askReason(this, tr("Has left"),
                            tr("%1 keeps the record and is offered nowhere any more.").arg(code))
                : askReason(this, tr("Came back"), tr("%1 is offered again.").arg(code));
-    if (!reason) return;
+    if (!reason) {
+      return;
+    }
     setPersonState(shell().workplace(), id, active ? "left" : "active", *reason);
     read();
   });
@@ -223,22 +239,30 @@ void RosterPage::switchState() {
 
 void RosterPage::askExportPerson() {
   const NamedPersonRow* person = current();
-  if (person == nullptr) return;
+  if (person == nullptr) {
+    return;
+  }
   const QString code = toQString(person->row.person.code);
   const std::optional<std::string> reason =
       askReason(this, tr("Export this person\u2019s record"),
                 tr("A new folder takes everything about %1: tables, recordings and a list of all files. It "
                    "holds the name; hand it to nobody else.")
                     .arg(code));
-  if (!reason) return;
+  if (!reason) {
+    return;
+  }
   const QString folder = askFileToSave(this, tr("New folder for the record of %1").arg(code),
                                        QStringLiteral("record-%1").arg(code), tr("Folder (*)"));
-  if (!folder.isEmpty()) exportPerson(toPath(folder), *reason);
+  if (!folder.isEmpty()) {
+    exportPerson(toPath(folder), *reason);
+  }
 }
 
 void RosterPage::exportPerson(const std::filesystem::path& folder, const std::string& reason) {
   const NamedPersonRow* person = current();
-  if (person == nullptr) return;
+  if (person == nullptr) {
+    return;
+  }
   const auto package = std::make_shared<PersonPackage>();
   shell().run(
       tr("Exporting a record"),
@@ -255,13 +279,17 @@ void RosterPage::exportPerson(const std::filesystem::path& folder, const std::st
 
 void RosterPage::askErasePerson() {
   const NamedPersonRow* person = current();
-  if (person == nullptr) return;
+  if (person == nullptr) {
+    return;
+  }
   const std::optional<std::string> reason =
       askReason(this, tr("Erase on request"),
                 tr("Name, number and recordings of %1 are erased for good. Marks stay without a person, so "
                    "that statistics remain right. This cannot be taken back.")
                     .arg(toQString(person->row.person.code)));
-  if (!reason) return;
+  if (!reason) {
+    return;
+  }
   attempt(shell(), [&] {
     erasePersonRecord(shell().workplace(), person->row.person.id, *reason);
     read();
@@ -274,7 +302,9 @@ void RosterPage::exportList() {
   const QString file = askFileToSave(
       this, withNames ? tr("Export with names") : tr("Export under codes"),
       withNames ? QStringLiteral("people-named.csv") : QStringLiteral("people.csv"), tr("Tables (*.csv)"));
-  if (file.isEmpty()) return;
+  if (file.isEmpty()) {
+    return;
+  }
   const auto count = std::make_shared<std::size_t>(0);
   shell().run(
       tr("Exporting people"),

@@ -87,7 +87,9 @@ struct RosterTexts {
                         change.from.empty() ? QStringLiteral("\u2013") : toQString(change.from),
                         toQString(change.to));
     }
-    if (!row.hint.empty()) parts << toQString(row.hint);
+    if (!row.hint.empty()) {
+      parts << toQString(row.hint);
+    }
     return parts.join(QStringLiteral("; "));
   }
 };
@@ -116,13 +118,17 @@ RosterWizard::RosterWizard(ShellContext& shell, QWidget* parent) : QWizard(paren
   connect(
       &shell, &ShellContext::jobEnded, this,
       [this] {
-        if (closing_) QWizard::reject();
+        if (closing_) {
+          QWizard::reject();
+        }
       },
       Qt::QueuedConnection);
 }
 
 void RosterWizard::accept() {
-  if (preview_->busy() || !preview_->isComplete()) return;
+  if (preview_->busy() || !preview_->isComplete()) {
+    return;
+  }
   preview_->commit([this] { QWizard::accept(); });
 }
 
@@ -190,8 +196,9 @@ void RosterFilePage::sayColumns() {
   const RosterKind kind = raters_->isChecked() ? RosterKind::kRaters : RosterKind::kTrainees;
   QStringList needed;
   QStringList other;
-  for (const RosterField field : rosterFields(kind))
+  for (const RosterField field : rosterFields(kind)) {
     (isRequired(field, kind) ? needed : other) << RosterTexts::field(field);
+  }
   columns_->setText(
       tr("Needed columns: %1. Further columns, as far as you have them: %2. Their order and their "
          "headings do not matter; the next step asks which is which.")
@@ -216,13 +223,17 @@ bool RosterFilePage::validatePage() {
 
 void RosterFilePage::choose() {
   const QString file = askFileToOpen(this, tr("Roster"), tr("Tables (*.csv *.txt *.tsv);;All files (*)"));
-  if (!file.isEmpty()) path_->setText(file);
+  if (!file.isEmpty()) {
+    path_->setText(file);
+  }
 }
 
 void RosterFilePage::saveTemplate() {
   const QString file =
       askFileToSave(this, tr("Empty template"), QStringLiteral("roster.csv"), tr("Tables (*.csv)"));
-  if (file.isEmpty()) return;
+  if (file.isEmpty()) {
+    return;
+  }
   try {
     writeFileAtomically(toPath(file),
                         rosterTemplate(raters_->isChecked() ? RosterKind::kRaters : RosterKind::kTrainees));
@@ -241,7 +252,9 @@ RosterColumnsPage::RosterColumnsPage(RosterImport& import, QWidget* parent)
   column->setSpacing(2 * kSpace);
   form_->setHorizontalSpacing(kSpace);
   form_->setVerticalSpacing(kSpace);
-  for (const int side : {1, 3}) form_->setColumnStretch(side, 1);
+  for (const int side : {1, 3}) {
+    form_->setColumnStretch(side, 1);
+  }
   sample_->filter().hide();
   column->addLayout(form_);
   column->addWidget(sample_, 1);
@@ -277,7 +290,9 @@ void RosterColumnsPage::initializePage() {
 
 void RosterColumnsPage::showSample() {
   std::vector<Column> columns;
-  for (const std::string& name : import_.file->header) columns.push_back({toQString(name)});
+  for (const std::string& name : import_.file->header) {
+    columns.push_back({toQString(name)});
+  }
   sample_->setColumns(columns);
   std::vector<Row> rows;
   for (std::size_t i = 0; i < std::min(kSampleRows, import_.file->rows.size()); ++i) {
@@ -329,7 +344,9 @@ RosterPreviewPage::RosterPreviewPage(RosterImport& import, ShellContext& shell, 
   column->addWidget(progress_);
   column->addWidget(lines_, 1);
   connect(&shell, &ShellContext::jobMoved, this, [this](const QString& step, double fraction) {
-    if (busy_) showProgress(step, fraction);
+    if (busy_) {
+      showProgress(step, fraction);
+    }
   });
   connect(&shell, &ShellContext::jobEnded, this, [this] {
     busy_ = false;
@@ -367,16 +384,19 @@ void RosterPreviewPage::initializePage() {
         try {
           RosterPreview preview = previewRoster(workplace, file, kind, columns, progress);
           // Proves before the last button that the database would take it.
-          if (preview.importable())
+          if (preview.importable()) {
             static_cast<void>(importRoster(workplace, file, kind, columns, preview.fingerprint,
                                            RosterMode::kDryRun, progress));
+          }
           found->preview = std::move(preview);
         } catch (const Error& error) {
           found->problem = error;
         }
       },
       [page = QPointer<RosterPreviewPage>(this), found] {
-        if (page.isNull()) return;
+        if (page.isNull()) {
+          return;
+        }
         if (found->problem) {
           page->showProblem(problemText(*found->problem));
           return;
@@ -432,7 +452,9 @@ void RosterPreviewPage::commit(std::function<void()> done) {
         }
       },
       [page = QPointer<RosterPreviewPage>(this), outcome, problem, done = std::move(done)] {
-        if (page.isNull()) return;
+        if (page.isNull()) {
+          return;
+        }
         if (*problem) {
           page->showProblem(problemText(**problem));
           return;

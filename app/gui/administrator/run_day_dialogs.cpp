@@ -49,9 +49,15 @@ class FormDialog : public QDialog {
 }  // namespace
 
 QString exposureName(const std::string& kind) {
-  if (kind == "virtual") return translated(QT_TRANSLATE_NOOP("RunDay", "on the simulator"));
-  if (kind == "real") return translated(QT_TRANSLATE_NOOP("RunDay", "on the real arm"));
-  if (kind == "rest") return translated(QT_TRANSLATE_NOOP("RunDay", "rest"));
+  if (kind == "virtual") {
+    return translated(QT_TRANSLATE_NOOP("RunDay", "on the simulator"));
+  }
+  if (kind == "real") {
+    return translated(QT_TRANSLATE_NOOP("RunDay", "on the real arm"));
+  }
+  if (kind == "rest") {
+    return translated(QT_TRANSLATE_NOOP("RunDay", "rest"));
+  }
   return toQString(kind);
 }
 
@@ -66,16 +72,20 @@ QString deviationName(const std::string& kind) {
       {"rest too long", QT_TRANSLATE_NOOP("RunDay", "rest too long")},
       {"other", QT_TRANSLATE_NOOP("RunDay", "something else")},
   };
-  for (const auto& [code, name] : kNames)
-    if (kind == code) return translated(name);
+  for (const auto& [code, name] : kNames) {
+    if (kind == code) {
+      return translated(name);
+    }
+  }
   return toQString(kind);
 }
 
 std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee) {
   FormDialog dialog(parent, translated(QT_TRANSLATE_NOOP("RunDay", "Log time")), trainee);
   auto* kind = new QComboBox(&dialog);
-  for (const char* code : {"real", "virtual", "rest"})
+  for (const char* code : {"real", "virtual", "rest"}) {
     kind->addItem(exposureName(code), QString::fromLatin1(code));
+  }
   auto* minutes = new QDoubleSpinBox(&dialog);
   minutes->setRange(0.5, 240.0);
   minutes->setDecimals(1);
@@ -84,7 +94,9 @@ std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee) 
   minutes->setSuffix(translated(QT_TRANSLATE_NOOP("RunDay", " min")));
   dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&What")), kind);
   dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&How long")), minutes);
-  if (!dialog.ask(translated(QT_TRANSLATE_NOOP("RunDay", "Log time")))) return std::nullopt;
+  if (!dialog.ask(translated(QT_TRANSLATE_NOOP("RunDay", "Log time")))) {
+    return std::nullopt;
+  }
   NewExposure exposure;
   exposure.kind = kind->currentData().toString().toStdString();
   exposure.duration_us = static_cast<std::int64_t>(minutes->value() * 60e6);
@@ -94,13 +106,17 @@ std::optional<NewExposure> askExposure(QWidget* parent, const QString& trainee) 
 std::optional<NewDeviation> askDeviation(QWidget* parent, const QString& trainee) {
   FormDialog dialog(parent, translated(QT_TRANSLATE_NOOP("RunDay", "Report a deviation")), trainee);
   auto* kind = new QComboBox(&dialog);
-  for (const std::string& code : deviationKinds()) kind->addItem(deviationName(code), toQString(code));
+  for (const std::string& code : deviationKinds()) {
+    kind->addItem(deviationName(code), toQString(code));
+  }
   auto* text = new QPlainTextEdit(&dialog);
   text->setTabChangesFocus(true);
   text->setPlaceholderText(translated(QT_TRANSLATE_NOOP("RunDay", "What happened, without names")));
   dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&Kind")), kind);
   dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&What happened")), text);
-  if (!dialog.ask(translated(QT_TRANSLATE_NOOP("RunDay", "Report")))) return std::nullopt;
+  if (!dialog.ask(translated(QT_TRANSLATE_NOOP("RunDay", "Report")))) {
+    return std::nullopt;
+  }
   NewDeviation deviation;
   deviation.kind = kind->currentData().toString().toStdString();
   deviation.description = text->toPlainText().trimmed().toStdString();
@@ -111,7 +127,9 @@ std::optional<Swap> askSwap(QWidget* parent, const QString& trainee,
                             const std::vector<std::pair<std::string, QString>>& others) {
   FormDialog dialog(parent, translated(QT_TRANSLATE_NOOP("RunDay", "Swap turns")), trainee);
   auto* other = new QComboBox(&dialog);
-  for (const auto& [id, code] : others) other->addItem(code, toQString(id));
+  for (const auto& [id, code] : others) {
+    other->addItem(code, toQString(id));
+  }
   auto* reason = new QLineEdit(&dialog);
   reason->setPlaceholderText(translated(QT_TRANSLATE_NOOP("RunDay", "Why, without names")));
   dialog.form->addRow(translated(QT_TRANSLATE_NOOP("RunDay", "&With")), other);
@@ -122,7 +140,9 @@ std::optional<Swap> askSwap(QWidget* parent, const QString& trainee,
   note->setProperty("quiet", true);
   dialog.form->addRow(note);
   other->setFocus();
-  if (!dialog.ask(translated(QT_TRANSLATE_NOOP("RunDay", "Swap")))) return std::nullopt;
+  if (!dialog.ask(translated(QT_TRANSLATE_NOOP("RunDay", "Swap")))) {
+    return std::nullopt;
+  }
   return Swap{other->currentData().toString().toStdString(), reason->text().trimmed().toStdString()};
 }
 

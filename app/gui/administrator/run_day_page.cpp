@@ -98,23 +98,31 @@ bool RunDayPage::leave() {
 }
 
 void RunDayPage::read() {
-  if (shell().databaseAway()) return;  // the window has said so
+  if (shell().databaseAway()) {
+    return;  // the window has said so
+  }
   const bool good = attempt(shell(), [&] {
     const std::string cohort = chosenId(cohort_);
     board_ = cohort.empty() ? std::nullopt : std::optional(runDayBoard(shell().workplace(), cohort));
     showContent();
   });
-  if (!good) clock_->stop();  // one message, not one every few seconds
+  if (!good) {
+    clock_->stop();  // one message, not one every few seconds
+  }
 }
 
 void RunDayPage::refresh() {
   const std::string cohort = chosenId(cohort_);
-  if (cohort.empty() || reader_->working()) return;
+  if (cohort.empty() || reader_->working()) {
+    return;
+  }
   reader_->run(
       [this, key = shell().workplace().key(), cohort]() -> Background::Finish {
         Workplace own(key);
         return [this, cohort, board = runDayBoard(own, cohort)] {
-          if (cohort != chosenId(cohort_)) return;  // another one was chosen meanwhile
+          if (cohort != chosenId(cohort_)) {
+            return;  // another one was chosen meanwhile
+          }
           board_ = board;
           showContent();
         };
@@ -131,9 +139,15 @@ void RunDayPage::refreshAndWait() {
 }
 
 QString RunDayPage::nowText(const RunDayRow& row) const {
-  if (row.state == EnrolmentState::kWithdrawn) return tr("withdrew");
-  if (row.done) return tr("all phases done");
-  if (row.phaseLabel.empty()) return tr("no curriculum");
+  if (row.state == EnrolmentState::kWithdrawn) {
+    return tr("withdrew");
+  }
+  if (row.done) {
+    return tr("all phases done");
+  }
+  if (row.phaseLabel.empty()) {
+    return tr("no curriculum");
+  }
   return toQString(row.phaseLabel);
 }
 
@@ -142,7 +156,7 @@ void RunDayPage::showContent() {
   std::size_t running = 0;
   std::size_t done = 0;
   std::size_t sheets = 0;
-  if (board_)
+  if (board_) {
     for (const RunDayRow& row : board_->rows) {
       running += row.runningTrialId.empty() ? 0 : 1;
       done += row.done ? 1 : 0;
@@ -165,6 +179,7 @@ void RunDayPage::showContent() {
             {row.deviations == 0 ? QStringLiteral("\u2013") : QString::number(row.deviations),
              static_cast<qlonglong>(row.deviations)}}});
     }
+  }
   table_->setRows(std::move(rows));
   summary_->setText(board_ ? tr("%1 recording now \u00B7 %2 of %3 done \u00B7 %4 sheets missing")
                                  .arg(running)
@@ -206,8 +221,11 @@ QString RunDayPage::alertText(const RunDayAlert& alert) const {
 
 void RunDayPage::showAlerts() {
   QStringList lines;
-  if (board_)
-    for (const RunDayAlert& alert : runDayAlerts(*board_)) lines << alertText(alert);
+  if (board_) {
+    for (const RunDayAlert& alert : runDayAlerts(*board_)) {
+      lines << alertText(alert);
+    }
+  }
   const qsizetype more = lines.size() - kMostAlerts;
   if (more > 0) {
     lines.resize(kMostAlerts);
@@ -219,13 +237,18 @@ void RunDayPage::showAlerts() {
 }
 
 QString RunDayPage::checkText(const StationDevice& device) const {
-  if (device.device.empty()) return QStringLiteral("\u2013");
+  if (device.device.empty()) {
+    return QStringLiteral("\u2013");
+  }
   const QDateTime checked = QDateTime::fromMSecsSinceEpoch(device.checkedUtc_us / 1000);
   const QDateTime now = QDateTime::fromMSecsSinceEpoch(board_->asOfUtc_us / 1000);
-  if (!device.light) return tr("\u25CB not checked yet");
-  if (checked.date() != now.date())
+  if (!device.light) {
+    return tr("\u25CB not checked yet");
+  }
+  if (checked.date() != now.date()) {
     return tr("\u25CB not checked today, last on %1")
         .arg(locale().toString(checked.date(), QLocale::ShortFormat));
+  }
   const QString time = locale().toString(checked.time(), QLocale::ShortFormat);
   switch (*device.light) {
     case Light::kGreen:
@@ -240,7 +263,7 @@ QString RunDayPage::checkText(const StationDevice& device) const {
 
 void RunDayPage::showStations() {
   std::vector<Row> rows;
-  if (board_)
+  if (board_) {
     for (const StationState& station : board_->stations) {
       const bool silent = board_->asOfUtc_us - station.heartbeatUtc_us > kStationSilence_us;
       const bool records = !station.trialId.empty() && !station.ended;
@@ -260,6 +283,7 @@ void RunDayPage::showStations() {
             {device.device.empty() ? orDash({}) : toQString(device.device)},
             {check, {}, check}}});
     }
+  }
   const bool some = !rows.empty();
   stations_->setFixedHeight(kStationsFrame + kStationHeight * static_cast<int>(std::clamp<std::size_t>(
                                                                   rows.size(), 1, kMostStations)));
@@ -270,14 +294,20 @@ void RunDayPage::showStations() {
 
 void RunDayPage::swap() {
   const RunDayRow* row = current();
-  if (row == nullptr) return;
+  if (row == nullptr) {
+    return;
+  }
   std::vector<std::pair<std::string, QString>> others;
-  for (const RunDayRow& other : board_->rows)
-    if (other.enrolmentId != row->enrolmentId && other.state != EnrolmentState::kWithdrawn)
+  for (const RunDayRow& other : board_->rows) {
+    if (other.enrolmentId != row->enrolmentId && other.state != EnrolmentState::kWithdrawn) {
       others.emplace_back(other.enrolmentId, toQString(other.traineeCode));
+    }
+  }
   const std::string id = row->enrolmentId;
   const std::optional<Swap> wanted = askSwap(this, toQString(row->traineeCode), others);
-  if (!wanted) return;
+  if (!wanted) {
+    return;
+  }
   attempt(shell(), [&] {
     swapTurns(shell().workplace(), chosenId(cohort_), id, wanted->enrolmentId, wanted->reason);
     read();
@@ -286,7 +316,9 @@ void RunDayPage::swap() {
 }
 
 const RunDayRow* RunDayPage::current() const {
-  if (!board_) return nullptr;
+  if (!board_) {
+    return nullptr;
+  }
   const std::string id = table_->currentId().toStdString();
   const auto found = std::find_if(board_->rows.begin(), board_->rows.end(),
                                   [&](const RunDayRow& row) { return row.enrolmentId == id; });
@@ -305,9 +337,13 @@ void RunDayPage::showButtons() {
 
 void RunDayPage::logTime() {
   const RunDayRow* row = current();
-  if (row == nullptr) return;
+  if (row == nullptr) {
+    return;
+  }
   std::optional<NewExposure> exposure = askExposure(this, toQString(row->traineeCode));
-  if (!exposure) return;
+  if (!exposure) {
+    return;
+  }
   attempt(shell(), [&] {
     exposure->cohortId = chosenId(cohort_);
     exposure->enrolmentId = row->enrolmentId;
@@ -321,10 +357,14 @@ void RunDayPage::reportDeviation() {
   const RunDayRow* row = current();
   std::optional<NewDeviation> deviation =
       askDeviation(this, row != nullptr ? toQString(row->traineeCode) : tr("the whole cohort"));
-  if (!deviation) return;
+  if (!deviation) {
+    return;
+  }
   attempt(shell(), [&] {
     deviation->cohortId = chosenId(cohort_);
-    if (row != nullptr) deviation->enrolmentId = row->enrolmentId;
+    if (row != nullptr) {
+      deviation->enrolmentId = row->enrolmentId;
+    }
     torsio::reportDeviation(shell().workplace(), *deviation);
     read();
   });
@@ -332,14 +372,18 @@ void RunDayPage::reportDeviation() {
 
 void RunDayPage::changeState() {
   const RunDayRow* row = current();
-  if (row == nullptr) return;
+  if (row == nullptr) {
+    return;
+  }
   const bool back = row->state == EnrolmentState::kWithdrawn;
   const std::optional<std::string> reason =
       back ? askReason(this, tr("Back into the study"),
                        tr("%1 takes part again.").arg(toQString(row->traineeCode)))
            : askReason(this, tr("Withdraw from the study"),
                        tr("%1 trains no further; what was recorded stays.").arg(toQString(row->traineeCode)));
-  if (!reason) return;
+  if (!reason) {
+    return;
+  }
   attempt(shell(), [&] {
     setEnrolmentState(shell().workplace(), chosenId(cohort_), row->enrolmentId,
                       back ? EnrolmentState::kEnrolled : EnrolmentState::kWithdrawn, *reason);

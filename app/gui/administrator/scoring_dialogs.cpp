@@ -67,14 +67,18 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
   table->setColumns({{translated(QT_TRANSLATE_NOOP("Scoring", "Rater"))},
                      {translated(QT_TRANSLATE_NOOP("Scoring", "Class"))}});
   std::vector<Row> rows;
-  for (const PersonRow& rater : raters)
+  for (const PersonRow& rater : raters) {
     rows.push_back(
         {toQString(rater.person.id), {{toQString(rater.person.code)}, {raterClassName(rater.raterClass)}}});
+  }
   table->setRows(std::move(rows));
   table->view().setSelectionMode(QAbstractItemView::ExtendedSelection);
   QStringList atWork;
-  for (const ScoringMatrix::Rater& rater : matrix.raters)
-    if (rater.open > 0) atWork << toQString(rater.id);
+  for (const ScoringMatrix::Rater& rater : matrix.raters) {
+    if (rater.open > 0) {
+      atWork << toQString(rater.id);
+    }
+  }
   table->selectAll(atWork);
   dialog.column->addWidget(table, 1);
   std::vector<std::pair<std::string, QCheckBox*>> points;
@@ -88,11 +92,18 @@ std::optional<RatersAsked> askRatersFor(QWidget* parent, const std::vector<Perso
   const auto showAsk = [ask, table] { ask->setEnabled(!table->selectedIds().isEmpty()); };
   QObject::connect(table, &DataTable::currentChanged, ask, showAsk);
   showAsk();
-  if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+  if (dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
   RatersAsked asked;
-  for (const QString& id : table->selectedIds()) asked.raterIds.push_back(id.toStdString());
-  for (const auto& [code, box] : points)
-    if (box->isChecked()) asked.scoringPoints.push_back(code);
+  for (const QString& id : table->selectedIds()) {
+    asked.raterIds.push_back(id.toStdString());
+  }
+  for (const auto& [code, box] : points) {
+    if (box->isChecked()) {
+      asked.scoringPoints.push_back(code);
+    }
+  }
   return asked;
 }
 
@@ -107,12 +118,14 @@ std::optional<SheetMoved> askReassignment(QWidget* parent, const ScoringMatrix& 
   for (std::size_t r = 0; r < matrix.raters.size(); ++r) {
     const ScoringCell& cell = line.cells[r];
     const bool open = isOutstanding(cell.state);
-    if (!cell.assignmentId.empty() && open)
+    if (!cell.assignmentId.empty() && open) {
       from->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "%1 (%2)"))
                         .arg(toQString(matrix.raters[r].code), sheetStateName(cell.state)),
                     toQString(cell.assignmentId));
-    if (cell.assignmentId.empty() || cell.state == SheetState::kWithdrawn)
+    }
+    if (cell.assignmentId.empty() || cell.state == SheetState::kWithdrawn) {
       to->addItem(toQString(matrix.raters[r].code), toQString(matrix.raters[r].id));
+    }
   }
   auto* reason = new QLineEdit(&dialog);
   auto* form = new QFormLayout;
@@ -125,7 +138,9 @@ std::optional<SheetMoved> askReassignment(QWidget* parent, const ScoringMatrix& 
   QObject::connect(reason, &QLineEdit::textChanged, ok, [ok, from](const QString& text) {
     ok->setEnabled(!text.trimmed().isEmpty() && from->count() > 0);
   });
-  if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+  if (dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
   return SheetMoved{chosenId(from), chosenId(to), reason->text().trimmed().toStdString()};
 }
 
@@ -134,7 +149,7 @@ std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<Relea
                   translated(QT_TRANSLATE_NOOP(
                       "Scoring", "Trainees see their marks of a scoring point from the release on.")));
   auto* point = new QComboBox(&dialog);
-  for (const ReleaseState& state : states)
+  for (const ReleaseState& state : states) {
     point->addItem(
         translated(state.released ? QT_TRANSLATE_NOOP("Scoring", "%1: released, take back")
                                   : QT_TRANSLATE_NOOP("Scoring", "%1: release, %2 of %3 sheets missing"))
@@ -142,6 +157,7 @@ std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<Relea
             .arg(state.missing)
             .arg(state.sheets),
         toQString(state.occasion.code));
+  }
   auto* reason = new QLineEdit(&dialog);
   auto* form = new QFormLayout;
   form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&Scoring point")), point);
@@ -156,7 +172,9 @@ std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<Relea
   QObject::connect(reason, &QLineEdit::textChanged, ok, check);
   QObject::connect(point, &QComboBox::currentIndexChanged, ok, check);
   check();
-  if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+  if (dialog.exec() != QDialog::Accepted) {
+    return std::nullopt;
+  }
   const ReleaseState& chosen = states[static_cast<std::size_t>(point->currentIndex())];
   return ReleaseChange{chosen.occasion.code, !chosen.released, reason->text().trimmed().toStdString()};
 }
@@ -166,8 +184,12 @@ namespace {
 Row rowOf(const ThirdRequest& request) {
   QStringList by;
   QStringList reasons;
-  for (const std::string& code : request.askedBy) by << toQString(code);
-  for (const std::string& reason : request.reasons) reasons << toQString(reason);
+  for (const std::string& code : request.askedBy) {
+    by << toQString(code);
+  }
+  for (const std::string& reason : request.reasons) {
+    reasons << toQString(reason);
+  }
   const QString point = occasionName(request.occasion);
   return {toQString(request.assignmentId),
           {{toQString(request.traineeCode)},
@@ -180,11 +202,12 @@ Row rowOf(const ThirdRequest& request) {
 
 void fillThirds(QComboBox* box, const ThirdRequest& request) {
   box->clear();
-  for (const ThirdRater& rater : request.free)
+  for (const ThirdRater& rater : request.free) {
     box->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "%1, %2: %3 sheets wait"))
                      .arg(toQString(rater.code), orDash(rater.classCode))
                      .arg(rater.open),
                  toQString(rater.id));
+  }
 }
 
 }  // namespace
@@ -204,7 +227,9 @@ std::optional<ThirdChosen> askThirdRater(QWidget* parent, const std::vector<Thir
                      {translated(QT_TRANSLATE_NOOP("Scoring", "Since"))}});
   table->view().setAccessibleName(translated(QT_TRANSLATE_NOOP("Scoring", "Cases that need a third rater")));
   std::vector<Row> rows;
-  for (const ThirdRequest& request : requests) rows.push_back(rowOf(request));
+  for (const ThirdRequest& request : requests) {
+    rows.push_back(rowOf(request));
+  }
   table->setRows(std::move(rows));
   dialog.column->addWidget(table, 1);
   auto* to = new QComboBox(&dialog);
@@ -215,7 +240,9 @@ std::optional<ThirdChosen> askThirdRater(QWidget* parent, const std::vector<Thir
   const auto choose = [&](const QString& id) {
     to->clear();
     for (const ThirdRequest& request : requests) {
-      if (toQString(request.assignmentId) == id) fillThirds(to, request);
+      if (toQString(request.assignmentId) == id) {
+        fillThirds(to, request);
+      }
     }
     ok->setEnabled(to->count() > 0);
   };
@@ -223,7 +250,9 @@ std::optional<ThirdChosen> askThirdRater(QWidget* parent, const std::vector<Thir
   table->select(toQString(requests.front().assignmentId));
   choose(table->currentId());
   ok->setFocus(Qt::OtherFocusReason);
-  if (dialog.exec() != QDialog::Accepted || to->count() == 0) return std::nullopt;
+  if (dialog.exec() != QDialog::Accepted || to->count() == 0) {
+    return std::nullopt;
+  }
   return ThirdChosen{table->currentId().toStdString(), chosenId(to)};
 }
 

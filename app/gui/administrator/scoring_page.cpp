@@ -27,7 +27,9 @@ namespace {
 
 /// A sign that differs in shape, not in colour alone; the tip says it in words.
 QString stateSign(const ScoringCell& cell) {
-  if (cell.assignmentId.empty()) return QString();
+  if (cell.assignmentId.empty()) {
+    return QString();
+  }
   switch (cell.state) {
     case SheetState::kOpen:
       return QStringLiteral("\u25CB");
@@ -87,7 +89,9 @@ ScoringPage::ScoringPage(ShellContext& shell)
 void ScoringPage::enter(const QVariant& argument) {
   attempt(shell(), [&] {
     fillCohorts(cohort_, shell().workplace());
-    if (argument.isValid()) chooseId(cohort_, argument.toString().toStdString());
+    if (argument.isValid()) {
+      chooseId(cohort_, argument.toString().toStdString());
+    }
     read();
   });
 }
@@ -101,7 +105,9 @@ void ScoringPage::read() {
     if (!cohort.empty()) {
       matrix_ = scoringMatrix(shell().workplace(), cohort);
       thirds_ = thirdRequests(shell().workplace(), cohort);
-      if (shell().may(Operation::kMarkRelease)) releases_ = releaseStates(shell().workplace(), cohort);
+      if (shell().may(Operation::kMarkRelease)) {
+        releases_ = releaseStates(shell().workplace(), cohort);
+      }
     }
     showContent();
   });
@@ -125,12 +131,13 @@ void ScoringPage::showContent() {
                {occasionName(line.occasion), toQString(line.occasion.code)},
                {line.missing == 0 ? QStringLiteral("\u2013") : QString::number(line.missing),
                 static_cast<qlonglong>(line.missing)}}};
-      for (const ScoringCell& cell : line.cells)
+      for (const ScoringCell& cell : line.cells) {
         row.cells.push_back(
             {stateSign(cell), static_cast<int>(cell.state),
              cell.assignmentId.empty()
                  ? tr("not asked")
                  : tr("case %1: %2").arg(toQString(cell.caseLabel), sheetStateName(cell.state))});
+      }
       rows.push_back(std::move(row));
     }
   }
@@ -158,8 +165,9 @@ std::string ScoringPage::rubricRevision() {
   std::vector<RubricRow> all = rubrics(shell().workplace());
   if (all.empty()) {
     const std::vector<RubricTemplate> templates = rubricTemplates(shell().assets());
-    if (templates.empty())
+    if (templates.empty()) {
       throw Error(ErrorCode::kBadData, "there is no rubric", "assets/rubrics", "Add a rubric first");
+    }
     return addRubric(shell().workplace(), templates.front().title, templates.front().revision);
   }
   return all.front().revisions.back().id;
@@ -179,12 +187,16 @@ bool ScoringPage::revise(const std::filesystem::path& file, const std::string& n
 
 void ScoringPage::askRevision() {
   const QString file = askFileToOpen(this, tr("Revise the scoring sheet"), tr("Scoring sheet (*.json)"));
-  if (file.isEmpty()) return;
+  if (file.isEmpty()) {
+    return;
+  }
   const std::optional<std::string> note = askReason(
       this, tr("Revise the scoring sheet"),
       tr("Raters who are asked from now on fill in the new sheet. Sheets that were asked for before "
          "stay as they are; both revisions are kept for good."));
-  if (note) revise(toPath(file), *note);
+  if (note) {
+    revise(toPath(file), *note);
+  }
 }
 
 bool ScoringPage::ask(const std::vector<std::string>& raterIds,
@@ -204,19 +216,27 @@ bool ScoringPage::ask(const std::vector<std::string>& raterIds,
 void ScoringPage::askRaters() {
   attempt(shell(), [&] {
     std::vector<PersonRow> raters;
-    for (PersonRow& person : people(shell().workplace()))
-      if (person.rater && person.person.state == "active") raters.push_back(std::move(person));
+    for (PersonRow& person : people(shell().workplace())) {
+      if (person.rater && person.person.state == "active") {
+        raters.push_back(std::move(person));
+      }
+    }
     if (const std::optional<RatersAsked> asked =
-            askRatersFor(this, raters, matrix_.value_or(ScoringMatrix{})))
+            askRatersFor(this, raters, matrix_.value_or(ScoringMatrix{}))) {
       ask(asked->raterIds, asked->scoringPoints);
+    }
   });
 }
 
 void ScoringPage::reassignSheet() {
   const std::size_t at = table_->currentId().toULongLong();
-  if (!matrix_ || at >= matrix_->lines.size()) return;
+  if (!matrix_ || at >= matrix_->lines.size()) {
+    return;
+  }
   const std::optional<SheetMoved> moved = askReassignment(this, *matrix_, matrix_->lines[at]);
-  if (!moved) return;
+  if (!moved) {
+    return;
+  }
   attempt(shell(), [&] {
     reassign(shell().workplace(), moved->assignmentId, moved->newRaterId, moved->reason);
     read();
@@ -225,7 +245,9 @@ void ScoringPage::reassignSheet() {
 
 void ScoringPage::release() {
   const std::optional<ReleaseChange> change = askRelease(this, releases_);
-  if (!change) return;
+  if (!change) {
+    return;
+  }
   attempt(shell(), [&] {
     if (change->release) {
       releaseMarks(shell().workplace(), chosenId(cohort_), change->scoringPoint, change->reason);
@@ -237,9 +259,13 @@ void ScoringPage::release() {
 }
 
 void ScoringPage::assignThirdRater() {
-  if (thirds_.empty()) return;
+  if (thirds_.empty()) {
+    return;
+  }
   const std::optional<ThirdChosen> chosen = askThirdRater(this, thirds_);
-  if (!chosen) return;
+  if (!chosen) {
+    return;
+  }
   attempt(shell(), [&] {
     assignThird(shell().workplace(), chosenId(cohort_), chosen->assignmentId, chosen->raterId);
     read();

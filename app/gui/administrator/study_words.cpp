@@ -21,9 +21,14 @@ QString translated(const char* text) {
 }
 
 QString named(Names names, const std::string& code) {
-  if (code.empty()) return QStringLiteral("\u2013");
-  for (const auto& [known, name] : names)
-    if (code == known) return translated(name);
+  if (code.empty()) {
+    return QStringLiteral("\u2013");
+  }
+  for (const auto& [known, name] : names) {
+    if (code == known) {
+      return translated(name);
+    }
+  }
   return toQString(code);
 }
 
@@ -34,8 +39,11 @@ QString occasionName(const Occasion& occasion) {
       {"pre", QT_TRANSLATE_NOOP("Study", "before training")},
       {"mid", QT_TRANSLATE_NOOP("Study", "half-way")},
       {"post", QT_TRANSLATE_NOOP("Study", "after training")}};
-  for (const auto& [known, name] : kNames)
-    if (occasion.code == known) return translated(name);
+  for (const auto& [known, name] : kNames) {
+    if (occasion.code == known) {
+      return translated(name);
+    }
+  }
   return named({}, occasion.label);
 }
 
@@ -138,21 +146,28 @@ std::vector<std::pair<std::string, QString>> masteryMetrics() {
       {"torque.peak", QT_TRANSLATE_NOOP("Study", "peak torque")},
   };
   std::vector<std::pair<std::string, QString>> out;
-  for (const auto& [id, name] : kNames)
+  for (const auto& [id, name] : kNames) {
     out.emplace_back(id, metricUnit(id) == "1"
                              ? translated(name)
                              : QStringLiteral("%1 (%2)").arg(translated(name), toQString(metricUnit(id))));
+  }
   return out;
 }
 
 std::string metricBetter(const std::string& id) {
-  if (id == kOnTargetMetric || id == kTargetsReachedMetric) return "at_least";
+  if (id == kOnTargetMetric || id == kTargetsReachedMetric) {
+    return "at_least";
+  }
   return metricCard(id).direction == Direction::kLowerIsBetter ? "at_most" : "at_least";
 }
 
 std::string metricUnit(const std::string& id) {
-  if (id == kOnTargetMetric) return "1";
-  if (id == kTargetsReachedMetric) return "count";
+  if (id == kOnTargetMetric) {
+    return "1";
+  }
+  if (id == kTargetsReachedMetric) {
+    return "count";
+  }
   return std::string(metricCard(id).unit);
 }
 

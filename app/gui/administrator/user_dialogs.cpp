@@ -55,7 +55,9 @@ class RoleBoxes : public QGroupBox {
   [[nodiscard]] std::vector<std::string> get() const {
     std::vector<std::string> roles;
     for (const auto& [role, box] : boxes_) {
-      if (box->isChecked()) roles.push_back(role);
+      if (box->isChecked()) {
+        roles.push_back(role);
+      }
     }
     return roles;
   }
@@ -83,7 +85,9 @@ struct Frame {
   }
   [[nodiscard]] bool run() {
     column->addWidget(buttons);
-    if (first != nullptr) first->setFocus();
+    if (first != nullptr) {
+      first->setFocus();
+    }
     return dialog.exec() == QDialog::Accepted;
   }
 
@@ -105,11 +109,21 @@ QLabel* sentence(QWidget* parent, const QString& text) {
 }  // namespace
 
 QString roleName(const std::string& code) {
-  if (code == "trainee") return UserDialogs::tr("Trainee");
-  if (code == "rater") return UserDialogs::tr("Physician who scores");
-  if (code == "administrator") return UserDialogs::tr("Administrator");
-  if (code == "allocator") return UserDialogs::tr("Keeper of the allocation");
-  if (code == "statistician") return UserDialogs::tr("Statistician");
+  if (code == "trainee") {
+    return UserDialogs::tr("Trainee");
+  }
+  if (code == "rater") {
+    return UserDialogs::tr("Physician who scores");
+  }
+  if (code == "administrator") {
+    return UserDialogs::tr("Administrator");
+  }
+  if (code == "allocator") {
+    return UserDialogs::tr("Keeper of the allocation");
+  }
+  if (code == "statistician") {
+    return UserDialogs::tr("Statistician");
+  }
   return toQString(code);
 }
 
@@ -147,7 +161,9 @@ std::optional<NewUser> askNewUser(QWidget* parent, const std::vector<PersonChoic
     QObject::connect(box, &QCheckBox::toggled, &frame.dialog, check);
   }
   check();
-  if (!frame.run()) return std::nullopt;
+  if (!frame.run()) {
+    return std::nullopt;
+  }
   return NewUser{.login = login->text().trimmed().toStdString(),
                  .personId = person->currentData().toString().toStdString(),
                  .roles = roles->get(),
@@ -174,7 +190,9 @@ std::optional<RolesChange> askRoles(QWidget* parent, const QString& login,
     QObject::connect(box, &QCheckBox::toggled, &frame.dialog, check);
   }
   check();
-  if (!frame.run()) return std::nullopt;
+  if (!frame.run()) {
+    return std::nullopt;
+  }
   return RolesChange{boxes->get(), reason->text().trimmed().toStdString()};
 }
 
@@ -216,7 +234,9 @@ std::optional<std::string> askReason(QWidget* parent, const QString& title, cons
   const auto check = [&] { frame.ok->setEnabled(!reason->text().trimmed().isEmpty()); };
   QObject::connect(reason, &QLineEdit::textChanged, &frame.dialog, check);
   check();
-  if (!frame.run()) return std::nullopt;
+  if (!frame.run()) {
+    return std::nullopt;
+  }
   return reason->text().trimmed().toStdString();
 }
 

@@ -83,7 +83,9 @@ void UsersPage::enter(const QVariant&) {
   attempt(shell(), [&] {
     users_ = users(shell().workplace());
     personCodes_.clear();
-    for (const PersonRow& row : people(shell().workplace())) personCodes_[row.person.id] = row.person.code;
+    for (const PersonRow& row : people(shell().workplace())) {
+      personCodes_[row.person.id] = row.person.code;
+    }
     showContent();
   });
 }
@@ -110,7 +112,9 @@ void UsersPage::showContent() {
   std::vector<Row> rows;
   for (const StoredUser& user : users_) {
     QStringList roles;
-    for (const std::string& role : user.roles) roles << roleName(role);
+    for (const std::string& role : user.roles) {
+      roles << roleName(role);
+    }
     rows.push_back({toQString(user.id),
                     {{toQString(user.login)},
                      {orDash(personCodes_[user.personId])},
@@ -126,7 +130,9 @@ void UsersPage::showContent() {
 
 void UsersPage::showButtons() {
   const StoredUser* user = current();
-  for (QPushButton* button : {roles_, password_, active_}) button->setEnabled(user != nullptr);
+  for (QPushButton* button : {roles_, password_, active_}) {
+    button->setEnabled(user != nullptr);
+  }
   active_->setText(user != nullptr && !user->active ? tr("&Enable") : tr("&Disable\u2026"));
 }
 
@@ -140,7 +146,9 @@ const StoredUser* UsersPage::current() const {
 void UsersPage::add() {
   attempt(shell(), [&] {
     const std::optional<NewUser> user = askNewUser(this, peopleToChoose(shell()));
-    if (!user) return;
+    if (!user) {
+      return;
+    }
     const auto id = std::make_shared<std::string>();
     storeAndShow([user = *user, id](Workplace& workplace) { *id = addUser(workplace, user); },
                  toQString(user->login), user->startPassword, id);
@@ -159,7 +167,9 @@ void UsersPage::addForRoster() {
         tr("These people have no account yet. Each gets one: the code in small letters is the "
            "sign-in name, trainees train, raters score."),
         without, this);
-    if (dialog.exec() != QDialog::Accepted) return;
+    if (dialog.exec() != QDialog::Accepted) {
+      return;
+    }
     const auto issued = std::make_shared<IssuedAccounts>();
     shell().run(
         tr("Making accounts"),
@@ -169,15 +179,21 @@ void UsersPage::addForRoster() {
           try {
             addAccounts(workplace, chosen, issued->made, progress);
           } catch (...) {
-            if (issued->made.empty()) throw;
+            if (issued->made.empty()) {
+              throw;
+            }
             issued->problem = std::current_exception();
           }
         },
         [page = QPointer<UsersPage>(this), issued] {
-          if (page.isNull()) return;
+          if (page.isNull()) {
+            return;
+          }
           page->enter({});
           AccountsDialog(issued->made, centreSign(page->shell().workplace().connection()).name, page).exec();
-          if (!page.isNull() && issued->problem) page->sayWhyNotAll(issued->problem);
+          if (!page.isNull() && issued->problem) {
+            page->sayWhyNotAll(issued->problem);
+          }
         });
   });
 }
@@ -198,7 +214,9 @@ void UsersPage::storeAndShow(const std::function<void(Workplace&)>& store, const
         store(workplace);
       },
       [page = QPointer<UsersPage>(this), login, password, id] {
-        if (page.isNull()) return;
+        if (page.isNull()) {
+          return;
+        }
         page->enter({});
         page->table_->select(toQString(*id));
         showStartPassword(page, login, toQString(password));
@@ -207,10 +225,14 @@ void UsersPage::storeAndShow(const std::function<void(Workplace&)>& store, const
 
 void UsersPage::changeRoles() {
   const StoredUser* user = current();
-  if (user == nullptr) return;
+  if (user == nullptr) {
+    return;
+  }
   attempt(shell(), [&] {
     const std::optional<RolesChange> change = askRoles(this, toQString(user->login), user->roles);
-    if (!change) return;
+    if (!change) {
+      return;
+    }
     setUserRoles(shell().workplace(), user->id, change->roles, change->reason);
     shell().readRights();
     enter({});
@@ -219,12 +241,16 @@ void UsersPage::changeRoles() {
 
 void UsersPage::newPassword() {
   const StoredUser* user = current();
-  if (user == nullptr) return;
+  if (user == nullptr) {
+    return;
+  }
   attempt(shell(), [&] {
     const QString login = toQString(user->login);
     const std::optional<std::string> reason = askReason(
         this, tr("New start password"), tr("The present password of %1 stops working at once.").arg(login));
-    if (!reason) return;
+    if (!reason) {
+      return;
+    }
     const std::string password = randomStartPassword();
     const auto id = std::make_shared<std::string>(user->id);
     storeAndShow([id, password, reason = *reason](
@@ -235,14 +261,18 @@ void UsersPage::newPassword() {
 
 void UsersPage::switchActive() {
   const StoredUser* user = current();
-  if (user == nullptr) return;
+  if (user == nullptr) {
+    return;
+  }
   attempt(shell(), [&] {
     const QString login = toQString(user->login);
     const std::optional<std::string> reason =
         user->active ? askReason(this, tr("Disable user"),
                                  tr("%1 cannot sign in any more; everything recorded stays.").arg(login))
                      : askReason(this, tr("Enable user"), tr("%1 can sign in again.").arg(login));
-    if (!reason) return;
+    if (!reason) {
+      return;
+    }
     setUserActive(shell().workplace(), user->id, !user->active, *reason);
     enter({});
   });

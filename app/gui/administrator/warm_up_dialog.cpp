@@ -89,7 +89,9 @@ WarmUpDialog::WarmUpDialog(ShellContext& shell, std::vector<RubricRow> rubrics, 
 
 void WarmUpDialog::createForm() {
   auto* column = static_cast<QVBoxLayout*>(layout());
-  for (const RubricRow& rubric : rubrics_) rubric_->addItem(toQString(rubric.name), toQString(rubric.id));
+  for (const RubricRow& rubric : rubrics_) {
+    rubric_->addItem(toQString(rubric.name), toQString(rubric.id));
+  }
   panel_->setRange(1, kLargestPanel);
   panel_->setValue(2);
   auto* form = new QFormLayout;
@@ -139,7 +141,9 @@ void WarmUpDialog::read() {
   withdrawn_.clear();
   for (const ReferenceRow& run : runs) {
     const bool out = !run.withdrawnBecause.empty();
-    if (out) withdrawn_.insert(toQString(run.trialId));
+    if (out) {
+      withdrawn_.insert(toQString(run.trialId));
+    }
     present.push_back(
         {toQString(run.trialId),
          {{out ? QStringLiteral("\u2013") : tr("Reference %1").arg(run.number), static_cast<int>(run.number)},
@@ -153,13 +157,14 @@ void WarmUpDialog::read() {
   }
   present_->setRows(std::move(present));
   std::vector<Row> rows;
-  for (const ReferenceCandidate& one : referenceCandidates(shell_.workplace()))
+  for (const ReferenceCandidate& one : referenceCandidates(shell_.workplace())) {
     rows.push_back({toQString(one.trialId),
                     {{orDash(one.traineeCode)},
                      {toQString(one.sceneId)},
                      {orDash(one.phaseLabel)},
                      {shownSpan(one.length_us), static_cast<qlonglong>(one.length_us)},
                      timeCell(one.startedUtc_us)}});
+  }
   candidates_->setRows(std::move(rows));
   check();
 }
@@ -185,7 +190,9 @@ void WarmUpDialog::withdraw() {
       askReason(this, tr("Withdraw a reference run"),
                 tr("No physician is given this run any more. What was scored on it stays. A run that is "
                    "withdrawn cannot be used for the warm-up again."));
-  if (!reason) return;
+  if (!reason) {
+    return;
+  }
   attempt(shell_, [&] {
     withdrawReferenceRun(shell_.workplace(), chosen.toStdString(), *reason);
     read();

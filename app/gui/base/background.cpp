@@ -21,7 +21,9 @@ void Background::setWorking(bool working) {
 }
 
 void Background::run(std::function<Finish()> work, std::function<void(const std::exception_ptr&)> failed) {
-  if (working_) return;
+  if (working_) {
+    return;
+  }
   setWorking(true);
   worker_.start([this, work = std::move(work), failed = std::move(failed)] {
     Finish finish;
@@ -32,7 +34,9 @@ void Background::run(std::function<Finish()> work, std::function<void(const std:
     }
     QMetaObject::invokeMethod(this, [this, finish = std::move(finish)] {
       setWorking(false);
-      if (finish) finish();
+      if (finish) {
+        finish();
+      }
     });
   });
 }

@@ -44,11 +44,15 @@ QString tabbed(const ReportTable& table) {
   QStringList lines;
   const auto line = [](const std::vector<Text>& cells) {
     QStringList parts;
-    for (const Text& cell : cells) parts << toQString(cell);
+    for (const Text& cell : cells) {
+      parts << toQString(cell);
+    }
     return parts.join(QLatin1Char('\t'));
   };
   lines << line(table.columns);
-  for (const std::vector<Text>& row : table.rows) lines << line(row);
+  for (const std::vector<Text>& row : table.rows) {
+    lines << line(row);
+  }
   return lines.join(QLatin1Char('\n'));
 }
 
@@ -78,7 +82,9 @@ void FigureCanvas::setTheme(const Theme& theme) {
 }
 
 QSize FigureCanvas::sizeHint() const {
-  if (!figure_) return {640, 360};
+  if (!figure_) {
+    return {640, 360};
+  }
   const std::size_t rows = figure_->kind == FigureKind::kHeatMap  ? figure_->series.size()
                            : figure_->kind == FigureKind::kForest ? figure_->categories.size()
                                                                   : 0;
@@ -88,14 +94,18 @@ QSize FigureCanvas::sizeHint() const {
 void FigureCanvas::rebuild() {
   scene()->clear();
   item_ = nullptr;
-  if (!figure_) return;
+  if (!figure_) {
+    return;
+  }
   item_ = buildFigure(*figure_, look_, kTranslated).release();
   scene()->addItem(item_);
   fit();
 }
 
 void FigureCanvas::fit() {
-  if (item_ == nullptr) return;
+  if (item_ == nullptr) {
+    return;
+  }
   const QSizeF size(viewport()->size());
   item_->resize(size);
   setSceneRect(QRectF(QPointF(0, 0), size));
@@ -109,7 +119,9 @@ void FigureCanvas::resizeEvent(QResizeEvent* event) {
 QImage FigureCanvas::picture(const QSize& size) const {
   QImage image(size, QImage::Format_RGB32);
   image.fill(Qt::white);
-  if (!figure_) return image;
+  if (!figure_) {
+    return image;
+  }
   QGraphicsScene paper;
   QGraphicsWidget* item = buildFigure(*figure_, {}, kTranslated).release();
   paper.addItem(item);
@@ -122,7 +134,9 @@ QImage FigureCanvas::picture(const QSize& size) const {
 }
 
 void FigureCanvas::copy() const {
-  if (!figure_) return;
+  if (!figure_) {
+    return;
+  }
   auto* content = new QMimeData;  // the clipboard's
   content->setImageData(picture(kCopiedPicture));
   content->setText(tabbed(figureTable(*figure_)));
@@ -147,19 +161,24 @@ void FigureCanvas::changeEvent(QEvent* event) {
 }
 
 void FigureCanvas::describe() {
-  if (!figure_) return;
+  if (!figure_) {
+    return;
+  }
   setAccessibleName(toQString(figure_->title));
   const ReportTable table = figureTable(*figure_, 2);
   QStringList said;
   for (std::size_t i = 0; i < table.rows.size() && i < kDescribedRows; ++i) {
     QStringList parts;
-    for (std::size_t c = 1; c < table.rows[i].size(); ++c)
-      if (!table.rows[i][c].empty())
+    for (std::size_t c = 1; c < table.rows[i].size(); ++c) {
+      if (!table.rows[i][c].empty()) {
         parts << QStringLiteral("%1 %2").arg(toQString(table.columns[c]), toQString(table.rows[i][c]));
+      }
+    }
     said << QStringLiteral("%1: %2").arg(toQString(table.rows[i].front()), parts.join(QStringLiteral(", ")));
   }
-  if (table.rows.size() > kDescribedRows)
+  if (table.rows.size() > kDescribedRows) {
     said << tr("%n row(s) more in the table", nullptr, static_cast<int>(table.rows.size()) - kDescribedRows);
+  }
   setAccessibleDescription(said.join(QStringLiteral(". ")));
 }
 

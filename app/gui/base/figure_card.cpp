@@ -26,7 +26,9 @@ Cell cellOf(const Text& content) {
   Cell cell{toQString(content)};
   bool isNumber = false;
   const double value = cell.text.toDouble(&isNumber);
-  if (isNumber) cell.sortKey = value;
+  if (isNumber) {
+    cell.sortKey = value;
+  }
   return cell;
 }
 
@@ -102,7 +104,9 @@ void FigureCard::setTable(const ReportTable& table) {
 }
 
 void FigureCard::showTexts() {
-  if (!figure_ && !alone_) return;
+  if (!figure_ && !alone_) {
+    return;
+  }
   title_->setText(toQString(figure_ ? figure_->title : alone_->title));
   fillTable(figure_ ? figureTable(*figure_) : *alone_);
   showNotes(figure_ ? figure_->notes : alone_->notes, figure_ ? figure_->provenance : alone_->provenance);
@@ -121,14 +125,17 @@ void FigureCard::fillTable(const ReportTable& table) {
   std::vector<Column> columns;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     bool numbers = !table.rows.empty();
-    for (const std::vector<Text>& row : table.rows)
+    for (const std::vector<Text>& row : table.rows) {
       numbers = numbers && (row[c].empty() || cellOf(row[c]).sortKey.isValid());
+    }
     columns.push_back({toQString(table.columns[c]), numbers});
   }
   std::vector<Row> rows;
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     Row row{QString::number(r), {}};
-    for (const Text& cell : table.rows[r]) row.cells.push_back(cellOf(cell));
+    for (const Text& cell : table.rows[r]) {
+      row.cells.push_back(cellOf(cell));
+    }
     rows.push_back(std::move(row));
   }
   table_->setRows({});
@@ -138,7 +145,9 @@ void FigureCard::fillTable(const ReportTable& table) {
 
 void FigureCard::showNotes(const std::vector<Text>& notes, const Provenance& provenance) {
   std::vector<Text> lines = notes;
-  if (const Text from = provenanceLine(provenance); !from.empty()) lines.push_back(from);
+  if (const Text from = provenanceLine(provenance); !from.empty()) {
+    lines.push_back(from);
+  }
   notes_->setText(translatedLines(lines));
   notes_->setVisible(!lines.empty());
 }
@@ -152,7 +161,9 @@ void FigureCard::copy() {
 }
 
 void FigureCard::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) retranslate();
+  if (event->type() == QEvent::LanguageChange) {
+    retranslate();
+  }
   QFrame::changeEvent(event);
 }
 

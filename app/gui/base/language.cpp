@@ -47,7 +47,9 @@ QString languageCode(Language language) {
 
 std::optional<Language> languageOf(const QString& code) {
   for (const Language language : {Language::kEnglish, Language::kSimplifiedChinese}) {
-    if (languageCode(language) == code) return language;
+    if (languageCode(language) == code) {
+      return language;
+    }
   }
   return std::nullopt;
 }
@@ -75,7 +77,9 @@ LanguageSwitch::~LanguageSwitch() {
 }
 
 void LanguageSwitch::choose(Language language) {
-  if (language == present_) return;
+  if (language == present_) {
+    return;
+  }
   present_ = language;
   install();
 }
@@ -84,7 +88,9 @@ void LanguageSwitch::install() {
   // The locale first: widgets format their numbers and dates when the translator's event reaches them.
   QLocale::setDefault(present_ == Language::kEnglish ? QLocale(QLocale::English, QLocale::UnitedKingdom)
                                                      : QLocale(QLocale::Chinese, QLocale::China));
-  for (QWidget* window : QApplication::topLevelWidgets()) window->setLocale(QLocale());
+  for (QWidget* window : QApplication::topLevelWidgets()) {
+    window->setLocale(QLocale());
+  }
   QCoreApplication::removeTranslator(&texts_);
   // English has a file as well: its plurals.
   const bool loaded =

@@ -11,12 +11,16 @@ namespace torsio::gui {
 
 Page::Page(ShellContext& shell, QWidget* parent) : QWidget(parent), shell_(shell) {
   QStringList roles;
-  for (const std::string& role : shell.workplace().actor().roles) roles << toQString(role);
+  for (const std::string& role : shell.workplace().actor().roles) {
+    roles << toQString(role);
+  }
   setProperty("role", roles.join(QLatin1Char('+')));
 }
 
 void Page::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) retranslate();
+  if (event->type() == QEvent::LanguageChange) {
+    retranslate();
+  }
   QWidget::changeEvent(event);
 }
 

@@ -76,7 +76,9 @@ constexpr std::array kPages{
 
 constexpr bool inOrder() {
   for (std::size_t i = 0; i < kPages.size(); ++i) {
-    if (static_cast<std::size_t>(kPages[i].id) != i) return false;
+    if (static_cast<std::size_t>(kPages[i].id) != i) {
+      return false;
+    }
   }
   return true;
 }

@@ -18,7 +18,9 @@ namespace {
 double guessedRemaining_s(double elapsed_s, double fraction) {
   constexpr double kSomething = 0.05;
   constexpr double kLongEnough_s = 2.0;
-  if (fraction < kSomething || fraction > 1.0 || elapsed_s < kLongEnough_s) return -1.0;
+  if (fraction < kSomething || fraction > 1.0 || elapsed_s < kLongEnough_s) {
+    return -1.0;
+  }
   return elapsed_s * (1.0 - fraction) / fraction;
 }
 
@@ -35,7 +37,9 @@ ShellContext::~ShellContext() {
 }
 
 bool ShellContext::may(Operation operation) {
-  if (rightsOf_ != workplace_.actor().userId) readRights();
+  if (rightsOf_ != workplace_.actor().userId) {
+    readRights();
+  }
   return rights_.contains(operation);
 }
 
@@ -43,10 +47,14 @@ void ShellContext::readRights() {
   const Actor& actor = workplace_.actor();
   std::set<Operation> rights;
   // A guest is nobody: whoever sits down may practise, and nothing else.
-  if (actor.practiceOnly && actor.userId.empty()) rights.insert(Operation::kPractice);
+  if (actor.practiceOnly && actor.userId.empty()) {
+    rights.insert(Operation::kPractice);
+  }
   for (std::size_t i = 0; i < kOperationCodes.size(); ++i) {
     const auto operation = static_cast<Operation>(i);
-    if (workplace_.may(operation)) rights.insert(operation);
+    if (workplace_.may(operation)) {
+      rights.insert(operation);
+    }
   }
   rights_ = std::move(rights);
   rightsOf_ = actor.userId;
@@ -92,7 +100,9 @@ void ShellContext::run(const QString& title, Work work, std::function<void()> do
       QElapsedTimer since;
       since.start();
       work(own, [this, since](const Progress& progress) {
-        if (cancelled_.load()) throw Cancelled{};
+        if (cancelled_.load()) {
+          throw Cancelled{};
+        }
         const double left_s =
             progress.remaining_s >= 0.0
                 ? progress.remaining_s

@@ -82,7 +82,9 @@ bool windowIsEnglish() {
 /// Whether the language of the window has the sentence. Pure values (a path, a code) need no words.
 bool known(const Text& text) {
   const QString own = toQString(text.pattern());
-  if (own.isEmpty() || windowIsEnglish()) return true;
+  if (own.isEmpty() || windowIsEnglish()) {
+    return true;
+  }
   return patternInLanguage(text.pattern()) != own;
 }
 
@@ -120,7 +122,9 @@ QString meaningOf(ErrorCode code) {
 
 /// Errors begin in lower case: they also stand within lines of the command line.
 QString capitalised(QString sentence) {
-  if (!sentence.isEmpty()) sentence[0] = sentence[0].toUpper();
+  if (!sentence.isEmpty()) {
+    sentence[0] = sentence[0].toUpper();
+  }
   return sentence;
 }
 
@@ -144,7 +148,9 @@ QString toQString(const Text& text) {
 
 QString translatedLines(const std::vector<Text>& texts) {
   QStringList lines;
-  for (const Text& text : texts) lines << toQString(text);
+  for (const Text& text : texts) {
+    lines << toQString(text);
+  }
   return lines.join(QLatin1Char('\n'));
 }
 
@@ -155,14 +161,18 @@ TranslatedError translated(const Error& error) {
   }
   QStringList original;
   for (const std::string& part : {error.where(), error.happened(), error.remedy()}) {
-    if (!part.empty()) original << toQString(part);
+    if (!part.empty()) {
+      original << toQString(part);
+    }
   }
   return {meaningOf(error.code()), {}, original.join(QLatin1Char('\n'))};
 }
 
 QString translatedLine(const Error& error) {
   const TranslatedError said = translated(error);
-  if (said.remedy.isEmpty()) return said.happened;
+  if (said.remedy.isEmpty()) {
+    return said.happened;
+  }
   return QCoreApplication::translate("Services", "%1. %2").arg(said.happened, said.remedy);
 }
 

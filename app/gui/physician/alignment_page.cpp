@@ -67,7 +67,9 @@ AlignmentPage::AlignmentPage(ShellContext& shell, QWidget* parent)
   right->addStretch(0);
   right->addWidget(reason_);
   auto* buttons = new QHBoxLayout;
-  for (QPushButton* button : {keep_, move_, third_}) buttons->addWidget(button);
+  for (QPushButton* button : {keep_, move_, third_}) {
+    buttons->addWidget(button);
+  }
   buttons->addStretch(1);
   right->addLayout(buttons);
   right->addStretch(1);
@@ -76,14 +78,17 @@ AlignmentPage::AlignmentPage(ShellContext& shell, QWidget* parent)
 
 void AlignmentPage::connectAll() {
   connect(table_, &DataTable::currentChanged, this, [this](const QString& id) {
-    if (id.isEmpty() || id.toStdString() == chosen_) return;
+    if (id.isEmpty() || id.toStdString() == chosen_) {
+      return;
+    }
     chosen_ = id.toStdString();
     stopMoving();
     showCase();
   });
   connect(replay_, &QPushButton::clicked, this, [this] {
-    if (const AlignmentCase* one = current())
+    if (const AlignmentCase* one = current()) {
       this->shell().open(PageId::kCase, toQString(one->shown.assignmentId));
+    }
   });
   connect(keep_, &QPushButton::clicked, this, [this] {
     if (sheet_->editor() != nullptr) {
@@ -108,7 +113,9 @@ void AlignmentPage::enter(const QVariant&) {
   stopMoving();
   read();
   for (const AlignmentCase& one : cases_) {
-    if (!one.decision.empty()) continue;
+    if (!one.decision.empty()) {
+      continue;
+    }
     chosen_ = one.shown.assignmentId;
     break;
   }
@@ -134,12 +141,16 @@ void AlignmentPage::showList() {
                      {decision}}});
   }
   table_->setRows(std::move(rows));
-  if (const AlignmentCase* one = current()) table_->select(toQString(one->shown.assignmentId));
+  if (const AlignmentCase* one = current()) {
+    table_->select(toQString(one->shown.assignmentId));
+  }
 }
 
 const AlignmentCase* AlignmentPage::current() const {
   for (const AlignmentCase& one : cases_) {
-    if (one.shown.assignmentId == chosen_) return &one;
+    if (one.shown.assignmentId == chosen_) {
+      return &one;
+    }
   }
   return cases_.empty() ? nullptr : &cases_.front();
 }
@@ -150,7 +161,9 @@ void AlignmentPage::showCase() {
   empty_->setVisible(cases_.empty());
   table_->setVisible(!cases_.empty());
   right_->setVisible(one != nullptr);
-  if (one == nullptr) return;
+  if (one == nullptr) {
+    return;
+  }
   case_->setText(tr("Case %1").arg(toQString(one->shown.label)));
   state_->setText(one->decision.empty() ? QString()
                   : one->reason.empty() ? tr("Decided. You may decide anew.")
@@ -170,7 +183,9 @@ void AlignmentPage::showCase() {
 
 void AlignmentPage::startMoving() {
   const AlignmentCase* one = current();
-  if (one == nullptr) return;
+  if (one == nullptr) {
+    return;
+  }
   if (sheet_->editor() != nullptr) {
     const Sheet sheet = sheet_->editor()->sheet();
     decide([&sheet](Workplace& w, const std::string& id,
@@ -193,7 +208,9 @@ void AlignmentPage::stopMoving() {
 template <typename Action>
 void AlignmentPage::decide(const Action& action, const QString& said) {
   const AlignmentCase* one = current();
-  if (one == nullptr) return;
+  if (one == nullptr) {
+    return;
+  }
   if (!attempt(shell(), [&] {
         action(shell().workplace(), one->shown.assignmentId, reason_->text().trimmed().toStdString());
         reason_->clear();
@@ -234,7 +251,9 @@ void AlignmentPage::applyTheme(const Theme& theme) {
 }
 
 void AlignmentPage::keyPressEvent(QKeyEvent* event) {
-  if (sheet_->editor() == nullptr || !sheet_->handle(event)) Page::keyPressEvent(event);
+  if (sheet_->editor() == nullptr || !sheet_->handle(event)) {
+    Page::keyPressEvent(event);
+  }
 }
 
 }  // namespace torsio::gui

@@ -75,15 +75,18 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
   column->addWidget(createStrip());
   // A sentence that wraps asks for the height of its narrowest shape; on a small screen the window would
   // grow.
-  for (QLabel* text : {remarks_, stripText_}) text->setMinimumHeight(fontMetrics().height());
+  for (QLabel* text : {remarks_, stripText_}) {
+    text->setMinimumHeight(fontMetrics().height());
+  }
   remarkField_->installEventFilter(this);
   connect(sheet_, &SheetPanel::edited, this, &CasePage::edited);
   connect(sheet_, &SheetEditorPanel::finishWanted, this,
           [this] { amending_ ? finishAmending() : askSubmit(); });
   // Success shows the recording right after; failure and cancelling end here.
   connect(&shell, &ShellContext::jobEnded, this, [this] {
-    if (sheet_->editor() != nullptr && !opened_.shown.live && !replay_->ready())
+    if (sheet_->editor() != nullptr && !opened_.shown.live && !replay_->ready()) {
       replay_->showSentence(tr("The recording could not be opened."));
+    }
   });
   connect(bookmark_, &QToolButton::clicked, this, [this] { addBookmark(QString()); });
   connect(remark_, &QToolButton::clicked, this, &CasePage::askRemark);
@@ -92,7 +95,9 @@ CasePage::CasePage(ShellContext& shell, QWidget* parent)
     noteWork();
     replay_->setWatched(watched_.spans());
     const bool crossed = from / kSaveWatchedEvery_us != to / kSaveWatchedEvery_us;
-    if (crossed && opened_.state != SheetState::kSubmitted) save();
+    if (crossed && opened_.state != SheetState::kSubmitted) {
+      save();
+    }
   });
 }
 
@@ -182,7 +187,9 @@ void CasePage::load() {
         *loaded = loadForShowing(loadBlindedRecording(own, id), assets);
       },
       [this, loaded, ticket] {
-        if (ticket != loads_) return;
+        if (ticket != loads_) {
+          return;
+        }
         replay_->show(*loaded);
         replay_->setWatched(watched_.spans());
         showRemarks();
@@ -191,26 +198,33 @@ void CasePage::load() {
 
 bool CasePage::leave() {
   replay_->pause();
-  if (sheet_->editor() != nullptr && opened_.state == SheetState::kDraft) save();
+  if (sheet_->editor() != nullptr && opened_.state == SheetState::kDraft) {
+    save();
+  }
   ++loads_;
   replay_->show(nullptr);
   return true;
 }
 
 void CasePage::noteWork() {
-  if (sinceKey_.isValid())
+  if (sinceKey_.isValid()) {
     watched_.worked(std::min<std::int64_t>(sinceKey_.nsecsElapsed() / 1000, kLongestPause_us));
+  }
   sinceKey_.start();
 }
 
 void CasePage::edited() {
   noteWork();
-  if (!amending_) save();
+  if (!amending_) {
+    save();
+  }
   showAll();
 }
 
 void CasePage::save() {
-  if (opened_.state == SheetState::kSubmitted) return;
+  if (opened_.state == SheetState::kSubmitted) {
+    return;
+  }
   sheet_->save(shell(), saved_, tr("Saved"), [this] {
     SheetEditor& editor = *sheet_->editor();
     editor.saved(saveSheet(shell().workplace(), opened_.shown.assignmentId, editor.sheet(), watched_));
@@ -219,7 +233,9 @@ void CasePage::save() {
 }
 
 void CasePage::addBookmark(const QString& text) {
-  if (!replay_->ready()) return;
+  if (!replay_->ready()) {
+    return;
+  }
   attempt(shell(), [&] {
     addCaseRemark(shell().workplace(), opened_.shown.assignmentId,
                   {replay_->position_us(), text.toStdString()});
@@ -229,14 +245,18 @@ void CasePage::addBookmark(const QString& text) {
 }
 
 void CasePage::askRemark() {
-  if (!replay_->ready()) return;
+  if (!replay_->ready()) {
+    return;
+  }
   replay_->pause();
   remarkField_->show();
   remarkField_->setFocus(Qt::OtherFocusReason);
 }
 
 void CasePage::askSubmit() {
-  if (sheet_->editor() == nullptr || opened_.state == SheetState::kSubmitted) return;
+  if (sheet_->editor() == nullptr || opened_.state == SheetState::kSubmitted) {
+    return;
+  }
   if (sheet_->asking()) {
     submit();
     return;
@@ -250,7 +270,9 @@ void CasePage::submit() {
   const SheetCheck check =
       checkSheet(opened_.rubric, sheet_->editor()->sheet(), opened_.shown.live, watched_, rules_);
   if (!check.mayBeSubmitted()) {
-    if (!check.unanswered.empty()) sheet_->setCurrentRow(check.unanswered.front());
+    if (!check.unanswered.empty()) {
+      sheet_->setCurrentRow(check.unanswered.front());
+    }
     sheet_->takeFocus();
     return;
   }
@@ -288,7 +310,9 @@ void CasePage::finishAmending() {
 
 void CasePage::keyPressEvent(QKeyEvent* event) {
   const Qt::KeyboardModifiers modifiers = event->modifiers();
-  if (sheet_->handleCommand(event)) return;
+  if (sheet_->handleCommand(event)) {
+    return;
+  }
   if (event->key() == Qt::Key_Escape && sheet_->asking()) {
     sheet_->setAsking(false);
     showAll();
@@ -296,20 +320,32 @@ void CasePage::keyPressEvent(QKeyEvent* event) {
     return;
   }
   const bool plain = (modifiers & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) == 0;
-  if (plain && event->key() == Qt::Key_B) return addBookmark(QString());
-  if (plain && event->key() == Qt::Key_R) return askRemark();
-  if (plain && replay_->handleKey(event->key())) return;
-  if (sheet_->handleKey(event->key(), modifiers)) return;
+  if (plain && event->key() == Qt::Key_B) {
+    return addBookmark(QString());
+  }
+  if (plain && event->key() == Qt::Key_R) {
+    return askRemark();
+  }
+  if (plain && replay_->handleKey(event->key())) {
+    return;
+  }
+  if (sheet_->handleKey(event->key(), modifiers)) {
+    return;
+  }
   Page::keyPressEvent(event);
 }
 
 bool CasePage::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() != QEvent::KeyPress) return Page::eventFilter(watched, event);
+  if (event->type() != QEvent::KeyPress) {
+    return Page::eventFilter(watched, event);
+  }
   auto* key = static_cast<QKeyEvent*>(event);
   const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
   if (watched == remarkField_ && (enter || key->key() == Qt::Key_Escape)) {
     const QString text = remarkField_->text().trimmed();
-    if (enter && !text.isEmpty()) addBookmark(text);
+    if (enter && !text.isEmpty()) {
+      addBookmark(text);
+    }
     remarkField_->clear();
     remarkField_->hide();
     sheet_->takeFocus();

@@ -52,7 +52,9 @@ std::vector<std::pair<QString, QString>> CasePage::keys() const {
   std::vector<std::pair<QString, QString>> all = replayKeys();
   all.emplace_back(tr("Bookmark this moment, for yourself"), QStringLiteral("B"));
   all.emplace_back(tr("Remark at this moment, for the trainee"), QStringLiteral("R"));
-  for (auto& one : sheetKeys()) all.push_back(std::move(one));
+  for (auto& one : sheetKeys()) {
+    all.push_back(std::move(one));
+  }
   all.emplace_back(tr("Not assessable: type why, Enter"), QStringLiteral("N"));
   return all;
 }
@@ -64,7 +66,9 @@ void CasePage::applyTheme(const Theme& theme) {
 
 QString CasePage::rowName(const std::string& row) const {
   for (const StoredRubricRow& line : opened_.rubric.rows) {
-    if (line.code == row) return toQString(Text(line.label));
+    if (line.code == row) {
+      return toQString(Text(line.label));
+    }
   }
   return tr("Overall");
 }
@@ -89,7 +93,9 @@ QString CasePage::checkText(const SheetCheck& check) const {
   QStringList parts;
   if (!check.unanswered.empty()) {
     QStringList rows;
-    for (const std::string& row : check.unanswered) rows << rowName(row);
+    for (const std::string& row : check.unanswered) {
+      rows << rowName(row);
+    }
     parts << tr("Still open: %1.").arg(rows.join(tr(", ")));
   }
   if (!opened_.shown.live) {
@@ -98,22 +104,40 @@ QString CasePage::checkText(const SheetCheck& check) const {
     parts << (check.watchedTooLittle ? tr("Watched %1 so far; at least %2 is asked.").arg(share, least)
                                      : tr("Watched %1.").arg(share));
   }
-  if (check.speedNotAllowed) parts << tr("It was played at a speed that is not allowed.");
-  if (check.allTheSame) parts << tr("All rows have the same score. Is that meant?");
-  if (check.farApart) parts << tr("The rows lie far apart. Is that meant?");
-  if (check.overallOutside) parts << tr("The overall mark lies outside the rows. Is that meant?");
-  if (check.mayBeSubmitted()) parts << tr("Submitting seals the sheet.");
+  if (check.speedNotAllowed) {
+    parts << tr("It was played at a speed that is not allowed.");
+  }
+  if (check.allTheSame) {
+    parts << tr("All rows have the same score. Is that meant?");
+  }
+  if (check.farApart) {
+    parts << tr("The rows lie far apart. Is that meant?");
+  }
+  if (check.overallOutside) {
+    parts << tr("The overall mark lies outside the rows. Is that meant?");
+  }
+  if (check.mayBeSubmitted()) {
+    parts << tr("Submitting seals the sheet.");
+  }
   return parts.join(QLatin1Char(' '));
 }
 
 void CasePage::showAll() {
-  if (sheet_->editor() == nullptr) return;
+  if (sheet_->editor() == nullptr) {
+    return;
+  }
   const bool sealed = opened_.state == SheetState::kSubmitted;
   title_->setText(tr("Case %1").arg(toQString(opened_.shown.label)));
   QStringList facts;
-  if (opened_.shown.length_us) facts << tr("%1 long").arg(clockTime(*opened_.shown.length_us));
-  if (sealed) facts << (amending_ ? tr("submitted, being amended") : tr("submitted and sealed"));
-  if (!sealed && opened_.shown.dueUtc_us) facts << tr("due %1").arg(dayText(*opened_.shown.dueUtc_us));
+  if (opened_.shown.length_us) {
+    facts << tr("%1 long").arg(clockTime(*opened_.shown.length_us));
+  }
+  if (sealed) {
+    facts << (amending_ ? tr("submitted, being amended") : tr("submitted and sealed"));
+  }
+  if (!sealed && opened_.shown.dueUtc_us) {
+    facts << tr("due %1").arg(dayText(*opened_.shown.dueUtc_us));
+  }
   facts_->setText(facts.join(QStringLiteral("  \u00b7  ")));
   sheet_->setReadOnly(sealed && !amending_);
   amend_->setVisible(sealed && !amending_);
@@ -154,7 +178,9 @@ void CasePage::showRemarks() {
   QStringList lines;
   for (const CaseRemark& one : caseRemarks_) {
     times_us.push_back(one.time_us);
-    if (one.text.empty() || static_cast<std::size_t>(lines.size()) >= kListedRemarks) continue;
+    if (one.text.empty() || static_cast<std::size_t>(lines.size()) >= kListedRemarks) {
+      continue;
+    }
     lines << tr("%1 %2").arg(clockTime(one.time_us), toQString(one.text));
   }
   replay_->setBookmarks(std::move(times_us));

@@ -94,7 +94,9 @@ const EvaluationFormModel* EvaluationPage::model() const {
 void EvaluationPage::enter(const QVariant&) {
   read();
   campaign_ = 0;
-  while (campaign_ + 1 < forms_.size() && forms_[campaign_].complete()) ++campaign_;
+  while (campaign_ + 1 < forms_.size() && forms_[campaign_].complete()) {
+    ++campaign_;
+  }
   openFirst();
 }
 
@@ -102,13 +104,17 @@ void EvaluationPage::read() {
   forms_ = evaluationForms(shell().workplace());
   const QSignalBlocker quiet(campaigns_);
   campaigns_->clear();
-  for (const EvaluationForm& one : forms_) campaigns_->addItem(toQString(one.title));
+  for (const EvaluationForm& one : forms_) {
+    campaigns_->addItem(toQString(one.title));
+  }
 }
 
 void EvaluationPage::openFirst() {
   std::size_t at = 0;
   const EvaluationForm* one = form();
-  while (one != nullptr && at + 1 < one->models.size() && one->models[at].submitted) ++at;
+  while (one != nullptr && at + 1 < one->models.size() && one->models[at].submitted) {
+    ++at;
+  }
   openModel(at);
 }
 
@@ -129,7 +135,9 @@ void EvaluationPage::edited() {
   sheet_->save(shell(), said_, tr("Saved"), [&] {
     for (std::size_t i = 0; i < stored.scores.size(); ++i) {
       const auto score = sheet_->editor()->sheet().rows[i].score_steps;
-      if (score == stored.scores[i]) continue;
+      if (score == stored.scores[i]) {
+        continue;
+      }
       saveEvaluationScore(shell().workplace(), form()->campaignId, stored.hiddenLabel, i, score);
       stored.scores[i] = score;
     }
@@ -139,7 +147,9 @@ void EvaluationPage::edited() {
 
 void EvaluationPage::submit() {
   const EvaluationFormModel* one = model();
-  if (one == nullptr || one->submitted) return;
+  if (one == nullptr || one->submitted) {
+    return;
+  }
   const auto open = std::find(one->scores.begin(), one->scores.end(), std::nullopt);
   if (open != one->scores.end()) {
     const auto left = static_cast<int>(std::count(one->scores.begin(), one->scores.end(), std::nullopt));
@@ -169,7 +179,9 @@ void EvaluationPage::showModels() {
     button->hide();
     button->deleteLater();
   }
-  while (QLayoutItem* item = choices_->takeAt(0)) delete item;
+  while (QLayoutItem* item = choices_->takeAt(0)) {
+    delete item;
+  }
   const EvaluationForm* one = form();
   const std::size_t count = one != nullptr ? one->models.size() : 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -207,8 +219,9 @@ void EvaluationPage::showAll() {
       tr("%1: %2 to %3; keys 0 to 9 score, arrows left and right fine-tune, with Shift in steps of %4.")
           .arg(toQString(one->title), scoreText(scale.lo, scale), scoreText(scale.hi, scale),
                pointsText(1.0 / static_cast<double>(scale.stepsPerPoint))));
-  if (now->submitted)
+  if (now->submitted) {
     said_->setText(one->complete() ? tr("All models are submitted. Thank you.") : tr("Submitted and sealed"));
+  }
 }
 
 void EvaluationPage::retranslate() {
@@ -232,7 +245,9 @@ void EvaluationPage::applyTheme(const Theme& theme) {
 }
 
 void EvaluationPage::keyPressEvent(QKeyEvent* event) {
-  if (!sheet_->handle(event)) Page::keyPressEvent(event);
+  if (!sheet_->handle(event)) {
+    Page::keyPressEvent(event);
+  }
 }
 
 }  // namespace torsio::gui

@@ -71,7 +71,9 @@ LivePage::LivePage(ShellContext& shell, QWidget* parent)
   column->addLayout(row, 1);
   // The style sheet of the application decides the height of push buttons; a finger needs more.
   const QString tall = QStringLiteral("QPushButton { min-height: %1px; }").arg(kTouch_px - 2 * kSpace + 2);
-  for (QPushButton* button : {start_, write_, submit_, amend_, older_}) button->setStyleSheet(tall);
+  for (QPushButton* button : {start_, write_, submit_, amend_, older_}) {
+    button->setStyleSheet(tall);
+  }
   group_->setExclusive(true);
   connect(sheet_, &SheetPanel::edited, this, &LivePage::edited);
   connect(sheet_, &SheetEditorPanel::finishWanted, this, &LivePage::submit);
@@ -106,7 +108,9 @@ void LivePage::enter(const QVariant&) {
   retranslate();  // the heading says where things are kept
   readLines();
   for (const QueueLine& line : lines_) {
-    if (line.state == SheetState::kSubmitted) continue;
+    if (line.state == SheetState::kSubmitted) {
+      continue;
+    }
     openLine(line.shown.assignmentId);
     return;
   }
@@ -119,7 +123,9 @@ void LivePage::enter(const QVariant&) {
 }
 
 bool LivePage::leave() {
-  if (!tick_.isActive()) return true;
+  if (!tick_.isActive()) {
+    return true;
+  }
   shell().notify(tr("The timer is running. Stop it first"));
   return false;
 }
@@ -135,13 +141,17 @@ void LivePage::showLines() {
     button->hide();
     button->deleteLater();
   }
-  while (QLayoutItem* item = order_->takeAt(0)) delete item;
+  while (QLayoutItem* item = order_->takeAt(0)) {
+    delete item;
+  }
   int number = 0;
   int hidden = 0;
   for (const QueueLine& line : lines_) {
     if (isOlder(line)) {
       ++hidden;
-      if (!withOlder_) continue;
+      if (!withOlder_) {
+        continue;
+      }
     }
     auto* button = new QToolButton(this);
     button->setCheckable(true);
@@ -157,7 +167,9 @@ void LivePage::showLines() {
     button->show();
     const std::string id = line.shown.assignmentId;
     connect(button, &QToolButton::clicked, this, [this, id] {
-      if (!leave()) return showLines();
+      if (!leave()) {
+        return showLines();
+      }
       attempt(this->shell(), [&] { openLine(id); });
     });
   }
@@ -176,7 +188,9 @@ QString LivePage::savedText() const {
 }
 
 void LivePage::amend() {
-  if (sheet_->editor() != nullptr) shell().open(PageId::kCase, toQString(opened_.shown.assignmentId));
+  if (sheet_->editor() != nullptr) {
+    shell().open(PageId::kCase, toQString(opened_.shown.assignmentId));
+  }
 }
 
 void LivePage::openLine(const std::string& assignmentId) {
@@ -193,7 +207,9 @@ void LivePage::edited() {
   sheet_->save(shell(), said_, savedText(), [this] {
     SheetEditor& editor = *sheet_->editor();
     editor.saved(saveSheet(shell().workplace(), opened_.shown.assignmentId, editor.sheet(), opened_.watched));
-    if (opened_.state != SheetState::kOpen) return;
+    if (opened_.state != SheetState::kOpen) {
+      return;
+    }
     opened_.state = SheetState::kDraft;
     readLines();
   });
@@ -218,9 +234,13 @@ void LivePage::showClock() {
 }
 
 void LivePage::writeTime() {
-  if (sheet_->editor() == nullptr) return;
+  if (sheet_->editor() == nullptr) {
+    return;
+  }
   QString text = toQString(sheet_->editor()->sheet().comment);
-  if (!text.isEmpty() && !text.endsWith(QLatin1Char('\n'))) text += QLatin1Char('\n');
+  if (!text.isEmpty() && !text.endsWith(QLatin1Char('\n'))) {
+    text += QLatin1Char('\n');
+  }
   text += tr("Time taken: %1").arg(clockTime(clocked_us_));
   if (sheet_->editor()->setComment(text.toStdString())) {
     sheet_->refresh();
@@ -229,7 +249,9 @@ void LivePage::writeTime() {
 }
 
 void LivePage::submit() {
-  if (sheet_->editor() == nullptr || opened_.state == SheetState::kSubmitted) return;
+  if (sheet_->editor() == nullptr || opened_.state == SheetState::kSubmitted) {
+    return;
+  }
   const SheetCheck check = checkSheet(opened_.rubric, sheet_->editor()->sheet(), true, opened_.watched, {});
   if (!check.mayBeSubmitted()) {
     setLook(said_, "caution", true);
@@ -263,7 +285,9 @@ void LivePage::showAll() {
   submit_->setVisible(open);
   amend_->setVisible(!open && sheet_->editor() != nullptr);
   sheet_->setReadOnly(!open);
-  if (!open && sheet_->editor() != nullptr) said_->setText(tr("Submitted and sealed"));
+  if (!open && sheet_->editor() != nullptr) {
+    said_->setText(tr("Submitted and sealed"));
+  }
   showClock();
 }
 
@@ -296,9 +320,12 @@ void LivePage::applyTheme(const Theme& theme) {
 
 void LivePage::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Space && event->modifiers() == Qt::NoModifier && sheet_->editor() != nullptr &&
-      opened_.state != SheetState::kSubmitted)
+      opened_.state != SheetState::kSubmitted) {
     return toggleClock();
-  if (sheet_->handle(event)) return;
+  }
+  if (sheet_->handle(event)) {
+    return;
+  }
   Page::keyPressEvent(event);
 }
 

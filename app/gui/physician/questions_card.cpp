@@ -69,7 +69,9 @@ void QuestionsCard::fill() {
 void QuestionsCard::open(const std::string& questionId) {
   const auto found = std::find_if(questions_.begin(), questions_.end(),
                                   [&](const PhysicianQuestion& one) { return one.id == questionId; });
-  if (found == questions_.end()) return;
+  if (found == questions_.end()) {
+    return;
+  }
   const auto run = std::make_shared<Debrief>();
   shell_.run(
       tr("Opening the run"),
@@ -112,7 +114,9 @@ void QuestionsCard::show(const PhysicianQuestion& question, const Debrief& run) 
   column->addWidget(buttons);
   dialog.resize(860, 560);
   text->setFocus();
-  if (dialog.exec() != QDialog::Accepted) return;
+  if (dialog.exec() != QDialog::Accepted) {
+    return;
+  }
   attempt(shell_, [&] {
     answerQuestion(shell_.workplace(), question.id, text->toPlainText().trimmed().toStdString());
     shell_.notify(tr("The answer is with %1").arg(toQString(question.trainee)));
@@ -121,7 +125,9 @@ void QuestionsCard::show(const PhysicianQuestion& question, const Debrief& run) 
 }
 
 void QuestionsCard::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) fill();
+  if (event->type() == QEvent::LanguageChange) {
+    fill();
+  }
   Card::changeEvent(event);
 }
 

@@ -82,7 +82,9 @@ void QueuePage::createDoors(QVBoxLayout* outer) {
   doorPlaces_ = new QGridLayout;
   doorPlaces_->setHorizontalSpacing(4 * kSpace);
   doorPlaces_->setVerticalSpacing(kSpace);
-  for (int column = 0; column < kDoorsBeside; ++column) doorPlaces_->setColumnStretch(column, 1);
+  for (int column = 0; column < kDoorsBeside; ++column) {
+    doorPlaces_->setColumnStretch(column, 1);
+  }
   doors_->content()->addLayout(doorPlaces_);
   const auto add = [this](PageId page) {
     Door door{sentence(this, false), new QPushButton(this), new QWidget(this)};
@@ -156,7 +158,9 @@ void QueuePage::showDoors() {
   for (const auto& [door, waits] : all) {
     doorPlaces_->removeWidget(door->row);
     door->row->setVisible(waits);
-    if (!waits) continue;
+    if (!waits) {
+      continue;
+    }
     doorPlaces_->addWidget(door->row, place / kDoorsBeside, place % kDoorsBeside);
     ++place;
   }
@@ -191,12 +195,16 @@ void QueuePage::showQueue() {
 }
 
 void QueuePage::goOn() {
-  if (queue_.next) shell().open(PageId::kCase, toQString(*queue_.next));
+  if (queue_.next) {
+    shell().open(PageId::kCase, toQString(*queue_.next));
+  }
 }
 
 void QueuePage::keyPressEvent(QKeyEvent* event) {
   const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (enter && continue_->hasFocus()) return goOn();
+  if (enter && continue_->hasFocus()) {
+    return goOn();
+  }
   Page::keyPressEvent(event);
 }
 

@@ -78,7 +78,9 @@ ReplayPanel::ReplayPanel(const std::filesystem::path& assets, QWidget* parent)
   column->addWidget(traces_, 0);
   createTransport();
   connect(view_, &SceneView::frameDrawn, this, [this] {
-    if (awaitsFrame_) showBeside();
+    if (awaitsFrame_) {
+      showBeside();
+    }
   });
   connect(traces_, &TraceView::soughtTo, this, [this](qint64 at) { seek_us(at); });
   connect(&timer_, &QTimer::timeout, this, [this] {
@@ -96,7 +98,9 @@ void ReplayPanel::createTransport() {
     button->setFocusPolicy(Qt::TabFocus);
     bar->addWidget(button);
   }
-  for (QLabel* label : {speed_, digest_}) label->setProperty("quiet", true);
+  for (QLabel* label : {speed_, digest_}) {
+    label->setProperty("quiet", true);
+  }
   bar->addSpacing(kSpace);
   bar->addWidget(time_);
   bar->addWidget(speed_);
@@ -164,14 +168,18 @@ void ReplayPanel::setSpeeds(std::vector<double> speeds) {
 }
 
 void ReplayPanel::seek_us(std::int64_t position_us) {
-  if (!ready()) return;
+  if (!ready()) {
+    return;
+  }
   recording_->playback.seek_us(position_us);
   showState();
   Q_EMIT moved(recording_->playback.position_us());
 }
 
 void ReplayPanel::togglePlay() {
-  if (!ready()) return;
+  if (!ready()) {
+    return;
+  }
   recording_->playback.setPlaying(!playing());
   if (playing() && realTime_) {
     sinceFrame_.start();
@@ -183,15 +191,21 @@ void ReplayPanel::togglePlay() {
 }
 
 void ReplayPanel::pause() {
-  if (playing()) togglePlay();
+  if (playing()) {
+    togglePlay();
+  }
 }
 
 void ReplayPanel::changeSpeed(int direction) {
   const double now = recording_->playback.speed();
   auto at = std::min_element(speeds_.begin(), speeds_.end(),
                              [now](double a, double b) { return std::abs(a - now) < std::abs(b - now); });
-  if (direction > 0 && at + 1 != speeds_.end()) ++at;
-  if (direction < 0 && at != speeds_.begin()) --at;
+  if (direction > 0 && at + 1 != speeds_.end()) {
+    ++at;
+  }
+  if (direction < 0 && at != speeds_.begin()) {
+    --at;
+  }
   recording_->playback.setSpeed(*at);
   showTransport();
 }
@@ -205,7 +219,9 @@ bool ReplayPanel::handleKey(int key) {
       pause();
       return true;
     case Qt::Key_L:
-      if (!ready()) return true;
+      if (!ready()) {
+        return true;
+      }
       if (playing()) {
         changeSpeed(+1);
       } else {
@@ -213,7 +229,9 @@ bool ReplayPanel::handleKey(int key) {
       }
       return true;
     case Qt::Key_J:
-      if (!ready()) return true;
+      if (!ready()) {
+        return true;
+      }
       if (playing() && recording_->playback.speed() > speeds_.front()) {
         changeSpeed(-1);
       } else {
@@ -234,7 +252,9 @@ bool ReplayPanel::handleKey(int key) {
       return true;
     case Qt::Key_End:
       pause();
-      if (ready()) seek_us(recording_->playback.duration_us());
+      if (ready()) {
+        seek_us(recording_->playback.duration_us());
+      }
       return true;
     default:
       return false;
@@ -242,7 +262,9 @@ bool ReplayPanel::handleKey(int key) {
 }
 
 void ReplayPanel::frame(double elapsed_s) {
-  if (!playing()) return;
+  if (!playing()) {
+    return;
+  }
   TrialPlayback& playback = recording_->playback;
   const std::int64_t before_us = playback.position_us();
   playback.advance(elapsed_s);
@@ -262,8 +284,12 @@ void ReplayPanel::showState() {
     view_->setTool(state.tool, state.grip);
     if (view_->draws()) {
       view_->redraw();
-      if (!awaitsFrame_) awaitsFrame_.emplace().start();
-      if (awaitsFrame_->elapsed() < kLongestWait_ms) return;
+      if (!awaitsFrame_) {
+        awaitsFrame_.emplace().start();
+      }
+      if (awaitsFrame_->elapsed() < kLongestWait_ms) {
+        return;
+      }
     }
   }
   showBeside();
@@ -279,7 +305,9 @@ void ReplayPanel::setWatched(std::vector<std::pair<std::int64_t, std::int64_t>> 
 
 void ReplayPanel::showBeside() {
   awaitsFrame_.reset();
-  if (watched_us_) traces_->setWatched(*std::exchange(watched_us_, std::nullopt));
+  if (watched_us_) {
+    traces_->setWatched(*std::exchange(watched_us_, std::nullopt));
+  }
   if (!ready()) {
     time_->clear();
     return;
@@ -289,14 +317,18 @@ void ReplayPanel::showBeside() {
   const std::int64_t whole_us = end_us + kHalfSecond_us;
   const QString text =
       tr("%1 of %2").arg(clockTime(position_us() < end_us ? position_us() : whole_us), clockTime(whole_us));
-  if (time_->text() != text) time_->setText(text);
+  if (time_->text() != text) {
+    time_->setText(text);
+  }
 }
 
 void ReplayPanel::showTransport() {
   const bool going = playing();
   play_->setText(going ? tr("Pause") : tr("Play"));
   play_->setIcon(icon(going ? QStringLiteral("pause") : QStringLiteral("play"), *theme_));
-  for (QToolButton* button : {back_, play_, forward_}) button->setEnabled(ready());
+  for (QToolButton* button : {back_, play_, forward_}) {
+    button->setEnabled(ready());
+  }
   const double speed = ready() ? recording_->playback.speed() : 1.0;
   const QString figure = QLocale().toString(speed);
   speed_->setText(speeds_.size() == 1 ? tr("%1 \u00d7, locked").arg(figure) : tr("%1 \u00d7").arg(figure));

@@ -34,9 +34,10 @@ constexpr double kPictureAt = 0.6;  // of the recording: something happens there
 
 /// Waits for the recording and shows a moment of it.
 void showMoment(ReplayPanel& replay) {
-  if (replay.ready())
+  if (replay.ready()) {
     replay.seek_us(static_cast<std::int64_t>(
         kPictureAt * static_cast<double>(replay.recording()->playback.duration_us())));
+  }
 }
 
 }  // namespace

@@ -28,7 +28,9 @@ QString scoreText(std::int64_t score_steps, const ScoreScale& scale) {
 QString signedText(double points) {
   const double rounded = std::round(points * 10.0) / 10.0;
   const QString figure = QLocale().toString(std::abs(rounded), 'f', 1);
-  if (rounded > 0.0) return QStringLiteral("+%1").arg(figure);
+  if (rounded > 0.0) {
+    return QStringLiteral("+%1").arg(figure);
+  }
   return rounded < 0.0 ? QStringLiteral("\u2212%1").arg(figure) : figure;
 }
 

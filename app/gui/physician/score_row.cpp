@@ -118,7 +118,9 @@ void ScoreRow::setAnswer(const SheetAnswer& answer) {
 }
 
 void ScoreRow::setCurrent(bool current) {
-  if (current_ == current) return;
+  if (current_ == current) {
+    return;
+  }
   current_ = current;
   showAnchor();
   update();
@@ -151,7 +153,9 @@ QString ScoreRow::nearestAnchor(std::int64_t steps) const {
 }
 
 void ScoreRow::showAnchor() {
-  if (anchors_.empty()) return;
+  if (anchors_.empty()) {
+    return;
+  }
   if (hovered_ >= 0) {
     anchor_->setText(nearestAnchor(stepsOf(hovered_)));
     return;
@@ -191,7 +195,9 @@ std::vector<QRect> ScoreRow::cells() const {
 int ScoreRow::cellAt(const QPoint& at) const {
   const std::vector<QRect> all = cells();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].adjusted(0, 0, kCellGap, 0).contains(at)) return static_cast<int>(i);
+    if (all[i].adjusted(0, 0, kCellGap, 0).contains(at)) {
+      return static_cast<int>(i);
+    }
   }
   return -1;
 }
@@ -235,12 +241,16 @@ void ScoreRow::focusInEvent(QFocusEvent* event) {
 void ScoreRow::mousePressEvent(QMouseEvent* event) {
   Q_EMIT wanted();
   const int cell = cellAt(event->position().toPoint());
-  if (cell >= 0 && !readOnly_) Q_EMIT scored(stepsOf(cell));
+  if (cell >= 0 && !readOnly_) {
+    Q_EMIT scored(stepsOf(cell));
+  }
 }
 
 void ScoreRow::mouseMoveEvent(QMouseEvent* event) {
   const int cell = cellAt(event->position().toPoint());
-  if (cell == hovered_) return;
+  if (cell == hovered_) {
+    return;
+  }
   hovered_ = cell;
   showAnchor();
   update();
@@ -268,7 +278,9 @@ bool ScoreRow::eventFilter(QObject* watched, QEvent* event) {
       return true;
     }
   }
-  if (watched == reason_ && event->type() == QEvent::FocusIn) Q_EMIT wanted();
+  if (watched == reason_ && event->type() == QEvent::FocusIn) {
+    Q_EMIT wanted();
+  }
   return QWidget::eventFilter(watched, event);
 }
 

@@ -121,7 +121,9 @@ SeverityPage::SeverityPage(ShellContext& shell, QWidget* parent)
   auto* left = new QVBoxLayout;
   left->setSpacing(2 * kSpace);
   figure_->setProperty("figure", true);
-  for (QLabel* label : {figure_, reading_, interval_, thanks_}) figureCard_->content()->addWidget(label);
+  for (QLabel* label : {figure_, reading_, interval_, thanks_}) {
+    figureCard_->content()->addWidget(label);
+  }
   left->addWidget(figureCard_);
   plotCard_->content()->addWidget(plot_, 1);
   left->addWidget(plotCard_, 1);

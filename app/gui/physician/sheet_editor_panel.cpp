@@ -41,13 +41,17 @@ bool SheetEditorPanel::save(ShellContext& shell, QLabel* said, const QString& ke
 }
 
 void SheetEditorPanel::undo() {
-  if (editor_ == nullptr || readOnly() || !editor_->undo()) return;
+  if (editor_ == nullptr || readOnly() || !editor_->undo()) {
+    return;
+  }
   refresh();
   Q_EMIT edited();
 }
 
 void SheetEditorPanel::redo() {
-  if (editor_ == nullptr || readOnly() || !editor_->redo()) return;
+  if (editor_ == nullptr || readOnly() || !editor_->redo()) {
+    return;
+  }
   refresh();
   Q_EMIT edited();
 }
@@ -72,12 +76,17 @@ bool SheetEditorPanel::handle(QKeyEvent* event) {
 }
 
 bool SheetEditorPanel::eventFilter(QObject* watched, QEvent* event) {
-  if (watched != commentField() || event->type() != QEvent::KeyPress)
+  if (watched != commentField() || event->type() != QEvent::KeyPress) {
     return SheetPanel::eventFilter(watched, event);
+  }
   // One history for the whole sheet: the text field keeps none of its own.
   auto* key = static_cast<QKeyEvent*>(event);
-  if (handleCommand(key)) return true;
-  if (key->key() != Qt::Key_Escape) return false;
+  if (handleCommand(key)) {
+    return true;
+  }
+  if (key->key() != Qt::Key_Escape) {
+    return false;
+  }
   takeFocus();
   return true;
 }

@@ -41,8 +41,12 @@ SheetPanel::SheetPanel(bool largeTargets, QWidget* parent)
   column->addWidget(commentLabel_);
   column->addWidget(comment_);
   connect(comment_, &QPlainTextEdit::textChanged, this, [this] {
-    if (filling_ || editor_ == nullptr) return;
-    if (editor_->setComment(comment_->toPlainText().toStdString())) changed();
+    if (filling_ || editor_ == nullptr) {
+      return;
+    }
+    if (editor_->setComment(comment_->toPlainText().toStdString())) {
+      changed();
+    }
   });
 }
 
@@ -56,7 +60,9 @@ bool SheetPanel::eventFilter(QObject* watched, QEvent* event) {
 
 void SheetPanel::setTheme(const Theme& theme) {
   theme_ = &theme;
-  for (ScoreRow* row : rows_) row->setTheme(theme);
+  for (ScoreRow* row : rows_) {
+    row->setTheme(theme);
+  }
 }
 
 void SheetPanel::retranslate() {
@@ -82,7 +88,9 @@ void SheetPanel::setScoresOnly() {
 void SheetPanel::setReadOnly(bool readOnly) {
   readOnly_ = readOnly;
   comment_->setReadOnly(readOnly);
-  for (ScoreRow* row : rows_) row->setReadOnly(readOnly);
+  for (ScoreRow* row : rows_) {
+    row->setReadOnly(readOnly);
+  }
 }
 
 void SheetPanel::build() {
@@ -92,8 +100,12 @@ void SheetPanel::build() {
     row->deleteLater();
   }
   rows_.clear();
-  while (QLayoutItem* item = rowsLayout_->takeAt(0)) delete item;
-  if (editor_ == nullptr) return;
+  while (QLayoutItem* item = rowsLayout_->takeAt(0)) {
+    delete item;
+  }
+  if (editor_ == nullptr) {
+    return;
+  }
   const auto add = [this](const std::string& code, const QString& label, const ScoreScale& scale,
                           const std::vector<StoredAnchor>& anchors) {
     auto* row = new ScoreRow(code, label, scale, anchors, shape_, this);
@@ -107,30 +119,43 @@ void SheetPanel::build() {
     connect(row, &ScoreRow::finished, this, &SheetPanel::takeFocus);
     connect(row, &ScoreRow::scored, this, [this, code](qint64 steps) { choose(code, steps); });
     connect(row, &ScoreRow::reasoned, this, [this, code](const QString& reason) {
-      if (!readOnly_ && editor_->setNotAssessable(code, reason.toStdString())) changed();
+      if (!readOnly_ && editor_->setNotAssessable(code, reason.toStdString())) {
+        changed();
+      }
     });
   };
-  for (const StoredRubricRow& row : editor_->rubric().rows)
+  for (const StoredRubricRow& row : editor_->rubric().rows) {
     add(row.code, toQString(Text(row.label)), row.scale, row.anchors);
-  if (editor_->order().back() == kOverallRow) add(kOverallRow, tr("Overall"), editor_->rubric().overall, {});
+  }
+  if (editor_->order().back() == kOverallRow) {
+    add(kOverallRow, tr("Overall"), editor_->rubric().overall, {});
+  }
   rowsLayout_->addStretch(1);
   QWidget* before = nullptr;
   for (ScoreRow* row : rows_) {
-    if (before != nullptr) setTabOrder(before, row);
+    if (before != nullptr) {
+      setTabOrder(before, row);
+    }
     before = row;
   }
-  if (before != nullptr) setTabOrder(before, comment_);
+  if (before != nullptr) {
+    setTabOrder(before, comment_);
+  }
   refresh();
 }
 
 void SheetPanel::refresh() {
-  if (editor_ == nullptr) return;
+  if (editor_ == nullptr) {
+    return;
+  }
   for (ScoreRow* row : rows_) {
     row->setAnswer(editor_->answer(row->code()));
     row->setCurrent(row->code() == current_);
   }
   const QString comment = toQString(editor_->sheet().comment);
-  if (comment_->toPlainText() == comment) return;
+  if (comment_->toPlainText() == comment) {
+    return;
+  }
   filling_ = true;
   comment_->setPlainText(comment);
   comment_->moveCursor(QTextCursor::End);  // who comes here goes on writing
@@ -138,18 +163,24 @@ void SheetPanel::refresh() {
 }
 
 void SheetPanel::setCurrentRow(const std::string& row) {
-  if (row != current_) typed_points_.reset();
+  if (row != current_) {
+    typed_points_.reset();
+  }
   current_ = row;
   for (ScoreRow* line : rows_) {
     line->setCurrent(line->code() == current_);
-    if (line->code() == current_) scroll_->ensureWidgetVisible(line, 0, kSpace);
+    if (line->code() == current_) {
+      scroll_->ensureWidgetVisible(line, 0, kSpace);
+    }
   }
   Q_EMIT rowChanged();
 }
 
 void SheetPanel::takeFocus() {
   for (ScoreRow* row : rows_) {
-    if (row->code() == current_) row->setFocus(Qt::OtherFocusReason);
+    if (row->code() == current_) {
+      row->setFocus(Qt::OtherFocusReason);
+    }
   }
 }
 
@@ -159,10 +190,14 @@ void SheetPanel::changed() {
 }
 
 void SheetPanel::choose(const std::string& row, std::int64_t steps) {
-  if (readOnly_ || editor_ == nullptr) return;
+  if (readOnly_ || editor_ == nullptr) {
+    return;
+  }
   setCurrentRow(row);
   typed_points_.reset();
-  if (editor_->setScore(row, steps)) changed();
+  if (editor_->setScore(row, steps)) {
+    changed();
+  }
 }
 
 void SheetPanel::step(int direction) {
@@ -178,28 +213,42 @@ void SheetPanel::adjust(std::int64_t steps) {
   typed_points_.reset();
   const ScoreScale& scale = editor_->scale(current_);
   const auto score = editor_->answer(current_).score_steps;
-  if (!score) return;  // an arrow adjusts a score; it invents none
-  if (editor_->setScore(current_, std::clamp(*score + steps, scale.lo, scale.hi))) changed();
+  if (!score) {
+    return;  // an arrow adjusts a score; it invents none
+  }
+  if (editor_->setScore(current_, std::clamp(*score + steps, scale.lo, scale.hi))) {
+    changed();
+  }
 }
 
 void SheetPanel::digit(int value) {
   const ScoreScale& scale = editor_->scale(current_);
   const auto steps = stepsForDigit(scale, value, typed_points_);
-  if (!steps) return;
+  if (!steps) {
+    return;
+  }
   const bool joins = typed_points_.has_value() && *steps / scale.stepsPerPoint > 9;
   typed_points_ = *steps / scale.stepsPerPoint;
-  if (editor_->setScore(current_, *steps, joins)) changed();
+  if (editor_->setScore(current_, *steps, joins)) {
+    changed();
+  }
 }
 
 bool SheetPanel::handleKey(int key, Qt::KeyboardModifiers modifiers) {
-  if (editor_ == nullptr) return false;
+  if (editor_ == nullptr) {
+    return false;
+  }
   const bool plain = (modifiers & ~(Qt::KeypadModifier | Qt::ShiftModifier)) == Qt::NoModifier;
-  if (!plain) return false;
+  if (!plain) {
+    return false;
+  }
   if (key == Qt::Key_Up || key == Qt::Key_Down) {
     step(key == Qt::Key_Up ? -1 : +1);
     return true;
   }
-  if (readOnly_) return false;
+  if (readOnly_) {
+    return false;
+  }
   if (key >= Qt::Key_0 && key <= Qt::Key_9) {
     digit(key - Qt::Key_0);
     return true;
@@ -216,12 +265,18 @@ bool SheetPanel::handleKey(int key, Qt::KeyboardModifiers modifiers) {
     case Qt::Key_Backspace:
     case Qt::Key_Delete:
       typed_points_.reset();
-      if (editor_->clear(current_)) changed();
+      if (editor_->clear(current_)) {
+        changed();
+      }
       return true;
     case Qt::Key_N:
-      if (scoresOnly_) return false;
+      if (scoresOnly_) {
+        return false;
+      }
       for (ScoreRow* row : rows_) {
-        if (row->code() == current_) row->askReason();
+        if (row->code() == current_) {
+          row->askReason();
+        }
       }
       return true;
     default:

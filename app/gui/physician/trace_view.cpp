@@ -32,13 +32,17 @@ TraceCollector::TraceCollector(std::int64_t samples)
 
 void TraceCollector::add(std::span<const Sample> samples) {
   for (const Sample& sample : samples) {
-    if (!begun_) begin_us_ = sample.device.time_us;
+    if (!begun_) {
+      begin_us_ = sample.device.time_us;
+    }
     begun_ = true;
     const std::array<float, 3> now{static_cast<float>(degrees(sample.response.angle_rad)),
                                    static_cast<float>(sample.response.torque_Nm),
                                    static_cast<float>(norm(sample.force_N))};
     data_.duration_us = sample.device.time_us - begin_us_;
-    if (inStretch_ == 0) data_.times_us.push_back(data_.duration_us);
+    if (inStretch_ == 0) {
+      data_.times_us.push_back(data_.duration_us);
+    }
     for (std::size_t lane = 0; lane < now.size(); ++lane) {
       std::vector<float>& values = values_[lane];
       if (inStretch_ == 0) {
@@ -89,10 +93,14 @@ void TraceView::retranslate() {
 }
 
 void TraceView::setPosition_us(std::int64_t position_us) {
-  if (position_us == position_us_) return;
+  if (position_us == position_us_) {
+    return;
+  }
   const int before = xOf(position_us_);
   position_us_ = position_us;
-  if (xOf(position_us_) != before) update();
+  if (xOf(position_us_) != before) {
+    update();
+  }
 }
 
 void TraceView::setBookmarks(std::vector<std::int64_t> times_us) {
@@ -149,7 +157,9 @@ void TraceView::drawTraces() {
   QPainter painter(&traces_);
   painter.setFont(font());
   const QRect area = plot();
-  if (data_ == nullptr || data_->times_us.empty()) return;
+  if (data_ == nullptr || data_->times_us.empty()) {
+    return;
+  }
   const std::vector<Lane> all = lanes();
   const int height =
       (area.height() - kLaneGap * (static_cast<int>(all.size()) - 1)) / static_cast<int>(all.size());
@@ -177,7 +187,9 @@ void TraceView::drawLane(QPainter& painter, const Lane& lane, const QRect& area)
   for (int x = 0; x < area.width(); ++x) {
     const std::int64_t until_us = duration_us() * (x + 1) / area.width();
     const std::size_t last = std::min(std::max(indexAt(until_us), first + 1), data_->times_us.size());
-    if (first >= last) break;
+    if (first >= last) {
+      break;
+    }
     // One stretch of overlap joins the columns.
     const RangePyramid::Range range = lane.values->range(2 * (first > 0 ? first - 1 : 0), 2 * last);
     painter.drawLine(area.left() + x, yOf(range.low), area.left() + x, yOf(range.high));
@@ -201,7 +213,9 @@ void TraceView::drawAxis(QPainter& painter) const {
   const int width = fontMetrics().horizontalAdvance(QStringLiteral("00:00")) + 2 * kSpace;
   std::int64_t step_us = kTickSteps_us[std::size(kTickSteps_us) - 1];
   for (const std::int64_t candidate : kTickSteps_us) {
-    if (xOf(candidate) - area.left() < width) continue;
+    if (xOf(candidate) - area.left() < width) {
+      continue;
+    }
     step_us = candidate;
     break;
   }
@@ -217,7 +231,9 @@ void TraceView::drawAxis(QPainter& painter) const {
 }
 
 void TraceView::paintEvent(QPaintEvent*) {
-  if (traces_.isNull()) drawTraces();
+  if (traces_.isNull()) {
+    drawTraces();
+  }
   QPainter painter(this);
   painter.drawPixmap(0, 0, traces_);
   const QRect area = plot();
@@ -237,7 +253,9 @@ void TraceView::paintEvent(QPaintEvent*) {
     painter.drawPolygon(
         QPolygonF({{x - 5, area.top() - 3.0}, {x + 5, area.top() - 3.0}, {x, area.top() + 5.0}}));
   }
-  if (data_ == nullptr) return;
+  if (data_ == nullptr) {
+    return;
+  }
   const double x = xOf(position_us_) + 0.5;
   painter.setPen(QPen(theme_->text, 2.0));
   painter.drawLine(QPointF(x, area.top() - 2), QPointF(x, area.bottom() + kWatchedHeight + 2));
@@ -249,15 +267,21 @@ void TraceView::resizeEvent(QResizeEvent* event) {
 }
 
 void TraceView::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) seek(event->position().toPoint().x());
+  if (event->button() == Qt::LeftButton) {
+    seek(event->position().toPoint().x());
+  }
 }
 
 void TraceView::mouseMoveEvent(QMouseEvent* event) {
-  if ((event->buttons() & Qt::LeftButton) != 0) seek(event->position().toPoint().x());
+  if ((event->buttons() & Qt::LeftButton) != 0) {
+    seek(event->position().toPoint().x());
+  }
 }
 
 void TraceView::seek(int x) {
-  if (data_ == nullptr) return;
+  if (data_ == nullptr) {
+    return;
+  }
   const QRect area = plot();
   const std::int64_t along = std::clamp(x - area.left(), 0, area.width() - 1);
   Q_EMIT soughtTo(along * duration_us() / std::max(1, area.width() - 1));

@@ -83,7 +83,9 @@ WarmUpPage::WarmUpPage(ShellContext& shell, QWidget* parent)
   connect(compare_, &QPushButton::clicked, this, &WarmUpPage::compare);
   // Success shows the recording right after; failure and cancelling end here.
   connect(&shell, &ShellContext::jobEnded, this, [this] {
-    if (number_ > 0 && !replay_->ready()) replay_->showSentence(tr("The recording could not be opened."));
+    if (number_ > 0 && !replay_->ready()) {
+      replay_->showSentence(tr("The recording could not be opened."));
+    }
   });
   connect(goOn_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kQueue); });
   connect(sheet_, &SheetPanel::edited, this, &WarmUpPage::showResult);
@@ -96,7 +98,9 @@ void WarmUpPage::enter(const QVariant&) {
   warmUp_ = warmUp(shell().workplace());
   std::size_t first = warmUp_.runs.empty() ? 0 : 1;
   for (const WarmUpRun& run : warmUp_.runs) {
-    if (run.own_steps) continue;
+    if (run.own_steps) {
+      continue;
+    }
     first = run.number;
     break;
   }
@@ -135,7 +139,9 @@ void WarmUpPage::openRun(std::size_t number) {
         *loaded = loadForShowing(loadReferenceRun(own, number), assets);
       },
       [this, loaded, ticket] {
-        if (ticket == loads_) replay_->show(*loaded);
+        if (ticket == loads_) {
+          replay_->show(*loaded);
+        }
       });
 }
 
@@ -145,7 +151,9 @@ void WarmUpPage::showRuns() {
     button->hide();
     button->deleteLater();
   }
-  while (QLayoutItem* item = choices_->takeAt(0)) delete item;
+  while (QLayoutItem* item = choices_->takeAt(0)) {
+    delete item;
+  }
   for (const WarmUpRun& run : warmUp_.runs) {
     auto* button = new QToolButton(this);
     button->setCheckable(true);
@@ -174,7 +182,9 @@ void WarmUpPage::showResult() {
   rubricCard_->setVisible(any && !anchors_->text().isEmpty());
   const WarmUpRun* run = any ? &warmUp_.runs[number_ - 1] : nullptr;
   resultCard_->setVisible(any);
-  if (run == nullptr) return;
+  if (run == nullptr) {
+    return;
+  }
   if (!run->offset_points) {
     result_->setText(tr("Score first; then the panel's mark is shown."));
     sum_->clear();
@@ -199,10 +209,16 @@ void WarmUpPage::showResult() {
 }
 
 void WarmUpPage::compare() {
-  if (sheet_->editor() == nullptr || number_ == 0) return;
+  if (sheet_->editor() == nullptr || number_ == 0) {
+    return;
+  }
   const auto score = sheet_->editor()->answer(kOverallRow).score_steps;
-  if (!score) return;
-  if (compared()) return goNext();
+  if (!score) {
+    return;
+  }
+  if (compared()) {
+    return goNext();
+  }
   attempt(shell(), [&] {
     scoreReferenceRun(shell().workplace(), number_, *score);
     warmUp_ = warmUp(shell().workplace());
@@ -234,10 +250,12 @@ QString WarmUpPage::anchorText() const {
   QStringList lines;
   for (const StoredRubricRow& row : warmUp_.rubric.rows) {
     QStringList points;
-    for (const StoredAnchor& anchor : row.anchors)
+    for (const StoredAnchor& anchor : row.anchors) {
       points << tr("%1: %2").arg(scoreText(anchor.score_steps, row.scale), toQString(Text(anchor.meaning)));
-    if (!points.isEmpty())
+    }
+    if (!points.isEmpty()) {
       lines << tr("%1. %2").arg(toQString(Text(row.label)), points.join(QStringLiteral("  \u00b7  ")));
+    }
   }
   return lines.join(QStringLiteral("\n\n"));
 }
@@ -258,7 +276,9 @@ void WarmUpPage::retranslate() {
 
 std::vector<std::pair<QString, QString>> WarmUpPage::keys() const {
   std::vector<std::pair<QString, QString>> all = replayKeys();
-  for (auto& one : sheetKeys()) all.push_back(std::move(one));
+  for (auto& one : sheetKeys()) {
+    all.push_back(std::move(one));
+  }
   all.back().first = tr("Compare with the panel");
   return all;
 }
@@ -269,10 +289,16 @@ void WarmUpPage::applyTheme(const Theme& theme) {
 }
 
 void WarmUpPage::keyPressEvent(QKeyEvent* event) {
-  if (sheet_->handleCommand(event)) return;
-  if ((event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0 && replay_->handleKey(event->key()))
+  if (sheet_->handleCommand(event)) {
     return;
-  if (event->key() != Qt::Key_N && sheet_->handleKey(event->key(), event->modifiers())) return;
+  }
+  if ((event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0 &&
+      replay_->handleKey(event->key())) {
+    return;
+  }
+  if (event->key() != Qt::Key_N && sheet_->handleKey(event->key(), event->modifiers())) {
+    return;
+  }
   Page::keyPressEvent(event);
 }
 

@@ -58,7 +58,9 @@ ComparePage::ComparePage(ShellContext& context, QWidget* parent) : Page(context,
   column->addWidget(createBar());
   auto* row = new QHBoxLayout;
   row->setSpacing(2 * kSpace);
-  for (Side& side : sides_) row->addWidget(createSide(side), 1);
+  for (Side& side : sides_) {
+    row->addWidget(createSide(side), 1);
+  }
   column->addLayout(row, 1);
   for (const std::string& id : sceneIds(shell().assets())) {
     organ_->addItem(QString(), toQString(id));
@@ -68,7 +70,9 @@ ComparePage::ComparePage(ShellContext& context, QWidget* parent) : Page(context,
   connect(torque_, &QSlider::valueChanged, this,
           [this](int step) { setTorque(top_Nm_ * static_cast<double>(step) / kSteps); });
   connect(shearMap_, &QPushButton::toggled, this, [this](bool on) {
-    for (const Side& side : sides_) side.view->setShearVisible(on);
+    for (const Side& side : sides_) {
+      side.view->setShearVisible(on);
+    }
   });
   connect(strip_, &QPushButton::clicked, this, &ComparePage::captureFilmStrip);
 }
@@ -118,7 +122,9 @@ QWidget* ComparePage::createSide(Side& side) {
 }
 
 void ComparePage::enter(const QVariant& argument) {
-  if (loaded() && argument.isNull()) return;
+  if (loaded() && argument.isNull()) {
+    return;
+  }
   const QString organ = argument.isNull() ? QStringLiteral("stomach") : argument.toString();
   organ_->setCurrentIndex(organ_->findData(organ));
   load(organ);
@@ -165,7 +171,9 @@ void ComparePage::setTorque(double torque_Nm) {
 }
 
 void ComparePage::apply() {
-  if (!loaded()) return;
+  if (!loaded()) {
+    return;
+  }
   std::vector<Vec3> vertices_m;
   for (Side& side : sides_) {
     const Scene& scene = *side.scene.scene;
@@ -175,7 +183,9 @@ void ComparePage::apply() {
     const TwistState state = scene.model.stateForTorque(graspOf(scene), torque_Nm_);
     scene.model.deform(state, vertices_m);
     side.times_us.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-3);
-    if (side.times_us.size() > kTimesKept) side.times_us.erase(side.times_us.begin());
+    if (side.times_us.size() > kTimesKept) {
+      side.times_us.erase(side.times_us.begin());
+    }
     side.view->setTwist(state);
     show(side);
   }
@@ -198,7 +208,9 @@ void ComparePage::captureFilmStrip() {
   }
   const QString file =
       askFileToSave(this, tr("Save film strip"), tr("film-strip.png"), tr("PNG pictures (*.png)"));
-  if (file.isEmpty()) return;
+  if (file.isEmpty()) {
+    return;
+  }
   const double before_Nm = torque_Nm_;
   std::vector<std::vector<StripFrame>> rows(sides_.size());
   for (int i = 0; i < kStripFrames; ++i) {
@@ -226,11 +238,15 @@ void ComparePage::retranslate() {
   for (int i = 0; i < organ_->count(); ++i) {
     organ_->setItemText(i, assetName(ExercisePanel::readable(organ_->itemData(i).toString().toStdString())));
   }
-  if (loaded()) setTorque(torque_Nm_);
+  if (loaded()) {
+    setTorque(torque_Nm_);
+  }
 }
 
 void ComparePage::applyTheme(const Theme& theme) {
-  for (const Side& side : sides_) side.view->setTheme(theme);
+  for (const Side& side : sides_) {
+    side.view->setTheme(theme);
+  }
 }
 
 PageEntry comparePage() {
@@ -244,7 +260,9 @@ std::vector<ScreenEntry> compareScreens() {
            .argument = [](Workplace&) { return QVariant(); },
            .prepare =
                [](Page& page) {
-                 while (!static_cast<ComparePage&>(page).loaded()) QCoreApplication::processEvents();
+                 while (!static_cast<ComparePage&>(page).loaded()) {
+                   QCoreApplication::processEvents();
+                 }
                }}};
 }
 

@@ -65,7 +65,9 @@ MainWindow::MainWindow(const WindowSetup& setup) : setup_(setup), themeKind_(set
     setThemeKind(themeKind_);
   }
   retranslate();
-  if (setup_.remember) restoreChoices();
+  if (setup_.remember) {
+    restoreChoices();
+  }
   showMode();
   frameTimer_.setTimerType(Qt::PreciseTimer);
   connect(&frameTimer_, &QTimer::timeout, this, [this] {
@@ -175,13 +177,19 @@ void MainWindow::connectController() {
   });
 
   connect(replayBar_, &ReplayBar::playToggled, this, [this] {
-    if (TrialPlayback* playback = controller_->playback()) playback->setPlaying(!playback->playing());
+    if (TrialPlayback* playback = controller_->playback()) {
+      playback->setPlaying(!playback->playing());
+    }
   });
   connect(replayBar_, &ReplayBar::soughtTo, this, [this](qint64 position_us) {
-    if (TrialPlayback* playback = controller_->playback()) playback->seek_us(position_us);
+    if (TrialPlayback* playback = controller_->playback()) {
+      playback->seek_us(position_us);
+    }
   });
   connect(replayBar_, &ReplayBar::speedChosen, this, [this](double speed) {
-    if (TrialPlayback* playback = controller_->playback()) playback->setSpeed(speed);
+    if (TrialPlayback* playback = controller_->playback()) {
+      playback->setSpeed(speed);
+    }
   });
   connect(replayBar_, &ReplayBar::closed, c, &SimulationController::closeReplay);
 }
@@ -199,7 +207,9 @@ void MainWindow::applyColours(ThemeKind kind) {
   replayBar_->setTheme(colours);
   recordingTime_->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(colours.recording.name()));
   applyIcons();
-  if (actions_.dark != nullptr) actions_.dark->setChecked(kind == ThemeKind::kDark);
+  if (actions_.dark != nullptr) {
+    actions_.dark->setChecked(kind == ThemeKind::kDark);
+  }
 }
 
 void MainWindow::retranslate() {
@@ -212,7 +222,9 @@ void MainWindow::retranslate() {
   source_->setAccessibleName(tr("Source of the organ"));
   device_->setAccessibleName(tr("Device"));
   showDevice();
-  if (controller_->scene() != nullptr) showTitle();
+  if (controller_->scene() != nullptr) {
+    showTitle();
+  }
   noticeLeft_s_ = 0.0;
   hint_->clear();  // the next frame says it again
   showMode();
@@ -225,7 +237,9 @@ void MainWindow::pause() {
 }
 
 void MainWindow::resume() {
-  if (setup_.openHaptic) controller_->useHapticDevice(setup_.openHaptic);
+  if (setup_.openHaptic) {
+    controller_->useHapticDevice(setup_.openHaptic);
+  }
   sinceFrame_.restart();
   frameTimer_.start(kFrame_ms);
 }
@@ -260,7 +274,9 @@ void MainWindow::frame(double elapsed_s) {
   }
   readoutDue_s_ -= elapsed_s;
   noticeLeft_s_ -= elapsed_s;
-  if (readoutDue_s_ > 0.0) return;
+  if (readoutDue_s_ > 0.0) {
+    return;
+  }
   readoutDue_s_ = kReadoutEvery_s;
   measureRate();
   readout_->show(state, controller_->frozen() ? 0.0 : framesPerSecond_);  // a picture has no rate
@@ -291,7 +307,9 @@ void MainWindow::showTool(const LiveState& state) {
 
 void MainWindow::measureRate() {
   const double span_s = static_cast<double>(sinceRate_.elapsed()) * 1e-3;
-  if (span_s < kRateOver_s) return;
+  if (span_s < kRateOver_s) {
+    return;
+  }
   framesPerSecond_ = static_cast<double>(view_->framesDrawn() - framesAtRate_) / span_s;
   framesAtRate_ = view_->framesDrawn();
   sinceRate_.restart();
@@ -327,7 +345,9 @@ void MainWindow::showHint(const LiveState& state) {
         break;
     }
   }
-  if (hint_->text() != text) hint_->setText(text);
+  if (hint_->text() != text) {
+    hint_->setText(text);
+  }
   if (mode == SimulationController::Mode::kRecording) {
     recordingTime_->setText(tr("\u25cf Recording  %1 s").arg(controller_->recorded_s(), 0, 'f', 0));
   }
@@ -396,13 +416,17 @@ void MainWindow::lookWhole() {
 void MainWindow::chooseOrganFile() {
   const QString file = askFileToOpen(
       this, tr("Open organ"), tr("Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)"));
-  if (file.isEmpty()) return;
+  if (file.isEmpty()) {
+    return;
+  }
   const QStringList units{tr("millimetres"), tr("centimetres"), tr("metres")};
   const double scales_m[] = {0.001, 0.01, 1.0};
   bool chosen = false;
   const QString unit =
       QInputDialog::getItem(this, tr("Open organ"), tr("The file's numbers are"), units, 0, false, &chosen);
-  if (!chosen) return;
+  if (!chosen) {
+    return;
+  }
   SceneRequest request = controller_->request();
   request.organFile = toPath(file);
   request.organScale_m = scales_m[units.indexOf(unit)];
@@ -426,7 +450,9 @@ void MainWindow::chooseReplay() {
     bool chosen = false;
     const QString line =
         QInputDialog::getItem(this, tr("Replay"), tr("Recorded trial"), lines, 0, false, &chosen);
-    if (!chosen) return;
+    if (!chosen) {
+      return;
+    }
     controller_->openReplay(setup_.recording.load(trials[static_cast<std::size_t>(lines.indexOf(line))].id));
   } catch (const Error& error) {
     const TranslatedError said = translated(error);
@@ -466,7 +492,9 @@ std::vector<std::pair<QString, QString>> MainWindow::pointerKeys() {
 }
 
 void MainWindow::chooseKeys() {
-  if (askPointerKeys(this)) pointer_->setKeys(PointerKeys::stored());
+  if (askPointerKeys(this)) {
+    pointer_->setKeys(PointerKeys::stored());
+  }
 }
 
 void MainWindow::showHelp() {
@@ -505,7 +533,9 @@ void MainWindow::saveChoices() const {
 void MainWindow::closeEvent(QCloseEvent* event) {
   frameTimer_.stop();
   controller_->shutDown();
-  if (setup_.remember) saveChoices();
+  if (setup_.remember) {
+    saveChoices();
+  }
   event->accept();
 }
 

@@ -87,7 +87,9 @@ void MainWindow::createActions() {
   a.shear = addKeyed(Qt::CTRL | Qt::Key_T);
   a.markers = addKeyed(Qt::CTRL | Qt::Key_K);
   a.ghost = addKeyed(Qt::CTRL | Qt::Key_G);
-  for (QAction* action : {a.lattice, a.wireframe, a.shear, a.markers, a.ghost}) action->setCheckable(true);
+  for (QAction* action : {a.lattice, a.wireframe, a.shear, a.markers, a.ghost}) {
+    action->setCheckable(true);
+  }
 
   connect(a.open, &QAction::triggered, this, &MainWindow::chooseOrganFile);
   connect(a.picture, &QAction::triggered, this, &MainWindow::choosePicture);
@@ -178,7 +180,9 @@ void MainWindow::createToolBar() {
   bar->setIconSize({20, 20});
   bar->setContextMenuPolicy(Qt::PreventContextMenu);
   const auto group = [bar](std::initializer_list<QAction*> actions) {
-    for (QAction* action : actions) bar->addAction(action);
+    for (QAction* action : actions) {
+      bar->addAction(action);
+    }
     bar->addSeparator();
   };
   group({a.record, a.replay, a.release});
@@ -225,9 +229,13 @@ void MainWindow::applyIcons() {
       {a.whole, "fit"},       {a.lattice, "lattice"}, {a.wireframe, "wireframe"}, {a.shear, "stress"},
       {a.ghost, "ghost"},     {a.markers, "markers"}, {a.dark, "theme"},          {a.help, "help"}};
   for (const auto& [action, file] : icons) {
-    if (action != nullptr) action->setIcon(icon(QLatin1String(file), colours));
+    if (action != nullptr) {
+      action->setIcon(icon(QLatin1String(file), colours));
+    }
   }
-  if (menus_.more != nullptr) menus_.more->setIcon(icon(QStringLiteral("more"), colours));
+  if (menus_.more != nullptr) {
+    menus_.more->setIcon(icon(QStringLiteral("more"), colours));
+  }
   const bool recording = controller_->mode() == SimulationController::Mode::kRecording;
   a.record->setIcon(recording ? icon(QStringLiteral("stop"), colours.recording)
                               : icon(QStringLiteral("record"), colours));

@@ -12,7 +12,9 @@ namespace torsio::gui {
 
 void MainWindow::choosePicture() {
   const QString file = askFileToSave(this, tr("Save picture"), tr("torsio.png"), tr("PNG pictures (*.png)"));
-  if (file.isEmpty()) return;
+  if (file.isEmpty()) {
+    return;
+  }
   savePicture(view_->picture(), file);
 }
 
@@ -37,7 +39,9 @@ void MainWindow::chooseFilmStrip() {
   }
   const QString file =
       askFileToSave(this, tr("Save film strip"), tr("film-strip.png"), tr("PNG pictures (*.png)"));
-  if (file.isEmpty()) return;
+  if (file.isEmpty()) {
+    return;
+  }
   const std::vector<StripFrame> frames =
       controller_->playback() != nullptr
           ? replayFrames()

@@ -19,10 +19,14 @@ namespace {
 
 /// For a picture: the organ half-way through the exercise, whatever the machine's speed.
 void holdAtTarget(MainWindow& simulator) {
-  while (simulator.controller().loading()) QCoreApplication::processEvents();
+  while (simulator.controller().loading()) {
+    QCoreApplication::processEvents();
+  }
   SceneRequest request = simulator.controller().request();
   request.assets = simulator.assets();
-  if (request.id.empty()) request.id = "stomach";
+  if (request.id.empty()) {
+    request.id = "stomach";
+  }
   simulator.controller().adopt(request, loadSceneForView(request));
   const Scene& scene = *simulator.controller().scene();
   LiveState held = scriptedTwist(scene, scene.pattern.targetAngle_rad);
@@ -39,7 +43,9 @@ PracticePage::PracticePage(ShellContext& context, const StationDesk& desk, QWidg
   setup.theme = shell().themeKind();
   setup.remember = false;
   setup.embedded = true;
-  if (!shell().workplace().actor().practiceOnly) setup.recording = recording();
+  if (!shell().workplace().actor().practiceOnly) {
+    setup.recording = recording();
+  }
   if (const StationDesk::DeviceOpener open = desk.openDevice) {
     setup.openHaptic = [open](const Scene& scene) { return open(scene, scene.pattern.targetAngle_rad); };
   }
@@ -63,7 +69,9 @@ TrialRecording PracticePage::recording() {
   recording.list = [store = store_, own = own_] {
     std::vector<RecordedTrial> trials;
     for (const TrialListing& trial : store->list()) {
-      if (!trial.summary || !own->contains(trial.trialId)) continue;
+      if (!trial.summary || !own->contains(trial.trialId)) {
+        continue;
+      }
       trials.push_back({trial.trialId, trial.sceneId, trial.patternId, trial.startedUtc_us,
                         spanOf_s(trial.summary->samples)});
     }
@@ -76,7 +84,9 @@ TrialRecording PracticePage::recording() {
 
 void PracticePage::enter(const QVariant& argument) {
   simulator_->resume();
-  if (simulator_->controller().scene() != nullptr && argument.isNull()) return;
+  if (simulator_->controller().scene() != nullptr && argument.isNull()) {
+    return;
+  }
   SceneRequest request;
   request.assets = shell().assets();
   request.id = argument.isNull() ? "stomach" : argument.toString().toStdString();

@@ -46,7 +46,9 @@ void waitUntil(const Condition& done, const char* what) {
 }
 
 void requireDisplay() {
-  if (SceneView::platformCanRender()) return;
+  if (SceneView::platformCanRender()) {
+    return;
+  }
   throw Error(ErrorCode::kDevice, "this display cannot draw the scene: it has no OpenGL",
               Text("platform %1", QGuiApplication::platformName().toStdString()),
               "Run it on a desktop, or through xvfb-run with QT_QPA_PLATFORM=xcb");
@@ -143,7 +145,9 @@ FrameRate measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& re
       firstFrame = child<SceneView>(window, "view").framesDrawn();
       begun = live;
     }
-    if (begun_s >= 0.0) rate.slowestTick_us = std::max(rate.slowestTick_us, live.tickDuration_us);
+    if (begun_s >= 0.0) {
+      rate.slowestTick_us = std::max(rate.slowestTick_us, live.tickDuration_us);
+    }
     state.response.angle_rad = widest_rad * std::sin(kSwing_rad_per_s * now_s);
     controller.freeze(state);
     QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);

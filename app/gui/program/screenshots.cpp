@@ -48,12 +48,18 @@ void settle(QWidget& window) {
   waited.start();
   const auto scenes = window.findChildren<SceneView*>();
   std::map<SceneView*, std::int64_t> before;
-  for (SceneView* scene : scenes) before[scene] = scene->framesDrawn();
+  for (SceneView* scene : scenes) {
+    before[scene] = scene->framesDrawn();
+  }
   const auto drawn = [&] {
     for (const auto& [scene, frames] : before) {
-      if (!scene->isVisible() || !SceneView::platformCanRender()) continue;
+      if (!scene->isVisible() || !SceneView::platformCanRender()) {
+        continue;
+      }
       scene->redraw();
-      if (scene->framesDrawn() < frames + kSceneFrames) return false;
+      if (scene->framesDrawn() < frames + kSceneFrames) {
+        return false;
+      }
     }
     return true;
   };
@@ -73,16 +79,22 @@ class Photographer {
 
   /// `make` builds the screen as the child of a window; called once for each language and theme.
   void take(const QString& name, const std::function<std::unique_ptr<QWidget>(ThemeKind, Language)>& make) {
-    if (!wants(name)) return;
+    if (!wants(name)) {
+      return;
+    }
     for (const Language language : request_.languages) {
       language_.choose(language);
       for (const ThemeKind kind : request_.themes) {
         applyTheme(*qApp, theme(kind));
         const std::unique_ptr<QWidget> window = make(kind, language);
-        for (const QSize& size : request_.sizes) photograph(*window, name, language, kind, size);
+        for (const QSize& size : request_.sizes) {
+          photograph(*window, name, language, kind, size);
+        }
       }
     }
-    if (request_.progress) request_.progress({name.toStdString(), 0.0, -1.0});
+    if (request_.progress) {
+      request_.progress({name.toStdString(), 0.0, -1.0});
+    }
   }
 
   void photograph(QWidget& window, const QString& name, Language language, ThemeKind kind,
@@ -201,7 +213,9 @@ void takePage(Photographer& photographer, const Cast& cast, const std::filesyste
     desk->open(screen.pageId, screen.argument ? screen.argument(*workplace) : QVariant());
     desk->context().waitForJobs();
     settle(*desk);
-    if (screen.prepare && desk->page() != nullptr) screen.prepare(*desk->page());
+    if (screen.prepare && desk->page() != nullptr) {
+      screen.prepare(*desk->page());
+    }
     desk->context().waitForJobs();
     return desk;
   });
@@ -215,7 +229,9 @@ void writeIndex(const std::filesystem::path& folder, const std::vector<Shot>& sh
       "</head><body>\n");
   QString last;
   for (const Shot& shot : shots) {
-    if (shot.name != last) html += QStringLiteral("<h2>%1</h2>\n").arg(shot.name.toHtmlEscaped());
+    if (shot.name != last) {
+      html += QStringLiteral("<h2>%1</h2>\n").arg(shot.name.toHtmlEscaped());
+    }
     last = shot.name;
     html += QStringLiteral("<a href=\"%1\"><img src=\"%1\" alt=\"%1\"></a>\n").arg(shot.file.toHtmlEscaped());
   }
@@ -226,20 +242,28 @@ void writeIndex(const std::filesystem::path& folder, const std::vector<Shot>& sh
 }  // namespace
 
 int takeAllScreenshots(const ScreenshotsRequest& request) {
-  if (!request.look) ensureFolder(request.out);
+  if (!request.look) {
+    ensureFolder(request.out);
+  }
   Photographer photographer(request);
   takePanels(photographer);
   std::vector<ScreenEntry> pages;
   for (const ScreenEntry& screen : allScreens()) {
-    if (photographer.wants(screen.name)) pages.push_back(screen);
+    if (photographer.wants(screen.name)) {
+      pages.push_back(screen);
+    }
   }
   const QTemporaryDir folder;
   if (!pages.empty()) {
     const Cast cast(folder.filePath(QStringLiteral("torsio.sqlite")).toStdString(), request.assets,
                     request.progress);
-    for (const ScreenEntry& screen : pages) takePage(photographer, cast, request.assets, screen);
+    for (const ScreenEntry& screen : pages) {
+      takePage(photographer, cast, request.assets, screen);
+    }
   }
-  if (!request.look) writeIndex(request.out, photographer.shots());
+  if (!request.look) {
+    writeIndex(request.out, photographer.shots());
+  }
   return static_cast<int>(photographer.shots().size());
 }
 
@@ -287,12 +311,15 @@ ScreenshotsRequest parse(const QStringList& arguments) {
   request.sizes = sizesOf(parser.value(QStringLiteral("size")));
   for (const QString& code : parser.value(QStringLiteral("language")).split(QLatin1Char(','))) {
     const auto language = languageOf(code);
-    if (!language) refuseOption(unknown(code), QStringLiteral("--language"), "Use en or zh_CN");
+    if (!language) {
+      refuseOption(unknown(code), QStringLiteral("--language"), "Use en or zh_CN");
+    }
     request.languages.push_back(*language);
   }
   for (const QString& name : parser.value(QStringLiteral("theme")).split(QLatin1Char(','))) {
-    if (name != QLatin1String("light") && name != QLatin1String("dark"))
+    if (name != QLatin1String("light") && name != QLatin1String("dark")) {
       refuseOption(unknown(name), QStringLiteral("--theme"), "Use light or dark");
+    }
     request.themes.push_back(name == QLatin1String("dark") ? ThemeKind::kDark : ThemeKind::kLight);
   }
   request.only = parser.value(QStringLiteral("only"));

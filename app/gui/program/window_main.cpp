@@ -166,10 +166,12 @@ WindowOptions parse(const QStringList& arguments) {
   for (const char* option : {"organ", "pattern", "formulation", "screenshot", "frame-rate"}) {
     options.simulator = options.simulator || parser.isSet(QLatin1String(option));
   }
-  if (parser.isSet(QStringLiteral("frame-rate")))
+  if (parser.isSet(QStringLiteral("frame-rate"))) {
     options.rateOver_s = numberOf(parser, QStringLiteral("frame-rate"));
-  if (parser.isSet(QStringLiteral("screenshot")) || options.rateOver_s)
+  }
+  if (parser.isSet(QStringLiteral("screenshot")) || options.rateOver_s) {
     options.screenshot = pictureOf(parser, options.scene);
+  }
   return options;
 }
 
@@ -177,7 +179,9 @@ WindowOptions parse(const QStringList& arguments) {
 void requireAnyDisplay() {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
   for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
-    if (!qEnvironmentVariableIsEmpty(variable)) return;
+    if (!qEnvironmentVariableIsEmpty(variable)) {
+      return;
+    }
   }
   throw Error(ErrorCode::kDevice, "there is no display", "DISPLAY and WAYLAND_DISPLAY are not set",
               "Start it on a desktop, or through xvfb-run; commands such as 'torsio demo' need no display");
@@ -235,8 +239,9 @@ int runShell(const WindowOptions& options) {
   } else {
     // A window as large as the screen would lie under its own frame and the desktop's bars.
     const QSize room = window.QWidget::screen()->availableSize();
-    if (window.width() >= room.width() || window.height() >= room.height())
+    if (window.width() >= room.width() || window.height() >= room.height()) {
       window.setWindowState(window.windowState() | Qt::WindowMaximized);
+    }
     window.QWidget::show();
   }
   window.start();

@@ -39,7 +39,9 @@ std::vector<Corner> cornersOf(const TriangleMesh& mesh) {
   std::vector<std::vector<std::uint32_t>> around(mesh.vertices_m.size());
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     const Vec3& a = mesh.vertices_m[t[0]];
-    for (const std::uint32_t corner : t) around[corner].push_back(static_cast<std::uint32_t>(faces.size()));
+    for (const std::uint32_t corner : t) {
+      around[corner].push_back(static_cast<std::uint32_t>(faces.size()));
+    }
     faces.push_back(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));  // weighs by area
   }
   std::vector<Corner> corners;
@@ -49,7 +51,9 @@ std::vector<Corner> cornersOf(const TriangleMesh& mesh) {
     for (const std::uint32_t corner : mesh.triangles[f]) {
       Vec3 sum;
       for (const std::uint32_t other : around[corner]) {
-        if (dot(own, normalized(faces[other])) >= kSharpEdgeCosine) sum += faces[other];
+        if (dot(own, normalized(faces[other])) >= kSharpEdgeCosine) {
+          sum += faces[other];
+        }
       }
       const Vec3 n = normalized(sum);
       corners.push_back(

@@ -15,7 +15,9 @@ SkinAnchor skinAnchor(const Scene& scene, const Vec3& point_m) {
   const SurfacePoint hit = scene.collision.closest(point_m);
   SkinAnchor anchor;
   anchor.corners = scene.mesh.triangles[hit.triangle];
-  for (std::size_t k = 0; k < 3; ++k) anchor.weights[k] = static_cast<float>(hit.barycentric[k]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    anchor.weights[k] = static_cast<float>(hit.barycentric[k]);
+  }
   return anchor;
 }
 
@@ -35,10 +37,13 @@ SkinLine skinLine(const Scene& scene, std::span<const Vec3> corners_m, bool clos
     const Vec3& a = corners_m[i];
     const Vec3& b = corners_m[(i + 1) % corners_m.size()];
     const int steps = std::max(1, static_cast<int>(std::ceil(norm(b - a) / kStep_m)));
-    for (int k = 0; k < steps; ++k)
+    for (int k = 0; k < steps; ++k) {
       line.anchors.push_back(skinAnchor(scene, a + (b - a) * (double(k) / steps)));
+    }
   }
-  if (!closed) line.anchors.push_back(skinAnchor(scene, corners_m.back()));
+  if (!closed) {
+    line.anchors.push_back(skinAnchor(scene, corners_m.back()));
+  }
   return line;
 }
 
@@ -80,12 +85,16 @@ LatticeLines latticeLines(const Scene& scene) {
   std::vector<Vec3> corners;
   for (int ridge = 0; ridge < lattice.ridges(); ++ridge) {
     corners.clear();
-    for (int j = 0; j < lattice.sections(); ++j) corners.push_back(lattice.keyPoint_m(ridge, j));
+    for (int j = 0; j < lattice.sections(); ++j) {
+      corners.push_back(lattice.keyPoint_m(ridge, j));
+    }
     lines.lattice.push_back(skinLine(scene, corners, false));
   }
   for (int j = 0; j < lattice.sections(); ++j) {
     corners.clear();
-    for (int ridge = 0; ridge < lattice.ridges(); ++ridge) corners.push_back(lattice.keyPoint_m(ridge, j));
+    for (int ridge = 0; ridge < lattice.ridges(); ++ridge) {
+      corners.push_back(lattice.keyPoint_m(ridge, j));
+    }
     lines.lattice.push_back(skinLine(scene, corners, true));
   }
   lines.grasp.push_back(graspLine(scene));
@@ -125,13 +134,17 @@ void RibbonGeometry::follow(const OrganSurface& surface) {
   QVector3D low(kHuge, kHuge, kHuge);
   QVector3D high(-kHuge, -kHuge, -kHuge);
   std::size_t points = 0;
-  for (const SkinLine& line : lines_) points += line.anchors.size();
+  for (const SkinLine& line : lines_) {
+    points += line.anchors.size();
+  }
   QByteArray bytes(static_cast<qsizetype>(points * 6 * sizeof(float)), Qt::Uninitialized);
   auto* out = reinterpret_cast<float*>(bytes.data());
   std::vector<SkinPlace> places;
   for (const SkinLine& line : lines_) {
     places.clear();
-    for (const SkinAnchor& anchor : line.anchors) places.push_back(placeOf(anchor, surface.vertices()));
+    for (const SkinAnchor& anchor : line.anchors) {
+      places.push_back(placeOf(anchor, surface.vertices()));
+    }
     const std::size_t count = places.size();
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t before = i > 0 ? i - 1 : (line.closed ? count - 1 : 0);
@@ -149,7 +162,9 @@ void RibbonGeometry::follow(const OrganSurface& surface) {
     }
   }
   setVertexData(bytes);
-  if (points > 0) setBounds(low, high);
+  if (points > 0) {
+    setBounds(low, high);
+  }
   update();
 }
 

@@ -46,7 +46,9 @@ using Attribute = QQuick3DGeometry::Attribute;
 std::vector<SkinAnchor> organMarkers(const Scene& scene, const std::filesystem::path& assets) {
   const std::filesystem::path path = assets / "organs" / (scene.id + "_markers.json");
   QFile file(QString::fromStdString(path.string()));
-  if (!file.open(QIODevice::ReadOnly)) return {};
+  if (!file.open(QIODevice::ReadOnly)) {
+    return {};
+  }
   const QJsonArray entries =
       QJsonDocument::fromJson(file.readAll()).object()[QLatin1String("markers")].toArray();
   std::vector<SkinAnchor> markers;
@@ -89,9 +91,13 @@ void MarkerGeometry::setMarkers(const std::vector<QVector3D>& centres, float rad
   for (const QVector3D& centre : centres) {
     const auto first = static_cast<std::uint32_t>(vertices.size() / 3);
     for (const std::array<float, 3>& corner : kCorners) {
-      for (int k = 0; k < 3; ++k) vertices.push_back(centre[k] + scale * corner[static_cast<std::size_t>(k)]);
+      for (int k = 0; k < 3; ++k) {
+        vertices.push_back(centre[k] + scale * corner[static_cast<std::size_t>(k)]);
+      }
     }
-    for (const std::uint32_t index : kFaces) indices.push_back(first + index);
+    for (const std::uint32_t index : kFaces) {
+      indices.push_back(first + index);
+    }
     for (int k = 0; k < 3; ++k) {
       low[k] = std::min(low[k], centre[k] - radius_mm);
       high[k] = std::max(high[k], centre[k] + radius_mm);

@@ -9,7 +9,9 @@ namespace torsio::gui {
 
 QSSGRenderGraphObject* MovingGeometry::updateSpatialNode(QSSGRenderGraphObject* node) {
   QSignalBlocker quiet(this);
-  if (std::exchange(reshaped_, false) || node == nullptr) quiet.unblock();
+  if (std::exchange(reshaped_, false) || node == nullptr) {
+    quiet.unblock();
+  }
   return QQuick3DGeometry::updateSpatialNode(node);
 }
 

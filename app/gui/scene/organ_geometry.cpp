@@ -42,7 +42,9 @@ QByteArray liftedPositions(const OrganSurface& surface) {
   QByteArray bytes(static_cast<qsizetype>(surface.vertices().size() * 3 * sizeof(float)), Qt::Uninitialized);
   auto* out = reinterpret_cast<float*>(bytes.data());
   for (const SurfaceVertex& v : surface.vertices()) {
-    for (int k = 0; k < 3; ++k) *out++ = v.position[k] + kWireLift_mm * v.normal[k];
+    for (int k = 0; k < 3; ++k) {
+      *out++ = v.position[k] + kWireLift_mm * v.normal[k];
+    }
   }
   return bytes;
 }

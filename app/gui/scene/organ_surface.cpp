@@ -21,13 +21,18 @@ float linear(float encoded) {
 
 OrganSurface::OrganSurface(const TriangleMesh& mesh) : triangles_(mesh.triangles) {
   vertices_.resize(mesh.vertices_m.size());
-  for (SurfaceVertex& v : vertices_) std::fill(std::begin(v.colour), std::end(v.colour), 1.0F);
+  for (SurfaceVertex& v : vertices_) {
+    std::fill(std::begin(v.colour), std::end(v.colour), 1.0F);
+  }
   update(mesh.vertices_m);
 }
 
 void OrganSurface::sink(float depth_mm) {
-  for (SurfaceVertex& v : vertices_)
-    for (int k = 0; k < 3; ++k) v.position[k] -= depth_mm * v.normal[k];
+  for (SurfaceVertex& v : vertices_) {
+    for (int k = 0; k < 3; ++k) {
+      v.position[k] -= depth_mm * v.normal[k];
+    }
+  }
 }
 
 void OrganSurface::paint(std::span<const std::array<float, 3>> colours) {
@@ -57,14 +62,18 @@ void OrganSurface::update(std::span<const Vec3> vertices_m) {
     // Twice the area times the unit normal: large triangles weigh more.
     const float n[3] = {uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx};
     for (const std::uint32_t corner : corners) {
-      for (int k = 0; k < 3; ++k) vertices_[corner].normal[k] += n[k];
+      for (int k = 0; k < 3; ++k) {
+        vertices_[corner].normal[k] += n[k];
+      }
     }
   }
   for (SurfaceVertex& v : vertices_) {
     const float length =
         std::sqrt(v.normal[0] * v.normal[0] + v.normal[1] * v.normal[1] + v.normal[2] * v.normal[2]);
     if (length > 0.0F) {
-      for (float& component : v.normal) component /= length;
+      for (float& component : v.normal) {
+        component /= length;
+      }
     } else {
       v.normal[1] = 1.0F;
     }

@@ -17,7 +17,9 @@ constexpr double kLongestWait_s = 120.0;
 }  // namespace
 
 bool QualityControl::note(double frame_s) noexcept {
-  if (!mayBeFine_) return false;
+  if (!mayBeFine_) {
+    return false;
+  }
   if (frame_s <= 0.0 || frame_s > kIdle_s) {
     watched_s_ = 0.0;
     return false;

@@ -60,7 +60,9 @@ float formShade(const float (&normal)[3]) {
 Renderer kindOf(const QString& renderer) {
   for (const char* name : {"llvmpipe", "softpipe", "swrast", "software rasterizer", "SwiftShader",
                            "Microsoft Basic Render", "GDI Generic"}) {
-    if (renderer.contains(QLatin1String(name), Qt::CaseInsensitive)) return Renderer::kSoftware;
+    if (renderer.contains(QLatin1String(name), Qt::CaseInsensitive)) {
+      return Renderer::kSoftware;
+    }
   }
   return Renderer::kGraphicsCard;
 }
@@ -76,7 +78,9 @@ class NoSceneSentence : public QLabel {
 
  protected:
   void changeEvent(QEvent* event) override {
-    if (event->type() == QEvent::LanguageChange) retranslate();
+    if (event->type() == QEvent::LanguageChange) {
+      retranslate();
+    }
     QLabel::changeEvent(event);
   }
 
@@ -90,8 +94,9 @@ ViewScene makeViewScene(const std::shared_ptr<const Scene>& scene, const std::st
   ViewScene view;
   view.look = tissueLook(tissue.empty() ? scene->id : tissue);
   view.surface = OrganSurface(scene->mesh);
-  if (SceneView::platformCanRender())
+  if (SceneView::platformCanRender()) {
     view.skin = std::make_shared<const TissueSkin>(paintSkin(*scene, view.look));
+  }
   view.lines = latticeLines(*scene);
   view.shear = ShearMap(scene);
   view.deform = [scene](const TwistState& state, std::span<Vec3> out_m) {
@@ -139,7 +144,9 @@ void SceneView::registerTypes() {
 }
 
 void SceneView::prepareWindow(QWidget& window) {
-  if (!platformCanRender()) return;
+  if (!platformCanRender()) {
+    return;
+  }
   auto* surface = new QQuickWidget(&window);  // never shown, draws nothing
   surface->setFocusPolicy(Qt::NoFocus);
   surface->resize(1, 1);
@@ -195,11 +202,15 @@ void SceneView::noteFrame() {
 }
 
 void SceneView::redraw() {
-  if (quick_ != nullptr) quick_->quickWindow()->update();
+  if (quick_ != nullptr) {
+    quick_->quickWindow()->update();
+  }
 }
 
 void SceneView::setRootProperty(const char* name, const QVariant& value) {
-  if (root_ != nullptr) root_->setProperty(name, value);
+  if (root_ != nullptr) {
+    root_->setProperty(name, value);
+  }
 }
 
 void SceneView::setScene(const ViewScene& view) {
@@ -217,7 +228,9 @@ void SceneView::setScene(const ViewScene& view) {
   organCentre_ = 0.5F * (low + high);
   organRadius_ = 0.5F * (high - low).length();
   if (root_ != nullptr) {
-    if (view_.skin) skin_->setSkin(*view_.skin);
+    if (view_.skin) {
+      skin_->setSkin(*view_.skin);
+    }
     organ_->setSurface(view_.surface, view_.skin.get());
     wire_->setSurface(view_.surface);
     lattice_->setLines(view_.lines.lattice, kLatticeWidth * organRadius_, view_.surface);
@@ -252,7 +265,9 @@ void SceneView::showLook(const TissueLook& look) {
 }
 
 void SceneView::setTwist(const TwistState& state) {
-  if (!view_.deform || (shown_.has_value() && *shown_ == state)) return;
+  if (!view_.deform || (shown_.has_value() && *shown_ == state)) {
+    return;
+  }
   shown_ = state;
   dented_ = false;
   view_.deform(state, deformed_m_);
@@ -260,7 +275,9 @@ void SceneView::setTwist(const TwistState& state) {
 }
 
 void SceneView::setTissue(const LiveState& state) {
-  if (!view_.deform) return;
+  if (!view_.deform) {
+    return;
+  }
   const TwistState twist{state.response.graspArc_m, state.response.angle_rad};
   const bool touched = state.patches[0].depth_m > 0.0 || state.patches[1].depth_m > 0.0;
   if (touched || dented_ || !shown_.has_value() || *shown_ != twist) {
@@ -279,22 +296,34 @@ void SceneView::showSkin() {
     for (std::size_t i = 0; i < shearColours_.size(); ++i) {
       shearColours_[i] = shearColour(shearShare_[i]);
       const float form = formShade(view_.surface.vertices()[i].normal);
-      for (float& channel : shearColours_[i]) channel *= form;
+      for (float& channel : shearColours_[i]) {
+        channel *= form;
+      }
     }
     view_.surface.paint(shearColours_);
   }
-  if (root_ == nullptr) return;
+  if (root_ == nullptr) {
+    return;
+  }
   organ_->updateVertices(view_.surface);
   grasp_->follow(view_.surface);
-  if (wireframe_) wire_->updateVertices(view_.surface);
-  if (latticeVisible_) lattice_->follow(view_.surface);
-  if (markersVisible_) placeMarkers();
+  if (wireframe_) {
+    wire_->updateVertices(view_.surface);
+  }
+  if (latticeVisible_) {
+    lattice_->follow(view_.surface);
+  }
+  if (markersVisible_) {
+    placeMarkers();
+  }
 }
 
 void SceneView::setForce(const Vec3& at_m, const Vec3& force_N) {
   const double size_N = norm(force_N);
   setRootProperty("forceVisible", size_N > kLeastForce_N);
-  if (size_N <= kLeastForce_N) return;
+  if (size_N <= kLeastForce_N) {
+    return;
+  }
   const QVector3D along = toViewDirection(force_N).normalized();
   setRootProperty("forcePosition", toView(at_m));
   setRootProperty("forceRotation", QQuaternion::rotationTo({0.0F, 1.0F, 0.0F}, along));
@@ -308,10 +337,16 @@ void SceneView::setShearVisible(bool visible) {
   shearVisible_ = visible;
   legend_->setVisible(visible && possible);
   placeLegend();
-  if (view_.surface.vertices().empty() || !possible) return;
-  if (!visible) view_.surface.paint({});
+  if (view_.surface.vertices().empty() || !possible) {
+    return;
+  }
+  if (!visible) {
+    view_.surface.paint({});
+  }
   setRootProperty("stressVisible", visible);
-  if (!shown_.has_value()) shown_ = TwistState{};
+  if (!shown_.has_value()) {
+    shown_ = TwistState{};
+  }
   if (visible) {
     view_.deform(*shown_, deformed_m_);
     showSkin();
@@ -323,18 +358,24 @@ void SceneView::setShearVisible(bool visible) {
 void SceneView::setMarkersVisible(bool visible) {
   markersVisible_ = visible;
   setRootProperty("markersVisible", visible && !view_.markers.empty());
-  if (visible && root_ != nullptr && !view_.surface.vertices().empty()) placeMarkers();
+  if (visible && root_ != nullptr && !view_.surface.vertices().empty()) {
+    placeMarkers();
+  }
 }
 
 void SceneView::placeMarkers() {
   std::vector<QVector3D> places;
-  for (const SkinAnchor& marker : view_.markers) places.push_back(markerPlace(marker, view_.surface));
+  for (const SkinAnchor& marker : view_.markers) {
+    places.push_back(markerPlace(marker, view_.surface));
+  }
   markers_->setMarkers(places, kMarkerRadius * organRadius_);
 }
 
 void SceneView::setGhost(const std::optional<TwistState>& state) {
   setRootProperty("ghostVisible", state.has_value());
-  if (!state || root_ == nullptr || !view_.deform) return;
+  if (!state || root_ == nullptr || !view_.deform) {
+    return;
+  }
   OrganSurface ghost = view_.surface;
   std::vector<Vec3> vertices_m(ghost.vertices().size());
   view_.deform(*state, vertices_m);
@@ -352,7 +393,9 @@ void SceneView::placeLegend() {
 void SceneView::setInstrument(const InstrumentParts& parts) {
   jawOpening_deg_ = parts.jawOpening_deg;
   setRootProperty("jawPivot", parts.jawPivot_mm);
-  if (root_ == nullptr) return;
+  if (root_ == nullptr) {
+    return;
+  }
   root_->property("shaft").value<InstrumentGeometry*>()->setMesh(parts.shaft);
   root_->property("upperJaw").value<InstrumentGeometry*>()->setMesh(parts.upperJaw);
   root_->property("lowerJaw").value<InstrumentGeometry*>()->setMesh(parts.lowerJaw);
@@ -371,13 +414,17 @@ void SceneView::setToolVisible(bool visible) {
 
 void SceneView::setWireframe(bool visible) {
   wireframe_ = visible;
-  if (wire_ != nullptr && visible && !view_.surface.vertices().empty()) wire_->updateVertices(view_.surface);
+  if (wire_ != nullptr && visible && !view_.surface.vertices().empty()) {
+    wire_->updateVertices(view_.surface);
+  }
   setRootProperty("wireVisible", visible);
 }
 
 void SceneView::setLattice(bool visible) {
   latticeVisible_ = visible;
-  if (lattice_ != nullptr && visible && !view_.surface.vertices().empty()) lattice_->follow(view_.surface);
+  if (lattice_ != nullptr && visible && !view_.surface.vertices().empty()) {
+    lattice_->follow(view_.surface);
+  }
   setRootProperty("latticeVisible", visible);
 }
 

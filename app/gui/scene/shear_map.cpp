@@ -32,7 +32,9 @@ ShearMap::ShearMap(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)
   const auto parts = lattice.vertexParts();
   weights_.resize(coordinates.size());
   for (std::size_t v = 0; v < weights_.size(); ++v) {
-    if (parts[v] != LatticePart::kSide) continue;
+    if (parts[v] != LatticePart::kSide) {
+      continue;
+    }
     // In patches, from the centre of the first one.
     const double along = coordinates[v].arc_m / lattice.length_m() * rows - 0.5;
     const double about = coordinates[v].angle_rad / kTurn * ridges - 0.5;
@@ -72,8 +74,9 @@ std::array<float, 3> shearColour(float share) noexcept {
   const std::size_t below = std::min(static_cast<std::size_t>(place), kCividis.size() - 2);
   const float t = place - static_cast<float>(below);
   std::array<float, 3> colour{};
-  for (std::size_t k = 0; k < 3; ++k)
+  for (std::size_t k = 0; k < 3; ++k) {
     colour[k] = kCividis[below][k] * (1.0F - t) + kCividis[below + 1][k] * t;
+  }
   return colour;
 }
 

@@ -41,8 +41,9 @@ Chart chartFrom(std::uint32_t seed, const SurfaceWalk& walk, std::vector<bool>& 
     chart.triangles.push_back(t);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t other = walk.neighbour(t, k);
-      if (other == SurfaceWalk::kNone || taken[other] || dot(walk.normal(other), facing) < kLeastFacing)
+      if (other == SurfaceWalk::kNone || taken[other] || dot(walk.normal(other), facing) < kLeastFacing) {
         continue;
+      }
       taken[other] = true;
       waiting.push_back(other);
     }
@@ -80,7 +81,9 @@ int pack(std::vector<Chart>& charts, int width, double pixel_m) {
   for (Chart& chart : charts) {
     const int w = pixels(chart.width_m, pixel_m);
     const int h = pixels(chart.height_m, pixel_m);
-    if (x + w > width) y += shelf, x = 0, shelf = 0;
+    if (x + w > width) {
+      y += shelf, x = 0, shelf = 0;
+    }
     chart.x = x, chart.y = y;
     x += w;
     shelf = std::max(shelf, h);
@@ -109,7 +112,9 @@ void arrange(std::vector<Chart>& charts, SkinCharts& map, int mostPixels) {
     map.width = roundedUp(std::max(widest, static_cast<int>(1.08 * std::sqrt(area))));
     map.height = roundedUp(pack(charts, map.width, map.pixel_m));
     const bool fits = static_cast<std::int64_t>(map.width) * map.height <= mostPixels;
-    if (fits || map.pixel_m > coarsest_m) return;
+    if (fits || map.pixel_m > coarsest_m) {
+      return;
+    }
   }
 }
 
@@ -120,9 +125,13 @@ SkinCharts layFlat(const TriangleMesh& mesh, double pixel_m, int mostPixels) {
   std::vector<bool> taken(mesh.triangles.size(), false);
   std::vector<Chart> charts;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!taken[t]) charts.push_back(chartFrom(t, walk, taken));
+    if (!taken[t]) {
+      charts.push_back(chartFrom(t, walk, taken));
+    }
   }
-  for (Chart& chart : charts) measure(chart, mesh);
+  for (Chart& chart : charts) {
+    measure(chart, mesh);
+  }
   SkinCharts map;
   map.pixel_m = pixel_m;
   arrange(charts, map, mostPixels);
@@ -134,7 +143,9 @@ SkinCharts layFlat(const TriangleMesh& mesh, double pixel_m, int mostPixels) {
         const std::uint32_t v = mesh.triangles[t][k];
         const auto [entry, fresh] = drawn.try_emplace(v, static_cast<std::uint32_t>(map.corners.size()));
         map.triangles[t][k] = entry->second;
-        if (!fresh) continue;
+        if (!fresh) {
+          continue;
+        }
         const Vec3& p = mesh.vertices_m[v];
         const double x = (dot(p, chart.across) - chart.left_m) / map.pixel_m + chart.x + kChartMargin + 0.5;
         const double y = (dot(p, chart.down) - chart.top_m) / map.pixel_m + chart.y + kChartMargin + 0.5;

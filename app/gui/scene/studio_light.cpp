@@ -98,14 +98,19 @@ Direction throughPixel(int side, int row, int column, int across) {
 }
 
 Radiance atLevel(int level, const Direction& direction) {
-  if (level == 0) return studioRadiance(direction);
-  if (level == kLevels - 1) return diffuseRadiance(direction, 4096);
+  if (level == 0) {
+    return studioRadiance(direction);
+  }
+  if (level == kLevels - 1) {
+    return diffuseRadiance(direction, 4096);
+  }
   return mirroredRadiance(direction, kRoughnessPerLevel * static_cast<float>(level), level == 1 ? 128 : 512);
 }
 
 void append(std::string& bytes, std::uint32_t value) {
-  for (unsigned shift = 0; shift < 32; shift += 8)
+  for (unsigned shift = 0; shift < 32; shift += 8) {
     bytes.push_back(static_cast<char>((value >> shift) & 0xFFU));
+  }
 }
 
 void append(std::string& bytes, float value) {
@@ -141,13 +146,17 @@ Radiance studioRadiance(const Direction& direction) {
   const Radiance below{0.26F, 0.225F, 0.21F};
   const Radiance above{0.62F, 0.65F, 0.68F};
   Radiance sum{};
-  for (std::size_t k = 0; k < 3; ++k) sum[k] = below[k] + (above[k] - below[k]) * t;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sum[k] = below[k] + (above[k] - below[k]) * t;
+  }
   for (const Lamp& lamp : lamps()) {
     const float angle = std::acos(std::clamp(dotOf(direction, lamp.towards), -1.0F, 1.0F));
     const float rim =
         std::clamp((lamp.radius_rad + lamp.softness_rad - angle) / lamp.softness_rad, 0.0F, 1.0F);
     const float share = rim * rim * (3.0F - 2.0F * rim);
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += lamp.radiance[k] * share;
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum[k] += lamp.radiance[k] * share;
+    }
   }
   return sum;
 }
@@ -163,14 +172,22 @@ Radiance mirroredRadiance(const Direction& direction, float roughness, int sampl
     const float cosine = std::sqrt((1.0F - u) / (1.0F + (spread - 1.0F) * u));
     const Direction half = around(direction, cosine, 2.0F * kPi * v);
     Direction light{};
-    for (std::size_t k = 0; k < 3; ++k) light[k] = 2.0F * cosine * half[k] - direction[k];
+    for (std::size_t k = 0; k < 3; ++k) {
+      light[k] = 2.0F * cosine * half[k] - direction[k];
+    }
     const float facing = dotOf(light, direction);
-    if (facing <= 0.0F) continue;
+    if (facing <= 0.0F) {
+      continue;
+    }
     const Radiance arriving = studioRadiance(light);
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += facing * arriving[k];
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum[k] += facing * arriving[k];
+    }
     weight += facing;
   }
-  for (float& channel : sum) channel /= weight;
+  for (float& channel : sum) {
+    channel /= weight;
+  }
   return sum;
 }
 
@@ -180,7 +197,9 @@ Radiance diffuseRadiance(const Direction& normal, int samples) {
   for (int i = 0; i < samples; ++i) {
     const auto [u, v] = spreadPoint(i, samples);
     const Radiance arriving = studioRadiance(around(normal, std::sqrt(1.0F - u), 2.0F * kPi * v));
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += arriving[k] / static_cast<float>(samples);
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum[k] += arriving[k] / static_cast<float>(samples);
+    }
   }
   return sum;
 }
@@ -195,7 +214,9 @@ std::string studioLightFile(int across) {
       for (int row = 0; row < pixels; ++row) {
         for (int column = 0; column < pixels; ++column) {
           const Radiance radiance = atLevel(level, throughPixel(side, row, column, pixels));
-          for (const float channel : radiance) append(file, channel);
+          for (const float channel : radiance) {
+            append(file, channel);
+          }
           append(file, 1.0F);
         }
       }

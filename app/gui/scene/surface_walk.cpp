@@ -25,13 +25,17 @@ SurfaceWalk::SurfaceWalk(const TriangleMesh& mesh)
     const TriangleMesh::Triangle& corner = mesh.triangles[t];
     const Vec3& a = mesh.vertices_m[corner[0]];
     normals_.push_back(normalized(cross(mesh.vertices_m[corner[1]] - a, mesh.vertices_m[corner[2]] - a)));
-    for (std::size_t k = 0; k < 3; ++k) owners[edgeKey(corner[k], corner[(k + 1) % 3])] = t;
+    for (std::size_t k = 0; k < 3; ++k) {
+      owners[edgeKey(corner[k], corner[(k + 1) % 3])] = t;
+    }
   }
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const TriangleMesh::Triangle& corner = mesh.triangles[t];
     for (std::size_t k = 0; k < 3; ++k) {
       const auto other = owners.find(edgeKey(corner[(k + 1) % 3], corner[k]));
-      if (other != owners.end()) neighbours_[t][k] = other->second;
+      if (other != owners.end()) {
+        neighbours_[t][k] = other->second;
+      }
     }
   }
 }
@@ -47,9 +51,13 @@ bool SurfaceWalk::step(SurfaceWalker& walker, double way_m) const {
       const Vec3& a = mesh_.vertices_m[corner[k]];
       const Vec3 inwards = normalized(cross(normal, mesh_.vertices_m[corner[(k + 1) % 3]] - a));
       const double approach = -dot(walker.heading, inwards);
-      if (approach <= 1e-9) continue;
+      if (approach <= 1e-9) {
+        continue;
+      }
       const double way = std::max(0.0, dot(walker.place_m - a, inwards)) / approach;
-      if (way < nearest_m) nearest_m = way, through = k;
+      if (way < nearest_m) {
+        nearest_m = way, through = k;
+      }
     }
     if (nearest_m >= left_m) {
       walker.place_m += walker.heading * left_m;
@@ -58,7 +66,9 @@ bool SurfaceWalk::step(SurfaceWalker& walker, double way_m) const {
     walker.place_m += walker.heading * nearest_m;
     left_m -= nearest_m;
     const std::uint32_t next = neighbours_[walker.triangle][through];
-    if (next == kNone) return false;
+    if (next == kNone) {
+      return false;
+    }
     const Vec3 edge =
         normalized(mesh_.vertices_m[corner[(through + 1) % 3]] - mesh_.vertices_m[corner[through]]);
     const double along = dot(walker.heading, edge);

@@ -40,7 +40,9 @@ std::uint8_t encoded(float value) {
 const std::array<std::uint8_t, 4096>& encodedTable() {
   static const std::array<std::uint8_t, 4096> kTable = [] {
     std::array<std::uint8_t, 4096> table{};
-    for (std::size_t i = 0; i < table.size(); ++i) table[i] = encoded(static_cast<float>(i) / 4095.0F);
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      table[i] = encoded(static_cast<float>(i) / 4095.0F);
+    }
     return table;
   }();
   return kTable;
@@ -53,13 +55,17 @@ float ease(float low, float high, float x) {
 
 Light scaled(const Light& a, const Light& factor, float share) {
   Light sum{};
-  for (std::size_t k = 0; k < 3; ++k) sum[k] = a[k] * (1.0F + (factor[k] - 1.0F) * share);
+  for (std::size_t k = 0; k < 3; ++k) {
+    sum[k] = a[k] * (1.0F + (factor[k] - 1.0F) * share);
+  }
   return sum;
 }
 
 Light mixed(const Light& a, const Light& b, float share) {
   Light sum{};
-  for (std::size_t k = 0; k < 3; ++k) sum[k] = a[k] + (b[k] - a[k]) * share;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sum[k] = a[k] + (b[k] - a[k]) * share;
+  }
   return sum;
 }
 
@@ -150,9 +156,13 @@ class Painter {
         base_(linear(look.colour)),
         skin_(skin),
         vessels_(growVessels(mesh_, scene.lattice(), look)) {
-    for (const Vec3& v : mesh_.vertices_m) tints_.push_back(mottle(look, v));
+    for (const Vec3& v : mesh_.vertices_m) {
+      tints_.push_back(mottle(look, v));
+    }
     seenBy_.assign(vessels_.size(), kNobody);
-    for (std::uint32_t i = 0; i < vessels_.size(); ++i) sort(i);
+    for (std::uint32_t i = 0; i < vessels_.size(); ++i) {
+      sort(i);
+    }
   }
 
   void paint() {
@@ -160,12 +170,15 @@ class Painter {
     skin_.rgba.assign(owners_.size() * 4, 255);
     // Between the pieces lies the tissue's own colour: what a smaller copy of the map mixes in is not seen.
     const std::array<std::uint8_t, 3> ground{encoded(base_[0]), encoded(base_[1]), encoded(base_[2])};
-    for (std::size_t i = 0; i < owners_.size(); ++i)
+    for (std::size_t i = 0; i < owners_.size(); ++i) {
       std::copy(ground.begin(), ground.end(), &skin_.rgba[4 * i]);
+    }
     const std::vector<std::size_t> pixels = byOwner();
     std::uint32_t last = kNobody;
     for (const std::size_t i : pixels) {
-      if (owners_[i] != last) gather(last = owners_[i]);
+      if (owners_[i] != last) {
+        gather(last = owners_[i]);
+      }
       const auto width = static_cast<std::size_t>(skin_.charts.width);
       const std::size_t row = i / width;
       const Light colour = colourAt(pointAt(last, centre(i - row * width), centre(row)));
@@ -191,12 +204,16 @@ class Painter {
   [[nodiscard]] std::vector<std::size_t> byOwner() const {
     std::vector<std::size_t> begins(mesh_.triangles.size() + 1, 0);
     for (const std::uint32_t owner : owners_) {
-      if (owner != kNobody) ++begins[owner + 1];
+      if (owner != kNobody) {
+        ++begins[owner + 1];
+      }
     }
     std::partial_sum(begins.begin(), begins.end(), begins.begin());
     std::vector<std::size_t> pixels(begins.back());
     for (std::size_t i = 0; i < owners_.size(); ++i) {
-      if (owners_[i] != kNobody) pixels[begins[owners_[i]]++] = i;
+      if (owners_[i] != kNobody) {
+        pixels[begins[owners_[i]]++] = i;
+      }
     }
     return pixels;
   }
@@ -210,9 +227,13 @@ class Painter {
   template <typename Visit>
   static void cellsOf(const Vec3& low, const Vec3& high, const Visit& visit) {
     const auto index = [](double v) { return static_cast<std::int64_t>(std::floor(v / kCell_m)); };
-    for (std::int64_t x = index(low.x); x <= index(high.x); ++x)
-      for (std::int64_t y = index(low.y); y <= index(high.y); ++y)
-        for (std::int64_t z = index(low.z); z <= index(high.z); ++z) visit(cell(x, y, z));
+    for (std::int64_t x = index(low.x); x <= index(high.x); ++x) {
+      for (std::int64_t y = index(low.y); y <= index(high.y); ++y) {
+        for (std::int64_t z = index(low.z); z <= index(high.z); ++z) {
+          visit(cell(x, y, z));
+        }
+      }
+    }
   }
 
   void sort(std::uint32_t i) {
@@ -238,9 +259,13 @@ class Painter {
     }
     cellsOf(low, high, [&](std::uint64_t key) {
       const auto found = cells_.find(key);
-      if (found == cells_.end()) return;
+      if (found == cells_.end()) {
+        return;
+      }
       for (const std::uint32_t i : found->second) {
-        if (std::exchange(seenBy_[i], t) != t) near.push_back(i);
+        if (std::exchange(seenBy_[i], t) != t) {
+          near.push_back(i);
+        }
       }
     });
     const Vec3 middle_m = (low + high) * 0.5;
@@ -282,7 +307,9 @@ class Painter {
     const auto& b = skin_.charts.corners[corner[1]].place;
     const auto& c = skin_.charts.corners[corner[2]].place;
     const float area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    if (std::abs(area) < 1e-6F) return {1.0F, 0.0F, 0.0F};
+    if (std::abs(area) < 1e-6F) {
+      return {1.0F, 0.0F, 0.0F};
+    }
     const float u = ((x - a[0]) * (c[1] - a[1]) - (y - a[1]) * (c[0] - a[0])) / area;
     const float v = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
     return {1.0F - u - v, u, v};
@@ -293,23 +320,31 @@ class Painter {
     const int width = skin_.charts.width;
     const int height = skin_.charts.height;
     owners_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), kNobody);
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) cover(t, width);
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      cover(t, width);
+    }
     for (int ring = 0; ring < kChartMargin; ++ring) {
       std::vector<std::pair<std::size_t, std::uint32_t>> grown;
       for (int y = 1; y + 1 < height; ++y) {
         for (int x = 1; x + 1 < width; ++x) {
           const auto i =
               static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-          if (owners_[i] != kNobody) continue;
+          if (owners_[i] != kNobody) {
+            continue;
+          }
           const auto w = static_cast<std::size_t>(width);
           for (const std::size_t other : {i - 1, i + 1, i - w, i + w}) {
-            if (owners_[other] == kNobody) continue;
+            if (owners_[other] == kNobody) {
+              continue;
+            }
             grown.emplace_back(i, owners_[other]);
             break;
           }
         }
       }
-      for (const auto& [i, owner] : grown) owners_[i] = owner;
+      for (const auto& [i, owner] : grown) {
+        owners_[i] = owner;
+      }
     }
   }
 
@@ -325,7 +360,9 @@ class Painter {
     for (int y = static_cast<int>(top) - 1; y <= static_cast<int>(bottom) + 1; ++y) {
       for (int x = static_cast<int>(left) - 1; x <= static_cast<int>(right) + 1; ++x) {
         const auto w = weights(t, static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-        if (w[0] < kSlack || w[1] < kSlack || w[2] < kSlack) continue;
+        if (w[0] < kSlack || w[1] < kSlack || w[2] < kSlack) {
+          continue;
+        }
         owners_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =
             t;
       }
@@ -348,7 +385,9 @@ class Painter {
       point.arc_m += share * c.arc_m;
       point.angle_rad += share * std::remainder(c.angle_rad - first_rad, kTurn);
       point.side += parts[corner[k]] == LatticePart::kSide ? w[k] : 0.0F;
-      for (std::size_t i = 0; i < 3; ++i) point.tint[i] += w[k] * tints_[corner[k]][i];
+      for (std::size_t i = 0; i < 3; ++i) {
+        point.tint[i] += w[k] * tints_[corner[k]][i];
+      }
     }
     // The lattice's coordinates grow vague towards the ends.
     const double place = point.arc_m / scene_.lattice().length_m();
@@ -366,7 +405,9 @@ class Painter {
       // Blood makes the grain: red changes least.
       colour[k] = base_[k] * point.tint[k] * (1.0F + grain * (k == 0 ? 0.5F : 1.0F));
     }
-    if (point.side > 0.0F) colour = withFibres(colour, point);
+    if (point.side > 0.0F) {
+      colour = withFibres(colour, point);
+    }
     return withVessels(colour, point);
   }
 
@@ -381,13 +422,19 @@ class Painter {
       const auto bend = static_cast<double>(tissueNoise(point.rest_m / 0.008));
       change += palette_.folds * static_cast<float>(std::sin(kTurn * (point.arc_m / kFold_m) + 1.6 * bend));
     }
-    for (std::size_t k = 0; k < 3; ++k) colour[k] *= 1.0F + point.side * change * (k == 0 ? 0.45F : 1.0F);
+    for (std::size_t k = 0; k < 3; ++k) {
+      colour[k] *= 1.0F + point.side * change * (k == 0 ? 0.45F : 1.0F);
+    }
     if (palette_.fatShare > 0.0F) {
       for (const double border : {0.0, std::numbers::pi}) {
-        if (look_.kind == TissueKind::kIntestine && border == 0.0) continue;
+        if (look_.kind == TissueKind::kIntestine && border == 0.0) {
+          continue;
+        }
         const double away = std::remainder(point.angle_rad - border, kTurn) / 0.30;
         const auto close = static_cast<float>(std::exp(-away * away));
-        if (close < 0.02F) continue;
+        if (close < 0.02F) {
+          continue;
+        }
         const float lobules = ease(
             -0.25F, 0.85F, tissueNoise(point.rest_m / 0.006) + 0.5F * tissueNoise(point.rest_m / 0.0022));
         colour = mixed(colour, palette_.fat, palette_.fatShare * point.side * close * lobules);
@@ -407,7 +454,9 @@ class Painter {
       const float dx = x - v.way[0] * share;
       const float dy = y - v.way[1] * share;
       const float distance2 = dx * dx + dy * dy;
-      if (distance2 > v.reach * v.reach) continue;
+      if (distance2 > v.reach * v.reach) {
+        continue;
+      }
       const float distance = std::sqrt(distance2);
       inside = std::max(inside, v.strength * (1.0F - ease(v.radius - v.soft, v.radius + v.soft, distance)));
       round = std::max(round, v.strength * (1.0F - ease(0.0F, v.reach, distance)));

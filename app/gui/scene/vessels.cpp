@@ -69,7 +69,9 @@ class Growth {
     // Side by side, so that no tree takes all the room.
     while (!tips_.empty() && pieces_.size() < kMostPieces) {
       std::vector<Tip> next;
-      for (Tip& tip : tips_) advance(tip, next);
+      for (Tip& tip : tips_) {
+        advance(tip, next);
+      }
       tips_ = std::move(next);
     }
     return std::move(pieces_);
@@ -101,7 +103,9 @@ class Growth {
         away[k] = std::remainder(c.angle_rad - border_rad - wander(c.arc_m), kTurn);
         usable = usable && parts[corner[k]] == LatticePart::kSide && std::abs(away[k]) < 1.0;
       }
-      if (usable) cut(t, away);
+      if (usable) {
+        cut(t, away);
+      }
     }
     std::sort(crossings_.begin(), crossings_.end(),
               [](const Crossing& a, const Crossing& b) { return a.arc_m < b.arc_m; });
@@ -114,11 +118,15 @@ class Growth {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t n = (k + 1) % 3;
       arc_m += lattice_.vertexCoordinates()[corner[k]].arc_m / 3.0;
-      if ((away[k] < 0.0) == (away[n] < 0.0)) continue;
+      if ((away[k] < 0.0) == (away[n] < 0.0)) {
+        continue;
+      }
       const double share = away[k] / (away[k] - away[n]);
       ends.push_back(mesh_.vertices_m[corner[k]] * (1.0 - share) + mesh_.vertices_m[corner[n]] * share);
     }
-    if (ends.size() != 2) return;
+    if (ends.size() != 2) {
+      return;
+    }
     const double place = arc_m / lattice_.length_m();
     const double fade = std::min({1.0, place / 0.08, (1.0 - place) / 0.08});
     add(ends[0], ends[1], plan_.mainRadius_m * (0.7 + 0.3 * fade), std::max(0.0, fade), 0);
@@ -129,7 +137,9 @@ class Growth {
     double next_m = plan_.spacing_m * random_.uniform();
     double side = 1.0;
     for (const Crossing& c : crossings_) {
-      if (c.arc_m < next_m) continue;
+      if (c.arc_m < next_m) {
+        continue;
+      }
       next_m = c.arc_m + 0.5 * plan_.spacing_m * (0.6 + 0.8 * random_.uniform());
       side = -side;
       Tip tip;
@@ -161,7 +171,9 @@ class Growth {
     std::shift_right(tip.recent.begin(), tip.recent.end(), 1);
     tip.recent[0] = pieces_.size() - 1;
     ++tip.pieces;
-    if (tip.sinceFork_m > forkAfter(tip)) fork(tip, next);
+    if (tip.sinceFork_m > forkAfter(tip)) {
+      fork(tip, next);
+    }
     next.push_back(tip);
   }
 
@@ -211,12 +223,18 @@ class Growth {
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dz = -1; dz <= 1; ++dz) {
           const auto cell = marks_.find(cellOf(tip.walker.place_m, dx, dy, dz));
-          if (cell == marks_.end()) continue;
+          if (cell == marks_.end()) {
+            continue;
+          }
           for (const Mark& mark : cell->second) {
-            if (mark.branch == tip.branch) continue;
+            if (mark.branch == tip.branch) {
+              continue;
+            }
             const Vec3 way = mark.place_m - tip.walker.place_m;
             // What lies behind is where it came from.
-            if (norm(way) < plan_.clearance_m && dot(way, tip.walker.heading) > 0.0) return true;
+            if (norm(way) < plan_.clearance_m && dot(way, tip.walker.heading) > 0.0) {
+              return true;
+            }
           }
         }
       }

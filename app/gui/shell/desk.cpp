@@ -84,7 +84,9 @@ Desk::~Desk() {
   context_.cancelJobs();
   disconnect(&context_, nullptr, this, nullptr);
   // Pages refer to the context: they go first, wherever they stand in the tree of widgets.
-  for (const auto& [id, page] : made_) delete page;
+  for (const auto& [id, page] : made_) {
+    delete page;
+  }
 }
 
 bool Desk::allowed(PageId id) {
@@ -98,22 +100,34 @@ void Desk::createRail(const std::vector<PageGroup>& groups) {
   for (std::size_t g = 0; g < groups.size(); ++g) {
     RailGroup group{groups[g].title, {}};
     for (const PageEntry& entry : groups[g].pages) {
-      if (!allowed(entry.id)) continue;
+      if (!allowed(entry.id)) {
+        continue;
+      }
       entries_.emplace(entry.id, entry);
       const QString icon = QString::fromLatin1(factsOf(entry.id).icon);
-      if (icon.isEmpty()) continue;
+      if (icon.isEmpty()) {
+        continue;
+      }
       group.items.push_back({entry.id, icon});
-      if (!home_ && g == own) home_ = entry.id;
+      if (!home_ && g == own) {
+        home_ = entry.id;
+      }
     }
-    if (group.items.empty()) continue;
+    if (group.items.empty()) {
+      continue;
+    }
     // One's own work stands first.
     shown.insert(g == own ? shown.begin() : shown.end(), std::move(group));
   }
   order_.clear();
   for (const RailGroup& group : shown) {
-    for (const RailItem& item : group.items) order_.push_back(item.id);
+    for (const RailItem& item : group.items) {
+      order_.push_back(item.id);
+    }
   }
-  if (!home_ && !order_.empty()) home_ = order_.front();
+  if (!home_ && !order_.empty()) {
+    home_ = order_.front();
+  }
   rail_ = new Rail(shown, this);
   connect(rail_, &Rail::chosen, this, [this](PageId id) { open(id); });
 }
@@ -159,7 +173,9 @@ QWidget* Desk::createHeader() {
   language_->setMenu(languages_);
   userMenu_ = new QMenu(user_);
   user_->setMenu(userMenu_);
-  for (QToolButton* button : {language_, theme_, help_, user_, signOut_}) row->addWidget(button);
+  for (QToolButton* button : {language_, theme_, help_, user_, signOut_}) {
+    row->addWidget(button);
+  }
   connect(theme_, &QToolButton::clicked, this, [this] {
     Q_EMIT themeWanted(context_.themeKind() == ThemeKind::kDark ? ThemeKind::kLight : ThemeKind::kDark);
   });
@@ -193,7 +209,9 @@ void Desk::connectContext() {
   connect(&context_, &ShellContext::jobStarted, job_, &JobPanel::begin);
   connect(&context_, &ShellContext::jobMoved, job_, &JobPanel::move);
   connect(&context_, &ShellContext::jobEnded, this, [this] {
-    if (!context_.working()) job_->end();
+    if (!context_.working()) {
+      job_->end();
+    }
   });
   connect(job_, &JobPanel::cancelled, this, [this] { context_.cancelJobs(); });
 }
@@ -203,7 +221,9 @@ std::vector<PageId> Desk::pageIds() const {
 }
 
 Page* Desk::pageFor(PageId id) {
-  if (const auto found = made_.find(id); found != made_.end()) return found->second;
+  if (const auto found = made_.find(id); found != made_.end()) {
+    return found->second;
+  }
   Page* page = entries_.at(id).make(context_);
   page->setObjectName(pageText(id));
   page->retranslate();
@@ -223,7 +243,9 @@ bool Desk::open(PageId id, const QVariant& argument) {
       context_.notify(tr("A run is going on. Finish or stop it first"));
       return false;
     }
-    if (!current_->leave()) return false;
+    if (!current_->leave()) {
+      return false;
+    }
   }
   if (factsOf(id).needsDatabase && context_.databaseAway()) {
     context_.notify(tr("The database does not answer now. This page opens as soon as it does"));
@@ -244,10 +266,14 @@ bool Desk::open(PageId id, const QVariant& argument) {
 }
 
 void Desk::openHome() {
-  if (!home_ || open(*home_)) return;
+  if (!home_ || open(*home_)) {
+    return;
+  }
   // The database went away in this very moment: better a page that needs none than none at all.
   for (const PageId id : order_) {
-    if (!factsOf(id).needsDatabase && open(id)) return;
+    if (!factsOf(id).needsDatabase && open(id)) {
+      return;
+    }
   }
 }
 
@@ -288,7 +314,9 @@ void Desk::applyColours(ThemeKind kind) {
   help_->setIcon(icon(QStringLiteral("help"), colours));
   user_->setIcon(icon(QStringLiteral("user"), colours));
   signOut_->setIcon(icon(QStringLiteral("sign-out"), colours));
-  for (const auto& [id, page] : made_) page->applyTheme(colours);
+  for (const auto& [id, page] : made_) {
+    page->applyTheme(colours);
+  }
 }
 
 void Desk::retranslate() {
@@ -319,11 +347,15 @@ void Desk::retranslate() {
   }
   userMenu_->addAction(tr("About Torsio"), this, &Desk::aboutWanted);
   rail_->retranslate();
-  if (currentId_) title_->setText(pageTitle(*currentId_));
+  if (currentId_) {
+    title_->setText(pageTitle(*currentId_));
+  }
 }
 
 void Desk::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) retranslate();
+  if (event->type() == QEvent::LanguageChange) {
+    retranslate();
+  }
   QWidget::changeEvent(event);
 }
 

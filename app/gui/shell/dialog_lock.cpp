@@ -33,14 +33,18 @@ std::vector<QDialog*> DialogLock::openDialogs() const {
   std::vector<QDialog*> open;
   for (QWidget* widget : QApplication::topLevelWidgets()) {
     auto* dialog = qobject_cast<QDialog*>(widget);
-    if (dialog != nullptr && dialog != this && dialog->isVisible()) open.push_back(dialog);
+    if (dialog != nullptr && dialog != this && dialog->isVisible()) {
+      open.push_back(dialog);
+    }
   }
   return open;
 }
 
 void DialogLock::cover() {
   const std::vector<QDialog*> open = openDialogs();
-  if (open.empty()) return;
+  if (open.empty()) {
+    return;
+  }
   for (QDialog* dialog : open) {
     auto* veil = new QFrame(dialog);
     veil->setObjectName(QLatin1String(kVeilName));
@@ -69,13 +73,17 @@ void DialogLock::closeOthers() {
   const std::vector<QDialog*> open = openDialogs();
   hide();
   // The newest first: each returns to the one that opened it.
-  for (auto dialog = open.rbegin(); dialog != open.rend(); ++dialog) (*dialog)->done(QDialog::Rejected);
+  for (auto dialog = open.rbegin(); dialog != open.rend(); ++dialog) {
+    (*dialog)->done(QDialog::Rejected);
+  }
 }
 
 bool DialogLock::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize) {
     auto* dialog = static_cast<QWidget*>(watched);
-    if (QFrame* veil = veilOf(*dialog)) veil->setGeometry(dialog->rect());
+    if (QFrame* veil = veilOf(*dialog)) {
+      veil->setGeometry(dialog->rect());
+    }
   }
   return QDialog::eventFilter(watched, event);
 }

@@ -156,7 +156,9 @@ QWidget* FirstRunPanel::createDatabaseStep() {
   column->addLayout(serverRow);
   column->addWidget(test_, 0, Qt::AlignLeft);
   column->addStretch(1);
-  for (QRadioButton* choice : {file_, server_}) nextOnEnter(choice);
+  for (QRadioButton* choice : {file_, server_}) {
+    nextOnEnter(choice);
+  }
   connect(file_, &QRadioButton::toggled, this, &FirstRunPanel::showEngine);
   for (QLineEdit* field : {path_, address_}) {
     connect(field, &QLineEdit::textChanged, this, [this] { say({}); });
@@ -179,7 +181,9 @@ QWidget* FirstRunPanel::createDemonstrationStep() {
   column->addWidget(with_);
   withNote_ = noteBelow(column, widget);
   column->addStretch(1);
-  for (QRadioButton* choice : {without_, with_}) nextOnEnter(choice);
+  for (QRadioButton* choice : {without_, with_}) {
+    nextOnEnter(choice);
+  }
   return widget;
 }
 
@@ -210,7 +214,9 @@ void FirstRunPanel::chooseFile() {
   const QString chosenFile = QFileDialog::getSaveFileName(this, tr("Database file"), path_->text(),
                                                           tr("Torsio databases (*.sqlite)"), nullptr,
                                                           QFileDialog::DontConfirmOverwrite);
-  if (!chosenFile.isEmpty()) path_->setText(chosenFile);
+  if (!chosenFile.isEmpty()) {
+    path_->setText(chosenFile);
+  }
 }
 
 void FirstRunPanel::testDatabase() {
@@ -251,7 +257,9 @@ QString FirstRunPanel::missing() const {
     case kCentre:
       return centre_->text().trimmed().isEmpty() ? tr("Enter the name of your centre") : QString();
     case kAdministrator:
-      if (login_->text().trimmed().isEmpty()) return tr("Enter a sign-in name");
+      if (login_->text().trimmed().isEmpty()) {
+        return tr("Enter a sign-in name");
+      }
       try {
         checkPassword(password_->text().toStdString(), login_->text().trimmed().toStdString());
       } catch (...) {
@@ -266,7 +274,9 @@ QString FirstRunPanel::missing() const {
 }
 
 void FirstRunPanel::next() {
-  if (working_) return;
+  if (working_) {
+    return;
+  }
   const int step = steps_->currentIndex();
   if (step == kAccounts) {
     accounts_->clear();

@@ -24,7 +24,9 @@ constexpr double kMinute_s = 60.0;
 }  // namespace
 
 QString timeLeft(double remaining_s) {
-  if (remaining_s < 0.0 || !std::isfinite(remaining_s)) return {};
+  if (remaining_s < 0.0 || !std::isfinite(remaining_s)) {
+    return {};
+  }
   if (remaining_s >= 2.0 * kMinute_s) {
     return JobPanel::tr("%1 min left").arg(std::lround(remaining_s / kMinute_s));
   }
@@ -74,7 +76,9 @@ void JobPanel::begin(const QString& title) {
 }
 
 void JobPanel::move(const QString& step, double fraction, double remaining_s) {
-  if (isHidden() || !cancel_->isEnabled()) return;
+  if (isHidden() || !cancel_->isEnabled()) {
+    return;
+  }
   const double share = std::clamp(fraction, 0.0, 1.0);
   bar_->setRange(0, kSteps);
   bar_->setValue(static_cast<int>(std::lround(share * kSteps)));
@@ -96,7 +100,9 @@ void JobPanel::retranslate() {
 }
 
 void JobPanel::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) retranslate();
+  if (event->type() == QEvent::LanguageChange) {
+    retranslate();
+  }
   QFrame::changeEvent(event);
 }
 

@@ -40,7 +40,9 @@ LockPanel::LockPanel(QWidget* parent) : QWidget(parent) {
   row->addWidget(unlock_);
   column->addLayout(row);
   const auto give = [this] {
-    if (secret_->text().isEmpty() || !unlock_->isEnabled()) return;
+    if (secret_->text().isEmpty() || !unlock_->isEnabled()) {
+      return;
+    }
     const QString password = secret_->text();
     secret_->clear();
     Q_EMIT passwordGiven(password);
@@ -67,7 +69,9 @@ void LockPanel::setWorking(bool working) {
   unlock_->setEnabled(!working);
   secret_->setEnabled(!working);
   signOut_->setEnabled(!working);
-  if (!working && isVisible()) secret_->setFocus();  // hidden, it would take the keyboard from the sign-in
+  if (!working && isVisible()) {
+    secret_->setFocus();  // hidden, it would take the keyboard from the sign-in
+  }
 }
 
 void LockPanel::retranslate() {
@@ -80,7 +84,9 @@ void LockPanel::retranslate() {
 }
 
 void LockPanel::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) retranslate();
+  if (event->type() == QEvent::LanguageChange) {
+    retranslate();
+  }
   QWidget::changeEvent(event);
 }
 

@@ -59,7 +59,9 @@ void PasswordPanel::begin(const QString& login, const QString& oldPassword, bool
   login_ = login;
   known_ = oldPassword;
   forced_ = forced;
-  for (QLineEdit* field : {old_, new_, again_}) field->clear();
+  for (QLineEdit* field : {old_, new_, again_}) {
+    field->clear();
+  }
   oldLabel_->setVisible(known_.isEmpty());
   old_->setVisible(known_.isEmpty());
   retranslate();
@@ -85,7 +87,9 @@ void PasswordPanel::check() {
     try {
       checkPassword(password.toStdString(), login_.toStdString());
       sound = again_->text() == password;
-      if (!again_->text().isEmpty() && !sound) problem = tr("The two are not the same yet");
+      if (!again_->text().isEmpty() && !sound) {
+        problem = tr("The two are not the same yet");
+      }
     } catch (const Error& error) {
       problem = translatedLine(error);
     }
@@ -95,7 +99,9 @@ void PasswordPanel::check() {
 }
 
 void PasswordPanel::submit() {
-  if (!save_->isEnabled()) return;
+  if (!save_->isEnabled()) {
+    return;
+  }
   const QString old = known_.isEmpty() ? old_->text() : known_;
   Q_EMIT chosen(login_, old, new_->text());
 }

@@ -19,7 +19,9 @@ QVariant Preferences::read(const QString& key) const {
 }
 
 void Preferences::write(const QString& key, const QVariant& value) const {
-  if (remember_) QSettings().setValue(key, value);
+  if (remember_) {
+    QSettings().setValue(key, value);
+  }
 }
 
 std::optional<Language> Preferences::language(const QString& userId) const {
@@ -32,8 +34,12 @@ void Preferences::setLanguage(const QString& userId, Language language) {
 
 std::optional<ThemeKind> Preferences::themeKind(const QString& userId) const {
   const QString name = read(keyFor(userId, "theme")).toString();
-  if (name == QLatin1String("dark")) return ThemeKind::kDark;
-  if (name == QLatin1String("light")) return ThemeKind::kLight;
+  if (name == QLatin1String("dark")) {
+    return ThemeKind::kDark;
+  }
+  if (name == QLatin1String("light")) {
+    return ThemeKind::kLight;
+  }
   return std::nullopt;
 }
 

@@ -58,7 +58,9 @@ ProblemPanel::ProblemPanel(QWidget* parent)
   row->setSpacing(kSpace + 4);
   row->addWidget(sign_, 0, Qt::AlignTop);
   row->addLayout(texts, 1);
-  for (QPushButton* button : {fold_, copy_, close_}) row->addWidget(button, 0, Qt::AlignTop);
+  for (QPushButton* button : {fold_, copy_, close_}) {
+    row->addWidget(button, 0, Qt::AlignTop);
+  }
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
 
   connect(fold_, &QPushButton::clicked, this, [this] { showDetails(details_->isHidden()); });
@@ -77,7 +79,9 @@ void ProblemPanel::tell(const Problem& problem) {
 void ProblemPanel::say() {
   TranslatedError said = problem_();
   // Errors begin in lower case: they also stand within lines of the command line.
-  if (!said.happened.isEmpty()) said.happened[0] = said.happened[0].toUpper();
+  if (!said.happened.isEmpty()) {
+    said.happened[0] = said.happened[0].toUpper();
+  }
   happened_->setText(said.happened);
   remedy_->setText(said.remedy);
   remedy_->setVisible(!said.remedy.isEmpty());
@@ -93,7 +97,9 @@ void ProblemPanel::setClosable(bool closable) {
 QString ProblemPanel::wholeText() const {
   QStringList parts{happened_->text()};
   for (const QString& part : {remedy_->text(), details_->toPlainText()}) {
-    if (!part.isEmpty()) parts << part;
+    if (!part.isEmpty()) {
+      parts << part;
+    }
   }
   return parts.join(QLatin1Char('\n'));
 }
@@ -112,12 +118,16 @@ void ProblemPanel::retranslate() {
   details_->setAccessibleName(tr("Details"));
   copy_->setText(tr("Copy"));
   close_->setText(tr("Close"));
-  if (problem_) say();
+  if (problem_) {
+    say();
+  }
   showDetails(!details_->isHidden());
 }
 
 void ProblemPanel::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) retranslate();
+  if (event->type() == QEvent::LanguageChange) {
+    retranslate();
+  }
   QFrame::changeEvent(event);
 }
 

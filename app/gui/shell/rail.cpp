@@ -48,7 +48,9 @@ Rail::Rail(const std::vector<RailGroup>& groups, QWidget* parent)
       lines->addWidget(label);
       headings_.push_back({group.title, label});
     }
-    for (const RailItem& item : group.items) addLine(item, lines);
+    for (const RailItem& item : group.items) {
+      addLine(item, lines);
+    }
   }
   lines->addStretch(1);
   auto* scroll = new QScrollArea(this);
@@ -72,7 +74,9 @@ void Rail::addLine(const RailItem& item, QVBoxLayout* column) {
   button->setMinimumHeight(kLeastHeight);
   button->setIconSize({20, 20});
   const int number = static_cast<int>(lines_.size()) + 1;
-  if (number <= kNumberedPages) button->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(number)));
+  if (number <= kNumberedPages) {
+    button->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(number)));
+  }
   column->addWidget(button);
   lines_.push_back({item, button});
   connect(button, &QPushButton::clicked, this, [this, id = item.id] {
@@ -83,7 +87,9 @@ void Rail::addLine(const RailItem& item, QVBoxLayout* column) {
 
 void Rail::setCurrent(std::optional<PageId> id) {
   current_ = id;
-  for (const Line& line : lines_) line.button->setChecked(line.item.id == id);
+  for (const Line& line : lines_) {
+    line.button->setChecked(line.item.id == id);
+  }
 }
 
 void Rail::setNarrow(bool narrow) {
@@ -92,7 +98,9 @@ void Rail::setNarrow(bool narrow) {
 }
 
 void Rail::setTheme(const Theme& theme) {
-  for (const Line& line : lines_) line.button->setIcon(icon(line.item.icon, theme));
+  for (const Line& line : lines_) {
+    line.button->setIcon(icon(line.item.icon, theme));
+  }
   fold_->setIcon(icon(QStringLiteral("menu"), theme));
 }
 

@@ -30,14 +30,18 @@ namespace {
 
 /// Enter presses the button that has the keyboard, as it does in dialogs. True: it was one.
 bool pressedByEnter(const QWidget& window, QObject* watched, const QEvent& event) {
-  if (event.type() != QEvent::KeyPress) return false;
+  if (event.type() != QEvent::KeyPress) {
+    return false;
+  }
   const auto& key = static_cast<const QKeyEvent&>(event);
   const bool enter = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
   const bool plain = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
   auto* button = qobject_cast<QAbstractButton*>(watched);
   const bool pressable =
       qobject_cast<QPushButton*>(watched) != nullptr || qobject_cast<QToolButton*>(watched) != nullptr;
-  if (!enter || !plain || key.isAutoRepeat() || !pressable || button->window() != &window) return false;
+  if (!enter || !plain || key.isAutoRepeat() || !pressable || button->window() != &window) {
+    return false;
+  }
   button->click();
   return true;
 }
@@ -152,7 +156,9 @@ void ShellWindow::createKeys() {
 }
 
 void ShellWindow::toggleFullScreen() {
-  if (!setup_.kiosk) setWindowState(windowState() ^ Qt::WindowFullScreen);
+  if (!setup_.kiosk) {
+    setWindowState(windowState() ^ Qt::WindowFullScreen);
+  }
 }
 
 bool ShellWindow::eventFilter(QObject* watched, QEvent* event) {
@@ -174,10 +180,14 @@ bool ShellWindow::eventFilter(QObject* watched, QEvent* event) {
 void ShellWindow::watchIdleness() {
   const bool watched = desk_ != nullptr && stack_->currentWidget() == desk_;
   const bool busy = !watched || desk_->busy();
-  if (busy != idle_.busy()) idle_.setBusy(busy);  // each call begins the count anew
+  if (busy != idle_.busy()) {
+    idle_.setBusy(busy);  // each call begins the count anew
+  }
   const IdleState state = idle_.state();
   idleWarning_->setVisible(watched && state == IdleState::kWarning);
-  if (!watched) return;
+  if (!watched) {
+    return;
+  }
   if (state == IdleState::kWarning) {
     const std::int64_t left_s = (idle_.untilLock_us() + 999'999) / 1'000'000;
     const bool ends = setup_.kiosk || workplace_->actor().practiceOnly;
@@ -205,18 +215,24 @@ QString ShellWindow::screen() const {
                                                           {signIn_, "sign-in"},  {password_, "password"},
                                                           {lock_, "lock"},       {desk_, "desk"}};
   for (const auto& [panel, name] : names) {
-    if (panel == shown) return QLatin1String(name);
+    if (panel == shown) {
+      return QLatin1String(name);
+    }
   }
   return {};
 }
 
 void ShellWindow::start() {
-  if (const QString chosen = preferences_.database(); !chosen.isEmpty()) setup_.locator = chosen;
+  if (const QString chosen = preferences_.database(); !chosen.isEmpty()) {
+    setup_.locator = chosen;
+  }
   openDatabase();
 }
 
 void ShellWindow::heartbeat() {
-  if (!line_) return;
+  if (!line_) {
+    return;
+  }
   line_->signIn(workplace_->actor());
   showAnswers(line_->answers());
 }
@@ -234,7 +250,9 @@ void ShellWindow::showAnswers(bool answers) {
     reconnect();
   }
   answered_ = answers;
-  if (answers && settleDue_ && !running && !background_.working()) settleAgain();
+  if (answers && settleDue_ && !running && !background_.working()) {
+    settleAgain();
+  }
 }
 
 /// The connection of the pages was lost with the server.
@@ -247,7 +265,9 @@ void ShellWindow::reconnect() {
 }
 
 void ShellWindow::forgetActor() {
-  if (!workplace_ || workplace_->actor().userId.empty()) return;
+  if (!workplace_ || workplace_->actor().userId.empty()) {
+    return;
+  }
   try {
     if (line_ && !line_->answers()) {
       line_->write([](Workplace& own) { torsio::signOut(own); });
@@ -270,26 +290,34 @@ void ShellWindow::retranslate() {
 }
 
 void ShellWindow::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) retranslate();
+  if (event->type() == QEvent::LanguageChange) {
+    retranslate();
+  }
   QWidget::changeEvent(event);
 }
 
 void ShellWindow::applyChoices(const QString& user, bool station) {
   const auto language = preferences_.language(user);
   const auto stations = preferences_.language({});
-  if (language || stations) language_.choose(language ? *language : *stations);
+  if (language || stations) {
+    language_.choose(language ? *language : *stations);
+  }
   // The station stands in a dark room; offices follow the desktop.
   const ThemeKind usual = station || setup_.systemIsDark ? ThemeKind::kDark : ThemeKind::kLight;
   const auto remembered = preferences_.themeKind(user);
   theme_ = setup_.theme.value_or(remembered.value_or(usual));
   applyTheme(*qApp, theme(theme_));
-  if (trouble_ != nullptr) trouble_->setTheme(theme(theme_));
+  if (trouble_ != nullptr) {
+    trouble_->setTheme(theme(theme_));
+  }
 }
 
 void ShellWindow::chooseLanguage(Language language) {
   language_.choose(language);
   preferences_.setLanguage(userId(), language);
-  if (desk_ != nullptr) desk_->setLanguage(language);
+  if (desk_ != nullptr) {
+    desk_->setLanguage(language);
+  }
 }
 
 void ShellWindow::chooseTheme(ThemeKind kind) {
@@ -298,7 +326,9 @@ void ShellWindow::chooseTheme(ThemeKind kind) {
   preferences_.setThemeKind(userId(), kind);
   applyTheme(*qApp, theme(kind));
   trouble_->setTheme(theme(kind));
-  if (desk_ != nullptr) desk_->setThemeKind(kind);
+  if (desk_ != nullptr) {
+    desk_->setThemeKind(kind);
+  }
 }
 
 void ShellWindow::closeEvent(QCloseEvent* event) {
@@ -309,7 +339,9 @@ void ShellWindow::closeEvent(QCloseEvent* event) {
   preferences_.setLayout(QStringLiteral("window"), saveGeometry());
   leaveDesk();
   forgetActor();
-  if (line_) line_->leave();
+  if (line_) {
+    line_->leave();
+  }
   line_.reset();
   event->accept();
 }

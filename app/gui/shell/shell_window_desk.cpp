@@ -24,7 +24,9 @@
 namespace torsio::gui {
 
 void ShellWindow::tellKept() {
-  if (kept_.empty() || workplace_->actor().practiceOnly) return;
+  if (kept_.empty() || workplace_->actor().practiceOnly) {
+    return;
+  }
   desk_->context().tell([kept = kept_] {
     return TranslatedError{
         tr("%n recording(s) of this station could not be stored", nullptr, static_cast<int>(kept.size())),
@@ -35,7 +37,9 @@ void ShellWindow::tellKept() {
 
 void ShellWindow::enterDesk() {
   leaveDesk();
-  if (!setup_.idle) idle_.setLimits(centreIdleLimits(workplace_->connection()));
+  if (!setup_.idle) {
+    idle_.setLimits(centreIdleLimits(workplace_->connection()));
+  }
   const bool station = homeOf(workplace_->actor()) == Home::kStation;
   applyChoices(userId(), station);
   openDesk();
@@ -78,24 +82,34 @@ void ShellWindow::openDesk() {
 }
 
 void ShellWindow::leaveDesk() {
-  if (desk_ == nullptr) return;
+  if (desk_ == nullptr) {
+    return;
+  }
   stack_->removeWidget(desk_);
   delete desk_;
   desk_ = nullptr;
 }
 
 bool ShellWindow::signOut(const QString& reason) {
-  if (desk_ != nullptr && !desk_->mayLeave()) return false;
+  if (desk_ != nullptr && !desk_->mayLeave()) {
+    return false;
+  }
   leaveDesk();
   forgetActor();
   enterSignIn();
-  if (!reason.isEmpty()) signIn_->say(reason, false);
+  if (!reason.isEmpty()) {
+    signIn_->say(reason, false);
+  }
   return true;
 }
 
 bool ShellWindow::lock() {
-  if (desk_ == nullptr || stack_->currentWidget() != desk_ || desk_->busy()) return false;
-  if (workplace_->actor().practiceOnly) return signOut();  // nothing to come back to
+  if (desk_ == nullptr || stack_->currentWidget() != desk_ || desk_->busy()) {
+    return false;
+  }
+  if (workplace_->actor().practiceOnly) {
+    return signOut();  // nothing to come back to
+  }
   for (LockPanel* lock : {lock_, &dialogLock_->panel()}) {
     lock->begin(toQString(workplace_->actor().login));
   }
@@ -111,8 +125,12 @@ void ShellWindow::signOutBeyondDialogs(const QString& reason) {
     QTimer::singleShot(0, this, [this, reason] { signOutBeyondDialogs(reason); });
     return;
   }
-  if (desk_ == nullptr || signOut(reason)) return;
-  if (stack_->currentWidget() == desk_) lock();
+  if (desk_ == nullptr || signOut(reason)) {
+    return;
+  }
+  if (stack_->currentWidget() == desk_) {
+    lock();
+  }
   sayLocked(tr("Something is unfinished here. Only its owner can sign out"));
 }
 
@@ -122,7 +140,9 @@ void ShellWindow::choosePin() {
                                             tr("At least four digits. With it you practise at a station; "
                                                "nothing is recorded.\nLeave it empty to remove it."),
                                             QLineEdit::Password, {}, &entered);
-  if (!entered) return;
+  if (!entered) {
+    return;
+  }
   attempt(desk_->context(), [&] {
     setOwnPin(*workplace_, pin.toStdString());
     desk_->context().notify(pin.isEmpty() ? tr("The PIN was removed") : tr("The PIN is in force"));
@@ -147,7 +167,9 @@ void ShellWindow::removeDemonstration() {
     const QAbstractButton* remove = question.addButton(tr("Remove"), QMessageBox::DestructiveRole);
     question.setDefaultButton(QMessageBox::Cancel);
     question.exec();
-    if (question.clickedButton() != remove) return;
+    if (question.clickedButton() != remove) {
+      return;
+    }
     desk_->context().run(
         tr("Removing the demonstration"),
         [reason = tr("Removed from the user menu").toStdString()](Workplace& own, const ProgressCallback&) {

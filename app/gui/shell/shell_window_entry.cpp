@@ -25,13 +25,17 @@ namespace torsio::gui {
 void ShellWindow::leaveKiosk() {
   CredentialsDialog dialog(tr("Leave kiosk mode"),
                            tr("An administrator ends the kiosk with name and password."), this);
-  if (dialog.exec() != QDialog::Accepted) return;
+  if (dialog.exec() != QDialog::Accepted) {
+    return;
+  }
   background_.run(
       [this, key = key(), login = dialog.login(), password = dialog.password()]() -> Background::Finish {
         Workplace own(key);
         const SignInAnswer answer = torsio::signIn(own, login.toStdString(), password.toStdString());
         const bool may = answer.outcome == SignIn::kOk && own.may(Operation::kSettingsEdit);
-        if (answer.outcome == SignIn::kOk) torsio::signOut(own);
+        if (answer.outcome == SignIn::kOk) {
+          torsio::signOut(own);
+        }
         return [this, may] {
           if (!may) {
             signIn_->say(tr("Only an administrator can end the kiosk"), true);
@@ -56,7 +60,9 @@ void ShellWindow::openDatabase() {
     const CentreSign sign = centreSign(workplace_->connection());
     centre_ = toQString(sign.name);
     if (!preferences_.language({})) {
-      if (const auto language = languageOf(toQString(sign.language))) chooseLanguage(*language);
+      if (const auto language = languageOf(toQString(sign.language))) {
+        chooseLanguage(*language);
+      }
     }
     enterSignIn();
     settle();
@@ -75,7 +81,9 @@ void ShellWindow::settle() {
         const StationStart start = settleStation(own, folder);
         return [this, kept = start.kept] {
           kept_ = kept;
-          if (!kept_.empty()) signIn_->say(translatedLines(kept_), true);
+          if (!kept_.empty()) {
+            signIn_->say(translatedLines(kept_), true);
+          }
           startLine();
         };
       },
@@ -89,7 +97,9 @@ void ShellWindow::startLine() {
   line_ = std::make_unique<StationWriter>(key(), setup_.linePatience);
   answered_ = true;
   settleDue_ = false;
-  if (desk_ != nullptr) desk_->context().setLine(line_.get());
+  if (desk_ != nullptr) {
+    desk_->context().setLine(line_.get());
+  }
   heartbeat();
 }
 
@@ -102,7 +112,9 @@ void ShellWindow::settleAgain() {
         Workplace own(key);
         const StationStart start = settleStation(own, folder);
         return [this, start] {
-          if (desk_ == nullptr || start.trials.empty()) return;
+          if (desk_ == nullptr || start.trials.empty()) {
+            return;
+          }
           desk_->context().notify(tr("The database answers again, and what was kept meanwhile is stored"));
         };
       },
@@ -112,13 +124,17 @@ void ShellWindow::settleAgain() {
 void ShellWindow::changeRecord(const RecordChange& change) {
   leaveDesk();
   forgetActor();
-  if (line_) line_->leave();
+  if (line_) {
+    line_->leave();
+  }
   line_.reset();
   workplace_.reset();  // nobody has the record open now
   QString sentence = change.sentence;
   bool failed = false;
   try {
-    if (change.swap) change.swap();
+    if (change.swap) {
+      change.swap();
+    }
     if (!change.locator.isEmpty()) {
       setup_.locator = change.locator;
       preferences_.setDatabase(change.locator);
@@ -160,7 +176,9 @@ void ShellWindow::setUp(const FirstRunChoice& choice) {
         }
         const auto accounts = performFirstRun(own, choice.first, [this](Workplace& workplace) {
           return addDemonstration(workplace, setup_.assets, [this](const Progress& progress) {
-            if (setUpCancelled_->load()) throw Cancelled{};
+            if (setUpCancelled_->load()) {
+              throw Cancelled{};
+            }
             QMetaObject::invokeMethod(this, [this, progress] {
               firstRun_->job().move(toQString(Text(progress.step)), progress.fraction, progress.remaining_s);
             });

@@ -16,7 +16,9 @@ namespace torsio::gui {
 namespace {
 
 void addGroup(QGridLayout* grid, const QString& title, const std::vector<KeyLine>& lines) {
-  if (lines.empty()) return;
+  if (lines.empty()) {
+    return;
+  }
   auto* heading = new QLabel(title);
   heading->setProperty("subheading", true);
   heading->setContentsMargins(0, kSpace, 0, 2);
@@ -40,7 +42,9 @@ std::vector<KeyLine> keysOf(const QWidget& page) {
   std::vector<KeyLine> lines;
   for (const QAction* action : page.findChildren<QAction*>()) {
     QString text = action->text();
-    if (action->shortcut().isEmpty() || text.isEmpty() || !action->isVisible()) continue;
+    if (action->shortcut().isEmpty() || text.isEmpty() || !action->isVisible()) {
+      continue;
+    }
     lines.emplace_back(text.remove(QLatin1Char('&')), readable(action->shortcut()));
   }
   return lines;
@@ -61,7 +65,9 @@ ShortcutSheet::ShortcutSheet(Desk* desk, QWidget* parent) : QDialog(parent) {
             {tr("Close a dialog, let go"), readable(Qt::Key_Escape)}});
   if (desk != nullptr && desk->page() != nullptr) {
     std::vector<KeyLine> lines = keysOf(*desk->page());
-    for (const auto& [what, keys] : desk->page()->keys()) lines.emplace_back(what, keys);
+    for (const auto& [what, keys] : desk->page()->keys()) {
+      lines.emplace_back(what, keys);
+    }
     addGroup(grid, tr("On this page"), lines);
   }
   grid->setRowStretch(grid->rowCount(), 1);

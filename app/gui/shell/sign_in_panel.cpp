@@ -75,8 +75,9 @@ SignInPanel::SignInPanel(QWidget* parent) : QWidget(parent) {
   connect(secret_, &QLineEdit::returnPressed, this, &SignInPanel::submit);
   connect(mode_, &QPushButton::clicked, this, [this] { setPinMode(!pinMode_); });
   connect(guest_, &QPushButton::clicked, this, &SignInPanel::guestChosen);
-  for (QLineEdit* field : {login_, secret_})
+  for (QLineEdit* field : {login_, secret_}) {
     connect(field, &QLineEdit::textChanged, this, &SignInPanel::enableForm);
+  }
   second_.setInterval(kSecond_ms);
   connect(&second_, &QTimer::timeout, this, &SignInPanel::countDown);
   retranslate();
@@ -114,7 +115,9 @@ void SignInPanel::setWorking(bool working) {
   working_ = working;
   enableForm();
   // The keyboard left the fields while they were shut.
-  if (!working && isVisible()) chooseField();
+  if (!working && isVisible()) {
+    chooseField();
+  }
 }
 
 Language SignInPanel::otherLanguage() {
@@ -146,7 +149,9 @@ void SignInPanel::chooseField() {
 }
 
 void SignInPanel::submit() {
-  if (!enter_->isEnabled()) return;
+  if (!enter_->isEnabled()) {
+    return;
+  }
   const QString login = login_->text().trimmed();
   const QString secret = secret_->text();
   secret_->clear();
@@ -160,8 +165,9 @@ void SignInPanel::submit() {
 
 void SignInPanel::enableForm() {
   const bool open = !working_ && wait_s_ == 0;
-  for (QWidget* field : {static_cast<QWidget*>(login_), static_cast<QWidget*>(secret_)})
+  for (QWidget* field : {static_cast<QWidget*>(login_), static_cast<QWidget*>(secret_)}) {
     field->setEnabled(!working_);
+  }
   enter_->setEnabled(open && !login_->text().trimmed().isEmpty() && !secret_->text().isEmpty());
   mode_->setEnabled(!working_);
   guest_->setEnabled(!working_);

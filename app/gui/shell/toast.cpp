@@ -41,7 +41,9 @@ void Toast::say(const QString& sentence) {
 }
 
 bool Toast::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize && isVisible()) place();
+  if (event->type() == QEvent::Resize && isVisible()) {
+    place();
+  }
   return QLabel::eventFilter(watched, event);
 }
 

@@ -51,7 +51,9 @@ void TroublePanel::retranslate() {
 }
 
 void TroublePanel::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) retranslate();
+  if (event->type() == QEvent::LanguageChange) {
+    retranslate();
+  }
   QWidget::changeEvent(event);
 }
 

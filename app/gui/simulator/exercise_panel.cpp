@@ -44,7 +44,9 @@ void name(QLabel* label, const QString& text) {
 }
 
 void rename(QComboBox* box, int index, const QString& text) {
-  if (index >= 0) box->setItemText(index, text);
+  if (index >= 0) {
+    box->setItemText(index, text);
+  }
 }
 
 QComboBox* makeBox() {
@@ -88,7 +90,9 @@ ExercisePanel::ExercisePanel(QWidget* parent)
 
   connect(organ_, &QComboBox::activated, this, [this](int index) {
     const QString id = organ_->itemData(index).toString();
-    if (!id.isEmpty()) Q_EMIT organChosen(id);  // empty: the user's own, shown already
+    if (!id.isEmpty()) {
+      Q_EMIT organChosen(id);  // empty: the user's own, shown already
+    }
   });
   connect(pattern_, &QComboBox::activated, this,
           [this](int index) { Q_EMIT patternChosen(pattern_->itemData(index).toString()); });
@@ -111,7 +115,9 @@ void ExercisePanel::retranslate() {
   formulation_->setToolTip(tr("Which reading of the equations turns the organ"));
   for (int i = 0; i < organ_->count(); ++i) {
     const QString id = organ_->itemData(i).toString();
-    if (!id.isEmpty()) rename(organ_, i, assetName(readable(id.toStdString())));
+    if (!id.isEmpty()) {
+      rename(organ_, i, assetName(readable(id.toStdString())));
+    }
   }
   for (int i = 0; i < pattern_->count(); ++i) {
     rename(pattern_, i, assetName(pattern_->itemData(i, kEnglishRole).toString()));
@@ -120,14 +126,18 @@ void ExercisePanel::retranslate() {
 
 QString ExercisePanel::readable(const std::string& id) {
   QString text = toQString(id).replace(QLatin1Char('_'), QLatin1Char(' '));
-  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  if (!text.isEmpty()) {
+    text[0] = text[0].toUpper();
+  }
   return text;
 }
 
 void ExercisePanel::setOrgans(const std::vector<std::string>& ids) {
   const QSignalBlocker quiet(organ_);
   organ_->clear();
-  for (const std::string& id : ids) organ_->addItem(assetName(readable(id)), toQString(id));
+  for (const std::string& id : ids) {
+    organ_->addItem(assetName(readable(id)), toQString(id));
+  }
 }
 
 void ExercisePanel::showScene(const Scene& scene, double target_rad, bool ownOrgan) {
@@ -136,8 +146,12 @@ void ExercisePanel::showScene(const Scene& scene, double target_rad, bool ownOrg
   const QSignalBlocker quietFormulation(formulation_);
   const QSignalBlocker quietTarget(target_);
   const int old = organ_->findData(QString());
-  if (old >= 0) organ_->removeItem(old);
-  if (ownOrgan) organ_->addItem(toQString(scene.title), QString());
+  if (old >= 0) {
+    organ_->removeItem(old);
+  }
+  if (ownOrgan) {
+    organ_->addItem(toQString(scene.title), QString());
+  }
   organ_->setCurrentIndex(organ_->findData(ownOrgan ? QString() : toQString(scene.id)));
   pattern_->clear();
   for (const TwistPattern& pattern : scene.patterns) {

@@ -26,7 +26,9 @@ constexpr double kNear_rad = radians(0.5);  // a last step of half a degree show
 }  // namespace
 
 QImage filmStrip(const std::vector<std::vector<StripFrame>>& rows) {
-  if (rows.empty() || rows.front().empty() || rows.front().front().picture.isNull()) return {};
+  if (rows.empty() || rows.front().empty() || rows.front().front().picture.isNull()) {
+    return {};
+  }
   const QSize first = rows.front().front().picture.size();
   const QSize cell(kFrameWidth, kFrameWidth * first.height() / first.width());
   QFont font = typeface();
@@ -56,7 +58,9 @@ QImage filmStrip(const std::vector<std::vector<StripFrame>>& rows) {
 std::vector<std::vector<StripFrame>> stripRows(const std::vector<StripFrame>& frames) {
   std::vector<std::vector<StripFrame>> rows;
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (i % kFramesInARow == 0) rows.emplace_back();
+    if (i % kFramesInARow == 0) {
+      rows.emplace_back();
+    }
     rows.back().push_back(frames[i]);
   }
   return rows;
@@ -77,9 +81,12 @@ std::vector<StripMoment> stripMoments(const TrialPlayback& playback) {
   std::int64_t begin_us = -1;
   for (const TrialChunk& chunk : playback.chunks()) {
     for (const Sample& sample : decodeChunk(chunk)) {
-      if (begin_us < 0) begin_us = sample.device.time_us;
-      if (std::abs(sample.response.angle_rad) > std::abs(farthest_rad))
+      if (begin_us < 0) {
+        begin_us = sample.device.time_us;
+      }
+      if (std::abs(sample.response.angle_rad) > std::abs(farthest_rad)) {
         farthest_rad = sample.response.angle_rad;
+      }
     }
   }
   const std::vector<double> angles_rad = stripAngles_rad(farthest_rad);

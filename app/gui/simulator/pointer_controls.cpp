@@ -125,7 +125,9 @@ void PointerControls::publish() {
 }
 
 void PointerControls::setGrip(bool closed) {
-  if (closed && input_.grip == 0.0) heldView_ = cameraToWorld(view_.camera().rotation());
+  if (closed && input_.grip == 0.0) {
+    heldView_ = cameraToWorld(view_.camera().rotation());
+  }
   input_.grip = closed ? 1.0 : 0.0;
   publish();
 }
@@ -136,11 +138,15 @@ Quat PointerControls::orientation(const Quat& view) const {
 }
 
 void PointerControls::setHeldAxis(const std::optional<Vec3>& axis) {
-  if (axis.has_value() == heldAxis_.has_value()) return;
+  if (axis.has_value() == heldAxis_.has_value()) {
+    return;
+  }
   heldAxis_ = axis;
   turned_rad_ = 0.0;
   gripped_ = orientation(heldView_);
-  if (!axis) rolledByHand_ = false;
+  if (!axis) {
+    rolledByHand_ = false;
+  }
 }
 
 void PointerControls::followTurn() {
@@ -153,7 +159,9 @@ void PointerControls::followTurn() {
 }
 
 void PointerControls::settle(double elapsed_s) {
-  if (heldAxis_ || input_.grip > 0.0 || tiltedByHand_) return;
+  if (heldAxis_ || input_.grip > 0.0 || tiltedByHand_) {
+    return;
+  }
   Vec3 handle{std::sin(kRestYaw_rad) * std::cos(kRestPitch_rad), -std::sin(kRestPitch_rad),
               std::cos(kRestYaw_rad) * std::cos(kRestPitch_rad)};
   if (leanTo_) {
@@ -163,7 +171,9 @@ void PointerControls::settle(double elapsed_s) {
   const Tilt now{input_.yaw_rad, input_.pitch_rad, input_.roll_rad};
   const Tilt goal{std::atan2(handle.x, handle.z), -std::asin(std::clamp(handle.y, -1.0, 1.0)),
                   rolledByHand_ ? now.roll_rad : 0.0};
-  if (distance(now, goal) < kSettled_rad) return;
+  if (distance(now, goal) < kSettled_rad) {
+    return;
+  }
   const double share = 1.0 - std::exp(-elapsed_s / kSettleTime_s);
   input_.yaw_rad += (goal.yaw_rad - now.yaw_rad) * share;
   input_.pitch_rad += (goal.pitch_rad - now.pitch_rad) * share;
@@ -172,7 +182,9 @@ void PointerControls::settle(double elapsed_s) {
 }
 
 double PointerControls::turnOf(const QPointF& drag) const {
-  if (!heldAxis_) return drag.x() * kDragRoll_rad_per_px;
+  if (!heldAxis_) {
+    return drag.x() * kDragRoll_rad_per_px;
+  }
   const OrbitCamera& camera = view_.camera();
   const QVector3D axis = toViewDirection(*heldAxis_);
   const QVector3D nearSide = -camera.forward();
@@ -219,14 +231,22 @@ void PointerControls::turn(double angle_rad) {
 
 void PointerControls::advance(double elapsed_s) {
   settle(elapsed_s);
-  if (held_.empty()) return;
+  if (held_.empty()) {
+    return;
+  }
   const auto down = [this](Qt::Key key) { return held_.contains(key) ? 1.0 : 0.0; };
   const QPointF way(down(Qt::Key_Right) - down(Qt::Key_Left), down(Qt::Key_Down) - down(Qt::Key_Up));
-  if (!way.isNull()) moveInPicture(way * kKeyPixels_per_s * elapsed_s);
+  if (!way.isNull()) {
+    moveInPicture(way * kKeyPixels_per_s * elapsed_s);
+  }
   const double depth = down(Qt::Key_PageUp) - down(Qt::Key_PageDown);
-  if (depth != 0.0) moveInDepth(depth * kKeyDepth_m_per_s * elapsed_s);
+  if (depth != 0.0) {
+    moveInDepth(depth * kKeyDepth_m_per_s * elapsed_s);
+  }
   const double roll = down(Qt::Key_E) - down(Qt::Key_Q);
-  if (roll != 0.0) turn(roll * kKeyRoll_rad_per_s * elapsed_s);
+  if (roll != 0.0) {
+    turn(roll * kKeyRoll_rad_per_s * elapsed_s);
+  }
   const double yaw = down(Qt::Key_D) - down(Qt::Key_A);
   const double pitch = down(Qt::Key_S) - down(Qt::Key_W);
   if ((yaw != 0.0 || pitch != 0.0) && !heldAxis_) {
@@ -282,7 +302,9 @@ void PointerControls::mouseMoved(const QMouseEvent& event) {
     view_.applyCamera();
   } else if (heldAxis_ || (event.modifiers() & Qt::ShiftModifier) != 0) {
     // The tip stays where it holds: a hand that twists does not pull.
-    if (!way.isNull()) turn(turnOf(way));
+    if (!way.isNull()) {
+      turn(turnOf(way));
+    }
   } else if (entered && input_.grip == 0.0) {
     // Coming in from elsewhere: the tip goes under the mouse at its old depth.
     moveInPicture(here - view_.camera().pixel(toView(input_.onPlane_m), QSizeF(view_.size())));
@@ -295,11 +317,15 @@ void PointerControls::mousePressed(const QMouseEvent& event) {
   lastMouse_ = event.position();
   mouseKnown_ = true;
   view_.setFocus(Qt::MouseFocusReason);
-  if (event.button() == Qt::LeftButton) setGrip(true);
+  if (event.button() == Qt::LeftButton) {
+    setGrip(true);
+  }
 }
 
 void PointerControls::mouseReleased(const QMouseEvent& event) {
-  if (event.button() == Qt::LeftButton && !gripKept_) setGrip(false);
+  if (event.button() == Qt::LeftButton && !gripKept_) {
+    setGrip(false);
+  }
 }
 
 void PointerControls::wheelTurned(const QWheelEvent& event) {
@@ -323,12 +349,16 @@ void PointerControls::setKeys(const PointerKeys& keys) {
 
 bool PointerControls::keyPressed(const QKeyEvent& event) {
   const int key = event.key();
-  if ((event.modifiers() & (Qt::AltModifier | Qt::MetaModifier)) != 0) return false;
+  if ((event.modifiers() & (Qt::AltModifier | Qt::MetaModifier)) != 0) {
+    return false;
+  }
   if ((event.modifiers() & Qt::ControlModifier) != 0) {
     const double step = 0.05 * kKeyOrbit_px_per_s;
     const QPointF way(key == Qt::Key_Right ? -step : (key == Qt::Key_Left ? step : 0.0),
                       key == Qt::Key_Up ? step : (key == Qt::Key_Down ? -step : 0.0));
-    if (way.isNull()) return false;
+    if (way.isNull()) {
+      return false;
+    }
     view_.camera().orbit(way);
     view_.applyCamera();
     return true;
@@ -340,10 +370,14 @@ bool PointerControls::keyPressed(const QKeyEvent& event) {
     return true;
   }
   if (movesWhileHeld(usual)) {
-    if (!event.isAutoRepeat()) held_.insert(usual);
+    if (!event.isAutoRepeat()) {
+      held_.insert(usual);
+    }
     return true;
   }
-  if (event.isAutoRepeat()) return usual == Qt::Key_Space || usual == Qt::Key_G || usual == Qt::Key_B;
+  if (event.isAutoRepeat()) {
+    return usual == Qt::Key_Space || usual == Qt::Key_G || usual == Qt::Key_B;
+  }
   if (usual == Qt::Key_Space) {
     setGrip(true);
     return true;
@@ -362,10 +396,14 @@ bool PointerControls::keyPressed(const QKeyEvent& event) {
 }
 
 bool PointerControls::keyReleased(const QKeyEvent& event) {
-  if (event.isAutoRepeat()) return true;
+  if (event.isAutoRepeat()) {
+    return true;
+  }
   const int usual = keys_.usualFor(event.key());
   if (usual == Qt::Key_Space) {
-    if (!gripKept_) setGrip(false);
+    if (!gripKept_) {
+      setGrip(false);
+    }
     return true;
   }
   if (usual == Qt::Key_B) {

@@ -66,9 +66,13 @@ PointerKeys::PointerKeys() : keys_() {
 }
 
 bool PointerKeys::assign(std::size_t movement, int key) {
-  if (key == 0) return false;
+  if (key == 0) {
+    return false;
+  }
   for (std::size_t other = 0; other < kMovements; ++other) {
-    if (other != movement && keys_[other] == key) return false;
+    if (other != movement && keys_[other] == key) {
+      return false;
+    }
   }
   keys_[movement] = key;
   return true;
@@ -76,7 +80,9 @@ bool PointerKeys::assign(std::size_t movement, int key) {
 
 int PointerKeys::usualFor(int pressed) const {
   const auto found = std::find(keys_.begin(), keys_.end(), pressed);
-  if (found != keys_.end()) return movements()[static_cast<std::size_t>(found - keys_.begin())].usual;
+  if (found != keys_.end()) {
+    return movements()[static_cast<std::size_t>(found - keys_.begin())].usual;
+  }
   const bool usualElsewhere =
       std::any_of(movements().begin(), movements().end(),
                   [pressed](const Movement& movement) { return movement.usual == pressed; });
@@ -94,7 +100,9 @@ PointerKeys PointerKeys::stored() {
   }
   std::array<int, kMovements> sorted = wanted;
   std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end()) keys.keys_ = wanted;
+  if (std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end()) {
+    keys.keys_ = wanted;
+  }
   return keys;
 }
 
@@ -120,7 +128,9 @@ bool askPointerKeys(QWidget* parent) {
   column->addWidget(problem);
   std::vector<QKeySequenceEdit*> fields;
   const auto show = [&fields, &keys] {
-    for (std::size_t i = 0; i < fields.size(); ++i) fields[i]->setKeySequence(QKeySequence(keys.keyOf(i)));
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      fields[i]->setKeySequence(QKeySequence(keys.keyOf(i)));
+    }
   };
   for (std::size_t i = 0; i < PointerKeys::kMovements; ++i) {
     auto* field = new QKeySequenceEdit(&dialog);
@@ -151,7 +161,9 @@ bool askPointerKeys(QWidget* parent) {
     show();
   });
   column->addWidget(buttons);
-  if (dialog.exec() != QDialog::Accepted) return false;
+  if (dialog.exec() != QDialog::Accepted) {
+    return false;
+  }
   keys.store();
   return true;
 }

@@ -23,7 +23,9 @@ constexpr auto kTickBudget_us = static_cast<double>(kTickPeriod_us);
 
 /// A new text only when it differs: labels lay themselves out anew otherwise, at every frame.
 void setIfNew(QLabel* label, const QString& text) {
-  if (label->text() != text) label->setText(text);
+  if (label->text() != text) {
+    label->setText(text);
+  }
 }
 
 /// A quiet name and its value beside it.
@@ -130,8 +132,12 @@ void ReadoutPanel::showTiming(const LiveState& state, double framesPerSecond) {
   const QLocale locale;
   const QString none = QStringLiteral("\u2013");
   QString tick = tr("%1 µs").arg(locale.toString(state.tickDuration_us, 'f', 0));
-  if (state.tickDuration_us > kTickBudget_us) tick = tr("%1, too long").arg(tick);
-  if (state.lateTicks > 0) tick = tr("%1, %n late", nullptr, static_cast<int>(state.lateTicks)).arg(tick);
+  if (state.tickDuration_us > kTickBudget_us) {
+    tick = tr("%1, too long").arg(tick);
+  }
+  if (state.lateTicks > 0) {
+    tick = tr("%1, %n late", nullptr, static_cast<int>(state.lateTicks)).arg(tick);
+  }
   setIfNew(tick_, state.tickDuration_us > 0.0 ? tick : none);
   setIfNew(frames_, framesPerSecond > 0.0 ? tr("%1 /s").arg(locale.toString(framesPerSecond, 'f', 0)) : none);
 }

@@ -44,7 +44,9 @@ ReplayBar::ReplayBar(QWidget* parent)
   play_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   close_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   position_->setPageStep(100);
-  for (const double speed : kSpeeds) speed_->addItem(QString(), speed);
+  for (const double speed : kSpeeds) {
+    speed_->addItem(QString(), speed);
+  }
   speed_->setCurrentIndex(2);
   row->addWidget(play_);
   row->addWidget(position_, 1);
@@ -80,18 +82,23 @@ void ReplayBar::setTheme(const Theme& theme) {
 }
 
 void ReplayBar::show(const TrialPlayback* playback) {
-  if (playback == nullptr) return;
+  if (playback == nullptr) {
+    return;
+  }
   if (playing_ != playback->playing()) {
     playing_ = playback->playing();
     setTheme(*theme_);
   }
   const QSignalBlocker quiet(position_);
   position_->setRange(0, static_cast<int>(playback->duration_us() / kSliderStep_us));
-  if (!position_->isSliderDown())
+  if (!position_->isSliderDown()) {
     position_->setValue(static_cast<int>(playback->position_us() / kSliderStep_us));
+  }
   const QString text =
       clockTime(playback->position_us()) + QStringLiteral(" / ") + clockTime(playback->duration_us());
-  if (time_->text() != text) time_->setText(text);
+  if (time_->text() != text) {
+    time_->setText(text);
+  }
 }
 
 }  // namespace torsio::gui

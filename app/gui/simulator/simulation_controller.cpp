@@ -45,7 +45,9 @@ LoadedScene loadSceneForView(const SceneRequest& request) {
   // A user's organ is not what the scene it borrows was drawn for.
   const std::string tissue = request.organFile ? request.organFile->stem().string() : std::string();
   loaded.view = makeViewScene(loaded.scene, tissue);
-  if (!request.organFile) loaded.view.markers = organMarkers(*loaded.scene, request.assets);
+  if (!request.organFile) {
+    loaded.view.markers = organMarkers(*loaded.scene, request.assets);
+  }
   return loaded;
 }
 
@@ -98,7 +100,9 @@ void SimulationController::load(const SceneRequest& request) {
 void SimulationController::loadFor(const SceneRequest& request, std::shared_ptr<const Trial> trial) {
   const bool wasLoading = loading();
   const std::uint64_t ticket = ++wanted_;
-  if (!wasLoading) Q_EMIT loadingChanged(true);
+  if (!wasLoading) {
+    Q_EMIT loadingChanged(true);
+  }
   workers_.clear();  // what has not begun yet is overtaken
   workers_.start([this, ticket, request, trial, loader = loader_] {
     auto loaded = std::make_shared<LoadedScene>();
@@ -111,13 +115,19 @@ void SimulationController::loadFor(const SceneRequest& request, std::shared_ptr<
     QMetaObject::invokeMethod(
         this,
         [this, ticket, request, trial, loaded, problem] {
-          if (ticket != wanted_) return;
+          if (ticket != wanted_) {
+            return;
+          }
           delivered_ = ticket;
           Q_EMIT loadingChanged(false);
           attempt([&] {
-            if (problem) std::rethrow_exception(problem);
+            if (problem) {
+              std::rethrow_exception(problem);
+            }
             std::optional<TrialPlayback> playback;
-            if (trial) playback.emplace(*trial);
+            if (trial) {
+              playback.emplace(*trial);
+            }
             replace(request, std::move(*loaded), std::move(playback));
           });
         },
@@ -186,8 +196,12 @@ SimulationController::Mode SimulationController::mode() const noexcept {
 }
 
 const stage::Running* SimulationController::running() const noexcept {
-  if (const auto* practising = std::get_if<stage::Practising>(&stage_)) return practising;
-  if (const auto* recording = std::get_if<stage::Recording>(&stage_)) return recording;
+  if (const auto* practising = std::get_if<stage::Practising>(&stage_)) {
+    return practising;
+  }
+  if (const auto* recording = std::get_if<stage::Recording>(&stage_)) {
+    return recording;
+  }
   return std::get_if<stage::Training>(&stage_);
 }
 
@@ -239,7 +253,9 @@ Vec3 SimulationController::parkingPoint_m() const {
   const Vec3 centre_m = shown.lattice().frameAt(share * shown.lattice().length_m()).centre_m;
   for (double way_m = 0.0; way_m < kFarthestParking_m; way_m += kParkingStep_m) {
     const Vec3 point_m = centre_m + kTowardsViewer * way_m;
-    if (shown.collision.closest(point_m).distance_m >= kParkingWay_m) return point_m;
+    if (shown.collision.closest(point_m).distance_m >= kParkingWay_m) {
+      return point_m;
+    }
   }
   return centre_m + kTowardsViewer * kFarthestParking_m;
 }
@@ -247,15 +263,23 @@ Vec3 SimulationController::parkingPoint_m() const {
 void SimulationController::advance(double elapsed_s) {
   watchDevice();
   TrialPlayback* played = playback();
-  if (played == nullptr) return;
+  if (played == nullptr) {
+    return;
+  }
   const bool was = played->playing();
   played->advance(elapsed_s);
-  if (was != played->playing()) Q_EMIT modeChanged();
+  if (was != played->playing()) {
+    Q_EMIT modeChanged();
+  }
 }
 
 LiveState SimulationController::state() {
-  if (const TrialPlayback* played = playback()) return played->state();
-  if (const auto* still = std::get_if<stage::Still>(&stage_)) return still->shown;
+  if (const TrialPlayback* played = playback()) {
+    return played->state();
+  }
+  if (const auto* still = std::get_if<stage::Still>(&stage_)) {
+    return still->shown;
+  }
   return run() != nullptr ? run()->latest() : LiveState{};
 }
 
@@ -268,7 +292,9 @@ bool SimulationController::toolRidesOnTissue() const noexcept {
 
 std::optional<SurfacePoint> SimulationController::nearby(const LiveState& state) const {
   const bool atRest = state.phase == ExercisePhase::kTracking || state.phase == ExercisePhase::kContact;
-  if (scene() == nullptr || !atRest) return std::nullopt;
+  if (scene() == nullptr || !atRest) {
+    return std::nullopt;
+  }
   SurfacePoint point = scene()->collision.closest(state.tool.position_m);
   point.distance_m -= scene()->instrument.tipRadius_m;
   return point;
@@ -288,7 +314,9 @@ void SimulationController::releaseTissue() {
 }
 
 void SimulationController::setTarget(double target_rad) {
-  if (stage() != StageKind::kPractising) return;
+  if (stage() != StageKind::kPractising) {
+    return;
+  }
   if (!run()->command({.kind = ServoCommand::Kind::kSetTarget, .value = target_rad})) {
     Q_EMIT noticed(tr("The simulation is busy; please try again."));
     return;
@@ -297,7 +325,9 @@ void SimulationController::setTarget(double target_rad) {
 }
 
 void SimulationController::startRecording() {
-  if (stage() != StageKind::kPractising || loading()) return;
+  if (stage() != StageKind::kPractising || loading()) {
+    return;
+  }
   const RecordingSpec recording{
       .trialId = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString(),
       .targetAngle_rad = target_rad_,
@@ -320,7 +350,9 @@ void SimulationController::startRecording() {
 }
 
 void SimulationController::stopRecording() {
-  if (stage() != StageKind::kRecording) return;
+  if (stage() != StageKind::kRecording) {
+    return;
+  }
   if (const std::optional<RecordingResult> result = finishRun(TrialOutcome::kCompleted)) {
     if (result->spillFile) {
       tellSpilled(*result);
@@ -335,7 +367,9 @@ void SimulationController::stopRecording() {
 
 bool SimulationController::startTraining(const RecordingSpec& recording, std::unique_ptr<TrialSink> sink,
                                          std::unique_ptr<HapticDevice> device) {
-  if (mode() != Mode::kPractice || loading()) return false;
+  if (mode() != Mode::kPractice || loading()) {
+    return false;
+  }
   stage::Training training{newRun(std::move(device), recording, std::move(sink))};
   target_rad_ = training.run->header().targetAngle_rad;
   enter(std::move(training));
@@ -343,9 +377,13 @@ bool SimulationController::startTraining(const RecordingSpec& recording, std::un
 }
 
 std::optional<RecordingResult> SimulationController::endTraining(TrialOutcome outcome) {
-  if (stage() != StageKind::kTraining) return std::nullopt;
+  if (stage() != StageKind::kTraining) {
+    return std::nullopt;
+  }
   std::optional<RecordingResult> result = finishRun(outcome);
-  if (result && result->spillFile) tellSpilled(*result);
+  if (result && result->spillFile) {
+    tellSpilled(*result);
+  }
   LiveState still;
   still.tool.position_m = parkingPoint_m();
   still.targetAngle_rad = target_rad_;
@@ -374,15 +412,21 @@ void SimulationController::openReplay(const Trial& trial) {
 }
 
 void SimulationController::closeReplay() {
-  if (stage() != StageKind::kReplaying) return;
+  if (stage() != StageKind::kReplaying) {
+    return;
+  }
   target_rad_ = scene()->pattern.targetAngle_rad;
   practise(nullptr);
   Q_EMIT sceneChanged();
 }
 
 void SimulationController::shutDown() {
-  if (stage() == StageKind::kEmpty) return;
-  if (mode() == Mode::kRecording) static_cast<void>(finishRun(TrialOutcome::kInterrupted));
+  if (stage() == StageKind::kEmpty) {
+    return;
+  }
+  if (mode() == Mode::kRecording) {
+    static_cast<void>(finishRun(TrialOutcome::kInterrupted));
+  }
   enter(stage::Still{state()});
 }
 

@@ -22,7 +22,9 @@ void SimulationController::useHapticDevice(HapticOpener opener) {
 }
 
 void SimulationController::openHaptic() {
-  if (!openHaptic_ || scene() == nullptr || mode() == Mode::kReplay || !hapticModel().isEmpty()) return;
+  if (!openHaptic_ || scene() == nullptr || mode() == Mode::kReplay || !hapticModel().isEmpty()) {
+    return;
+  }
   workers_.start([this, ticket = ++hapticWanted_, open = openHaptic_, scene = loaded_.scene] {
     // In a box, because a queued call must be copyable.
     const auto device = std::make_shared<std::unique_ptr<HapticDevice>>();
@@ -37,7 +39,9 @@ void SimulationController::openHaptic() {
     QMetaObject::invokeMethod(
         this,
         [this, ticket, device, problem] {
-          if (ticket == hapticWanted_) tookHaptic(std::move(*device), problem);
+          if (ticket == hapticWanted_) {
+            tookHaptic(std::move(*device), problem);
+          }
         },
         Qt::QueuedConnection);
   });
@@ -61,7 +65,9 @@ void SimulationController::tookHaptic(std::unique_ptr<HapticDevice> device, cons
 /// runs, because opening it takes seconds. Null: there is none, or nobody wants it any more.
 std::unique_ptr<HapticDevice> SimulationController::takeHaptic() {
   stage::Running* now = stage() == StageKind::kTraining ? nullptr : running();
-  if (now == nullptr || !now->usesHaptic()) return nullptr;
+  if (now == nullptr || !now->usesHaptic()) {
+    return nullptr;
+  }
   std::unique_ptr<HapticDevice> device = now->run->releaseDevice();
   return openHaptic_ ? std::move(device) : nullptr;
 }
@@ -69,15 +75,21 @@ std::unique_ptr<HapticDevice> SimulationController::takeHaptic() {
 /// Closes it in the background: that may take as long as opening it.
 void SimulationController::retireHaptic(std::unique_ptr<HapticDevice> device) {
   ++hapticWanted_;
-  if (!device) return;
+  if (!device) {
+    return;
+  }
   workers_.start(
       [old = std::make_shared<std::unique_ptr<HapticDevice>>(std::move(device))] { old->reset(); });
 }
 
 void SimulationController::watchDevice() {
   stage::Running* now = running();
-  if (now == nullptr || !now->usesHaptic()) return;
-  if ((now->run->latest().deviceStatus & kDeviceLost) == 0) return;
+  if (now == nullptr || !now->usesHaptic()) {
+    return;
+  }
+  if ((now->run->latest().deviceStatus & kDeviceLost) == 0) {
+    return;
+  }
   auto* training = std::get_if<stage::Training>(&stage_);
   if (training == nullptr) {
     loseHaptic();
@@ -90,7 +102,9 @@ void SimulationController::watchDevice() {
 /// The servo has set the force to zero already: a lost device gets none.
 void SimulationController::loseHaptic() {
   const bool recorded = stage() == StageKind::kRecording;
-  if (recorded) static_cast<void>(finishRun(TrialOutcome::kInterrupted));
+  if (recorded) {
+    static_cast<void>(finishRun(TrialOutcome::kInterrupted));
+  }
   retireHaptic(takeHaptic());
   practise(nullptr);
   Q_EMIT noticed(recorded ? tr("The haptic device was lost. The recording until then is kept; you go on with "
@@ -101,7 +115,9 @@ void SimulationController::loseHaptic() {
 QString SimulationController::hapticModel() const {
   const bool free = stage() == StageKind::kPractising || stage() == StageKind::kRecording;
   const stage::Running* now = free ? running() : nullptr;
-  if (now == nullptr || !now->usesHaptic()) return {};
+  if (now == nullptr || !now->usesHaptic()) {
+    return {};
+  }
   return toQString(now->run->header().deviceModel);
 }
 

@@ -29,21 +29,28 @@ TrialPlayback::TrialPlayback(Trial trial, const Reader& reader)
   std::int64_t end_us = 0;
   places_.reserve(chunks_.size());
   for (std::size_t i = 0; i < chunks_.size(); ++i) {
-    if (chunks_[i].index != static_cast<std::int64_t>(i))
+    if (chunks_[i].index != static_cast<std::int64_t>(i)) {
       refuse("a part of the recording is missing", Text("trial %1", header_.trialId),
              "Choose another recording");
+    }
     const std::vector<Sample> samples = decodeChunk(chunks_[i]);
-    if (samples.front().tick <= lastTick)
+    if (samples.front().tick <= lastTick) {
       refuse("the parts of the recording are out of order", Text("trial %1", header_.trialId),
              "Choose another recording");
+    }
     lastTick = samples.back().tick;
     places_.push_back({samples.front().device.time_us, target_rad});
-    for (const Sample& sample : samples) target_rad = targetAfter(target_rad, sample);
+    for (const Sample& sample : samples) {
+      target_rad = targetAfter(target_rad, sample);
+    }
     end_us = samples.back().device.time_us;
-    if (reader) reader(samples);
+    if (reader) {
+      reader(samples);
+    }
   }
-  if (chunks_.empty())
+  if (chunks_.empty()) {
     refuse("the recording is empty", Text("trial %1", header_.trialId), "Choose another recording");
+  }
   duration_us_ = end_us - places_.front().begin_us;
 }
 
@@ -52,7 +59,9 @@ void TrialPlayback::seek_us(std::int64_t position_us) noexcept {
 }
 
 void TrialPlayback::setPlaying(bool playing) noexcept {
-  if (playing && position_us_ >= duration_us()) position_us_ = 0;
+  if (playing && position_us_ >= duration_us()) {
+    position_us_ = 0;
+  }
   playing_ = playing;
 }
 
@@ -62,9 +71,13 @@ void TrialPlayback::setSpeed(double speed) {
 }
 
 void TrialPlayback::advance(double elapsed_s) noexcept {
-  if (!playing_) return;
+  if (!playing_) {
+    return;
+  }
   seek_us(position_us_ + std::llround(elapsed_s * speed_ * 1e6));
-  if (position_us_ >= duration_us()) playing_ = false;
+  if (position_us_ >= duration_us()) {
+    playing_ = false;
+  }
 }
 
 const TrialPlayback::Decoded& TrialPlayback::decoded(std::size_t chunk) const {
@@ -74,7 +87,9 @@ const TrialPlayback::Decoded& TrialPlayback::decoded(std::size_t chunk) const {
     std::rotate(found, found + 1, near_.end());
     return near_.back();
   }
-  if (near_.size() == kKeptDecoded) near_.erase(near_.begin());
+  if (near_.size() == kKeptDecoded) {
+    near_.erase(near_.begin());
+  }
   near_.push_back({chunk, decodeChunk(chunks_[chunk])});
   return near_.back();
 }
@@ -89,7 +104,9 @@ LiveState TrialPlayback::state() const {
                                       [](std::int64_t t, const Sample& s) { return t < s.device.time_us; });
   const auto at = after == samples.begin() ? after : after - 1;
   double target_rad = places_[chunk].target_rad;
-  for (auto one = samples.begin(); one != at + 1; ++one) target_rad = targetAfter(target_rad, *one);
+  for (auto one = samples.begin(); one != at + 1; ++one) {
+    target_rad = targetAfter(target_rad, *one);
+  }
   const Sample& now = *at;
   const ToolState tool = toolState(now.device);
   LiveState state;

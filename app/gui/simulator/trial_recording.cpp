@@ -25,7 +25,9 @@ std::vector<RecordedTrial> listFolder(const std::string& folder) {
   std::vector<RecordedTrial> trials;
   std::error_code missing;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, missing)) {
-    if (entry.path().extension() != kEnding) continue;
+    if (entry.path().extension() != kEnding) {
+      continue;
+    }
     try {
       const Trial trial = readTrialFile(entry.path());
       const double tick_s = static_cast<double>(trial.header.tickPeriod_us) * 1e-6;

@@ -49,12 +49,15 @@ void AskCard::setRun(const std::string& trialId) {
   whom_->clear();
   for (const AskablePhysician& physician : desk_.physicians) {
     whom_->addItem(toQString(physician.name), toQString(physician.raterId));
-    if (physician.lastAsked) whom_->setCurrentIndex(whom_->count() - 1);
+    if (physician.lastAsked) {
+      whom_->setCurrentIndex(whom_->count() - 1);
+    }
   }
   text_->clear();
   setVisible(desk_.mayAsk || !desk_.questions.empty());
-  for (QWidget* widget : std::initializer_list<QWidget*>{whomLabel_, whom_, text_, ask_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{whomLabel_, whom_, text_, ask_}) {
     widget->setVisible(desk_.mayAsk);
+  }
   fill();
 }
 
@@ -64,7 +67,9 @@ void AskCard::setMoment(double at_s) {
 }
 
 void AskCard::ask() {
-  if (!desk_.mayAsk) return;
+  if (!desk_.mayAsk) {
+    return;
+  }
   attempt(shell_, [&] {
     const double at_s = at_s_;
     const QString name = whom_->currentText();
@@ -92,7 +97,9 @@ void AskCard::addQuestion(const OwnQuestion& question) {
     text->setText(tr("You: %1").arg(toQString(question.text)));
     list_->addWidget(text);
   }
-  if (!question.answered) return;
+  if (!question.answered) {
+    return;
+  }
   auto* answer = plainLabel(this);
   answer->setText(toQString(question.answer));
   list_->addWidget(answer);
@@ -100,7 +107,9 @@ void AskCard::addQuestion(const OwnQuestion& question) {
 
 void AskCard::fill() {
   emptyLayout(list_);
-  for (const OwnQuestion& question : desk_.questions) addQuestion(question);
+  for (const OwnQuestion& question : desk_.questions) {
+    addQuestion(question);
+  }
 }
 
 void AskCard::retranslate() {

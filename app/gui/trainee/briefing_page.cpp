@@ -70,7 +70,9 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   auto* reading = new QVBoxLayout(words);
   reading->setContentsMargins(0, 0, 0, 0);
   reading->setSpacing(kSpace + 4);
-  for (QWidget* part : std::initializer_list<QWidget*>{title_, mode_, what_, how_}) reading->addWidget(part);
+  for (QWidget* part : std::initializer_list<QWidget*>{title_, mode_, what_, how_}) {
+    reading->addWidget(part);
+  }
   reading->addStretch(1);
   auto* scroll = new QScrollArea(panel);
   scroll->setWidgetResizable(true);
@@ -87,7 +89,9 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
   connect(back_, &QPushButton::clicked, this, [this] { shell().open(PageId::kNextStep); });
   connect(again_, &QPushButton::clicked, this, &BriefingPage::showExpert);
   connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
-    if (!asked_) showExpert();
+    if (!asked_) {
+      showExpert();
+    }
   });
   connect(&scene_->controller(), &SimulationController::failed, this,
           [this](const QString& happened, const QString&, const QString&) { shell().notify(happened); });
@@ -96,7 +100,9 @@ BriefingPage::BriefingPage(ShellContext& context, StationDesk& desk, QWidget* pa
 BriefingPage::~BriefingPage() = default;
 
 void BriefingPage::enter(const QVariant& argument) {
-  if (argument == QStringLiteral("later")) return;
+  if (argument == QStringLiteral("later")) {
+    return;
+  }
   attempt(shell(), [&] {
     const NextSteps steps = nextSteps(shell().workplace(), shell().workplace().actor().personId);
     step_ = stepOf(steps, desk_.moduleId);
@@ -117,7 +123,9 @@ bool BriefingPage::leave() {
 }
 
 void BriefingPage::showExpert() {
-  if (scene_->controller().scene() == nullptr) return;
+  if (scene_->controller().scene() == nullptr) {
+    return;
+  }
   asked_ = true;
   attempt(shell(), [&] {
     scene_->controller().openReplay(expertRun(*scene_->controller().scene(), step_.module.targetAngle_rad));
@@ -142,16 +150,21 @@ void BriefingPage::fill() {
                        .arg(degrees(step_.module.targetAngle_rad), 0, 'f', 0)
                        .arg(degrees(step_.module.tolerance_rad), 0, 'f', 0)
                        .replace(QLatin1Char('-'), QChar(0x2212))};
-  if (step_.module.hold_us > 0)
+  if (step_.module.hold_us > 0) {
     task << tr("Hold for %1 s before you let go.")
                 .arg(static_cast<double>(step_.module.hold_us) * 1e-6, 0, 'f', 1);
-  if (step_.module.maxForce_N)
+  }
+  if (step_.module.maxForce_N) {
     task << tr("Keep the force below %1 N.").arg(*step_.module.maxForce_N, 0, 'f', 1);
-  if (step_.module.maxTorque_Nm)
+  }
+  if (step_.module.maxTorque_Nm) {
     task << tr("Keep the torque below %1 N m.").arg(*step_.module.maxTorque_Nm, 0, 'f', 2);
+  }
   task_->setText(task.join(QLatin1Char('\n')));
   QStringList goals;
-  for (const RuleProgress& progress : step_.rules) goals << StationLabels::rule(progress);
+  for (const RuleProgress& progress : step_.rules) {
+    goals << StationLabels::rule(progress);
+  }
   goals_->setText(goals.isEmpty() ? QString() : tr("Mastered when:\n%1").arg(goals.join(QLatin1Char('\n'))));
   goals_->setVisible(!goals.isEmpty());
   hints_->setText(

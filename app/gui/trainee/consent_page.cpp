@@ -61,7 +61,9 @@ void ConsentPage::enter(const QVariant& argument) {
 void ConsentPage::readText() {
   const bool chinese = QLocale().language() == QLocale::Chinese;
   for (const ConsentText& text : consentTexts(shell().assets(), chinese ? "zh_CN" : "en")) {
-    if (text.purpose != kPurpose) continue;
+    if (text.purpose != kPurpose) {
+      continue;
+    }
     version_ = text.version;
     card_->setTitle(toQString(text.title));
     text_->setText(toQString(text.text));
@@ -85,7 +87,9 @@ void ConsentPage::retranslate() {
 void ConsentPage::decide(bool granted) {
   attempt(shell(), [&] {
     decideOwnConsent(shell().workplace(), kPurpose, granted, version_);
-    if (!granted) shell().notify(tr("Nothing will be recorded. Free practice stays open."));
+    if (!granted) {
+      shell().notify(tr("Nothing will be recorded. Free practice stays open."));
+    }
     shell().open(granted ? then_ : PageId::kNextStep);
   });
 }

@@ -71,7 +71,9 @@ DebriefPage::DebriefPage(ShellContext& context, StationDesk& desk, QWidget* pare
   trend_ = new QPushButton(this);
   trend_->setObjectName(QStringLiteral("trend"));
   next_ = primaryButton(this);
-  for (QPushButton* button : {again_, trend_, next_}) heading_->addAction(button);
+  for (QPushButton* button : {again_, trend_, next_}) {
+    heading_->addAction(button);
+  }
   connect(expert_, &QCheckBox::toggled, plot_, &DebriefPlot::setExpertVisible);
   connect(whole_, &QPushButton::clicked, plot_, &DebriefPlot::showAll);
   connect(bookmark_, &QPushButton::clicked, this,
@@ -95,8 +97,11 @@ void DebriefPage::enter(const QVariant& argument) {
     std::string trialId = argument.toString().toStdString();
     if (trialId.empty()) {
       const auto all = attemptsOf(shell().workplace(), shell().workplace().actor().personId);
-      for (const Attempt& attempt : all)
-        if (attempt.ended) trialId = attempt.trialId;
+      for (const Attempt& attempt : all) {
+        if (attempt.ended) {
+          trialId = attempt.trialId;
+        }
+      }
     }
     if (trialId.empty()) {
       debrief_ = {};
@@ -135,7 +140,9 @@ void DebriefPage::compute(const std::string& trialId) {
 }
 
 void DebriefPage::addBookmarkAt(double at_s) {
-  if (debrief_.trialId.empty()) return;
+  if (debrief_.trialId.empty()) {
+    return;
+  }
   attempt(shell(), [&] {
     addBookmark(shell().workplace(), debrief_.trialId, at_s, {});
     showBookmark(at_s);
@@ -207,12 +214,15 @@ void DebriefPage::fill() {
                 .arg(debrief_.duration_s, 0, 'f', 0)
       : computing_ ? tr("One moment: your run is compared with what was asked for and with an expert's.")
                    : tr("After your first run you see here what was good and what to work on."));
-  for (QWidget* widget : std::initializer_list<QWidget*>{targets_, good_, better_, trace_, verdict_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{targets_, good_, better_, trace_, verdict_}) {
     widget->setVisible(any);
+  }
   emptyLayout(checks_);
   emptyLayout(strengths_);
   emptyLayout(weaknesses_);
-  if (!any) return;
+  if (!any) {
+    return;
+  }
   verdict_->setText(debrief_.interrupted ? tr("Interrupted: kept, not counted")
                     : debrief_.passed    ? tr("Passed: every target was reached")
                                          : tr("Not passed yet"));
@@ -230,8 +240,12 @@ void DebriefPage::fill() {
     row->addWidget(words, 1);
     checks_->addLayout(row);
   }
-  for (const DebriefFinding& finding : debrief_.strengths) addFinding(strengths_, finding, true);
-  for (const DebriefFinding& finding : debrief_.weaknesses) addFinding(weaknesses_, finding, false);
+  for (const DebriefFinding& finding : debrief_.strengths) {
+    addFinding(strengths_, finding, true);
+  }
+  for (const DebriefFinding& finding : debrief_.weaknesses) {
+    addFinding(weaknesses_, finding, false);
+  }
   if (debrief_.strengths.empty()) {
     for (QVBoxLayout* column : {strengths_, weaknesses_}) {
       auto* none = plainLabel(this, "quiet");

@@ -29,8 +29,11 @@ constexpr double kShortest_s = 0.5;
 /// 1, 2 or 5 times a power of ten, at least `least`.
 double niceStep(double least) {
   const double power = std::pow(10.0, std::floor(std::log10(std::max(least, 1e-9))));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= least) return factor * power;
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least) {
+      return factor * power;
+    }
+  }
   return 10.0 * power;
 }
 
@@ -68,7 +71,9 @@ void DebriefPlot::show(const Seconds& when) {
   marked_ = when;
   range_ = {std::max(0.0, when.from_s - kRoomRound_s),
             std::min(debrief_.duration_s, when.to_s + kRoomRound_s)};
-  if (range_.to_s - range_.from_s < kShortest_s) range_.to_s = range_.from_s + kShortest_s;
+  if (range_.to_s - range_.from_s < kShortest_s) {
+    range_.to_s = range_.from_s + kShortest_s;
+  }
   Q_EMIT rangeChanged();
   update();
 }
@@ -123,7 +128,9 @@ DebriefPlot::Lane DebriefPlot::forceLane() const {
   const double height_ = height() - kTop - kBottom - kBetween;
   Lane lane{QRectF(kLeft, kTop + height_ * 0.66 + kBetween, width() - kLeft - kRight, height_ * 0.34), 0.0,
             0.5};
-  for (const double force : debrief_.own.force_N) lane.high = std::max(lane.high, force);
+  for (const double force : debrief_.own.force_N) {
+    lane.high = std::max(lane.high, force);
+  }
   lane.high = std::max(lane.high, debrief_.forceLimit_N) * 1.15;
   return lane;
 }
@@ -133,7 +140,9 @@ void DebriefPlot::drawCurve(QPainter& painter, const Lane& lane, const std::vect
   QPolygonF line;
   for (std::size_t i = 0; i < time_s.size(); ++i) {
     const double at = time_s[i] + offset_s;
-    if (at < range_.from_s - 1.0 || at > range_.to_s + 1.0) continue;
+    if (at < range_.from_s - 1.0 || at > range_.to_s + 1.0) {
+      continue;
+    }
     line << QPointF(xOf(at), yOf(lane, values[i] * scale));
   }
   painter.drawPolyline(line);
@@ -198,8 +207,9 @@ void DebriefPlot::paintEvent(QPaintEvent*) {
   }
   if (expertVisible_ && !debrief_.expert.empty()) {
     painter.setPen(QPen(theme_->quietText, 1.6, Qt::DashLine));
-    for (const double grip_s : debrief_.grips_s)
+    for (const double grip_s : debrief_.grips_s) {
       drawCurve(painter, angle, debrief_.expert.time_s, debrief_.expert.angle_rad, kDegreesPerRadian, grip_s);
+    }
   }
   painter.setPen(QPen(theme_->accent, 2.0));
   drawCurve(painter, angle, debrief_.own.time_s, debrief_.own.angle_rad, kDegreesPerRadian, 0.0);
@@ -252,7 +262,9 @@ void DebriefPlot::mousePressEvent(QMouseEvent* event) {
 }
 
 void DebriefPlot::mouseMoveEvent(QMouseEvent* event) {
-  if ((event->buttons() & Qt::LeftButton) != 0) move(dragFrom_s_ - timeOf(event->position().x()));
+  if ((event->buttons() & Qt::LeftButton) != 0) {
+    move(dragFrom_s_ - timeOf(event->position().x()));
+  }
 }
 
 void DebriefPlot::mouseDoubleClickEvent(QMouseEvent* event) {

@@ -101,8 +101,9 @@ void DeviceCheckPage::check() {
 
 void DeviceCheckPage::found(const DeviceReadiness& readiness) {
   desk_.readiness = readiness;
-  if (StationWriter* line = shell().line(); line != nullptr)
+  if (StationWriter* line = shell().line(); line != nullptr) {
     line->showDevice(stationDevice(readiness, shell().workplace().now_us()));
+  }
 }
 
 void DeviceCheckPage::goOn(bool graded) {
@@ -152,7 +153,9 @@ void DeviceCheckPage::fill() {
   } else if (!practise_->isHidden()) {
     practise_->setFocus();
   }
-  if (!known) return;
+  if (!known) {
+    return;
+  }
   for (const ReadinessFinding& finding : desk_.readiness->findings) {
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace + 4);

@@ -32,7 +32,9 @@ LiveScene::LiveScene(SceneLoader loader, std::filesystem::path assets, QWidget* 
   view_->setInstrument(loadInstrument(assets, "grasper"));
   connect(pointer_, &PointerControls::changed, this, [this] { controller_->steer(pointer_->input()); });
   connect(controller_.get(), &SimulationController::sceneChanged, this, [this] {
-    if (controller_->scene() == nullptr) return;
+    if (controller_->scene() == nullptr) {
+      return;
+    }
     view_->setScene(controller_->viewScene());
     pointer_->park(controller_->parkingPoint_m());
   });
@@ -56,17 +58,23 @@ void LiveScene::setTheme(const Theme& theme) {
 void LiveScene::frame(double elapsed_s) {
   pointer_->advance(elapsed_s);
   controller_->advance(elapsed_s);
-  if (controller_->scene() == nullptr) return;
+  if (controller_->scene() == nullptr) {
+    return;
+  }
   const LiveState state = controller_->state();
   view_->setTwist({state.response.graspArc_m, state.response.angle_rad});
   showTool(state);
   tell();  // of the round before, when nothing moved and nothing was drawn
   untold_ = state;
-  if (!view_->draws()) tell();
+  if (!view_->draws()) {
+    tell();
+  }
 }
 
 void LiveScene::tell() {
-  if (const std::optional<LiveState> state = std::exchange(untold_, std::nullopt)) Q_EMIT shown(*state);
+  if (const std::optional<LiveState> state = std::exchange(untold_, std::nullopt)) {
+    Q_EMIT shown(*state);
+  }
 }
 
 void LiveScene::showTool(const LiveState& state) {
@@ -74,8 +82,9 @@ void LiveScene::showTool(const LiveState& state) {
   const bool holds = state.phase == ExercisePhase::kTwisting;
   const bool rides = controller_->toolRidesOnTissue();
   std::optional<Vec3> axis;
-  if (holds && rides && controller_->playback() == nullptr)
+  if (holds && rides && controller_->playback() == nullptr) {
     axis = scene.model.graspFrame(state.response.graspArc_m).tangent;
+  }
   pointer_->setHeldAxis(axis);
   const std::optional<SurfacePoint> near = controller_->nearby(state);
   const bool close = near && near->distance_m < kLeanWithin_m;

@@ -71,11 +71,14 @@ NextStepPage::NextStepPage(ShellContext& context, StationDesk& desk, QWidget* pa
 
 void NextStepPage::enter(const QVariant&) {
   attempt(shell(), [&] {
-    for (RecoveredTrial& trial : recoverInterrupted(shell().workplace()))
+    for (RecoveredTrial& trial : recoverInterrupted(shell().workplace())) {
       recovered_.push_back(std::move(trial));
+    }
     steps_ = nextSteps(shell().workplace(), shell().workplace().actor().personId);
     fill();
-    if (QPushButton* start = startButton()) start->setFocus();
+    if (QPushButton* start = startButton()) {
+      start->setFocus();
+    }
   });
 }
 
@@ -167,12 +170,15 @@ void NextStepPage::fillNext() {
     const ModuleStep& step = steps_.modules[*steps_.next];
     title->setText(toQString(Text(step.module.title)));
     QStringList facts;
-    if (phase != nullptr) facts << toQString(phase->label);
+    if (phase != nullptr) {
+      facts << toQString(phase->label);
+    }
     facts << tr("takes at most %1").arg(StationLabels::minutes(step.needed_us))
           << StationLabels::lastResult(step);
-    if (step.attemptsLeft)
+    if (step.attemptsLeft) {
       facts << (*step.attemptsLeft == 1 ? tr("the last attempt")
                                         : tr("%1 attempts left").arg(*step.attemptsLeft));
+    }
     quiet->setText(facts.join(QStringLiteral("  \u00b7  ")));
     texts->addWidget(quiet);
     auto* goal = plainLabel(next_);
@@ -243,7 +249,9 @@ void NextStepPage::addModule(const ModuleStep& step) {
   auto* start = new QPushButton(tr("Begin"), frame);
   start->setAccessibleName(tr("Begin %1").arg(toQString(Text(step.module.title))));
   start->setEnabled(!locked && !steps_.allPhasesDone);
-  if (locked) start->setToolTip(why->text());
+  if (locked) {
+    start->setToolTip(why->text());
+  }
   const bool graded = step.module.mode == AttemptMode::kGraded && step.state != StepState::kUsedUp;
   connect(start, &QPushButton::clicked, this, [this, id, graded] { begin(id, graded); });
   row->addWidget(start, 0, Qt::AlignTop);
@@ -272,9 +280,13 @@ void NextStepPage::fill() {
   fillNotices();
   fillNext();
   emptyLayout(modules_);
-  for (const ModuleStep& step : steps_.modules) addModule(step);
+  for (const ModuleStep& step : steps_.modules) {
+    addModule(step);
+  }
   // The buttons are new ones: the keyboard stays where it was.
-  if (QPushButton* start = startButton(); atStart && start != nullptr) start->setFocus();
+  if (QPushButton* start = startButton(); atStart && start != nullptr) {
+    start->setFocus();
+  }
 }
 
 }  // namespace torsio::gui

@@ -116,7 +116,9 @@ void RemarksPage::fillList() {
   empty_->setVisible(!any);
   list_->setVisible(any);
   right_->setVisible(any);
-  if (any) list_->setCurrentRow(std::min<int>(before, static_cast<int>(all_.size()) - 1));
+  if (any) {
+    list_->setCurrentRow(std::min<int>(before, static_cast<int>(all_.size()) - 1));
+  }
   fillRemarks();
   fillMarks();
 }
@@ -134,7 +136,9 @@ void RemarksPage::answer(const std::string& remarkId, const QString& text) {
 
 void RemarksPage::addRemark(const TraineeRemark& remark, bool reply) {
   auto* head = new QHBoxLayout;
-  if (reply) head->addSpacing(3 * kSpace);
+  if (reply) {
+    head->addSpacing(3 * kSpace);
+  }
   auto* who = plainLabel(remarks_, "quiet");
   who->setText(remark.question ? tr("You asked, at %1").arg(StationLabels::seconds(remark.at_s))
                : remark.own    ? tr("You, %1").arg(StationLabels::when(remark.writtenUtc_us))
@@ -157,7 +161,9 @@ void RemarksPage::addRemark(const TraineeRemark& remark, bool reply) {
   }
   threads_->addLayout(head);
   auto* body = new QHBoxLayout;
-  if (reply) body->addSpacing(3 * kSpace);
+  if (reply) {
+    body->addSpacing(3 * kSpace);
+  }
   auto* text = plainLabel(remarks_);
   text->setText(remark.question && remark.text.empty() ? tr("About this moment") : toQString(remark.text));
   body->addWidget(text, 1);
@@ -167,10 +173,14 @@ void RemarksPage::addRemark(const TraineeRemark& remark, bool reply) {
 void RemarksPage::fillRemarks() {
   emptyLayout(threads_);
   const TrialRemarks* trial = chosen();
-  if (trial == nullptr) return;
+  if (trial == nullptr) {
+    return;
+  }
   for (const TraineeRemark& remark : trial->remarks) {
     addRemark(remark, false);
-    for (const TraineeRemark& reply : remark.replies) addRemark(reply, true);
+    for (const TraineeRemark& reply : remark.replies) {
+      addRemark(reply, true);
+    }
     auto* row = new QHBoxLayout;
     auto* field = new QLineEdit(remarks_);
     field->setObjectName(QStringLiteral("reply"));
@@ -192,7 +202,9 @@ void RemarksPage::fillRemarks() {
 void RemarksPage::fillMarks() {
   emptyLayout(sheet_);
   const TrialRemarks* trial = chosen();
-  if (trial == nullptr) return;
+  if (trial == nullptr) {
+    return;
+  }
   ScoreGap gap;
   if (!attempt(shell(), [&] { gap = scoreGap(shell().workplace(), trial->trialId); })) {
     return;
@@ -239,7 +251,9 @@ void RemarksPage::fillMarks() {
       const auto cell = [&](int column, const std::optional<double>& value, bool sign) {
         auto* label = new QLabel(marks_);
         QString text = value ? points(*value) : QStringLiteral("\u2013");
-        if (sign && value && *value > 0.0) text.prepend(QLatin1Char('+'));
+        if (sign && value && *value > 0.0) {
+          text.prepend(QLatin1Char('+'));
+        }
         label->setText(text.replace(QLatin1Char('-'), QChar(0x2212)));
         grid->addWidget(label, line, column);
       };
@@ -250,15 +264,18 @@ void RemarksPage::fillMarks() {
     ++line;
   }
   sheet_->addLayout(grid);
-  if (gap.selfScored) return;
+  if (gap.selfScored) {
+    return;
+  }
   auto* keep = primaryButton(marks_);
   keep->setObjectName(QStringLiteral("selfScore"));
   keep->setText(tr("&Keep my marks"));
   connect(keep, &QPushButton::clicked, this, [this, fields, id = trial->trialId] {
     attempt(shell(), [&] {
       std::vector<SelfScoreRow> sheet;
-      for (std::size_t i = 1; i < fields->size(); ++i)
+      for (std::size_t i = 1; i < fields->size(); ++i) {
         sheet.push_back({(*fields)[i].first, (*fields)[i].second->value()});
+      }
       selfScore(shell().workplace(), id, fields->front().second->value(), sheet);
     });
     fillMarks();

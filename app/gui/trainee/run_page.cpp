@@ -57,11 +57,15 @@ RunPage::RunPage(ShellContext& context, StationDesk& desk, QWidget* parent)
   scene_->controller().setRealTime(desk.realTime);
   connect(scene_, &LiveScene::shown, this, &RunPage::showLive);
   connect(&scene_->controller(), &SimulationController::sceneChanged, this, [this] {
-    if (waiting_ && !opening_.going()) begin();
+    if (waiting_ && !opening_.going()) {
+      begin();
+    }
   });
   connect(&scene_->controller(), &SimulationController::problemMet, &shell(), &ShellContext::tell);
   connect(&scene_->controller(), &SimulationController::deviceLost, this, [this] {
-    if (session_) withoutDevice([] { return TranslatedError{tr("The haptic device was lost"), {}, {}}; });
+    if (session_) {
+      withoutDevice([] { return TranslatedError{tr("The haptic device was lost"), {}, {}}; });
+    }
   });
   connect(&timer_, &QTimer::timeout, this, &RunPage::tick);
   timer_.setInterval(kClock_ms);
@@ -132,8 +136,9 @@ QWidget* RunPage::createPanel() {
   progress_->setTextVisible(false);
   progress_->setRange(0, 1000);
   phase_ = plainLabel(time_, "quiet");
-  for (QWidget* widget : std::initializer_list<QWidget*>{countdown_, progress_, phase_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{countdown_, progress_, phase_}) {
     time_->content()->addWidget(widget);
+  }
   column->addWidget(time_);
   angle_ = new Card(QString(), panel);
   dial_ = new AngleDial(angle_);
@@ -158,7 +163,9 @@ QWidget* RunPage::createPanel() {
   buttons->addWidget(rest_);
   buttons->addWidget(stop_);
   connect(rest_, &QPushButton::clicked, this, [this] {
-    if (!session_ || !session_->rest()) return;
+    if (!session_ || !session_->rest()) {
+      return;
+    }
     endRecording(TrialOutcome::kCompleted);
     tick();
   });
@@ -167,7 +174,9 @@ QWidget* RunPage::createPanel() {
 }
 
 void RunPage::enter(const QVariant& argument) {
-  if (session_ || argument == kLater) return;
+  if (session_ || argument == kLater) {
+    return;
+  }
   if (!attempt(shell(), [&] {
         session_.emplace(
             shell().workplace(),
@@ -272,7 +281,9 @@ void RunPage::withoutDevice(const Problem& why) {
   if (!session_->graded()) {
     desk_.openDevice = nullptr;
     shell().notify(tr("%1. You go on with mouse and keyboard").arg(why().happened));
-    if (waiting_) start();
+    if (waiting_) {
+      start();
+    }
     return;
   }
   const bool begun = !waiting_;
@@ -283,7 +294,9 @@ void RunPage::withoutDevice(const Problem& why) {
   shell().tell([why, begun] {
     const TranslatedError said = why();
     QStringList parts{said.happened};
-    if (!said.details.isEmpty()) parts << said.details;
+    if (!said.details.isEmpty()) {
+      parts << said.details;
+    }
     const QString details = parts.join(QLatin1Char('\n'));
     if (!begun) {
       return TranslatedError{tr("The haptic device is not ready: the graded run did not begin"),
@@ -298,7 +311,9 @@ void RunPage::withoutDevice(const Problem& why) {
 }
 
 void RunPage::tick() {
-  if (!session_ || waiting_) return;
+  if (!session_ || waiting_) {
+    return;
+  }
   if (opening_.going()) {
     session_->hold();
     showState();
@@ -312,10 +327,15 @@ void RunPage::follow(const std::vector<RunEvent>& events) {
   bool finished = false;
   attempt(shell(), [&] {
     for (const RunEvent& event : events) {
-      if (event.kind == Kind::kPhaseEnded) endRecording(TrialOutcome::kCompleted);
-      if (event.kind == Kind::kPaused)
+      if (event.kind == Kind::kPhaseEnded) {
+        endRecording(TrialOutcome::kCompleted);
+      }
+      if (event.kind == Kind::kPaused) {
         shell().notify(tr("The computer stood still. That time does not count."));
-      if (event.kind == Kind::kRestUsedUp) shell().notify(tr("The rest is used up. Training goes on."));
+      }
+      if (event.kind == Kind::kRestUsedUp) {
+        shell().notify(tr("The rest is used up. Training goes on."));
+      }
       if (event.kind == Kind::kFinished) {
         finish();
         finished = true;
@@ -324,9 +344,13 @@ void RunPage::follow(const std::vector<RunEvent>& events) {
     }
     const TrainingRun& run = session_->run();
     const bool recording = scene_->controller().mode() == SimulationController::Mode::kRecording;
-    if (run.state() == RunState::kRunning && run.phase().arm == TrainingArm::kVirtual && !recording) record();
+    if (run.state() == RunState::kRunning && run.phase().arm == TrainingArm::kVirtual && !recording) {
+      record();
+    }
   });
-  if (!finished) showState();
+  if (!finished) {
+    showState();
+  }
 }
 
 void RunPage::endRecording(TrialOutcome outcome) {
@@ -341,7 +365,9 @@ void RunPage::finish() {
   endRecording(TrialOutcome::kCompleted);
   desk_.lastScene = scene_->controller().sharedScene();
   session_.reset();
-  if (StationWriter* line = shell().line(); line != nullptr) static_cast<void>(line->settled(kLastWrites));
+  if (StationWriter* line = shell().line(); line != nullptr) {
+    static_cast<void>(line->settled(kLastWrites));
+  }
   inFile_ = inFile_ || shell().databaseAway();
   if (inFile_) {
     showState();
@@ -356,7 +382,9 @@ void RunPage::finish() {
 }
 
 void RunPage::askToStop() {
-  if (!session_) return;
+  if (!session_) {
+    return;
+  }
   QMessageBox question(this);
   question.setIcon(QMessageBox::NoIcon);
   question.setText(tr("End this run now?"));
@@ -365,7 +393,9 @@ void RunPage::askToStop() {
   QPushButton* end = question.addButton(tr("&End the run"), QMessageBox::AcceptRole);
   question.addButton(tr("&Go on"), QMessageBox::RejectRole);
   question.exec();
-  if (question.clickedButton() != end || !session_) return;
+  if (question.clickedButton() != end || !session_) {
+    return;
+  }
   attempt(shell(), [&] { session_->stop("ended by the trainee"); });
   finish();
 }

@@ -139,12 +139,19 @@ QString RunPage::cue(const LiveState& state) const {
                      : tr("Touching. Close the jaw: hold the left button or Space.");
     case ExercisePhase::kTwisting: {
       const double way = target == 0.0 ? 0.0 : state.response.angle_rad / target;
-      if (std::abs(state.response.angle_rad - target) <= module.tolerance_rad)
+      if (std::abs(state.response.angle_rad - target) <= module.tolerance_rad) {
         return module.hold_us > 0 ? tr("On target. Hold, then let go gently.")
                                   : tr("On target. Let go gently.");
-      if (way > 1.0) return tr("Beyond the target. Turn back a little.");
-      if (way > kTargetNear) return tr("Nearly there. Slow down.");
-      if (way < 0.0) return tr("The other way round.");
+      }
+      if (way > 1.0) {
+        return tr("Beyond the target. Turn back a little.");
+      }
+      if (way > kTargetNear) {
+        return tr("Nearly there. Slow down.");
+      }
+      if (way < 0.0) {
+        return tr("The other way round.");
+      }
       return tr("Turn in one even movement.");
     }
     case ExercisePhase::kReleased:
@@ -154,13 +161,17 @@ QString RunPage::cue(const LiveState& state) const {
 }
 
 void RunPage::showLive(const LiveState& state) {
-  if (!session_) return;
+  if (!session_) {
+    return;
+  }
   dial_->setAngle(state.response.angle_rad);
   torque_->setValue(std::abs(state.response.torque_Nm));
   force_->setValue(norm(state.force_N));
   const bool over = torque_->overLimit() || force_->overLimit();
   warning_->setText(over ? tr("Above the limit: ease off") : QString());
-  if (!session_->graded()) cue_->setText(cue(state));
+  if (!session_->graded()) {
+    cue_->setText(cue(state));
+  }
 }
 
 }  // namespace torsio::gui

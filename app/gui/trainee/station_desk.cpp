@@ -9,7 +9,9 @@
 namespace torsio::gui {
 
 void StationDesk::announce(StationWriter* line) {
-  if (line == nullptr || std::exchange(announced_, true)) return;
+  if (line == nullptr || std::exchange(announced_, true)) {
+    return;
+  }
   line->showDevice(uncheckedDevice(probe != nullptr));
 }
 

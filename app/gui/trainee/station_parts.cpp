@@ -26,7 +26,9 @@ PageColumn pageColumn(QWidget* page, int widest) {
   auto* row = new QHBoxLayout(ground);
   row->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 3 * kSpace);
   auto* body = new QWidget(ground);
-  if (widest > 0) body->setMaximumWidth(widest);
+  if (widest > 0) {
+    body->setMaximumWidth(widest);
+  }
   row->addWidget(body, 100);
   row->addStretch(1);
   PageColumn made;
@@ -40,7 +42,9 @@ PageColumn pageColumn(QWidget* page, int widest) {
 
 void emptyLayout(QLayout* layout) {
   while (QLayoutItem* item = layout->takeAt(0)) {
-    if (item->layout() != nullptr) emptyLayout(item->layout());
+    if (item->layout() != nullptr) {
+      emptyLayout(item->layout());
+    }
     if (item->widget() != nullptr) {
       // The click that led here may still be in its slot.
       item->widget()->setParent(nullptr);
@@ -54,7 +58,9 @@ QLabel* plainLabel(QWidget* parent, const char* look) {
   auto* label = new QLabel(parent);
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
-  if (look != nullptr) label->setProperty(look, true);
+  if (look != nullptr) {
+    label->setProperty(look, true);
+  }
   return label;
 }
 

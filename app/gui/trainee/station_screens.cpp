@@ -37,8 +37,9 @@ template <typename Condition>
 void waitFor(const Condition& done) {
   QElapsedTimer waited;
   waited.start();
-  while (!done() && waited.elapsed() < kPatience_ms)
+  while (!done() && waited.elapsed() < kPatience_ms) {
     QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+  }
 }
 
 QVariant nothing(Workplace& workplace) {
@@ -54,7 +55,9 @@ QVariant later(Workplace& workplace) {
 /// What the trainee would have chosen before.
 void choose(ShellContext& shell, StationDesk& desk) {
   const NextSteps steps = nextSteps(shell.workplace(), shell.workplace().actor().personId);
-  if (steps.next) desk.moduleId = steps.modules[*steps.next].module.id;
+  if (steps.next) {
+    desk.moduleId = steps.modules[*steps.next].module.id;
+  }
   desk.graded = false;
   desk.readiness = pointerReadiness(true);
 }
@@ -65,7 +68,9 @@ void showBriefing(Page& page) {
   briefing.enter({});
   SimulationController& controller = child<LiveScene>(briefing, "scene").controller();
   waitFor([&] { return controller.playback() != nullptr; });
-  if (controller.playback() == nullptr) return;
+  if (controller.playback() == nullptr) {
+    return;
+  }
   controller.playback()->setPlaying(false);
   controller.playback()->seek_us(
       static_cast<std::int64_t>(kExpertAt * static_cast<double>(controller.playback()->duration_us())));
@@ -95,8 +100,9 @@ void showRun(Page& page) {
 void showFinding(Page& page) {
   auto& debrief = static_cast<DebriefPage&>(page);
   waitFor([&] { return !debrief.debrief().trialId.empty(); });
-  if (!debrief.debrief().weaknesses.empty())
+  if (!debrief.debrief().weaknesses.empty()) {
     child<DebriefPlot>(debrief, "plot").show(debrief.debrief().weaknesses.front().when);
+  }
 }
 
 ScreenEntry screen(const char* name, PageId page, std::function<QVariant(Workplace&)> argument,

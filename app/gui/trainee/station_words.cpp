@@ -49,8 +49,11 @@ constexpr std::array<MetricWords, 20> kMetrics{{
 }};
 
 const MetricWords* wordsOf(const std::string& id) {
-  for (const MetricWords& words : kMetrics)
-    if (id == words.id) return &words;
+  for (const MetricWords& words : kMetrics) {
+    if (id == words.id) {
+      return &words;
+    }
+  }
   return nullptr;
 }
 
@@ -78,10 +81,14 @@ QString StationLabels::unitOf(const std::string& metric) {
 
 QString StationLabels::quantity(const std::string& metric, double value) {
   const MetricWords* words = wordsOf(metric);
-  if (words == nullptr) return number(value, 2);
+  if (words == nullptr) {
+    return number(value, 2);
+  }
   const QString figure = number(value * words->scale, words->decimals);
   const QString unit = QString::fromUtf8(words->unit);
-  if (unit.isEmpty()) return figure;
+  if (unit.isEmpty()) {
+    return figure;
+  }
   return unit == QStringLiteral("\u00b0") ? figure + unit : tr("%1 %2", "value and unit").arg(figure, unit);
 }
 
@@ -98,15 +105,23 @@ QString StationLabels::seconds(double at_s) {
 }
 
 QString StationLabels::minutes(std::int64_t span_us) {
-  if (span_us < 60'000'000) return tr("%1 s").arg((span_us + 999'999) / 1'000'000);
+  if (span_us < 60'000'000) {
+    return tr("%1 s").arg((span_us + 999'999) / 1'000'000);
+  }
   return tr("%1 min").arg((span_us + 59'999'999) / 60'000'000);
 }
 
 QString StationLabels::waited(std::int64_t span_us) {
   const std::int64_t minutes = span_us / 60'000'000;
-  if (minutes < 1) return tr("a moment");
-  if (minutes < 60) return tr("%1 min").arg(minutes);
-  if (minutes < 48 * 60) return tr("%1 h").arg(minutes / 60);
+  if (minutes < 1) {
+    return tr("a moment");
+  }
+  if (minutes < 60) {
+    return tr("%1 min").arg(minutes);
+  }
+  if (minutes < 48 * 60) {
+    return tr("%1 h").arg(minutes / 60);
+  }
   return tr("%1 days").arg(minutes / (24 * 60));
 }
 
@@ -131,12 +146,18 @@ QString StationLabels::state(StepState state) {
 QString StationLabels::why(const ModuleStep& step) {
   if (step.state == StepState::kLocked) {
     QStringList titles;
-    for (const std::string& title : step.missing) titles << toQString(title);
+    for (const std::string& title : step.missing) {
+      titles << toQString(title);
+    }
     return tr("First master: %1").arg(titles.join(tr(", ", "between titles")));
   }
-  if (step.state == StepState::kUsedUp) return tr("Ask your training office for another attempt.");
+  if (step.state == StepState::kUsedUp) {
+    return tr("Ask your training office for another attempt.");
+  }
   QStringList parts;
-  for (const RuleProgress& progress : step.rules) parts << rule(progress);
+  for (const RuleProgress& progress : step.rules) {
+    parts << rule(progress);
+  }
   return parts.join(QLatin1Char('\n'));
 }
 
@@ -147,8 +168,12 @@ QString StationLabels::rule(const RuleProgress& progress) {
   const QString goal = atMost && progress.rule.threshold == 0.0 ? tr("%1: none").arg(name)
                        : atMost                                 ? tr("%1: at most %2").arg(name, threshold)
                                                                 : tr("%1: at least %2").arg(name, threshold);
-  if (progress.rule.consecutive <= 1) return goal;
-  if (progress.met) return tr("%1, in %2 runs in a row").arg(goal).arg(progress.rule.consecutive);
+  if (progress.rule.consecutive <= 1) {
+    return goal;
+  }
+  if (progress.met) {
+    return tr("%1, in %2 runs in a row").arg(goal).arg(progress.rule.consecutive);
+  }
   return tr("%1, in %2 runs in a row (%3 so far)")
       .arg(goal)
       .arg(progress.rule.consecutive)
@@ -156,16 +181,24 @@ QString StationLabels::rule(const RuleProgress& progress) {
 }
 
 QString StationLabels::lastResult(const ModuleStep& step) {
-  if (!step.last) return tr("Not tried yet");
+  if (!step.last) {
+    return tr("Not tried yet");
+  }
   const Attempt& last = *step.last;
-  if (last.interrupted) return tr("Last time: interrupted after %1 s").arg(last.duration_s, 0, 'f', 0);
+  if (last.interrupted) {
+    return tr("Last time: interrupted after %1 s").arg(last.duration_s, 0, 'f', 0);
+  }
   return tr("Last time: %1 of %2 twists on target").arg(last.onTarget).arg(last.twists);
 }
 
 QString StationLabels::unlocks(const ModuleStep& step) {
-  if (step.unlocks.empty()) return {};
+  if (step.unlocks.empty()) {
+    return {};
+  }
   QStringList titles;
-  for (const std::string& title : step.unlocks) titles << toQString(title);
+  for (const std::string& title : step.unlocks) {
+    titles << toQString(title);
+  }
   return tr("Unlocks: %1").arg(titles.join(tr(", ", "between titles")));
 }
 
@@ -199,7 +232,9 @@ QString StationLabels::check(const TargetCheck& check, std::size_t twists) {
   const QString value = check.value ? quantity(check.metric, *check.value) : tr("not measured");
   const QString sentence = check.atLeast ? tr("%1: %2, at least %3").arg(name, value, wanted)
                                          : tr("%1: %2, at most %3").arg(name, value, wanted);
-  if (check.consecutive <= 1) return sentence;
+  if (check.consecutive <= 1) {
+    return sentence;
+  }
   return tr("%1 (%2 in a row, %3 needed)").arg(sentence).arg(check.streak).arg(check.consecutive);
 }
 
@@ -207,24 +242,46 @@ QString StationLabels::finding(const DebriefFinding& finding, bool strength) {
   const QString name = metric(finding.metric);
   const QString own = quantity(finding.metric, finding.value);
   const QString expert = quantity(finding.metric, finding.expert);
-  if (strength && finding.merit > kClearlyBetter)
+  if (strength && finding.merit > kClearlyBetter) {
     return tr("%1: %2, better than the expert (%3)").arg(name, own, expert);
-  if (strength && finding.merit >= 0.0)
+  }
+  if (strength && finding.merit >= 0.0) {
     return tr("%1: %2, as good as the expert (%3)").arg(name, own, expert);
-  if (strength) return tr("%1: %2, close to the expert (%3)").arg(name, own, expert);
+  }
+  if (strength) {
+    return tr("%1: %2, close to the expert (%3)").arg(name, own, expert);
+  }
   return tr("%1: %2, the expert had %3").arg(name, own, expert);
 }
 
 QString StationLabels::advice(const std::string& id) {
-  if (id == "twist.time_to_target") return tr("Turn in one decided movement instead of feeling your way.");
-  if (id == "twist.settling") return tr("Slow down before the target, then stay.");
-  if (id == "twist.overshoot") return tr("Begin to slow down ten degrees before the target.");
-  if (id == "twist.hold_steadiness") return tr("Rest your forearm while you hold.");
-  if (id == "twist.sparc") return tr("Let speed rise and fall once, without stops.");
-  if (id == "twist.economy") return tr("Avoid turning back and forth.");
-  if (id == "twist.peaks") return tr("One push instead of many small ones.");
-  if (id == "force.peak") return tr("Press less while you turn; the grip holds the tissue.");
-  if (id == "torque.release_rate") return tr("Turn back a little before you open the jaw.");
+  if (id == "twist.time_to_target") {
+    return tr("Turn in one decided movement instead of feeling your way.");
+  }
+  if (id == "twist.settling") {
+    return tr("Slow down before the target, then stay.");
+  }
+  if (id == "twist.overshoot") {
+    return tr("Begin to slow down ten degrees before the target.");
+  }
+  if (id == "twist.hold_steadiness") {
+    return tr("Rest your forearm while you hold.");
+  }
+  if (id == "twist.sparc") {
+    return tr("Let speed rise and fall once, without stops.");
+  }
+  if (id == "twist.economy") {
+    return tr("Avoid turning back and forth.");
+  }
+  if (id == "twist.peaks") {
+    return tr("One push instead of many small ones.");
+  }
+  if (id == "force.peak") {
+    return tr("Press less while you turn; the grip holds the tissue.");
+  }
+  if (id == "torque.release_rate") {
+    return tr("Turn back a little before you open the jaw.");
+  }
   return {};
 }
 
@@ -262,12 +319,24 @@ QString StationLabels::levelMeaning(SkillLevel level) {
 }
 
 QString StationLabels::readiness(const ReadinessFinding& finding) {
-  if (finding.code == "connected") return tr("Connected");
-  if (finding.code == "docked") return tr("Stylus docked");
-  if (finding.code == "calibrated") return tr("Calibrated");
-  if (finding.code == "force") return tr("Force");
-  if (finding.code == "rate") return tr("Update rate");
-  if (finding.code == "seat") return tr("Hand and seat");
+  if (finding.code == "connected") {
+    return tr("Connected");
+  }
+  if (finding.code == "docked") {
+    return tr("Stylus docked");
+  }
+  if (finding.code == "calibrated") {
+    return tr("Calibrated");
+  }
+  if (finding.code == "force") {
+    return tr("Force");
+  }
+  if (finding.code == "rate") {
+    return tr("Update rate");
+  }
+  if (finding.code == "seat") {
+    return tr("Hand and seat");
+  }
   return toQString(finding.code);
 }
 

@@ -73,12 +73,16 @@ QString TranscriptPage::html(bool paper) const {
     page += QStringLiteral("<p>%1</p>").arg(text.toHtmlEscaped());
   };
   page += QStringLiteral("<h2>%1</h2>").arg(tr("Transcript of twist training").toHtmlEscaped());
-  if (t.demonstration) line(tr("Demonstration: these people and runs are simulated."));
+  if (t.demonstration) {
+    line(tr("Demonstration: these people and runs are simulated."));
+  }
   const QString name = toQString(t.fullName);
   const QString code = toQString(t.traineeCode);
   line(name.isEmpty() ? tr("Trainee %1").arg(code) : tr("%1 (trainee %2)").arg(name, code));
   line(tr("%1, %2").arg(toQString(t.centre), toQString(t.cohortName)));
-  if (!t.armLabel.empty()) line(tr("Programme: %1").arg(toQString(t.armLabel)));
+  if (!t.armLabel.empty()) {
+    line(tr("Programme: %1").arg(toQString(t.armLabel)));
+  }
   line(tr("Time trained: %1 min on the simulator, %2 min on the real arm, %3 min of rest.")
            .arg(t.virtual_min, 0, 'f', 1)
            .arg(t.real_min, 0, 'f', 1)
@@ -90,11 +94,14 @@ QString TranscriptPage::html(bool paper) const {
              .arg(StationLabels::state(module.step.state),
                   StationLabels::level(module.level,
                                        kRunsForLevel - std::min(kRunsForLevel, module.attempts.size()))));
-    if (module.attempts.empty()) continue;
+    if (module.attempts.empty()) {
+      continue;
+    }
     page += QStringLiteral("<table><tr>");
-    for (const QString& head : {tr("When"), tr("Mode"), tr("Length"), tr("Twists on target"), tr("Note")})
+    for (const QString& head : {tr("When"), tr("Mode"), tr("Length"), tr("Twists on target"), tr("Note")}) {
       page += QStringLiteral("<th align='left' style='padding: 3px 14px 3px 0'>%1</th>")
                   .arg(head.toHtmlEscaped());
+    }
     page += QStringLiteral("</tr>");
     for (const Attempt& attempt : module.attempts) {
       page += QStringLiteral("<tr>%1%2%3%4%5</tr>")
@@ -138,7 +145,9 @@ void TranscriptPage::writePdf(const std::filesystem::path& file) const {
 void TranscriptPage::choosePdf() {
   const QString proposal = tr("transcript-%1.pdf").arg(toQString(transcript_.traineeCode));
   const QString file = askFileToSave(this, tr("Save transcript"), proposal, tr("PDF (*.pdf)"));
-  if (file.isEmpty()) return;
+  if (file.isEmpty()) {
+    return;
+  }
   attempt(shell(), [&] {
     writePdf(toPath(file));
     shell().notify(tr("Saved to %1").arg(file));
@@ -148,7 +157,9 @@ void TranscriptPage::choosePdf() {
 void TranscriptPage::print() {
   QPrinter printer;
   QPrintDialog dialog(&printer, this);
-  if (dialog.exec() != QDialog::Accepted) return;
+  if (dialog.exec() != QDialog::Accepted) {
+    return;
+  }
   QTextDocument document;
   document.setHtml(html(true));
   document.print(&printer);

@@ -41,8 +41,9 @@ TrendPage::TrendPage(ShellContext& context, QWidget* parent) : Page(context, par
   moduleLabel_->setBuddy(modules_);
   metricLabel_ = new QLabel(this);
   metricLabel_->setBuddy(metrics_);
-  for (QWidget* widget : std::initializer_list<QWidget*>{moduleLabel_, modules_, metricLabel_, metrics_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{moduleLabel_, modules_, metricLabel_, metrics_}) {
     choices->addWidget(widget);
+  }
   choices->addStretch(1);
   page.column->addLayout(choices);
 
@@ -75,13 +76,17 @@ TrendPage::TrendPage(ShellContext& context, QWidget* parent) : Page(context, par
   page.column->addWidget(table_);
 
   connect(modules_, &QComboBox::currentIndexChanged, this, [this](int index) {
-    if (filling_ || index < 0) return;
+    if (filling_ || index < 0) {
+      return;
+    }
     module_ = modules_->itemData(index).toString().toStdString();
     metrics_->setCurrentIndex(-1);
     readTrend();
   });
   connect(metrics_, &QComboBox::currentIndexChanged, this, [this](int index) {
-    if (!filling_ && index >= 0) readTrend();
+    if (!filling_ && index >= 0) {
+      readTrend();
+    }
   });
   connect(table_, &DataTable::activated, this,
           [this](const QString& id) { shell().open(PageId::kDebrief, id); });
@@ -95,13 +100,17 @@ void TrendPage::enter(const QVariant& argument) {
       return std::any_of(steps_.modules.begin(), steps_.modules.end(),
                          [&](const ModuleStep& step) { return step.module.id == id; });
     };
-    if (has(wanted)) module_ = wanted;
+    if (has(wanted)) {
+      module_ = wanted;
+    }
     if (!has(module_)) {
       module_.clear();
       std::int64_t newest = -1;
       for (const ModuleStep& step : steps_.modules) {
         const std::int64_t at = step.last ? step.last->startedUtc_us : 0;
-        if (at > newest) module_ = step.module.id;
+        if (at > newest) {
+          module_ = step.module.id;
+        }
         newest = std::max(newest, at);
       }
     }
@@ -129,13 +138,19 @@ void TrendPage::fillChoices() {
   modules_->setCurrentIndex(modules_->findData(toQString(module_)));
   std::vector<std::string> metrics(std::begin(kUsualMetrics), std::end(kUsualMetrics));
   for (const ModuleStep& step : steps_.modules) {
-    if (step.module.id != module_) continue;
-    for (const StoredMasteryRule& rule : step.module.mastery)
-      if (std::find(metrics.begin(), metrics.end(), rule.metric) == metrics.end())
+    if (step.module.id != module_) {
+      continue;
+    }
+    for (const StoredMasteryRule& rule : step.module.mastery) {
+      if (std::find(metrics.begin(), metrics.end(), rule.metric) == metrics.end()) {
         metrics.push_back(rule.metric);
+      }
+    }
   }
   metrics_->clear();
-  for (const std::string& id : metrics) metrics_->addItem(StationLabels::metric(id), toQString(id));
+  for (const std::string& id : metrics) {
+    metrics_->addItem(StationLabels::metric(id), toQString(id));
+  }
   metrics_->setCurrentIndex(metrics_->findData(toQString(trend_.metric)));
   filling_ = false;
 }

@@ -40,20 +40,31 @@ void TrendPlot::setTheme(const Theme& theme) {
 void TrendPlot::retranslate() {
   setAccessibleName(tr("%1 over the attempts").arg(StationLabels::metric(trend_.metric)));
   QStringList values;
-  for (const TrendPoint& point : trend_.points)
-    if (point.value) values << StationLabels::quantity(trend_.metric, *point.value);
+  for (const TrendPoint& point : trend_.points) {
+    if (point.value) {
+      values << StationLabels::quantity(trend_.metric, *point.value);
+    }
+  }
   setAccessibleDescription(values.join(QStringLiteral(", ")));
   update();
 }
 
 void TrendPlot::findRange() {
   std::vector<double> seen;
-  for (const TrendPoint& point : trend_.points)
-    if (point.value) seen.push_back(StationLabels::inDisplayUnit(trend_.metric, *point.value));
-  for (const TrendCurvePoint& point : trend_.curve)
+  for (const TrendPoint& point : trend_.points) {
+    if (point.value) {
+      seen.push_back(StationLabels::inDisplayUnit(trend_.metric, *point.value));
+    }
+  }
+  for (const TrendCurvePoint& point : trend_.curve) {
     seen.push_back(StationLabels::inDisplayUnit(trend_.metric, point.value));
-  if (trend_.threshold) seen.push_back(StationLabels::inDisplayUnit(trend_.metric, *trend_.threshold));
-  if (seen.empty()) seen = {0.0, 1.0};
+  }
+  if (trend_.threshold) {
+    seen.push_back(StationLabels::inDisplayUnit(trend_.metric, *trend_.threshold));
+  }
+  if (seen.empty()) {
+    seen = {0.0, 1.0};
+  }
   const auto [low, high] = std::minmax_element(seen.begin(), seen.end());
   // Values that are all the same (no violation in any attempt) still get an axis that says something.
   const double flat = *high == 0.0 ? 1.0 : 0.05 * std::abs(*high);
@@ -79,7 +90,9 @@ void TrendPlot::drawGrid(QPainter& painter) const {
   double step = power;
   for (const double factor : {1.0, 2.0, 5.0, 10.0}) {
     step = factor * power;
-    if ((high_ - low_) / step <= 6.0) break;
+    if ((high_ - low_) / step <= 6.0) {
+      break;
+    }
   }
   const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
   for (double v = std::ceil(low_ / step) * step; v <= high_; v += step) {
@@ -104,15 +117,18 @@ void TrendPlot::drawGrid(QPainter& painter) const {
 }
 
 void TrendPlot::drawCurve(QPainter& painter) const {
-  if (trend_.curve.empty()) return;
+  if (trend_.curve.empty()) {
+    return;
+  }
   QPolygonF middle;
   QPolygonF band;
   for (const TrendCurvePoint& point : trend_.curve) {
     middle << QPointF(xOf(point.attempt), yOf(StationLabels::inDisplayUnit(trend_.metric, point.value)));
     band << QPointF(xOf(point.attempt), yOf(StationLabels::inDisplayUnit(trend_.metric, point.upper)));
   }
-  for (auto point = trend_.curve.rbegin(); point != trend_.curve.rend(); ++point)
+  for (auto point = trend_.curve.rbegin(); point != trend_.curve.rend(); ++point) {
     band << QPointF(xOf(point->attempt), yOf(StationLabels::inDisplayUnit(trend_.metric, point->lower)));
+  }
   QColor shade = theme_->accent;
   shade.setAlphaF(0.13F);
   painter.setPen(Qt::NoPen);
@@ -125,7 +141,9 @@ void TrendPlot::drawCurve(QPainter& painter) const {
 
 void TrendPlot::drawPoints(QPainter& painter) const {
   for (const TrendPoint& point : trend_.points) {
-    if (!point.value) continue;
+    if (!point.value) {
+      continue;
+    }
     const QPointF at(xOf(static_cast<double>(point.attempt)),
                      yOf(StationLabels::inDisplayUnit(trend_.metric, *point.value)));
     const QColor colour = point.passed ? theme_->good : theme_->caution;

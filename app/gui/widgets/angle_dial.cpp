@@ -49,7 +49,9 @@ void AngleDial::setTheme(const Theme& theme) {
 }
 
 void AngleDial::setTarget(double target_rad, double tolerance_rad) {
-  if (target_rad == target_rad_ && tolerance_rad == tolerance_rad_) return;
+  if (target_rad == target_rad_ && tolerance_rad == tolerance_rad_) {
+    return;
+  }
   target_rad_ = target_rad;
   tolerance_rad_ = tolerance_rad;
   describe();
@@ -58,7 +60,9 @@ void AngleDial::setTarget(double target_rad, double tolerance_rad) {
 
 void AngleDial::setAngle(double angle_rad) {
   // A tenth of a degree is what the figure shows; finer changes would only repaint.
-  if (std::lround(degrees(angle_rad) * 10.0) == std::lround(degrees(angle_rad_) * 10.0)) return;
+  if (std::lround(degrees(angle_rad) * 10.0) == std::lround(degrees(angle_rad_) * 10.0)) {
+    return;
+  }
   angle_rad_ = angle_rad;
   describe();
   update();

@@ -107,7 +107,9 @@ class DataTable::Model final : public QAbstractTableModel {
   void setColumns(const std::vector<Column>& columns) {
     if (columns.size() == columns_.size()) {
       columns_ = columns;
-      if (!columns_.empty()) Q_EMIT headerDataChanged(Qt::Horizontal, 0, columnCount({}) - 1);
+      if (!columns_.empty()) {
+        Q_EMIT headerDataChanged(Qt::Horizontal, 0, columnCount({}) - 1);
+      }
       return;
     }
     beginResetModel();
@@ -134,11 +136,15 @@ class DataTable::Model final : public QAbstractTableModel {
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override {
     const Row& row = rows_[static_cast<std::size_t>(index.row())];
     const auto column = static_cast<std::size_t>(index.column());
-    if (role == kIdRole) return row.id;
+    if (role == kIdRole) {
+      return row.id;
+    }
     if (role == Qt::TextAlignmentRole && columns_[column].number) {
       return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     }
-    if (column >= row.cells.size()) return {};
+    if (column >= row.cells.size()) {
+      return {};
+    }
     const Cell& cell = row.cells[column];
     switch (role) {
       case Qt::DisplayRole:
@@ -153,9 +159,13 @@ class DataTable::Model final : public QAbstractTableModel {
   }
 
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
-    if (orientation != Qt::Horizontal) return {};
+    if (orientation != Qt::Horizontal) {
+      return {};
+    }
     const Column& column = columns_[static_cast<std::size_t>(section)];
-    if (role == Qt::DisplayRole) return column.title;
+    if (role == Qt::DisplayRole) {
+      return column.title;
+    }
     if (role == Qt::TextAlignmentRole) {
       return QVariant((column.number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     }
@@ -164,7 +174,9 @@ class DataTable::Model final : public QAbstractTableModel {
 
  private:
   [[nodiscard]] QString timeText(qlonglong utc_us) const {
-    if (utc_us == 0) return QStringLiteral("\u2013");
+    if (utc_us == 0) {
+      return QStringLiteral("\u2013");
+    }
     return table_->locale().toString(QDateTime::fromMSecsSinceEpoch(utc_us / 1000), QLocale::ShortFormat);
   }
 
@@ -245,10 +257,14 @@ DataTable::DataTable(const QString& name, QWidget* parent)
   connect(header, &QHeaderView::customContextMenuRequested, this, &DataTable::showColumnMenu);
   connect(header, &QHeaderView::sectionMoved, this, [this] { touched_ = true; });
   connect(header, &QHeaderView::sectionResized, this, [this] {
-    if (QApplication::mouseButtons().testFlag(Qt::LeftButton)) touched_ = true;
+    if (QApplication::mouseButtons().testFlag(Qt::LeftButton)) {
+      touched_ = true;
+    }
   });
   connect(header, &QHeaderView::sortIndicatorChanged, this, [this](int sorted) {
-    if (sorted >= 0) touched_ = true;
+    if (sorted >= 0) {
+      touched_ = true;
+    }
   });
   retranslate();
 }
@@ -282,7 +298,9 @@ void DataTable::sortByCurrent() {
 
 void DataTable::setColumns(const std::vector<Column>& columns) {
   model_->setColumns(columns);
-  if (!restored_) restore();
+  if (!restored_) {
+    restore();
+  }
   restored_ = true;
 }
 
@@ -290,8 +308,12 @@ void DataTable::setRows(std::vector<Row> rows) {
   const QString current = currentId();
   const bool first = model_->rowCount({}) == 0;
   model_->setRows(std::move(rows));
-  if (!touched_) fitColumns(first);
-  if (!current.isEmpty()) select(current);
+  if (!touched_) {
+    fitColumns(first);
+  }
+  if (!current.isEmpty()) {
+    select(current);
+  }
   showCount();
 }
 
@@ -300,11 +322,14 @@ void DataTable::setRows(std::vector<Row> rows) {
 void DataTable::fitColumns(bool first) {
   QHeaderView* header = view_->horizontalHeader();
   std::vector<int> before;
-  for (int column = 0; column < header->count(); ++column) before.push_back(header->sectionSize(column));
+  for (int column = 0; column < header->count(); ++column) {
+    before.push_back(header->sectionSize(column));
+  }
   view_->resizeColumnsToContents();
-  for (int column = 0; !first && column + 1 < header->count(); ++column)
+  for (int column = 0; !first && column + 1 < header->count(); ++column) {
     header->resizeSection(column,
                           std::max(before[static_cast<std::size_t>(column)], header->sectionSize(column)));
+  }
   // Sizing to contents shrinks the last column too: it takes the rest again.
   header->setStretchLastSection(false);
   header->setStretchLastSection(true);
@@ -315,7 +340,9 @@ void DataTable::setColumnHidden(int column, bool hidden) {
 }
 
 void DataTable::hideAtFirst(int column) {
-  if (!touched_) setColumnHidden(column, true);
+  if (!touched_) {
+    setColumnHidden(column, true);
+  }
 }
 
 void DataTable::setEmptyText(const QString& sentence) {
@@ -333,7 +360,9 @@ QString DataTable::idAt(const QModelIndex& proxied) const {
 
 QString DataTable::currentId() const {
   const QItemSelectionModel& selection = *view_->selectionModel();
-  if (selection.isRowSelected(selection.currentIndex().row(), {})) return idAt(selection.currentIndex());
+  if (selection.isRowSelected(selection.currentIndex().row(), {})) {
+    return idAt(selection.currentIndex());
+  }
   const QModelIndexList rows = selection.selectedRows();
   return rows.isEmpty() ? QString() : idAt(rows.first());
 }
@@ -342,13 +371,17 @@ QStringList DataTable::selectedIds() const {
   QModelIndexList rows = view_->selectionModel()->selectedRows();
   std::sort(rows.begin(), rows.end());
   QStringList ids;
-  for (const QModelIndex& row : rows) ids << idAt(row);
+  for (const QModelIndex& row : rows) {
+    ids << idAt(row);
+  }
   return ids;
 }
 
 void DataTable::select(const QString& id) {
   for (int row = 0; row < proxy_->rowCount(); ++row) {
-    if (idAt(proxy_->index(row, 0)) != id) continue;
+    if (idAt(proxy_->index(row, 0)) != id) {
+      continue;
+    }
     view_->selectRow(row);
     view_->scrollTo(proxy_->index(row, 0));
     return;
@@ -359,7 +392,9 @@ void DataTable::selectAll(const QStringList& ids) {
   QItemSelection chosen;
   for (int row = 0; row < proxy_->rowCount(); ++row) {
     const QModelIndex index = proxy_->index(row, 0);
-    if (ids.contains(idAt(index))) chosen.select(index, index);
+    if (ids.contains(idAt(index))) {
+      chosen.select(index, index);
+    }
   }
   view_->selectionModel()->select(chosen, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
 }
@@ -372,16 +407,22 @@ QString DataTable::asText() const {
   QModelIndexList rows = view_->selectionModel()->selectedRows();
   std::sort(rows.begin(), rows.end());
   if (rows.isEmpty()) {
-    for (int row = 0; row < proxy_->rowCount(); ++row) rows << proxy_->index(row, 0);
+    for (int row = 0; row < proxy_->rowCount(); ++row) {
+      rows << proxy_->index(row, 0);
+    }
   }
   const QHeaderView& header = *view_->horizontalHeader();
   std::vector<int> columns;
   for (int place = 0; place < header.count(); ++place) {
-    if (!header.isSectionHidden(header.logicalIndex(place))) columns.push_back(header.logicalIndex(place));
+    if (!header.isSectionHidden(header.logicalIndex(place))) {
+      columns.push_back(header.logicalIndex(place));
+    }
   }
   const auto line = [&columns](const auto& textOf) {
     QStringList cells;
-    for (const int column : columns) cells << textOf(column);
+    for (const int column : columns) {
+      cells << textOf(column);
+    }
     return cells.join(QLatin1Char('\t'));
   };
   QStringList lines{line(
@@ -426,13 +467,18 @@ void DataTable::showCount() {
 
 QString DataTable::totals() const {
   QStringList parts;
-  if (proxy_->rowCount() == 0) return {};
+  if (proxy_->rowCount() == 0) {
+    return {};
+  }
   const std::vector<Column>& columns = model_->columns();
   for (int column = 0; column < static_cast<int>(columns.size()); ++column) {
-    if (!columns[static_cast<std::size_t>(column)].total) continue;
+    if (!columns[static_cast<std::size_t>(column)].total) {
+      continue;
+    }
     double sum = 0.0;
-    for (int row = 0; row < proxy_->rowCount(); ++row)
+    for (int row = 0; row < proxy_->rowCount(); ++row) {
       sum += std::max(0.0, proxy_->index(row, column).data(kSortRole).toDouble());
+    }
     parts << tr("%1 %2").arg(columns[static_cast<std::size_t>(column)].title,
                              locale().toString(sum, 'g', 10));
   }
@@ -449,12 +495,16 @@ void DataTable::retranslate() {
 }
 
 void DataTable::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) retranslate();
+  if (event->type() == QEvent::LanguageChange) {
+    retranslate();
+  }
   QWidget::changeEvent(event);
 }
 
 bool DataTable::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize && watched == view_->viewport()) showCount();
+  if (event->type() == QEvent::Resize && watched == view_->viewport()) {
+    showCount();
+  }
   if (event->type() == QEvent::KeyPress && watched == view_) {
     if (static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
       copy();  // the view itself would copy one cell
@@ -472,18 +522,24 @@ bool DataTable::eventFilter(QObject* watched, QEvent* event) {
 QString DataTable::settingsKey() const {
   for (const QWidget* around = parentWidget(); around != nullptr; around = around->parentWidget()) {
     const QString role = around->property("role").toString();
-    if (!role.isEmpty()) return QStringLiteral("tables/%1/%2").arg(role, name_);
+    if (!role.isEmpty()) {
+      return QStringLiteral("tables/%1/%2").arg(role, name_);
+    }
   }
   return QStringLiteral("tables/%1").arg(name_);
 }
 
 void DataTable::remember() const {
-  if (name_.isEmpty() || !touched_ || model_->columnCount({}) == 0) return;
+  if (name_.isEmpty() || !touched_ || model_->columnCount({}) == 0) {
+    return;
+  }
   QSettings().setValue(key_, view_->horizontalHeader()->saveState());
 }
 
 void DataTable::restore() {
-  if (name_.isEmpty()) return;
+  if (name_.isEmpty()) {
+    return;
+  }
   key_ = settingsKey();
   const QByteArray state = QSettings().value(key_).toByteArray();
   touched_ = !state.isEmpty() && view_->horizontalHeader()->restoreState(state);

@@ -16,13 +16,17 @@ constexpr auto kFolderKey = "files/folder";
 
 QString folder() {
   const QString last = QSettings().value(QLatin1String(kFolderKey)).toString();
-  if (!last.isEmpty() && QDir(last).exists()) return last;
+  if (!last.isEmpty() && QDir(last).exists()) {
+    return last;
+  }
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
   return QDir(documents).exists() ? documents : QDir::homePath();
 }
 
 QString remembered(const QString& file) {
-  if (!file.isEmpty()) QSettings().setValue(QLatin1String(kFolderKey), QFileInfo(file).absolutePath());
+  if (!file.isEmpty()) {
+    QSettings().setValue(QLatin1String(kFolderKey), QFileInfo(file).absolutePath());
+  }
   return file;
 }
 

@@ -72,7 +72,9 @@ void nameField(QLabel* label, const QString& text) {
   static const QRegularExpression kMnemonic(QStringLiteral("\\(&.\\)|&"));
   label->setText(text);
   QString plain = text;
-  if (label->buddy() != nullptr) label->buddy()->setAccessibleName(plain.remove(kMnemonic));
+  if (label->buddy() != nullptr) {
+    label->buddy()->setAccessibleName(plain.remove(kMnemonic));
+  }
 }
 
 QLineEdit* secretField(QWidget* parent) {
@@ -103,7 +105,9 @@ QLabel* sentence(QWidget* parent, bool quiet) {
 }
 
 void setLook(QWidget* widget, const char* property, bool on) {
-  if (widget->property(property).toBool() == on) return;
+  if (widget->property(property).toBool() == on) {
+    return;
+  }
   widget->setProperty(property, on);
   widget->style()->unpolish(widget);
   widget->style()->polish(widget);

@@ -55,7 +55,9 @@ QIcon icon(const QString& name, const Theme& theme) {
 QIcon icon(const QString& name, const QColor& colour) {
   const QByteArray svg = drawing(name);
   QIcon result;
-  for (const int size : kSizes) result.addPixmap(pixmap(svg, colour, size));
+  for (const int size : kSizes) {
+    result.addPixmap(pixmap(svg, colour, size));
+  }
   return result;
 }
 

@@ -48,7 +48,9 @@ void LevelBar::setLimit(double limit) {
 
 void LevelBar::setValue(double value) {
   const double step = std::pow(10.0, decimals_);
-  if (std::lround(value * step) == std::lround(value_ * step)) return;
+  if (std::lround(value * step) == std::lround(value_ * step)) {
+    return;
+  }
   value_ = value;
   describe();
   update();

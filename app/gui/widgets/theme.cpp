@@ -247,7 +247,9 @@ QToolTip { background: %surface; color: %text; border: 1px solid %border; paddin
       {"%track", t.track},         {"%good", t.good},       {"%caution", t.caution},
   };
 
-  for (const auto& [name, colour] : colours) sheet.replace(QLatin1String(name), colour.name());
+  for (const auto& [name, colour] : colours) {
+    sheet.replace(QLatin1String(name), colour.name());
+  }
   return sheet;
 }
 

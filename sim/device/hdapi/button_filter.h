@@ -18,7 +18,9 @@ class ButtonFilter {
   std::uint32_t filter(std::uint32_t raw, std::int64_t now_us) noexcept {
     for (std::size_t i = 0; i < kButtons; ++i) {
       const std::uint32_t bit = 1U << i;
-      if (((raw ^ mask_) & bit) == 0 || now_us < quietUntil_us_[i]) continue;
+      if (((raw ^ mask_) & bit) == 0 || now_us < quietUntil_us_[i]) {
+        continue;
+      }
       mask_ ^= bit;
       quietUntil_us_[i] = now_us + kButtonBounce_us;
     }

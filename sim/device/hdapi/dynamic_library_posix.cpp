@@ -20,7 +20,9 @@ LoadedLibrary loadLibrary(const std::string& name) {
   const std::string missing = library.systemText.substr(0, colon);
   const bool isMissing = colon != std::string::npos;
   library.found = !isMissing || missing != name;
-  if (isMissing && library.found) library.missingDependency = missing;
+  if (isMissing && library.found) {
+    library.missingDependency = missing;
+  }
   return library;
 }
 

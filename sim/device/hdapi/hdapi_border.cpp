@@ -50,7 +50,9 @@ std::optional<Pose> worldPose(const HdapiFrame& frame, const DevicePlacement& pl
   const Axes axes{column(frame.transform_mm, 0), column(frame.transform_mm, 1),
                   column(frame.transform_mm, 2)};
   const Vec3 gimbal_m = column(frame.transform_mm, 3) * kMillimetre_m;
-  if (!isFinite(gimbal_m) || !isRotation(axes)) return std::nullopt;
+  if (!isFinite(gimbal_m) || !isRotation(axes)) {
+    return std::nullopt;
+  }
   Pose pose;
   pose.orientation = placement.deviceToWorld * normalized(quaternion(axes));
   pose.position_m = placement.worldOrigin_m +
@@ -72,7 +74,9 @@ WorldBox worldBox(const std::array<double, 6>& box_mm, const DevicePlacement& pl
                           kMillimetre_m;
     const Vec3 world_m =
         placement.worldOrigin_m + rotate(placement.deviceToWorld, corner_m - placement.deviceCentre_m);
-    if (corner == 0) box = {world_m, world_m};
+    if (corner == 0) {
+      box = {world_m, world_m};
+    }
     box.min_m = {std::min(box.min_m.x, world_m.x), std::min(box.min_m.y, world_m.y),
                  std::min(box.min_m.z, world_m.z)};
     box.max_m = {std::max(box.max_m.x, world_m.x), std::max(box.max_m.y, world_m.y),
@@ -83,7 +87,9 @@ WorldBox worldBox(const std::array<double, 6>& box_mm, const DevicePlacement& pl
 }
 
 GimbalProfile gimbalProfile(const std::string& model) {
-  if (model.find("Omni") == std::string::npos) return {model, {1.0, 1.0, 1.0}, {}};
+  if (model.find("Omni") == std::string::npos) {
+    return {model, {1.0, 1.0, 1.0}, {}};
+  }
   return {model, {1.0, -1.0, 1.0}, {3.665, -3.805, 3.089}};
 }
 

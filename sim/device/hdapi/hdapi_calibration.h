@@ -47,7 +47,9 @@ class CalibrationFlow {
   /// Takes the result of the update. Whether the device is calibrated is asked anew after the usual pause.
   void updated(bool refused) noexcept {
     tries_ = refused ? tries_ + 1 : 0;
-    if (tries_ >= kCalibrationTries) state_ = CalibrationState::kFailed;
+    if (tries_ >= kCalibrationTries) {
+      state_ = CalibrationState::kFailed;
+    }
   }
   /// Begins anew because the user asks for another attempt.
   void retry() noexcept { *this = {}; }

@@ -24,7 +24,9 @@ void HdapiDevice::start(const HdapiTick& tick) {
 }
 
 void HdapiDevice::beginClose() {
-  if (closed_.valid()) return;
+  if (closed_.valid()) {
+    return;
+  }
   session_->servo().revokeTick();
   std::promise<void> promise;
   closed_ = promise.get_future();
@@ -45,7 +47,9 @@ bool HdapiDevice::close() {
 
 HdapiSnapshot HdapiDevice::snapshot() noexcept {
   HdapiSnapshot snapshot = session_->servo().newestSnapshot();
-  if (closed_.valid()) snapshot.state = HdapiState::kClosed;
+  if (closed_.valid()) {
+    snapshot.state = HdapiState::kClosed;
+  }
   return snapshot;
 }
 
@@ -56,13 +60,21 @@ DeviceSample HdapiDevice::read(std::int64_t time_us) noexcept {
   } else {
     const HdapiServo::Reading reading = session_->servo().newestReading();
     sample = reading.sample;
-    if (!reading_ || reading.number != lastNumber_) lastNew_us_ = time_us;
+    if (!reading_ || reading.number != lastNumber_) {
+      lastNew_us_ = time_us;
+    }
     reading_ = true;
     lastNumber_ = reading.number;
     const std::int64_t age_us = time_us - lastNew_us_;
-    if (reading.number == 0) sample.status |= kDeviceStale | kDeviceUncalibrated;
-    if (age_us > kReadingStale_us) sample.status |= kDeviceStale;
-    if (age_us > kReadingLost_us) sample.status |= kDeviceLost;
+    if (reading.number == 0) {
+      sample.status |= kDeviceStale | kDeviceUncalibrated;
+    }
+    if (age_us > kReadingStale_us) {
+      sample.status |= kDeviceStale;
+    }
+    if (age_us > kReadingLost_us) {
+      sample.status |= kDeviceLost;
+    }
   }
   sample.time_us = time_us;
   return sample;

@@ -77,7 +77,9 @@ bool HdapiErrors::any(HdapiErrorClass wanted) const noexcept {
 
 hd::ErrorCode HdapiErrors::worstCode() const noexcept {
   for (std::size_t i = 0; i < count; ++i) {
-    if (hdapiErrorClass(entries[i].error) == worst) return entries[i].error;
+    if (hdapiErrorClass(entries[i].error) == worst) {
+      return entries[i].error;
+    }
   }
   return hd::kSuccess;
 }
@@ -86,7 +88,9 @@ HdapiErrors drainHdapiErrors(const hd::Api& api) noexcept {
   HdapiErrors errors;
   while (errors.count < kMostErrorsAtOnce) {
     const hd::ErrorInfo info = api.hdGetError();
-    if (info.error == hd::kSuccess) break;
+    if (info.error == hd::kSuccess) {
+      break;
+    }
     errors.entries[errors.count++] = info;
     errors.worst = std::max(errors.worst, hdapiErrorClass(info.error));
   }

@@ -11,7 +11,9 @@ namespace {
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
-  for (const std::string& name : names) text.append(text.empty() ? "" : ", ").append(name);
+  for (const std::string& name : names) {
+    text.append(text.empty() ? "" : ", ").append(name);
+  }
   return text;
 }
 
@@ -89,7 +91,9 @@ HdapiLibrary loadHdapi(const std::string& explicitName) {
   for (const std::string& name : names) {
     result.searched.push_back(name);
     const LoadedLibrary loaded = loadLibrary(name);
-    if (loaded.handle != nullptr) return resolveLoaded(loaded, name, result.searched);
+    if (loaded.handle != nullptr) {
+      return resolveLoaded(loaded, name, result.searched);
+    }
     // A library that is there but broken is worth more to the user than "not found"; the next name may work.
     if (loaded.found && result.status == HdapiLoadStatus::kNotFound) {
       result.path = name;

@@ -18,9 +18,13 @@ HdapiServo::HdapiServo(const hd::Api& api, const HdapiSetup& setup, const Clock&
     : api_(api), setup_(setup), clock_(clock), events_(kEventCapacity) {}
 
 hd::CallbackCode HdapiServo::frame() noexcept {
-  if (lost()) return hd::kCallbackDone;
+  if (lost()) {
+    return hd::kCallbackDone;
+  }
   const std::int64_t now_us = clock_.now_us();
-  if (!started_) begun_us_ = now_us;
+  if (!started_) {
+    begun_us_ = now_us;
+  }
   started_ = true;
   interval_us_ = meter_.begin(now_us);
   if (interval_us_ > kServoGap_us) {
@@ -29,12 +33,16 @@ hd::CallbackCode HdapiServo::frame() noexcept {
   }
   takeWishes();
   frameOpen_ = beginFrame(now_us);
-  if (frameOpen_ && !lost()) readDevice(now_us);
+  if (frameOpen_ && !lost()) {
+    readDevice(now_us);
+  }
   judge(now_us);
   runTick(now_us);
   const bool lostBefore = lost();
   sendForce(now_us);
-  if (updateNeeded_ && !lost()) updateCalibration(now_us);
+  if (updateNeeded_ && !lost()) {
+    updateCalibration(now_us);
+  }
   if (lost() && !lostBefore) {
     // The connection broke off after the sample was made, and there will be no other frame to say so.
     judge(now_us);
@@ -46,7 +54,9 @@ hd::CallbackCode HdapiServo::frame() noexcept {
 }
 
 void HdapiServo::takeWishes() noexcept {
-  if (calibrationWished_.exchange(false, std::memory_order_relaxed)) calibration_.retry();
+  if (calibrationWished_.exchange(false, std::memory_order_relaxed)) {
+    calibration_.retry();
+  }
 }
 
 bool HdapiServo::beginFrame(std::int64_t now_us) noexcept {
@@ -62,7 +72,9 @@ void HdapiServo::readDevice(std::int64_t now_us) noexcept {
   api_.hdGetDoublev(hd::kCurrentGimbalAngles, frame.gimbal_rad.data());
   readSwitches(now_us);
   readTemperature();
-  if (calibration_.due(now_us)) checkCalibration(now_us);
+  if (calibration_.due(now_us)) {
+    checkCalibration(now_us);
+  }
   const bool answered = drain(now_us).worst < HdapiErrorClass::kLicence;
 
   reading_.status = kDeviceOk;
@@ -77,11 +89,15 @@ void HdapiServo::readDevice(std::int64_t now_us) noexcept {
   snapshot_.docked = isDocked(frame);
   const bool wasAtStop = snapshot_.rollAtStop;
   roll_.follow(gimbalRoll_rad);
-  if (snapshot_.docked && calibration_.calibrated() && !roll_.referenced()) roll_.reference();
+  if (snapshot_.docked && calibration_.calibrated() && !roll_.referenced()) {
+    roll_.reference();
+  }
   reading_.roll_rad = roll_.turn_rad();
   snapshot_.rollReferenced = roll_.referenced();
   snapshot_.rollAtStop = roll_.atStop();
-  if (snapshot_.rollAtStop && !wasAtStop) note(HdapiEvent::Kind::kRollStop, now_us);
+  if (snapshot_.rollAtStop && !wasAtStop) {
+    note(HdapiEvent::Kind::kRollStop, now_us);
+  }
   const std::array<double, 16> computed_mm = touchTransform_mm(frame.joints_rad, {});
   snapshot_.geometryError_m =
       1e-3 * norm(Vec3{computed_mm[12] - frame.transform_mm[12], computed_mm[13] - frame.transform_mm[13],
@@ -93,9 +109,13 @@ void HdapiServo::readSwitches(std::int64_t now_us) noexcept {
   api_.hdGetIntegerv(hd::kCurrentButtons, &raw);
   const std::uint32_t before = reading_.buttons;
   reading_.buttons = buttons_.filter(static_cast<std::uint32_t>(raw), now_us);
-  if (reading_.buttons != before) note(HdapiEvent::Kind::kButtons, now_us, reading_.buttons);
+  if (reading_.buttons != before) {
+    note(HdapiEvent::Kind::kButtons, now_us, reading_.buttons);
+  }
   followGrip(now_us);
-  if (!setup_.hasInkwellSwitch) return;
+  if (!setup_.hasInkwellSwitch) {
+    return;
+  }
   hd::Boolean inkwell = 0;
   api_.hdGetBooleanv(hd::kCurrentInkwellSwitch, &inkwell);
   snapshot_.inkwellSwitch = inkwell != 0;
@@ -108,16 +128,22 @@ void HdapiServo::followGrip(std::int64_t) noexcept {
 }
 
 void HdapiServo::readTemperature() noexcept {
-  if (!setup_.hasTemperature) return;
+  if (!setup_.hasTemperature) {
+    return;
+  }
   // Three values on a device with three motors, six on one with six.
   std::array<double, kMostMotors> motors{};
   api_.hdGetDoublev(hd::kMotorTemperature, motors.data());
   double warmest = 0.0;
   for (const double motor : motors) {
-    if (motor > warmest) warmest = motor;  // false for NaN
+    if (motor > warmest) {
+      warmest = motor;  // false for NaN
+    }
   }
   snapshot_.warmest = warmest;
-  if (warmest > kWarmAbove) warm_ = true;
+  if (warmest > kWarmAbove) {
+    warm_ = true;
+  }
   if (warmest < kWarmUntilBelow) {
     warm_ = false;
     warmStop_ = false;
@@ -169,14 +195,26 @@ void HdapiServo::noteJump(const Pose& pose, std::int64_t now_us) noexcept {
 void HdapiServo::judge(std::int64_t now_us) noexcept {
   const bool slow = meter_.values().slow;
   std::uint32_t status = reading_.status & kDeviceInvalid;
-  if (lost()) status |= kDeviceLost;
-  if (lost() || !frameOpen_ || slow || warmStop_) status |= kDeviceStale;
-  if (!calibration_.calibrated() || now_us < distrustUntil_us_) status |= kDeviceUncalibrated;
+  if (lost()) {
+    status |= kDeviceLost;
+  }
+  if (lost() || !frameOpen_ || slow || warmStop_) {
+    status |= kDeviceStale;
+  }
+  if (!calibration_.calibrated() || now_us < distrustUntil_us_) {
+    status |= kDeviceUncalibrated;
+  }
   // Amplifiers that dropped out leave no hand at the organ: contact and grip start anew, too.
-  if (tripped_) status |= kDeviceInvalid | kDeviceUncalibrated;
+  if (tripped_) {
+    status |= kDeviceInvalid | kDeviceUncalibrated;
+  }
   tripped_ = false;
-  if (warm_ || warmStop_) status |= kDeviceWarm;
-  if ((status & ~static_cast<std::uint32_t>(kDeviceWarm)) != 0) gate_.close();
+  if (warm_ || warmStop_) {
+    status |= kDeviceWarm;
+  }
+  if ((status & ~static_cast<std::uint32_t>(kDeviceWarm)) != 0) {
+    gate_.close();
+  }
   reading_.status = status;
   reading_.time_us = now_us - begun_us_;
   snapshot_.sample = quantize(reading_, snapshot_.sample);
@@ -198,28 +236,40 @@ void HdapiServo::chooseState(bool slowOrWarm) noexcept {
 }
 
 void HdapiServo::switchForce(bool on) noexcept {
-  if (!on) gate_.close();
-  if (on == snapshot_.forceOn || lost()) return;
+  if (!on) {
+    gate_.close();
+  }
+  if (on == snapshot_.forceOn || lost()) {
+    return;
+  }
   (on ? api_.hdEnable : api_.hdDisable)(hd::kForceOutput);
   snapshot_.forceOn = on;
 }
 
 void HdapiServo::runTick(std::int64_t now_us) noexcept {
   readings_.publish({snapshot_.sample, ++frames_});
-  if (tick_.run == nullptr) return;
+  if (tick_.run == nullptr) {
+    return;
+  }
   // Sequentially consistent: either revokeTick() sees this tick and waits, or this tick sees the revocation.
   inTick_.store(true);
-  if (!revoked_.load()) tick_.run(tick_.context, now_us - begun_us_);
+  if (!revoked_.load()) {
+    tick_.run(tick_.context, now_us - begun_us_);
+  }
   inTick_.store(false);
 }
 
 void HdapiServo::revokeTick() noexcept {
   revoked_.store(true);
-  while (inTick_.load()) std::this_thread::yield();
+  while (inTick_.load()) {
+    std::this_thread::yield();
+  }
 }
 
 Vec3 HdapiServo::forceToSend(std::int64_t now_us) noexcept {
-  if (tick_.run == nullptr) command_ = forces_.latest();
+  if (tick_.run == nullptr) {
+    command_ = forces_.latest();
+  }
   if (command_.number != seenForce_) {
     seenForce_ = command_.number;
     seenForce_us_ = now_us;
@@ -227,14 +277,20 @@ Vec3 HdapiServo::forceToSend(std::int64_t now_us) noexcept {
   const bool expired = seenForce_ == 0 || now_us - seenForce_us_ > kForceExpires_us;
   const double size_N = norm(command_.force_N);
   const bool asked = dropAsked_.exchange(false, std::memory_order_relaxed);
-  if (asked || expired || !std::isfinite(size_N) || revoked_.load(std::memory_order_relaxed)) gate_.close();
+  if (asked || expired || !std::isfinite(size_N) || revoked_.load(std::memory_order_relaxed)) {
+    gate_.close();
+  }
   const double gain = gate_.advance(std::clamp<std::int64_t>(interval_us_, 0, kServoPeriod_us));
-  if (!(gain > 0.0)) return {};
+  if (!(gain > 0.0)) {
+    return {};
+  }
   return command_.force_N * (gain * setup_.maxForce_N / std::max(size_N, setup_.maxForce_N));
 }
 
 void HdapiServo::sendForce(std::int64_t now_us) noexcept {
-  if (!frameOpen_) return;
+  if (!frameOpen_) {
+    return;
+  }
   const bool silent = revoked_.load(std::memory_order_relaxed);
   if (!lost()) {
     const std::array<double, 3> force_N = deviceForce(forceToSend(now_us), setup_.placement);
@@ -243,7 +299,9 @@ void HdapiServo::sendForce(std::int64_t now_us) noexcept {
   api_.hdEndFrame(setup_.handle);
   frameOpen_ = false;
   (void)drain(now_us);
-  if (silent) silent_.store(true, std::memory_order_release);
+  if (silent) {
+    silent_.store(true, std::memory_order_release);
+  }
 }
 
 HdapiErrors HdapiServo::drain(std::int64_t now_us) noexcept {

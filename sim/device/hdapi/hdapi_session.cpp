@@ -34,13 +34,17 @@ hd::CallbackCode TORSIO_HD_CALL passTick(void*) {
 std::string hex(hd::ErrorCode code) {
   constexpr const char* kDigits = "0123456789abcdef";
   std::string text = "0x";
-  for (int shift = 12; shift >= 0; shift -= 4) text += kDigits[(code >> static_cast<unsigned>(shift)) & 15U];
+  for (int shift = 12; shift >= 0; shift -= 4) {
+    text += kDigits[(code >> static_cast<unsigned>(shift)) & 15U];
+  }
   return text;
 }
 
 Text described(const hd::Api& api, hd::ErrorCode code) {
   const char* const vendor = api.hdGetErrorString(code);
-  if (vendor == nullptr) return Text("%1 (%2)", hdapiErrorText(code), hex(code));
+  if (vendor == nullptr) {
+    return Text("%1 (%2)", hdapiErrorText(code), hex(code));
+  }
   return Text("%1 (%2, %3)", hdapiErrorText(code), hex(code), vendor);
 }
 
@@ -65,7 +69,9 @@ Text remedyFor(hd::ErrorCode code) {
 }
 
 std::vector<const char*> namesToTry(const std::string& configured) {
-  if (!configured.empty()) return {configured.c_str(), nullptr};
+  if (!configured.empty()) {
+    return {configured.c_str(), nullptr};
+  }
   return {nullptr, "Default Device", "Default PHANToM"};
 }
 
@@ -114,12 +120,18 @@ void HdapiSession::open(const std::string& deviceName) {
         return;
       }
       const hd::ErrorCode error = errors.count > 0 ? errors.worstCode() : hd::kDeviceFault;
-      if (firstError == hd::kSuccess) firstError = error;
-      if (error != hd::kDeviceAlreadyInitiated) break;
+      if (firstError == hd::kSuccess) {
+        firstError = error;
+      }
+      if (error != hd::kDeviceAlreadyInitiated) {
+        break;
+      }
       api_.hdDisableDevice(sound ? handle : api_.hdGetCurrentDevice());
       (void)drainHdapiErrors(api_);
     }
-    if (firstError == hd::kInvalidLicense) break;
+    if (firstError == hd::kInvalidLicense) {
+      break;
+    }
   }
   throw Error(ErrorCode::kDevice, Text("no haptic device could be opened: %1", described(api_, firstError)),
               deviceName.empty() ? Text("default device") : Text("device \"%1\"", deviceName),
@@ -166,7 +178,9 @@ double HdapiSession::reported(hd::Enum name, double least, double most, double a
   api_.hdGetDoublev(name, values.data());
   const bool good = drainHdapiErrors(api_).count == 0 && values[0] >= least && values[0] <= most;
   // A model that claims six force axes is another machine: its figures are not those of a stylus.
-  if (good && identity_.outputDof == 3) return values[0];
+  if (good && identity_.outputDof == 3) {
+    return values[0];
+  }
   identity_.assumed.emplace_back(what);
   return assumed;
 }
@@ -225,7 +239,9 @@ HdapiSetup HdapiSession::setup() {
   hd::Boolean inkwell = 0;
   api_.hdGetBooleanv(hd::kCurrentInkwellSwitch, &inkwell);
   setup.hasInkwellSwitch = drainHdapiErrors(api_).count == 0;
-  if (!setup.hasTemperature) identity_.notes.push_back(Text("The device does not report motor temperatures"));
+  if (!setup.hasTemperature) {
+    identity_.notes.push_back(Text("The device does not report motor temperatures"));
+  }
   return setup;
 }
 
@@ -234,8 +250,12 @@ void HdapiSession::calibrateBeforeStart() {
   api_.hdGetIntegerv(hd::kCalibrationStyle, &styles);
   (void)drainHdapiErrors(api_);
   // Only this style runs with the scheduler stopped; all others are the servo's.
-  if (static_cast<hd::Enum>(styles) != hd::kCalibrationEncoderReset) return;
-  if (api_.hdCheckCalibration() != hd::kCalibrationOk) api_.hdUpdateCalibration(hd::kCalibrationEncoderReset);
+  if (static_cast<hd::Enum>(styles) != hd::kCalibrationEncoderReset) {
+    return;
+  }
+  if (api_.hdCheckCalibration() != hd::kCalibrationOk) {
+    api_.hdUpdateCalibration(hd::kCalibrationEncoderReset);
+  }
   if (drainHdapiErrors(api_).count > 0) {
     identity_.notes.push_back(Text("The device refused to take its present position as the reference"));
   }
@@ -252,7 +272,9 @@ void HdapiSession::start(const HdapiTick& tick) {
   callback_ = api_.hdScheduleAsynchronous(servoCallback, servo_.get(), hd::kDefaultPriority);
   const HdapiErrors scheduling = drainHdapiErrors(api_);
   scheduled_ = scheduling.worst < HdapiErrorClass::kLicence;
-  if (!scheduled_) refuse("the library did not take the servo's task", scheduling);
+  if (!scheduled_) {
+    refuse("the library did not take the servo's task", scheduling);
+  }
   if (api_.hdSetSchedulerRate != nullptr) {
     api_.hdSetSchedulerRate(kWantedRate_Hz);
     // Refused in different ways by different versions, always meaning "rate unchanged".
@@ -263,21 +285,31 @@ void HdapiSession::start(const HdapiTick& tick) {
   api_.hdStartScheduler();
   running_ = true;
   const HdapiErrors starting = drainHdapiErrors(api_);
-  if (starting.worst >= HdapiErrorClass::kLicence) refuse("the servo loop did not start", starting);
+  if (starting.worst >= HdapiErrorClass::kLicence) {
+    refuse("the servo loop did not start", starting);
+  }
   served_ = true;
 }
 
 void HdapiSession::tearDown() noexcept {
-  if (handle_ == hd::kInvalidHandle) return;
-  if (servo_) servo_->revokeTick();
+  if (handle_ == hd::kInvalidHandle) {
+    return;
+  }
+  if (servo_) {
+    servo_->revokeTick();
+  }
   if (served_ && !servo_->lost() && api_.hdScheduleSynchronous != nullptr) {
     // The first may be served in the tick whose frame is over already; the second lies in a later one.
     for (int i = 0; i < 2 && !servo_->silent() && !servo_->lost(); ++i) {
       api_.hdScheduleSynchronous(passTick, nullptr, hd::kMinPriority);
     }
   }
-  if (running_) api_.hdStopScheduler();
-  if (scheduled_) api_.hdUnschedule(callback_);
+  if (running_) {
+    api_.hdStopScheduler();
+  }
+  if (scheduled_) {
+    api_.hdUnschedule(callback_);
+  }
   api_.hdDisableDevice(handle_);
   (void)drainHdapiErrors(api_);
   served_ = false;

@@ -14,7 +14,9 @@ namespace {
 constexpr std::uint32_t kNotReady = kDeviceUncalibrated | kDeviceLost | kDeviceEnded;
 
 void require(bool good, const char* what, double value) {
-  if (good) return;
+  if (good) {
+    return;
+  }
   throw Error(ErrorCode::kBadParameter, Text("%1, got %2", std::string(what), std::to_string(value)),
               "force governor", "Check the limits that the device reports");
 }
@@ -27,7 +29,9 @@ double outside(double x, double low, double high) noexcept {
 /// Shortens `force` to `limit_N` and sets `bit`; the direction is kept.
 void clampNorm(Vec3& force_N, double limit_N, std::uint32_t bit, std::uint32_t& bits) noexcept {
   const double size = norm(force_N);
-  if (!(size > limit_N)) return;
+  if (!(size > limit_N)) {
+    return;
+  }
   force_N *= limit_N / size;
   bits |= bit;
 }
@@ -50,7 +54,9 @@ ForceGovernor::ForceGovernor(const GovernorLimits& limits)
 void ForceGovernor::enable(bool on) noexcept {
   if (on) {
     faults_ = 0;
-    if (state_ != GovernorState::kEngaged) state_ = GovernorState::kEngaging;
+    if (state_ != GovernorState::kEngaged) {
+      state_ = GovernorState::kEngaging;
+    }
   } else if (state_ != GovernorState::kOff) {
     state_ = state_ == GovernorState::kInhibited ? GovernorState::kOff : GovernorState::kReleasing;
   }
@@ -58,13 +64,19 @@ void ForceGovernor::enable(bool on) noexcept {
 
 void ForceGovernor::noteFault(std::int64_t now_us) noexcept {
   // A fault lasts as long as its inputs do: only its first tick counts.
-  if (state_ != GovernorState::kInhibited) ++faults_;
-  if (state_ != GovernorState::kOff) state_ = GovernorState::kInhibited;
+  if (state_ != GovernorState::kInhibited) {
+    ++faults_;
+  }
+  if (state_ != GovernorState::kOff) {
+    state_ = GovernorState::kInhibited;
+  }
   soundFrom_us_ = now_us + kInhibitTime_us;
 }
 
 double ForceGovernor::staleGain(const GovernorInput& input, std::int64_t step_us) noexcept {
-  if ((input.deviceStatus & kDeviceStale) == 0) lastFresh_us_ = input.now_us;
+  if ((input.deviceStatus & kDeviceStale) == 0) {
+    lastFresh_us_ = input.now_us;
+  }
   const std::int64_t age_us = input.now_us - std::min(lastFresh_us_, input.computed_us);
   const double left = static_cast<double>(kStaleFadeEnds_us - age_us) /
                       static_cast<double>(kStaleFadeEnds_us - kStaleFadeBegins_us);
@@ -98,10 +110,14 @@ double ForceGovernor::advanceRamp(std::int64_t step_us) noexcept {
   const std::int64_t before = ramp_us_;
   if (state_ == GovernorState::kEngaging) {
     ramp_us_ = std::min(kEngageTime_us, ramp_us_ + step_us);
-    if (ramp_us_ == kEngageTime_us) state_ = GovernorState::kEngaged;
+    if (ramp_us_ == kEngageTime_us) {
+      state_ = GovernorState::kEngaged;
+    }
   } else if (state_ == GovernorState::kReleasing) {
     ramp_us_ = std::max<std::int64_t>(0, ramp_us_ - step_us * (kEngageTime_us / kReleaseTime_us));
-    if (ramp_us_ == 0) state_ = GovernorState::kOff;
+    if (ramp_us_ == 0) {
+      state_ = GovernorState::kOff;
+    }
   }
   return static_cast<double>(std::abs(ramp_us_ - before)) / static_cast<double>(kEngageTime_us);
 }
@@ -120,20 +136,32 @@ bool ForceGovernor::letsThrough(const GovernorInput& input, std::uint32_t& bits)
              faults_ <= kFaultsForgiven) {
     state_ = GovernorState::kEngaging;
   }
-  if (state_ == GovernorState::kReleasing && ramp_us_ == 0) state_ = GovernorState::kOff;
-  if (state_ != GovernorState::kOff && state_ != GovernorState::kInhibited) return true;
+  if (state_ == GovernorState::kReleasing && ramp_us_ == 0) {
+    state_ = GovernorState::kOff;
+  }
+  if (state_ != GovernorState::kOff && state_ != GovernorState::kInhibited) {
+    return true;
+  }
   bits |= kForceInhibited;
   return false;
 }
 
 Vec3 ForceGovernor::limited(const GovernorInput& input, double staleness, std::uint32_t& bits) noexcept {
   const double inBox = workspaceGain(input.tip_m);
-  if (staleness < 1.0) bits |= kForceStale;
-  if (inBox < 1.0) bits |= kForceWorkspace;
+  if (staleness < 1.0) {
+    bits |= kForceStale;
+  }
+  if (inBox < 1.0) {
+    bits |= kForceWorkspace;
+  }
   Vec3 force_N = input.wanted_N * (staleness * inBox);
-  if (thermalLimit_N_ < limits_.maxForce_N) clampNorm(force_N, thermalLimit_N_, kForceThermal, bits);
+  if (thermalLimit_N_ < limits_.maxForce_N) {
+    clampNorm(force_N, thermalLimit_N_, kForceThermal, bits);
+  }
   const double energy_N = energyLimit_N();
-  if (energy_N < limits_.maxForce_N) clampNorm(force_N, energy_N, kForceEnergy, bits);
+  if (energy_N < limits_.maxForce_N) {
+    clampNorm(force_N, energy_N, kForceEnergy, bits);
+  }
   clampNorm(force_N, limits_.maxForce_N, kForceSaturated, bits);
   return force_N;
 }
@@ -144,7 +172,9 @@ ForceCommand ForceGovernor::govern(const GovernorInput& input) noexcept {
   // A late tick buys no larger step: the device felt the old force all the while.
   const std::int64_t step_us = std::clamp<std::int64_t>(elapsed_us, 0, limits_.tickPeriod_us);
   const double step_s = static_cast<double>(step_us) * 1e-6;
-  if (!started_ || gap) lastFresh_us_ = input.now_us;
+  if (!started_ || gap) {
+    lastFresh_us_ = input.now_us;
+  }
   started_ = true;
   last_us_ = input.now_us;
 
@@ -154,9 +184,15 @@ ForceCommand ForceGovernor::govern(const GovernorInput& input) noexcept {
   const bool through = letsThrough(input, bits);
   Vec3 sent_N;
   if (!through || gap) {
-    if (gap) bits |= kForceStale;
-    if (gap && state_ == GovernorState::kEngaged) state_ = GovernorState::kEngaging;
-    if (state_ == GovernorState::kEngaging) bits |= kForceEngaging;
+    if (gap) {
+      bits |= kForceStale;
+    }
+    if (gap && state_ == GovernorState::kEngaged) {
+      state_ = GovernorState::kEngaging;
+    }
+    if (state_ == GovernorState::kEngaging) {
+      bits |= kForceEngaging;
+    }
     ramp_us_ = 0;
     slewed_N_ = {};
   } else {
@@ -167,7 +203,9 @@ ForceCommand ForceGovernor::govern(const GovernorInput& input) noexcept {
     clampNorm(change_N, std::max(0.0, kSlewLimit_N_per_s * step_s - rampShare_N), kForceSlew, bits);
     slewed_N_ += change_N;
     const double gain = static_cast<double>(ramp_us_) / static_cast<double>(kEngageTime_us);
-    if (gain < 1.0) bits |= kForceEngaging;
+    if (gain < 1.0) {
+      bits |= kForceEngaging;
+    }
     sent_N = slewed_N_ * gain;
   }
   heat_N2_ += (dot(sent_N, sent_N) - heat_N2_) * (step_s / kHeatTime_s);

@@ -37,7 +37,9 @@ bool PassivityController::quiet(const Vec3& wanted_N) const noexcept {
 
 Vec3 PassivityController::control(std::int64_t now_us, const Vec3& tip_m, const Vec3& wanted_N, bool sound,
                                   std::uint32_t& limits) noexcept {
-  if (!begun_ || !sound) begin(now_us, tip_m);
+  if (!begun_ || !sound) {
+    begin(now_us, tip_m);
+  }
   begun_ = true;
   const Vec3 way_m = tip_m - last_m_;
   last_m_ = tip_m;
@@ -45,14 +47,20 @@ Vec3 PassivityController::control(std::int64_t now_us, const Vec3& tip_m, const 
   const Place oldest = places_[nextPlace_];
   places_[nextPlace_] = {tip_m, now_us};
   nextPlace_ = (nextPlace_ + 1) % kWindow;
-  if (quiet(wanted_N)) energy_J_ = std::min(energy_J_, 0.0);
+  if (quiet(wanted_N)) {
+    energy_J_ = std::min(energy_J_, 0.0);
+  }
   // Out of contact nothing is felt, not even damping: what is still owed waits for the next contact.
-  if (!(energy_J_ < 0.0) || wanted_N == Vec3{} || now_us <= oldest.time_us) return wanted_N;
+  if (!(energy_J_ < 0.0) || wanted_N == Vec3{} || now_us <= oldest.time_us) {
+    return wanted_N;
+  }
 
   const Vec3 velocity_m_per_s =
       (tip_m - oldest.tip_m) / (static_cast<double>(now_us - oldest.time_us) * 1e-6);
   // Where the hand has just turned round, the mean still points the old way: damping would push it.
-  if (!(dot(velocity_m_per_s, way_m) > 0.0)) return wanted_N;
+  if (!(dot(velocity_m_per_s, way_m) > 0.0)) {
+    return wanted_N;
+  }
   const double step_s = static_cast<double>(options_.tickPeriod_us) * 1e-6;
   const double wanted_Ns_per_m = -energy_J_ / (step_s * dot(velocity_m_per_s, velocity_m_per_s));
   limits |= kForcePassivity;

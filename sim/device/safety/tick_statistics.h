@@ -16,7 +16,9 @@ using TimingClasses = std::array<std::int64_t, kTimingEdges_us.size() + 1>;
 /// Returns the index of the class of a time: the first edge that is not below it.
 [[nodiscard]] constexpr std::size_t timingClass(std::int64_t time_us) noexcept {
   std::size_t i = 0;
-  while (i < kTimingEdges_us.size() && time_us > kTimingEdges_us[i]) ++i;
+  while (i < kTimingEdges_us.size() && time_us > kTimingEdges_us[i]) {
+    ++i;
+  }
   return i;
 }
 
@@ -50,12 +52,20 @@ class TickMeter {
   /// Begins a tick; returns the time since the tick before, 0 for the first one.
   std::int64_t begin(std::int64_t now_us) noexcept {
     const std::int64_t interval_us = values_.ticks == 0 ? 0 : now_us - begun_us_;
-    if (values_.ticks == 0) window_us_ = now_us;
+    if (values_.ticks == 0) {
+      window_us_ = now_us;
+    }
     if (values_.ticks > 0) {
       ++values_.intervals[timingClass(interval_us)];
-      if (2 * interval_us > 3 * kServoPeriod_us) ++values_.late;
-      if (interval_us > kServoGap_us) ++values_.gaps;
-      if (interval_us > values_.longest_us) values_.longest_us = interval_us;
+      if (2 * interval_us > 3 * kServoPeriod_us) {
+        ++values_.late;
+      }
+      if (interval_us > kServoGap_us) {
+        ++values_.gaps;
+      }
+      if (interval_us > values_.longest_us) {
+        values_.longest_us = interval_us;
+      }
     }
     ++values_.ticks;
     ++windowTicks_;
@@ -72,8 +82,12 @@ class TickMeter {
   void end(std::int64_t now_us) noexcept {
     const std::int64_t duration_us = now_us - begun_us_;
     ++values_.durations[timingClass(duration_us)];
-    if (duration_us > kServoBudget_us) ++values_.overruns;
-    if (duration_us > values_.slowest_us) values_.slowest_us = duration_us;
+    if (duration_us > kServoBudget_us) {
+      ++values_.overruns;
+    }
+    if (duration_us > values_.slowest_us) {
+      values_.slowest_us = duration_us;
+    }
   }
   [[nodiscard]] const TickStatistics& values() const noexcept { return values_; }
 

@@ -43,7 +43,9 @@ void PointerDevice::follow(const Steering& target, double step_s) noexcept {
   const Vec3 step_m = steering_.position_m - before_m;
   const double longest_m = kPointerSpeedLimit_m_per_s * step_s;
   const double length_m = norm(step_m);
-  if (length_m > longest_m) steering_.position_m = before_m + step_m * (longest_m / length_m);
+  if (length_m > longest_m) {
+    steering_.position_m = before_m + step_m * (longest_m / length_m);
+  }
 }
 
 DeviceSample PointerDevice::read(std::int64_t time_us) noexcept {
@@ -55,7 +57,9 @@ DeviceSample PointerDevice::read(std::int64_t time_us) noexcept {
   } else if (input.present) {
     const Quat view = normalized(input.view);
     // Going round the organ with the camera must not turn what the jaw holds.
-    if (target_.grip <= 0.5) view_ = view;
+    if (target_.grip <= 0.5) {
+      view_ = view;
+    }
     target_.position_m = input.onPlane_m + rotate(view, {0.0, 0.0, -input.depth_m});
     target_.yaw_rad = input.yaw_rad;
     target_.pitch_rad = input.pitch_rad;
@@ -65,7 +69,9 @@ DeviceSample PointerDevice::read(std::int64_t time_us) noexcept {
   } else {
     target_.grip = 0.0;
   }
-  if (started_) follow(target_, static_cast<double>(std::max<std::int64_t>(0, time_us - last_us_)) * 1e-6);
+  if (started_) {
+    follow(target_, static_cast<double>(std::max<std::int64_t>(0, time_us - last_us_)) * 1e-6);
+  }
   started_ = true;
   last_us_ = time_us;
 

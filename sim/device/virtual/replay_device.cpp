@@ -11,7 +11,9 @@ ReplayDevice::ReplayDevice(std::vector<DeviceSample> samples, DeviceCapabilities
 }
 
 DeviceSample ReplayDevice::read(std::int64_t time_us) noexcept {
-  if (next_ < samples_.size()) return samples_[next_++];
+  if (next_ < samples_.size()) {
+    return samples_[next_++];
+  }
   DeviceSample last = samples_.empty() ? DeviceSample{} : samples_.back();
   last.time_us = time_us;
   last.status |= kDeviceEnded;

@@ -37,7 +37,9 @@ double boundedNormal(Random& random, double limit) {
 /// The shortest turn that takes +z to the unit vector `to`.
 Quat turnOfZ(const Vec3& to) noexcept {
   const double w = 1.0 + to.z;
-  if (w < 1e-9) return {0.0, 1.0, 0.0, 0.0};
+  if (w < 1e-9) {
+    return {0.0, 1.0, 0.0, 0.0};
+  }
   return normalized(Quat{w, -to.y, to.x, 0.0});
 }
 
@@ -101,7 +103,9 @@ ScriptedHand::ScriptedHand(const ScriptedHandOptions& options)
   for (double begin_s = 0.0;;) {
     const double practised_min = options.practisedBefore_min + options.practiceScale * begin_s / 60.0;
     const Cycle cycle = plan(begin_s, skillAfter(options.profile, practised_min), random);
-    if (!cycles_.empty() && cycle.begins_s[kLegs] > duration_s_) break;
+    if (!cycles_.empty() && cycle.begins_s[kLegs] > duration_s_) {
+      break;
+    }
     cycles_.push_back(cycle);
     begin_s = cycle.begins_s[kLegs];
   }
@@ -134,7 +138,9 @@ ScriptedHand::Cycle ScriptedHand::plan(double begin_s, double skill, Random& ran
   lasts_s[kReturn] = std::max(motion.reach_s, std::abs(cycle.held_rad) / kReturn_rad_per_s);
   lasts_s[kPause] = kPause_s;
   cycle.begins_s[0] = begin_s;
-  for (std::size_t leg = 0; leg < kLegs; ++leg) cycle.begins_s[leg + 1] = cycle.begins_s[leg] + lasts_s[leg];
+  for (std::size_t leg = 0; leg < kLegs; ++leg) {
+    cycle.begins_s[leg + 1] = cycle.begins_s[leg] + lasts_s[leg];
+  }
   return cycle;
 }
 
@@ -157,7 +163,9 @@ ScriptedHand::Channels ScriptedHand::sum(const std::array<Wave, N>& waves, doubl
 }
 
 DeviceReading ScriptedHand::at(double t_s) noexcept {
-  while (current_ + 1 < cycles_.size() && t_s >= cycles_[current_ + 1].begins_s[0]) ++current_;
+  while (current_ + 1 < cycles_.size() && t_s >= cycles_[current_ + 1].begins_s[0]) {
+    ++current_;
+  }
   const Cycle& cycle = cycles_[current_];
   const auto done = [&cycle, t_s](Leg leg) {
     const double begin_s = cycle.begins_s[leg];
@@ -192,12 +200,16 @@ DeviceReading ScriptedHand::at(double t_s) noexcept {
 }
 
 DeviceSample ScriptedHand::read(std::int64_t time_us) noexcept {
-  if (!started_) first_us_ = time_us;
+  if (!started_) {
+    first_us_ = time_us;
+  }
   started_ = true;
   const double t_s = static_cast<double>(time_us - first_us_) * 1e-6;
   DeviceReading reading = at(std::clamp(t_s, 0.0, duration_s_));
   reading.time_us = time_us;
-  if (t_s > duration_s_) reading.status = kDeviceEnded;
+  if (t_s > duration_s_) {
+    reading.status = kDeviceEnded;
+  }
   sample_ = quantize(reading, sample_);
   return sample_;
 }

@@ -17,7 +17,9 @@ constexpr double kFootTolerance = 1e-15;  // of an interval
 
 std::vector<double> cumulativeLength_m(std::span<const Vec3> line) {
   std::vector<double> length(line.size(), 0.0);
-  for (std::size_t i = 1; i < line.size(); ++i) length[i] = length[i - 1] + norm(line[i] - line[i - 1]);
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    length[i] = length[i - 1] + norm(line[i] - line[i - 1]);
+  }
   return length;
 }
 
@@ -28,7 +30,9 @@ std::vector<Vec3> resampled(std::span<const Vec3> line, std::span<const double> 
   std::size_t i = 0;
   for (std::size_t k = 0; k < count; ++k) {
     const double target = way.back() * static_cast<double>(k) / static_cast<double>(count);
-    while (i + 2 < line.size() && way[i + 1] <= target) ++i;
+    while (i + 2 < line.size() && way[i + 1] <= target) {
+      ++i;
+    }
     const double step = way[i + 1] - way[i];
     const double x = step > 0.0 ? std::clamp((target - way[i]) / step, 0.0, 1.0) : 0.0;
     points.push_back(line[i] + x * (line[i + 1] - line[i]));
@@ -53,9 +57,13 @@ void smooth(std::vector<Vec3>& points, int passes) {
 void smoothTwice(std::vector<Vec3>& points, int passes) {
   std::vector<Vec3> once = points;
   smooth(once, passes);
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] -= once[i];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] -= once[i];
+  }
   smooth(points, passes);
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] += once[i];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] += once[i];
+  }
 }
 
 /// Value at `x` of the monotone table (from, to), linear between its entries.
@@ -110,7 +118,9 @@ Centreline Centreline::curved(std::span<const Vec3> line_m, double smoothing_m, 
     place[i] = raw.back() * static_cast<double>(i) / static_cast<double>(fine);
   }
   arcs_m.clear();
-  for (const double length : raw) arcs_m.push_back(lookUp(place, way, length));
+  for (const double length : raw) {
+    arcs_m.push_back(lookUp(place, way, length));
+  }
   arcs_m.back() = way.back();
 
   Centreline line;
@@ -146,7 +156,9 @@ void Centreline::setSlopes() {
   const std::size_t n = stations_.size();
   const auto c = [this](std::size_t i) { return stations_[i].centre_m; };
   slopes_.assign(n, {});
-  for (std::size_t i = 1; i + 1 < n; ++i) slopes_[i] = (c(i + 1) - c(i - 1)) / (2.0 * spacing_m_);
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    slopes_[i] = (c(i + 1) - c(i - 1)) / (2.0 * spacing_m_);
+  }
   if (n == 2) {
     slopes_[0] = slopes_[1] = (c(1) - c(0)) / spacing_m_;
   } else {
@@ -165,7 +177,9 @@ void Centreline::transportFrames(const Vec3& e1, double e1At) {
   for (std::size_t i = anchor; i > 0; --i) {
     stations_[i - 1].e1 = doubleReflection(stations_[i], stations_[i - 1]);
   }
-  for (AxisFrame& station : stations_) station.e2 = cross(station.tangent, station.e1);
+  for (AxisFrame& station : stations_) {
+    station.e2 = cross(station.tangent, station.e1);
+  }
 }
 
 Vec3 Centreline::point(std::size_t i, double x) const noexcept {
@@ -190,9 +204,13 @@ AxisFrame Centreline::frameAt(double arc_m) const noexcept {
   const auto i = std::min(static_cast<std::size_t>(place), stations_.size() - 2);
   const double x = place - static_cast<double>(i);
   AxisFrame frame = stations_[i];
-  if (x == 0.0) return frame;
+  if (x == 0.0) {
+    return frame;
+  }
   frame.centre_m = point(i, x);
-  if (straight_) return frame;
+  if (straight_) {
+    return frame;
+  }
   frame.tangent = normalized(slope(i, x));
   const Vec3 between = stations_[i].e1 + x * (stations_[i + 1].e1 - stations_[i].e1);
   frame.e1 = normalized(perpendicularPart(between, frame.tangent));
@@ -209,18 +227,28 @@ double Centreline::footInInterval(std::size_t i, const Vec3& point_m) const noex
   double high = 1.0;
   const double atLow = ahead(low);
   const double atHigh = ahead(high);
-  if (atLow <= 0.0) return start;
-  if (atHigh >= 0.0) return start + spacing_m_;
+  if (atLow <= 0.0) {
+    return start;
+  }
+  if (atHigh >= 0.0) {
+    return start + spacing_m_;
+  }
   double lastX = low;
   double lastAhead = atLow;
   double x = atLow / (atLow - atHigh);
   for (int step = 0; step < kFootSteps; ++step) {
     const double here = ahead(x);
-    if (here == 0.0) break;
+    if (here == 0.0) {
+      break;
+    }
     (here > 0.0 ? low : high) = x;
     double next = x - here * (x - lastX) / (here - lastAhead);
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    if (std::abs(next - x) < kFootTolerance || high - low < kFootTolerance) return start + next * spacing_m_;
+    if (!(next > low && next < high)) {
+      next = 0.5 * (low + high);
+    }
+    if (std::abs(next - x) < kFootTolerance || high - low < kFootTolerance) {
+      return start + next * spacing_m_;
+    }
     lastX = x;
     lastAhead = here;
     x = next;
@@ -243,7 +271,9 @@ double Centreline::nearestArc_m(const Vec3& point_m) const noexcept {
     }
   }
   const bool forward = dot(point_m - stations_[best].centre_m, slopes_[best]) > 0.0;
-  if (forward) return best + 1 < stations_.size() ? footInInterval(best, point_m) : length_m_;
+  if (forward) {
+    return best + 1 < stations_.size() ? footInInterval(best, point_m) : length_m_;
+  }
   return best > 0 ? footInInterval(best - 1, point_m) : 0.0;
 }
 

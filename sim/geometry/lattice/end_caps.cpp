@@ -8,8 +8,8 @@
 
 #include "sim/base/error.h"
 #include "sim/base/portable_math.h"
-#include "sim/geometry/mesh/flat_faces.h"
 #include "sim/geometry/lattice/rounded_end.h"
+#include "sim/geometry/mesh/flat_faces.h"
 
 namespace torsio {
 
@@ -34,7 +34,9 @@ class CapFinder {
       : mesh_(mesh), topology_(topology), request_(request), faces_(findFlatFaces(mesh, topology)) {
     faceOfTriangle_.assign(mesh.triangles.size(), kNoFace);
     for (std::size_t f = 0; f < faces_.size(); ++f) {
-      for (const Index t : faces_[f].triangles) faceOfTriangle_[t] = static_cast<Index>(f);
+      for (const Index t : faces_[f].triangles) {
+        faceOfTriangle_[t] = static_cast<Index>(f);
+      }
     }
   }
 
@@ -46,7 +48,9 @@ class CapFinder {
     caps.fixedFlat = fixed.flat;
     caps.freeFlat = free.flat;
     caps.parts.assign(mesh_.vertices_m.size(), LatticePart::kSide);
-    for (const Index v : fixed.vertices) caps.parts[v] = LatticePart::kFixedCap;
+    for (const Index v : fixed.vertices) {
+      caps.parts[v] = LatticePart::kFixedCap;
+    }
     for (const Index v : free.vertices) {
       if (caps.parts[v] == LatticePart::kFixedCap) {
         throw Error(ErrorCode::kBadMesh, "the end caps of the organ touch", "", kGiveEnds);
@@ -87,7 +91,9 @@ class CapFinder {
     const std::vector<double> fromOne = distances(one.vertices);
     const Index other = farthest(fromOne);
     Cap two = faceOrTip(bestFace(fromOne, other), fromOne, other);
-    if (isLower(two.centre_m, one.centre_m, norm(two.centre_m - one.centre_m))) std::swap(one, two);
+    if (isLower(two.centre_m, one.centre_m, norm(two.centre_m - one.centre_m))) {
+      std::swap(one, two);
+    }
     return {std::move(one), std::move(two)};
   }
 
@@ -117,7 +123,9 @@ class CapFinder {
 
   double nearest(const FlatFace& face, const std::vector<double>& distance) const {
     double least = distance[face.vertices.front()];
-    for (const Index v : face.vertices) least = std::min(least, distance[v]);
+    for (const Index v : face.vertices) {
+      least = std::min(least, distance[v]);
+    }
     return least;
   }
 
@@ -148,7 +156,9 @@ class CapFinder {
       for (const Index v : tip.vertices) {
         tip.centre_m += mesh_.vertices_m[v] / static_cast<double>(tip.vertices.size());
       }
-      if (!tip.vertices.empty()) return tip;
+      if (!tip.vertices.empty()) {
+        return tip;
+      }
     }
     return disc(seed);
   }
@@ -158,11 +168,15 @@ class CapFinder {
     const std::vector<double> fromSeed = distances({&seed, 1});
     const double radius = request_.capRadius_m > 0.0 ? request_.capRadius_m : kCapShare * meanRadius_m_;
     for (Index v = 0; v < fromSeed.size(); ++v) {
-      if (v != seed && fromSeed[v] <= radius) disc.vertices.push_back(v);
+      if (v != seed && fromSeed[v] <= radius) {
+        disc.vertices.push_back(v);
+      }
     }
     for (const Index half : topology_.outgoing(seed)) {
       const Index v = topology_.target(half);
-      if (fromSeed[v] > radius) disc.vertices.push_back(v);
+      if (fromSeed[v] > radius) {
+        disc.vertices.push_back(v);
+      }
     }
     return disc;
   }
@@ -177,7 +191,9 @@ class CapFinder {
     Cap largest{{}, point, false};
     for (Index v = 0; v < open.size(); ++v) {
       std::vector<Index> piece = takeConnected(topology_, open, v);
-      if (piece.size() > largest.vertices.size()) largest.vertices = std::move(piece);
+      if (piece.size() > largest.vertices.size()) {
+        largest.vertices = std::move(piece);
+      }
     }
     if (largest.vertices.empty()) {
       throw Error(ErrorCode::kBadParameter,
@@ -190,10 +206,14 @@ class CapFinder {
   /// What `cap` cuts off from the other end belongs to it.
   void fillHoles(std::vector<LatticePart>& parts, LatticePart cap, Index otherEnd) const {
     std::vector<std::uint8_t> open(parts.size(), 0);
-    for (Index v = 0; v < parts.size(); ++v) open[v] = parts[v] != cap ? 1 : 0;
+    for (Index v = 0; v < parts.size(); ++v) {
+      open[v] = parts[v] != cap ? 1 : 0;
+    }
     static_cast<void>(takeConnected(topology_, open, otherEnd));
     for (Index v = 0; v < parts.size(); ++v) {
-      if (open[v] != 0) parts[v] = cap;
+      if (open[v] != 0) {
+        parts[v] = cap;
+      }
     }
   }
 
@@ -223,8 +243,12 @@ EndCaps findEndCaps(const TriangleMesh& mesh, const SurfaceTopology& topology, c
 
 bool isLower(const Vec3& a, const Vec3& b, double scale_m) noexcept {
   const double tolerance = 1e-6 * scale_m;
-  if (std::abs(a.z - b.z) > tolerance) return a.z < b.z;
-  if (std::abs(a.y - b.y) > tolerance) return a.y < b.y;
+  if (std::abs(a.z - b.z) > tolerance) {
+    return a.z < b.z;
+  }
+  if (std::abs(a.y - b.y) > tolerance) {
+    return a.y < b.y;
+  }
   return a.x < b.x;
 }
 

@@ -31,7 +31,9 @@ double cotangent(const Vec3& apex, const Vec3& a, const Vec3& b) {
   const Vec3 v = b - apex;
   const double sine = norm(cross(u, v));
   const double cosine = dot(u, v);
-  if (sine * kLargestCotangent <= std::abs(cosine)) return std::copysign(kLargestCotangent, cosine);
+  if (sine * kLargestCotangent <= std::abs(cosine)) {
+    return std::copysign(kLargestCotangent, cosine);
+  }
   return cosine / sine;
 }
 
@@ -46,7 +48,9 @@ class SideLaplacian {
   SideLaplacian(const TriangleMesh& mesh, const SurfaceTopology& topology, std::span<const LatticePart> parts)
       : mesh_(mesh), topology_(topology), parts_(parts), unknown_(mesh.vertices_m.size(), kNone) {
     for (Index v = 0; v < parts_.size(); ++v) {
-      if (parts_[v] != LatticePart::kSide) continue;
+      if (parts_[v] != LatticePart::kSide) {
+        continue;
+      }
       unknown_[v] = static_cast<Index>(vertexOf_.size());
       vertexOf_.push_back(v);
     }
@@ -57,18 +61,26 @@ class SideLaplacian {
   /// The function that is harmonic between the caps, has `values` on them and rises by a further
   /// 2 pi turns[half] along each half-edge. Replaces the values between the caps.
   void extend(std::vector<double>& values, const std::vector<std::int8_t>& turns) const {
-    if (vertexOf_.empty()) return;
+    if (vertexOf_.empty()) {
+      return;
+    }
     Eigen::VectorXd right = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(vertexOf_.size()));
     for (std::size_t i = 0; i < vertexOf_.size(); ++i) {
       double& sum = right[static_cast<Eigen::Index>(i)];
       for (const Index half : topology_.outgoing(vertexOf_[i])) {
         const Index other = topology_.target(half);
-        if (!turns.empty()) sum += weights_[half] * kTurn * turns[half];
-        if (unknown_[other] == kNone) sum += weights_[half] * values[other];
+        if (!turns.empty()) {
+          sum += weights_[half] * kTurn * turns[half];
+        }
+        if (unknown_[other] == kNone) {
+          sum += weights_[half] * values[other];
+        }
       }
     }
     const Eigen::VectorXd solution = solver_.solve(right);
-    if (!solution.allFinite()) refuseField();
+    if (!solution.allFinite()) {
+      refuseField();
+    }
     for (std::size_t i = 0; i < vertexOf_.size(); ++i) {
       values[vertexOf_[i]] = solution[static_cast<Eigen::Index>(i)];
     }
@@ -81,7 +93,9 @@ class SideLaplacian {
     for (Index half = 0; half < topology_.halfEdges(); ++half) {
       const Index from = topology_.origin(half);
       const Index to = topology_.target(half);
-      if (parts_[from] != LatticePart::kFreeCap || parts_[to] == LatticePart::kFreeCap) continue;
+      if (parts_[from] != LatticePart::kFreeCap || parts_[to] == LatticePart::kFreeCap) {
+        continue;
+      }
       const double jump = turns.empty() ? 0.0 : kTurn * turns[half];
       flux += weights_[half] * (values[to] - values[from] + jump);
     }
@@ -93,7 +107,9 @@ class SideLaplacian {
     weights_.assign(topology_.halfEdges(), 0.0);
     for (Index half = 0; half < topology_.halfEdges(); ++half) {
       const Index other = topology_.opposite(half);
-      if (other < half) continue;
+      if (other < half) {
+        continue;
+      }
       double weight = 0.0;
       for (const Index h : {half, other}) {
         const Vec3& apex = mesh_.vertices_m[topology_.origin(SurfaceTopology::previous(h))];
@@ -105,7 +121,9 @@ class SideLaplacian {
   }
 
   void factorise() {
-    if (vertexOf_.empty()) return;
+    if (vertexOf_.empty()) {
+      return;
+    }
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(topology_.halfEdges() / 2 + vertexOf_.size());
     for (std::size_t i = 0; i < vertexOf_.size(); ++i) {
@@ -113,7 +131,9 @@ class SideLaplacian {
       for (const Index half : topology_.outgoing(vertexOf_[i])) {
         diagonal += weights_[half];
         const Index j = unknown_[topology_.target(half)];
-        if (j < i) entries.emplace_back(static_cast<int>(i), static_cast<int>(j), -weights_[half]);
+        if (j < i) {
+          entries.emplace_back(static_cast<int>(i), static_cast<int>(j), -weights_[half]);
+        }
       }
       entries.emplace_back(static_cast<int>(i), static_cast<int>(i), diagonal);
     }
@@ -121,7 +141,9 @@ class SideLaplacian {
     Matrix matrix(size, size);
     matrix.setFromTriplets(entries.begin(), entries.end());
     solver_.compute(matrix);
-    if (solver_.info() != Eigen::Success) refuseField();
+    if (solver_.info() != Eigen::Success) {
+      refuseField();
+    }
   }
 
   const TriangleMesh& mesh_;
@@ -145,16 +167,21 @@ class Seam {
     }
     std::vector<Index> queue;
     for (Index half = 0; half < topology.halfEdges(); ++half) {
-      if (side_[half / 3] == 0 || entered_[half / 3] != kNone || !onRim(half, LatticePart::kFixedCap))
+      if (side_[half / 3] == 0 || entered_[half / 3] != kNone || !onRim(half, LatticePart::kFixedCap)) {
         continue;
+      }
       entered_[half / 3] = half;
       queue.push_back(half / 3);
     }
     for (std::size_t i = 0; i < queue.size() && last_ == kNone; ++i) {
       for (Index half = 3 * queue[i]; half < 3 * queue[i] + 3; ++half) {
-        if (onRim(half, LatticePart::kFreeCap)) last_ = half;
+        if (onRim(half, LatticePart::kFreeCap)) {
+          last_ = half;
+        }
         const Index other = topology.opposite(half);
-        if (side_[other / 3] == 0 || entered_[other / 3] != kNone) continue;
+        if (side_[other / 3] == 0 || entered_[other / 3] != kNone) {
+          continue;
+        }
         entered_[other / 3] = other;
         queue.push_back(other / 3);
       }
@@ -168,7 +195,9 @@ class Seam {
   /// The triangles with which the chain begins and ends.
   [[nodiscard]] Index firstTriangle() const {
     Index t = last_ / 3;
-    while (!onRim(entered_[t], LatticePart::kFixedCap)) t = topology_.opposite(entered_[t]) / 3;
+    while (!onRim(entered_[t], LatticePart::kFixedCap)) {
+      t = topology_.opposite(entered_[t]) / 3;
+    }
     return t;
   }
   [[nodiscard]] Index lastTriangle() const { return last_ / 3; }
@@ -184,7 +213,9 @@ class Seam {
     leave(last_);
     for (Index t = last_ / 3;; t = topology_.opposite(entered_[t]) / 3) {
       leave(topology_.opposite(entered_[t]));
-      if (onRim(entered_[t], LatticePart::kFixedCap)) break;
+      if (onRim(entered_[t], LatticePart::kFixedCap)) {
+        break;
+      }
     }
     return turns;
   }
@@ -212,7 +243,9 @@ class Rim {
       LatticePart cap, Index start)
       : mesh_(mesh), topology_(topology), fixed_(cap == LatticePart::kFixedCap) {
     HarmonicField beyond;  // 0 on one side of the rim, 1 on the other: its level line runs round the cap
-    for (const LatticePart part : parts) beyond.level.push_back((part == cap) != fixed_ ? 1.0 : 0.0);
+    for (const LatticePart part : parts) {
+      beyond.level.push_back((part == cap) != fixed_ ? 1.0 : 0.0);
+    }
     beyond.angle_rad.assign(parts.size(), 0.0);
     beyond.turns.assign(topology.halfEdges(), 0);
     std::vector<LevelLoop> loops = LevelTracer(mesh, topology, beyond).trace(0.5);
@@ -222,7 +255,9 @@ class Rim {
       throw Error(ErrorCode::kBadMesh, "a cap of the organ is no disc", "",
                   "Give other end points, or check the mesh for handles.");
     }
-    for (const LoopPoint& point : loops.front().points) crossings_.push_back(point.half);
+    for (const LoopPoint& point : loops.front().points) {
+      crossings_.push_back(point.half);
+    }
     std::rotate(crossings_.begin(), crossings_.begin() + (first - loops.front().points.begin()),
                 crossings_.end());
   }
@@ -236,10 +271,14 @@ class Rim {
       auto& [sum, count] = visits[capVertex(i)];
       sum += total;
       count += 1.0;
-      if (i < n) total += flow(i, field.level);
+      if (i < n) {
+        total += flow(i, field.level);
+      }
     }
     total += 0.5 * atSeam;
-    if (!(total > 0.0)) refuseField();
+    if (!(total > 0.0)) {
+      refuseField();
+    }
     for (std::size_t i = 0; i < n; ++i) {
       const auto& [sum, count] = visits[capVertex(i)];
       field.angle_rad[capVertex(i)] = kTurn * sum / (count * total);
@@ -260,7 +299,9 @@ class Rim {
   [[nodiscard]] double flow(std::size_t i, const std::vector<double>& level) const {
     const Index a = capVertex(i);
     const Index b = capVertex(i + 1);
-    if (a == b) return 0.0;
+    if (a == b) {
+      return 0.0;
+    }
     const Vec3& far = mesh_.vertices_m[farVertex(i)];
     const Vec3 edge = mesh_.vertices_m[b] - mesh_.vertices_m[a];
     const double area = norm(cross(edge, far - mesh_.vertices_m[a]));
@@ -292,9 +333,13 @@ HarmonicField solveHarmonicField(const TriangleMesh& mesh, const SurfaceTopology
   const SideLaplacian laplacian(mesh, topology, parts);
   const Seam seam(mesh, topology, parts);
   std::vector<double> rise;  // harmonic, 0 and 1 on the caps
-  for (const LatticePart part : parts) rise.push_back(part == LatticePart::kFreeCap ? 1.0 : 0.0);
+  for (const LatticePart part : parts) {
+    rise.push_back(part == LatticePart::kFreeCap ? 1.0 : 0.0);
+  }
   laplacian.extend(rise, {});
-  for (double& value : rise) value = std::clamp(value, 0.0, 1.0);
+  for (double& value : rise) {
+    value = std::clamp(value, 0.0, 1.0);
+  }
 
   HarmonicField field;
   field.level = level.empty() ? rise : std::move(level);
@@ -306,7 +351,9 @@ HarmonicField solveHarmonicField(const TriangleMesh& mesh, const SurfaceTopology
   // Both rims count from the seam, which winds about the organ: turn one against the other until no twist is
   // left between them.
   const double shift = -laplacian.freeFlux(field.angle_rad, field.turns) / laplacian.freeFlux(rise, {});
-  for (std::size_t v = 0; v < parts.size(); ++v) field.angle_rad[v] += shift * rise[v];
+  for (std::size_t v = 0; v < parts.size(); ++v) {
+    field.angle_rad[v] += shift * rise[v];
+  }
   return field;
 }
 

@@ -62,18 +62,24 @@ int intervalsFor(int sections) {
 std::vector<double> quantileLevels(const LatticeField& field) {
   std::vector<double> values;
   for (std::size_t v = 0; v < field.parts.size(); ++v) {
-    if (field.parts[v] == LatticePart::kSide) values.push_back(field.harmonic.level[v]);
+    if (field.parts[v] == LatticePart::kSide) {
+      values.push_back(field.harmonic.level[v]);
+    }
   }
   std::sort(values.begin(), values.end());
   constexpr double kApart = 1e-12;
   std::vector<double> levels{0.0};
   for (std::size_t k = 0; k < kStations && !values.empty(); ++k) {
     const double level = values[k * values.size() / kStations];
-    if (level > levels.back() + kApart && level < 1.0 - kApart) levels.push_back(level);
+    if (level > levels.back() + kApart && level < 1.0 - kApart) {
+      levels.push_back(level);
+    }
   }
   levels.push_back(1.0);
   const std::size_t parts = (kStations / 2 + levels.size() - 2) / (levels.size() - 1);
-  if (parts < 2) return levels;
+  if (parts < 2) {
+    return levels;
+  }
   std::vector<double> denser;  // a coarse mesh has few vertices: lines between them
   for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
     for (std::size_t part = 0; part < parts; ++part) {
@@ -165,7 +171,9 @@ class FieldBuilder {
       radii.push_back(station.radius_m);
     }
     double length = 0.0;
-    for (std::size_t k = 1; k < line.size(); ++k) length += norm(line[k] - line[k - 1]);
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      length += norm(line[k] - line[k - 1]);
+    }
     if (!(length > 0.0)) {
       throw Error(ErrorCode::kBadMesh, "the axis of the organ has no length", "",
                   "Give two end points further apart.");
@@ -180,8 +188,12 @@ class FieldBuilder {
           Centreline::curved(line, smoothing, intervalsFor(options_.sections), options_.ridgeZero,
                              options_.ridgeZeroFraction, field_.stationArcs_m);
       const Turn turn = sharpestTurn();
-      if (turn.angle_rad <= kSharpestTurn_rad) return;
-      if (2.0 * smoothing > kMostSmoothingOfRadius * radius) refuseKink(turn);
+      if (turn.angle_rad <= kSharpestTurn_rad) {
+        return;
+      }
+      if (2.0 * smoothing > kMostSmoothingOfRadius * radius) {
+        refuseKink(turn);
+      }
     }
   }
 
@@ -200,16 +212,24 @@ class FieldBuilder {
     const double edge = std::min(meanEdge_m(), 0.1 * surface.back());
     double low = field_.stationLevels[first];
     double high = field_.stationLevels[last];
-    if (first == 0 && !caps.fixedFlat) low = interpolate(surface, field_.stationLevels, edge);
+    if (first == 0 && !caps.fixedFlat) {
+      low = interpolate(surface, field_.stationLevels, edge);
+    }
     if (last + 1 == way.size() && !caps.freeFlat) {
       high = interpolate(surface, field_.stationLevels, surface.back() - edge);
     }
-    if (low == 0.0 && high == 1.0) return;
+    if (low == 0.0 && high == 1.0) {
+      return;
+    }
     for (std::size_t v = 0; v < field_.parts.size(); ++v) {
       double& level = field_.harmonic.level[v];
       level = (level - low) / (high - low);
-      if (level <= 0.0) field_.parts[v] = LatticePart::kFixedCap;
-      if (level >= 1.0) field_.parts[v] = LatticePart::kFreeCap;
+      if (level <= 0.0) {
+        field_.parts[v] = LatticePart::kFixedCap;
+      }
+      if (level >= 1.0) {
+        field_.parts[v] = LatticePart::kFreeCap;
+      }
     }
     field_.stationLevels = quantileLevels(field_);
     traceStations();
@@ -223,8 +243,12 @@ class FieldBuilder {
     std::pair<std::size_t, std::size_t> best{0, 0};
     for (std::size_t first = 0; first < stations_.size(); ++first) {
       std::size_t last = first;
-      while (last + 1 < stations_.size() && advances(last, way)) ++last;
-      if (way[last] - way[first] > way[best.second] - way[best.first]) best = {first, last};
+      while (last + 1 < stations_.size() && advances(last, way)) {
+        ++last;
+      }
+      if (way[last] - way[first] > way[best.second] - way[best.first]) {
+        best = {first, last};
+      }
       first = last;
     }
     // Shortly before it branches the organ is no tube any more.
@@ -281,8 +305,9 @@ class FieldBuilder {
       starts.push_back(starts.empty() ? share : share + std::round(starts.back() - share));
     };
     if (!field_.rule.alongE1) {
-      for (const std::vector<double>& ways : field_.stationWays)
+      for (const std::vector<double>& ways : field_.stationWays) {
         add(shareAtAngle(ways, field_.rule.anchor_rad));
+      }
       return;
     }
     const LevelTracer tracer(field_.mesh, field_.topology, field_.harmonic);
@@ -312,7 +337,9 @@ class FieldBuilder {
 
   LevelLoop stationLoop(std::size_t k, std::vector<LevelLoop> loops) const {
     // Between the sections a plane may cut off a bump: then the longest loop is the organ's.
-    if (field_.mode == LatticeMode::kStraightAxis && !loops.empty()) return std::move(loops.front());
+    if (field_.mode == LatticeMode::kStraightAxis && !loops.empty()) {
+      return std::move(loops.front());
+    }
     return theOneLoop(std::move(loops), field_.mode,
                       "level " + std::to_string(field_.stationLevels[k]) + " of the harmonic field");
   }
@@ -332,7 +359,9 @@ class FieldBuilder {
       const Vec3 before = line.frameAt(arc - half).tangent;
       const Vec3 after = line.frameAt(arc + half).tangent;
       const double turn = portableAtan2(norm(cross(before, after)), dot(before, after));
-      if (turn > sharpest.angle_rad) sharpest = {turn, 2.0 * half, arc};
+      if (turn > sharpest.angle_rad) {
+        sharpest = {turn, 2.0 * half, arc};
+      }
     }
     return sharpest;
   }

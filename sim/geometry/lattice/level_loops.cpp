@@ -25,7 +25,9 @@ double shareOf(double level, double from, double to) {
 void measure(LevelLoop& loop) {
   const std::size_t n = loop.points.size();
   Vec3 middle;
-  for (const LoopPoint& p : loop.points) middle += p.position_m / static_cast<double>(n);
+  for (const LoopPoint& p : loop.points) {
+    middle += p.position_m / static_cast<double>(n);
+  }
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3& a = loop.points[i].position_m;
     const Vec3& b = loop.points[(i + 1) % n].position_m;
@@ -58,7 +60,9 @@ std::vector<LevelLoop> LevelTracer::trace(double level, bool fromBelow) const {
   for (Index t = 0; t < mesh_.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh_.triangles[t];
     const bool first = line.above(field_.level[a]);
-    if (first != line.above(field_.level[b]) || first != line.above(field_.level[c])) crossed.push_back(t);
+    if (first != line.above(field_.level[b]) || first != line.above(field_.level[c])) {
+      crossed.push_back(t);
+    }
   }
   return traceIn(crossed, level, fromBelow);
 }
@@ -75,19 +79,26 @@ void LevelTracer::traceAll(std::span<const double> levels,
     const auto end = levels.begin() + static_cast<std::ptrdiff_t>(inner);
     ranges[t] = {static_cast<std::size_t>(std::lower_bound(levels.begin(), end, least) - levels.begin()),
                  static_cast<std::size_t>(std::lower_bound(levels.begin(), end, most) - levels.begin())};
-    for (std::size_t k = ranges[t].first; k < ranges[t].second; ++k) ++first[k + 1];
+    for (std::size_t k = ranges[t].first; k < ranges[t].second; ++k) {
+      ++first[k + 1];
+    }
   }
-  for (std::size_t k = 0; k < inner; ++k) first[k + 1] += first[k];
+  for (std::size_t k = 0; k < inner; ++k) {
+    first[k + 1] += first[k];
+  }
   std::vector<Index> crossed(first[inner]);
   std::vector<std::size_t> fill(first.begin(), first.end());
   for (std::size_t t = 0; t < ranges.size(); ++t) {
-    for (std::size_t k = ranges[t].first; k < ranges[t].second; ++k)
+    for (std::size_t k = ranges[t].first; k < ranges[t].second; ++k) {
       crossed[fill[k]++] = static_cast<Index>(t);
+    }
   }
   for (std::size_t k = 0; k < inner; ++k) {
     use(k, traceIn({crossed.data() + first[k], crossed.data() + first[k + 1]}, levels[k], false));
   }
-  if (!levels.empty()) use(inner, trace(levels[inner], true));
+  if (!levels.empty()) {
+    use(inner, trace(levels[inner], true));
+  }
 }
 
 std::vector<LevelLoop> LevelTracer::traceIn(std::span<const Index> crossed, double level,
@@ -95,7 +106,9 @@ std::vector<LevelLoop> LevelTracer::traceIn(std::span<const Index> crossed, doub
   ++mark_;
   std::vector<LevelLoop> loops;
   for (const Index t : crossed) {
-    if (visited_[t] == mark_) continue;
+    if (visited_[t] == mark_) {
+      continue;
+    }
     loops.push_back(walk(t, level, fromBelow));
     measure(loops.back());
   }
@@ -109,7 +122,9 @@ LevelLoop LevelTracer::walk(Index start, double level, bool fromBelow) const {
   const auto u = [this](Index half) { return field_.level[topology_.origin(half)]; };
   // The line enters each triangle across the half-edge that falls through the level: above is on its left.
   Index entry = 3 * start;
-  while (!(line.above(u(entry)) && !line.above(u(SurfaceTopology::next(entry))))) ++entry;
+  while (!(line.above(u(entry)) && !line.above(u(SurfaceTopology::next(entry))))) {
+    ++entry;
+  }
   LevelLoop loop;
   double share = shareOf(level, u(entry), u(SurfaceTopology::next(entry)));
   double angle = field_.angle_rad[topology_.origin(entry)] + share * field_.rise_rad(topology_, entry);

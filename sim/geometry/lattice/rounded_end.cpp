@@ -53,13 +53,19 @@ class OrganEnd {
       double top = dot(seed_m_, axis.direction);
       for (std::size_t v = 0; v < mesh_.vertices_m.size(); ++v) {
         heights_.level.push_back(dot(mesh_.vertices_m[v], axis.direction));
-        if (fromSeed_m_[v] < kReach * axis.radius_m) top = std::max(top, heights_.level.back());
+        if (fromSeed_m_[v] < kReach * axis.radius_m) {
+          top = std::max(top, heights_.level.back());
+        }
       }
       const std::optional<EndSection> near = section(top - kNear * axis.radius_m, axis.point_m);
       const std::optional<EndSection> far = section(top - kFar * axis.radius_m, axis.point_m);
-      if (!near || !far) return std::nullopt;
+      if (!near || !far) {
+        return std::nullopt;
+      }
       const Vec3 along = near->centroid_m - far->centroid_m;
-      if (!(norm(along) > 0.0)) return std::nullopt;
+      if (!(norm(along) > 0.0)) {
+        return std::nullopt;
+      }
       axis = {near->centroid_m, normalized(along), std::min(far->radius_m, meanRadius_m)};
     }
     const Vec3 aside = seed_m_ - axis.point_m;
@@ -72,7 +78,9 @@ class OrganEnd {
     const std::vector<Vec3> normals = vertexNormals(mesh_);
     Vec3 sum;
     for (std::size_t v = 0; v < fromSeed_m_.size(); ++v) {
-      if (fromSeed_m_[v] <= 0.5 * meanRadius_m) sum += normals[v];
+      if (fromSeed_m_[v] <= 0.5 * meanRadius_m) {
+        sum += normals[v];
+      }
     }
     const Vec3 direction = normalized(sum);
     return {seed_m_ - meanRadius_m * direction, direction, meanRadius_m};
@@ -87,8 +95,12 @@ class OrganEnd {
       const Vec3 from = mesh_.vertices_m[v] - axis.point_m;
       const double height = dot(from, axis.direction);
       const double aside = norm(from - height * axis.direction);
-      if (fromSeed_m_[v] > kReach * axis.radius_m || aside > kWidth * axis.radius_m) continue;
-      if (height < 0.0 || dot(normals[v], axis.direction) < kCone) continue;
+      if (fromSeed_m_[v] > kReach * axis.radius_m || aside > kWidth * axis.radius_m) {
+        continue;
+      }
+      if (height < 0.0 || dot(normals[v], axis.direction) < kCone) {
+        continue;
+      }
       open[v] = 1;
       if (height > highest) {
         highest = height;
@@ -104,7 +116,9 @@ class OrganEnd {
     Vec3 sum;
     double count = 0.0;
     for (std::size_t v = 0; v < fromSeed_m_.size(); ++v) {
-      if (fromSeed_m_[v] > way_m) continue;
+      if (fromSeed_m_[v] > way_m) {
+        continue;
+      }
       sum += mesh_.vertices_m[v];
       count += 1.0;
     }
@@ -117,7 +131,9 @@ class OrganEnd {
     std::optional<EndSection> best;
     for (const LevelLoop& loop : tracer.trace(height)) {
       const double radius = std::sqrt(norm(loop.areaVector_m2) / kPi);
-      if (best && norm(loop.centroid_m - point_m) >= norm(best->centroid_m - point_m)) continue;
+      if (best && norm(loop.centroid_m - point_m) >= norm(best->centroid_m - point_m)) {
+        continue;
+      }
       best = EndSection{loop.centroid_m, radius};
     }
     return best;

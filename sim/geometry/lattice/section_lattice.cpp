@@ -15,7 +15,9 @@ namespace torsio {
 namespace {
 
 void checkCount(int value, int least, int most, const Text& what, const Text& why) {
-  if (value >= least && value <= most) return;
+  if (value >= least && value <= most) {
+    return;
+  }
   throw Error(ErrorCode::kBadParameter,
               why.empty()
                   ? Text("%1 %2 asked for; the lattice takes %3 to %4", value, what, least, most)
@@ -79,7 +81,9 @@ SectionLattice::SectionLattice(const TriangleMesh& mesh, const LatticeOptions& o
   const auto count = static_cast<std::size_t>(sections());
   std::vector<double> levels;
   levels.reserve(count);
-  for (int j = 0; j < sections(); ++j) levels.push_back(field.levelAtArc(sectionArc_m(j)));
+  for (int j = 0; j < sections(); ++j) {
+    levels.push_back(field.levelAtArc(sectionArc_m(j)));
+  }
   levels.back() = 1.0;
   std::vector<LevelLoop> loops;
   loops.reserve(count);
@@ -91,7 +95,9 @@ SectionLattice::SectionLattice(const TriangleMesh& mesh, const LatticeOptions& o
   });
   if (field.rule.spacing == RidgeSpacing::kAngle) {
     for (int j = 0; j < sections(); ++j) {
-      if (isStarShaped(loops[static_cast<std::size_t>(j)], frameAt(sectionArc_m(j)))) continue;
+      if (isStarShaped(loops[static_cast<std::size_t>(j)], frameAt(sectionArc_m(j)))) {
+        continue;
+      }
       field.rule.spacing = RidgeSpacing::kArcLength;  // for the whole organ: ridges must not jump
       break;
     }

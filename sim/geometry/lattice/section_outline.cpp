@@ -37,7 +37,9 @@ std::vector<double> risingAngle(const LevelLoop& loop) {
   std::vector<double> rising;
   rising.reserve(loop.points.size() + 1);
   double most = loop.points.front().angle_rad;
-  for (const LoopPoint& p : loop.points) most = std::max(most, p.angle_rad - kTurn);
+  for (const LoopPoint& p : loop.points) {
+    most = std::max(most, p.angle_rad - kTurn);
+  }
   for (const LoopPoint& p : loop.points) {
     most = std::max(most, p.angle_rad);
     rising.push_back(most);
@@ -65,7 +67,9 @@ class DividedLoop {
       : loop_(loop), spacing_(rule.spacing) {
     const std::size_t n = loop.points.size();
     flat_.reserve(n);
-    for (const LoopPoint& p : loop.points) flat_.push_back(inFrame(frame, p.position_m));
+    for (const LoopPoint& p : loop.points) {
+      flat_.push_back(inFrame(frame, p.position_m));
+    }
     angle_.reserve(n);
     if (spacing_ == RidgeSpacing::kArcLength) {
       const double start = rule.alongE1 ? exitAlongE1(loop, frame).way_m
@@ -74,7 +78,9 @@ class DividedLoop {
         angle_.push_back(wrapped(kTurn * ((p.way_m - start) / loop.perimeter_m)));
       }
     } else {
-      for (const Point2& p : flat_) angle_.push_back(wrapped(portableAtan2(p[1], p[0])));
+      for (const Point2& p : flat_) {
+        angle_.push_back(wrapped(portableAtan2(p[1], p[0])));
+      }
     }
     sortFromSmallest();
   }
@@ -110,7 +116,9 @@ class DividedLoop {
   [[nodiscard]] Vec3 cornerOrPosition(std::size_t i, double x) const {
     const double length = norm(position(i, 1.0) - position(i, 0.0));
     const double near = kSamePoint * loop_.perimeter_m;
-    if (x * length < near) return position(i, 0.0);
+    if (x * length < near) {
+      return position(i, 0.0);
+    }
     return (1.0 - x) * length < near ? position(i, 1.0) : position(i, x);
   }
 
@@ -136,7 +144,9 @@ class DividedLoop {
     for (std::size_t k = 1; k < n && angle_[(first_ + n - 1) % n] < least + kRounding_rad; ++k) {
       first_ = (first_ + n - 1) % n;
     }
-    for (std::size_t i = 1; i < n; ++i) angle_[at(i)] = std::max(angle_[at(i)], angle_[at(i - 1)]);
+    for (std::size_t i = 1; i < n; ++i) {
+      angle_[at(i)] = std::max(angle_[at(i)], angle_[at(i - 1)]);
+    }
   }
 
   const LevelLoop& loop_;
@@ -163,7 +173,9 @@ std::vector<OutlinePoint> merge(const DividedLoop& loop, const std::vector<Outli
     }
     merged.push_back(sample);
   }
-  for (; corner < loop.size(); ++corner) merged.push_back({loop.flat(corner), loop.angle(corner), false});
+  for (; corner < loop.size(); ++corner) {
+    merged.push_back({loop.flat(corner), loop.angle(corner), false});
+  }
   return merged;
 }
 
@@ -182,7 +194,9 @@ void simplify(std::vector<OutlinePoint>& points, double perimeter_m) {
                             norm2(minus(next.place_m, here.place_m)) < kSamePoint * perimeter_m ||
                             here.angle_rad <= last.angle_rad;
       const bool onChord = std::abs(cross2(chord, way)) <= kCollinear * perimeter_m * norm2(chord);
-      if (repeated || onChord) continue;
+      if (repeated || onChord) {
+        continue;
+      }
     }
     kept.push_back(here);
   }
@@ -218,8 +232,12 @@ bool crossesItself(const std::vector<Point2>& polygon) {
     const std::size_t i = order[k];
     for (std::size_t m = k + 1; m < n && left(order[m]) <= right(i); ++m) {
       const std::size_t j = order[m];
-      if (j == (i + 1) % n || i == (j + 1) % n) continue;
-      if (segmentsCross(polygon[i], polygon[(i + 1) % n], polygon[j], polygon[(j + 1) % n])) return true;
+      if (j == (i + 1) % n || i == (j + 1) % n) {
+        continue;
+      }
+      if (segmentsCross(polygon[i], polygon[(i + 1) % n], polygon[j], polygon[(j + 1) % n])) {
+        return true;
+      }
     }
   }
   return false;
@@ -227,7 +245,9 @@ bool crossesItself(const std::vector<Point2>& polygon) {
 
 bool angleRises(const std::vector<Point2>& polygon) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    if (cross2(polygon[i], polygon[(i + 1) % polygon.size()]) <= 0.0) return false;
+    if (cross2(polygon[i], polygon[(i + 1) % polygon.size()]) <= 0.0) {
+      return false;
+    }
   }
   return true;
 }
@@ -246,7 +266,9 @@ bool isStarShaped(const LevelLoop& loop, const AxisFrame& frame) {
     const Point2 here = inFrame(frame, p.position_m);
     const double sine = cross2(last, here);
     // A point that repeats the last one does not turn back.
-    if (sine < -kSamePoint * norm2(last) * norm2(here)) return false;
+    if (sine < -kSamePoint * norm2(last) * norm2(here)) {
+      return false;
+    }
     turned += portableAtan2(sine, last[0] * here[0] + last[1] * here[1]);
     last = here;
   }
@@ -267,7 +289,9 @@ SectionOutline cutOutline(const LevelLoop& loop, const AxisFrame& frame, const R
     const auto [i, x] = divided.find(angle);
     const Vec3 position = divided.cornerOrPosition(i, x);
     samples.push_back({inFrame(frame, position), angle, true});
-    if (k % stepsPerRidge == 0) outline.ridges_m.push_back(position);
+    if (k % stepsPerRidge == 0) {
+      outline.ridges_m.push_back(position);
+    }
   }
   std::vector<OutlinePoint> points = merge(divided, samples);
   simplify(points, loop.perimeter_m);
@@ -316,7 +340,9 @@ std::vector<double> wayAtAngles(const LevelLoop& loop, int count) {
   std::vector<double> ways{0.0};
   for (int k = 1; k < count; ++k) {
     double way = (wayAtAngle(loop, rising, kTurn * k / count) - start) / loop.perimeter_m;
-    if (way < 0.0) way += 1.0;
+    if (way < 0.0) {
+      way += 1.0;
+    }
     ways.push_back(std::max(way, ways.back()));
   }
   ways.push_back(1.0);
@@ -332,10 +358,14 @@ RayExit exitAlongE1(const LevelLoop& loop, const AxisFrame& frame) {
     const LoopPoint& to = loop.points[last ? 0 : i + 1];
     const Point2 a = inFrame(frame, from.position_m);
     const Point2 b = inFrame(frame, to.position_m);
-    if ((a[1] > 0.0) == (b[1] > 0.0)) continue;
+    if ((a[1] > 0.0) == (b[1] > 0.0)) {
+      continue;
+    }
     const double x = a[1] / (a[1] - b[1]);
     const double reach = a[0] + x * (b[0] - a[0]);
-    if (reach <= farthest) continue;
+    if (reach <= farthest) {
+      continue;
+    }
     farthest = reach;
     const double toAngle = last ? to.angle_rad + loop.turn_rad : to.angle_rad;
     const double toWay = last ? loop.perimeter_m : to.way_m;
@@ -353,18 +383,24 @@ double ridgeAngleTowards(const SectionOutline& outline, const Point2& direction)
   const double length = norm2(direction);
   double farthest = 0.0;
   double angle = 0.0;
-  if (!(length > 0.0)) return angle;
+  if (!(length > 0.0)) {
+    return angle;
+  }
   const std::size_t n = outline.points_m.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Point2& a = outline.points_m[i];
     const Point2& b = outline.points_m[(i + 1) % n];
     const double atA = cross2(direction, a);
     const double atB = cross2(direction, b);
-    if ((atA > 0.0) == (atB > 0.0)) continue;
+    if ((atA > 0.0) == (atB > 0.0)) {
+      continue;
+    }
     const double x = atA / (atA - atB);
     const Point2 p{a[0] + x * (b[0] - a[0]), a[1] + x * (b[1] - a[1])};
     const double reach = (p[0] * direction[0] + p[1] * direction[1]) / length;
-    if (reach <= farthest) continue;
+    if (reach <= farthest) {
+      continue;
+    }
     farthest = reach;
     const double next = i + 1 < n ? outline.angles_rad[i + 1] : kTurn;
     angle = outline.angles_rad[i] + x * (next - outline.angles_rad[i]);

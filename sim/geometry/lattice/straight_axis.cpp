@@ -11,8 +11,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "sim/base/error.h"
-#include "sim/geometry/mesh/flat_faces.h"
 #include "sim/geometry/lattice/level_loops.h"
+#include "sim/geometry/mesh/flat_faces.h"
 
 namespace torsio {
 
@@ -81,7 +81,9 @@ std::optional<FlatFace> extremeFace(const std::vector<FlatFace>& faces, const Tr
   const auto [low, high] = extent_m(mesh, direction);
   for (const FlatFace& face : faces) {
     const bool across = dot(face.normal, direction) > kAcross;
-    if (across && dot(face.centroid_m, direction) > high - kAtEnd * (high - low)) return face;
+    if (across && dot(face.centroid_m, direction) > high - kAtEnd * (high - low)) {
+      return face;
+    }
   }
   return std::nullopt;
 }
@@ -91,7 +93,9 @@ std::optional<FlatFace> faceAt(const std::vector<FlatFace>& faces, const Triangl
                                const Vec3& point_m, const Vec3& direction) {
   const std::uint32_t nearest = nearestTriangle(mesh, point_m);
   for (const FlatFace& face : faces) {
-    if (std::find(face.triangles.begin(), face.triangles.end(), nearest) == face.triangles.end()) continue;
+    if (std::find(face.triangles.begin(), face.triangles.end(), nearest) == face.triangles.end()) {
+      continue;
+    }
     return dot(face.normal, direction) > kAcross ? std::optional(face) : std::nullopt;
   }
   return std::nullopt;
@@ -125,24 +129,34 @@ double insetOf(const LevelTracer& tracer, double extreme, double inwards, double
     return sum;
   };
   for (const double inset : kInsets) {
-    if (area(inset) > kWhole * area(inset + kFurther)) return inset * length;
+    if (area(inset) > kWhole * area(inset + kFurther)) {
+      return inset * length;
+    }
   }
   return std::end(kInsets)[-1] * length;
 }
 
 /// Keeps the end planes off rounded ends: a plane that touches a dome cuts nothing.
 void insetRoundedEnds(StraightAxis& axis, const TriangleMesh& mesh, const SurfaceTopology& topology) {
-  if (!axis.fixedFace.empty() && !axis.freeFace.empty()) return;
+  if (!axis.fixedFace.empty() && !axis.freeFace.empty()) {
+    return;
+  }
   HarmonicField heights;
-  for (const Vec3& p : mesh.vertices_m) heights.level.push_back(dot(p, axis.direction));
+  for (const Vec3& p : mesh.vertices_m) {
+    heights.level.push_back(dot(p, axis.direction));
+  }
   heights.angle_rad.assign(mesh.vertices_m.size(), 0.0);
   heights.turns.assign(topology.halfEdges(), 0);
   const LevelTracer tracer(mesh, topology, heights);
   const auto [low, high] = extent_m(mesh, axis.direction);
   double from = dot(axis.origin_m, axis.direction);
   double to = from + axis.length_m;
-  if (axis.fixedFace.empty()) from = std::max(from, low + insetOf(tracer, low, 1.0, high - low));
-  if (axis.freeFace.empty()) to = std::min(to, high - insetOf(tracer, high, -1.0, high - low));
+  if (axis.fixedFace.empty()) {
+    from = std::max(from, low + insetOf(tracer, low, 1.0, high - low));
+  }
+  if (axis.freeFace.empty()) {
+    to = std::min(to, high - insetOf(tracer, high, -1.0, high - low));
+  }
   axis.origin_m += (from - dot(axis.origin_m, axis.direction)) * axis.direction;
   axis.length_m = to - from;
 }
@@ -160,7 +174,9 @@ StraightAxis findStraightAxis(const TriangleMesh& mesh, const SurfaceTopology& t
   Vec3 high = request.freeEnd_m;
   if (request.automatic()) {
     direction = principalAxis(mesh);
-    if (isLower(direction, -direction, 1.0)) direction = -direction;  // the fixed end is the lower one
+    if (isLower(direction, -direction, 1.0)) {
+      direction = -direction;  // the fixed end is the lower one
+    }
     fixedFace = extremeFace(faces, mesh, -direction);
     freeFace = extremeFace(faces, mesh, direction);
     const auto [least, most] = extent_m(mesh, direction);
@@ -172,8 +188,12 @@ StraightAxis findStraightAxis(const TriangleMesh& mesh, const SurfaceTopology& t
     freeFace = faceAt(faces, mesh, high, direction);
   }
   StraightAxis axis = between(fixedFace, freeFace, direction, low, high);
-  if (fixedFace) axis.fixedFace = fixedFace->vertices;
-  if (freeFace) axis.freeFace = freeFace->vertices;
+  if (fixedFace) {
+    axis.fixedFace = fixedFace->vertices;
+  }
+  if (freeFace) {
+    axis.freeFace = freeFace->vertices;
+  }
   insetRoundedEnds(axis, mesh, topology);
   if (!(axis.length_m > 0.0)) {
     throw Error(ErrorCode::kBadParameter, "the end planes of the axis lie outside the organ or coincide", "",
@@ -189,7 +209,9 @@ bool isStraightBar(const TriangleMesh& mesh, const SurfaceTopology& topology, co
   } catch (const Error&) {
     return false;  // no longest direction: not for parallel planes
   }
-  if (axis.fixedFace.empty() || axis.freeFace.empty()) return false;
+  if (axis.fixedFace.empty() || axis.freeFace.empty()) {
+    return false;
+  }
   HarmonicField field;
   field.level = axisLevels(mesh, axis);
   field.angle_rad.assign(mesh.vertices_m.size(), 0.0);
@@ -197,14 +219,20 @@ bool isStraightBar(const TriangleMesh& mesh, const SurfaceTopology& topology, co
   // The faces lie on the end planes only if these are parallel to them.
   const double across = kBarParallel * axis.length_m;
   for (const std::uint32_t v : axis.fixedFace) {
-    if (std::abs(dot(mesh.vertices_m[v] - axis.origin_m, axis.direction)) > across) return false;
+    if (std::abs(dot(mesh.vertices_m[v] - axis.origin_m, axis.direction)) > across) {
+      return false;
+    }
   }
   for (const std::uint32_t v : axis.freeFace) {
     const double height = dot(mesh.vertices_m[v] - axis.origin_m, axis.direction);
-    if (std::abs(height - axis.length_m) > across) return false;
+    if (std::abs(height - axis.length_m) > across) {
+      return false;
+    }
   }
   std::vector<double> planes;
-  for (int k = 0; k <= kBarPlanes; ++k) planes.push_back(static_cast<double>(k) / kBarPlanes);
+  for (int k = 0; k <= kBarPlanes; ++k) {
+    planes.push_back(static_cast<double>(k) / kBarPlanes);
+  }
   bool straight = true;
   const LevelTracer tracer(mesh, topology, field);
   tracer.traceAll(planes, [&](std::size_t, const std::vector<LevelLoop>& loops) {
@@ -224,12 +252,20 @@ std::vector<double> axisLevels(const TriangleMesh& mesh, const StraightAxis& axi
   levels.reserve(mesh.vertices_m.size());
   for (const Vec3& p : mesh.vertices_m) {
     double level = axis.level(p);
-    if (std::abs(level) < kOnPlane) level = 0.0;
-    if (std::abs(level - 1.0) < kOnPlane) level = 1.0;
+    if (std::abs(level) < kOnPlane) {
+      level = 0.0;
+    }
+    if (std::abs(level - 1.0) < kOnPlane) {
+      level = 1.0;
+    }
     levels.push_back(level);
   }
-  for (const std::uint32_t v : axis.fixedFace) levels[v] = 0.0;
-  for (const std::uint32_t v : axis.freeFace) levels[v] = 1.0;
+  for (const std::uint32_t v : axis.fixedFace) {
+    levels[v] = 0.0;
+  }
+  for (const std::uint32_t v : axis.freeFace) {
+    levels[v] = 1.0;
+  }
   return levels;
 }
 

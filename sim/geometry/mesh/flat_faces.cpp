@@ -38,8 +38,12 @@ class FaceGrower {
       : mesh_(mesh), topology_(topology), taken_(mesh.triangles.size(), 0) {
     tolerance_m_ = kFlatness * boxDiagonal_m(mesh);
     areas_.reserve(mesh.triangles.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) areas_.push_back(areaVector(mesh, t));
-    for (const Vec3& a : areas_) total_m2_ += norm(a);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      areas_.push_back(areaVector(mesh, t));
+    }
+    for (const Vec3& a : areas_) {
+      total_m2_ += norm(a);
+    }
   }
 
   std::vector<FlatFace> grow() {
@@ -50,16 +54,24 @@ class FaceGrower {
     });
     std::vector<FlatFace> faces;
     for (const std::uint32_t seed : order) {
-      if (taken_[seed] != 0) continue;
+      if (taken_[seed] != 0) {
+        continue;
+      }
       growFrom(seed);
       double area = 0.0;
-      for (const std::uint32_t t : grown_) area += norm(areas_[t]);
-      if (area < kSmallestShare * total_m2_ || !rimIsSharp(normalized(areas_[seed]))) continue;
+      for (const std::uint32_t t : grown_) {
+        area += norm(areas_[t]);
+      }
+      if (area < kSmallestShare * total_m2_ || !rimIsSharp(normalized(areas_[seed]))) {
+        continue;
+      }
       faces.push_back({grown_, {}, {}, {}, area});
     }
     std::stable_sort(faces.begin(), faces.end(),
                      [](const FlatFace& a, const FlatFace& b) { return a.area_m2 > b.area_m2; });
-    for (FlatFace& face : faces) finish(face);
+    for (FlatFace& face : faces) {
+      finish(face);
+    }
     return faces;
   }
 
@@ -73,7 +85,9 @@ class FaceGrower {
     for (std::size_t i = 0; i < grown_.size(); ++i) {
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t other = topology_.opposite(3 * grown_[i] + k) / 3;
-        if (taken_[other] != 0 || !inPlane(other, origin, normal)) continue;
+        if (taken_[other] != 0 || !inPlane(other, origin, normal)) {
+          continue;
+        }
         taken_[other] = 1;
         grown_.push_back(other);
       }
@@ -83,9 +97,13 @@ class FaceGrower {
   bool inPlane(std::uint32_t triangle, const Vec3& origin, const Vec3& normal) const {
     const double along = dot(areas_[triangle], normal);
     const double squared = dot(areas_[triangle], areas_[triangle]);
-    if (squared > 0.0 && !(along > 0.0 && along * along > kParallel * kParallel * squared)) return false;
+    if (squared > 0.0 && !(along > 0.0 && along * along > kParallel * kParallel * squared)) {
+      return false;
+    }
     for (const std::uint32_t v : mesh_.triangles[triangle]) {
-      if (std::abs(dot(mesh_.vertices_m[v] - origin, normal)) > tolerance_m_) return false;
+      if (std::abs(dot(mesh_.vertices_m[v] - origin, normal)) > tolerance_m_) {
+        return false;
+      }
     }
     return true;
   }
@@ -93,18 +111,24 @@ class FaceGrower {
   /// Most of the rim of what was grown is an edge of more than 20 degrees.
   bool rimIsSharp(const Vec3& normal) {
     ++mark_;
-    for (const std::uint32_t t : grown_) taken_[t] = mark_;
+    for (const std::uint32_t t : grown_) {
+      taken_[t] = mark_;
+    }
     double length = 0.0;
     double sharp = 0.0;
     for (const std::uint32_t t : grown_) {
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t half = 3 * t + k;
         const std::uint32_t other = topology_.opposite(half) / 3;
-        if (taken_[other] == mark_) continue;
+        if (taken_[other] == mark_) {
+          continue;
+        }
         const double edge =
             norm(mesh_.vertices_m[topology_.target(half)] - mesh_.vertices_m[topology_.origin(half)]);
         length += edge;
-        if (dot(normalized(areas_[other]), normal) < kSharpRim) sharp += edge;
+        if (dot(normalized(areas_[other]), normal) < kSharpRim) {
+          sharp += edge;
+        }
       }
     }
     return length > 0.0 && sharp > 0.5 * length;
@@ -117,7 +141,9 @@ class FaceGrower {
       const auto& [a, b, c] = mesh_.triangles[t];
       total += areas_[t];
       moment += norm(areas_[t]) / 3.0 * (mesh_.vertices_m[a] + mesh_.vertices_m[b] + mesh_.vertices_m[c]);
-      for (const std::uint32_t v : mesh_.triangles[t]) face.vertices.push_back(v);
+      for (const std::uint32_t v : mesh_.triangles[t]) {
+        face.vertices.push_back(v);
+      }
     }
     std::sort(face.vertices.begin(), face.vertices.end());
     face.vertices.erase(std::unique(face.vertices.begin(), face.vertices.end()), face.vertices.end());

@@ -39,7 +39,9 @@ std::string pointMm(const Vec3& p) {
 }
 
 std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  while (parent[i] != i) {
+    i = parent[i] = parent[parent[i]];
+  }
   return i;
 }
 
@@ -56,20 +58,26 @@ std::vector<std::uint32_t> singletons(std::size_t count) {
 
 void measureFaces(const TriangleMesh& mesh, MeshReport& report) {
   std::vector<Triangle> sorted = mesh.triangles;
-  for (Triangle& t : sorted) std::sort(t.begin(), t.end());
+  for (Triangle& t : sorted) {
+    std::sort(t.begin(), t.end());
+  }
   std::sort(sorted.begin(), sorted.end());
   report.duplicateFaces =
       static_cast<std::size_t>(std::distance(std::unique(sorted.begin(), sorted.end()), sorted.end()));
   for (const Triangle& t : mesh.triangles) {
     const Vec3 &a = mesh.vertices_m[t[0]], &b = mesh.vertices_m[t[1]], &c = mesh.vertices_m[t[2]];
     report.area_m2 += 0.5 * norm(cross(b - a, c - a));
-    if (isDegenerate(a, b, c)) ++report.degenerateFaces;
+    if (isDegenerate(a, b, c)) {
+      ++report.degenerateFaces;
+    }
   }
   report.volume_m3 = signedVolume_m3(mesh);
 }
 
 void measureBox(const TriangleMesh& mesh, MeshReport& report) {
-  if (mesh.vertices_m.empty()) return;
+  if (mesh.vertices_m.empty()) {
+    return;
+  }
   report.boxMin_m = report.boxMax_m = mesh.vertices_m.front();
   for (const Vec3& v : mesh.vertices_m) {
     report.boxMin_m = {std::min(report.boxMin_m.x, v.x), std::min(report.boxMin_m.y, v.y),
@@ -86,21 +94,29 @@ std::size_t measureEdges(const TriangleMesh& mesh, const std::vector<EdgeUse>& e
   std::vector<std::uint32_t> onBoundary;
   for (std::size_t i = 0; i < edges.size(); ++different) {
     std::size_t end = i + 1;
-    while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
+    while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) {
+      ++end;
+    }
     const Vec3 middle = 0.5 * (mesh.vertices_m[edges[i].low] + mesh.vertices_m[edges[i].high]);
     if (end - i == 1) {
-      if (report.boundaryEdges++ == 0) report.firstHole_m = middle;
+      if (report.boundaryEdges++ == 0) {
+        report.firstHole_m = middle;
+      }
       onBoundary.push_back(edges[i].low);
       join(holeOf, edges[i].low, edges[i].high);
     } else if (end - i > 2) {
-      if (report.nonManifoldEdges++ == 0) report.firstNonManifold_m = middle;
+      if (report.nonManifoldEdges++ == 0) {
+        report.firstNonManifold_m = middle;
+      }
     } else if (edges[i].ascending == edges[i + 1].ascending) {
       ++report.inconsistentEdges;
     }
     i = end;
   }
   std::set<std::uint32_t> holes;
-  for (const std::uint32_t v : onBoundary) holes.insert(root(holeOf, v));
+  for (const std::uint32_t v : onBoundary) {
+    holes.insert(root(holeOf, v));
+  }
   report.holes = holes.size();
   return different;
 }
@@ -114,18 +130,26 @@ void measureVertices(const TriangleMesh& mesh, const std::vector<EdgeUse>& edges
   };
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     const EdgeUse &a = edges[i], &b = edges[i + 1];
-    if (a.low != b.low || a.high != b.high) continue;
+    if (a.low != b.low || a.high != b.high) {
+      continue;
+    }
     join(fan, cornerAt(a, a.low), cornerAt(b, a.low));
     join(fan, cornerAt(a, a.high), cornerAt(b, a.high));
   }
   std::vector<std::uint32_t> fans(mesh.vertices_m.size(), 0);
   for (std::uint32_t corner = 0; corner < fan.size(); ++corner) {
-    if (root(fan, corner) == corner) ++fans[mesh.triangles[corner / 3][corner % 3]];
+    if (root(fan, corner) == corner) {
+      ++fans[mesh.triangles[corner / 3][corner % 3]];
+    }
   }
   std::size_t used = 0;
   for (std::size_t v = 0; v < fans.size(); ++v) {
-    if (fans[v] > 0) ++used;
-    if (fans[v] < 2) continue;
+    if (fans[v] > 0) {
+      ++used;
+    }
+    if (fans[v] < 2) {
+      continue;
+    }
     if (report.nonManifoldVertices++ == 0 && report.nonManifoldEdges == 0) {
       report.firstNonManifold_m = mesh.vertices_m[v];
     }
@@ -135,7 +159,9 @@ void measureVertices(const TriangleMesh& mesh, const std::vector<EdgeUse>& edges
 
 void requireSize(const MeshReport& report, const std::string& where, double unit_m) {
   const double side_m = report.largestSide_m();
-  if (side_m >= kSmallestOrgan_m && side_m <= kLargestOrgan_m) return;
+  if (side_m >= kSmallestOrgan_m && side_m <= kLargestOrgan_m) {
+    return;
+  }
   struct Unit {
     const char* option;
     const char* name;
@@ -201,7 +227,9 @@ void requireShape(const MeshReport& r, const std::string& where) {
 }  // namespace
 
 std::int64_t MeshReport::genus() const noexcept {
-  if (!closed() || !manifold()) return -1;
+  if (!closed() || !manifold()) {
+    return -1;
+  }
   return (2 * static_cast<std::int64_t>(components) - euler) / 2;
 }
 
@@ -223,7 +251,9 @@ MeshReport checkMesh(const TriangleMesh& mesh) {
   const auto firstBad = std::find_if(mesh.vertices_m.begin(), mesh.vertices_m.end(), bad);
   report.firstBadVertex = static_cast<std::size_t>(std::distance(mesh.vertices_m.begin(), firstBad));
   report.nonFiniteVertices = static_cast<std::size_t>(std::count_if(firstBad, mesh.vertices_m.end(), bad));
-  if (report.badIndices > 0 || report.nonFiniteVertices > 0) return report;
+  if (report.badIndices > 0 || report.nonFiniteVertices > 0) {
+    return report;
+  }
 
   measureBox(mesh, report);
   measureFaces(mesh, report);
@@ -231,8 +261,9 @@ MeshReport checkMesh(const TriangleMesh& mesh) {
   const std::size_t different = measureEdges(mesh, edges, report);
   measureVertices(mesh, edges, report);
   const std::vector<std::uint32_t> component = componentOfTriangles(mesh);
-  if (!component.empty())
+  if (!component.empty()) {
     report.components = *std::max_element(component.begin(), component.end()) + std::size_t{1};
+  }
   report.euler = static_cast<std::int64_t>(report.vertices - report.unusedVertices) -
                  static_cast<std::int64_t>(different) + static_cast<std::int64_t>(report.triangles);
   return report;
@@ -287,7 +318,9 @@ TriangleMesh requireOrgan(TriangleMesh mesh, const std::string& where, double un
   constexpr double kWeldShare = 1e-6;  // of the largest side: 0.2 um on a stomach, above float rounding
   weldVertices(mesh, kWeldShare * report.largestSide_m(), done);
   removeDegenerateFaces(mesh, done);
-  if (mesh.triangles.empty()) requireSound(mesh, where);
+  if (mesh.triangles.empty()) {
+    requireSound(mesh, where);
+  }
   if (const double share = keepMainComponent(mesh, kSmallPieceShare, done); share > 0.0) {
     refuse(Text("M14 separate pieces hold %1 % of the surface", number(100.0 * share, "%.0f")), where,
            "Keep one organ only");
@@ -301,7 +334,9 @@ TriangleMesh requireOrgan(TriangleMesh mesh, const std::string& where, double un
   report = checkMesh(mesh);
   requireSize(report, where, unit_m);
   requireShape(report, where);
-  if (repairs != nullptr) *repairs = done;
+  if (repairs != nullptr) {
+    *repairs = done;
+  }
   return mesh;
 }
 

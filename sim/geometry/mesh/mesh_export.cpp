@@ -14,7 +14,9 @@ namespace {
 constexpr double kMillimetres = 1000.0;  // in one metre
 
 void appendLittleEndian(std::string& out, std::uint32_t value) {
-  for (unsigned shift = 0; shift < 32; shift += 8) out += static_cast<char>((value >> shift) & 0xffU);
+  for (unsigned shift = 0; shift < 32; shift += 8) {
+    out += static_cast<char>((value >> shift) & 0xffU);
+  }
 }
 
 std::array<float, 3> millimetres(const Vec3& v) {
@@ -32,7 +34,9 @@ void appendText(std::string& out, const std::array<float, 3>& p) {
 
 std::string safeComment(std::string text) {
   for (char& c : text) {
-    if (c == '\n' || c == '\r') c = ' ';
+    if (c == '\n' || c == '\r') {
+      c = ' ';
+    }
   }
   return text;
 }
@@ -41,11 +45,15 @@ std::string plyHeader(const TriangleMesh& mesh, const MeshExportOptions& options
   std::string out = "ply\nformat ";
   out += options.format == PlyFormat::kBinary ? "binary_little_endian" : "ascii";
   out += " 1.0\n";
-  for (const std::string& line : options.comments) out += "comment " + safeComment(line) + "\n";
+  for (const std::string& line : options.comments) {
+    out += "comment " + safeComment(line) + "\n";
+  }
   out += "comment unit millimetre, axes LPS (x left, y back, z up)\n";
   out += "element vertex " + std::to_string(mesh.vertices_m.size()) + "\n";
   out += "property float x\nproperty float y\nproperty float z\n";
-  if (!options.colours.empty()) out += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  if (!options.colours.empty()) {
+    out += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  }
   out += "element face " + std::to_string(mesh.triangles.size()) + "\n";
   out += "property list uchar int vertex_indices\nend_header\n";
   return out;
@@ -60,17 +68,25 @@ std::string plyBytes(const TriangleMesh& mesh, const MeshExportOptions& options)
   for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
     const std::array<float, 3> p = millimetres(mesh.vertices_m[i]);
     if (binary) {
-      for (const float x : p) appendLittleEndian(out, std::bit_cast<std::uint32_t>(x));
+      for (const float x : p) {
+        appendLittleEndian(out, std::bit_cast<std::uint32_t>(x));
+      }
     } else {
       appendText(out, p);
     }
     if (!options.colours.empty()) {
       for (const std::uint8_t c : options.colours[i]) {
-        if (!binary) out.append(1, ' ').append(std::to_string(c));
-        if (binary) out += static_cast<char>(c);
+        if (!binary) {
+          out.append(1, ' ').append(std::to_string(c));
+        }
+        if (binary) {
+          out += static_cast<char>(c);
+        }
       }
     }
-    if (!binary) out += '\n';
+    if (!binary) {
+      out += '\n';
+    }
   }
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     out += binary ? std::string(1, '\3') : std::string("3");
@@ -81,14 +97,18 @@ std::string plyBytes(const TriangleMesh& mesh, const MeshExportOptions& options)
         out.append(1, ' ').append(std::to_string(corner));
       }
     }
-    if (!binary) out += '\n';
+    if (!binary) {
+      out += '\n';
+    }
   }
   return out;
 }
 
 std::string objText(const TriangleMesh& mesh, const MeshExportOptions& options) {
   std::string out;
-  for (const std::string& line : options.comments) out.append("# ").append(safeComment(line)).append("\n");
+  for (const std::string& line : options.comments) {
+    out.append("# ").append(safeComment(line)).append("\n");
+  }
   out += "# unit millimetre, axes LPS (x left, y back, z up)\n";
   for (const Vec3& v : mesh.vertices_m) {
     out += "v ";
@@ -97,7 +117,9 @@ std::string objText(const TriangleMesh& mesh, const MeshExportOptions& options) 
   }
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     out += 'f';
-    for (const std::uint32_t corner : t) out.append(1, ' ').append(std::to_string(corner + 1));
+    for (const std::uint32_t corner : t) {
+      out.append(1, ' ').append(std::to_string(corner + 1));
+    }
     out += '\n';
   }
   return out;

@@ -17,7 +17,9 @@ constexpr std::size_t kHeadBytes = 65536;
 
 std::string_view firstWord(std::string_view text) {
   const std::size_t start = text.find_first_not_of(" \t\r\n");
-  if (start == std::string_view::npos) return {};
+  if (start == std::string_view::npos) {
+    return {};
+  }
   return text.substr(start, text.find_first_of(" \t\r\n", start) - start);
 }
 
@@ -35,23 +37,37 @@ void checkStl(std::string_view head, std::uint64_t size, const std::string& wher
   const std::uint64_t facets = head.size() >= kHeader ? littleEndian32(head.substr(80, 4)) : 0;
   const bool exact = head.size() >= kHeader && kHeader + facets * kFacet == size;
   // Many binary files begin with the word "solid" too: the length decides.
-  if (exact || firstWord(head.substr(0, 64)) == "solid") return;
-  if (head.size() < kHeader) refuseFormat(where, "STL", "neither text nor long enough to be binary");
-  if (kHeader + facets * kFacet > size) refuseShort(where, std::to_string(facets) + " facets", size);
+  if (exact || firstWord(head.substr(0, 64)) == "solid") {
+    return;
+  }
+  if (head.size() < kHeader) {
+    refuseFormat(where, "STL", "neither text nor long enough to be binary");
+  }
+  if (kHeader + facets * kFacet > size) {
+    refuseShort(where, std::to_string(facets) + " facets", size);
+  }
 }
 
 void checkGlb(std::string_view head, std::uint64_t size, const std::string& where) {
   constexpr std::size_t kHeader = 12;
-  if (head.size() < kHeader || !head.starts_with("glTF")) refuseFormat(where, "GLB", "the magic is missing");
+  if (head.size() < kHeader || !head.starts_with("glTF")) {
+    refuseFormat(where, "GLB", "the magic is missing");
+  }
   const std::uint64_t declared = littleEndian32(head.substr(8, 4));
-  if (declared > size) refuseShort(where, std::to_string(declared) + " bytes", size);
+  if (declared > size) {
+    refuseShort(where, std::to_string(declared) + " bytes", size);
+  }
 }
 
 // OBJ, glTF and COLLADA are text; a zero byte means UTF-16 or something binary.
 void checkText(std::string_view head, std::string_view format, std::string_view mark,
                const std::string& where) {
-  if (head.find('\0') != std::string_view::npos) refuseFormat(where, format, "it is not UTF-8 text");
-  if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
+  if (head.find('\0') != std::string_view::npos) {
+    refuseFormat(where, format, "it is not UTF-8 text");
+  }
+  if (head.starts_with("\xEF\xBB\xBF")) {
+    head.remove_prefix(3);
+  }
   if (!firstWord(head).starts_with(mark)) {
     refuseFormat(where, format, Text("it does not begin with %1", std::string(mark)));
   }
@@ -61,7 +77,9 @@ void checkObj(std::string_view head, const std::string& where) {
   checkText(head, "OBJ", "", where);
   TextLines lines(head);
   while (const auto line = lines.next()) {
-    if (firstWord(*line) == "v") return;
+    if (firstWord(*line) == "v") {
+      return;
+    }
   }
   refuseFormat(where, "OBJ", "no line of its first 64 kB begins with \"v\"");
 }
@@ -108,8 +126,12 @@ void requirePlausibleHead(std::string_view head, std::uint64_t size, std::string
 }
 
 void requirePlausibleFile(const std::filesystem::path& file, std::string_view extension) {
-  if (extension == "ply") return requirePlausiblePly(readFile(file), file.string());
-  if (extension == "off") return requirePlausibleOff(readFile(file), file.string());
+  if (extension == "ply") {
+    return requirePlausiblePly(readFile(file), file.string());
+  }
+  if (extension == "off") {
+    return requirePlausibleOff(readFile(file), file.string());
+  }
   std::ifstream in(file, std::ios::binary);
   std::string head(kHeadBytes, '\0');
   in.read(head.data(), static_cast<std::streamsize>(head.size()));

@@ -35,17 +35,25 @@ constexpr double kWeldShare = 1e-6;  // of the largest side
 
 std::string lowerExtension(const fs::path& file) {
   std::string extension = file.extension().string();
-  if (!extension.empty()) extension.erase(0, 1);
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (!extension.empty()) {
+    extension.erase(0, 1);
+  }
+  for (char& c : extension) {
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
   return extension;
 }
 
 std::string oneLine(std::string text) {
   for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+    if (static_cast<unsigned char>(c) < ' ') {
+      c = ' ';
+    }
   }
   constexpr std::size_t kMost = 200;
-  if (text.size() > kMost) text = text.substr(0, kMost) + " ...";
+  if (text.size() > kMost) {
+    text = text.substr(0, kMost) + " ...";
+  }
   return text;
 }
 
@@ -108,7 +116,9 @@ void append(TriangleMesh& mesh, const aiMesh& part, const aiMatrix4x4& toWorld, 
   const bool mirrored = toWorld.Determinant() < 0;
   for (unsigned f = 0; f < part.mNumFaces; ++f) {
     const aiFace& face = part.mFaces[f];
-    if (face.mNumIndices != 3) continue;
+    if (face.mNumIndices != 3) {
+      continue;
+    }
     TriangleMesh::Triangle t{};
     for (std::size_t k = 0; k < 3; ++k) {
       if (face.mIndices[k] >= part.mNumVertices) {
@@ -119,7 +129,9 @@ void append(TriangleMesh& mesh, const aiMesh& part, const aiMatrix4x4& toWorld, 
       }
       t[k] = first + face.mIndices[k];
     }
-    if (mirrored) std::swap(t[1], t[2]);
+    if (mirrored) {
+      std::swap(t[1], t[2]);
+    }
     mesh.triangles.push_back(t);
   }
 }
@@ -127,7 +139,9 @@ void append(TriangleMesh& mesh, const aiMesh& part, const aiMatrix4x4& toWorld, 
 TriangleMesh flatten(const aiScene& scene, double scale_m, const std::string& where) {
   TriangleMesh mesh;
   if (scene.mRootNode == nullptr) {
-    for (unsigned i = 0; i < scene.mNumMeshes; ++i) append(mesh, *scene.mMeshes[i], {}, scale_m, where);
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+      append(mesh, *scene.mMeshes[i], {}, scale_m, where);
+    }
     return mesh;
   }
   std::vector<std::pair<const aiNode*, aiMatrix4x4>> open{
@@ -157,7 +171,9 @@ TriangleMesh readWithAssimp(const fs::path& file, const std::string& extension, 
   if (scene == nullptr) {
     const std::string reason = oneLine(importer.GetErrorString());
     // assimp's words after points and lines were dropped
-    if (reason == "No meshes remaining") requireSound({}, file.string());
+    if (reason == "No meshes remaining") {
+      requireSound({}, file.string());
+    }
     throw Error(ErrorCode::kFileUnreadable, Text("M05 the importer failed on this file: %1", reason),
                 file.string(), "Export the mesh again");
   }
@@ -201,7 +217,9 @@ double lengthUnit_m(std::string_view name) {
   constexpr std::array<std::pair<std::string_view, double>, 4> kUnits{
       {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"um", 1e-6}}};
   for (const auto& [known, metres] : kUnits) {
-    if (name == known) return metres;
+    if (name == known) {
+      return metres;
+    }
   }
   throw Error(ErrorCode::kBadParameter, Text("unknown unit \"%1\"", oneLine(std::string(name))), "",
               "Use m, cm, mm or um");
@@ -232,7 +250,9 @@ TriangleMesh importMesh(const fs::path& file, const MeshImportOptions& options, 
     removeDegenerateFaces(mesh, done);
     requireSound(mesh, file.string());
   }
-  if (repairs != nullptr) *repairs = done;
+  if (repairs != nullptr) {
+    *repairs = done;
+  }
   return mesh;
 }
 

@@ -33,12 +33,16 @@ class Partition {
     std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
   }
   std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    while (parent_[i] != i) {
+      i = parent_[i] = parent_[parent_[i]];
+    }
     return i;
   }
   void join(std::uint32_t a, std::uint32_t b) {
     a = find(a), b = find(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+    if (a != b) {
+      parent_[std::max(a, b)] = std::min(a, b);
+    }
   }
 
  private:
@@ -58,7 +62,9 @@ class WeldGrid {
     std::uint32_t best = kNone;
     for (std::int64_t x = low[0]; x <= high[0]; ++x) {
       for (std::int64_t y = low[1]; y <= high[1]; ++y) {
-        for (std::int64_t z = low[2]; z <= high[2]; ++z) best = std::min(best, findIn({x, y, z}, p));
+        for (std::int64_t z = low[2]; z <= high[2]; ++z) {
+          best = std::min(best, findIn({x, y, z}, p));
+        }
       }
     }
     return best;
@@ -84,9 +90,13 @@ class WeldGrid {
   }
   std::uint32_t findIn(const Cell& cell, const Vec3& p) const {
     const auto found = cells_.find(key(cell));
-    if (found == cells_.end()) return kNone;
+    if (found == cells_.end()) {
+      return kNone;
+    }
     for (const std::uint32_t i : found->second) {
-      if (norm(points_[i] - p) <= tolerance_m_) return i;
+      if (norm(points_[i] - p) <= tolerance_m_) {
+        return i;
+      }
     }
     return kNone;
   }
@@ -115,11 +125,15 @@ void removeRepeatedFaces(TriangleMesh& mesh, MeshRepairs& repairs) {
   std::sort(sorted.begin(), sorted.end());
   std::vector<bool> repeated(sorted.size(), false);
   for (std::size_t i = 1; i < sorted.size(); ++i) {
-    if (sorted[i].first == sorted[i - 1].first) repeated[sorted[i].second] = true;
+    if (sorted[i].first == sorted[i - 1].first) {
+      repeated[sorted[i].second] = true;
+    }
   }
   std::size_t kept = 0;
   for (std::size_t t = 0; t < repeated.size(); ++t) {
-    if (!repeated[t]) mesh.triangles[kept++] = mesh.triangles[t];
+    if (!repeated[t]) {
+      mesh.triangles[kept++] = mesh.triangles[t];
+    }
   }
   repairs.duplicateFaces += mesh.triangles.size() - kept;
   mesh.triangles.resize(kept);
@@ -142,7 +156,9 @@ std::size_t turnSlivers(TriangleMesh& mesh) {
     const bool manifold = sameEdge(edges[i], edges[i + 1]) && edges[i].ascending != edges[i + 1].ascending &&
                           (i == 0 || !sameEdge(edges[i - 1], edges[i])) &&
                           (i + 2 == edges.size() || !sameEdge(edges[i + 1], edges[i + 2]));
-    if (!manifold) continue;
+    if (!manifold) {
+      continue;
+    }
     for (const auto& [flat, other] : {std::pair{edges[i], edges[i + 1]}, std::pair{edges[i + 1], edges[i]}}) {
       Triangle& t = mesh.triangles[flat.triangle];
       Triangle& u = mesh.triangles[other.triangle];
@@ -169,7 +185,9 @@ double windingNumber(const TriangleMesh& mesh, const std::vector<std::uint32_t>&
                      std::uint32_t which, const Vec3& p) {
   double twice = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (component[t] != which) continue;
+    if (component[t] != which) {
+      continue;
+    }
     const Vec3 a = mesh.vertices_m[mesh.triangles[t][0]] - p;
     const Vec3 b = mesh.vertices_m[mesh.triangles[t][1]] - p;
     const Vec3 c = mesh.vertices_m[mesh.triangles[t][2]] - p;
@@ -184,14 +202,20 @@ void keepComponents(TriangleMesh& mesh, const std::vector<std::uint32_t>& compon
                     const std::vector<bool>& keep) {
   std::vector<Triangle> kept;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (keep[component[t]]) kept.push_back(mesh.triangles[t]);
+    if (keep[component[t]]) {
+      kept.push_back(mesh.triangles[t]);
+    }
   }
   mesh.triangles = std::move(kept);
 }
 
 void plural(std::string& text, std::size_t count, const char* one, const char* many) {
-  if (count == 0) return;
-  if (!text.empty()) text += ", ";
+  if (count == 0) {
+    return;
+  }
+  if (!text.empty()) {
+    text += ", ";
+  }
   text += std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
@@ -210,7 +234,9 @@ std::string MeshRepairs::text() const {
   plural(text, degenerateFaces, "face without area removed", "faces without area removed");
   plural(text, duplicateFaces, "repeated face removed", "repeated faces removed");
   plural(text, turnedFaces, "face turned", "faces turned");
-  if (insideOut) text += text.empty() ? "turned inside out" : ", turned inside out";
+  if (insideOut) {
+    text += text.empty() ? "turned inside out" : ", turned inside out";
+  }
   plural(text, droppedComponents, "small piece dropped", "small pieces dropped");
   plural(text, droppedShells, "inner shell dropped", "inner shells dropped");
   plural(text, unusedVertices, "unused vertex dropped", "unused vertices dropped");
@@ -227,7 +253,9 @@ std::vector<EdgeUse> sortedEdges(const TriangleMesh& mesh) {
   std::vector<std::size_t> first(mesh.vertices_m.size() + 1, 0);
   const auto lower = [](const Triangle& t, std::size_t k) { return std::min(t[k], t[(k + 1) % 3]); };
   for (const Triangle& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) ++first[lower(t, k) + 1];
+    for (std::size_t k = 0; k < 3; ++k) {
+      ++first[lower(t, k) + 1];
+    }
   }
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<EdgeUse> edges(3 * mesh.triangles.size());
@@ -259,7 +287,9 @@ std::vector<std::uint32_t> componentOfTriangles(const TriangleMesh& mesh) {
   std::uint32_t next = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::uint32_t& n = number[partition.find(mesh.triangles[t][0])];
-    if (n == kNone) n = next++;
+    if (n == kNone) {
+      n = next++;
+    }
     component[t] = n;
   }
   return component;
@@ -279,7 +309,9 @@ void weldVertices(TriangleMesh& mesh, double tolerance_m, MeshRepairs& repairs) 
     }
   }
   for (Triangle& t : mesh.triangles) {
-    for (std::uint32_t& corner : t) corner = target[corner];
+    for (std::uint32_t& corner : t) {
+      corner = target[corner];
+    }
   }
   MeshRepairs counted;
   removeUnusedVertices(mesh, counted);
@@ -294,10 +326,14 @@ void removeDegenerateFaces(TriangleMesh& mesh, MeshRepairs& repairs) {
     const bool flat = std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&mesh](const Triangle& t) {
       return isDegenerate(mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]);
     });
-    if (!flat) return;
+    if (!flat) {
+      return;
+    }
     const std::size_t turned = turnSlivers(mesh);
     repairs.degenerateFaces += turned;
-    if (turned == 0) return;
+    if (turned == 0) {
+      return;
+    }
   }
 }
 
@@ -305,7 +341,9 @@ double keepMainComponent(TriangleMesh& mesh, double smallShare, MeshRepairs& rep
   const std::vector<std::uint32_t> component = componentOfTriangles(mesh);
   const std::size_t count =
       component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + std::size_t{1};
-  if (count < 2) return 0.0;
+  if (count < 2) {
+    return 0.0;
+  }
   std::vector<double> area(count, 0.0);
   std::vector<Vec3> somePoint(count);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -320,7 +358,9 @@ double keepMainComponent(TriangleMesh& mesh, double smallShare, MeshRepairs& rep
   std::size_t shells = 0;
   double outside = 0.0;
   for (std::uint32_t c = 0; c < count; ++c) {
-    if (c == main) continue;
+    if (c == main) {
+      continue;
+    }
     const bool inner = area[c] > kWorthTesting * total &&
                        std::abs(windingNumber(mesh, component, main, somePoint[c])) > kInside;
     if (inner) {
@@ -330,7 +370,9 @@ double keepMainComponent(TriangleMesh& mesh, double smallShare, MeshRepairs& rep
     }
   }
   const double share = total > 0.0 ? outside / total : 0.0;
-  if (share > smallShare) return share;
+  if (share > smallShare) {
+    return share;
+  }
   std::vector<bool> keep(count, false);
   keep[main] = true;
   keepComponents(mesh, component, keep);
@@ -349,19 +391,25 @@ bool orientFaces(TriangleMesh& mesh, MeshRepairs& repairs) {
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     const EdgeUse& a = edges[i];
     const EdgeUse& b = edges[i + 1];
-    if (!sameEdge(a, b)) continue;
+    if (!sameEdge(a, b)) {
+      continue;
+    }
     neighbours[a.triangle][a.side] = {b.triangle, a.ascending != b.ascending};
     neighbours[b.triangle][b.side] = {a.triangle, a.ascending != b.ascending};
   }
   std::vector<std::int8_t> turn(mesh.triangles.size(), -1);
   std::vector<std::uint32_t> queue;
   for (std::uint32_t seed = 0; seed < turn.size(); ++seed) {
-    if (turn[seed] >= 0) continue;
+    if (turn[seed] >= 0) {
+      continue;
+    }
     turn[seed] = 0;
     queue.assign(1, seed);
     for (std::size_t head = 0; head < queue.size(); ++head) {
       for (const Neighbour& n : neighbours[queue[head]]) {
-        if (n.triangle == kNone) continue;
+        if (n.triangle == kNone) {
+          continue;
+        }
         const auto wanted = static_cast<std::int8_t>(n.agrees ? turn[queue[head]] : 1 - turn[queue[head]]);
         if (turn[n.triangle] < 0) {
           turn[n.triangle] = wanted;
@@ -374,11 +422,15 @@ bool orientFaces(TriangleMesh& mesh, MeshRepairs& repairs) {
   }
   const auto turned = static_cast<std::size_t>(std::count(turn.begin(), turn.end(), std::int8_t{1}));
   for (std::size_t t = 0; t < turn.size(); ++t) {
-    if (turn[t] == 1) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+    if (turn[t] == 1) {
+      std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+    }
   }
   const bool negative = signedVolume_m3(mesh) < 0.0;
   if (negative) {
-    for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+    for (Triangle& t : mesh.triangles) {
+      std::swap(t[1], t[2]);
+    }
   }
   const std::size_t changed = negative ? turn.size() - turned : turned;
   const bool mostChanged = 2 * changed > turn.size();
@@ -390,18 +442,24 @@ bool orientFaces(TriangleMesh& mesh, MeshRepairs& repairs) {
 void removeUnusedVertices(TriangleMesh& mesh, MeshRepairs& repairs) {
   std::vector<std::uint32_t> target(mesh.vertices_m.size(), kNone);
   for (const Triangle& t : mesh.triangles) {
-    for (const std::uint32_t corner : t) target[corner] = 0;
+    for (const std::uint32_t corner : t) {
+      target[corner] = 0;
+    }
   }
   std::uint32_t next = 0;
   for (std::size_t i = 0; i < target.size(); ++i) {
-    if (target[i] == kNone) continue;
+    if (target[i] == kNone) {
+      continue;
+    }
     mesh.vertices_m[next] = mesh.vertices_m[i];
     target[i] = next++;
   }
   repairs.unusedVertices += mesh.vertices_m.size() - next;
   mesh.vertices_m.resize(next);
   for (Triangle& t : mesh.triangles) {
-    for (std::uint32_t& corner : t) corner = target[corner];
+    for (std::uint32_t& corner : t) {
+      corner = target[corner];
+    }
   }
 }
 

@@ -33,11 +33,15 @@ struct NearestOnTriangle {
   const Vec3 ap = p - t.a;
   const double d1 = dot(ab, ap);
   const double d2 = dot(ac, ap);
-  if (d1 <= 0.0 && d2 <= 0.0) return at(t.a, 1.0, 0.0, 0.0, 0);
+  if (d1 <= 0.0 && d2 <= 0.0) {
+    return at(t.a, 1.0, 0.0, 0.0, 0);
+  }
   const Vec3 bp = p - t.b;
   const double d3 = dot(ab, bp);
   const double d4 = dot(ac, bp);
-  if (d3 >= 0.0 && d4 <= d3) return at(t.b, 0.0, 1.0, 0.0, 1);
+  if (d3 >= 0.0 && d4 <= d3) {
+    return at(t.b, 0.0, 1.0, 0.0, 1);
+  }
   const double vc = d1 * d4 - d3 * d2;
   if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
     const double v = d1 / (d1 - d3);
@@ -46,7 +50,9 @@ struct NearestOnTriangle {
   const Vec3 cp = p - t.c;
   const double d5 = dot(ab, cp);
   const double d6 = dot(ac, cp);
-  if (d6 >= 0.0 && d5 <= d6) return at(t.c, 0.0, 0.0, 1.0, 2);
+  if (d6 >= 0.0 && d5 <= d6) {
+    return at(t.c, 0.0, 0.0, 1.0, 2);
+  }
   const double vb = d5 * d2 - d1 * d6;
   if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
     const double w = d2 / (d2 - d6);

@@ -60,39 +60,53 @@ std::optional<PlyType> typeNamed(std::string_view name) {
                                                                          {"double", {8, false, true}},
                                                                          {"float64", {8, false, true}}}};
   for (const auto& [known, type] : kTypes) {
-    if (name == known) return type;
+    if (name == known) {
+      return type;
+    }
   }
   return std::nullopt;
 }
 
 void addProperty(PlyHeader& header, const Words& w, const std::string& where) {
-  if (header.elements.empty()) refuseFormat(where, "PLY", "a property stands before any element");
+  if (header.elements.empty()) {
+    refuseFormat(where, "PLY", "a property stands before any element");
+  }
   const bool list = w.size() == 5 && w[1] == "list";
-  if (!list && w.size() != 3) refuseFormat(where, "PLY", "a property without type and name");
+  if (!list && w.size() != 3) {
+    refuseFormat(where, "PLY", "a property without type and name");
+  }
   const auto count = list ? typeNamed(w[2]) : std::nullopt;
   const auto type = typeNamed(list ? w[3] : w[1]);
-  if (!type || (list && (!count || !count->integer)))
+  if (!type || (list && (!count || !count->integer))) {
     refuseFormat(where, "PLY", "a property of unknown type");
+  }
   PlyProperty property{std::string(w.back()), *type, count, false};
   property.indices = list && (property.name == "vertex_indices" || property.name == "vertex_index");
-  if (property.indices && !type->integer) refuseFormat(where, "PLY", "vertex indices that are not integers");
+  if (property.indices && !type->integer) {
+    refuseFormat(where, "PLY", "vertex indices that are not integers");
+  }
   header.elements.back().properties.push_back(std::move(property));
 }
 
 void parseHeaderLine(PlyHeader& header, const Words& w, const std::string& where) {
-  if (w.empty() || w[0] == "comment" || w[0] == "obj_info") return;
+  if (w.empty() || w[0] == "comment" || w[0] == "obj_info") {
+    return;
+  }
   if (w[0] == "format" && w.size() == 3) {
-    if (w[1] == "ascii")
+    if (w[1] == "ascii") {
       header.format = Encoding::kAscii;
-    else if (w[1] == "binary_little_endian")
+    } else if (w[1] == "binary_little_endian") {
       header.format = Encoding::kLittleEndian;
-    else if (w[1] == "binary_big_endian")
+    } else if (w[1] == "binary_big_endian") {
       header.format = Encoding::kBigEndian;
-    else
+    } else {
       refuseFormat(where, "PLY", "unknown kind of format");
+    }
   } else if (w[0] == "element" && w.size() == 3) {
     const auto declared = parseCount(w[2]);
-    if (!declared) refuseFormat(where, "PLY", "an element without a count");
+    if (!declared) {
+      refuseFormat(where, "PLY", "an element without a count");
+    }
     header.elements.push_back({std::string(w[1]), *declared, {}});
   } else if (w[0] == "property") {
     addProperty(header, w, where);
@@ -106,13 +120,21 @@ PlyHeader parseHeader(TextLines& lines, const std::string& where) {
   PlyHeader header;
   Words words;
   auto line = lines.next();
-  if (line) splitWords(*line, words);
-  if (!line || words != Words{"ply"}) refuseFormat(where, "PLY", "the first line is not \"ply\"");
+  if (line) {
+    splitWords(*line, words);
+  }
+  if (!line || words != Words{"ply"}) {
+    refuseFormat(where, "PLY", "the first line is not \"ply\"");
+  }
   while (true) {
     line = lines.next();
-    if (!line || lines.number() > kMostLines) refuseFormat(where, "PLY", "the header has no end");
+    if (!line || lines.number() > kMostLines) {
+      refuseFormat(where, "PLY", "the header has no end");
+    }
     splitWords(*line, words);
-    if (words == Words{"end_header"}) return header;
+    if (words == Words{"end_header"}) {
+      return header;
+    }
     parseHeaderLine(header, words, where);
   }
 }
@@ -123,10 +145,11 @@ std::uint64_t leastRow(const PlyElement& element, Encoding format) {
   std::uint64_t bytes = 0;
   for (const PlyProperty& p : element.properties) {
     const std::uint64_t items = p.indices ? 3 : 0;
-    if (format == Encoding::kAscii)
+    if (format == Encoding::kAscii) {
       bytes += kAsciiValue * (p.listCount ? 1 + items : 1);
-    else
+    } else {
       bytes += p.listCount ? p.listCount->bytes + items * p.type.bytes : p.type.bytes;
+    }
   }
   return std::max<std::uint64_t>(bytes, 1);
 }
@@ -147,7 +170,9 @@ std::uint64_t checkElements(const PlyHeader& header, std::uint64_t bodyBytes, st
       return std::any_of(element.properties.begin(), element.properties.end(),
                          [name](const PlyProperty& p) { return p.name == name && !p.listCount; });
     };
-    if (element.name == "vertex" && has("x") && has("y") && has("z")) vertices = element.count;
+    if (element.name == "vertex" && has("x") && has("y") && has("z")) {
+      vertices = element.count;
+    }
     faces = faces || (element.name == "face" && element.count > 0 &&
                       std::any_of(element.properties.begin(), element.properties.end(),
                                   [](const PlyProperty& p) { return p.indices; }));
@@ -163,24 +188,36 @@ void checkAsciiRow(const PlyElement& element, const Words& words, std::uint64_t 
                    const std::string& row, const std::string& where) {
   std::size_t next = 0;
   const auto take = [&]() {
-    if (next >= words.size()) refuseRow(where, row, "values are missing");
+    if (next >= words.size()) {
+      refuseRow(where, row, "values are missing");
+    }
     return words[next++];
   };
   for (const PlyProperty& p : element.properties) {
     const auto items = p.listCount ? parseCount(take()) : std::optional<std::uint64_t>(1);
-    if (!items || (p.indices && *items == 0)) refuseRow(where, row, "the length of a list is no count");
+    if (!items || (p.indices && *items == 0)) {
+      refuseRow(where, row, "the length of a list is no count");
+    }
     for (std::uint64_t i = 0; i < *items; ++i) {
       const std::string_view word = take();
       if (!p.indices) {
-        if (!isNumber(word)) refuseRow(where, row, "a value is not a number");
+        if (!isNumber(word)) {
+          refuseRow(where, row, "a value is not a number");
+        }
         continue;
       }
       const auto index = parseCount(word);
-      if (!index) refuseRow(where, row, "an index is not a whole number");
-      if (*index >= vertices) refuseIndex(where, row, static_cast<std::int64_t>(*index), vertices);
+      if (!index) {
+        refuseRow(where, row, "an index is not a whole number");
+      }
+      if (*index >= vertices) {
+        refuseIndex(where, row, static_cast<std::int64_t>(*index), vertices);
+      }
     }
   }
-  if (next != words.size()) refuseRow(where, row, "it has more values than declared");
+  if (next != words.size()) {
+    refuseRow(where, row, "it has more values than declared");
+  }
 }
 
 void walkAscii(const PlyHeader& header, std::uint64_t vertices, TextLines& lines, const std::string& where) {
@@ -189,7 +226,9 @@ void walkAscii(const PlyHeader& header, std::uint64_t vertices, TextLines& lines
     for (std::uint64_t i = 0; i < element.count; ++i) {
       const auto line = lines.next();
       const std::string row = "line " + std::to_string(lines.number());
-      if (!line) refuseRow(where, row, "the file ends early");
+      if (!line) {
+        refuseRow(where, row, "the file ends early");
+      }
       splitWords(*line, words);
       checkAsciiRow(element, words, vertices, row, where);
     }
@@ -215,7 +254,9 @@ void walkBinary(const PlyHeader& header, std::uint64_t vertices, std::string_vie
                 const std::string& where) {
   std::uint64_t at = 0;
   const auto need = [&](std::uint64_t bytes, const std::string& row) {
-    if (bytes > body.size() - at) refuseRow(where, row, "the file ends early");
+    if (bytes > body.size() - at) {
+      refuseRow(where, row, "the file ends early");
+    }
   };
   for (const PlyElement& element : header.elements) {
     for (std::uint64_t i = 0; i < element.count; ++i) {
@@ -226,14 +267,17 @@ void walkBinary(const PlyHeader& header, std::uint64_t vertices, std::string_vie
           need(p.listCount->bytes, row);
           items = integerAt(body, at, *p.listCount, header.format);
           at += p.listCount->bytes;
-          if (items < (p.indices ? 1 : 0)) refuseRow(where, row, "the length of a list is no count");
+          if (items < (p.indices ? 1 : 0)) {
+            refuseRow(where, row, "the length of a list is no count");
+          }
         }
         need(static_cast<std::uint64_t>(items) * p.type.bytes, row);
         for (std::int64_t k = 0; k < items && p.indices; ++k) {
           const std::int64_t index =
               integerAt(body, at + static_cast<std::uint64_t>(k) * p.type.bytes, p.type, header.format);
-          if (index < 0 || static_cast<std::uint64_t>(index) >= vertices)
+          if (index < 0 || static_cast<std::uint64_t>(index) >= vertices) {
             refuseIndex(where, row, index, vertices);
+          }
         }
         at += static_cast<std::uint64_t>(items) * p.type.bytes;
       }

@@ -19,7 +19,9 @@ struct Segment {
 [[nodiscard]] constexpr double nearestAlong(const Segment& segment, const Vec3& point_m) noexcept {
   const Vec3 way = segment.to_m - segment.from_m;
   const double length2 = dot(way, way);
-  if (!(length2 > 0.0)) return 0.0;
+  if (!(length2 > 0.0)) {
+    return 0.0;
+  }
   const double along = dot(point_m - segment.from_m, way) / length2;
   return along < 0.0 ? 0.0 : (along > 1.0 ? 1.0 : along);
 }

@@ -62,10 +62,14 @@ class RoundPieces {
     while (!open.empty()) {
       const auto [way, at] = open.top();
       open.pop();
-      if (way > way_m_[at]) continue;
+      if (way > way_m_[at]) {
+        continue;
+      }
       for (const std::uint32_t other : next_[at]) {
         const double longer = way + norm(places_m_[other] - places_m_[at]);
-        if (!(longer < way_m_[other])) continue;
+        if (!(longer < way_m_[other])) {
+          continue;
+        }
         way_m_[other] = longer;
         pieceOf_[other] = pieceOf_[at];
         open.emplace(longer, other);
@@ -85,7 +89,9 @@ class RoundPieces {
     for (std::uint32_t i = 0; i < pieceOf_.size(); ++i) {
       const std::uint32_t piece = pieceOf_[i];
       const double away_m = norm(places_m_[i] - means_m[piece] / counts[piece]);
-      if (away_m >= nearest_m[piece]) continue;
+      if (away_m >= nearest_m[piece]) {
+        continue;
+      }
       nearest_m[piece] = away_m;
       nodes[piece] = i;
     }
@@ -101,7 +107,9 @@ class RoundPieces {
 /// The vertex nearest to the mean of them all.
 std::uint32_t middle(const TriangleMesh& mesh, std::span<const std::uint32_t> vertices) {
   Vec3 mean;
-  for (const std::uint32_t v : vertices) mean += mesh.vertices_m[v] / static_cast<double>(vertices.size());
+  for (const std::uint32_t v : vertices) {
+    mean += mesh.vertices_m[v] / static_cast<double>(vertices.size());
+  }
   return *std::min_element(vertices.begin(), vertices.end(), [&](std::uint32_t a, std::uint32_t b) {
     return norm(mesh.vertices_m[a] - mean) < norm(mesh.vertices_m[b] - mean);
   });
@@ -125,13 +133,17 @@ SurfacePatches::SurfacePatches(const TriangleMesh& mesh) : triangles_(mesh.trian
 void SurfacePatches::findRings(std::size_t vertices) {
   ringBegins_.assign(vertices + 1, 0);
   for (const Triangle& t : triangles_) {
-    for (const std::uint32_t v : t) ++ringBegins_[v + 1];
+    for (const std::uint32_t v : t) {
+      ++ringBegins_[v + 1];
+    }
   }
   std::partial_sum(ringBegins_.begin(), ringBegins_.end(), ringBegins_.begin());
   ring_.resize(3 * triangles_.size());
   std::vector<std::uint32_t> next(ringBegins_.begin(), ringBegins_.end() - 1);
   for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
-    for (const std::uint32_t v : triangles_[i]) ring_[next[v]++] = i;
+    for (const std::uint32_t v : triangles_[i]) {
+      ring_[next[v]++] = i;
+    }
   }
 }
 
@@ -142,7 +154,9 @@ void SurfacePatches::cut(const TriangleMesh& mesh) {
     for (const std::uint32_t v : triangles_[i]) {
       places_m[i] += mesh.vertices_m[v] / 3.0;
       for (const std::uint32_t other : ring(v)) {
-        if (other != i) next[i].push_back(other);
+        if (other != i) {
+          next[i].push_back(other);
+        }
       }
     }
   }
@@ -156,13 +170,17 @@ void SurfacePatches::cut(const TriangleMesh& mesh) {
     sums_m[patchOf[i]] += places_m[i];
     counts[patchOf[i]] += 1.0;
     for (const std::uint32_t other : next[i]) {
-      if (patchOf[other] != patchOf[i]) touching[patchOf[i]].insert(patchOf[other]);
+      if (patchOf[other] != patchOf[i]) {
+        touching[patchOf[i]].insert(patchOf[other]);
+      }
     }
   }
   Adjacency nextPatch(patches);
   for (std::size_t p = 0; p < patches; ++p) {
     nextPatch[p].assign(touching[p].begin(), touching[p].end());
-    if (counts[p] > 0.0) sums_m[p] = sums_m[p] / counts[p];
+    if (counts[p] > 0.0) {
+      sums_m[p] = sums_m[p] / counts[p];
+    }
   }
   const std::size_t groups = std::clamp<std::size_t>(patches / kPatchesInGroup, 1, kMostGroups);
   const std::vector<std::uint32_t> groupOf = RoundPieces(nextPatch, sums_m).cut(groups);
@@ -179,18 +197,24 @@ void SurfacePatches::cut(const TriangleMesh& mesh) {
     orderedGroups[at] = groupOf[order[at]];
   }
   std::vector<std::vector<std::uint32_t>> members(patches);
-  for (std::uint32_t i = 0; i < triangles_.size(); ++i) members[number[patchOf[i]]].push_back(i);
+  for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
+    members[number[patchOf[i]]].push_back(i);
+  }
   fill(mesh, members);
   join(mesh, orderedGroups, groups);
   std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::size_t p = 0; p < patches; ++p) {
     for (const std::uint32_t other : nextPatch[p]) {
-      if (groupOf[p] < groupOf[other]) pairs.emplace(groupOf[p], groupOf[other]);
+      if (groupOf[p] < groupOf[other]) {
+        pairs.emplace(groupOf[p], groupOf[other]);
+      }
     }
   }
   for (const auto& [one, other] : pairs) {
     const double apart_m = norm(mesh.vertices_m[groups_[one].seed] - mesh.vertices_m[groups_[other].seed]);
-    if (apart_m > 0.0) neighbours_.push_back({one, other, apart_m});
+    if (apart_m > 0.0) {
+      neighbours_.push_back({one, other, apart_m});
+    }
   }
 }
 
@@ -207,7 +231,9 @@ void SurfacePatches::fill(const TriangleMesh& mesh, const std::vector<std::vecto
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t vertex = triangles_[triangle][k];
         const auto [found, added] = local.try_emplace(vertex, static_cast<std::uint16_t>(local.size()));
-        if (added) vertices_.push_back(vertex);
+        if (added) {
+          vertices_.push_back(vertex);
+        }
         facet.corner[k] = found->second;
       }
       facets_.push_back(facet);
@@ -230,12 +256,16 @@ void SurfacePatches::join(const TriangleMesh& mesh, const std::vector<std::uint3
   groups_.resize(groups);
   for (std::uint32_t p = 0; p < patches_.size(); ++p) {
     Group& group = groups_[groupOf[p]];
-    if (group.patchCount++ == 0) group.firstPatch = p;
+    if (group.patchCount++ == 0) {
+      group.firstPatch = p;
+    }
   }
   for (Group& group : groups_) {
     const auto own = std::span(patches_).subspan(group.firstPatch, group.patchCount);
     std::vector<std::uint32_t> seeds;
-    for (const Patch& patch : own) seeds.push_back(patch.seed);
+    for (const Patch& patch : own) {
+      seeds.push_back(patch.seed);
+    }
     group.seed = middle(mesh, seeds);
     for (Patch& patch : own) {
       patch.apart_m = norm(mesh.vertices_m[patch.seed] - mesh.vertices_m[group.seed]);

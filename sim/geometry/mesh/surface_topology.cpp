@@ -56,11 +56,17 @@ SurfaceTopology::SurfaceTopology(const TriangleMesh& mesh) {
 
 void SurfaceTopology::findOutgoing(std::size_t vertices) {
   firstOutgoing_.assign(vertices + 1, 0);
-  for (const Index v : origin_) ++firstOutgoing_[v + 1];
-  for (std::size_t v = 0; v < vertices; ++v) firstOutgoing_[v + 1] += firstOutgoing_[v];
+  for (const Index v : origin_) {
+    ++firstOutgoing_[v + 1];
+  }
+  for (std::size_t v = 0; v < vertices; ++v) {
+    firstOutgoing_[v + 1] += firstOutgoing_[v];
+  }
   outgoing_.resize(origin_.size());
   std::vector<Index> fill(firstOutgoing_.begin(), firstOutgoing_.end() - 1);
-  for (Index half = 0; half < halfEdges(); ++half) outgoing_[fill[origin_[half]]++] = half;
+  for (Index half = 0; half < halfEdges(); ++half) {
+    outgoing_[fill[origin_[half]]++] = half;
+  }
 }
 
 void SurfaceTopology::pairEdges(const TriangleMesh& mesh) {
@@ -99,7 +105,9 @@ std::vector<double> edgeDistances_m(const TriangleMesh& mesh, const SurfaceTopol
   while (!front.empty()) {
     const auto [way, vertex] = front.top();
     front.pop();
-    if (way > distance[vertex]) continue;
+    if (way > distance[vertex]) {
+      continue;
+    }
     for (const std::uint32_t half : topology.outgoing(vertex)) {
       const std::uint32_t other = topology.target(half);
       const double longer = way + norm(mesh.vertices_m[other] - mesh.vertices_m[vertex]);
@@ -115,13 +123,17 @@ std::vector<double> edgeDistances_m(const TriangleMesh& mesh, const SurfaceTopol
 std::vector<std::uint32_t> takeConnected(const SurfaceTopology& topology, std::vector<std::uint8_t>& open,
                                          std::uint32_t seed) {
   std::vector<std::uint32_t> reached;
-  if (open[seed] == 0) return reached;
+  if (open[seed] == 0) {
+    return reached;
+  }
   open[seed] = 0;
   reached.push_back(seed);
   for (std::size_t i = 0; i < reached.size(); ++i) {
     for (const std::uint32_t half : topology.outgoing(reached[i])) {
       const std::uint32_t v = topology.target(half);
-      if (open[v] == 0) continue;
+      if (open[v] == 0) {
+        continue;
+      }
       open[v] = 0;
       reached.push_back(v);
     }

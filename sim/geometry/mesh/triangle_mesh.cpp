@@ -10,14 +10,20 @@ std::vector<Vec3> vertexNormals(const TriangleMesh& mesh) {
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     const Vec3& a = mesh.vertices_m[t[0]];
     const Vec3 twiceArea = cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a);
-    for (const std::uint32_t corner : t) normals[corner] += twiceArea;
+    for (const std::uint32_t corner : t) {
+      normals[corner] += twiceArea;
+    }
   }
-  for (Vec3& normal : normals) normal = normalized(normal);
+  for (Vec3& normal : normals) {
+    normal = normalized(normal);
+  }
   return normals;
 }
 
 double signedVolume_m3(const TriangleMesh& mesh) {
-  if (mesh.vertices_m.empty()) return 0.0;
+  if (mesh.vertices_m.empty()) {
+    return 0.0;
+  }
   // Relative to a vertex, not to the world's origin: a small organ far away would lose digits.
   const Vec3 origin = mesh.vertices_m.front();
   double sixfold = 0.0;
@@ -39,7 +45,9 @@ std::string contentHash(const TriangleMesh& mesh) {
     digest.update(v.z);
   }
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
-    for (const std::uint32_t corner : t) digest.update(static_cast<std::int64_t>(corner));
+    for (const std::uint32_t corner : t) {
+      digest.update(static_cast<std::int64_t>(corner));
+    }
   }
   return digest.hex();
 }

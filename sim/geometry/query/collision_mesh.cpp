@@ -68,7 +68,9 @@ double squaredDistance(const NearestToSegment& nearest) {
 
 int depthBelow(const Model& model, int node) {
   const auto& bv = model.getBV(node);
-  if (bv.isLeaf()) return 1;
+  if (bv.isLeaf()) {
+    return 1;
+  }
   return 1 + std::max(depthBelow(model, bv.leftChild()), depthBelow(model, bv.rightChild()));
 }
 
@@ -93,10 +95,14 @@ namespace {
 void buildModel(Model& model, const TriangleMesh& mesh) {
   std::vector<fcl::Vector3d> points;
   points.reserve(mesh.vertices_m.size());
-  for (const Vec3& v : mesh.vertices_m) points.emplace_back(v.x, v.y, v.z);
+  for (const Vec3& v : mesh.vertices_m) {
+    points.emplace_back(v.x, v.y, v.z);
+  }
   std::vector<fcl::Triangle> triangles;
   triangles.reserve(mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
+  for (const Triangle& t : mesh.triangles) {
+    triangles.emplace_back(t[0], t[1], t[2]);
+  }
   model.bv_splitter = std::make_shared<fcl::detail::BVSplitter<fcl::AABBd>>(fcl::detail::SPLIT_METHOD_MEDIAN);
   // FCL reports failure by code and standard error only.
   TORSIO_EXPECTS(model.beginModel(static_cast<int>(triangles.size()), static_cast<int>(points.size())) ==
@@ -121,7 +127,9 @@ std::vector<std::array<Vec3, 7>> featureNormals(const TriangleMesh& mesh) {
     }
   }
   for (std::size_t i = 0; i < normals.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) normals[i][k] = normalized(atVertex[mesh.triangles[i][k]]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      normals[i][k] = normalized(atVertex[mesh.triangles[i][k]]);
+    }
   }
   const std::vector<EdgeUse> edges = sortedEdges(mesh);
   for (std::size_t i = 0; i < edges.size();) {
@@ -130,7 +138,9 @@ std::vector<std::array<Vec3, 7>> featureNormals(const TriangleMesh& mesh) {
     for (; end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high; ++end) {
       sum += normals[edges[end].triangle][6];
     }
-    for (; i < end; ++i) normals[edges[i].triangle][3 + edges[i].side] = normalized(sum);
+    for (; i < end; ++i) {
+      normals[edges[i].triangle][3 + edges[i].side] = normalized(sum);
+    }
   }
   return normals;
 }
@@ -152,7 +162,9 @@ void CollisionMesh::Hierarchy::search(Nearest& best, std::uint32_t& triangle, co
   double best2 = squaredDistance(best);
   while (open > 0) {
     const Open top = stack[--open];
-    if (top.bound2 * kRoundingMargin > best2) continue;
+    if (top.bound2 * kRoundingMargin > best2) {
+      continue;
+    }
     const auto& node = model.getBV(top.node);
     if (node.isLeaf()) {
       const auto candidate = static_cast<std::uint32_t>(node.primitiveId());
@@ -208,7 +220,9 @@ SurfacePoint CollisionMesh::closest(const Vec3& point_m) const noexcept {
   surface.normal = hierarchy_->normals[triangle][best.feature];
   surface.position_m = hierarchy_->corners[triangle].a;
   surface.distance_m = std::numeric_limits<double>::infinity();
-  if (!std::isfinite(best.distance2)) return surface;
+  if (!std::isfinite(best.distance2)) {
+    return surface;
+  }
   surface.position_m = best.point;
   surface.barycentric[0] = best.u;
   surface.barycentric[1] = best.v;
@@ -221,7 +235,9 @@ SurfacePoint CollisionMesh::closest(const Vec3& point_m) const noexcept {
 SegmentHit CollisionMesh::nearest(const Segment& segment, double reach_m) const noexcept {
   constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
   SegmentHit hit;
-  if (!isFinite(segment.from_m) || !isFinite(segment.to_m)) return hit;
+  if (!isFinite(segment.from_m) || !isFinite(segment.to_m)) {
+    return hit;
+  }
   const Reaching reaching(segment);
   NearestToSegment best;
   best.on.distance2 = reach_m * reach_m;
@@ -229,7 +245,9 @@ SegmentHit CollisionMesh::nearest(const Segment& segment, double reach_m) const 
   hierarchy_->search(
       best, triangle, [&reaching](const fcl::AABBd& box) { return reaching.distance2(box); },
       [&segment](const TriangleCorners& corners) { return nearestToSegment(segment, corners); });
-  if (triangle == kNone) return hit;
+  if (triangle == kNone) {
+    return hit;
+  }
   hit.found = true;
   hit.along = best.along;
   hit.surface.triangle = triangle;

@@ -36,7 +36,9 @@ void look(const Segment& segment, std::span<const SurfacePatches::Facet> facets,
     const Vec3 ab = corners.b - corners.a;
     const Vec3 ac = corners.c - corners.a;
     const double near_m = std::sqrt(dot(toA, toA)) - std::sqrt(std::max(dot(ab, ab), dot(ac, ac)));
-    if (near_m > 0.0 && near_m * near_m > best.pair.on.distance2) continue;
+    if (near_m > 0.0 && near_m * near_m > best.pair.on.distance2) {
+      continue;
+    }
     const NearestToSegment pair = nearestToSegment(segment, corners);
     const double before2 = best.pair.on.distance2;
     if (pair.on.distance2 < before2 || (pair.on.distance2 == before2 && facet.triangle < best.triangle)) {
@@ -85,7 +87,9 @@ class OpenList {
 DeformedSurface::DeformedSurface(const SurfacePatches& patches, const VertexPlaces& places) noexcept
     : patches_(patches), places_(places) {
   const auto groups = patches.groups();
-  for (std::size_t g = 0; g < groups.size(); ++g) groups_m_[g] = kept(place(groups[g].seed));
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    groups_m_[g] = kept(place(groups[g].seed));
+  }
   for (const SurfacePatches::Neighbours& pair : patches.neighbours()) {
     const double apart_m = norm(at(groups_m_[pair.one]) - at(groups_m_[pair.other]));
     stretch_ = std::max(stretch_, apart_m / pair.apart_m);
@@ -112,7 +116,9 @@ void DeformedSurface::openGroup(std::size_t group) noexcept {
 }
 
 std::uint32_t DeformedSurface::movePatch(std::size_t patch) noexcept {
-  if (movedAt_[patch] != kNotMoved) return movedAt_[patch];
+  if (movedAt_[patch] != kNotMoved) {
+    return movedAt_[patch];
+  }
   const auto vertices = patches_.vertices(patches_.patches()[patch]);
   if (movedCount_ + vertices.size() > kMostMoved) {
     movedAt_.fill(kNotMoved);
@@ -139,7 +145,9 @@ SegmentHit DeformedSurface::nearest(const Segment& segment, double reach_m) noex
   };
   const auto add = [&](const Place& seed_m, double radius_m, std::size_t index, bool isGroup) {
     const double bound_m = distance(segment, at(seed_m)) - radius_m;
-    if (within(bound_m)) open.push({bound_m, static_cast<std::uint32_t>(index), isGroup});
+    if (within(bound_m)) {
+      open.push({bound_m, static_cast<std::uint32_t>(index), isGroup});
+    }
   };
   const auto groups = patches_.groups();
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -148,10 +156,14 @@ SegmentHit DeformedSurface::nearest(const Segment& segment, double reach_m) noex
   bool found = false;
   while (!open.empty()) {
     const OpenList::Entry top = open.pop();
-    if (!within(top.bound_m)) break;
+    if (!within(top.bound_m)) {
+      break;
+    }
     if (top.isGroup) {
       const SurfacePatches::Group& group = groups[top.index];
-      if (!opened_[top.index]) openGroup(top.index);
+      if (!opened_[top.index]) {
+        openGroup(top.index);
+      }
       for (std::size_t p = group.firstPatch; p < group.firstPatch + group.patchCount; ++p) {
         add(patches_m_[p], radii_m_[p], p, false);
       }
@@ -166,7 +178,9 @@ SegmentHit DeformedSurface::nearest(const Segment& segment, double reach_m) noex
   }
   SegmentHit hit;
   hit.found = found;
-  if (!found) return hit;
+  if (!found) {
+    return hit;
+  }
   hit.along = best.pair.along;
   hit.surface.triangle = best.triangle;
   hit.surface.position_m = best.pair.on.point;
@@ -182,7 +196,9 @@ SegmentHit DeformedSurface::nearest(const Segment& segment, double reach_m) noex
 
 SurfacePoint DeformedSurface::closest(const Vec3& point_m) noexcept {
   const SegmentHit hit = nearest({point_m, point_m}, kInfinity);
-  if (hit.found) return hit.surface;
+  if (hit.found) {
+    return hit.surface;
+  }
   SurfacePoint nowhere;
   nowhere.position_m = at(groups_m_[0]);
   nowhere.normal = faceNormal(0);
@@ -198,7 +214,9 @@ Vec3 DeformedSurface::faceNormal(std::uint32_t triangle) const noexcept {
 
 // Pseudonormals: the face's own, the sum of two at an edge, angle-weighted at a corner.
 Vec3 DeformedSurface::featureNormal(std::uint32_t triangle, std::uint8_t feature) const noexcept {
-  if (feature == 6) return faceNormal(triangle);
+  if (feature == 6) {
+    return faceNormal(triangle);
+  }
   const TriangleMesh::Triangle& t = patches_.corners(triangle);
   const std::uint32_t vertex = t[feature % 3];
   const std::uint32_t far = feature < 3 ? vertex : t[(feature + 1U) % 3];
@@ -206,7 +224,9 @@ Vec3 DeformedSurface::featureNormal(std::uint32_t triangle, std::uint8_t feature
   Vec3 sum;
   for (const std::uint32_t other : patches_.ring(vertex)) {
     const TriangleMesh::Triangle& o = patches_.corners(other);
-    if (std::find(o.begin(), o.end(), far) == o.end()) continue;
+    if (std::find(o.begin(), o.end(), far) == o.end()) {
+      continue;
+    }
     const std::size_t k = static_cast<std::size_t>(std::find(o.begin(), o.end(), vertex) - o.begin());
     const Vec3 e = place(o[(k + 1) % 3]) - corner;
     const Vec3 f = place(o[(k + 2) % 3]) - corner;

@@ -48,10 +48,14 @@ inline constexpr double kPierced_m2 = 1e-24;
   NearestToSegment best;
   const auto look = [&](double along) {
     const NearestOnTriangle n = nearestOnTriangle(segment.at(along), t);
-    if (n.distance2 < best.on.distance2) best = {n, along};
+    if (n.distance2 < best.on.distance2) {
+      best = {n, along};
+    }
   };
   look(0.0);
-  if (segment.from_m == segment.to_m) return best;
+  if (segment.from_m == segment.to_m) {
+    return best;
+  }
   look(1.0);
   const Vec3 normal = cross(t.b - t.a, t.c - t.a);
   const double before = dot(normal, segment.from_m - t.a);
@@ -66,7 +70,9 @@ inline constexpr double kPierced_m2 = 1e-24;
   look(alongNearestToEdge(segment, t.a, t.b));
   look(alongNearestToEdge(segment, t.b, t.c));
   look(alongNearestToEdge(segment, t.c, t.a));
-  if (best.on.distance2 <= kPierced_m2) best.on.distance2 = 0.0;
+  if (best.on.distance2 <= kPierced_m2) {
+    best.on.distance2 = 0.0;
+  }
   return best;
 }
 

@@ -65,13 +65,17 @@ Gradients tetrahedronDerivatives() {
 /// Derivatives by local coordinates and weights. Wedge: 3 points across (exact to degree 2) by 2 Gauss points
 /// along, which integrates the stiffness of a straight wedge exactly. Tetrahedron: 1 point, exact.
 std::vector<GaussPoint> referencePoints(int corners) {
-  if (corners == 4) return {{tetrahedronDerivatives(), 1.0 / 6.0}};
+  if (corners == 4) {
+    return {{tetrahedronDerivatives(), 1.0 / 6.0}};
+  }
   constexpr double kThird = 1.0 / 6.0;
   constexpr std::array<Point2, 3> kAcross{{{kThird, kThird}, {4.0 * kThird, kThird}, {kThird, 4.0 * kThird}}};
   const double along = std::sqrt(1.0 / 3.0);
   std::vector<GaussPoint> points;
   for (const Point2& p : kAcross) {
-    for (const double t : {-along, along}) points.push_back({wedgeDerivatives(p[0], p[1], t), 1.0 / 6.0});
+    for (const double t : {-along, along}) {
+      points.push_back({wedgeDerivatives(p[0], p[1], t), 1.0 / 6.0});
+    }
   }
   return points;
 }
@@ -109,7 +113,9 @@ class BarSystem {
   /// A force to judge round-off by: G times volume over length.
   [[nodiscard]] double forceScale() const {
     double volume = 0.0;
-    for (const GaussPoint& p : points_) volume += p.volume;
+    for (const GaussPoint& p : points_) {
+      volume += p.volume;
+    }
     return mu_ * volume / rest_[rest_.size() - 1];
   }
 
@@ -131,7 +137,9 @@ class BarSystem {
         const GaussPoint& p = points_[cell * pointsPerCell_ + q];
         const Eigen::Matrix3d strain = x * p.gradients.transpose();
         const double j = strain.determinant();
-        if (!(j > 0.0)) return false;
+        if (!(j > 0.0)) {
+          return false;
+        }
         const Eigen::Matrix3d inverse = strain.inverse();
         const double pressure = lambda_ * portableLog(j) - mu_;
         f += p.volume * (mu_ * strain + pressure * inverse.transpose()) * p.gradients;
@@ -164,10 +172,14 @@ class BarSystem {
       const CellMatrix k = cellStiffness(cell, place);
       for (int column = 0; column < 3 * corners; ++column) {
         const int freeColumn = freeNumber(cell, column);
-        if (freeColumn < 0) continue;
+        if (freeColumn < 0) {
+          continue;
+        }
         for (int row = 0; row < 3 * corners; ++row) {
           const int freeRow = freeNumber(cell, row);
-          if (freeRow >= freeColumn) entries.emplace_back(freeRow, freeColumn, k(row, column));
+          if (freeRow >= freeColumn) {
+            entries.emplace_back(freeRow, freeColumn, k(row, column));
+          }
         }
       }
     }
@@ -179,12 +191,16 @@ class BarSystem {
  private:
   [[nodiscard]] Gradients corners(std::size_t cell, const Vector& field) const {
     Gradients x = Gradients::Zero();
-    for (int k = 0; k < mesh_.cornersPerCell; ++k) x.col(k) = field.segment<3>(3 * corner(cell, k));
+    for (int k = 0; k < mesh_.cornersPerCell; ++k) {
+      x.col(k) = field.segment<3>(3 * corner(cell, k));
+    }
     return x;
   }
 
   void scatter(std::size_t cell, const Gradients& part, Vector& field) const {
-    for (int k = 0; k < mesh_.cornersPerCell; ++k) field.segment<3>(3 * corner(cell, k)) += part.col(k);
+    for (int k = 0; k < mesh_.cornersPerCell; ++k) {
+      field.segment<3>(3 * corner(cell, k)) += part.col(k);
+    }
   }
 
   [[nodiscard]] int corner(std::size_t cell, int k) const {
@@ -235,17 +251,27 @@ class NewtonSolve {
 
   /// Moves the free part of `place` into equilibrium; false when it does not get there.
   [[nodiscard]] bool solve(Vector& place) {
-    if (!system_.forces(place, force_)) return false;
+    if (!system_.forces(place, force_)) {
+      return false;
+    }
     for (int i = 0; i < kMostIterations; ++i) {
-      if (residual() <= kConverged * reaction() + kRoundOff * system_.forceScale()) return true;
+      if (residual() <= kConverged * reaction() + kRoundOff * system_.forceScale()) {
+        return true;
+      }
       ++iterations_;
       const Sparse matrix = system_.stiffness(place);
-      if (!analysed_) solver_.analyzePattern(matrix);
+      if (!analysed_) {
+        solver_.analyzePattern(matrix);
+      }
       analysed_ = true;
       solver_.factorize(matrix);
-      if (solver_.info() != Eigen::Success) return false;
+      if (solver_.info() != Eigen::Success) {
+        return false;
+      }
       const Vector move = solver_.solve(-system_.freePart(force_));
-      if (!move.allFinite() || !advance(move, place)) return false;
+      if (!move.allFinite() || !advance(move, place)) {
+        return false;
+      }
     }
     return false;
   }
@@ -267,7 +293,9 @@ class NewtonSolve {
     double share = 1.0;
     for (int i = 0; i <= kMostHalvings; ++i, share *= 0.5) {
       system_.freePart(place) = system_.freePart(start) + share * move;
-      if (system_.forces(place, force_) && residual() < before) return true;
+      if (system_.forces(place, force_) && residual() < before) {
+        return true;
+      }
     }
     return false;
   }
@@ -294,7 +322,9 @@ void checkMaterial(const BarMaterial& material) {
 }
 
 void checkAngle(double angle_rad) {
-  if (!std::isfinite(angle_rad)) refuse("The angle must be finite", "angle", "Give the angle in radians");
+  if (!std::isfinite(angle_rad)) {
+    refuse("The angle must be finite", "angle", "Give the angle in radians");
+  }
 }
 
 /// Turns every point about the axis by its share z / length of the angle, from where it is.
@@ -323,7 +353,9 @@ BarTwist compareWithRotation(const BarMesh& mesh, int outlinePoints, double angl
   BarTwist twist;
   const double length = mesh.points.back().z;
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    if (static_cast<int>(i) % mesh.pointsPerLayer < mesh.pointsPerLayer - outlinePoints) continue;
+    if (static_cast<int>(i) % mesh.pointsPerLayer < mesh.pointsPerLayer - outlinePoints) {
+      continue;
+    }
     const Vec3& p = mesh.points[i];
     const SinCos turn = portableSinCos(angle_rad * p.z / length);
     const Eigen::Vector2d turned(turn.cos * p.x - turn.sin * p.y, turn.sin * p.x + turn.cos * p.y);
@@ -366,7 +398,9 @@ double FiniteElementBar::linearTorque_Nm(double angle_rad) const {
 
 BarTwist FiniteElementBar::neoHookeanTorque(double angle_rad, int steps) const {
   checkAngle(angle_rad);
-  if (steps < 1) refuse("At least 1 sub-step is needed", "steps", "Give one for each 15 degrees");
+  if (steps < 1) {
+    refuse("At least 1 sub-step is needed", "steps", "Give one for each 15 degrees");
+  }
   if (std::abs(angle_rad) >= kMostPerLayer_rad * layers_) {
     refuse("The twist of one layer must stay below 90 degrees", "angle", "Give more layers");
   }
@@ -392,7 +426,9 @@ BarTwist FiniteElementBar::neoHookeanTorque(double angle_rad, int steps) const {
 }
 
 std::vector<Point2> regularOutline(int points, double radius_m) {
-  if (points < 3) refuse("A polygon needs at least 3 points", "points", "Give 3 or more");
+  if (points < 3) {
+    refuse("A polygon needs at least 3 points", "points", "Give 3 or more");
+  }
   if (!std::isfinite(radius_m) || radius_m <= 0.0) {
     refuse("The radius must be positive and finite", "radius", "Give the radius in metres");
   }

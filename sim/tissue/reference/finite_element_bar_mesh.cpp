@@ -106,7 +106,9 @@ BarMesh makeBarMesh(std::span<const Point2> outline, double length_m, BarElement
     mesh.points.push_back({0.0, 0.0, z});
     for (int ring = 1; ring <= division.rings; ++ring) {
       const double scale = static_cast<double>(ring) / division.rings;
-      for (const Point2& p : outline) mesh.points.push_back({scale * p[0], scale * p[1], z});
+      for (const Point2& p : outline) {
+        mesh.points.push_back({scale * p[0], scale * p[1], z});
+      }
     }
   }
   const std::vector<std::array<int, 3>> triangles = layerTriangles(count, division.rings);

@@ -69,7 +69,9 @@ PaperTwist paperTwist(std::span<const PaperSection> sections, double length_m, d
 
 double smallestMonotoneBeta(int sections) {
   TORSIO_EXPECTS(sections >= 2);
-  if (sections == 2) return 0.0;
+  if (sections == 2) {
+    return 0.0;
+  }
   const double m = sections;
   return 1.0 / portableLog((m - 1.0) / (m - 2.0));
 }

@@ -93,9 +93,10 @@ class BoundaryProblem {
       out.torsionConstant -= flux_[j] * r2 * e.length;
     }
     out.slope.resize(loops_.size());
-    for (std::size_t j = 0; j < edges_.size(); ++j)
+    for (std::size_t j = 0; j < edges_.size(); ++j) {
       out.slope[static_cast<std::size_t>(edges_[j].loop)].push_back(
           std::abs(flux_[j] - 0.5 * dotOf(edges_[j].a, edges_[j].normal)));
+    }
     fillWarping(out);
     out.sag = largestHeight();
     return out;
@@ -113,7 +114,9 @@ class BoundaryProblem {
       const Point2 x = {0.5 * (here.a[0] + here.b[0]), 0.5 * (here.a[1] + here.b[1])};
       // Everything times -2 pi.
       right(i) = -kPi * 0.25 * dotOf(x, x);
-      if (here.loop > 0) matrix(i, n + here.loop - 1) += kPi;
+      if (here.loop > 0) {
+        matrix(i, n + here.loop - 1) += kPi;
+      }
       for (Eigen::Index j = 0; j < n; ++j) {
         const Edge& e = edges_[static_cast<std::size_t>(j)];
         if (i == j) {
@@ -123,9 +126,13 @@ class BoundaryProblem {
         const View v(e, x);
         matrix(i, j) = v.ofLog() - shift * e.length;
         right(i) += parabola(v, e, x);
-        if (e.loop > 0) matrix(i, n + e.loop - 1) -= v.angle;
+        if (e.loop > 0) {
+          matrix(i, n + e.loop - 1) -= v.angle;
+        }
       }
-      if (here.loop > 0) matrix(n + here.loop - 1, i) = here.length;
+      if (here.loop > 0) {
+        matrix(n + here.loop - 1, i) = here.length;
+      }
     }
     const Eigen::VectorXd solution = matrix.partialPivLu().solve(right);
     flux_.assign(solution.data(), solution.data() + n);
@@ -141,7 +148,9 @@ class BoundaryProblem {
         sum += flux_[j] * edges_[j].length;
         length += edges_[j].length;
       }
-      for (std::size_t j = firstEdge_[k]; j < firstEdge_[k + 1]; ++j) flux_[j] -= sum / length;
+      for (std::size_t j = firstEdge_[k]; j < firstEdge_[k + 1]; ++j) {
+        flux_[j] -= sum / length;
+      }
     }
   }
 
@@ -157,7 +166,9 @@ class BoundaryProblem {
     }
     for (std::size_t k = 1; k < loops_.size(); ++k) {
       const double offset = holeOffset(out, k);
-      for (double& psi : out.warping[k]) psi += offset;
+      for (double& psi : out.warping[k]) {
+        psi += offset;
+      }
     }
     // Integral of psi = boundary integral of psi d(r^2/4)/dn: the other term of Green's identity closes.
     double sum = 0.0;
@@ -165,8 +176,11 @@ class BoundaryProblem {
       const auto [first, second] = ends(out, j);
       sum += 0.25 * (first + second) * edges_[j].length * dotOf(edges_[j].a, edges_[j].normal);
     }
-    for (auto& loop : out.warping)
-      for (double& psi : loop) psi -= sum / area_;
+    for (auto& loop : out.warping) {
+      for (double& psi : loop) {
+        psi -= sum / area_;
+      }
+    }
   }
 
   /// psi at both ends of edge j.
@@ -196,41 +210,60 @@ class BoundaryProblem {
   /// Middle of the widest stretch inside the polygon at a height where no point lies.
   static Point2 pointInside(std::span<const Point2> polygon) {
     std::vector<double> heights;
-    for (const Point2& p : polygon) heights.push_back(p[1]);
+    for (const Point2& p : polygon) {
+      heights.push_back(p[1]);
+    }
     std::sort(heights.begin(), heights.end());
     double low = heights.front(), high = heights.front();
-    for (std::size_t i = 0; i + 1 < heights.size(); ++i)
-      if (heights[i + 1] - heights[i] > high - low) low = heights[i], high = heights[i + 1];
+    for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
+      if (heights[i + 1] - heights[i] > high - low) {
+        low = heights[i], high = heights[i + 1];
+      }
+    }
     const double y = 0.5 * (low + high);
     std::vector<double> crossings;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Point2& a = polygon[i];
       const Point2& b = polygon[(i + 1) % polygon.size()];
-      if ((a[1] > y) != (b[1] > y)) crossings.push_back(a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
+      if ((a[1] > y) != (b[1] > y)) {
+        crossings.push_back(a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
+      }
     }
     std::sort(crossings.begin(), crossings.end());
     TORSIO_EXPECTS(crossings.size() >= 2);
     std::size_t best = 0;
-    for (std::size_t i = 2; i + 1 < crossings.size(); i += 2)
-      if (crossings[i + 1] - crossings[i] > crossings[best + 1] - crossings[best]) best = i;
+    for (std::size_t i = 2; i + 1 < crossings.size(); i += 2) {
+      if (crossings[i + 1] - crossings[i] > crossings[best + 1] - crossings[best]) {
+        best = i;
+      }
+    }
     return {0.5 * (crossings[best] + crossings[best + 1]), y};
   }
 
   [[nodiscard]] bool inMaterial(const Point2& x) const {
-    if (!contains(loops_[0].points, x)) return false;
-    for (std::size_t k = 1; k < loops_.size(); ++k)
-      if (contains(loops_[k].points, x)) return false;
+    if (!contains(loops_[0].points, x)) {
+      return false;
+    }
+    for (std::size_t k = 1; k < loops_.size(); ++k) {
+      if (contains(loops_[k].points, x)) {
+        return false;
+      }
+    }
     return true;
   }
 
   /// z inside the material, by the representation formula; -1 elsewhere.
   [[nodiscard]] double heightAt(const Point2& x) const {
-    if (!inMaterial(x)) return -1.0;
+    if (!inMaterial(x)) {
+      return -1.0;
+    }
     double sum = 0.0;
     for (std::size_t j = 0; j < edges_.size(); ++j) {
       const View v(edges_[j], x);
       sum += parabola(v, edges_[j], x) - flux_[j] * v.ofLog();
-      if (edges_[j].loop > 0) sum += plateau_[static_cast<std::size_t>(edges_[j].loop) - 1] * v.angle;
+      if (edges_[j].loop > 0) {
+        sum += plateau_[static_cast<std::size_t>(edges_[j].loop) - 1] * v.angle;
+      }
     }
     return sum / (2.0 * kPi) - 0.25 * dotOf(x, x);
   }
@@ -240,29 +273,41 @@ class BoundaryProblem {
   [[nodiscard]] double largestHeight() const {
     constexpr int kGrid = 16;
     Point2 low = loops_[0].points[0], high = low;
-    for (const Point2& p : loops_[0].points)
-      for (std::size_t k = 0; k < 2; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+    for (const Point2& p : loops_[0].points) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+      }
+    }
     Point2 best{};
     double top = -1.0;
     const auto visit = [&](const Point2& x) {
       const double z = heightAt(x);
-      if (z <= top) return false;
+      if (z <= top) {
+        return false;
+      }
       top = z, best = x;
       return true;
     };
-    for (int i = 0; i < kGrid; ++i)
-      for (int j = 0; j < kGrid; ++j)
+    for (int i = 0; i < kGrid; ++i) {
+      for (int j = 0; j < kGrid; ++j) {
         visit({low[0] + (i + 0.5) / kGrid * (high[0] - low[0]),
                low[1] + (j + 0.5) / kGrid * (high[1] - low[1])});
+      }
+    }
     Point2 step = {(high[0] - low[0]) / kGrid, (high[1] - low[1]) / kGrid};
     while (step[0] > 1e-4 || step[1] > 1e-4) {
       const Point2 c = best;
       bool better = false;
-      for (const Point2& d : {Point2{1, 0}, Point2{-1, 0}, Point2{0, 1}, Point2{0, -1}})
+      for (const Point2& d : {Point2{1, 0}, Point2{-1, 0}, Point2{0, 1}, Point2{0, -1}}) {
         better = visit({c[0] + d[0] * step[0], c[1] + d[1] * step[1]}) || better;
-      if (!better) step = {0.5 * step[0], 0.5 * step[1]};
+      }
+      if (!better) {
+        step = {0.5 * step[0], 0.5 * step[1]};
+      }
     }
-    for (const double plateau : plateau_) top = std::max(top, plateau);
+    for (const double plateau : plateau_) {
+      top = std::max(top, plateau);
+    }
     return top;
   }
 

@@ -33,9 +33,13 @@ class ShearOnLoop {
     kind_.assign(force_.size(), PointKind::kCurve);
     left_.assign(force_.size(), 1);
     right_.assign(force_.size(), 1);
-    for (std::size_t c = 0; c < loop_.corners.size(); ++c) classify(c);
+    for (std::size_t c = 0; c < loop_.corners.size(); ++c) {
+      classify(c);
+    }
     mean_.resize(force_.size());
-    for (int i = 0; i < count_; ++i) mean_[at(i)] = meanShear(i);
+    for (int i = 0; i < count_; ++i) {
+      mean_[at(i)] = meanShear(i);
+    }
   }
 
   /// |tau| at every point of the divided outline.
@@ -54,8 +58,11 @@ class ShearOnLoop {
           break;
       }
     }
-    for (std::size_t c = 0; c < loop_.corners.size(); ++c)
-      if (isChord(c)) interpolate(out, loop_.corners[c], loop_.corners[(c + 1) % loop_.corners.size()]);
+    for (std::size_t c = 0; c < loop_.corners.size(); ++c) {
+      if (isChord(c)) {
+        interpolate(out, loop_.corners[c], loop_.corners[(c + 1) % loop_.corners.size()]);
+      }
+    }
     return out;
   }
 
@@ -79,7 +86,9 @@ class ShearOnLoop {
       kind_[at(i)] = loop_.turn[c] > 0.0 ? PointKind::kConvexCorner : PointKind::kReentrantCorner;
       return;
     }
-    if (std::abs(loop_.turn[c]) < kStraight) return;
+    if (std::abs(loop_.turn[c]) < kStraight) {
+      return;
+    }
     const int before = loop_.corners[(c + n - 1) % n], after = loop_.corners[(c + 1) % n];
     const int parts[2] = {wrap(i - before), wrap(after - i)};
     const double reach = 1.001 * std::min(parts[0] * step(i - 1), parts[1] * step(i));
@@ -95,7 +104,9 @@ class ShearOnLoop {
     const auto turns = [&](std::size_t k) {
       return kind_[at(loop_.corners[k])] == PointKind::kCurve && std::abs(loop_.turn[k]) >= kStraight;
     };
-    if (!turns(c) || !turns((c + 1) % n)) return false;
+    if (!turns(c) || !turns((c + 1) % n)) {
+      return false;
+    }
     return edgeLength(c) <= kLongest * std::min(edgeLength((c + n - 1) % n), edgeLength((c + 1) % n));
   }
 
@@ -117,10 +128,12 @@ class ShearOnLoop {
   [[nodiscard]] double meanShear(int i) const {
     const double a = left_[at(i)] * step(i - 1), b = right_[at(i)] * step(i);
     double sum = force_[at(i)];
-    for (int k = 1; k < left_[at(i)]; ++k)
+    for (int k = 1; k < left_[at(i)]; ++k) {
       sum += force_[at(wrap(i - k))] * (1.0 - static_cast<double>(k) / left_[at(i)]);
-    for (int k = 1; k < right_[at(i)]; ++k)
+    }
+    for (int k = 1; k < right_[at(i)]; ++k) {
       sum += force_[at(wrap(i + k))] * (1.0 - static_cast<double>(k) / right_[at(i)]);
+    }
     return std::abs(2.0 * sum / (0.5 * (a + b)));
   }
 
@@ -129,8 +142,9 @@ class ShearOnLoop {
   [[nodiscard]] double corrected(int i) const {
     const int before = wrap(i - left_[at(i)]), after = wrap(i + right_[at(i)]);
     const double middle = mean_[at(i)];
-    if (kind_[at(before)] == PointKind::kReentrantCorner || kind_[at(after)] == PointKind::kReentrantCorner)
+    if (kind_[at(before)] == PointKind::kReentrantCorner || kind_[at(after)] == PointKind::kReentrantCorner) {
       return middle;
+    }
     const double a = left_[at(i)] * step(i - 1), b = right_[at(i)] * step(i);
     const double down = valueAtNeighbour(before) - middle, up = valueAtNeighbour(after) - middle;
     const double slope = (a * a * up - b * b * down) / (a * b * (a + b));
@@ -187,13 +201,17 @@ BoundaryValues boundaryValues(const SectionShape& shape, const QuadraticFields& 
     const std::size_t n = loop.boundary.points.size();
     LoopValues values{loop, std::vector<double>(n, 0.0), std::vector<double>(n, 0.0)};
     for (std::size_t i = 0; i < fields.nodes.size(); ++i) {
-      if (fields.loop[i] != static_cast<int>(k)) continue;
+      if (fields.loop[i] != static_cast<int>(k)) {
+        continue;
+      }
       out.warpingMin = std::min(out.warpingMin, fields.warping[i]);
       out.warpingMax = std::max(out.warpingMax, fields.warping[i]);
       const auto [place, part] = placeOf(loop.boundary, fields.arc[i]);
       values.force[place] += (1.0 - part) * fields.edgeForce[i];
       values.force[(place + 1) % n] += part * fields.edgeForce[i];
-      if (part == 0.0) values.warping[place] = fields.warping[i];
+      if (part == 0.0) {
+        values.warping[place] = fields.warping[i];
+      }
     }
     addLoopValues(out, values);
   }

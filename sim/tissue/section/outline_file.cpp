@@ -32,22 +32,27 @@ std::vector<std::string_view> fieldsOf(std::string_view line) {
 }
 
 bool parse(std::string_view field, double& value) {
-  if (!field.empty() && field.front() == '+') field.remove_prefix(1);
+  if (!field.empty() && field.front() == '+') {
+    field.remove_prefix(1);
+  }
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   return error == std::errc() && end == field.data() + field.size();
 }
 
 Point2 pointOf(const std::vector<std::string_view>& fields, const std::string& where) {
-  if (fields.size() != 2)
+  if (fields.size() != 2) {
     throw Error(ErrorCode::kBadData, Text("expected 2 values, found %1", std::to_string(fields.size())),
                 where, kRemedy);
+  }
   Point2 point{};
   for (std::size_t k = 0; k < 2; ++k) {
-    if (!parse(fields[k], point[k]))
+    if (!parse(fields[k], point[k])) {
       throw Error(ErrorCode::kBadData, Text("'%1' is not a number", std::string(fields[k].substr(0, 40))),
                   where, kRemedy);
-    if (!std::isfinite(point[k]))
+    }
+    if (!std::isfinite(point[k])) {
       throw Error(ErrorCode::kBadData, "a coordinate is not a finite number", where, kRemedy);
+    }
   }
   return point;
 }
@@ -55,8 +60,11 @@ Point2 pointOf(const std::vector<std::string_view>& fields, const std::string& w
 /// A line of column names: no field of it is a number.
 bool isHeader(const std::vector<std::string_view>& fields) {
   double value = 0.0;
-  for (const std::string_view field : fields)
-    if (parse(field, value)) return false;
+  for (const std::string_view field : fields) {
+    if (parse(field, value)) {
+      return false;
+    }
+  }
   return true;
 }
 
@@ -66,25 +74,32 @@ std::vector<Point2> readOutline(const std::filesystem::path& file) {
   const std::string text = readFile(file);
   std::string_view rest = text;
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
+  if (rest.starts_with(kByteOrderMark)) {
+    rest.remove_prefix(kByteOrderMark.size());
+  }
   std::vector<Point2> points;
   bool headerSeen = false;
   for (int number = 1; !rest.empty(); ++number) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::vector<std::string_view> fields = fieldsOf(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (fields.empty() || fields.front().front() == '#') continue;
+    if (fields.empty() || fields.front().front() == '#') {
+      continue;
+    }
     if (points.empty() && !headerSeen && isHeader(fields)) {
       headerSeen = true;
       continue;
     }
     points.push_back(pointOf(fields, file.string() + ", line " + std::to_string(number)));
   }
-  if (points.size() > 1 && points.front() == points.back()) points.pop_back();
-  if (points.size() < 3)
+  if (points.size() > 1 && points.front() == points.back()) {
+    points.pop_back();
+  }
+  if (points.size() < 3) {
     throw Error(ErrorCode::kBadData,
                 Text("a section needs at least 3 points, this file has %1", std::to_string(points.size())),
                 file.string(), kRemedy);
+  }
   return points;
 }
 

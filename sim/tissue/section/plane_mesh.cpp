@@ -37,7 +37,9 @@ class Bisection {
         const int other = mesh_.neighbours[at(t)][at(corner)];
         if (other < 0 || mesh_.neighbours[at(other)][at(longest(other))] == t) {
           splitEdge(t, corner);
-          if (t == triangle || other == triangle) return;
+          if (t == triangle || other == triangle) {
+            return;
+          }
           break;
         }
         t = other;
@@ -50,8 +52,11 @@ class Bisection {
   /// strict and the chain above ends.
   [[nodiscard]] int longest(int t) const {
     int best = 0;
-    for (int k = 1; k < 3; ++k)
-      if (shorter(t, best, k)) best = k;
+    for (int k = 1; k < 3; ++k) {
+      if (shorter(t, best, k)) {
+        best = k;
+      }
+    }
     return best;
   }
 
@@ -59,7 +64,9 @@ class Bisection {
     const auto [a, b] = ends(t, j);
     const auto [c, d] = ends(t, k);
     const double first = squaredLength(a, b), second = squaredLength(c, d);
-    if (first != second) return first < second;
+    if (first != second) {
+      return first < second;
+    }
     return std::pair{a, b} < std::pair{c, d};
   }
 
@@ -84,12 +91,15 @@ class Bisection {
   }
 
   void replaceNeighbour(int t, int old, int now) {
-    if (t < 0) return;
-    for (int& n : mesh_.neighbours[at(t)])
+    if (t < 0) {
+      return;
+    }
+    for (int& n : mesh_.neighbours[at(t)]) {
       if (n == old) {
         n = now;
         return;
       }
+    }
   }
 
   /// Splits `t` towards the middle point `m` of the edge facing `corner`: `t` keeps the side of the next
@@ -115,10 +125,15 @@ class Bisection {
     const int other = mesh_.neighbours[at(t)][at(corner)];
     const int m = addMiddle(a, b, other < 0);
     int otherCorner = 0;
-    if (other >= 0)
-      while (mesh_.neighbours[at(other)][at(otherCorner)] != t) ++otherCorner;
+    if (other >= 0) {
+      while (mesh_.neighbours[at(other)][at(otherCorner)] != t) {
+        ++otherCorner;
+      }
+    }
     const int created = halve(t, corner, m);
-    if (other < 0) return;
+    if (other < 0) {
+      return;
+    }
     const int createdOther = halve(other, otherCorner, m);
     // `other` starts at b (it runs the edge the other way round): it meets `created`.
     mesh_.neighbours[at(t)][0] = createdOther;
@@ -145,12 +160,13 @@ int addLoop(PlaneMesh& mesh, const BoundaryLoop& boundary) {
 void linkNeighbours(PlaneMesh& mesh) {
   std::vector<HalfEdge> edges;
   edges.reserve(3 * mesh.triangles.size());
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
     for (int k = 0; k < 3; ++k) {
       const int a = mesh.triangles[at(t)][at((k + 1) % 3)];
       const int b = mesh.triangles[at(t)][at((k + 2) % 3)];
       edges.push_back({std::min(a, b), std::max(a, b), t, k});
     }
+  }
   std::sort(edges.begin(), edges.end(), [](const HalfEdge& p, const HalfEdge& q) {
     return std::array{p.low, p.high, p.triangle} < std::array{q.low, q.high, q.triangle};
   });
@@ -158,7 +174,9 @@ void linkNeighbours(PlaneMesh& mesh) {
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     const HalfEdge& p = edges[i];
     const HalfEdge& q = edges[i + 1];
-    if (p.low != q.low || p.high != q.high) continue;
+    if (p.low != q.low || p.high != q.high) {
+      continue;
+    }
     mesh.neighbours[at(p.triangle)][at(p.corner)] = q.triangle;
     mesh.neighbours[at(q.triangle)][at(q.corner)] = p.triangle;
   }
@@ -170,7 +188,9 @@ double middleArc(const PlaneMesh& mesh, int a, int b) {
   const double low = std::min(mesh.arc[at(a)], mesh.arc[at(b)]);
   const double high = std::max(mesh.arc[at(a)], mesh.arc[at(b)]);
   // The edge that closes the loop runs from the last point to the first.
-  if (low == 0.0 && high > 0.5 * length) return 0.5 * (high + length);
+  if (low == 0.0 && high > 0.5 * length) {
+    return 0.5 * (high + length);
+  }
   return 0.5 * (low + high);
 }
 
@@ -180,8 +200,11 @@ void bisect(PlaneMesh& mesh, std::span<const char> marked) {
   // A triangle may have been split for a neighbour's sake already; its remaining half is split once more only
   // if nothing has happened to it, which its points tell.
   const std::vector<std::array<int, 3>> before(mesh.triangles.begin(), mesh.triangles.end());
-  for (std::size_t t = 0; t < marked.size(); ++t)
-    if (marked[t] != 0 && mesh.triangles[t] == before[t]) bisection.split(static_cast<int>(t));
+  for (std::size_t t = 0; t < marked.size(); ++t) {
+    if (marked[t] != 0 && mesh.triangles[t] == before[t]) {
+      bisection.split(static_cast<int>(t));
+    }
+  }
 }
 
 }  // namespace torsio

@@ -35,16 +35,23 @@ std::vector<std::array<int, 3>> strip(const PlaneMesh& mesh, const Ring& outer, 
   for (std::size_t i = 0; i < m; ++i) {
     const int b0 = inner.points[i], b1 = inner.points[(i + 1) % m];
     std::size_t end = begin + 1;
-    while (end < n && (i + 1 == m || outer.rays[end] < inner.rays[i + 1])) ++end;
+    while (end < n && (i + 1 == m || outer.rays[end] < inner.rays[i + 1])) {
+      ++end;
+    }
     // The outer points up to the middle one look at b0, the others at b1.
     const auto a = [&](std::size_t k) { return outer.points[k % n]; };
     std::size_t middle = begin + (end - begin) / 2;
     if (end == begin + 1 &&
-        squaredDistance(point(a(end)), point(b0)) <= squaredDistance(point(a(begin)), point(b1)))
+        squaredDistance(point(a(end)), point(b0)) <= squaredDistance(point(a(begin)), point(b1))) {
       middle = end;
-    for (std::size_t k = begin; k < middle; ++k) triangles.push_back({a(k), a(k + 1), b0});
+    }
+    for (std::size_t k = begin; k < middle; ++k) {
+      triangles.push_back({a(k), a(k + 1), b0});
+    }
     triangles.push_back({a(middle), b1, b0});
-    for (std::size_t k = middle; k < end; ++k) triangles.push_back({a(k), a(k + 1), b1});
+    for (std::size_t k = middle; k < end; ++k) {
+      triangles.push_back({a(k), a(k + 1), b1});
+    }
     begin = end;
   }
   return triangles;
@@ -58,7 +65,9 @@ bool allAnticlockwise(const PlaneMesh& mesh, const std::vector<std::array<int, 3
     const Point2& b = mesh.points[static_cast<std::size_t>(t[1])];
     const Point2& c = mesh.points[static_cast<std::size_t>(t[2])];
     const double edges = squaredDistance(a, b) + squaredDistance(b, c) + squaredDistance(c, a);
-    if (orientation(a, b, c) < kLeastRoundness * edges) return false;
+    if (orientation(a, b, c) < kLeastRoundness * edges) {
+      return false;
+    }
   }
   return true;
 }
@@ -82,8 +91,9 @@ class PolarMesher {
     // The top of the membrane is often at the centre: once more halfway there.
     outer = nextRing(outer, 0.5 * outer.fraction);
     const int middle = addPoint(centre_);
-    for (std::size_t i = 0; i < outer.points.size(); ++i)
+    for (std::size_t i = 0; i < outer.points.size(); ++i) {
       mesh_.triangles.push_back({outer.points[i], outer.points[(i + 1) % outer.points.size()], middle});
+    }
     linkNeighbours(mesh_);
     return std::move(mesh_);
   }
@@ -102,11 +112,17 @@ class PolarMesher {
     if (across < outer.fraction - fraction && outer.rays.size() >= 2 * kFewestRays) {
       // An odd number leaves out two in one place, so that no narrow gap is handed on to the next ring.
       std::vector<int> half;
-      for (std::size_t i = 0; i + 1 < outer.rays.size(); i += 2) half.push_back(outer.rays[i]);
-      if (tryRing(outer, half, fraction)) return ring_;
+      for (std::size_t i = 0; i + 1 < outer.rays.size(); i += 2) {
+        half.push_back(outer.rays[i]);
+      }
+      if (tryRing(outer, half, fraction)) {
+        return ring_;
+      }
     }
     const bool kept = tryRing(outer, outer.rays, fraction);
-    if (!kept) mesh_.triangles.insert(mesh_.triangles.end(), strip_.begin(), strip_.end());
+    if (!kept) {
+      mesh_.triangles.insert(mesh_.triangles.end(), strip_.begin(), strip_.end());
+    }
     return ring_;
   }
 

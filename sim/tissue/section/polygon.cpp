@@ -43,7 +43,9 @@ bool meet(const Edge& p, const Edge& q) {
   const double b = orientation(p.a, p.b, q.b);
   const double c = orientation(q.a, q.b, p.a);
   const double d = orientation(q.a, q.b, p.b);
-  if (((a > 0 && b < 0) || (a < 0 && b > 0)) && ((c > 0 && d < 0) || (c < 0 && d > 0))) return true;
+  if (((a > 0 && b < 0) || (a < 0 && b > 0)) && ((c > 0 && d < 0) || (c < 0 && d > 0))) {
+    return true;
+  }
   return (a == 0 && withinBox(p.a, p.b, q.a)) || (b == 0 && withinBox(p.a, p.b, q.b)) ||
          (c == 0 && withinBox(q.a, q.b, p.a)) || (d == 0 && withinBox(q.a, q.b, p.b));
 }
@@ -76,7 +78,9 @@ PolygonMoments polygonMoments(std::span<const Point2> polygon) {
   }
   PolygonMoments m;
   m.area = area2 / 2.0;
-  if (m.area == 0.0) return m;
+  if (m.area == 0.0) {
+    return m;
+  }
   const double cx = sx / (6.0 * m.area);
   const double cy = sy / (6.0 * m.area);
   m.centroid = {origin[0] + cx, origin[1] + cy};
@@ -103,14 +107,19 @@ std::optional<std::pair<int, int>> firstSelfCrossing(std::span<const Point2> pol
   for (int i = 0; i < n; ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
     const std::size_t next = (k + 1) % polygon.size();
-    if (runsBack(polygon[k], polygon[next], polygon[(k + 2) % polygon.size()]))
+    if (runsBack(polygon[k], polygon[next], polygon[(k + 2) % polygon.size()])) {
       return std::pair{i, static_cast<int>(next)};
+    }
   }
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (std::size_t j = i + 1; j < edges.size() && edges[j].left <= edges[i].right; ++j) {
       const int gap = std::abs(edges[i].index - edges[j].index);
-      if (gap == 1 || gap == n - 1) continue;
-      if (meet(edges[i], edges[j])) return std::minmax(edges[i].index, edges[j].index);
+      if (gap == 1 || gap == n - 1) {
+        continue;
+      }
+      if (meet(edges[i], edges[j])) {
+        return std::minmax(edges[i].index, edges[j].index);
+      }
     }
   }
   return std::nullopt;
@@ -121,8 +130,12 @@ std::optional<std::pair<int, int>> firstCrossing(std::span<const Point2> a, std:
   const std::vector<Edge> second = edgesFromLeft(b);
   for (const Edge& p : first) {
     for (const Edge& q : second) {
-      if (q.left > p.right) break;
-      if (q.right >= p.left && meet(p, q)) return std::pair{p.index, q.index};
+      if (q.left > p.right) {
+        break;
+      }
+      if (q.right >= p.left && meet(p, q)) {
+        return std::pair{p.index, q.index};
+      }
     }
   }
   return std::nullopt;
@@ -133,9 +146,13 @@ bool contains(std::span<const Point2> polygon, const Point2& point) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point2& a = polygon[i];
     const Point2& b = polygon[(i + 1) % polygon.size()];
-    if ((a[1] > point[1]) == (b[1] > point[1])) continue;
+    if ((a[1] > point[1]) == (b[1] > point[1])) {
+      continue;
+    }
     const double x = a[0] + (point[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
-    if (point[0] < x) inside = !inside;
+    if (point[0] < x) {
+      inside = !inside;
+    }
   }
   return inside;
 }
@@ -151,7 +168,9 @@ double grazingSine(std::span<const Point2> polygon, const Point2& centre) {
     for (const Point2& p : {a, b}) {
       const double rx = p[0] - centre[0], ry = p[1] - centre[1];
       const double ray = std::sqrt(rx * rx + ry * ry);
-      if (ray * edge <= 0.0) return -1.0;
+      if (ray * edge <= 0.0) {
+        return -1.0;
+      }
       least = std::min(least, twiceArea / (ray * edge));
     }
   }

@@ -32,7 +32,9 @@ class Bridging {
     loops.erase(loops.begin());
     while (!loops.empty()) {
       const auto bridge = shortestBridge(polygon, loops);
-      if (bridge.hole < 0) return {};
+      if (bridge.hole < 0) {
+        return {};
+      }
       std::vector<int>& hole = loops[at(bridge.hole)];
       std::rotate(hole.begin(), hole.begin() + bridge.to, hole.end());
       std::vector<int> detour(hole.begin(), hole.end());
@@ -54,20 +56,27 @@ class Bridging {
 
   Bridge shortestBridge(const std::vector<int>& polygon, const std::vector<std::vector<int>>& holes) const {
     std::vector<Bridge> bridges;
-    for (int i = 0; i < static_cast<int>(polygon.size()); ++i)
-      for (int h = 0; h < static_cast<int>(holes.size()); ++h)
-        for (int j = 0; j < static_cast<int>(holes[at(h)].size()); ++j)
+    for (int i = 0; i < static_cast<int>(polygon.size()); ++i) {
+      for (int h = 0; h < static_cast<int>(holes.size()); ++h) {
+        for (int j = 0; j < static_cast<int>(holes[at(h)].size()); ++j) {
           bridges.push_back({squaredDistance(point(polygon[at(i)]), point(holes[at(h)][at(j)])), i, h, j});
+        }
+      }
+    }
     std::sort(bridges.begin(), bridges.end(), [](const Bridge& p, const Bridge& q) {
       return std::tuple{p.squaredLength, p.from, p.hole, p.to} <
              std::tuple{q.squaredLength, q.from, q.hole, q.to};
     });
     for (const Bridge& b : bridges) {
       const int from = polygon[at(b.from)], to = holes[at(b.hole)][at(b.to)];
-      if (!entersAngle(polygon, b.from, to) || crosses(polygon, from, to)) continue;
+      if (!entersAngle(polygon, b.from, to) || crosses(polygon, from, to)) {
+        continue;
+      }
       const bool blocked = std::any_of(holes.begin(), holes.end(),
                                        [&](const std::vector<int>& hole) { return crosses(hole, from, to); });
-      if (!blocked) return b;
+      if (!blocked) {
+        return b;
+      }
     }
     return {};
   }
@@ -87,12 +96,16 @@ class Bridging {
   [[nodiscard]] bool crosses(const std::vector<int>& loop, int from, int to) const {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const int a = loop[i], b = loop[(i + 1) % loop.size()];
-      if (a == from || b == from || a == to || b == to) continue;
+      if (a == from || b == from || a == to || b == to) {
+        continue;
+      }
       const double p = orientation(point(from), point(to), point(a));
       const double q = orientation(point(from), point(to), point(b));
       const double r = orientation(point(a), point(b), point(from));
       const double s = orientation(point(a), point(b), point(to));
-      if (p * q <= 0.0 && r * s <= 0.0) return true;
+      if (p * q <= 0.0 && r * s <= 0.0) {
+        return true;
+      }
     }
     return false;
   }
@@ -112,7 +125,9 @@ bool cutEars(PlaneMesh& mesh, std::vector<int> polygon) {
     const int a = polygon[(k + n - 1) % n], b = polygon[k], c = polygon[(k + 1) % n];
     const double least =
         kLeastSine * (squaredDistance(point(a), point(b)) + squaredDistance(point(b), point(c)));
-    if (orientation(point(a), point(b), point(c)) <= least) return false;
+    if (orientation(point(a), point(b), point(c)) <= least) {
+      return false;
+    }
     // A point on the cut, up to rounding, would leave a polygon that touches itself.
     return std::none_of(polygon.begin(), polygon.end(), [&](int p) {
       return p != a && p != b && p != c && orientation(point(a), point(b), point(p)) >= -least &&
@@ -123,7 +138,9 @@ bool cutEars(PlaneMesh& mesh, std::vector<int> polygon) {
   std::size_t k = 0, misses = 0;
   while (polygon.size() > 3) {
     const std::size_t n = polygon.size();
-    if (misses > n) return false;
+    if (misses > n) {
+      return false;
+    }
     k %= n;
     if (!isEar(k)) {
       ++k, ++misses;
@@ -133,7 +150,9 @@ bool cutEars(PlaneMesh& mesh, std::vector<int> polygon) {
     polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(k));
     misses = 0;
   }
-  if (orientation(point(polygon[0]), point(polygon[1]), point(polygon[2])) <= 0.0) return false;
+  if (orientation(point(polygon[0]), point(polygon[1]), point(polygon[2])) <= 0.0) {
+    return false;
+  }
   mesh.triangles.push_back({polygon[0], polygon[1], polygon[2]});
   return true;
 }
@@ -154,7 +173,9 @@ class Flipping {
 
   void all() {
     std::vector<int> waiting(mesh_.triangles.size());
-    for (std::size_t i = 0; i < waiting.size(); ++i) waiting[i] = static_cast<int>(waiting.size() - 1 - i);
+    for (std::size_t i = 0; i < waiting.size(); ++i) {
+      waiting[i] = static_cast<int>(waiting.size() - 1 - i);
+    }
     from(std::move(waiting));
   }
 
@@ -166,7 +187,9 @@ class Flipping {
       waiting.pop_back();
       for (int k = 0; k < 3; ++k) {
         const int other = mesh_.neighbours[at(t)][at(k)];
-        if (other < 0 || !flipIfBetter(t, k, other)) continue;
+        if (other < 0 || !flipIfBetter(t, k, other)) {
+          continue;
+        }
         waiting.push_back(other);
         waiting.push_back(t);
         touched.push_back(other);
@@ -179,7 +202,9 @@ class Flipping {
  private:
   bool flipIfBetter(int t, int k, int other) {
     int m = 0;
-    while (mesh_.neighbours[at(other)][at(m)] != t) ++m;
+    while (mesh_.neighbours[at(other)][at(m)] != t) {
+      ++m;
+    }
     const int apex = mesh_.triangles[at(t)][at(k)];
     const int a = mesh_.triangles[at(t)][at((k + 1) % 3)];
     const int b = mesh_.triangles[at(t)][at((k + 2) % 3)];
@@ -187,9 +212,15 @@ class Flipping {
     const auto& p = mesh_.points;
     const double scale = squaredDistance(p[at(a)], p[at(b)]);
     // A tie (four points on a circle) must not be flipped for ever.
-    if (insideCircle(p[at(apex)], p[at(a)], p[at(b)], p[at(far)]) <= 1e-11 * scale * scale) return false;
-    if (orientation(p[at(apex)], p[at(a)], p[at(far)]) <= 0.0) return false;
-    if (orientation(p[at(apex)], p[at(far)], p[at(b)]) <= 0.0) return false;
+    if (insideCircle(p[at(apex)], p[at(a)], p[at(b)], p[at(far)]) <= 1e-11 * scale * scale) {
+      return false;
+    }
+    if (orientation(p[at(apex)], p[at(a)], p[at(far)]) <= 0.0) {
+      return false;
+    }
+    if (orientation(p[at(apex)], p[at(far)], p[at(b)]) <= 0.0) {
+      return false;
+    }
     const int besideA = mesh_.neighbours[at(t)][at((k + 2) % 3)];       // across apex-a
     const int besideB = mesh_.neighbours[at(t)][at((k + 1) % 3)];       // across b-apex
     const int farFromA = mesh_.neighbours[at(other)][at((m + 2) % 3)];  // across far-b
@@ -204,12 +235,15 @@ class Flipping {
   }
 
   void relink(int t, int old, int now) {
-    if (t < 0) return;
-    for (int& n : mesh_.neighbours[at(t)])
+    if (t < 0) {
+      return;
+    }
+    for (int& n : mesh_.neighbours[at(t)]) {
       if (n == old) {
         n = now;
         return;
       }
+    }
   }
 
   PlaneMesh& mesh_;
@@ -226,14 +260,20 @@ class Filling {
   void run() {
     const std::size_t mostPoints = 6 * mesh_.points.size();
     std::vector<int> waiting(mesh_.triangles.size());
-    for (std::size_t i = 0; i < waiting.size(); ++i) waiting[i] = static_cast<int>(waiting.size() - 1 - i);
+    for (std::size_t i = 0; i < waiting.size(); ++i) {
+      waiting[i] = static_cast<int>(waiting.size() - 1 - i);
+    }
     while (!waiting.empty() && mesh_.points.size() < mostPoints) {
       const int t = waiting.back();
       waiting.pop_back();
-      if (!isThin(t)) continue;
+      if (!isThin(t)) {
+        continue;
+      }
       const Point2 centre = circleCentre(t);
       const int host = locate(t, centre);
-      if (host < 0 || nearBoundary(host, centre)) continue;
+      if (host < 0 || nearBoundary(host, centre)) {
+        continue;
+      }
       const std::vector<int> touched = insert(host, centre);
       waiting.insert(waiting.end(), touched.rbegin(), touched.rend());
     }
@@ -266,11 +306,18 @@ class Filling {
   [[nodiscard]] int locate(int t, const Point2& p) const {
     for (std::size_t steps = 0; steps < mesh_.triangles.size(); ++steps) {
       int out = -1;
-      for (int k = 0; k < 3 && out < 0; ++k)
-        if (orientation(corner(t, k + 1), corner(t, k + 2), p) < 0.0) out = k;
-      if (out < 0) return t;
+      for (int k = 0; k < 3 && out < 0; ++k) {
+        if (orientation(corner(t, k + 1), corner(t, k + 2), p) < 0.0) {
+          out = k;
+        }
+      }
+      if (out < 0) {
+        return t;
+      }
       t = mesh_.neighbours[at(t)][at(out)];
-      if (t < 0) return -1;
+      if (t < 0) {
+        return -1;
+      }
     }
     return -1;
   }
@@ -279,11 +326,17 @@ class Filling {
   [[nodiscard]] bool nearBoundary(int host, const Point2& p) const {
     const auto& around = mesh_.neighbours[at(host)];
     for (const int t : {host, around[0], around[1], around[2]}) {
-      if (t < 0) continue;
+      if (t < 0) {
+        continue;
+      }
       for (int k = 0; k < 3; ++k) {
-        if (mesh_.neighbours[at(t)][at(k)] >= 0) continue;
+        if (mesh_.neighbours[at(t)][at(k)] >= 0) {
+          continue;
+        }
         const Point2 &a = corner(t, k + 1), &b = corner(t, k + 2);
-        if ((a[0] - p[0]) * (b[0] - p[0]) + (a[1] - p[1]) * (b[1] - p[1]) < 0.0) return true;
+        if ((a[0] - p[0]) * (b[0] - p[0]) + (a[1] - p[1]) * (b[1] - p[1]) < 0.0) {
+          return true;
+        }
       }
     }
     return false;
@@ -303,13 +356,16 @@ class Filling {
     mesh_.neighbours.push_back({third, t, beyondA});
     mesh_.triangles.push_back({c, a, m});
     mesh_.neighbours.push_back({t, second, beyondB});
-    for (const auto& [outer, now] : {std::pair{beyondA, second}, std::pair{beyondB, third}})
-      if (outer >= 0)
-        for (int& n : mesh_.neighbours[at(outer)])
+    for (const auto& [outer, now] : {std::pair{beyondA, second}, std::pair{beyondB, third}}) {
+      if (outer >= 0) {
+        for (int& n : mesh_.neighbours[at(outer)]) {
           if (n == t) {
             n = now;
             break;
           }
+        }
+      }
+    }
     return flipping_.from({t, second, third});
   }
 
@@ -325,13 +381,19 @@ std::optional<PlaneMesh> polygonMesh(const BoundaryLoop& outline, std::span<cons
   const auto take = [&](const BoundaryLoop& loop) {
     const int first = addLoop(mesh, loop);
     std::vector<int> numbers(loop.points.size());
-    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = first + static_cast<int>(i);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      numbers[i] = first + static_cast<int>(i);
+    }
     loops.push_back(std::move(numbers));
   };
   take(outline);
-  for (const BoundaryLoop& hole : holes) take(hole);
+  for (const BoundaryLoop& hole : holes) {
+    take(hole);
+  }
   std::vector<int> polygon = Bridging(mesh).join(std::move(loops));
-  if (polygon.empty() || !cutEars(mesh, std::move(polygon))) return std::nullopt;
+  if (polygon.empty() || !cutEars(mesh, std::move(polygon))) {
+    return std::nullopt;
+  }
   linkNeighbours(mesh);
   Flipping(mesh).all();
   Filling(mesh).run();

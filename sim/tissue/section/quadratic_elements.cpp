@@ -54,8 +54,11 @@ Element elementAt(const QuadraticFields& f, std::size_t t) {
 /// Integral of grad phi_i . grad phi_j, from the products s_ij of the linear gradients: exact.
 Matrix6 stiffness(const Element& e) {
   std::array<std::array<double, 3>, 3> s{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) s[at(i)][at(j)] = e.area * e.gradient[at(i)].dot(e.gradient[at(j)]);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      s[at(i)][at(j)] = e.area * e.gradient[at(i)].dot(e.gradient[at(j)]);
+    }
+  }
   const double trace = 0.5 * (s[0][0] + s[1][1] + s[2][2]);
   Matrix6 k = Matrix6::Zero();
   for (int i = 0; i < 3; ++i) {
@@ -63,7 +66,9 @@ Matrix6 stiffness(const Element& e) {
     // |g_j|^2 + |g_k|^2 + g_j.g_k = (|g_0|^2 + |g_1|^2 + |g_2|^2) / 2 because the gradients sum to zero.
     k(3 + i, 3 + i) = 8.0 / 3.0 * trace;
     for (int j = 0; j < 3; ++j) {
-      if (i == j) continue;
+      if (i == j) {
+        continue;
+      }
       const double sij = s[at(i)][at(j)];
       k(i, j) = -sij / 3.0;
       k(3 + i, 3 + j) = 8.0 / 3.0 * sij;
@@ -95,14 +100,18 @@ Vector6 warpingLoad(const Element& e) {
 
 Vector6 nodal(const QuadraticFields& f, std::size_t t, const std::vector<double>& values) {
   Vector6 v;
-  for (int k = 0; k < 6; ++k) v(k) = values[at(f.elements[t][at(k)])];
+  for (int k = 0; k < 6; ++k) {
+    v(k) = values[at(f.elements[t][at(k)])];
+  }
   return v;
 }
 
 /// Gradient of a quadratic field at corner k.
 Vector2 gradientAtCorner(const Element& e, const Vector6& v, int k) {
   Vector2 g = Vector2::Zero();
-  for (int i = 0; i < 3; ++i) g += v(i) * (i == k ? 3.0 : -1.0) * e.gradient[at(i)];
+  for (int i = 0; i < 3; ++i) {
+    g += v(i) * (i == k ? 3.0 : -1.0) * e.gradient[at(i)];
+  }
   for (int j : {next(k), previous(k)}) {
     const int middle = 3 + (3 - k - j);  // between k and j
     g += 4.0 * v(middle) * e.gradient[at(j)];
@@ -136,14 +145,18 @@ class System {
   void factorize(const std::vector<std::array<int, 6>>& elements, const std::vector<Matrix6>& stiffnesses) {
     std::fill(matrix_.valuePtr(), matrix_.valuePtr() + matrix_.nonZeros(), 0.0);
     std::size_t place = 0;
-    for (std::size_t t = 0; t < elements.size(); ++t)
-      for (int i = 0; i < 6; ++i)
+    for (std::size_t t = 0; t < elements.size(); ++t) {
+      for (int i = 0; i < 6; ++i) {
         for (int j = 0; j <= i; ++j) {
-          if (unknown(elements[t][at(i)]) < 0 || unknown(elements[t][at(j)]) < 0) continue;
+          if (unknown(elements[t][at(i)]) < 0 || unknown(elements[t][at(j)]) < 0) {
+            continue;
+          }
           // Two nodes of one hole share an unknown: their coupling counts twice on its diagonal.
           const bool folded = i != j && unknown(elements[t][at(i)]) == unknown(elements[t][at(j)]);
           matrix_.valuePtr()[places_[place++]] += (folded ? 2.0 : 1.0) * stiffnesses[t](i, j);
         }
+      }
+    }
     solver_.factorize(matrix_);
     TORSIO_EXPECTS(solver_.info() == Eigen::Success);
   }
@@ -151,12 +164,18 @@ class System {
   /// `load` and the result: one a node.
   [[nodiscard]] std::vector<double> solve(const std::vector<double>& load) const {
     Eigen::VectorXd right = Eigen::VectorXd::Zero(matrix_.rows());
-    for (std::size_t i = 0; i < load.size(); ++i)
-      if (unknowns_[i] >= 0) right(unknowns_[i]) += load[i];
+    for (std::size_t i = 0; i < load.size(); ++i) {
+      if (unknowns_[i] >= 0) {
+        right(unknowns_[i]) += load[i];
+      }
+    }
     const Eigen::VectorXd solution = solver_.solve(right);
     std::vector<double> values(load.size(), 0.0);
-    for (std::size_t i = 0; i < load.size(); ++i)
-      if (unknowns_[i] >= 0) values[i] = solution(unknowns_[i]);
+    for (std::size_t i = 0; i < load.size(); ++i) {
+      if (unknowns_[i] >= 0) {
+        values[i] = solution(unknowns_[i]);
+      }
+    }
     return values;
   }
 
@@ -165,12 +184,16 @@ class System {
 
   template <typename Visit>
   void forEachEntry(const std::vector<std::array<int, 6>>& elements, const Visit& visit) const {
-    for (const auto& element : elements)
-      for (int i = 0; i < 6; ++i)
+    for (const auto& element : elements) {
+      for (int i = 0; i < 6; ++i) {
         for (int j = 0; j <= i; ++j) {
           const int a = unknown(element[at(i)]), b = unknown(element[at(j)]);
-          if (a >= 0 && b >= 0) visit(std::max(a, b), std::min(a, b));
+          if (a >= 0 && b >= 0) {
+            visit(std::max(a, b), std::min(a, b));
+          }
         }
+      }
+    }
   }
 
   Unknowns unknowns_;
@@ -193,7 +216,9 @@ QuadraticFields withMiddles(const PlaneMesh& mesh) {
       const int other = mesh.neighbours[at(t)][at(k)];
       if (other >= 0 && other < t) {
         int corner = 0;
-        while (mesh.neighbours[at(other)][at(corner)] != t) ++corner;
+        while (mesh.neighbours[at(other)][at(corner)] != t) {
+          ++corner;
+        }
         element[at(3 + k)] = f.elements[at(other)][at(3 + corner)];
         continue;
       }
@@ -214,7 +239,9 @@ class QuadraticElements::Impl {
  public:
   QuadraticFields solve(const PlaneMesh& mesh, std::span<const double> holeAreas) {
     QuadraticFields f = withMiddles(mesh);
-    if (f.elements != elements_ || f.loop != loop_) prepare(f);
+    if (f.elements != elements_ || f.loop != loop_) {
+      prepare(f);
+    }
     assemble(f, holeAreas);
     membrane_.factorize(f.elements, stiffness_);
     warping_.factorize(f.elements, stiffness_);
@@ -233,17 +260,23 @@ class QuadraticElements::Impl {
     int count = 0;
     int holes = 0;
     for (std::size_t i = 0; i < f.nodes.size(); ++i) {
-      if (f.loop[i] < 0) unknowns[i] = count++;
+      if (f.loop[i] < 0) {
+        unknowns[i] = count++;
+      }
       holes = std::max(holes, f.loop[i]);
     }
-    for (std::size_t i = 0; i < f.nodes.size(); ++i)
-      if (f.loop[i] > 0) unknowns[i] = count + f.loop[i] - 1;
+    for (std::size_t i = 0; i < f.nodes.size(); ++i) {
+      if (f.loop[i] > 0) {
+        unknowns[i] = count + f.loop[i] - 1;
+      }
+    }
     membrane_.prepare(f.elements, std::move(unknowns), count + holes);
     // Warping: known up to a constant, so the last corner of the last element is held.
     Unknowns free(f.nodes.size(), 0);
     const std::size_t held = at(f.elements.back()[2]);
-    for (std::size_t i = 0; i < free.size(); ++i)
+    for (std::size_t i = 0; i < free.size(); ++i) {
       free[i] = i == held ? -1 : static_cast<int>(i) - (i > held ? 1 : 0);
+    }
     warping_.prepare(f.elements, std::move(free), static_cast<int>(f.nodes.size()) - 1);
   }
 
@@ -257,7 +290,9 @@ class QuadraticElements::Impl {
       const Vector6 load = warpingLoad(e);
       for (int k = 0; k < 6; ++k) {
         const std::size_t node = at(f.elements[t][at(k)]);
-        if (k >= 3) membraneLoad_[node] += e.area / 3.0;
+        if (k >= 3) {
+          membraneLoad_[node] += e.area / 3.0;
+        }
         warpingLoad_[node] -= load(k);
       }
     }
@@ -267,10 +302,14 @@ class QuadraticElements::Impl {
   /// The pressure on the plate over a hole pushes on the hole's own unknown; any one node of it will do.
   void plateauLoad(const QuadraticFields& f, std::span<const double> holeAreas) {
     plateNode_.assign(holeAreas.size(), -1);
-    for (std::size_t i = 0; i < f.nodes.size(); ++i)
-      if (f.loop[i] > 0 && plateNode_[at(f.loop[i] - 1)] < 0)
+    for (std::size_t i = 0; i < f.nodes.size(); ++i) {
+      if (f.loop[i] > 0 && plateNode_[at(f.loop[i] - 1)] < 0) {
         plateNode_[at(f.loop[i] - 1)] = static_cast<int>(i);
-    for (std::size_t h = 0; h < holeAreas.size(); ++h) membraneLoad_[at(plateNode_[h])] += holeAreas[h];
+      }
+    }
+    for (std::size_t h = 0; h < holeAreas.size(); ++h) {
+      membraneLoad_[at(plateNode_[h])] += holeAreas[h];
+    }
   }
 
   /// Bounds from the two energies (they hold for any field of the space, so an error of the linear solver
@@ -285,14 +324,18 @@ class QuadraticElements::Impl {
       warpingWork += warpingLoad_[i] * f.warping[i];
       f.edgeForce[i] = membraneLoad_[i];
     }
-    for (std::size_t h = 0; h < holeAreas.size(); ++h) f.edgeForce[at(plateNode_[h])] -= holeAreas[h];
+    for (std::size_t h = 0; h < holeAreas.size(); ++h) {
+      f.edgeForce[at(plateNode_[h])] -= holeAreas[h];
+    }
     for (std::size_t t = 0; t < f.elements.size(); ++t) {
       const Element e = elementAt(f, t);
       const Vector6 z = nodal(f, t, f.membrane), psi = nodal(f, t, f.warping);
       const Vector6 force = stiffness_[t] * z;
       membraneEnergy += z.dot(force);
       warpingEnergy += psi.dot(stiffness_[t] * psi);
-      for (int k = 0; k < 6; ++k) f.edgeForce[at(f.elements[t][at(k)])] -= force(k);
+      for (int k = 0; k < 6; ++k) {
+        f.edgeForce[at(f.elements[t][at(k)])] -= force(k);
+      }
       const Vector2 sum = e.corner[0] + e.corner[1] + e.corner[2];
       polarMoment += e.area / 12.0 *
                      (sum.squaredNorm() + e.corner[0].squaredNorm() + e.corner[1].squaredNorm() +
@@ -303,7 +346,9 @@ class QuadraticElements::Impl {
     }
     f.lower = 4.0 * (2.0 * load - membraneEnergy);
     f.upper = polarMoment - 2.0 * warpingWork + warpingEnergy;
-    for (double& psi : f.warping) psi -= warpingSum / area;
+    for (double& psi : f.warping) {
+      psi -= warpingSum / area;
+    }
   }
 
   /// Integral over the element of |tau from psi - tau from z|^2; the sum over all elements is upper - lower

@@ -45,22 +45,26 @@ std::string edgeName(const CheckedLoop& loop, int edge, std::size_t givenCount) 
 
 double extent(std::span<const Point2> points) {
   Point2 low = points.front(), high = points.front();
-  for (const Point2& p : points)
+  for (const Point2& p : points) {
     for (std::size_t k = 0; k < 2; ++k) {
       low[k] = std::min(low[k], p[k]);
       high[k] = std::max(high[k], p[k]);
     }
+  }
   return std::max(high[0] - low[0], high[1] - low[1]);
 }
 
 void checkNumbers(std::span<const Point2> points, const std::string& name) {
-  if (points.size() < 3)
+  if (points.size() < 3) {
     refuse(Text("a section needs at least 3 points, this one has %1", std::to_string(points.size())), name,
            "Give the outline as a polygon");
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!std::isfinite(points[i][0]) || !std::isfinite(points[i][1]))
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!std::isfinite(points[i][0]) || !std::isfinite(points[i][1])) {
       refuse("a coordinate is not a finite number", Text("%1, point %2", name, std::to_string(i + 1)),
              "Remove or correct the point");
+    }
+  }
 }
 
 /// Joins points that repeat; the values at the repeated points are those of the first.
@@ -93,7 +97,9 @@ bool onOneLine(std::span<const Point2> points) {
   double best = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double d = std::max(std::abs(points[i][0] - points[0][0]), std::abs(points[i][1] - points[0][1]));
-    if (d > best) best = d, far = i;
+    if (d > best) {
+      best = d, far = i;
+    }
   }
   return std::all_of(points.begin(), points.end(), [&](const Point2& p) {
     return std::abs(orientation(points[0], points[far], p)) <= kSamePoint * size * size;
@@ -103,22 +109,27 @@ bool onOneLine(std::span<const Point2> points) {
 CheckedLoop checkLoop(std::span<const Point2> points, const std::string& name) {
   checkNumbers(points, name);
   CheckedLoop loop = joinRepeated(points, name);
-  if (loop.points.size() < 3 || onOneLine(loop.points))
+  if (loop.points.size() < 3 || onOneLine(loop.points)) {
     refuse("the polygon has no area", name, "Give points that go round an area");
-  if (const auto edges = firstSelfCrossing(loop.points))
+  }
+  if (const auto edges = firstSelfCrossing(loop.points)) {
     refuse(Text("the outline crosses or touches itself: %1 and %2",
                 edgeName(loop, edges->first, points.size()), edgeName(loop, edges->second, points.size())),
            name, "List the points in order round the section");
+  }
   loop.moments = polygonMoments(loop.points);
   const double length = perimeter(loop.points);
-  if (std::abs(loop.moments.area) <= kLeastArea * length * length)
+  if (std::abs(loop.moments.area) <= kLeastArea * length * length) {
     refuse("the polygon is too thin: its area is below 1e-7 of its squared perimeter", name,
            "Give a section that is wider");
+  }
   if (loop.moments.area < 0.0) {
     std::reverse(loop.points.begin(), loop.points.end());
     std::reverse(loop.given.begin(), loop.given.end());
     const int last = static_cast<int>(loop.points.size()) - 1;
-    for (int& own : loop.ownOf) own = last - own;
+    for (int& own : loop.ownOf) {
+      own = last - own;
+    }
     loop.moments = polygonMoments(loop.points);
   }
   return loop;
@@ -127,18 +138,22 @@ CheckedLoop checkLoop(std::span<const Point2> points, const std::string& name) {
 void checkHoles(const CheckedLoop& outline, const std::vector<CheckedLoop>& holes) {
   for (std::size_t k = 0; k < holes.size(); ++k) {
     const CheckedLoop& hole = holes[k];
-    if (const auto edges = firstCrossing(hole.points, outline.points))
+    if (const auto edges = firstCrossing(hole.points, outline.points)) {
       refuse(Text("a hole crosses or touches the outline: its %1 and %2 of the outline",
                   edgeName(hole, edges->first, hole.ownOf.size()),
                   edgeName(outline, edges->second, outline.ownOf.size())),
              hole.name, "Keep holes inside the outline");
-    if (!contains(outline.points, hole.points.front()))
+    }
+    if (!contains(outline.points, hole.points.front())) {
       refuse("a hole lies outside the outline", hole.name, "Keep holes inside the outline");
-    for (std::size_t j = 0; j < k; ++j)
+    }
+    for (std::size_t j = 0; j < k; ++j) {
       if (firstCrossing(hole.points, holes[j].points) || contains(holes[j].points, hole.points.front()) ||
-          contains(hole.points, holes[j].points.front()))
+          contains(hole.points, holes[j].points.front())) {
         refuse(Text("two holes overlap: %1 and %2", holes[j].name, hole.name), hole.name,
                "Give the holes as one polygon");
+      }
+    }
   }
 }
 
@@ -147,10 +162,13 @@ SampledLoop sampleLoop(CheckedLoop loop, const SectionShape& shape, double spaci
   if (hole) {
     std::reverse(loop.points.begin(), loop.points.end());
     const int last = static_cast<int>(loop.points.size()) - 1;
-    for (int& own : loop.ownOf) own = last - own;
+    for (int& own : loop.ownOf) {
+      own = last - own;
+    }
   }
-  for (Point2& p : loop.points)
+  for (Point2& p : loop.points) {
     p = {(p[0] - shape.origin[0]) / shape.unit, (p[1] - shape.origin[1]) / shape.unit};
+  }
   SampledLoop out;
   const std::size_t n = loop.points.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -171,7 +189,9 @@ SampledLoop sampleLoop(CheckedLoop loop, const SectionShape& shape, double spaci
     }
     out.boundary.length += length;
   }
-  for (const int own : loop.ownOf) out.sampleOf.push_back(out.corners[static_cast<std::size_t>(own)]);
+  for (const int own : loop.ownOf) {
+    out.sampleOf.push_back(out.corners[static_cast<std::size_t>(own)]);
+  }
   return out;
 }
 
@@ -193,10 +213,14 @@ void addMoments(SectionShape& shape, const CheckedLoop& outline, const std::vect
     shape.yy += sign * (m.yy + m.area * dy * dy);
   };
   add(outline.moments, 1.0);
-  for (const CheckedLoop& hole : holes) add(hole.moments, -1.0);
+  for (const CheckedLoop& hole : holes) {
+    add(hole.moments, -1.0);
+  }
   const double unit2 = shape.unit * shape.unit;
   shape.area = area / unit2;
-  for (double* m : {&shape.xx, &shape.xy, &shape.yy}) *m /= unit2 * unit2;
+  for (double* m : {&shape.xx, &shape.xy, &shape.yy}) {
+    *m /= unit2 * unit2;
+  }
   shape.polarMoment = shape.xx + shape.yy;
 }
 
@@ -206,14 +230,17 @@ SectionShape prepareSection(std::span<const Point2> outline, std::span<const std
                             int outlinePoints) {
   const CheckedLoop checked = checkLoop(outline, "outline");
   std::vector<CheckedLoop> checkedHoles;
-  for (std::size_t k = 0; k < holes.size(); ++k)
+  for (std::size_t k = 0; k < holes.size(); ++k) {
     checkedHoles.push_back(checkLoop(holes[k], "hole " + std::to_string(k + 1)));
+  }
   checkHoles(checked, checkedHoles);
   SectionShape shape;
   addMoments(shape, checked, checkedHoles);
   const double length = perimeter(checked.points) / shape.unit;
   double wholeLength = length;
-  for (const CheckedLoop& hole : checkedHoles) wholeLength += perimeter(hole.points) / shape.unit;
+  for (const CheckedLoop& hole : checkedHoles) {
+    wholeLength += perimeter(hole.points) / shape.unit;
+  }
   // On a strip or a thin tube the spacing follows the thickness, within reason.
   const double spacing =
       std::clamp(2.0 * shape.area / wholeLength, 0.25 * length / outlinePoints, length / outlinePoints);

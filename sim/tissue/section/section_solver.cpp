@@ -34,7 +34,9 @@ std::size_t at(int i) {
 }
 
 void requireRange(double value, double low, double high, const char* name) {
-  if (value >= low && value <= high) return;  // false for NaN
+  if (value >= low && value <= high) {
+    return;  // false for NaN
+  }
   throw Error(ErrorCode::kBadParameter,
               Text("%1 is %2, outside %3 to %4", std::string(name), std::to_string(value),
                    std::to_string(low), std::to_string(high)),
@@ -50,7 +52,9 @@ std::vector<char> worstElements(const std::vector<double>& gap) {
   std::vector<char> marked(gap.size(), 0);
   double sum = 0.0;
   for (const std::size_t t : order) {
-    if (sum >= kMarkedShare * total) break;
+    if (sum >= kMarkedShare * total) {
+      break;
+    }
     sum += gap[t];
     marked[t] = 1;
   }
@@ -63,8 +67,9 @@ double topOfEdge(double a, double middle, double b) {
   const double slope = b - a;
   double best = std::max({a, middle, b});
   // Top of the parabola at t in [-1, 1] measured from the middle.
-  if (curvature < 0.0 && std::abs(slope) < -2.0 * curvature)
+  if (curvature < 0.0 && std::abs(slope) < -2.0 * curvature) {
     best = std::max(best, middle - slope * slope / (8.0 * curvature));
+  }
   return best;
 }
 
@@ -79,9 +84,13 @@ double topOfElement(const std::array<int, 6>& element, const std::vector<double>
   const double hss = 4.0 * (v(0) + v(1) - 2.0 * v(5)), htt = 4.0 * (v(0) + v(2) - 2.0 * v(4));
   const double hst = 4.0 * (v(0) + v(3) - v(4) - v(5));
   const double det = hss * htt - hst * hst;
-  if (det <= 0.0 || hss >= 0.0) return best;
+  if (det <= 0.0 || hss >= 0.0) {
+    return best;
+  }
   const double s = (hst * gt - htt * gs) / det, t = (hst * gs - hss * gt) / det;
-  if (s >= 0.0 && t >= 0.0 && s + t <= 1.0) best = std::max(best, v(0) + 0.5 * (gs * s + gt * t));
+  if (s >= 0.0 && t >= 0.0 && s + t <= 1.0) {
+    best = std::max(best, v(0) + 0.5 * (gs * s + gt * t));
+  }
   return best;
 }
 
@@ -113,7 +122,9 @@ Point2 shearCentreOf(const QuadraticFields& f, const SectionShape& shape) {
 }
 
 std::vector<double> scaled(std::vector<double> values, double factor) {
-  for (double& v : values) v *= factor;
+  for (double& v : values) {
+    v *= factor;
+  }
   return values;
 }
 
@@ -131,12 +142,17 @@ class SectionSolver::Impl {
   SectionProperties solve(std::span<const Point2> outline, std::span<const std::vector<Point2>> holes,
                           SectionField* field) {
     const SectionShape shape = prepareSection(outline, holes, options_.outlinePoints);
-    if (field != nullptr) *field = {};
+    if (field != nullptr) {
+      *field = {};
+    }
     if (options_.method != SectionMethod::kBoundaryElements) {
-      if (const auto mesh = meshOf(shape)) return byFiniteElements(shape, *mesh, field);
-      if (options_.method == SectionMethod::kFiniteElements)
+      if (const auto mesh = meshOf(shape)) {
+        return byFiniteElements(shape, *mesh, field);
+      }
+      if (options_.method == SectionMethod::kFiniteElements) {
         throw Error(ErrorCode::kBadParameter, "edges of the outline all but touch: no mesh fits between them",
                     "outline", "Use boundary elements, or join the points that touch");
+      }
     }
     return byBoundaryElements(shape);
   }
@@ -145,10 +161,13 @@ class SectionSolver::Impl {
   static std::optional<PlaneMesh> meshOf(const SectionShape& shape, int rings) {
     const BoundaryLoop& outline = shape.outline.boundary;
     if (shape.holes.empty() && outline.points.size() <= kMostRays &&
-        grazingSine(outline.points, Point2{}) >= kLeastGrazingSine)
+        grazingSine(outline.points, Point2{}) >= kLeastGrazingSine) {
       return polarMesh(outline, Point2{}, rings);
+    }
     std::vector<BoundaryLoop> holes;
-    for (const SampledLoop& hole : shape.holes) holes.push_back(hole.boundary);
+    for (const SampledLoop& hole : shape.holes) {
+      holes.push_back(hole.boundary);
+    }
     return polygonMesh(outline, holes);
   }
   [[nodiscard]] std::optional<PlaneMesh> meshOf(const SectionShape& shape) const {
@@ -177,20 +196,28 @@ class SectionSolver::Impl {
     out.torsionConstant = 0.5 * (out.torsionLower + out.torsionUpper);
     out.volume = 0.25 * out.torsionConstant;
     double top = 0.0;
-    for (const auto& element : fields.elements) top = std::max(top, topOfElement(element, fields.membrane));
+    for (const auto& element : fields.elements) {
+      top = std::max(top, topOfElement(element, fields.membrane));
+    }
     out.sag = top * u2;
     fillBoundary(out, shape, boundaryValues(shape, fields));
     const Point2 centre = shearCentreOf(fields, shape);
     out.shearCentre = {shape.origin[0] + shape.unit * centre[0], shape.origin[1] + shape.unit * centre[1]};
-    if (field != nullptr) *field = fieldOf(shape, std::move(fields));
+    if (field != nullptr) {
+      *field = fieldOf(shape, std::move(fields));
+    }
     return out;
   }
 
   /// The bracket is an estimate here: the change from this outline to one divided twice as finely.
   SectionProperties byBoundaryElements(const SectionShape& shape) const {
     std::vector<BoundaryLoop> coarse{shape.outline.boundary}, fine;
-    for (const SampledLoop& hole : shape.holes) coarse.push_back(hole.boundary);
-    for (const BoundaryLoop& loop : coarse) fine.push_back(halved(loop));
+    for (const SampledLoop& hole : shape.holes) {
+      coarse.push_back(hole.boundary);
+    }
+    for (const BoundaryLoop& loop : coarse) {
+      fine.push_back(halved(loop));
+    }
     const double first = solveBoundaryElements(coarse, shape.polarMoment, shape.area).torsionConstant;
     const BoundaryFields fields = solveBoundaryElements(fine, shape.polarMoment, shape.area);
     SectionProperties out = commonPart(shape);
@@ -248,8 +275,9 @@ class SectionSolver::Impl {
     SectionField field;
     const double u2 = shape.unit * shape.unit;
     field.nodes = std::move(fields.nodes);
-    for (Point2& p : field.nodes)
+    for (Point2& p : field.nodes) {
       p = {shape.origin[0] + shape.unit * p[0], shape.origin[1] + shape.unit * p[1]};
+    }
     field.elements = std::move(fields.elements);
     field.membrane = scaled(std::move(fields.membrane), u2);
     field.warping = scaled(std::move(fields.warping), u2);
@@ -287,7 +315,9 @@ std::optional<SectionField::Value> SectionField::at(const std::array<double, 2>&
     const double area2 = orientation(a, b, c);
     const double l1 = orientation(a, point, c) / area2, l2 = orientation(a, b, point) / area2;
     const double l0 = 1.0 - l1 - l2;
-    if (l0 < kSlack || l1 < kSlack || l2 < kSlack) continue;
+    if (l0 < kSlack || l1 < kSlack || l2 < kSlack) {
+      continue;
+    }
     const std::array<double, 6> shape = {l0 * (2 * l0 - 1), l1 * (2 * l1 - 1), l2 * (2 * l2 - 1),
                                          4 * l1 * l2,       4 * l2 * l0,       4 * l0 * l1};
     // d shape / d l1 and d l2 with l0 = 1 - l1 - l2.
@@ -301,7 +331,9 @@ std::optional<SectionField::Value> SectionField::at(const std::array<double, 2>&
       const double z = membrane[torsio::at(element[k])];
       value.membrane += shape[k] * z;
       value.warping += shape[k] * warping[torsio::at(element[k])];
-      for (std::size_t d = 0; d < 2; ++d) slope[d] += z * (d1[k] * g1[d] + d2[k] * g2[d]);
+      for (std::size_t d = 0; d < 2; ++d) {
+        slope[d] += z * (d1[k] * g1[d] + d2[k] * g2[d]);
+      }
     }
     value.shear = {2.0 * slope[1], -2.0 * slope[0]};
     return value;

@@ -36,31 +36,37 @@ std::size_t at(int i) {
 
 void checkOptions(const KrigingOptions& options) {
   const auto text = [](double value) { return std::to_string(value); };
-  if (!(options.rangeInSpacings > 0.0) || !(options.rangeInSpacings <= 1e6))
+  if (!(options.rangeInSpacings > 0.0) || !(options.rangeInSpacings <= 1e6)) {
     refuse(Text("kriging range is %1 spacings, outside 0 to 1e6", text(options.rangeInSpacings)),
            "kriging options", "Choose a range above 0, usually 20");
-  if (!(options.nugget >= 0.0) || !(options.nugget <= 1.0))
+  }
+  if (!(options.nugget >= 0.0) || !(options.nugget <= 1.0)) {
     refuse(Text("kriging nugget is %1, outside 0 to 1", text(options.nugget)), "kriging options",
            "Choose 0 unless the samples carry noise");
-  if (options.window < 0 || options.window == 1)
+  }
+  if (options.window < 0 || options.window == 1) {
     refuse(Text("kriging window is %1 samples, it must be 0 (all) or at least 2",
                 std::to_string(options.window)),
            "kriging options", "Choose 8");
+  }
 }
 
 void checkSamples(std::span<const double> samples) {
-  if (samples.size() < 2)
+  if (samples.size() < 2) {
     refuse(Text("kriging needs at least 2 samples, there are %1", std::to_string(samples.size())),
            "kriging samples", "Give more sections");
+  }
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (!std::isfinite(samples[i]))
+    if (!std::isfinite(samples[i])) {
       refuse("an abscissa is not a finite number", Text("kriging sample %1", std::to_string(i + 1)),
              "Correct the sample");
-    if (i > 0 && !(samples[i] > samples[i - 1]))
+    }
+    if (i > 0 && !(samples[i] > samples[i - 1])) {
       refuse(Text("abscissae must increase: %1 follows %2", std::to_string(samples[i]),
                   std::to_string(samples[i - 1])),
              Text("kriging sample %1", std::to_string(i + 1)),
              "Sort the samples and leave out repeated ones");
+    }
   }
 }
 
@@ -110,8 +116,9 @@ struct Kriging1d::Systems {
       const Eigen::PartialPivLU<Eigen::MatrixXd> lu(full);
       factors = lu.matrixLU();
       rows.resize(torsio::at(static_cast<int>(n + p)));
-      for (Eigen::Index i = 0; i < n + p; ++i)
+      for (Eigen::Index i = 0; i < n + p; ++i) {
         rows[static_cast<std::size_t>(lu.permutationP().indices()(i))] = static_cast<int>(i);
+      }
       correction = drift * (drift.transpose() * drift).inverse();
     }
 
@@ -119,8 +126,9 @@ struct Kriging1d::Systems {
     void solve(const double* right, double* x) const {
       const auto size = static_cast<Eigen::Index>(rows.size());
       Eigen::Map<Eigen::VectorXd> y(x, size);
-      for (Eigen::Index i = 0; i < size; ++i)
+      for (Eigen::Index i = 0; i < size; ++i) {
         y(i) = right[rows[static_cast<std::size_t>(i)]] - factors.row(i).head(i).dot(y.head(i));
+      }
       for (Eigen::Index i = size - 1; i >= 0; --i) {
         const Eigen::Index done = size - 1 - i;
         y(i) = (y(i) - factors.row(i).tail(done).dot(y.tail(done))) / factors(i, i);
@@ -139,12 +147,14 @@ Eigen::MatrixXd covarianceMatrix(const std::vector<double>& places, const Krigin
                                  double nugget) {
   const auto n = static_cast<Eigen::Index>(places.size());
   Eigen::MatrixXd c(n, n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j)
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) {
       c(i, j) =
           covarianceAt(options.covariance,
                        std::abs(places[static_cast<std::size_t>(i)] - places[static_cast<std::size_t>(j)]),
                        options.rangeInSpacings);
+    }
+  }
   c.diagonal().array() += nugget;
   return c;
 }
@@ -154,8 +164,11 @@ Eigen::MatrixXd driftMatrix(const std::vector<double>& places, Drift drift) {
   const auto n = static_cast<Eigen::Index>(places.size());
   Eigen::MatrixXd f(n, driftTerms(drift));
   f.col(0).setOnes();
-  if (drift == Drift::kLinear)
-    for (Eigen::Index i = 0; i < n; ++i) f(i, 1) = places[static_cast<std::size_t>(i)] / places.back();
+  if (drift == Drift::kLinear) {
+    for (Eigen::Index i = 0; i < n; ++i) {
+      f(i, 1) = places[static_cast<std::size_t>(i)] / places.back();
+    }
+  }
   return f;
 }
 
@@ -177,17 +190,23 @@ Kriging1d::Kriging1d(std::span<const double> samples, const KrigingOptions& opti
   spacing_ = (samples_.back() - samples_.front()) / (count - 1);
   auto systems = std::make_shared<Systems>();
   systems->shared = true;
-  for (std::size_t i = 1; i < samples_.size(); ++i)
-    if (std::abs(samples_[i] - samples_[i - 1] - spacing_) > kEqualSpacing * spacing_)
+  for (std::size_t i = 1; i < samples_.size(); ++i) {
+    if (std::abs(samples_[i] - samples_[i - 1] - spacing_) > kEqualSpacing * spacing_) {
       systems->shared = false;
+    }
+  }
   systems->windows.resize(systems->shared ? 1 : torsio::at(count - window_ + 1));
-  for (std::size_t first = 0; first < systems->windows.size(); ++first)
-    for (int i = 0; i < window_; ++i)
+  for (std::size_t first = 0; first < systems->windows.size(); ++first) {
+    for (int i = 0; i < window_; ++i) {
       systems->windows[first].places.push_back(
           systems->shared ? static_cast<double>(i)
                           : (samples_[first + torsio::at(i)] - samples_[first]) / spacing_);
+    }
+  }
   chooseNugget(*systems);
-  for (auto& window : systems->windows) window.factorize(driftMatrix(window.places, options_.drift));
+  for (auto& window : systems->windows) {
+    window.factorize(driftMatrix(window.places, options_.drift));
+  }
   systems_ = std::move(systems);
 }
 
@@ -200,26 +219,32 @@ void Kriging1d::chooseNugget(Systems& systems) {
       window.covariance = covarianceMatrix(window.places, options_, nuggetUsed_);
       conditionNumber_ = std::max(conditionNumber_, conditionOf(window.covariance));
     }
-    if (conditionNumber_ <= kWorstCondition) return;
-    if (nuggetUsed_ >= kLastNugget)
+    if (conditionNumber_ <= kWorstCondition) {
+      return;
+    }
+    if (nuggetUsed_ >= kLastNugget) {
       refuse("the covariance matrix is singular even with a nugget of 1e-8", "kriging options",
              "Choose a shorter range or another covariance");
+    }
     nuggetUsed_ = std::max(10.0 * nuggetUsed_, kFirstNugget);
   }
 }
 
 int Kriging1d::firstOf(double query) const {
   const int count = static_cast<int>(samples_.size());
-  if (window_ == count) return 0;
+  if (window_ == count) {
+    return 0;
+  }
   // Take the nearer neighbour again and again; with equal spacing and an even window the choice changes at
   // samples only, where every window gives the sample, so that the estimate is continuous.
   int high = static_cast<int>(std::upper_bound(samples_.begin(), samples_.end(), query) - samples_.begin());
   int low = high;
   for (int taken = 0; taken < window_; ++taken) {
-    if (high >= count || (low > 0 && query - samples_[at(low - 1)] <= samples_[at(high)] - query))
+    if (high >= count || (low > 0 && query - samples_[at(low - 1)] <= samples_[at(high)] - query)) {
       --low;
-    else
+    } else {
       ++high;
+    }
   }
   return low;
 }
@@ -235,10 +260,13 @@ void Kriging1d::solve(double query, int first, std::span<double> lambda, double*
   double* solution = right + n + p;
   const double place = (query - samples_[at(first)]) / spacing_;
   const double span = w.places.back();
-  for (int i = 0; i < n; ++i)
+  for (int i = 0; i < n; ++i) {
     right[i] = covarianceAt(options_.covariance, std::abs(w.places[at(i)] - place), options_.rangeInSpacings);
+  }
   right[n] = 1.0;
-  if (p == 2) right[n + 1] = place / span;
+  if (p == 2) {
+    right[n + 1] = place / span;
+  }
   w.solve(right, solution);
   const Eigen::Map<const Eigen::VectorXd> c0(right, n);
   Eigen::Map<Eigen::VectorXd> weights(lambda.data(), n);
@@ -249,12 +277,18 @@ void Kriging1d::solve(double query, int first, std::span<double> lambda, double*
     double defect0 = 1.0, defect1 = p == 2 ? right[n + 1] : 0.0;
     for (int i = 0; i < n; ++i) {
       defect0 -= weights(i);
-      if (p == 2) defect1 -= weights(i) * (w.places[at(i)] / span);
+      if (p == 2) {
+        defect1 -= weights(i) * (w.places[at(i)] / span);
+      }
     }
     weights += defect0 * w.correction.col(0);
-    if (p == 2) weights += defect1 * w.correction.col(1);
+    if (p == 2) {
+      weights += defect1 * w.correction.col(1);
+    }
   }
-  if (variance == nullptr) return;
+  if (variance == nullptr) {
+    return;
+  }
   // Eq. 8 in full: right for any weights that sum to 1.
   const double sigma2 =
       weights.dot(w.covariance * weights) - nuggetUsed_ * weights.squaredNorm() - 2.0 * weights.dot(c0) + 1.0;
@@ -268,10 +302,11 @@ KrigingWeights Kriging1d::weights(double query) const {
   KrigingWeights out;
   out.first = firstOf(query);
   out.lambda.assign(at(window_), 0.0);
-  if (*sample == query)
+  if (*sample == query) {
     out.lambda[at(static_cast<int>(sample - samples_.begin()) - out.first)] = 1.0;
-  else
+  } else {
     solve(query, out.first, out.lambda, &out.variance);
+  }
   return out;
 }
 
@@ -279,7 +314,9 @@ double Kriging1d::estimate(double query, std::span<const double> values) const {
   TORSIO_EXPECTS(values.size() == samples_.size());
   const KrigingWeights w = weights(query);
   double sum = 0.0;
-  for (std::size_t i = 0; i < w.lambda.size(); ++i) sum += w.lambda[i] * values[at(w.first) + i];
+  for (std::size_t i = 0; i < w.lambda.size(); ++i) {
+    sum += w.lambda[i] * values[at(w.first) + i];
+  }
   return sum;
 }
 
@@ -294,10 +331,11 @@ KrigingTable::KrigingTable(const Kriging1d& kriging, std::span<const double> que
     const int first = kriging.firstOf(query);
     const std::span<double> row = std::span(lambda_).subspan(q * at(width_), at(width_));
     const auto sample = std::lower_bound(samples.begin(), samples.end(), query);
-    if (*sample == query)
+    if (*sample == query) {
       row[at(static_cast<int>(sample - samples.begin()) - first)] = 1.0;
-    else
+    } else {
       kriging.solve(query, first, row, nullptr);
+    }
     first_.push_back(first);
   }
 }
@@ -306,13 +344,17 @@ double KrigingTable::estimate(int query, std::span<const double> values) const n
   const std::span<const double> weights = row(query);
   const double* z = values.data() + first_[at(query)];
   double sum = 0.0;
-  for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * z[i];
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    sum += weights[i] * z[i];
+  }
   return sum;
 }
 
 void KrigingTable::estimate(std::span<const double> values, std::span<double> out) const {
   TORSIO_EXPECTS(out.size() == first_.size());
-  for (int q = 0; q < size(); ++q) out[at(q)] = estimate(q, values);
+  for (int q = 0; q < size(); ++q) {
+    out[at(q)] = estimate(q, values);
+  }
 }
 
 std::array<double, 3> krigeComponents(const KrigingTable& table, int query,

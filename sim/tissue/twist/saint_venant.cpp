@@ -70,7 +70,9 @@ Factors foundationFactors(const std::vector<double>& compliance, double step, do
   }
   // Wronskian between nodes 0 and 1; there the flux of the rising solution is 1 and its value at node 0 is 0.
   const double wronskian = f.falling[0] + f.rising[0] * lastFlux;
-  for (double& b : f.falling) b /= wronskian;
+  for (double& b : f.falling) {
+    b /= wronskian;
+  }
   return f;
 }
 
@@ -114,7 +116,9 @@ std::vector<double> sectionCompliances(const SectionProfile& profile, int sectio
     refuse(Text("the shear modulus is %1 Pa, but must be above 0", std::to_string(shearModulus_Pa)),
            "material", "Give G in pascal; for nearly incompressible tissue it is E / 3.");
   }
-  if (!positive(length_m)) refuse("the organ's length is not above 0", "lattice", "Check the organ's ends.");
+  if (!positive(length_m)) {
+    refuse("the organ's length is not above 0", "lattice", "Check the organ's ends.");
+  }
   const int perSection = (kFewestIntegrationIntervals + sections - 2) / (sections - 1);
   const double step = length_m / static_cast<double>((sections - 1) * perSection);
   const auto shortening = [&](double end) {
@@ -134,8 +138,12 @@ std::vector<double> sectionCompliances(const SectionProfile& profile, int sectio
       c *= 1.0 + (2.0 / 3.0) * slope * slope;
     }
     // Restraint dies away from the clamp; the exponential takes just the shortening off the whole length.
-    if (fixedDecay > 0.0) c *= 1.0 - portableExp(-s / fixedDecay);
-    if (otherDecay > 0.0) c *= 1.0 - portableExp(-(length_m - s) / otherDecay);
+    if (fixedDecay > 0.0) {
+      c *= 1.0 - portableExp(-s / fixedDecay);
+    }
+    if (otherDecay > 0.0) {
+      c *= 1.0 - portableExp(-(length_m - s) / otherDecay);
+    }
     return c;
   };
   std::vector<double> result{0.0};
@@ -144,7 +152,9 @@ std::vector<double> sectionCompliances(const SectionProfile& profile, int sectio
     for (std::size_t p = 0; p < kGaussPoints.size(); ++p) {
       sum += step * kGaussWeights[p] * density((static_cast<double>(i) + kGaussPoints[p]) * step);
     }
-    if ((i + 1) % perSection == 0) result.push_back(sum);
+    if ((i + 1) % perSection == 0) {
+      result.push_back(sum);
+    }
   }
   return result;
 }
@@ -161,7 +171,9 @@ std::vector<double> krigedNodes(std::span<const double> atSections, double lengt
   TORSIO_EXPECTS(sections >= 2);
   std::vector<double> arcs;
   arcs.reserve(atSections.size());
-  for (int j = 0; j < sections; ++j) arcs.push_back(length_m * j / (sections - 1));
+  for (int j = 0; j < sections; ++j) {
+    arcs.push_back(length_m * j / (sections - 1));
+  }
   const Kriging1d along(arcs, kriging);
   const int intervals = fineNodes(sections) - 1;
   const int perSection = intervals / (sections - 1);
@@ -171,9 +183,13 @@ std::vector<double> krigedNodes(std::span<const double> atSections, double lengt
     double value = atSections[section];
     if (i % perSection != 0) {
       value = along.estimate(length_m * i / intervals, atSections);
-      if (monotone) value = std::clamp(value, atSections[section], atSections[section + 1]);
+      if (monotone) {
+        value = std::clamp(value, atSections[section], atSections[section + 1]);
+      }
     }
-    if (monotone && !nodes.empty()) value = std::max(value, nodes.back());
+    if (monotone && !nodes.empty()) {
+      value = std::max(value, nodes.back());
+    }
     nodes.push_back(value);
   }
   return nodes;
@@ -188,7 +204,9 @@ TorsionTable::TorsionTable(double first, double step, std::vector<double> compli
   highestGrasp_ = first + span * (ends == EndCondition::kBothHeld ? 1.0 - kHeldMargin : 1.0);
   const double whole = compliance.back() - compliance.front();
   const double start = compliance.front();
-  for (double& c : compliance) c -= start;
+  for (double& c : compliance) {
+    c -= start;
+  }
   Factors factors;
   if (foundation.length_m > 0.0) {
     const double stiffness = span / whole / (foundation.length_m * foundation.length_m);

@@ -16,15 +16,27 @@ namespace {
 // ends); fewer nodes: the differences that exist.
 double slopePerStep(const std::vector<double>& y, std::size_t i) {
   const std::size_t n = y.size();
-  if (n == 2) return y[1] - y[0];
+  if (n == 2) {
+    return y[1] - y[0];
+  }
   if (n == 3) {
-    if (i == 1) return 0.5 * (y[2] - y[0]);
+    if (i == 1) {
+      return 0.5 * (y[2] - y[0]);
+    }
     return i == 0 ? -1.5 * y[0] + 2.0 * y[1] - 0.5 * y[2] : 1.5 * y[2] - 2.0 * y[1] + 0.5 * y[0];
   }
-  if (i >= 2 && i + 2 < n) return (y[i - 2] - y[i + 2]) / 12.0 + (y[i + 1] - y[i - 1]) * (2.0 / 3.0);
-  if (i == 0) return (-11.0 * y[0] + 18.0 * y[1] - 9.0 * y[2] + 2.0 * y[3]) / 6.0;
-  if (i == 1) return (-2.0 * y[0] - 3.0 * y[1] + 6.0 * y[2] - y[3]) / 6.0;
-  if (i + 1 == n) return (11.0 * y[i] - 18.0 * y[i - 1] + 9.0 * y[i - 2] - 2.0 * y[i - 3]) / 6.0;
+  if (i >= 2 && i + 2 < n) {
+    return (y[i - 2] - y[i + 2]) / 12.0 + (y[i + 1] - y[i - 1]) * (2.0 / 3.0);
+  }
+  if (i == 0) {
+    return (-11.0 * y[0] + 18.0 * y[1] - 9.0 * y[2] + 2.0 * y[3]) / 6.0;
+  }
+  if (i == 1) {
+    return (-2.0 * y[0] - 3.0 * y[1] + 6.0 * y[2] - y[3]) / 6.0;
+  }
+  if (i + 1 == n) {
+    return (11.0 * y[i] - 18.0 * y[i - 1] + 9.0 * y[i - 2] - 2.0 * y[i - 3]) / 6.0;
+  }
   return (2.0 * y[i + 1] + 3.0 * y[i] - 6.0 * y[i - 1] + y[i - 2]) / 6.0;
 }
 
@@ -34,8 +46,12 @@ HermiteTable::HermiteTable(double first, double step, std::vector<double> values
     : first_(first), step_(step), inverseStep_(1.0 / step) {
   TORSIO_EXPECTS(values.size() >= 2 && step > 0.0);
   nodes_.reserve(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) nodes_.push_back({values[i], slopePerStep(values, i)});
-  if (monotone) limitSlopes();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    nodes_.push_back({values[i], slopePerStep(values, i)});
+  }
+  if (monotone) {
+    limitSlopes();
+  }
 }
 
 void HermiteTable::limitSlopes() {
@@ -60,8 +76,12 @@ double HermiteTable::last() const noexcept {
 ValueSlope HermiteTable::at(double x) const noexcept {
   const double u = (x - first_) * inverseStep_;
   const double top = static_cast<double>(nodes_.size() - 1);
-  if (!(u >= 0.0)) return {nodes_.front().value, 0.0};
-  if (u > top) return {nodes_.back().value, 0.0};
+  if (!(u >= 0.0)) {
+    return {nodes_.front().value, 0.0};
+  }
+  if (u > top) {
+    return {nodes_.back().value, 0.0};
+  }
   const std::size_t cell = std::min(static_cast<std::size_t>(u), nodes_.size() - 2);
   const double t = u - static_cast<double>(cell);
   const ValueSlope& a = nodes_[cell];
@@ -70,7 +90,9 @@ ValueSlope HermiteTable::at(double x) const noexcept {
   const double rise = b.value - a.value;
   const double c2 = 3.0 * rise - 2.0 * a.slope - b.slope;
   const double c3 = a.slope + b.slope - 2.0 * rise;
-  if (t == 1.0) return {b.value, b.slope * inverseStep_};
+  if (t == 1.0) {
+    return {b.value, b.slope * inverseStep_};
+  }
   return {a.value + t * (a.slope + t * (c2 + t * c3)),
           (a.slope + t * (2.0 * c2 + 3.0 * t * c3)) * inverseStep_};
 }

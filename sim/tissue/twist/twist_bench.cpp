@@ -102,7 +102,9 @@ TriangleMesh benchOrgan(int vertices) {
     const SinCos turn = portableSinCos(kOrganTurn_rad * along);
     const Vec3 centre{kOrganBend_m * (1.0 - turn.cos), 0.0, kOrganBend_m * turn.sin};
     const Vec3 outwards{turn.cos, 0.0, -turn.sin};
-    if (ring == 0 || ring == rings - 1) ends[ring == 0 ? 0 : 1] = centre;
+    if (ring == 0 || ring == rings - 1) {
+      ends[ring == 0 ? 0 : 1] = centre;
+    }
     const double radius = kOrganRadius_m * (1.0 - 0.4 * along);
     for (int point = 0; point < kRingPoints; ++point) {
       const SinCos a = portableSinCos(2.0 * kPi * point / kRingPoints);
@@ -123,8 +125,12 @@ TriangleMesh benchOrgan(int vertices) {
     for (int point = 0; point < kRingPoints; ++point) {
       const int next = (point + 1) % kRingPoints;
       const int ring = end == 0 ? 0 : rings - 1;
-      if (end == 0) mesh.triangles.push_back({middle, index(ring, next), index(ring, point)});
-      if (end == 1) mesh.triangles.push_back({middle, index(ring, point), index(ring, next)});
+      if (end == 0) {
+        mesh.triangles.push_back({middle, index(ring, next), index(ring, point)});
+      }
+      if (end == 1) {
+        mesh.triangles.push_back({middle, index(ring, point), index(ring, next)});
+      }
     }
   }
   return mesh;
@@ -192,11 +198,17 @@ void addComponents(TissueBenchResult& result, const TissueBenchOptions& options,
   const std::size_t count = lattice.vertexCoordinates().size();
   std::vector<double> arcs;
   arcs.reserve(static_cast<std::size_t>(lattice.sections()));
-  for (int j = 0; j < lattice.sections(); ++j) arcs.push_back(lattice.sectionArc_m(j));
+  for (int j = 0; j < lattice.sections(); ++j) {
+    arcs.push_back(lattice.sectionArc_m(j));
+  }
   std::vector<double> queries;
-  for (const LatticeCoordinate& c : lattice.vertexCoordinates()) queries.push_back(c.arc_m);
+  for (const LatticeCoordinate& c : lattice.vertexCoordinates()) {
+    queries.push_back(c.arc_m);
+  }
   const KrigingTable table(Kriging1d(arcs, model.options().kriging), queries);
-  if (table.width() != 8) return;
+  if (table.width() != 8) {
+    return;
+  }
   std::vector<float> weights(table.lambda().begin(), table.lambda().end());
   std::vector<int> first(count);
   std::vector<int> firstNext(count);

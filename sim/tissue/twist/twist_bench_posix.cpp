@@ -15,19 +15,27 @@ struct CorePin::Saved {
 
 CorePin::CorePin() {
   auto saved = std::make_unique<Saved>();
-  if (sched_getaffinity(0, sizeof saved->cores, &saved->cores) != 0) return;
+  if (sched_getaffinity(0, sizeof saved->cores, &saved->cores) != 0) {
+    return;
+  }
   const int here = sched_getcpu();
-  if (here < 0) return;
+  if (here < 0) {
+    return;
+  }
   cpu_set_t one;
   CPU_ZERO(&one);
   CPU_SET(static_cast<std::size_t>(here), &one);
-  if (sched_setaffinity(0, sizeof one, &one) != 0) return;
+  if (sched_setaffinity(0, sizeof one, &one) != 0) {
+    return;
+  }
   core_ = here;
   saved_ = std::move(saved);
 }
 
 CorePin::~CorePin() {
-  if (saved_) sched_setaffinity(0, sizeof saved_->cores, &saved_->cores);
+  if (saved_) {
+    sched_setaffinity(0, sizeof saved_->cores, &saved_->cores);
+  }
 }
 #else
 struct CorePin::Saved {};

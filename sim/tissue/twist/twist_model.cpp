@@ -48,7 +48,9 @@ struct Load {
 Load loadOf(const TwistModel::Tables& tables, const TwistState& state) {
   const double stiffness = linearStiffness(tables, state.graspArc_m);
   const double torque = stiffness * state.graspAngle_rad;
-  if (!(tables.stiffeningStrain > 0.0)) return {torque, stiffness};
+  if (!(tables.stiffeningStrain > 0.0)) {
+    return {torque, stiffness};
+  }
   const double strain = torque * tables.strainPerTorque.value(state.graspArc_m) / tables.stiffeningStrain;
   const double more = strain * strain;
   return {torque * (1.0 + more), stiffness * (1.0 + 3.0 * more)};
@@ -121,7 +123,9 @@ TwistState TwistModel::stateForTorque(double graspArc_m, double torque_Nm) const
   for (int i = 0; i < kTorqueSteps; ++i) {
     const Load load = loadOf(*tables_, state);
     const double step = (load.torque_Nm - torque_Nm) / load.stiffness_Nm;
-    if (step == 0.0) break;
+    if (step == 0.0) {
+      break;
+    }
     state.graspAngle_rad -= step;
   }
   return state;
@@ -155,7 +159,9 @@ AxisFrame TwistModel::graspFrame(double graspArc_m) const noexcept {
 }
 
 Vec3 TwistModel::graspForce_N(const TwistState& state, const Vec3& grip_m) const noexcept {
-  if (state.graspAngle_rad == 0.0) return {};
+  if (state.graspAngle_rad == 0.0) {
+    return {};
+  }
   const Load load = loadOf(*tables_, state);
   Vec3 way;  // of the grip for one radian
   if (tables_->operations.size() == 1 && !tables_->operations.front().definition().peak) {
@@ -168,7 +174,9 @@ Vec3 TwistModel::graspForce_N(const TwistState& state, const Vec3& grip_m) const
     way = (toDeformed_m(rest, more) - toDeformed_m(rest, less)) / (2.0 * kForceProbe_rad);
   }
   const double arm2 = dot(way, way);
-  if (!(arm2 > kSmallestArm * kSmallestArm)) return {};
+  if (!(arm2 > kSmallestArm * kSmallestArm)) {
+    return {};
+  }
   const double cap = options_.stiffnessCap_N_per_m;
   return (-load.torque_Nm / std::max(arm2, load.stiffness_Nm / cap)) * way;
 }
@@ -179,7 +187,9 @@ Vec3 TwistModel::toRest_m(const Vec3& deformed_m, const TwistState& state) const
 
 Vec3 TwistModel::toDeformed_m(const Vec3& rest_m, const TwistState& state) const noexcept {
   const TwistMap map(*tables_, lattice_, state);
-  if (map.identity()) return rest_m;
+  if (map.identity()) {
+    return rest_m;
+  }
   return map.forward(rest_m, tables_->needsArc ? tables_->arcs.arcAt(lattice_, rest_m) : 0.0);
 }
 
@@ -190,7 +200,9 @@ void TwistModel::deform(const TwistState& state, std::span<Vec3> out_m) const no
     return;
   }
   const TwistMap map(*tables_, lattice_, state);
-  for (std::size_t v = 0; v < count; ++v) out_m[v] = map.vertex(tables_->vertices[v]);
+  for (std::size_t v = 0; v < count; ++v) {
+    out_m[v] = map.vertex(tables_->vertices[v]);
+  }
 }
 
 void TwistModel::patchShear(const TwistState& state, std::span<double> out_Pa) const noexcept {
@@ -229,7 +241,9 @@ TwistSummary TwistModel::summary(const TwistState& state) const {
     for (int k = 0; k < lattice_.ridges(); ++k) {
       const Vec3 key = 0.5 * (lattice_.keyPoint_m(k, j) + lattice_.keyPoint_m(k, j + 1));
       s.maxRadiusGrowth = std::max(s.maxRadiusGrowth, map.radiusGrowth(key, arc));
-      if (map.identity()) continue;
+      if (map.identity()) {
+        continue;
+      }
       const double determinant = determinantAt(*this, state, key, probe);
       const bool first = j == 0 && k == 0;
       s.minDeterminant = first ? determinant : std::min(s.minDeterminant, determinant);

@@ -33,13 +33,17 @@ Polar polarOf(const AxisFrame& frame, const Vec3& point_m) {
 }  // namespace
 
 ArcField::ArcField(const TriangleMesh& mesh, const SectionLattice& lattice) : length_m_(lattice.length_m()) {
-  if (lattice.straight()) return;
+  if (lattice.straight()) {
+    return;
+  }
   std::vector<Node> sums(kArcs * kAngles);
   std::vector<double> weights(kArcs * kAngles, 0.0);
   for (std::size_t v = 0; v < mesh.vertices_m.size(); ++v) {
     const double nearest = lattice.nearestArc_m(mesh.vertices_m[v]);
     const bool beyondEnd = nearest <= 0.0 || nearest >= length_m_;
-    if (beyondEnd) continue;  // a cap: its arc length is that of the end
+    if (beyondEnd) {
+      continue;  // a cap: its arc length is that of the end
+    }
     const Polar polar = polarOf(lattice.frameAt(nearest), mesh.vertices_m[v]);
     const Place place = placeOf(nearest, polar.angle_rad);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -68,8 +72,12 @@ void ArcField::fillGaps(std::vector<Node> sums, std::vector<double> weights) {
         };
         pull(i * kAngles + (a + 1) % kAngles);
         pull(i * kAngles + (a + kAngles - 1) % kAngles);
-        if (i > 0) pull(here - kAngles);
-        if (i + 1 < kArcs) pull(here + kAngles);
+        if (i > 0) {
+          pull(here - kAngles);
+        }
+        if (i + 1 < kArcs) {
+          pull(here + kAngles);
+        }
         nodes_[here] = {sum.shift_m / weight, sum.radius_m / weight};
       }
     }
@@ -95,7 +103,9 @@ ArcField::Place ArcField::placeOf(double arc_m, double polar_rad) const noexcept
 
 double ArcField::arcAt(const SectionLattice& lattice, const Vec3& point_m) const noexcept {
   const double nearest = lattice.nearestArc_m(point_m);
-  if (nodes_.empty()) return nearest;
+  if (nodes_.empty()) {
+    return nearest;
+  }
   const AxisFrame frame = lattice.frameAt(nearest);
   const Polar polar = polarOf(frame, point_m);
   const Place place = placeOf(nearest, polar.angle_rad);

@@ -43,7 +43,9 @@ TwistMap::TwistMap(const TwistModel::Tables& tables, const SectionLattice& latti
 
 TwistLine TwistMap::centreAt(double arc_m) const noexcept {
   const AxisFrame frame = lattice_.frameAt(arc_m);
-  if (!tables_.shiftedCentre) return {frame.centre_m, frame.tangent};
+  if (!tables_.shiftedCentre) {
+    return {frame.centre_m, frame.tangent};
+  }
   return {frame.centre_m + tables_.centreX.value(arc_m) * frame.e1 + tables_.centreY.value(arc_m) * frame.e2,
           frame.tangent};
 }
@@ -56,7 +58,9 @@ TwistLine TwistMap::axisOf(const Step& step, const TwistLine& centreline) noexce
 Vec3 TwistMap::turned(const Vec3& x, const Vec3& point, const Vec3& axis, double angle_rad) const noexcept {
   const Vec3 u = x - point;
   const Vec3 across = cross(axis, u);
-  if (tables_.linear) return x + angle_rad * across;  // Eqs. 21, 22
+  if (tables_.linear) {
+    return x + angle_rad * across;  // Eqs. 21, 22
+  }
   const SinCos a = portableSinCos(angle_rad);
   const Vec3 radius = u - dot(axis, u) * axis;
   return x + (a.cos - 1.0) * radius + a.sin * across;
@@ -64,7 +68,9 @@ Vec3 TwistMap::turned(const Vec3& x, const Vec3& point, const Vec3& axis, double
 
 Vec3 TwistMap::turnedBack(const Vec3& x, const Vec3& point, const Vec3& axis,
                           double angle_rad) const noexcept {
-  if (!tables_.linear) return turned(x, point, axis, -angle_rad);
+  if (!tables_.linear) {
+    return turned(x, point, axis, -angle_rad);
+  }
   const Vec3 u = x - point;
   const Vec3 radius = u - dot(axis, u) * axis;
   const double grown = 1.0 + angle_rad * angle_rad;
@@ -103,7 +109,9 @@ Vec3 TwistMap::elongation(double arc_m) const noexcept {
 }
 
 double TwistMap::contraction(double arc_m) const noexcept {
-  if (arc_m > graspArc_m_) return 1.0;
+  if (arc_m > graspArc_m_) {
+    return 1.0;
+  }
   const double x = torquePerBar_Nm_ * torquePerBar_Nm_ * std::max(0.0, tables_.stretch.value(arc_m));
   return portableExp(-portableLog(1.0 + x) / 6.0);  // lambda^(-1/2)
 }
@@ -122,7 +130,9 @@ Vec3 TwistMap::unstretched(const Vec3& x, const TwistLine& line, double arc_m) c
 }
 
 Vec3 TwistMap::forward(const Vec3& rest_m, double arc_m) const noexcept {
-  if (identity_) return rest_m;
+  if (identity_) {
+    return rest_m;
+  }
   return forward(rest_m, arc_m, tables_.needsArc ? centreAt(arc_m) : TwistLine{});
 }
 
@@ -132,13 +142,17 @@ double TwistMap::angleOf(const Step& step, const Vec3& x, double arc_m) const no
 }
 
 Vec3 TwistMap::forward(const Vec3& rest_m, double arc_m, TwistLine line) const noexcept {
-  if (identity_) return rest_m;
+  if (identity_) {
+    return rest_m;
+  }
   Vec3 x = rest_m;
   for (std::size_t k = 0; k < count_; ++k) {
     const Step& step = steps_[k];
     const TwistLine axis = axisOf(step, line);
     x = turned(x, axis.point_m, axis.direction, angleOf(step, x, arc_m));
-    if (tables_.carriesCentreline && !step.operation->aboutCentreline()) line = carried(line, step, arc_m);
+    if (tables_.carriesCentreline && !step.operation->aboutCentreline()) {
+      line = carried(line, step, arc_m);
+    }
   }
   return tables_.poynting ? stretched(x, line, arc_m) : x;
 }
@@ -155,8 +169,12 @@ double TwistMap::radiusGrowth(const Vec3& rest_m, double arc_m) const noexcept {
     const TwistLine axis = axisOf(step, line);
     const double before = radius(x, axis);
     x = turned(x, axis.point_m, axis.direction, angleOf(step, x, arc_m));
-    if (before > kSmallestRadius_m) growth *= radius(x, axis) / before;
-    if (tables_.carriesCentreline && !step.operation->aboutCentreline()) line = carried(line, step, arc_m);
+    if (before > kSmallestRadius_m) {
+      growth *= radius(x, axis) / before;
+    }
+    if (tables_.carriesCentreline && !step.operation->aboutCentreline()) {
+      line = carried(line, step, arc_m);
+    }
   }
   return growth;
 }
@@ -164,11 +182,14 @@ double TwistMap::radiusGrowth(const Vec3& rest_m, double arc_m) const noexcept {
 Vec3 TwistMap::unwound(const Vec3& deformed_m, double arc_m) const noexcept {
   std::array<TwistLine, kMostOperations> lines;
   TwistLine line;
-  if (tables_.needsArc) line = centreAt(arc_m);
+  if (tables_.needsArc) {
+    line = centreAt(arc_m);
+  }
   for (std::size_t k = 0; k < count_; ++k) {
     lines[k] = line;
-    if (tables_.carriesCentreline && !steps_[k].operation->aboutCentreline())
+    if (tables_.carriesCentreline && !steps_[k].operation->aboutCentreline()) {
       line = carried(line, steps_[k], arc_m);
+    }
   }
   Vec3 x = tables_.poynting ? unstretched(deformed_m, line, arc_m) : deformed_m;
   for (std::size_t k = count_; k-- > 0;) {
@@ -190,7 +211,9 @@ double TwistMap::firstArc(const Vec3& deformed_m) const noexcept {
   Vec3 x = deformed_m;
   for (std::size_t k = count_; k-- > 0;) {
     const Step& step = steps_[k];
-    if (step.operation->aboutCentreline()) break;
+    if (step.operation->aboutCentreline()) {
+      break;
+    }
     const TwistLine axis = axisOf(step, {});
     x = turnedBack(x, axis.point_m, axis.direction, angleOf(step, x, 0.0));
   }
@@ -206,7 +229,9 @@ double TwistMap::searchedArc(const Vec3& deformed_m) const noexcept {
   double nearest = std::numeric_limits<double>::infinity();
   const auto offer = [&](double arc, double distance) {
     const double radii = distance / tables_.radius.value(arc);
-    if (!(radii < nearest)) return;
+    if (!(radii < nearest)) {
+      return;
+    }
     nearest = radii;
     best = arc;
   };
@@ -217,8 +242,12 @@ double TwistMap::searchedArc(const Vec3& deformed_m) const noexcept {
     const Vec3 u = unwound(deformed_m, arc) - frame.centre_m;
     const double ahead = dot(u, frame.tangent);
     const double across = norm(u - ahead * frame.tangent);
-    if (i == 0 && ahead <= 0.0) offer(arc, norm(u));
-    if (i == kSearchIntervals && ahead >= 0.0) offer(arc, norm(u));
+    if (i == 0 && ahead <= 0.0) {
+      offer(arc, norm(u));
+    }
+    if (i == kSearchIntervals && ahead >= 0.0) {
+      offer(arc, norm(u));
+    }
     if (i > 0 && aheadBefore > 0.0 && ahead <= 0.0) {
       offer(arc - length / kSearchIntervals * ahead / (ahead - aheadBefore), across);
     }
@@ -229,8 +258,12 @@ double TwistMap::searchedArc(const Vec3& deformed_m) const noexcept {
 
 // Secant steps on `miss`; the best arc length met counts.
 Vec3 TwistMap::backward(const Vec3& deformed_m) const noexcept {
-  if (identity_) return deformed_m;
-  if (!tables_.needsArc) return unwound(deformed_m, 0.0);
+  if (identity_) {
+    return deformed_m;
+  }
+  if (!tables_.needsArc) {
+    return unwound(deformed_m, 0.0);
+  }
   const double length = lattice_.length_m();
   double before = tables_.searchesArc ? searchedArc(deformed_m) : firstArc(deformed_m);
   double missBefore = miss(deformed_m, before);
@@ -245,7 +278,9 @@ Vec3 TwistMap::backward(const Vec3& deformed_m) const noexcept {
     }
     const double change = here - missBefore;
     double next = change != 0.0 ? arc - here * (arc - before) / change : arc + here;
-    if (!(std::abs(next - arc) <= kLargestStep * length)) next = arc + 0.5 * here;
+    if (!(std::abs(next - arc) <= kLargestStep * length)) {
+      next = arc + 0.5 * here;
+    }
     before = arc;
     missBefore = here;
     arc = std::clamp(next, 0.0, length);
@@ -284,25 +319,33 @@ double TwistMap::warpingRate(double arc_m) const noexcept {
   double sum = 0.0;
   for (std::size_t k = 0; k < count_; ++k) {
     const PreparedOperation& op = *steps_[k].operation;
-    if (!op.aboutCentreline()) continue;
+    if (!op.aboutCentreline()) {
+      continue;
+    }
     sum += steps_[k].angle_rad * op.blendedShare(arc_m, steps_[k].peak, blend_m_).slope;
   }
   return sum;
 }
 
 Vec3 TwistMap::vertex(const TwistVertex& vertex) const noexcept {
-  if (identity_) return vertex.rest_m;
+  if (identity_) {
+    return vertex.rest_m;
+  }
   if (tables_.linear) {
     const TwistLine& line = vertex.line;
     const Vec3 moved = forward(vertex.rest_m, vertex.arc_m, line);
-    if (vertex.arc_m > graspArc_m_ || torquePerBar_Nm_ == 0.0) return moved;
+    if (vertex.arc_m > graspArc_m_ || torquePerBar_Nm_ == 0.0) {
+      return moved;
+    }
     const Vec3 u = vertex.rest_m - line.point_m;
     const double rho2 = dot(u, u) - dot(u, line.direction) * dot(u, line.direction);
     const double h = tables_.spacing_m;
     const double lift = torquePerBar_Nm_ * tables_.lift.value(vertex.arc_m) * h / std::sqrt(rho2 + h * h);
     return moved + lift * line.direction;  // Eq. 23
   }
-  if (vertex.warp_m2 == 0.0) return forward(vertex.rest_m, vertex.arc_m, vertex.line);
+  if (vertex.warp_m2 == 0.0) {
+    return forward(vertex.rest_m, vertex.arc_m, vertex.line);
+  }
   const double along = vertex.warp_m2 * warpingRate(vertex.arc_m);
   return forward(vertex.rest_m + along * vertex.line.direction, vertex.arc_m, vertex.line);
 }

@@ -30,7 +30,9 @@ PreparedOperation::PreparedOperation(const TwistOperation& operation, int index,
     const Vec3 way = operation.axisTo_m - operation.axisFrom_m;
     direction_ = normalized(way);
     alongAxis_ = operation.coordinate == TwistCoordinate::kAlongAxis;
-    if (alongAxis_) unit_m_ = norm(way);
+    if (alongAxis_) {
+      unit_m_ = norm(way);
+    }
   }
   std::vector<double> peaks;
   const double low = unit_m_ * (operation.from + kEndMargin * (operation.to - operation.from));
@@ -41,7 +43,9 @@ PreparedOperation::PreparedOperation(const TwistOperation& operation, int index,
     peaks.push_back(std::clamp(own, low, high));
   }
   peak_ = HermiteTable(base.compliance->first(), base.compliance->step(), std::move(peaks), true);
-  if (isElastic()) prepareElastic(index, base);
+  if (isElastic()) {
+    prepareElastic(index, base);
+  }
   prepareStiffness(base);
 }
 
@@ -51,7 +55,9 @@ double PreparedOperation::cellCompliance(const OperationBase& base, int cell) co
   const HermiteTable& whole = *base.series;
   const double least = kLeastCell * whole.node(whole.nodes() - 1);
   const double twist = std::max(whole.node(cell + 1) - whole.node(cell), least);
-  if (aboutCentreline()) return twist;
+  if (aboutCentreline()) {
+    return twist;
+  }
   const double along =
       dot(direction_, base.axis->frameAt(whole.first() + (cell + 0.5) * whole.step()).tangent);
   const double bend = base.bending->node(cell + 1) - base.bending->node(cell);
@@ -70,7 +76,9 @@ void PreparedOperation::prepareElastic(int index, const OperationBase& base) {
   const bool wholeOrgan = definition_.from == 0.0 && definition_.to == 1.0;
   if (aboutCentreline() && wholeOrgan) {
     nodes.clear();
-    for (int i = 0; i < whole.nodes(); ++i) nodes.push_back(whole.node(i));
+    for (int i = 0; i < whole.nodes(); ++i) {
+      nodes.push_back(whole.node(i));
+    }
     elastic_ = TorsionTable(whole.first(), whole.step(), std::move(nodes), base.ends, {base.foundation_m},
                             base.paperAngles);
     return;
@@ -114,7 +122,9 @@ double PreparedOperation::profileStiffness(const OperationBase& base, double pea
 }
 
 void PreparedOperation::prepareStiffness(const OperationBase& base) {
-  if (isElastic()) return;  // the table of the elastic twist knows it exactly
+  if (isElastic()) {
+    return;  // the table of the elastic twist knows it exactly
+  }
   const double length = base.axis->length_m();
   std::vector<double> values;
   values.reserve(kStiffnessNodes);
@@ -133,7 +143,9 @@ double PreparedOperation::peakFor(double graspArc_m) const noexcept {
 }
 
 ValueSlope PreparedOperation::share(double coordinate, double peak) const noexcept {
-  if (isElastic()) return elastic_.share(coordinate, peak);
+  if (isElastic()) {
+    return elastic_.share(coordinate, peak);
+  }
   const double x = coordinate / unit_m_;
   const double at = peak / unit_m_;
   return {profileShare(definition_, x, at), profileSlope(definition_, x, at) / unit_m_};
@@ -144,7 +156,9 @@ ValueSlope PreparedOperation::blendedShare(double coordinate, double peak, doubl
 }
 
 double PreparedOperation::stiffness(double graspArc_m) const noexcept {
-  if (isElastic()) return 1.0 / elastic_.compliance(peakFor(graspArc_m));
+  if (isElastic()) {
+    return 1.0 / elastic_.compliance(peakFor(graspArc_m));
+  }
   return stiffness_.value(graspArc_m);
 }
 

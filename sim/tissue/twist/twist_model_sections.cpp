@@ -22,13 +22,17 @@ std::vector<int> chosenSections(int available, int count) {
   const int n = std::clamp(count, 2, available);
   std::vector<int> chosen;
   chosen.reserve(static_cast<std::size_t>(n));
-  for (int k = 0; k < n; ++k) chosen.push_back((k * (available - 1) + (n - 1) / 2) / (n - 1));
+  for (int k = 0; k < n; ++k) {
+    chosen.push_back((k * (available - 1) + (n - 1) / 2) / (n - 1));
+  }
   return chosen;
 }
 
 std::vector<double> arcsOf(const SectionLattice& lattice, std::span<const int> chosen) {
   std::vector<double> arcs;
-  for (const int j : chosen) arcs.push_back(lattice.sectionArc_m(j));
+  for (const int j : chosen) {
+    arcs.push_back(lattice.sectionArc_m(j));
+  }
   return arcs;
 }
 
@@ -65,7 +69,9 @@ Outline fullOutline(const SectionLattice& lattice, int j) {
 Outline drawnAgain(const Outline& full, int count) {
   std::vector<double> x;
   std::vector<double> y;
-  for (const Point2& p : full.points) x.push_back(p[0]), y.push_back(p[1]);
+  for (const Point2& p : full.points) {
+    x.push_back(p[0]), y.push_back(p[1]);
+  }
   const std::vector<double> evenX = onEqualAngles(full.angles_rad, x, count);
   const std::vector<double> evenY = onEqualAngles(full.angles_rad, y, count);
   Outline outline;
@@ -76,7 +82,9 @@ Outline drawnAgain(const Outline& full, int count) {
   }
   const double area = areaOf(outline.points);
   const double factor = area > 0.0 ? std::sqrt(areaOf(full.points) / area) : 1.0;
-  for (Point2& p : outline.points) p = {factor * p[0], factor * p[1]};
+  for (Point2& p : outline.points) {
+    p = {factor * p[0], factor * p[1]};
+  }
   return outline;
 }
 
@@ -110,7 +118,9 @@ SolvedSection solved(SectionSolver& solver, const SectionLattice& lattice, int j
   const std::array<double, 2> centre =
       options.aboutShearCentre ? p.shearCentre : std::array<double, 2>{0.0, 0.0};
   std::vector<double> warping = p.outlineWarping;
-  for (std::size_t i = 0; i < warping.size(); ++i) warping[i] += tilt(outline.points[i], p.centroid, centre);
+  for (std::size_t i = 0; i < warping.size(); ++i) {
+    warping[i] += tilt(outline.points[i], p.centroid, centre);
+  }
   section.warping_m2 = onEqualAngles(outline.angles_rad, warping, SolvedSections::kAngles);
   section.shear_m = onEqualAngles(outline.angles_rad, p.outlineShear, SolvedSections::kAngles);
   return section;
@@ -118,7 +128,9 @@ SolvedSection solved(SectionSolver& solver, const SectionLattice& lattice, int j
 
 std::vector<TorsionSection> torsionOf(std::span<const SolvedSection> sections) {
   std::vector<TorsionSection> torsion;
-  for (const SolvedSection& s : sections) torsion.push_back(s.torsion);
+  for (const SolvedSection& s : sections) {
+    torsion.push_back(s.torsion);
+  }
   return torsion;
 }
 
@@ -132,7 +144,9 @@ std::vector<double> onEqualAngles(std::span<const double> angles_rad, std::span<
   std::size_t next = 0;  // first outline point beyond the wanted angle
   for (int k = 0; k < count; ++k) {
     const double angle = kTurn * k / count;
-    while (next < n && angles_rad[next] <= angle) ++next;
+    while (next < n && angles_rad[next] <= angle) {
+      ++next;
+    }
     const std::size_t low = next == 0 ? n - 1 : next - 1;
     const std::size_t high = next == n ? 0 : next;
     const double from = next == 0 ? angles_rad[low] - kTurn : angles_rad[low];
@@ -157,7 +171,9 @@ SolvedSections SolvedSections::solve(const SectionLattice& lattice, const Option
   SectionSolver solver(options.solver);
   std::vector<SolvedSection> sections;
   sections.reserve(chosen.size());
-  for (const int j : chosen) sections.push_back(solved(solver, lattice, j, options));
+  for (const int j : chosen) {
+    sections.push_back(solved(solver, lattice, j, options));
+  }
   return {arcsOf(lattice, chosen), std::move(sections), options.kriging};
 }
 
@@ -175,10 +191,14 @@ SolvedSections::SolvedSections(std::vector<double> arcs_m, std::vector<SolvedSec
     centreX_.push_back(s.shearCentre_m[0]);
     centreY_.push_back(s.shearCentre_m[1]);
     std::vector<double> warping = s.warping_m2;
-    for (double& w : warping) w /= area;
+    for (double& w : warping) {
+      w /= area;
+    }
     warpingShare_.push_back(std::move(warping));
     std::vector<double> shear = s.shear_m;
-    for (double& t : shear) t /= length;
+    for (double& t : shear) {
+      t /= length;
+    }
     shearShare_.push_back(std::move(shear));
   }
 }
@@ -203,7 +223,9 @@ std::vector<double> SolvedSections::krigedRow(double arc_m, double scale,
   std::vector<double> row(static_cast<std::size_t>(kAngles), 0.0);
   for (std::size_t n = 0; n < weights.lambda.size(); ++n) {
     const std::vector<double>& from = rows[static_cast<std::size_t>(weights.first) + n];
-    for (std::size_t a = 0; a < row.size(); ++a) row[a] += scale * weights.lambda[n] * from[a];
+    for (std::size_t a = 0; a < row.size(); ++a) {
+      row[a] += scale * weights.lambda[n] * from[a];
+    }
   }
   return row;
 }
@@ -215,7 +237,9 @@ std::vector<double> SolvedSections::warping_m2(double arc_m) const {
 std::vector<double> SolvedSections::shear_m(double arc_m) const {
   std::vector<double> row =
       krigedRow(arc_m, std::sqrt(std::sqrt(profile_.at(arc_m).torsionConstant_m4)), shearShare_);
-  for (double& t : row) t = std::max(0.0, t);
+  for (double& t : row) {
+    t = std::max(0.0, t);
+  }
   return row;
 }
 

@@ -28,7 +28,9 @@ std::size_t at(int i) {
 }
 
 void checkNumber(double value, double low, double high, const char* name) {
-  if (value >= low && value <= high) return;  // false for NaN
+  if (value >= low && value <= high) {
+    return;  // false for NaN
+  }
   refuse(Text("%1 is %2, but must lie in %3..%4", std::string(name), std::to_string(value),
               std::to_string(low), std::to_string(high)),
          "twist model options", "Choose a value inside the range.");
@@ -42,7 +44,9 @@ void checkOptions(const TwistModelOptions& o, const Material& material) {
   }
   checkOperations(o.operations);
   checkNumber(o.foundationLengths, 0.0, 1e6, "foundationLengths");
-  if (o.foundationLengths > 0.0) checkNumber(o.foundationLengths, 0.05, 1e6, "foundationLengths");
+  if (o.foundationLengths > 0.0) {
+    checkNumber(o.foundationLengths, 0.05, 1e6, "foundationLengths");
+  }
   checkNumber(o.stiffeningStrain, 0.0, 1e6, "stiffeningStrain");
   checkNumber(o.stiffnessCap_N_per_m, 1.0, 1e6, "stiffnessCap_N_per_m");
   checkNumber(o.sectionPoints, 16.0, 10000.0, "sectionPoints");
@@ -85,8 +89,12 @@ class TableMaker {
     tables_.arcs = ArcField(mesh_, lattice_);
     makeVertices();
     makePatches();
-    if (options_.poynting) makeElongation();
-    if (tables_.linear && options_.paperInterpolation == PaperInterpolation::kComponents) makeComponents();
+    if (options_.poynting) {
+      makeElongation();
+    }
+    if (tables_.linear && options_.paperInterpolation == PaperInterpolation::kComponents) {
+      makeComponents();
+    }
     makeStrain();
     return std::move(tables_);
   }
@@ -99,7 +107,9 @@ class TableMaker {
   template <typename F>
   HermiteTable table(F&& f) const {
     std::vector<double> values;
-    for (int i = 0; i <= intervals(); ++i) values.push_back(f(length() * i / intervals()));
+    for (int i = 0; i <= intervals(); ++i) {
+      values.push_back(f(length() * i / intervals()));
+    }
     return {0.0, step(), std::move(values), true};
   }
 
@@ -151,7 +161,9 @@ void TableMaker::makeCompliance() {
   const bool monotone = !tables_.linear;
   tables_.compliance =
       HermiteTable(0.0, step(), krigedNodes(atSections, length(), options_.kriging, monotone), monotone);
-  if (monotone) series_ = tables_.compliance;
+  if (monotone) {
+    series_ = tables_.compliance;
+  }
 }
 
 HermiteTable TableMaker::bendingCompliance() const {
@@ -165,7 +177,9 @@ HermiteTable TableMaker::bendingCompliance() const {
 
 void TableMaker::makeOperations() {
   tables_.definitions = options_.operations;
-  if (tables_.definitions.empty()) tables_.definitions.push_back({});
+  if (tables_.definitions.empty()) {
+    tables_.definitions.push_back({});
+  }
   OperationBase base;
   base.axis = &lattice_.centreline();
   base.compliance = &tables_.compliance;
@@ -180,13 +194,25 @@ void TableMaker::makeOperations() {
   for (std::size_t k = 0; k < tables_.definitions.size(); ++k) {
     tables_.operations.emplace_back(tables_.definitions[k], static_cast<int>(k), base);
     const PreparedOperation& op = tables_.operations.back();
-    if (std::abs(op.ratio()) > std::abs(tables_.operations[tables_.leading].ratio())) tables_.leading = k;
-    if (!op.alongAxis()) tables_.needsArc = true;
-    if (op.aboutCentreline() && straightBefore) tables_.carriesCentreline = true;
-    if (!op.aboutCentreline()) straightBefore = true;
-    if (!op.aboutCentreline() && !op.alongAxis()) tables_.searchesArc = true;
+    if (std::abs(op.ratio()) > std::abs(tables_.operations[tables_.leading].ratio())) {
+      tables_.leading = k;
+    }
+    if (!op.alongAxis()) {
+      tables_.needsArc = true;
+    }
+    if (op.aboutCentreline() && straightBefore) {
+      tables_.carriesCentreline = true;
+    }
+    if (!op.aboutCentreline()) {
+      straightBefore = true;
+    }
+    if (!op.aboutCentreline() && !op.alongAxis()) {
+      tables_.searchesArc = true;
+    }
   }
-  if (tables_.carriesCentreline) tables_.searchesArc = true;
+  if (tables_.carriesCentreline) {
+    tables_.searchesArc = true;
+  }
   const PreparedOperation& first = tables_.operations.front();
   tables_.defaultOperation = tables_.operations.size() == 1 && first.aboutCentreline() && first.isElastic() &&
                              first.ratio() == 1.0 && !first.definition().peak;
@@ -196,7 +222,9 @@ void TableMaker::makeProfiles() {
   tables_.radius = table([&](double s) { return solved_.profile().radius_m(s); });
   tables_.shear = table([&](double s) { return solved_.maxShear_m(s); });
   tables_.shiftedCentre = options_.centre == TwistCentre::kShearCentre;
-  if (!tables_.shiftedCentre) return;
+  if (!tables_.shiftedCentre) {
+    return;
+  }
   tables_.centreX = table([&](double s) { return solved_.shearCentre_m(s)[0]; });
   tables_.centreY = table([&](double s) { return solved_.shearCentre_m(s)[1]; });
 }
@@ -205,7 +233,9 @@ void TableMaker::makeProfiles() {
 std::vector<double> TableMaker::freeRim() const {
   const int j = lattice_.sections() - 1;
   std::vector<double> radii;
-  for (const Point2& p : lattice_.outline_m(j)) radii.push_back(std::sqrt(p[0] * p[0] + p[1] * p[1]));
+  for (const Point2& p : lattice_.outline_m(j)) {
+    radii.push_back(std::sqrt(p[0] * p[0] + p[1] * p[1]));
+  }
   return onEqualAngles(lattice_.outlineAngles_rad(j), radii, SolvedSections::kAngles);
 }
 
@@ -219,8 +249,12 @@ double TableMaker::warpingShare(std::size_t vertex, std::span<const double> free
     return t * t * (3.0 - 2.0 * t);
   };
   double share = fade(coordinate.arc_m, 0.0);
-  if (options_.ends == EndCondition::kBothHeld) return share * fade(length() - coordinate.arc_m, length());
-  if (lattice_.vertexParts()[vertex] != LatticePart::kFreeCap) return share;
+  if (options_.ends == EndCondition::kBothHeld) {
+    return share * fade(length() - coordinate.arc_m, length());
+  }
+  if (lattice_.vertexParts()[vertex] != LatticePart::kFreeCap) {
+    return share;
+  }
   const double rim = atAngle(freeRim_m, coordinate.angle_rad);
   const AxisFrame frame = lattice_.frameAt(coordinate.arc_m);
   const Vec3 u = mesh_.vertices_m[vertex] - frame.centre_m;
@@ -236,7 +270,9 @@ void TableMaker::makeVertices() {
   const bool warped = options_.warping && !tables_.linear;
   std::vector<std::vector<double>> rows;
   if (warped) {
-    for (int i = 0; i <= intervals(); ++i) rows.push_back(solved_.warping_m2(length() * i / intervals()));
+    for (int i = 0; i <= intervals(); ++i) {
+      rows.push_back(solved_.warping_m2(length() * i / intervals()));
+    }
   }
   const std::vector<double> rim = freeRim();
   tables_.vertices.reserve(coordinates.size());
@@ -308,7 +344,9 @@ void TableMaker::makeComponents() {
   }
   std::vector<double> arcs;
   arcs.reserve(at(m));
-  for (int j = 0; j < m; ++j) arcs.push_back(lattice_.sectionArc_m(j));
+  for (int j = 0; j < m; ++j) {
+    arcs.push_back(lattice_.sectionArc_m(j));
+  }
   std::vector<double> queries;
   for (const LatticeCoordinate& coordinate : lattice_.vertexCoordinates()) {
     queries.push_back(coordinate.arc_m);

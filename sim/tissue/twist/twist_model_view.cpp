@@ -37,13 +37,25 @@ TwistView::TwistView(const TwistModel& model, Isa isa)
   out_ = KernelBuffer<float>(at(blocks_ * 3 * kKernelBlock), 2 * kKernelBlock);
   rest_ = KernelBuffer<float>(at(blocks_ * 3 * kKernelBlock), 4 * kKernelBlock);
   shares_.assign(kShareEntries + 1, 0.0F);
-  for (int v = 0; v < vertices_; ++v) put(&lane(rest_, 3, v, 0), model.tables().vertices[at(v)].rest_m);
-  for (const TwistVertex& vertex : model.tables().vertices) warped_ = warped_ || vertex.warp_m2 != 0.0;
+  for (int v = 0; v < vertices_; ++v) {
+    put(&lane(rest_, 3, v, 0), model.tables().vertices[at(v)].rest_m);
+  }
+  for (const TwistVertex& vertex : model.tables().vertices) {
+    warped_ = warped_ || vertex.warp_m2 != 0.0;
+  }
   choosePath();
-  if (path_ == Path::kPaper) fillPaperStreams();
-  if (path_ == Path::kCurved || path_ == Path::kAngles) fillStreams();
-  if (path_ == Path::kAngles) angles_ = KernelBuffer<float>(at(blocks_ * 2 * kKernelBlock));
-  if (path_ == Path::kSlow) slow_m_.resize(at(vertices_));
+  if (path_ == Path::kPaper) {
+    fillPaperStreams();
+  }
+  if (path_ == Path::kCurved || path_ == Path::kAngles) {
+    fillStreams();
+  }
+  if (path_ == Path::kAngles) {
+    angles_ = KernelBuffer<float>(at(blocks_ * 2 * kKernelBlock));
+  }
+  if (path_ == Path::kSlow) {
+    slow_m_.resize(at(vertices_));
+  }
 }
 
 float& TwistView::lane(KernelBuffer<float>& buffer, int streams, int vertex, int stream) const noexcept {
@@ -59,10 +71,14 @@ void TwistView::choosePath() {
   path_ = Path::kSlow;
   if (tables.linear) {
     const bool free = first.isElastic() && first.elastic().ends() == EndCondition::kClampedFree;
-    if (tables.defaultOperation && free && !tables.components) path_ = Path::kPaper;
+    if (tables.defaultOperation && free && !tables.components) {
+      path_ = Path::kPaper;
+    }
     return;
   }
-  if (tables.poynting || !laterStraight) return;
+  if (tables.poynting || !laterStraight) {
+    return;
+  }
   if (first.alongAxis()) {
     path_ = Path::kStraight;
   } else if (first.aboutCentreline()) {
@@ -85,9 +101,13 @@ void TwistView::fillStreams() {
     put(&lane(in_, streams, v, 3), radius);
     put(&lane(in_, streams, v, 6), line.direction);
     ValueSlope compliance{0.0, 1.0};
-    if (path_ == Path::kCurved) compliance = op.elastic().rising(vertex.arc_m);
+    if (path_ == Path::kCurved) {
+      compliance = op.elastic().rising(vertex.arc_m);
+    }
     lane(in_, streams, v, 9) = static_cast<float>(compliance.value);
-    if (curvedOnly) continue;
+    if (curvedOnly) {
+      continue;
+    }
     lane(in_, streams, v, 10) = static_cast<float>(vertex.warp_m2 * compliance.slope);
   }
 }
@@ -194,11 +214,15 @@ void TwistView::straightFrames(const TwistState& state, const float* in, std::si
 
 void TwistView::slowFrame(const TwistState& state) noexcept {
   model_->deform(state, slow_m_);
-  for (int v = 0; v < vertices_; ++v) put(&lane(out_, 3, v, 0), slow_m_[at(v)]);
+  for (int v = 0; v < vertices_; ++v) {
+    put(&lane(out_, 3, v, 0), slow_m_[at(v)]);
+  }
 }
 
 std::span<const float> TwistView::updateBlocks(const TwistState& state) noexcept {
-  if (state.graspAngle_rad == 0.0) return {rest_.data(), rest_.size()};
+  if (state.graspAngle_rad == 0.0) {
+    return {rest_.data(), rest_.size()};
+  }
   switch (path_) {
     case Path::kCurved:
       curvedFrame(state);
@@ -223,7 +247,9 @@ std::span<const float> TwistView::updateBlocks(const TwistState& state) noexcept
 
 void TwistView::update(const TwistState& state, std::span<float> xyz, int stride) noexcept {
   const std::size_t needed = vertices_ > 0 ? at((vertices_ - 1) * stride + 3) : 0;
-  if (stride < 3 || xyz.size() < needed) return;
+  if (stride < 3 || xyz.size() < needed) {
+    return;
+  }
   twistKernels(isa_).interleave(updateBlocks(state).data(), vertices_, xyz.data(), stride);
 }
 

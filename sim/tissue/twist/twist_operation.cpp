@@ -72,7 +72,9 @@ double profileSlope(const TwistOperation& operation, double x, double peak) noex
     rate = -1.0 / (operation.to - peak);
     t = (x - operation.to) * rate;
   }
-  if (!(t > 0.0 && t <= 1.0)) return 0.0;
+  if (!(t > 0.0 && t <= 1.0)) {
+    return 0.0;
+  }
   return isSmooth(operation.profile) ? 6.0 * t * (1.0 - t) * rate : rate;
 }
 
@@ -84,7 +86,9 @@ void checkOperations(std::span<const TwistOperation> operations) {
   }
   for (std::size_t i = 0; i < operations.size(); ++i) {
     const TwistOperation& op = operations[i];
-    if (op.axis == TwistAxis::kStraight) checkStraightAxis(i, op);
+    if (op.axis == TwistAxis::kStraight) {
+      checkStraightAxis(i, op);
+    }
     checkRange(i, op);
     if (!std::isfinite(op.ratio) || op.ratio == 0.0) {
       refuse(i, Text("the ratio %1 turns nothing", std::to_string(op.ratio)),

@@ -57,9 +57,13 @@ bool hasAvx512() {
 
 UsableSets findUsableSets() {
   UsableSets usable;
-  if (!hasAvx2()) return usable;
+  if (!hasAvx2()) {
+    return usable;
+  }
   usable.sets[usable.count++] = Isa::kAvx2;
-  if (hasAvx512()) usable.sets[usable.count++] = Isa::kAvx512;
+  if (hasAvx512()) {
+    usable.sets[usable.count++] = Isa::kAvx512;
+  }
   return usable;
 }
 

@@ -7,8 +7,12 @@ namespace torsio {
 
 const TwistKernels& twistKernels(Isa isa) noexcept {
 #if defined(TORSIO_X86_KERNELS)
-  if (isa == Isa::kAvx512) return twistKernelsAvx512();
-  if (isa == Isa::kAvx2) return twistKernelsAvx2();
+  if (isa == Isa::kAvx512) {
+    return twistKernelsAvx512();
+  }
+  if (isa == Isa::kAvx2) {
+    return twistKernelsAvx2();
+  }
 #else
   static_cast<void>(isa);
 #endif

@@ -197,9 +197,13 @@ void componentKriging(const KrigedComponents& components, int vertices, float* _
     for (int n = 0; n < 8; ++n) {
       const float wa = w[n] * (1.0F - share);
       const float wb = w[n] * share;
-      for (int c = 0; c < 4; ++c) d[c] += wa * a[4 * n + c] + wb * b[4 * n + c];
+      for (int c = 0; c < 4; ++c) {
+        d[c] += wa * a[4 * n + c] + wb * b[4 * n + c];
+      }
     }
-    for (int c = 0; c < 3; ++c) out[3LL * v + c] = k.rest[3LL * v + c] + d[c];
+    for (int c = 0; c < 3; ++c) {
+      out[3LL * v + c] = k.rest[3LL * v + c] + d[c];
+    }
   }
 }
 
@@ -216,7 +220,9 @@ void interleave(const float* __restrict in, int vertices, float* __restrict out,
 void triad(const float* __restrict a, const float* __restrict b, float factor, int count,
            float* __restrict out) {
   TORSIO_VECTOR_LOOP
-  for (int i = 0; i < count; ++i) out[i] = a[i] + factor * b[i];
+  for (int i = 0; i < count; ++i) {
+    out[i] = a[i] + factor * b[i];
+  }
 }
 
 const TwistKernels kKernels{curvedWarp, curved,        givenAngles,      paperLinear, straight,

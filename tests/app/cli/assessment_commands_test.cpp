@@ -33,12 +33,13 @@ constexpr double kPublished = 1e-8;  // the sources below print eight or nine di
 std::string paperTable() {
   std::string text = "\xEF\xBB\xBFscore,model,class,rater,index\r\n";
   const auto add = [&](const std::string& raterClass, int count, const std::string& score) {
-    for (int r = 0; r < count; ++r)
+    for (int r = 0; r < count; ++r) {
       for (int j = 1; j <= 9; ++j) {
         text.append(score).append(",PM,").append(raterClass).append(",");
         text.append(raterClass).append(std::to_string(r)).append(",");
         text.append(std::to_string(j)).append("\r\n");
       }
+    }
   };
   add("A", 20, "7");
   add("B", 10, "8");
@@ -141,15 +142,18 @@ TEST_F(AssessmentCommands, TablesWithoutProperHeaderAreRefused) {
 
 std::string ratingTable(const std::vector<std::vector<int>>& targets) {
   std::string text = "target,rater,score\n";
-  for (std::size_t t = 0; t < targets.size(); ++t)
-    for (std::size_t r = 0; r < targets[t].size(); ++r)
-      if (targets[t][r] != 0)
+  for (std::size_t t = 0; t < targets.size(); ++t) {
+    for (std::size_t r = 0; r < targets[t].size(); ++r) {
+      if (targets[t][r] != 0) {
         text.append("t")
             .append(std::to_string(t))
             .append(",r")
             .append(std::to_string(r))
             .append(",")
             .append(std::to_string(targets[t][r]) + "\n");
+      }
+    }
+  }
   return text;
 }
 
@@ -180,8 +184,11 @@ TEST_F(AssessmentCommands, AgreementWithHolesKeepsKrippendorffOnly) {
                                                 {0, 3, 3, 3, 2, 3, 4, 2, 2, 5, 1, 0},
                                                 {1, 2, 3, 3, 2, 4, 4, 1, 2, 5, 1, 0}};
   std::vector<std::vector<int>> units(12, std::vector<int>(4));
-  for (std::size_t c = 0; c < 4; ++c)
-    for (std::size_t u = 0; u < 12; ++u) units[u][c] = coders[c][u];
+  for (std::size_t c = 0; c < 4; ++c) {
+    for (std::size_t u = 0; u < 12; ++u) {
+      units[u][c] = coders[c][u];
+    }
+  }
   const json out = answer("agreement --ratings " + write("holes.csv", ratingTable(units)));
   EXPECT_NEAR(out["krippendorff"]["nominal"].get<double>(), 0.743421053, kPublished);
   EXPECT_NEAR(out["krippendorff"]["ordinal"].get<double>(), 0.815387504, kPublished);
@@ -209,9 +216,11 @@ const std::vector<std::pair<std::string, std::vector<std::string>>> kPlantGrowth
 
 std::string groupTable() {
   std::string text = "subject,group,score\n";
-  for (const auto& [group, values] : kPlantGrowth)
-    for (std::size_t i = 0; i < values.size(); ++i)
+  for (const auto& [group, values] : kPlantGrowth) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
       text.append(group + std::to_string(i)).append(",").append(group).append(",").append(values[i] + "\n");
+    }
+  }
   return text;
 }
 
@@ -262,15 +271,17 @@ TEST_F(AssessmentCommands, CompareGroupsRefusesTwoScoresAndSaysWhatOneGroupLacks
   expectRefused("compare-groups " + write("moved.csv", "subject,group,occasion,score\na,x,1,1\na,y,2,2\n"),
                 {"moved.csv, line 3", "one group"});
   const json out = answer("compare-groups " + write("lone.csv", "subject,group,score\na,x,1\nb,x,2\n"));
-  for (const char* name : {"welch_t", "anova", "welch_anova", "mann_whitney", "kruskal_wallis", "tukey"})
+  for (const char* name : {"welch_t", "anova", "welch_anova", "mann_whitney", "kruskal_wallis", "tukey"}) {
     EXPECT_TRUE(out[name].contains("undefined")) << name;
+  }
 }
 
 TEST_F(AssessmentCommands, LearningFindsTheCurveThatMadeTheValues) {
   // Exact values of 20 + 40 exp(-0.25 (t - 1)).
   std::string text = "attempt,subject,value\n";
-  for (int t = 1; t <= 12; ++t)
+  for (int t = 1; t <= 12; ++t) {
     text += std::to_string(t) + ",P01," + std::to_string(20.0 + 40.0 * std::exp(-0.25 * (t - 1))) + "\n";
+  }
   const json subject = answer("learning " + write("curve.csv", text))["subjects"][0];
   constexpr double kSixDecimals = 1e-4;  // the values are written with six decimals
   EXPECT_NEAR(subject["exponential"]["asymptote"].get<double>(), 20.0, kSixDecimals);
@@ -284,8 +295,9 @@ TEST_F(AssessmentCommands, LearningFindsTheCurveThatMadeTheValues) {
 TEST_F(AssessmentCommands, LearningOfPassAndFailDrawsCusums) {
   // Biau and Porcher's weights for 0.1 and 0.2: +ln(0.9/0.8) and -ln(0.2/0.1).
   std::string text = "subject,attempt,value\n";
-  for (int t = 1; t <= 40; ++t)
+  for (int t = 1; t <= 40; ++t) {
     text.append("P01,").append(std::to_string(t)).append(t == 3 ? ",fail\n" : ",pass\n");
+  }
   const std::string file = write("outcomes.csv", text);
   const json out = answer("learning --limit 1.25 " + file);
   EXPECT_EQ(out["kind"], "pass/fail");
@@ -310,13 +322,17 @@ TEST_F(AssessmentCommands, LearningRefusesGapsDuplicatesAndMixtures) {
 
 std::string personList() {
   std::string list;
-  for (int i = 1; i <= 30; ++i) list.append(i > 1 ? ", \"P" : "\"P").append(std::to_string(i)).append("\"");
+  for (int i = 1; i <= 30; ++i) {
+    list.append(i > 1 ? ", \"P" : "\"P").append(std::to_string(i)).append("\"");
+  }
   return list;
 }
 
 std::string armsOf(const json& allocation) {
   std::string arms;
-  for (const json& record : allocation["records"]) arms += record["arm"].get<std::string>();
+  for (const json& record : allocation["records"]) {
+    arms += record["arm"].get<std::string>();
+  }
   return arms;
 }
 
@@ -346,9 +362,10 @@ TEST_F(AssessmentCommands, AllocateStratifiesByFactors) {
   // Order of sexes and blocks of three of the same reference vector, without joint leftovers.
   const std::string sexes = "MMFMFMMFFMMFMFMMFFMMFMMFMFMMFF";
   std::string persons;
-  for (std::size_t i = 0; i < sexes.size(); ++i)
+  for (std::size_t i = 0; i < sexes.size(); ++i) {
     persons += std::string(i > 0 ? "," : "") + R"({"code": "P)" + std::to_string(i) +
                R"(", "levels": {"sex": ")" + sexes[i] + R"("}})";
+  }
   const std::string design =
       write("strata.json",
             R"({"study": "S", "method": "stratified blocks", "arms": ["1", "2", "3"], "block_sizes": [3],

@@ -28,8 +28,9 @@ std::string boxObj(const std::string& side) {
   std::string text;
   for (const char* corner : {"0 0 0", "s 0 0", "s s 0", "0 s 0", "0 0 s", "s 0 s", "s s s", "0 s s"}) {
     std::string line = "v " + std::string(corner);
-    for (std::size_t at = line.find('s'); at != std::string::npos; at = line.find('s'))
+    for (std::size_t at = line.find('s'); at != std::string::npos; at = line.find('s')) {
       line.replace(at, 1, side);
+    }
     text += line + "\n";
   }
   return text +

@@ -23,7 +23,9 @@ class DbCommandTest : public DatabaseTest {
  protected:
   void SetUp() override {
     DatabaseTest::SetUp();
-    if (IsSkipped()) return;
+    if (IsSkipped()) {
+      return;
+    }
     folder_ =
         emptyFolder(std::string("db-") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
     Connection connection = openFile();

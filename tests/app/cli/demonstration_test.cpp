@@ -37,7 +37,9 @@ TEST(Demonstration, WritesReportTableAndDatabaseAndReplaysBitForBit) {
   }
   EXPECT_EQ(readFile(folder / "out" / "cohort.pdf").substr(0, 5), "%PDF-");
   std::size_t files = 0;
-  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder / "out")) ++files;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder / "out")) {
+    ++files;
+  }
   EXPECT_EQ(files, 3U) << "nothing but the three files";
 
   const std::string trial = trialIn(demo.out);

@@ -44,7 +44,9 @@ class DeviceCommand : public testing::Test {
 };
 
 void expectMentions(const std::string& text, const std::vector<std::string>& parts) {
-  for (const std::string& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  for (const std::string& part : parts) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
 }
 
 constexpr int kDevice = static_cast<int>(ErrorCode::kDevice);

@@ -27,7 +27,9 @@ inline std::filesystem::path emptyFolder(const std::string& name) {
     Cleaner& operator=(const Cleaner&) = delete;
     ~Cleaner() {
       std::error_code ignored;
-      for (const auto& folder : folders) std::filesystem::remove_all(folder, ignored);
+      for (const auto& folder : folders) {
+        std::filesystem::remove_all(folder, ignored);
+      }
     }
   };
   static Cleaner cleaner;

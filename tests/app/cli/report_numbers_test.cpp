@@ -36,12 +36,14 @@ class Numbers {
   [[nodiscard]] double at(const std::string& section, const std::string& group, const std::string& model,
                           const std::string& index, const std::string& occasion,
                           const std::string& statistic) const {
-    for (std::size_t row = 0; row < table_.rows(); ++row)
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
       if (table_.cell(row, "item") == "all" && table_.cell(row, "section") == section &&
           table_.cell(row, "group") == group && table_.cell(row, "model") == model &&
           table_.cell(row, "index") == index && table_.cell(row, "occasion") == occasion &&
-          table_.cell(row, "statistic") == statistic)
+          table_.cell(row, "statistic") == statistic) {
         return table_.number(row, "value");
+      }
+    }
     ADD_FAILURE() << section << " " << group << " " << model << " " << index << " " << occasion << " "
                   << statistic;
     return 0.0;
@@ -50,10 +52,12 @@ class Numbers {
   /// The marks of the raters as `torsio evaluate` reads them.
   [[nodiscard]] std::string ratings() const {
     std::string text = "index,rater,class,model,score\n";
-    for (std::size_t row = 0; row < table_.rows(); ++row)
-      if (table_.cell(row, "statistic") == "mark")
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      if (table_.cell(row, "statistic") == "mark") {
         text += table_.cell(row, "index") + "," + table_.cell(row, "item") + "," + table_.cell(row, "group") +
                 "," + table_.cell(row, "model") + "," + table_.cell(row, "value") + "\n";
+      }
+    }
     return text;
   }
 
@@ -91,12 +95,16 @@ TEST(ReportNumbers, EqualThoseOfTheCommandsToTheLastDigit) {
   const std::vector<std::string> occasions = {"before", "after 20 min", "after 40 min"};
   std::map<std::pair<std::string, std::string>, std::string>
       lines;  // of the last occasion, by trainee and rater
-  for (const TrainingMark& mark : training.marks)
-    if (mark.occasion == 2)
+  for (const TrainingMark& mark : training.marks) {
+    if (mark.occasion == 2) {
       lines[{mark.trainee, mark.rater}] = mark.trainee + "," + mark.rater + "," +
                                           formatExact(pointsFromSteps(mark.steps, training.scale)) + "\n";
+    }
+  }
   std::string marks = "target,rater,score\n";
-  for (const auto& [key, line] : lines) marks += line;
+  for (const auto& [key, line] : lines) {
+    marks += line;
+  }
   writeFileAtomically(folder / "marks.csv", marks);
   const ProgramRun agreed = runTorsio("agreement --ratings " + (folder / "marks.csv").string(), folder);
   ASSERT_EQ(agreed.code, 0) << agreed.err;
@@ -107,9 +115,10 @@ TEST(ReportNumbers, EqualThoseOfTheCommandsToTheLastDigit) {
             agreement["icc"]["ICC(2,k)"]["estimate"].get<double>());
 
   std::string scores = "subject,group,occasion,score\n";
-  for (const TraineeScore& score : training.trainees)
+  for (const TraineeScore& score : training.trainees) {
     scores += score.trainee + ",Group " + std::to_string(score.group + 1) + "," + occasions[score.occasion] +
               "," + formatExact(score.score) + "\n";
+  }
   writeFileAtomically(folder / "scores.csv", scores);
   const ProgramRun compared = runTorsio("compare-groups " + (folder / "scores.csv").string(), folder);
   ASSERT_EQ(compared.code, 0) << compared.err;

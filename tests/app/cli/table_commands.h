@@ -36,8 +36,9 @@ class TableCommands : public testing::Test {
     EXPECT_EQ(run.code, static_cast<int>(code)) << run.err;
     EXPECT_EQ(run.out, "");
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
-    for (const std::string& mention : mentions)
+    for (const std::string& mention : mentions) {
       EXPECT_NE(run.err.find(mention), std::string::npos) << mention << " is not in " << run.err;
+    }
   }
 };
 

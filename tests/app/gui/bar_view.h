@@ -23,8 +23,12 @@ inline SceneRequest requestFor(const std::string& id) {
 inline LoadedScene loadBar(const SceneRequest& request) {
   LoadedScene loaded;
   Scene scene = barScene();
-  if (!request.id.empty()) scene.id = request.id;
-  if (!request.pattern.empty()) scene.pattern.id = request.pattern;
+  if (!request.id.empty()) {
+    scene.id = request.id;
+  }
+  if (!request.pattern.empty()) {
+    scene.pattern.id = request.pattern;
+  }
   loaded.scene = std::make_shared<const Scene>(std::move(scene));
   loaded.view = makeViewScene(loaded.scene);
   return loaded;
@@ -35,7 +39,9 @@ template <typename Condition>
 bool eventually(const Condition& done) {
   QElapsedTimer waited;
   waited.start();
-  while (!done() && waited.elapsed() < 10'000) QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+  while (!done() && waited.elapsed() < 10'000) {
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+  }
   return done();
 }
 

@@ -37,9 +37,11 @@ TEST_F(CarePages, ABackupIsCheckedComparedConfirmedByAWordAndPutInPlace) {
   EXPECT_EQ(people(record()), 2);
   EXPECT_TRUE(contains(trail(record()), "database.restore"));
   std::string safety;
-  for (const auto& entry : fs::directory_iterator(folder_.path().toStdString()))
-    if (entry.path().filename().string().starts_with("torsio-before-restore-"))
+  for (const auto& entry : fs::directory_iterator(folder_.path().toStdString())) {
+    if (entry.path().filename().string().starts_with("torsio-before-restore-")) {
       safety = entry.path().string();
+    }
+  }
   ASSERT_FALSE(safety.empty());
   EXPECT_EQ(people(safety), 3);
   EXPECT_TRUE(contains(trail(safety), "database.restore_begin"));

@@ -82,8 +82,11 @@ class CarePages : public ::testing::Test {
   void signIn() {
     ASSERT_EQ(window_->screen(), QStringLiteral("sign-in"));
     const auto named = [this](const char* name) -> QLineEdit* {
-      for (QLineEdit* field : window_->findChildren<QLineEdit*>())
-        if (field->accessibleName() == QLatin1String(name) && field->isVisible()) return field;
+      for (QLineEdit* field : window_->findChildren<QLineEdit*>()) {
+        if (field->accessibleName() == QLatin1String(name) && field->isVisible()) {
+          return field;
+        }
+      }
       return nullptr;
     };
     named("Sign-in name")->setText(QStringLiteral("admin"));
@@ -113,7 +116,9 @@ class CarePages : public ::testing::Test {
   void press(QWidget& in, const char* text) {
     for (QPushButton* found : in.findChildren<QPushButton*>()) {
       QString plain = found->text();
-      if (plain.remove(QLatin1Char('&')).remove(QChar(0x2026)) != QLatin1String(text)) continue;
+      if (plain.remove(QLatin1Char('&')).remove(QChar(0x2026)) != QLatin1String(text)) {
+        continue;
+      }
       ASSERT_TRUE(found->isEnabled()) << text;
       QTest::mouseClick(found, Qt::LeftButton);
       return;
@@ -128,15 +133,20 @@ class CarePages : public ::testing::Test {
   }
 
   bool says(const QString& part) {
-    for (const QLabel* label : window_->findChildren<QLabel*>())
-      if (label->isVisible() && label->text().contains(part)) return true;
+    for (const QLabel* label : window_->findChildren<QLabel*>()) {
+      if (label->isVisible() && label->text().contains(part)) {
+        return true;
+      }
+    }
     return false;
   }
 
   std::vector<std::string> trail(const std::string& locator) {
     Connection connection = openDatabase(locator, OpenMode::kReadOnly);
     std::vector<std::string> actions;
-    for (const AuditEntry& entry : AuditRepository(connection).entries()) actions.push_back(entry.action);
+    for (const AuditEntry& entry : AuditRepository(connection).entries()) {
+      actions.push_back(entry.action);
+    }
     return actions;
   }
 
@@ -145,7 +155,9 @@ class CarePages : public ::testing::Test {
     Statement row = connection.prepare("SELECT count(*) FROM trainee");
     row.execute();
     std::int64_t count = 0;
-    while (row.step()) count = row.int64(0);
+    while (row.step()) {
+      count = row.int64(0);
+    }
     return count;
   }
 

@@ -17,9 +17,11 @@ namespace {
 std::vector<double> numbersOf(const ComparePage& page, const QString& word) {
   const QRegularExpression line(QStringLiteral("^%1\\s+(-?[0-9.,]+)").arg(word));
   std::vector<double> numbers;
-  for (const QLabel* label : page.findChildren<QLabel*>())
-    if (const auto found = line.match(label->text()); found.hasMatch())
+  for (const QLabel* label : page.findChildren<QLabel*>()) {
+    if (const auto found = line.match(label->text()); found.hasMatch()) {
       numbers.push_back(QLocale(QLocale::C).toDouble(found.captured(1)));
+    }
+  }
   return numbers;
 }
 

@@ -82,7 +82,9 @@ TEST_F(Controller, IsEmptyUntilTheFirstSceneIsThere) {
 }
 
 TEST_F(Controller, TheNewestOfSeveralLoadsIsShown) {
-  for (const char* id : {"first", "second", "third"}) controller_.load(requestFor(id));
+  for (const char* id : {"first", "second", "third"}) {
+    controller_.load(requestFor(id));
+  }
   ASSERT_TRUE(eventually([this] { return !controller_.loading(); }));
 
   EXPECT_EQ(controller_.scene()->id, "third");
@@ -93,7 +95,9 @@ TEST_F(Controller, AFailedLoadIsReportedAndTheOldSceneStays) {
   std::atomic<bool> broken{false};
   SimulationController controller(
       [&broken](const SceneRequest& request) {
-        if (broken) throw Error(ErrorCode::kBadMesh, "the mesh is open", "x.obj", "Close it");
+        if (broken) {
+          throw Error(ErrorCode::kBadMesh, "the mesh is open", "x.obj", "Close it");
+        }
         return loadBar(request);
       },
       {});

@@ -140,9 +140,13 @@ TEST_F(Controls, TurningWhatIsHeldTurnsTheToolAboutTheTissuesAxis) {
   controls_.setHeldAxis(axis);
 
   // Twelve notches of five degrees, then as many back and further: unwrapped on the way.
-  for (int i = 0; i < 12; ++i) wheel(1, Qt::ShiftModifier);
+  for (int i = 0; i < 12; ++i) {
+    wheel(1, Qt::ShiftModifier);
+  }
   EXPECT_NEAR(turnAbout(axis, gripped, orientation()), radians(60.0), kAngle);
-  for (int i = 0; i < 30; ++i) wheel(-1, Qt::ShiftModifier);
+  for (int i = 0; i < 30; ++i) {
+    wheel(-1, Qt::ShiftModifier);
+  }
   EXPECT_NEAR(turnAbout(axis, gripped, orientation()), radians(-90.0), kAngle);
 }
 
@@ -171,7 +175,9 @@ TEST_F(Controls, DraggingTurnsTheNearSideOfTheTissueWithTheMouse) {
   controls_.setHeldAxis(upright);
   const Vec3 before = controls_.input().onPlane_m;
 
-  for (int x = 480; x <= 580; x += 10) move(QPointF(x, 340), Qt::LeftButton);
+  for (int x = 480; x <= 580; x += 10) {
+    move(QPointF(x, 340), Qt::LeftButton);
+  }
 
   // To the right: the front of an upright organ goes to the patient's left, which is positive about the
   // head's direction. The tip stays where it holds.
@@ -183,12 +189,16 @@ TEST_F(Controls, LettingGoBringsTheShaftBack) {
   const double yaw = controls_.input().yaw_rad;
   press({480, 340}, Qt::LeftButton);
   controls_.setHeldAxis(Vec3{0.0, 0.0, 1.0});
-  for (int i = 0; i < 40; ++i) wheel(1, Qt::ShiftModifier);
+  for (int i = 0; i < 40; ++i) {
+    wheel(1, Qt::ShiftModifier);
+  }
   EXPECT_GT(std::abs(controls_.input().yaw_rad - yaw), 1.0);
 
   release({480, 340}, Qt::LeftButton);
   controls_.setHeldAxis(std::nullopt);
-  for (int i = 0; i < 120; ++i) controls_.advance(0.016);
+  for (int i = 0; i < 120; ++i) {
+    controls_.advance(0.016);
+  }
 
   EXPECT_NEAR(controls_.input().yaw_rad, yaw, 0.01);
 }
@@ -196,7 +206,9 @@ TEST_F(Controls, LettingGoBringsTheShaftBack) {
 TEST_F(Controls, TheShaftLeansAwayFromASurfaceNearby) {
   const Vec3 outwards{-1.0, 0.0, 0.0};
   controls_.leanAwayFrom(outwards);
-  for (int i = 0; i < 120; ++i) controls_.advance(0.016);
+  for (int i = 0; i < 120; ++i) {
+    controls_.advance(0.016);
+  }
 
   const Vec3 shaft = rotate(orientation(), {0.0, 0.0, 1.0});
   EXPECT_GT(dot(shaft, outwards), 0.4);

@@ -65,8 +65,11 @@ std::string addEverything(Office& office) {
 /// The field that a screen reader calls so.
 template <typename Field>
 Field* named(QWidget& in, const char* name) {
-  for (Field* field : in.findChildren<Field*>())
-    if (field->accessibleName() == QString::fromLatin1(name)) return field;
+  for (Field* field : in.findChildren<Field*>()) {
+    if (field->accessibleName() == QString::fromLatin1(name)) {
+      return field;
+    }
+  }
   ADD_FAILURE() << "no field " << name;
   return nullptr;
 }
@@ -75,10 +78,13 @@ Field* named(QWidget& in, const char* name) {
 void browse(CurriculaPage& page) {
   for (const char* name : {"exercises", "groups"}) {
     auto* list = page.findChild<QListWidget*>(QString::fromLatin1(name));
-    for (int row = 0; row < list->count(); ++row) list->setCurrentRow(row);
+    for (int row = 0; row < list->count(); ++row) {
+      list->setCurrentRow(row);
+    }
   }
-  for (int tab = 0; tab < child<CurriculumEditor>(page, "editor").count(); ++tab)
+  for (int tab = 0; tab < child<CurriculumEditor>(page, "editor").count(); ++tab) {
     child<CurriculumEditor>(page, "editor").setCurrentIndex(tab);
+  }
 }
 
 void choose(QComboBox* box, const QString& code) {
@@ -217,8 +223,11 @@ TEST(CurriculumEditor, SetsGroupsPhasesRestAndScoringPoints) {
   choose(cell<QComboBox>(phases, 1, 3), QStringLiteral("A2"));
   cell<QDoubleSpinBox>(phases, 1, 2)->setValue(15.0);
   press(*page, QStringLiteral("Earlier"));
-  for (QCheckBox* box : page->findChildren<QCheckBox*>())
-    if (box->text() == QStringLiteral("half-way")) box->setChecked(true);
+  for (QCheckBox* box : page->findChildren<QCheckBox*>()) {
+    if (box->text() == QStringLiteral("half-way")) {
+      box->setChecked(true);
+    }
+  }
   ASSERT_TRUE(page->save());
 
   const StoredCurriculumVersion stored = curriculumDraft(office.centre.workplace(), id).content;

@@ -101,7 +101,9 @@ QString firstColumnOf(const QString& role, bool move) {
   DataTable table(QStringLiteral("remembering"), &page);
   table.setColumns({{"Code"}, {"Mark", true}});
   table.setRows(trainees());
-  if (move) table.view().horizontalHeader()->moveSection(1, 0);
+  if (move) {
+    table.view().horizontalHeader()->moveSection(1, 0);
+  }
   return table.asText().section(QLatin1Char('\t'), 0, 0);
 }
 

@@ -59,10 +59,14 @@ class DeskOf {
   }
   /// Follows the last page that was asked for; false: none, or another page than a case.
   bool follow() {
-    if (wanted_.empty()) return false;
+    if (wanted_.empty()) {
+      return false;
+    }
     const auto [id, argument] = wanted_.back();
     wanted_.clear();
-    if (id != PageId::kCase) return false;
+    if (id != PageId::kCase) {
+      return false;
+    }
     page_->enter(argument);
     shell_.waitForJobs();
     return true;
@@ -99,7 +103,9 @@ inline Qt::Key digit(int value) {
 }
 
 inline void watchAll(ReplayPanel& replay) {
-  for (int i = 0; i < 100 && replay.playing(); ++i) replay.frame(0.1);
+  for (int i = 0; i < 100 && replay.playing(); ++i) {
+    replay.frame(0.1);
+  }
 }
 
 /// Scores the open case with three digits, watches it, and submits: keys only.

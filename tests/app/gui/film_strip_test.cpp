@@ -13,7 +13,9 @@ namespace {
 
 std::vector<double> roundedDegrees(const std::vector<double>& angles_rad) {
   std::vector<double> rounded;
-  for (const double angle_rad : angles_rad) rounded.push_back(std::round(degrees(angle_rad) * 1e6) / 1e6);
+  for (const double angle_rad : angles_rad) {
+    rounded.push_back(std::round(degrees(angle_rad) * 1e6) / 1e6);
+  }
   return rounded;
 }
 

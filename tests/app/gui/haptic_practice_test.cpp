@@ -43,7 +43,9 @@ class Stylus final : public HapticDevice {
     DeviceReading reading;
     reading.time_us = time_us;
     reading.pose.position_m = {0.0, -0.05, 0.0};
-    if (hand_->unplugged) reading.status = kDeviceLost;
+    if (hand_->unplugged) {
+      reading.status = kDeviceLost;
+    }
     last_ = quantize(reading, last_);
     return last_;
   }

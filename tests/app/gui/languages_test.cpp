@@ -68,7 +68,9 @@ QString plain(const QString& text) {
 
 void add(QStringList& texts, const QString& text) {
   for (const QString& line : plain(text).split(QLatin1Char('\n'))) {
-    if (!line.trimmed().isEmpty()) texts << line.trimmed();
+    if (!line.trimmed().isEmpty()) {
+      texts << line.trimmed();
+    }
   }
 }
 
@@ -76,22 +78,42 @@ void add(QStringList& texts, const QString& text) {
 QStringList seenTexts(QWidget& window) {
   QStringList texts;
   for (QWidget* widget : window.findChildren<QWidget*>()) {
-    if (!widget->isVisibleTo(&window)) continue;
-    if (const auto* label = qobject_cast<QLabel*>(widget)) add(texts, label->text());
-    if (const auto* button = qobject_cast<QAbstractButton*>(widget)) add(texts, button->text());
-    if (const auto* box = qobject_cast<QGroupBox*>(widget)) add(texts, box->title());
-    if (const auto* combo = qobject_cast<QComboBox*>(widget)) add(texts, combo->currentText());
-    if (const auto* field = qobject_cast<QLineEdit*>(widget)) add(texts, field->placeholderText());
-    if (const auto* report = qobject_cast<ReportPreview*>(widget)) add(texts, report->toPlainText());
+    if (!widget->isVisibleTo(&window)) {
+      continue;
+    }
+    if (const auto* label = qobject_cast<QLabel*>(widget)) {
+      add(texts, label->text());
+    }
+    if (const auto* button = qobject_cast<QAbstractButton*>(widget)) {
+      add(texts, button->text());
+    }
+    if (const auto* box = qobject_cast<QGroupBox*>(widget)) {
+      add(texts, box->title());
+    }
+    if (const auto* combo = qobject_cast<QComboBox*>(widget)) {
+      add(texts, combo->currentText());
+    }
+    if (const auto* field = qobject_cast<QLineEdit*>(widget)) {
+      add(texts, field->placeholderText());
+    }
+    if (const auto* report = qobject_cast<ReportPreview*>(widget)) {
+      add(texts, report->toPlainText());
+    }
     if (const auto* list = qobject_cast<QListWidget*>(widget)) {
-      for (int i = 0; i < list->count(); ++i) add(texts, list->item(i)->text());
+      for (int i = 0; i < list->count(); ++i) {
+        add(texts, list->item(i)->text());
+      }
     }
     if (const auto* tabs = qobject_cast<QTabBar*>(widget)) {
-      for (int i = 0; i < tabs->count(); ++i) add(texts, tabs->tabText(i));
+      for (int i = 0; i < tabs->count(); ++i) {
+        add(texts, tabs->tabText(i));
+      }
     }
     if (const auto* table = qobject_cast<QTableView*>(widget)) {
       for (int i = 0; i < table->model()->columnCount(); ++i) {
-        if (!table->isColumnHidden(i)) add(texts, table->model()->headerData(i, Qt::Horizontal).toString());
+        if (!table->isColumnHidden(i)) {
+          add(texts, table->model()->headerData(i, Qt::Horizontal).toString());
+        }
       }
     }
   }
@@ -111,7 +133,9 @@ class PseudoTranslator : public QTranslator {
   [[nodiscard]] bool isEmpty() const override { return false; }
   QString translate(const char* context, const char* source, const char*, int) const override {
     // Formats of Qt itself ("%1 (%2)" of dialogs) stay usable.
-    if (QByteArray(context).startsWith("Q") && QByteArray(context) != "QPlatformTheme") return {};
+    if (QByteArray(context).startsWith("Q") && QByteArray(context) != "QPlatformTheme") {
+      return {};
+    }
     static const QHash<QChar, QChar> kAccents{{u'a', u'\u00e4'}, {u'e', u'\u00e9'}, {u'i', u'\u00ef'},
                                               {u'o', u'\u00f6'}, {u'u', u'\u00fc'}, {u'A', u'\u00c4'},
                                               {u'E', u'\u00c9'}, {u'O', u'\u00d6'}, {u'n', u'\u00f1'}};
@@ -119,7 +143,9 @@ class PseudoTranslator : public QTranslator {
     const auto longer = static_cast<qsizetype>(0.4 * static_cast<double>(text.size()));
     for (qsizetype i = 0; i < text.size(); ++i) {
       const bool place = i > 0 && (text[i - 1] == u'%' || text[i - 1] == u'&');
-      if (!place) text[i] = kAccents.value(text[i], text[i]);
+      if (!place) {
+        text[i] = kAccents.value(text[i], text[i]);
+      }
     }
     return QStringLiteral("[") + text + QString(longer, QLatin1Char('~')) + QStringLiteral("]");
   }
@@ -135,19 +161,27 @@ QStringList cutTexts(QWidget& window) {
                .arg(given);
   };
   for (QWidget* widget : window.findChildren<QWidget*>()) {
-    if (!widget->isVisibleTo(&window)) continue;
+    if (!widget->isVisibleTo(&window)) {
+      continue;
+    }
     const auto* label = qobject_cast<QLabel*>(widget);
     const auto* button = qobject_cast<QAbstractButton*>(widget);
     if (label != nullptr && !label->text().isEmpty()) {
       const int wide = label->wordWrap() ? 0 : label->minimumSizeHint().width();
-      if (wide > label->width() + 1) report(*label, label->text(), wide, label->width());
+      if (wide > label->width() + 1) {
+        report(*label, label->text(), wide, label->width());
+      }
       const int high =
           label->wordWrap() ? label->heightForWidth(label->width()) : label->minimumSizeHint().height();
-      if (high > label->height() + 1) report(*label, label->text(), high, label->height());
+      if (high > label->height() + 1) {
+        report(*label, label->text(), high, label->height());
+      }
     }
     if (button != nullptr && !button->text().isEmpty()) {
       const int wide = button->minimumSizeHint().width();
-      if (wide > button->width() + 1) report(*button, button->text(), wide, button->width());
+      if (wide > button->width() + 1) {
+        report(*button, button->text(), wide, button->width());
+      }
     }
   }
   return cut;
@@ -162,7 +196,9 @@ QStringList withoutNumbers(QStringList texts) {
 void retranslated() {
   QCoreApplication::processEvents();
   // What a timer has just said is laid out too, from the inside outwards.
-  for (int depth = 0; depth < 4; ++depth) QCoreApplication::sendPostedEvents();
+  for (int depth = 0; depth < 4; ++depth) {
+    QCoreApplication::sendPostedEvents();
+  }
 }
 
 using Findings = std::map<QString, std::set<QString>>;
@@ -212,14 +248,18 @@ class Walk {
       chinese.choose(Language::kSimplifiedChinese);
       retranslated();
       for (const QString& text : seenTexts(window)) {
-        if (leftInEnglish(text) && !passes(text)) switched[name].insert(text);
+        if (leftInEnglish(text) && !passes(text)) {
+          switched[name].insert(text);
+        }
       }
       chinese.choose(Language::kEnglish);
       retranslated();
     }
     const QStringList after = seenTexts(window);
     for (const QString& text : withoutNumbers(after)) {
-      if (!before.contains(text) && !passes(text)) stuck[name].insert(text);
+      if (!before.contains(text) && !passes(text)) {
+        stuck[name].insert(text);
+      }
     }
     PseudoTranslator pseudo;
     QCoreApplication::installTranslator(&pseudo);
@@ -227,7 +267,9 @@ class Walk {
     for (const Face& face : faces()) {
       QApplication::setFont(face.font);
       // A layout hands its new height to the layout above it in the next round.
-      for (int round = 0; round < 6; ++round) retranslated();
+      for (int round = 0; round < 6; ++round) {
+        retranslated();
+      }
       for (const QString& text : cutTexts(window)) {
         cut[QStringLiteral("%1 (%2)").arg(name, face.name)].insert(text);
       }
@@ -241,7 +283,9 @@ class Walk {
 std::string told(const Findings& findings) {
   QString all;
   for (const auto& [screen, texts] : findings) {
-    for (const QString& text : texts) all += QStringLiteral("%1: %2\n").arg(screen, text);
+    for (const QString& text : texts) {
+      all += QStringLiteral("%1: %2\n").arg(screen, text);
+    }
   }
   return all.toStdString();
 }

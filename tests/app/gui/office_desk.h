@@ -59,7 +59,9 @@ class Office {
 inline QPushButton* button(QWidget& in, const QString& text) {
   for (QPushButton* found : in.findChildren<QPushButton*>()) {
     QString plain = found->text();
-    if (plain.remove(QLatin1Char('&')).remove(QChar(0x2026)) == text) return found;
+    if (plain.remove(QLatin1Char('&')).remove(QChar(0x2026)) == text) {
+      return found;
+    }
   }
   return nullptr;
 }

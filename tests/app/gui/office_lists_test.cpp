@@ -25,8 +25,11 @@ constexpr int kWhat = 4;
 constexpr int kCode = 7;
 
 int rowOf(const QTableView& view, int column, const QString& text) {
-  for (int row = 0; row < view.model()->rowCount(); ++row)
-    if (view.model()->index(row, column).data().toString() == text) return row;
+  for (int row = 0; row < view.model()->rowCount(); ++row) {
+    if (view.model()->index(row, column).data().toString() == text) {
+      return row;
+    }
+  }
   return -1;
 }
 

@@ -94,7 +94,9 @@ std::size_t importFile(Office& office, const fs::path& file, RosterKind kind) {
   import.columns = suggestColumns(*import.file, kind);
   import.columns[static_cast<std::size_t>(RosterField::kExternalId)] = 0;
   import.columns[static_cast<std::size_t>(RosterField::kFullName)] = 1;
-  if (kind == RosterKind::kRaters) import.columns[static_cast<std::size_t>(RosterField::kRaterClass)] = 2;
+  if (kind == RosterKind::kRaters) {
+    import.columns[static_cast<std::size_t>(RosterField::kRaterClass)] = 2;
+  }
   RosterPreviewPage preview(import, office.shell(), nullptr);
   preview.initializePage();
   office.shell().waitForJobs();
@@ -116,15 +118,17 @@ void submitSimulatedMarks(OfficeCentre& centre, const std::string& cohortId) {
     codeOf[enrolment.id] = enrolment.traineeCode;
   }
   std::map<std::string, std::string> raterCode;
-  for (const PersonRow& person : torsio::people(centre.as("administrator")))
+  for (const PersonRow& person : torsio::people(centre.as("administrator"))) {
     if (person.rater) {
       people.raters.push_back(person.person.code);
       raterCode[person.person.id] = person.person.code;
     }
+  }
   people.raterClasses.resize(3);
   std::map<std::tuple<std::string, std::string, std::size_t>, std::int64_t> marks;
-  for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, people, 5))
+  for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, people, 5)) {
     marks[{mark.trainee, mark.rater, mark.occasion}] = mark.steps;
+  }
   const std::map<std::string, std::size_t> occasions{{"pre", 0}, {"mid", 1}, {"post", 2}};
   for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
     const StoredAssignment& one = status.assignment;
@@ -132,7 +136,9 @@ void submitSimulatedMarks(OfficeCentre& centre, const std::string& cohortId) {
     sheet.overall_steps =
         marks.at({codeOf.at(one.enrolmentId), raterCode.at(one.raterId), occasions.at(one.scoringPoint)});
     const StoredRubricRevision rubric = sheets.revision(one.rubricRevisionId).value();
-    for (const StoredRubricRow& row : rubric.rows) sheet.rows.push_back({row.code, row.scale.lo, ""});
+    for (const StoredRubricRow& row : rubric.rows) {
+      sheet.rows.push_back({row.code, row.scale.lo, ""});
+    }
     sheets.submit(one.id, centre.workplace().ids().newUuid(), sheet, "", centre.workplace().now_us());
   }
 }
@@ -267,7 +273,9 @@ TEST(Office, EveryPageOpensOnAnEmptyRecordInBothThemes) {
   Office office;
   for (const PageEntry& entry : officePages()) {
     office.centre.as("administrator");
-    if (!office.centre.workplace().may(factsOf(entry.id).needs)) office.centre.as("allocator");
+    if (!office.centre.workplace().may(factsOf(entry.id).needs)) {
+      office.centre.as("allocator");
+    }
     const std::unique_ptr<Page> page(entry.make(office.shell()));
 
     page->enter({});
@@ -308,9 +316,13 @@ TEST(Office, NamedReportsNeedTheRightAndLeaveAnEntryOfTheirOwn) {
 TEST(FigureCard, SpeaksTheLanguageOfTheWindowAndFollowsIt) {
   const ReportModel report = cohortReport(torsio::testing::demonstrationCohort());
   const auto figures = [&report](const std::string& id) {
-    for (const ReportSection& section : report.sections)
-      for (const ReportFigure& figure : section.figures)
-        if (figure.id == id) return figure;
+    for (const ReportSection& section : report.sections) {
+      for (const ReportFigure& figure : section.figures) {
+        if (figure.id == id) {
+          return figure;
+        }
+      }
+    }
     return ReportFigure{};
   };
   LanguageSwitch language;
@@ -403,7 +415,9 @@ TEST(UsersPage, MakesTheAccountsOfTheWholeRosterAndTellsTheirPasswordsOnce) {
   QTimer waiting;
   QObject::connect(&waiting, &QTimer::timeout, [&] {
     auto* dialog = qobject_cast<AccountsDialog*>(QApplication::activeModalWidget());
-    if (dialog == nullptr) return;
+    if (dialog == nullptr) {
+      return;
+    }
     waiting.stop();
     QTimer::singleShot(0, [] {  // closing at once is asked about
       auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());

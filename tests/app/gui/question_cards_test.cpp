@@ -54,7 +54,9 @@ class QuestionCards : public ::testing::Test {
   }
   static QString textsOf(const QWidget& widget) {
     QStringList texts;
-    for (const QLabel* label : widget.findChildren<QLabel*>()) texts << label->text();
+    for (const QLabel* label : widget.findChildren<QLabel*>()) {
+      texts << label->text();
+    }
     return texts.join(QLatin1Char('\n'));
   }
   static void settle() {
@@ -115,14 +117,19 @@ TEST_F(QuestionCards, ThePhysicianAnswersAndTheTraineeReadsItAtItsMoment) {
     QTimer waiting;
     QObject::connect(&waiting, &QTimer::timeout, [&] {
       auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
-      if (dialog == nullptr) return;
+      if (dialog == nullptr) {
+        return;
+      }
       waiting.stop();
       seen = true;
       EXPECT_TRUE(textsOf(*dialog).contains(QStringLiteral("too fast?")));
       auto* buttons = dialog->findChild<QDialogButtonBox*>();
       QAbstractButton* send = nullptr;
-      for (QAbstractButton* button : buttons->buttons())
-        if (buttons->buttonRole(button) == QDialogButtonBox::AcceptRole) send = button;
+      for (QAbstractButton* button : buttons->buttons()) {
+        if (buttons->buttonRole(button) == QDialogButtonBox::AcceptRole) {
+          send = button;
+        }
+      }
       ASSERT_NE(send, nullptr);
       EXPECT_FALSE(send->isEnabled());  // nothing is written
       dialog->findChild<QPlainTextEdit*>()->setPlainText(QStringLiteral("No, but let go later."));

@@ -97,8 +97,9 @@ TEST(RosterPage, ErasesOneRecordOnRequestWithAReason) {
   named(*page, "erasePerson").click();
 
   EXPECT_EQ(office.centre.audited("person.erase"), 1);
-  for (const NamedPersonRow& one : namedPeople(office.centre.as("administrator")))
+  for (const NamedPersonRow& one : namedPeople(office.centre.as("administrator"))) {
     EXPECT_EQ(one.identity.fullName.empty(), one.row.person.id == trainees.front());
+  }
 }
 
 TEST(RosterPage, OffersNeitherToWhoeverMayNot) {
@@ -165,8 +166,9 @@ TEST(CurriculaPage, AddsAnOccasionThatTheEditorThenOffers) {
 
   EXPECT_EQ(knownOccasions(office.centre.as("administrator")).size(), 4U);
   bool offered = false;
-  for (const QCheckBox* box : page->findChildren<QCheckBox*>())
+  for (const QCheckBox* box : page->findChildren<QCheckBox*>()) {
     offered = offered || box->text() == QStringLiteral("six months later");
+  }
   EXPECT_TRUE(offered);
 }
 

@@ -60,9 +60,12 @@ class Gathering {
   /// All of it, with the log, the settings that were written and the names of the files.
   [[nodiscard]] QStringList all(const std::filesystem::path& folder) {
     found_ << gLogged << QSettings().allKeys();
-    for (const QString& key : QSettings().allKeys()) found_ << QSettings().value(key).toString();
-    for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
+    for (const QString& key : QSettings().allKeys()) {
+      found_ << QSettings().value(key).toString();
+    }
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder)) {
       found_ << toQString(file.path().filename());
+    }
     return found_;
   }
 
@@ -102,7 +105,9 @@ void goThroughACase(DeskOf& desk, Gathering& gathering, const QString& id) {
   auto& sealed = desk.open<CasePage>(id);
   gathering.look(sealed);
   for (QPushButton* button : sealed.findChildren<QPushButton*>()) {
-    if (button->text().contains(QStringLiteral("mend")) && button->isVisibleTo(&sealed)) button->click();
+    if (button->text().contains(QStringLiteral("mend")) && button->isVisibleTo(&sealed)) {
+      button->click();
+    }
   }
   gathering.look(sealed);
 }
@@ -126,7 +131,9 @@ void goThroughTheRest(DeskOf& desk, Gathering& gathering) {
   auto& alignment = desk.open<AlignmentPage>();
   gathering.look(alignment);
   for (QPushButton* button : alignment.findChildren<QPushButton*>()) {
-    if (button->text().contains(QStringLiteral("Move")) && button->isVisibleTo(&alignment)) button->click();
+    if (button->text().contains(QStringLiteral("Move")) && button->isVisibleTo(&alignment)) {
+      button->click();
+    }
   }
   gathering.look(alignment);
   gathering.look(desk.open<SeverityPage>());
@@ -159,7 +166,9 @@ TEST(Blinding, NothingThatCanBeReadTellsWhoWhichGroupOrWhen) {
   DeskOf desk(centre, 0);
   ASSERT_FALSE(alignmentCases(desk.workplace()).empty());
 
-  for (const PageEntry& entry : reviewPages()) gathering.add({pageTitle(entry.id), pageText(entry.id)});
+  for (const PageEntry& entry : reviewPages()) {
+    gathering.add({pageTitle(entry.id), pageText(entry.id)});
+  }
   goThroughTheRest(desk, gathering);
   goThroughACase(desk, gathering, inputOf(centre.caseAbout(0, 1)));
   gathering.add(desk.notices());
@@ -169,9 +178,10 @@ TEST(Blinding, NothingThatCanBeReadTellsWhoWhichGroupOrWhen) {
   std::vector<std::string> secrets = centre.secrets();
   secrets.insert(secrets.end(), {"FEM", "proposed-model", "finite-elements"});
   for (const std::string& secret : secrets) {
-    for (const QString& text : found)
+    for (const QString& text : found) {
       EXPECT_FALSE(text.contains(toQString(secret), Qt::CaseInsensitive))
           << secret << " in \"" << text.toStdString() << "\"";
+    }
   }
 }
 

@@ -49,8 +49,9 @@ TEST(KilledCasePage, LosesAtMostOneKeystroke) {
   program.start(QCoreApplication::applicationFilePath(),
                 {QString::fromLatin1(kScore), toQString(centre.folder())});
   QByteArray said;
-  while (said.count('\n') < kKeys && program.waitForReadyRead(kPatience_ms))
+  while (said.count('\n') < kKeys && program.waitForReadyRead(kPatience_ms)) {
     said += program.readAllStandardOutput();
+  }
 
   program.kill();  // SIGKILL: no leave(), no destructor, no flush
   ASSERT_TRUE(program.waitForFinished(kPatience_ms));
@@ -66,16 +67,22 @@ TEST(KilledCasePage, LosesAtMostOneKeystroke) {
   const std::string comment = editorOf(page)->sheet().comment;
   EXPECT_GE(comment.size(), pressed - 2);
   EXPECT_LE(comment.size(), pressed - 1);
-  for (std::size_t i = 0; i < comment.size(); ++i) ASSERT_EQ(comment[i], static_cast<char>('a' + i % 26));
+  for (std::size_t i = 0; i < comment.size(); ++i) {
+    ASSERT_EQ(comment[i], static_cast<char>('a' + i % 26));
+  }
 }
 
 }  // namespace
 
 int run(int argc, char** argv) {
-  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  }
   QApplication application(argc, argv);
   useTypeface(application);
-  if (argc == 3 && std::strcmp(argv[1], kScore) == 0) pressForever(argv[2]);
+  if (argc == 3 && std::strcmp(argv[1], kScore) == 0) {
+    pressForever(argv[2]);
+  }
   ::testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

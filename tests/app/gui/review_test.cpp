@@ -50,10 +50,14 @@ void expectNothingOfOthers(ReviewCentre& centre, std::size_t index) {
   EXPECT_TRUE(alignmentCases(desk.workplace()).empty());
   auto& alignment = desk.open<AlignmentPage>();
   EXPECT_TRUE(paintedWordsOf(alignment).join(u' ').contains(QStringLiteral("No disagreement waits for you")));
-  for (const DataTable* table : alignment.findChildren<DataTable*>()) EXPECT_EQ(table->visibleRows(), 0);
+  for (const DataTable* table : alignment.findChildren<DataTable*>()) {
+    EXPECT_EQ(table->visibleRows(), 0);
+  }
   auto& severity = desk.open<SeverityPage>();
   EXPECT_TRUE(paintedWordsOf(severity).join(u' ').contains(QStringLiteral("Nothing to compare yet")));
-  for (const DataTable* table : severity.findChildren<DataTable*>()) EXPECT_EQ(table->visibleRows(), 0);
+  for (const DataTable* table : severity.findChildren<DataTable*>()) {
+    EXPECT_EQ(table->visibleRows(), 0);
+  }
 }
 
 TEST(TenPhysicians, ScoreTheSameTrialsByKeysAndSeeNothingOfEachOther) {
@@ -63,8 +67,12 @@ TEST(TenPhysicians, ScoreTheSameTrialsByKeysAndSeeNothingOfEachOther) {
   ReviewCentre centre(setup);
   for (std::size_t rater = 0; rater < 10; ++rater) {
     DeskOf desk(centre, rater);
-    if (rater > 0) expectNothingOfOthers(centre, 0);
-    if (rater > 0) expectNothingOfOthers(centre, rater);
+    if (rater > 0) {
+      expectNothingOfOthers(centre, 0);
+    }
+    if (rater > 0) {
+      expectNothingOfOthers(centre, rater);
+    }
     desk.open<CasePage>(inputOf(centre.cases(rater).front()));
     int done = 0;
     do {
@@ -126,7 +134,9 @@ TEST(CasePage, UndoesToTheFirstMarkAndRedoes) {
 
   desk.press(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(editorOf(page)->answer("accuracy").score_steps, 100);
-  for (int i = 0; i < 5; ++i) desk.press(Qt::Key_Z, Qt::ControlModifier);
+  for (int i = 0; i < 5; ++i) {
+    desk.press(Qt::Key_Z, Qt::ControlModifier);
+  }
 
   EXPECT_FALSE(editorOf(page)->answer("time").given());
   EXPECT_FALSE(editorOf(page)->canUndo());
@@ -174,14 +184,18 @@ TEST(CasePage, SubmitsOnlyWhatIsCompleteAndWatched) {
   child<ReplayPanel>(page, "replay").setRealTime(false);
   const auto state = [&] { return openSheet(desk.workplace(), centre.cases(0).front()).state; };
   desk.press(Qt::Key_7);
-  for (int i = 0; i < 3; ++i) desk.press(Qt::Key_Return, Qt::ControlModifier);
+  for (int i = 0; i < 3; ++i) {
+    desk.press(Qt::Key_Return, Qt::ControlModifier);
+  }
   EXPECT_EQ(state(), SheetState::kDraft);
   EXPECT_EQ(child<SheetPanel>(page, "sheetPanel").currentRow(), "accuracy");  // the first open row
   desk.press(Qt::Key_7);
   desk.press(Qt::Key_Down);
   desk.press(Qt::Key_7);
   child<ReplayPanel>(page, "replay").seek_us(1'900'000);  // a jump is not watching
-  for (int i = 0; i < 3; ++i) desk.press(Qt::Key_Return, Qt::ControlModifier);
+  for (int i = 0; i < 3; ++i) {
+    desk.press(Qt::Key_Return, Qt::ControlModifier);
+  }
   EXPECT_EQ(state(), SheetState::kDraft);
 
   child<ReplayPanel>(page, "replay").seek_us(0);
@@ -190,7 +204,9 @@ TEST(CasePage, SubmitsOnlyWhatIsCompleteAndWatched) {
   desk.press(Qt::Key_L);  // locked: no faster
   EXPECT_DOUBLE_EQ(child<ReplayPanel>(page, "replay").recording()->playback.speed(), 1.0);
   watchAll(child<ReplayPanel>(page, "replay"));
-  for (int i = 0; i < 2; ++i) desk.press(Qt::Key_Return, Qt::ControlModifier);
+  for (int i = 0; i < 2; ++i) {
+    desk.press(Qt::Key_Return, Qt::ControlModifier);
+  }
 
   EXPECT_EQ(state(), SheetState::kSubmitted);
 }
@@ -226,7 +242,9 @@ TEST(CasePage, AmendingNeedsAReasonAndKeepsBothVersions) {
   desk.press(Qt::Key_9);  // sealed: nothing happens
   EXPECT_EQ(editorOf(page)->answer("time").score_steps, 70);
   for (QPushButton* button : page.findChildren<QPushButton*>()) {
-    if (button->text().contains(QStringLiteral("mend")) && button->isVisibleTo(&page)) button->click();
+    if (button->text().contains(QStringLiteral("mend")) && button->isVisibleTo(&page)) {
+      button->click();
+    }
   }
   desk.press(Qt::Key_9);
   desk.press(Qt::Key_Return, Qt::ControlModifier);
@@ -268,7 +286,9 @@ TEST(CasePage, PlaysTheRecordingBitForBitAndProvesIt) {
 
   const QString digest = toQString(blindedDigest(original.summary.contentHash, id));
   bool shown = false;
-  for (const QLabel* label : page.findChildren<QLabel*>()) shown = shown || label->text().contains(digest);
+  for (const QLabel* label : page.findChildren<QLabel*>()) {
+    shown = shown || label->text().contains(digest);
+  }
   EXPECT_TRUE(shown);
 }
 
@@ -291,7 +311,9 @@ TEST(ReviewPages, EverythingThatTakesTheKeyboardHasANameAndFitsASmallScreen) {
     EXPECT_LE(page->minimumSizeHint().height(), 560) << pageText(entry.id).toStdString();
     for (QWidget* widget : page->findChildren<QWidget*>()) {
       const bool reachable = (widget->focusPolicy() & Qt::TabFocus) != 0 && widget->isVisible();
-      if (!reachable) continue;
+      if (!reachable) {
+        continue;
+      }
       const auto* button = qobject_cast<QAbstractButton*>(widget);
       const bool named =
           !widget->accessibleName().isEmpty() || (button != nullptr && !button->text().isEmpty());
@@ -337,9 +359,13 @@ TEST(LivePage, ScoresInRunningOrderWithTargetsForFingers) {
   QApplication::processEvents();
   int targets = 0;
   for (const QAbstractButton* button : page.findChildren<QAbstractButton*>()) {
-    if (!button->isVisibleTo(&page)) continue;
+    if (!button->isVisibleTo(&page)) {
+      continue;
+    }
     EXPECT_GE(button->height(), 44) << button->text().toStdString();
-    if (button->isCheckable()) ++targets;
+    if (button->isCheckable()) {
+      ++targets;
+    }
   }
   EXPECT_EQ(targets, 10);
 
@@ -390,7 +416,9 @@ TEST(AlignmentPage, MovesAMarkWithAReasonAndKeepsTheOther) {
   auto& page = desk.open<AlignmentPage>();
   const auto button = [&page](const char* part) {
     for (QPushButton* one : page.findChildren<QPushButton*>()) {
-      if (one->text().contains(QLatin1String(part)) && one->isVisibleTo(&page)) return one;
+      if (one->text().contains(QLatin1String(part)) && one->isVisibleTo(&page)) {
+        return one;
+      }
     }
     return static_cast<QPushButton*>(nullptr);
   };
@@ -402,7 +430,9 @@ TEST(AlignmentPage, MovesAMarkWithAReasonAndKeepsTheOther) {
   EXPECT_EQ(desk.failures().size(), 1);  // no reason yet
 
   for (QLineEdit* line : page.findChildren<QLineEdit*>()) {
-    if (line->accessibleName() == QStringLiteral("Reason")) line->setFocus();
+    if (line->accessibleName() == QStringLiteral("Reason")) {
+      line->setFocus();
+    }
   }
   desk.type(QStringLiteral("missed the second grip"));
   button("Seal")->click();
@@ -426,8 +456,9 @@ TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {
     DeskOf desk(centre, 0);
     auto& page = desk.open<EvaluationPage>();
     const QString all = wordsOf(page).join(u' ');
-    for (const char* hidden : {"FEM", "PM", "finite", "proposed"})
+    for (const char* hidden : {"FEM", "PM", "finite", "proposed"}) {
       EXPECT_FALSE(all.contains(QLatin1String(hidden))) << hidden;
+    }
     for (int i = 0; i < 5; ++i) {
       desk.press(digit(i + 4));
       desk.press(Qt::Key_Down);
@@ -440,7 +471,9 @@ TEST(EvaluationPage, FillsNineIndicesByKeysAndKeepsTheDraft) {
   DeskOf desk(centre, 0);
   desk.open<EvaluationPage>();
   EXPECT_EQ(evaluationForms(desk.workplace())[0].models[0].scores[5], 99);
-  for (int i = 0; i < 6; ++i) desk.press(Qt::Key_Down);
+  for (int i = 0; i < 6; ++i) {
+    desk.press(Qt::Key_Down);
+  }
   for (int i = 0; i < 3; ++i) {
     desk.press(Qt::Key_7);
     desk.press(Qt::Key_Down);

@@ -36,8 +36,11 @@ class RosterWizardTest : public ::testing::Test {
     wizard->restart();
     wizard->show();
     wizard->findChild<QLineEdit*>(QStringLiteral("path"))->setText(toQString(file));
-    for (QRadioButton* kind : wizard->findChildren<QRadioButton*>())
-      if ((kind->text() == QStringLiteral("&Raters")) == raters) kind->setChecked(true);
+    for (QRadioButton* kind : wizard->findChildren<QRadioButton*>()) {
+      if ((kind->text() == QStringLiteral("&Raters")) == raters) {
+        kind->setChecked(true);
+      }
+    }
     return *wizard;
   }
   void next() {
@@ -79,8 +82,9 @@ TEST_F(RosterWizardTest, ImportsFromTheFileToTheLastButtonWithTheColumnsChosenBy
   EXPECT_EQ(wizard->outcome()->added, 3U);
   const auto named = namedPeople(office.centre.workplace());
   ASSERT_EQ(named.size(), 3U);
-  for (const NamedPersonRow& one : named)
+  for (const NamedPersonRow& one : named) {
     EXPECT_EQ(one.row.person.sex, one.identity.externalId == "S-1" ? "female" : "male");
+  }
   EXPECT_EQ(office.centre.audited("roster.import"), 1);
 }
 
@@ -124,15 +128,18 @@ TEST_F(RosterWizardTest, KnowsPeopleByTheirNumberAndChangesOnlyWhatDiffers) {
 
 TEST_F(RosterWizardTest, StopsInTheMiddleOfTenThousandAndStoresNothing) {
   std::string text = "Staff ID,Name\n";
-  for (int i = 0; i < 10'000; ++i) text += "S-" + std::to_string(i) + ",Intern " + std::to_string(i) + "\n";
+  for (int i = 0; i < 10'000; ++i) {
+    text += "S-" + std::to_string(i) + ",Intern " + std::to_string(i) + "\n";
+  }
   open(text);
   next();
   wizard->button(QWizard::NextButton)->click();
   EXPECT_FALSE(import().isEnabled());
   int signs = 0;
   QObject::connect(&office.shell(), &ShellContext::jobMoved, [&](const QString& step) {
-    if (step == QStringLiteral("Trying it out") && ++signs == 3)
+    if (step == QStringLiteral("Trying it out") && ++signs == 3) {
       wizard->button(QWizard::CancelButton)->click();
+    }
   });
 
   office.shell().waitForJobs();
@@ -148,8 +155,9 @@ TEST_F(RosterWizardTest, TakesTenThousandWhileTheWindowStaysAwake) {
   constexpr int kPeople = 10'000;
   constexpr qint64 kFrozen_ms = 1'000;  // a busy machine; what freezes a window takes as long as the import
   std::string text = "Staff ID,Name,Sex\n";
-  for (int i = 0; i < kPeople; ++i)
+  for (int i = 0; i < kPeople; ++i) {
     text += "S-" + std::to_string(i) + ",Intern " + std::to_string(i) + (i % 2 == 0 ? ",f\n" : ",m\n");
+  }
   open(text);
   next();
   QElapsedTimer since;

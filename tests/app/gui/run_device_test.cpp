@@ -34,7 +34,9 @@ class Wired final : public HapticDevice {
   }
   [[nodiscard]] DeviceSample read(std::int64_t time_us) noexcept override {
     DeviceSample sample = hand_->read(time_us);
-    if (wire_->unplugged) sample.status |= kDeviceLost;
+    if (wire_->unplugged) {
+      sample.status |= kDeviceLost;
+    }
     return sample;
   }
   void write(const ForceCommand& command) noexcept override {
@@ -57,8 +59,11 @@ void unplug(Station& station, Wire& wire) {
 /// Outcomes of what is stored, in any order.
 std::vector<TrialOutcome> outcomes(TrainingCentre& centre) {
   std::vector<TrialOutcome> all;
-  for (const TrialListing& trial : TrialRepository(centre.connection()).list())
-    if (trial.summary) all.push_back(trial.summary->outcome);
+  for (const TrialListing& trial : TrialRepository(centre.connection()).list()) {
+    if (trial.summary) {
+      all.push_back(trial.summary->outcome);
+    }
+  }
   return all;
 }
 

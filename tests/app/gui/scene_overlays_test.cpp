@@ -56,7 +56,9 @@ TEST(ShearMap, GrowsInProportionToASmallAngle) {
   map.evaluate({grasp_m, angle_rad}, once);
   map.evaluate({grasp_m, 2.0 * angle_rad}, twice);
 
-  for (std::size_t v = 0; v < once.size(); ++v) EXPECT_NEAR(twice[v], 2.0F * once[v], 1e-4F);
+  for (std::size_t v = 0; v < once.size(); ++v) {
+    EXPECT_NEAR(twice[v], 2.0F * once[v], 1e-4F);
+  }
 }
 
 TEST(OrganMarkers, TheArmCarriesTheTenPointsOfThePaper) {
@@ -74,14 +76,20 @@ TEST(OrganMarkers, TheArmCarriesTheTenPointsOfThePaper) {
 TEST(QualityControl, FallsWhenThePictureStuttersAndDoesNotTryAgainAtOnce) {
   QualityControl control(Renderer::kGraphicsCard);
   bool changed = false;
-  for (int frame = 0; frame < 60 && !changed; ++frame) changed = control.note(0.06);
+  for (int frame = 0; frame < 60 && !changed; ++frame) {
+    changed = control.note(0.06);
+  }
   ASSERT_TRUE(changed);
   EXPECT_FALSE(control.fine());
 
   // It was smooth for two seconds: not enough after a fall.
-  for (int frame = 0; frame < 120; ++frame) EXPECT_FALSE(control.note(1.0 / 60.0));
+  for (int frame = 0; frame < 120; ++frame) {
+    EXPECT_FALSE(control.note(1.0 / 60.0));
+  }
   changed = false;
-  for (int frame = 0; frame < 1200 && !changed; ++frame) changed = control.note(1.0 / 60.0);
+  for (int frame = 0; frame < 1200 && !changed; ++frame) {
+    changed = control.note(1.0 / 60.0);
+  }
   EXPECT_TRUE(control.fine());
 }
 
@@ -101,7 +109,9 @@ TEST(QualityControl, NeverTriesTheFinePictureOnASoftwareRenderer) {
   ASSERT_FALSE(control.fine());
 
   // A minute of frames as quick as a display can show them.
-  for (int frame = 0; frame < 3600; ++frame) ASSERT_FALSE(control.note(1.0 / 60.0));
+  for (int frame = 0; frame < 3600; ++frame) {
+    ASSERT_FALSE(control.note(1.0 / 60.0));
+  }
 
   EXPECT_FALSE(control.fine());
 }

@@ -120,7 +120,9 @@ TEST(OrganSurface, NormalsOfARoundBarPointAwayFromItsAxis) {
   int checked = 0;
   for (std::size_t i = 0; i < bar.mesh.vertices_m.size(); ++i) {
     const Vec3& p = bar.mesh.vertices_m[i];
-    if (p.z < 0.02 || p.z > kBarLength_m - 0.02) continue;  // the rims belong to the caps as well
+    if (p.z < 0.02 || p.z > kBarLength_m - 0.02) {
+      continue;  // the rims belong to the caps as well
+    }
     const SurfaceVertex& v = surface.vertices()[i];
     const Vec3 normal = fromViewDirection({v.normal[0], v.normal[1], v.normal[2]});
     const Vec3 outwards = normalized(Vec3{p.x, p.y, 0.0});
@@ -140,7 +142,9 @@ TEST(OrganSurface, SinkingMovesEveryVertexInwardByThatMuch) {
     const SurfaceVertex& a = before.vertices()[i];
     const SurfaceVertex& b = sunk.vertices()[i];
     float along = 0.0F;
-    for (int k = 0; k < 3; ++k) along += (a.position[k] - b.position[k]) * a.normal[k];
+    for (int k = 0; k < 3; ++k) {
+      along += (a.position[k] - b.position[k]) * a.normal[k];
+    }
     EXPECT_NEAR(along, 0.5F, 1e-4F);
   }
 }
@@ -149,7 +153,9 @@ TEST(OrganSurface, NormalsFollowTheTwistedVertices) {
   const Scene bar = barScene();
   OrganSurface surface(bar.mesh);
   std::vector<Vec3> turned_m;
-  for (const Vec3& p : bar.mesh.vertices_m) turned_m.push_back({p.y, -p.x, p.z});  // a quarter turn
+  for (const Vec3& p : bar.mesh.vertices_m) {
+    turned_m.push_back({p.y, -p.x, p.z});  // a quarter turn
+  }
   const SurfaceVertex before = surface.vertices()[100];
 
   surface.update(turned_m);
@@ -249,7 +255,9 @@ TEST(Instrument, ShippedGrasperHasItsPartsAndItsTipAtTheOrigin) {
   EXPECT_GT(parts.jawPivot_mm.z(), 10.0F);
   EXPECT_GT(parts.jawOpening_deg, 5.0);
   double lowest_m = 1.0;
-  for (const Vec3& v : parts.upperJaw.vertices_m) lowest_m = std::min(lowest_m, v.z);
+  for (const Vec3& v : parts.upperJaw.vertices_m) {
+    lowest_m = std::min(lowest_m, v.z);
+  }
   EXPECT_NEAR(lowest_m, 0.0, 1e-3);
 }
 

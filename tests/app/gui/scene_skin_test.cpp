@@ -41,10 +41,14 @@ TEST(SurfaceWalk, AStraightWayRoundABarComesBack) {
   std::uint32_t start = 0;
   for (std::uint32_t t = 0; t < bar.mesh.triangles.size(); ++t) {
     const Vec3& p = bar.mesh.vertices_m[bar.mesh.triangles[t][0]];
-    if (std::abs(p.z - 0.5 * kBarLength_m) < 0.01 && std::abs(walk.normal(t).z) < 0.1) start = t;
+    if (std::abs(p.z - 0.5 * kBarLength_m) < 0.01 && std::abs(walk.normal(t).z) < 0.1) {
+      start = t;
+    }
   }
   Vec3 middle_m;
-  for (const std::uint32_t v : bar.mesh.triangles[start]) middle_m += bar.mesh.vertices_m[v] / 3.0;
+  for (const std::uint32_t v : bar.mesh.triangles[start]) {
+    middle_m += bar.mesh.vertices_m[v] / 3.0;
+  }
   SurfaceWalker walker{middle_m, {}, start};
   walk.head(walker, cross(Vec3{0, 0, 1}, walk.normal(start)));
 
@@ -145,7 +149,9 @@ TEST(OrganGeometry, PlacesAtRestStayWhileTheTissueMoves) {
   geometry.setSurface(surface, &skin);
   const QByteArray before = geometry.vertexData();
   std::vector<Vec3> turned_m;
-  for (const Vec3& p : bar.mesh.vertices_m) turned_m.push_back({p.y, -p.x, p.z});
+  for (const Vec3& p : bar.mesh.vertices_m) {
+    turned_m.push_back({p.y, -p.x, p.z});
+  }
 
   surface.update(turned_m);
   geometry.updateVertices(surface);
@@ -180,9 +186,13 @@ class SceneGraph : public ::testing::Test {
   QObject* materialOfOrgan() {
     QObject* organ = nullptr;
     for (QObject* child : root_->findChildren<QObject*>()) {
-      if (child->objectName() == QLatin1String("organ")) organ = child;
+      if (child->objectName() == QLatin1String("organ")) {
+        organ = child;
+      }
     }
-    if (organ == nullptr) return nullptr;
+    if (organ == nullptr) {
+      return nullptr;
+    }
     QQmlListReference materials(organ, "materials");
     return materials.size() == 1 ? materials.at(0) : nullptr;
   }

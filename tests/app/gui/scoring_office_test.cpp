@@ -33,8 +33,9 @@ using torsio::testing::reviewSheet;
 
 QPushButton* buttonOf(QWidget& page, const char* part) {
   for (QPushButton* one : page.findChildren<QPushButton*>()) {
-    if (one->isVisibleTo(&page) && one->text().remove(QLatin1Char('&')).contains(QLatin1String(part)))
+    if (one->isVisibleTo(&page) && one->text().remove(QLatin1Char('&')).contains(QLatin1String(part))) {
       return one;
+    }
   }
   return nullptr;
 }
@@ -110,7 +111,9 @@ TEST_F(ScoringOffice, ChoosesTheRunsOfTheWarmUpWithThePanelsMark) {
   for (const char* id : {"11111111-2222-4333-8444-555555555555", "22222222-2222-4333-8444-555555555555"}) {
     copy.header.trialId = id;
     repository.begin(copy.header);
-    for (const TrialChunk& chunk : copy.chunks) repository.append(chunk);
+    for (const TrialChunk& chunk : copy.chunks) {
+      repository.append(chunk);
+    }
     repository.finish(copy.summary);
   }
   open();

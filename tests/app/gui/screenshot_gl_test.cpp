@@ -19,8 +19,9 @@ class Screenshot : public ::testing::Test {
   QString said_;  // of the last picture, on standard error
 
   void SetUp() override {
-    if (QStandardPaths::findExecutable(QStringLiteral("xvfb-run")).isEmpty())
+    if (QStandardPaths::findExecutable(QStringLiteral("xvfb-run")).isEmpty()) {
       GTEST_SKIP() << "xvfb-run is not installed";
+    }
   }
 
   QImage shot(const QString& name, const QStringList& options) {
@@ -45,7 +46,9 @@ class Screenshot : public ::testing::Test {
   static std::size_t colours(const QImage& picture, const QRect& where) {
     std::set<QRgb> seen;
     for (int y = where.top(); y <= where.bottom(); ++y) {
-      for (int x = where.left(); x <= where.right(); ++x) seen.insert(picture.pixel(x, y));
+      for (int x = where.left(); x <= where.right(); ++x) {
+        seen.insert(picture.pixel(x, y));
+      }
     }
     return seen.size();
   }
@@ -148,7 +151,9 @@ TEST_F(Screenshot, TheStressMapHasTheColoursOfItsLegendOnEveryLevel) {
       for (int x = 0; x < rest.width(); ++x) {
         const QColor c = rest.pixelColor(x, y);
         // The band of the grasp is dark as well, and green.
-        if (c.red() > kTolerance || c.blue() < 40 || c.green() > 45) continue;
+        if (c.red() > kTolerance || c.blue() < 40 || c.green() > 45) {
+          continue;
+        }
         ++organ;
         whole += std::abs(c.green() - 34) <= kTolerance && std::abs(c.blue() - 78) <= kTolerance ? 1 : 0;
         EXPECT_NEAR(c.green(), c.blue() * 34.0 / 78.0, kTolerance);
@@ -187,7 +192,9 @@ TEST_F(Screenshot, ShowsTheWholeWindowWithItsReadouts) {
   // The panel at the right is dark and holds light text.
   int bright = 0;
   for (int y = 100; y < 700; ++y) {
-    for (int x = 1000; x < 1240; ++x) bright += qGray(window.pixel(x, y)) > 180 ? 1 : 0;
+    for (int x = 1000; x < 1240; ++x) {
+      bright += qGray(window.pixel(x, y)) > 180 ? 1 : 0;
+    }
   }
   EXPECT_GT(bright, 500);
   EXPECT_LT(bright, 240 * 600 / 4);

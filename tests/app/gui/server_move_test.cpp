@@ -16,9 +16,10 @@ class ServerMove : public CarePages {
  protected:
   void SetUp() override {
     const char* server = std::getenv("TORSIO_TEST_POSTGRES");
-    if (server == nullptr)
+    if (server == nullptr) {
       GTEST_SKIP()
           << "no PostgreSQL server: export TORSIO_TEST_POSTGRES=$(tests/support/start-postgres.sh start)";
+    }
     server_ = server;
     const Locator locator = parseLocator(server_);
     address_ = {.host = locator.host,
@@ -33,7 +34,9 @@ class ServerMove : public CarePages {
   }
   void TearDown() override {
     window_.reset();
-    if (server_.empty()) return;
+    if (server_.empty()) {
+      return;
+    }
     qunsetenv("PGPASSFILE");
     Connection connection = openDatabase(server_, OpenMode::kReadWrite);
     connection.executeVerbatim("SET client_min_messages = warning");
@@ -55,17 +58,22 @@ class ServerMove : public CarePages {
         " p.pronamespace WHERE n.nspname = ?)");
     row.execute({address_.schema, address_.schema});
     std::int64_t count = 0;
-    while (row.step()) count = row.int64(0);
+    while (row.step()) {
+      count = row.int64(0);
+    }
     return count;
   }
   /// Gives up when all rows are on the server and are being compared.
   void giveUpWhileComparing() {
-    for (int i = 0; i < 600; ++i)  // progress is told every 500 rows
+    for (int i = 0; i < 600; ++i) {  // progress is told every 500 rows
       window_->workplace()->connection().execute(
           "INSERT INTO setting (name, value, changed_utc_us) VALUES (?, ?, ?)",
           {std::string("s").append(std::to_string(i)), "", 1});
+    }
     const auto giveUp = [](const Progress& now) {
-      if (now.step.pattern() == "Comparing %1") throw Error(ErrorCode::kUsage, "given up", "", "");
+      if (now.step.pattern() == "Comparing %1") {
+        throw Error(ErrorCode::kUsage, "given up", "", "");
+      }
     };
     EXPECT_THROW((void)moveToServer(*window_->workplace(), address_, giveUp, in("unstored")), Error);
   }

@@ -29,7 +29,9 @@ class FirstRunOnServer : public DatabaseTest {
   void SetUp() override {
     qputenv("TORSIO_DB_TEST_ENGINE", "postgresql");
     DatabaseTest::SetUp();
-    if (IsSkipped()) return;
+    if (IsSkipped()) {
+      return;
+    }
     QUrl address(toQString(locator()));
     const std::filesystem::path file = folder_.path() / "pgpass";
     std::ofstream(file) << "*:*:*:*:" << address.password().toStdString() << '\n';
@@ -56,7 +58,9 @@ class FirstRunOnServer : public DatabaseTest {
   }
   QLineEdit* field(const char* name) {
     for (QLineEdit* field : window_->findChildren<QLineEdit*>()) {
-      if (field->accessibleName() == QLatin1String(name) && field->isVisible()) return field;
+      if (field->accessibleName() == QLatin1String(name) && field->isVisible()) {
+        return field;
+      }
     }
     ADD_FAILURE() << "no field " << name;
     return nullptr;
@@ -72,7 +76,9 @@ class FirstRunOnServer : public DatabaseTest {
   }
   bool says(const char* part) {
     for (const QLabel* label : window_->findChildren<QLabel*>()) {
-      if (label->isVisible() && label->text().contains(QLatin1String(part))) return true;
+      if (label->isVisible() && label->text().contains(QLatin1String(part))) {
+        return true;
+      }
     }
     return false;
   }
@@ -84,7 +90,9 @@ class FirstRunOnServer : public DatabaseTest {
     field("The same again")->setText(QString::fromLatin1(kPassword));
     press("Next");
     for (QRadioButton* choice : window_->findChildren<QRadioButton*>()) {
-      if (choice->text().contains(QStringLiteral("SQL")) && choice->isVisible()) choice->click();
+      if (choice->text().contains(QStringLiteral("SQL")) && choice->isVisible()) {
+        choice->click();
+      }
     }
   }
 

@@ -79,7 +79,9 @@ std::vector<PageGroup> bareGroups() {
 template <typename Widget>
 Widget* named(QWidget& where, const QString& name) {
   for (Widget* widget : where.findChildren<Widget*>()) {
-    if (widget->accessibleName() == name && widget->isVisibleTo(&where)) return widget;
+    if (widget->accessibleName() == name && widget->isVisibleTo(&where)) {
+      return widget;
+    }
   }
   ADD_FAILURE() << "no field " << name.toStdString();
   return nullptr;
@@ -97,7 +99,9 @@ void press(QWidget& where, const QString& text) {
 
 bool says(QWidget& where, const QString& part) {
   for (const QLabel* label : where.findChildren<QLabel*>()) {
-    if (label->isVisible() && label->text().contains(part)) return true;
+    if (label->isVisible() && label->text().contains(part)) {
+      return true;
+    }
   }
   return false;
 }
@@ -218,7 +222,9 @@ TEST_F(Shell, EnterPressesTheButtonThatHasTheKeyboard) {
   window_->activateWindow();
   QApplication::processEvents();
   for (QPushButton* button : window_->findChildren<QPushButton*>()) {
-    if (button->text() != QStringLiteral("Practise with a PIN") || !button->isVisible()) continue;
+    if (button->text() != QStringLiteral("Practise with a PIN") || !button->isVisible()) {
+      continue;
+    }
     button->setFocus();
     QTest::keyClick(button, Qt::Key_Return);
   }
@@ -229,7 +235,9 @@ TEST_F(Shell, EnterPressesTheButtonThatHasTheKeyboard) {
 TEST_F(Shell, AfterTooManyTriesItSaysHowLongToWaitAndLetsNobodyTry) {
   openFoundedCentre(setup());
 
-  for (int i = 0; i < 4; ++i) enter(QStringLiteral("admin"), QStringLiteral("not this one at all"));
+  for (int i = 0; i < 4; ++i) {
+    enter(QStringLiteral("admin"), QStringLiteral("not this one at all"));
+  }
   named<QLineEdit>(*window_, QStringLiteral("Password"))->setText(QString::fromLatin1(kAdminPassword));
   press(*window_, QStringLiteral("Sign in"));
   window_->background().wait();
@@ -493,7 +501,9 @@ TEST_F(Shell, LongWorkShowsItsProgressAndCanBeCancelled) {
         }
       },
       [&done] { done = true; });
-  while (!seen.load()) QApplication::processEvents();
+  while (!seen.load()) {
+    QApplication::processEvents();
+  }
   QApplication::processEvents();
   auto* job = window_->desk()->findChild<JobPanel*>();
   EXPECT_TRUE(says(*job, QStringLiteral("50 %")));
@@ -604,12 +614,16 @@ TEST_F(Shell, OneChoiceInTheMenuRemovesTheDemonstration) {
     ASSERT_NE(question, nullptr);
     EXPECT_TRUE(question->text().contains(QStringLiteral("1 simulated people")));
     for (QAbstractButton* button : question->buttons()) {
-      if (button->text() == QStringLiteral("Remove")) button->click();
+      if (button->text() == QStringLiteral("Remove")) {
+        button->click();
+      }
     }
   });
   QAction* remove = nullptr;
   for (QAction* action : window_->desk()->findChildren<QAction*>()) {
-    if (action->text().startsWith(QStringLiteral("Remove demonstration data"))) remove = action;
+    if (action->text().startsWith(QStringLiteral("Remove demonstration data"))) {
+      remove = action;
+    }
   }
   ASSERT_NE(remove, nullptr);
   remove->trigger();
@@ -693,9 +707,13 @@ TEST_F(Shell, EverythingThatTakesTheKeyboardHasANameForScreenReaders) {
   openFoundedCentre(setup());
   const auto check = [this] {
     for (QWidget* widget : window_->findChildren<QWidget*>()) {
-      if ((widget->focusPolicy() & Qt::TabFocus) == 0 || !widget->isVisible()) continue;
+      if ((widget->focusPolicy() & Qt::TabFocus) == 0 || !widget->isVisible()) {
+        continue;
+      }
       const auto* button = qobject_cast<QAbstractButton*>(widget);
-      if (button != nullptr && !button->text().isEmpty()) continue;
+      if (button != nullptr && !button->text().isEmpty()) {
+        continue;
+      }
       EXPECT_FALSE(widget->accessibleName().isEmpty()) << widget->metaObject()->className();
     }
   };

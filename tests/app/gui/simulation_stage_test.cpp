@@ -41,12 +41,22 @@ class Simulator {
  public:
   explicit Simulator(Kind at) {
     controller_.setRealTime(false);
-    if (at == Kind::kEmpty) return;
+    if (at == Kind::kEmpty) {
+      return;
+    }
     load();
-    if (at == Kind::kRecording) controller_.startRecording();
-    if (at == Kind::kTraining) train();
-    if (at == Kind::kStill) controller_.freeze({});
-    if (at == Kind::kReplaying) replay();
+    if (at == Kind::kRecording) {
+      controller_.startRecording();
+    }
+    if (at == Kind::kTraining) {
+      train();
+    }
+    if (at == Kind::kStill) {
+      controller_.freeze({});
+    }
+    if (at == Kind::kReplaying) {
+      replay();
+    }
   }
   void load() {
     controller_.load(requestFor("bar"));
@@ -130,7 +140,9 @@ TEST(SimulationStage, TheTableOfTransitionsHoldsWhatHappensAndNoMore) {
     for (std::size_t i = 0; i < kKinds.size(); ++i) {
       const auto to = static_cast<std::size_t>(event.leadsTo[i]);
       // An event that is refused, or finds nothing to do, leaves the stage as it was.
-      if (event.leadsTo[i] != kKinds[i]) seen[i][to] = true;
+      if (event.leadsTo[i] != kKinds[i]) {
+        seen[i][to] = true;
+      }
     }
   }
   seen[static_cast<std::size_t>(Kind::kPractising)][static_cast<std::size_t>(Kind::kPractising)] = true;

@@ -58,7 +58,9 @@ TEST(StationPages, AGradedRunFromTheLockedModuleToTheTrend) {
   TrainingCentre::Setup setup;
   setup.phases = {{.kind = PhaseKind::kVirtual, .label = "virtual 40 s", .duration_us = 40 * kSecond_us}};
   TrainingCentre centre(setup);
-  for (int i = 0; i < 2; ++i) centre.attempt("first", "practice", 1.0);
+  for (int i = 0; i < 2; ++i) {
+    centre.attempt("first", "practice", 1.0);
+  }
   Station station(centre);
 
   station.open(PageId::kNextStep);
@@ -118,7 +120,9 @@ TEST(StationPages, NothingIsRecordedBeforeTheTraineeAgrees) {
 
 TEST(StationPages, AmberAllowsPracticeOnlyAndRedNothing) {
   TrainingCentre centre;
-  for (int i = 0; i < 2; ++i) centre.attempt("first", "practice", 1.0);
+  for (int i = 0; i < 2; ++i) {
+    centre.attempt("first", "practice", 1.0);
+  }
   Station station(centre);
   station.light = Light::kAmber;
   station.open(PageId::kNextStep);

@@ -39,7 +39,9 @@ TEST_P(ThemeContrast, MarksStandOutFromTheirGround) {
   const Theme& t = theme(GetParam());
 
   EXPECT_GE(contrast(t.border, t.surface), kMark);
-  for (const QColor& mark : {t.accent, t.good, t.caution}) EXPECT_GE(contrast(mark, t.track), kMark);
+  for (const QColor& mark : {t.accent, t.good, t.caution}) {
+    EXPECT_GE(contrast(mark, t.track), kMark);
+  }
   for (const QColor& line : {t.grasp, t.lattice, t.wire, t.shaft}) {
     EXPECT_GE(contrast(line, t.backdropTop), kMark);
     EXPECT_GE(contrast(line, t.backdropBottom), kMark);
@@ -55,7 +57,9 @@ TEST(Icons, EveryIconOfTheWindowIsThereInBothThemes) {
       const QImage picture = icon(QLatin1String(name), theme(kind)).pixmap(20, 20).toImage();
       int drawn = 0;
       for (int y = 0; y < picture.height(); ++y) {
-        for (int x = 0; x < picture.width(); ++x) drawn += picture.pixelColor(x, y).alpha() > 128 ? 1 : 0;
+        for (int x = 0; x < picture.width(); ++x) {
+          drawn += picture.pixelColor(x, y).alpha() > 128 ? 1 : 0;
+        }
       }
       EXPECT_GT(drawn, 10) << name;
     }

@@ -32,8 +32,9 @@ template <typename Condition>
 bool soon(const Condition& done) {
   QElapsedTimer waited;
   waited.start();
-  while (!done() && waited.elapsed() < kPatience_ms)
+  while (!done() && waited.elapsed() < kPatience_ms) {
     QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+  }
   return done();
 }
 
@@ -70,11 +71,17 @@ class Station {
   ~Station() { shell_.waitForJobs(); }
 
   void open(PageId id, const QVariant& argument = {}) {
-    if (page && !page->leave()) return;
+    if (page && !page->leave()) {
+      return;
+    }
     for (const PageEntry& entry : stationPages(desk_)) {
-      if (entry.id != id) continue;
+      if (entry.id != id) {
+        continue;
+      }
       // The page that asked is still in its slot.
-      if (page) page.release()->deleteLater();
+      if (page) {
+        page.release()->deleteLater();
+      }
       page.reset(entry.make(shell_));
       pageId = id;
       page->retranslate();
@@ -94,7 +101,9 @@ class Station {
   void press(const char* name) { find<QPushButton>(name)->click(); }
   [[nodiscard]] QString allText() const {
     QStringList texts;
-    for (const QLabel* label : page->findChildren<QLabel*>()) texts << label->text();
+    for (const QLabel* label : page->findChildren<QLabel*>()) {
+      texts << label->text();
+    }
     return texts.join(QLatin1Char('\n'));
   }
   RunPage& run() { return static_cast<RunPage&>(*page); }
@@ -118,7 +127,9 @@ class Station {
       clock->advance_us(torsio::testing::kSecond_us);
       centre_.passTime_us(torsio::testing::kSecond_us);
       run().tick();
-      if (pageId != PageId::kRun) return;
+      if (pageId != PageId::kRun) {
+        return;
+      }
     }
   }
 

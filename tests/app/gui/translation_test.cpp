@@ -30,9 +30,15 @@ std::vector<Message> chineseMessages() {
   QXmlStreamReader xml(&file);
   std::vector<Message> messages;
   while (!xml.atEnd()) {
-    if (xml.readNext() != QXmlStreamReader::StartElement) continue;
-    if (xml.name() == QLatin1String("message")) messages.emplace_back();
-    if (xml.name() == QLatin1String("source")) messages.back().source = xml.readElementText();
+    if (xml.readNext() != QXmlStreamReader::StartElement) {
+      continue;
+    }
+    if (xml.name() == QLatin1String("message")) {
+      messages.emplace_back();
+    }
+    if (xml.name() == QLatin1String("source")) {
+      messages.back().source = xml.readElementText();
+    }
     if (xml.name() == QLatin1String("translation")) {
       messages.back().finished = !xml.attributes().hasAttribute(QLatin1String("type"));
       messages.back().translation = xml.readElementText(QXmlStreamReader::IncludeChildElements).trimmed();
@@ -45,7 +51,9 @@ std::vector<Message> chineseMessages() {
 QStringList placesIn(const QString& text) {
   static const QRegularExpression kPlace(QStringLiteral("%(\\d|L\\d|n)"));
   QStringList places;
-  for (auto match = kPlace.globalMatch(text); match.hasNext();) places << match.next().captured();
+  for (auto match = kPlace.globalMatch(text); match.hasNext();) {
+    places << match.next().captured();
+  }
   places.sort();
   places.removeDuplicates();
   return places;
@@ -70,10 +78,14 @@ TEST(ChineseTranslation, IsCompleteAndFillsTheSamePlaces) {
 QStringList shownTexts(const QWidget& widget) {
   QStringList texts;
   for (const QLabel* label : widget.findChildren<QLabel*>()) {
-    if (label->isVisibleTo(&widget)) texts << label->text();
+    if (label->isVisibleTo(&widget)) {
+      texts << label->text();
+    }
   }
   for (const QAbstractButton* button : widget.findChildren<QAbstractButton*>()) {
-    if (button->isVisibleTo(&widget)) texts << button->text();
+    if (button->isVisibleTo(&widget)) {
+      texts << button->text();
+    }
   }
   texts.removeAll(QString());
   texts.removeAll(QStringLiteral("Torsio"));
@@ -89,7 +101,9 @@ void switchReaches(Panel& panel) {
   QGuiApplication::processEvents();
   const QStringList chinese = shownTexts(panel);
   ASSERT_EQ(chinese.size(), english.size());
-  for (int i = 0; i < english.size(); ++i) EXPECT_NE(chinese[i], english[i]) << english[i].toStdString();
+  for (int i = 0; i < english.size(); ++i) {
+    EXPECT_NE(chinese[i], english[i]) << english[i].toStdString();
+  }
 
   language.choose(Language::kEnglish);
   QGuiApplication::processEvents();

@@ -178,7 +178,9 @@ TEST_F(RecordedTwist, TrialFilesAreListedNewestFirstAndReadBack) {
     header.trialId = "at-" + std::to_string(started_us);
     const std::unique_ptr<TrialSink> sink = files.open({.trialId = header.trialId});
     sink->begin(header);
-    for (const TrialChunk& chunk : trial_.chunks) sink->append(chunk);
+    for (const TrialChunk& chunk : trial_.chunks) {
+      sink->append(chunk);
+    }
     sink->finish(trial_.summary);
   }
 

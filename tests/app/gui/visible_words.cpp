@@ -72,41 +72,62 @@ class TextPaper : public QPaintDevice {
 
 void addCells(const QAbstractItemView& view, QStringList& found) {
   const QAbstractItemModel* model = view.model();
-  if (model == nullptr) return;
+  if (model == nullptr) {
+    return;
+  }
   const int roles[] = {Qt::DisplayRole,   Qt::ToolTipRole,        Qt::StatusTipRole,
                        Qt::WhatsThisRole, Qt::AccessibleTextRole, Qt::AccessibleDescriptionRole,
                        Qt::EditRole};
   for (const int role : roles) {
     for (int column = 0; column < model->columnCount(); ++column) {
       found << model->headerData(column, Qt::Horizontal, role).toString();
-      for (int row = 0; row < model->rowCount(); ++row)
+      for (int row = 0; row < model->rowCount(); ++row) {
         found << model->data(model->index(row, column), role).toString();
+      }
     }
   }
 }
 
 void addAccessible(QWidget& widget, QStringList& found) {
   QAccessibleInterface* one = QAccessible::queryAccessibleInterface(&widget);
-  if (one == nullptr) return;
+  if (one == nullptr) {
+    return;
+  }
   for (const QAccessible::Text kind : {QAccessible::Name, QAccessible::Description, QAccessible::Value,
-                                       QAccessible::Help, QAccessible::Accelerator})
+                                       QAccessible::Help, QAccessible::Accelerator}) {
     found << one->text(kind);
+  }
 }
 
 void addTexts(const QWidget& widget, QStringList& found) {
-  if (const auto* label = qobject_cast<const QLabel*>(&widget)) found << label->text();
-  if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) found << button->text();
-  if (const auto* line = qobject_cast<const QLineEdit*>(&widget))
+  if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
+    found << label->text();
+  }
+  if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
+    found << button->text();
+  }
+  if (const auto* line = qobject_cast<const QLineEdit*>(&widget)) {
     found << line->text() << line->placeholderText();
-  if (const auto* text = qobject_cast<const QPlainTextEdit*>(&widget))
+  }
+  if (const auto* text = qobject_cast<const QPlainTextEdit*>(&widget)) {
     found << text->toPlainText() << text->placeholderText();
-  if (const auto* box = qobject_cast<const QGroupBox*>(&widget)) found << box->title();
-  if (const auto* spin = qobject_cast<const QAbstractSpinBox*>(&widget)) found << spin->text();
-  if (const auto* table = qobject_cast<const DataTable*>(&widget)) found << table->asText();
-  if (const auto* view = qobject_cast<const QAbstractItemView*>(&widget)) addCells(*view, found);
+  }
+  if (const auto* box = qobject_cast<const QGroupBox*>(&widget)) {
+    found << box->title();
+  }
+  if (const auto* spin = qobject_cast<const QAbstractSpinBox*>(&widget)) {
+    found << spin->text();
+  }
+  if (const auto* table = qobject_cast<const DataTable*>(&widget)) {
+    found << table->asText();
+  }
+  if (const auto* view = qobject_cast<const QAbstractItemView*>(&widget)) {
+    addCells(*view, found);
+  }
   if (const auto* box = qobject_cast<const QComboBox*>(&widget)) {
-    for (int i = 0; i < box->count(); ++i)
+    for (int i = 0; i < box->count(); ++i) {
       found << box->itemText(i) << box->itemData(i, Qt::ToolTipRole).toString();
+    }
   }
 }
 
@@ -126,8 +147,9 @@ QStringList wordsOf(QWidget& page) {
   for (QWidget* widget : all) {
     found << widget->windowTitle() << widget->toolTip() << widget->statusTip() << widget->whatsThis()
           << widget->accessibleName() << widget->accessibleDescription() << widget->objectName();
-    for (const QAction* action : widget->actions())
+    for (const QAction* action : widget->actions()) {
       found << action->text() << action->toolTip() << action->statusTip();
+    }
     addTexts(*widget, found);
     addAccessible(*widget, found);
   }

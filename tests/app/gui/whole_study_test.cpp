@@ -61,20 +61,22 @@ constexpr std::size_t kEvaluators = 40;  // paper 5.3: 20 interns, 10 deputy chi
 
 std::string internsFile() {
   std::string text = "Staff number;Full name;Sex;Level\r\n";
-  for (std::size_t i = 1; i <= kTrainees; ++i)
+  for (std::size_t i = 1; i <= kTrainees; ++i) {
     text += "I-" + std::to_string(100 + i) + ";Intern " + std::to_string(i) +
             (i <= 17 ? ";male" : ";female") + (i % 2 == 0 ? ";graduate\r\n" : ";doctoral student\r\n");
+  }
   return text;
 }
 
 std::string ratersFile(const std::string& prefix, const std::vector<std::pair<std::string, int>>& classes) {
   std::string text = "Staff number;Full name;Class\r\n";
   int number = 100;
-  for (const auto& [name, count] : classes)
+  for (const auto& [name, count] : classes) {
     for (int i = 0; i < count; ++i) {
       const std::string id = prefix + std::to_string(++number);
       text.append(id).append(";Doctor ").append(id).append(";").append(name).append("\r\n");
     }
+  }
   return text;
 }
 
@@ -87,8 +89,11 @@ void importRoster(Office& office, const std::string& text, bool raters, std::siz
   wizard.restart();
   wizard.show();
   wizard.findChild<QLineEdit*>(QStringLiteral("path"))->setText(toQString(file));
-  for (QRadioButton* kind : wizard.findChildren<QRadioButton*>())
-    if ((kind->text() == QStringLiteral("&Raters")) == raters) kind->setChecked(true);
+  for (QRadioButton* kind : wizard.findChildren<QRadioButton*>()) {
+    if ((kind->text() == QStringLiteral("&Raters")) == raters) {
+      kind->setChecked(true);
+    }
+  }
   wizard.button(QWizard::NextButton)->click();
   wizard.button(QWizard::NextButton)->click();
   office.shell().waitForJobs();
@@ -106,7 +111,9 @@ void chooseCodes(QDialog& dialog, const std::vector<std::string>& codes) {
   QItemSelection chosen;
   for (int row = 0; row < view.model()->rowCount(); ++row) {
     const std::string code = view.model()->index(row, 0).data().toString().toStdString();
-    if (std::find(codes.begin(), codes.end(), code) == codes.end()) continue;
+    if (std::find(codes.begin(), codes.end(), code) == codes.end()) {
+      continue;
+    }
     chosen.select(view.model()->index(row, 0), view.model()->index(row, view.model()->columnCount() - 1));
   }
   view.selectionModel()->select(chosen, QItemSelectionModel::Select);
@@ -137,14 +144,20 @@ void drawGroups(Office& office, const std::string& cohortId) {
   EXPECT_FALSE(testing::button(*administrator, QStringLiteral("Lock design"))->isEnabled());
   auto page = office.open<AllocationPage>("allocator", toQString(cohortId));
   auto* method = [&]() -> QComboBox* {
-    for (QComboBox* box : page->findChildren<QComboBox*>())
-      if (box->findData(static_cast<int>(AllocationMethod::kStratifiedBlocks)) >= 0) return box;
+    for (QComboBox* box : page->findChildren<QComboBox*>()) {
+      if (box->findData(static_cast<int>(AllocationMethod::kStratifiedBlocks)) >= 0) {
+        return box;
+      }
+    }
     return nullptr;
   }();
   ASSERT_NE(method, nullptr);
   method->setCurrentIndex(method->findData(static_cast<int>(AllocationMethod::kStratifiedBlocks)));
-  for (QCheckBox* factor : page->findChildren<QCheckBox*>())
-    if (factor->text() == QStringLiteral("sex")) factor->setChecked(true);
+  for (QCheckBox* factor : page->findChildren<QCheckBox*>()) {
+    if (factor->text() == QStringLiteral("sex")) {
+      factor->setChecked(true);
+    }
+  }
   press(*page, QStringLiteral("Preview balance"));
   EXPECT_GE(child<DataTable>(*page, "balance").visibleRows(),
             2);  // women and men, beside what else is known of them
@@ -215,9 +228,11 @@ void runTheDay(Office& office, const std::string& cohortId) {
 
 std::vector<std::string> raterCodes(OfficeCentre& centre, bool evaluators) {
   std::vector<std::string> codes;
-  for (const NamedPersonRow& person : namedPeople(centre.as("administrator")))
-    if (person.row.rater && (person.identity.externalId[0] == 'E') == evaluators)
+  for (const NamedPersonRow& person : namedPeople(centre.as("administrator"))) {
+    if (person.row.rater && (person.identity.externalId[0] == 'E') == evaluators) {
       codes.push_back(person.row.person.code);
+    }
+  }
   return codes;
 }
 
@@ -247,15 +262,19 @@ Crowd crowdOf(Office& office, const std::string& cohortId, const std::vector<std
         .push_back(enrolment.traineeCode);
     crowd.codeOf[enrolment.id] = enrolment.traineeCode;
   }
-  for (const PersonRow& person : torsio::people(office.centre.as("administrator")))
-    if (person.rater) crowd.idOf[person.person.code] = person.person.id;
+  for (const PersonRow& person : torsio::people(office.centre.as("administrator"))) {
+    if (person.rater) {
+      crowd.idOf[person.person.code] = person.person.id;
+    }
+  }
   crowd.people.raterClasses.resize(3);
   const std::vector<std::string> classes{"intern", "deputy_chief", "chief"};
-  for (const CampaignRow::Rater& rater : campaigns(office.centre.workplace()).front().raters)
+  for (const CampaignRow::Rater& rater : campaigns(office.centre.workplace()).front().raters) {
     crowd.people
         .raterClasses[static_cast<std::size_t>(std::find(classes.begin(), classes.end(), rater.classCode) -
                                                classes.begin())]
         .push_back(rater.code);
+  }
   return crowd;
 }
 
@@ -263,10 +282,13 @@ Crowd crowdOf(Office& office, const std::string& cohortId, const std::vector<std
 void submitSheets(Office& office, const std::string& cohortId, const Crowd& crowd) {
   SheetRepository sheets(office.centre.connection());
   std::map<std::string, std::string> codeOfRater;
-  for (const auto& [code, id] : crowd.idOf) codeOfRater[id] = code;
+  for (const auto& [code, id] : crowd.idOf) {
+    codeOfRater[id] = code;
+  }
   std::map<std::tuple<std::string, std::string, std::size_t>, std::int64_t> marks;
-  for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, crowd.people, kMarkSeed))
+  for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, crowd.people, kMarkSeed)) {
     marks[{mark.trainee, mark.rater, mark.occasion}] = mark.steps;
+  }
   const std::map<std::string, std::size_t> occasions{{"pre", 0}, {"mid", 1}, {"post", 2}};
   for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
     const StoredAssignment& one = status.assignment;
@@ -274,7 +296,9 @@ void submitSheets(Office& office, const std::string& cohortId, const Crowd& crow
     sheet.overall_steps = marks.at(
         {crowd.codeOf.at(one.enrolmentId), codeOfRater.at(one.raterId), occasions.at(one.scoringPoint)});
     const StoredRubricRevision rubric = sheets.revision(one.rubricRevisionId).value();
-    for (const StoredRubricRow& row : rubric.rows) sheet.rows.push_back({row.code, row.scale.lo, ""});
+    for (const StoredRubricRow& row : rubric.rows) {
+      sheet.rows.push_back({row.code, row.scale.lo, ""});
+    }
     sheets.submit(one.id, office.centre.workplace().ids().newUuid(), sheet, "",
                   office.centre.workplace().now_us());
   }
@@ -284,11 +308,15 @@ void submitSheets(Office& office, const std::string& cohortId, const Crowd& crow
 void submitEvaluationMarks(Office& office, const Crowd& crowd) {
   const StoredCampaign campaign = campaigns(office.centre.workplace()).front().campaign;
   std::vector<std::string> models;
-  for (const StoredModel& model : campaign.models) models.push_back(model.code);
+  for (const StoredModel& model : campaign.models) {
+    models.push_back(model.code);
+  }
   std::vector<StoredEvaluationMark> marks;
   for (const EvaluationRating& rating :
        demonstrationEvaluationMarks(campaign.instrument, crowd.people, models, kMarkSeed)) {
-    if (!rating.steps) continue;
+    if (!rating.steps) {
+      continue;
+    }
     marks.push_back({.id = office.centre.workplace().ids().newUuid(),
                      .raterId = crowd.idOf.at(rating.rater),
                      .modelCode = rating.model,
@@ -310,22 +338,26 @@ class Numbers {
 
   [[nodiscard]] double at(const std::string& section, const std::string& model, const std::string& index,
                           const std::string& occasion, const std::string& statistic) const {
-    for (std::size_t row = 0; row < table_.rows(); ++row)
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
       if (table_.cell(row, "item") == "all" && table_.cell(row, "section") == section &&
           table_.cell(row, "group").empty() && table_.cell(row, "model") == model &&
           table_.cell(row, "index") == index && table_.cell(row, "occasion") == occasion &&
-          table_.cell(row, "statistic") == statistic)
+          table_.cell(row, "statistic") == statistic) {
         return table_.number(row, "value");
+      }
+    }
     ADD_FAILURE() << section << " " << model << " " << index << " " << occasion << " " << statistic;
     return 0.0;
   }
   /// The marks of the evaluation as `torsio evaluate` reads them.
   [[nodiscard]] std::string ratings() const {
     std::string text = "index,rater,class,model,score\n";
-    for (std::size_t row = 0; row < table_.rows(); ++row)
-      if (table_.cell(row, "statistic") == "mark")
+    for (std::size_t row = 0; row < table_.rows(); ++row) {
+      if (table_.cell(row, "statistic") == "mark") {
         text += table_.cell(row, "index") + "," + table_.cell(row, "item") + "," + table_.cell(row, "group") +
                 "," + table_.cell(row, "model") + "," + table_.cell(row, "value") + "\n";
+      }
+    }
     return text;
   }
 
@@ -354,12 +386,16 @@ void expectNumbersOfTheCommandLine(const Numbers& report, const Crowd& crowd, co
 
   std::map<std::pair<std::string, std::string>, std::int64_t>
       last;  // by trainee and rater, as the report has it
-  for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, crowd.people, kMarkSeed))
-    if (mark.occasion == 2) last[{mark.trainee, mark.rater}] = mark.steps;
+  for (const TrainingMark& mark : demonstrationTrainingMarks({10, 100, 10}, crowd.people, kMarkSeed)) {
+    if (mark.occasion == 2) {
+      last[{mark.trainee, mark.rater}] = mark.steps;
+    }
+  }
   std::string marks = "target,rater,score\n";
-  for (const auto& [who, steps] : last)
+  for (const auto& [who, steps] : last) {
     marks += who.first + "," + who.second + "," + std::to_string(steps / 10) + "." +
              std::to_string(steps % 10) + "\n";
+  }
   writeFileAtomically(folder / "marks.csv", marks);
   const test::ProgramRun agreed =
       test::runTorsio("agreement --ratings " + (folder / "marks.csv").string(), folder);

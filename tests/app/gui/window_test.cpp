@@ -92,11 +92,14 @@ TEST_F(Window, EverythingThatTakesTheKeyboardHasANameForScreenReaders) {
   int checked = 0;
   for (QWidget* widget : window_.findChildren<QWidget*>()) {
     const bool reachable = (widget->focusPolicy() & Qt::TabFocus) != 0 && widget->isVisible();
-    if (!reachable || qobject_cast<QToolButton*>(widget) != nullptr) continue;
+    if (!reachable || qobject_cast<QToolButton*>(widget) != nullptr) {
+      continue;
+    }
     // The line edit inside a spin box speaks for the box.
     if (widget->parentWidget() != nullptr &&
-        qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) != nullptr)
+        qobject_cast<QAbstractSpinBox*>(widget->parentWidget()) != nullptr) {
       continue;
+    }
     EXPECT_FALSE(widget->accessibleName().isEmpty()) << widget->metaObject()->className();
     ++checked;
   }
@@ -107,7 +110,9 @@ TEST_F(Window, EveryCommandHasTextAndEveryToolAShortcut) {
   const auto bars = window_.findChildren<QToolBar*>();
   ASSERT_EQ(bars.size(), 1);
   for (const QAction* action : bars.front()->actions()) {
-    if (action->isSeparator() || action->text().isEmpty()) continue;
+    if (action->isSeparator() || action->text().isEmpty()) {
+      continue;
+    }
     EXPECT_FALSE(action->shortcut().isEmpty()) << action->text().toStdString();
     EXPECT_FALSE(action->statusTip().isEmpty()) << action->text().toStdString();
   }
@@ -117,7 +122,9 @@ TEST_F(Window, ShortcutsAreUnique) {
   QMap<QString, QString> owners;
   for (const QAction* action : window_.findChildren<QAction*>()) {
     const QString keys = action->shortcut().toString();
-    if (keys.isEmpty()) continue;
+    if (keys.isEmpty()) {
+      continue;
+    }
     EXPECT_FALSE(owners.contains(keys)) << keys.toStdString() << " belongs to " << owners[keys].toStdString();
     owners[keys] = action->text();
   }

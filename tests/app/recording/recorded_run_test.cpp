@@ -117,7 +117,9 @@ TEST(RecordedRun, IsTheSameWhetherAScriptRunsItOrSomebodyStepsIt) {
 
   const auto stepped = std::make_shared<MemoryTrialSink>();
   RecordedRun run(bar(), std::make_unique<ScriptedHand>(options), spec(), stepped);
-  for (int i = 0; i < 3'000; ++i) run.step();
+  for (int i = 0; i < 3'000; ++i) {
+    run.step();
+  }
   const RecordingResult result = run.finish(TrialOutcome::kCompleted);
 
   EXPECT_EQ(summary.samples, 3'000);
@@ -148,7 +150,9 @@ TEST(RecordedRun, RecordsInRealTimeUntilItIsFinished) {
   RecordedRun run(bar(), hand(), spec(), kept);
 
   run.start();
-  while (run.latest().tick < 200) std::this_thread::sleep_for(5ms);
+  while (run.latest().tick < 200) {
+    std::this_thread::sleep_for(5ms);
+  }
   const RecordingResult result = run.finish(TrialOutcome::kCompleted);
 
   EXPECT_GT(result.summary.samples, 200);
@@ -182,7 +186,9 @@ TEST(RecordedRun, ObeysWishesAndSaysWhenTooManyWait) {
   run.step();
   EXPECT_EQ(run.latest().targetAngle_rad, 0.25);
   int taken = 0;
-  while (run.command({.kind = ServoCommand::Kind::kReleaseTissue})) ++taken;
+  while (run.command({.kind = ServoCommand::Kind::kReleaseTissue})) {
+    ++taken;
+  }
   EXPECT_EQ(taken, 64);
 }
 

@@ -44,7 +44,9 @@ ReportFigure figureOf(FigureKind kind) {
   figure.yLabel = "mark (0 to 10)";
   figure.yMin = 0.0;
   figure.yMax = 10.0;
-  for (int c = 1; c <= 9; ++c) figure.categories.push_back(std::to_string(c));
+  for (int c = 1; c <= 9; ++c) {
+    figure.categories.push_back(std::to_string(c));
+  }
   for (const char* name : {"proposed model", "finite elements", "mass-spring"}) {
     FigureSeries series;
     series.name = name;
@@ -79,7 +81,9 @@ ReportModel smallReport() {
   ReportTable table;
   table.title = "A table longer than a page";
   table.columns = {"index", "name", "M"};
-  for (int i = 0; i < 80; ++i) table.rows.push_back({std::to_string(i), "effectiveness", "7.87"});
+  for (int i = 0; i < 80; ++i) {
+    table.rows.push_back({std::to_string(i), "effectiveness", "7.87"});
+  }
   section.tables.push_back(table);
   model.sections.push_back(section);
   return model;
@@ -145,12 +149,14 @@ TEST(ChartBuilder, CutsNoNameOfTheNineIndicesOnPaper) {
   scene.render(&painter);
 
   std::set<QString> drawn;
-  for (const QGraphicsItem* item : scene.items())
+  for (const QGraphicsItem* item : scene.items()) {
     if (const auto* text = qgraphicsitem_cast<const QGraphicsTextItem*>(item)) {
       drawn.insert(text->toPlainText().simplified());
     }
-  for (const Text& name : figure.categories)
+  }
+  for (const Text& name : figure.categories) {
     EXPECT_TRUE(drawn.contains(QString::fromStdString(name.str()))) << name;
+  }
 }
 
 TEST(PdfReport, TellsEveryPageAndLeavesNothingWhenGivenUp) {
@@ -162,7 +168,9 @@ TEST(PdfReport, TellsEveryPageAndLeavesNothingWhenGivenUp) {
   EXPECT_THROW(writePdfReport(smallReport(), file, englishWording,
                               [](std::size_t page, std::size_t pages) {
                                 EXPECT_GE(pages, 5U);
-                                if (page == 2) throw GivenUp{};
+                                if (page == 2) {
+                                  throw GivenUp{};
+                                }
                               }),
                GivenUp);
 
@@ -189,10 +197,14 @@ TEST(ChartBuilder, TellsSeriesApartWithoutColour) {
   const auto chart = buildChart(figureOf(FigureKind::kGroupedBars));
   const auto* bars = qobject_cast<QBarSeries*>(chart->series().first());
   std::set<Qt::BrushStyle> patterns;
-  for (const QBarSet* set : bars->barSets()) patterns.insert(set->brush().style());
+  for (const QBarSet* set : bars->barSets()) {
+    patterns.insert(set->brush().style());
+  }
   EXPECT_EQ(patterns.size(), 3U);
   // A heat map is darker for more, on white; lightness never turns back.
-  for (int i = 1; i <= 10; ++i) EXPECT_LT(qGray(shade(0.1 * i).rgb()), qGray(shade(0.1 * (i - 1)).rgb()));
+  for (int i = 1; i <= 10; ++i) {
+    EXPECT_LT(qGray(shade(0.1 * i).rgb()), qGray(shade(0.1 * (i - 1)).rgb()));
+  }
 }
 
 TEST(ChartBuilder, DrawsOneBoxASeriesWithItsMedian) {

@@ -40,19 +40,36 @@ using Say = std::function<void(const std::string& where, const Text& text)>;
 
 void sayTable(const ReportTable& table, const Say& say) {
   say(table.id, table.title);
-  for (const Text& column : table.columns) say(table.id, column);
-  for (const std::vector<Text>& row : table.rows)
-    for (const Text& cell : row) say(table.id, cell);
-  for (const Text& note : table.notes) say(table.id, note);
+  for (const Text& column : table.columns) {
+    say(table.id, column);
+  }
+  for (const std::vector<Text>& row : table.rows) {
+    for (const Text& cell : row) {
+      say(table.id, cell);
+    }
+  }
+  for (const Text& note : table.notes) {
+    say(table.id, note);
+  }
   say(table.id, provenanceLine(table.provenance));
 }
 
 void sayFigure(const ReportFigure& figure, const Say& say) {
-  for (const Text* text : {&figure.title, &figure.xLabel, &figure.yLabel}) say(figure.id, *text);
-  for (const Text& category : figure.categories) say(figure.id, category);
-  for (const FigureSeries& series : figure.series) say(figure.id, series.name);
-  for (const FigureReference& reference : figure.references) say(figure.id, reference.label);
-  for (const Text& note : figure.notes) say(figure.id, note);
+  for (const Text* text : {&figure.title, &figure.xLabel, &figure.yLabel}) {
+    say(figure.id, *text);
+  }
+  for (const Text& category : figure.categories) {
+    say(figure.id, category);
+  }
+  for (const FigureSeries& series : figure.series) {
+    say(figure.id, series.name);
+  }
+  for (const FigureReference& reference : figure.references) {
+    say(figure.id, reference.label);
+  }
+  for (const Text& note : figure.notes) {
+    say(figure.id, note);
+  }
   sayTable(figureTable(figure, 4), say);
 }
 
@@ -66,9 +83,15 @@ void sayAll(const ReportModel& model, const Say& say) {
   }
   for (const ReportSection& section : model.sections) {
     say("section", section.title);
-    for (const Text& paragraph : section.paragraphs) say("section", paragraph);
-    for (const ReportFigure& figure : section.figures) sayFigure(figure, say);
-    for (const ReportTable& table : section.tables) sayTable(table, say);
+    for (const Text& paragraph : section.paragraphs) {
+      say("section", paragraph);
+    }
+    for (const ReportFigure& figure : section.figures) {
+      sayFigure(figure, say);
+    }
+    for (const ReportTable& table : section.tables) {
+      sayTable(table, say);
+    }
   }
 }
 
@@ -88,7 +111,9 @@ QStringList numbersOf(const QString& text) {
   // The square is a digit in English ("s2") and a sign in Chinese.
   QString plain = text;
   plain.replace(QStringLiteral("s2"), QStringLiteral("s"));
-  for (auto match = kNumber.globalMatch(plain); match.hasNext();) numbers << match.next().captured();
+  for (auto match = kNumber.globalMatch(plain); match.hasNext();) {
+    numbers << match.next().captured();
+  }
   numbers.sort();
   return numbers;
 }
@@ -114,10 +139,12 @@ TEST(ReportLanguage, GivesEveryFigureAndTableAChineseTitle) {
 
   for (const ReportSection& section : cohortReport(everything()).sections) {
     EXPECT_TRUE(kHan.match(chinese(section.title)).hasMatch()) << section.title;
-    for (const ReportFigure& figure : section.figures)
+    for (const ReportFigure& figure : section.figures) {
       EXPECT_TRUE(kHan.match(chinese(figure.title)).hasMatch()) << figure.title;
-    for (const ReportTable& table : section.tables)
+    }
+    for (const ReportTable& table : section.tables) {
       EXPECT_TRUE(kHan.match(chinese(table.title)).hasMatch()) << table.title;
+    }
   }
 }
 
@@ -147,7 +174,9 @@ TEST(ReportLanguage, WritesAChinesePdfWithItsLettersInIt) {
 
 TEST(ReportLanguage, RefusesALanguageItDoesNotSpeak) {
   EXPECT_THROW((void)wordingIn("tlh"), Error);
-  for (const std::string& language : reportLanguages()) EXPECT_NO_THROW((void)wordingIn(language));
+  for (const std::string& language : reportLanguages()) {
+    EXPECT_NO_THROW((void)wordingIn(language));
+  }
 }
 
 }  // namespace

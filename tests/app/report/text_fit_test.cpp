@@ -58,7 +58,9 @@ TEST(TextFit, FillsLinesUpToTheirWidth) {
   const QStringList lines = wrappedLines(title, 160.0, metrics);
 
   EXPECT_GE(lines.size(), 2);
-  for (const QString& line : lines) EXPECT_LE(metrics.horizontalAdvance(line), 160.0);
+  for (const QString& line : lines) {
+    EXPECT_LE(metrics.horizontalAdvance(line), 160.0);
+  }
   EXPECT_EQ(lines.join(QLatin1Char(' ')), title);
 }
 
@@ -89,8 +91,9 @@ TEST(TableLayout, KeepsShortCellsOnOneLineBesideLongHashes) {
   const TableLayout layout = laidOut(table, 170.0);
 
   EXPECT_LE(std::accumulate(layout.widths_mm.begin(), layout.widths_mm.end(), 0.0), 170.0 + 1e-6);
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
     EXPECT_LE(widthOf(table.rows[0][c], layout.regular), layout.widths_mm[c] - 2.0 * kCellPadding_mm) << c;
+  }
 }
 
 TEST(TableLayout, CutsNoWordOfAWideHeader) {
@@ -107,10 +110,12 @@ TEST(TableLayout, CutsNoWordOfAWideHeader) {
 
   const TableLayout layout = laidOut(table, 170.0);
 
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
-    for (const QString& word : breakableParts(table.columns[c]))
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    for (const QString& word : breakableParts(table.columns[c])) {
       EXPECT_LE(widthOf(word.trimmed(), layout.bold), layout.widths_mm[c] - 2.0 * kCellPadding_mm)
           << word.toStdString();
+    }
+  }
 }
 
 TEST(TableLayout, SetsNumbersAndWhatStandsInTheirPlaceToTheRight) {

@@ -81,12 +81,16 @@ TEST(AllocationService, OneByOneGivesWhatAllAtOnceGives) {
     if (together) {
       allocateAll(allocator, study.cohortId);
     } else {
-      for (const std::string& id : study.enrolmentIds) allocateOne(allocator, study.cohortId, id);
+      for (const std::string& id : study.enrolmentIds) {
+        allocateOne(allocator, study.cohortId, id);
+      }
     }
     std::vector<StoredEnrolment> list = enrolments(allocator, study.cohortId);
     std::sort(list.begin(), list.end(),
               [](const auto& a, const auto& b) { return a.traineeCode < b.traineeCode; });
-    for (const StoredEnrolment& enrolment : list) groups[together ? 0 : 1].push_back(enrolment.groupCode);
+    for (const StoredEnrolment& enrolment : list) {
+      groups[together ? 0 : 1].push_back(enrolment.groupCode);
+    }
   }
   EXPECT_EQ(groups[0], groups[1]);
 }
@@ -100,8 +104,9 @@ TEST(AllocationService, PaperSizedPermutationFollowsThePublishedVector) {
   allocateAll(allocator, study.cohortId);
 
   std::map<std::string, std::string> groupOf;
-  for (const StoredEnrolment& e : enrolments(allocator, study.cohortId))
+  for (const StoredEnrolment& e : enrolments(allocator, study.cohortId)) {
     groupOf[e.id] = e.groupCode.substr(1);
+  }
   std::string arms;
   for (const StoredAllocation& record : allocations(allocator, design.stored.id)) {
     arms += groupOf[record.enrolmentId];
@@ -167,7 +172,9 @@ TEST(AllocationService, OverrideIsARecordBesideTheDrawnOne) {
   std::string other;
   const CohortRow cohort = cohorts(allocator).at(0);
   for (const StoredGroup& group : cohort.groups) {
-    if (group.id != drawn.groupId) other = group.id;
+    if (group.id != drawn.groupId) {
+      other = group.id;
+    }
   }
 
   EXPECT_THROW(overrideAllocation(allocator, study.cohortId, drawn.enrolmentId, other, ""), Error);

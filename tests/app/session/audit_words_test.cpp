@@ -25,8 +25,9 @@ std::vector<std::string> found(const std::string& text, const std::string& patte
   const std::regex expression(pattern);
   std::vector<std::string> all;
   for (auto at = std::sregex_iterator(text.begin(), text.end(), expression); at != std::sregex_iterator();
-       ++at)
+       ++at) {
     all.push_back((*at)[1].str());
+  }
   return all;
 }
 
@@ -43,8 +44,12 @@ std::vector<std::string> allowed(const std::string& table, const std::string& co
 
 /// Codes that are put together: what may follow the dot.
 std::vector<std::string> endingsOf(const std::string& prefix) {
-  if (prefix == "alignment.") return allowed("alignment_decision", "decision");
-  if (prefix == "retention.") return allowed("retention_hold", "kind");
+  if (prefix == "alignment.") {
+    return allowed("alignment_decision", "decision");
+  }
+  if (prefix == "retention.") {
+    return allowed("retention_hold", "kind");
+  }
   if (prefix == "curriculum.") {
     std::vector<std::string> states = allowed("curriculum_state", "state");
     std::erase(states, "draft");  // as it begins; nobody moves it back
@@ -57,10 +62,16 @@ std::vector<std::string> endingsOf(const std::string& prefix) {
 /// Codes of one file whose action is a value, by what stands for it.
 std::vector<std::string> codesBehind(const std::string& value, const std::string& source) {
   // Copies of what somebody else noted.
-  if (value == "note.action" || value == "row.text()") return {};
-  if (value == "kDemonstrationRemoved") return {"demonstration.remove"};
+  if (value == "note.action" || value == "row.text()") {
+    return {};
+  }
+  if (value == "kDemonstrationRemoved") {
+    return {"demonstration.remove"};
+  }
   // A parameter: whatever looks like a code in this file.
-  if (value == "action") return found(source, "\"([a-z_]+\\.[a-z_]+)\"");
+  if (value == "action") {
+    return found(source, "\"([a-z_]+\\.[a-z_]+)\"");
+  }
   ADD_FAILURE() << "which action is " << value << "?";
   return {};
 }
@@ -70,14 +81,18 @@ std::set<std::string> actionsOf(const std::string& source) {
   for (const std::string& right : found(source, "\\.action = ([^;]*?)(?:;|,\\s*\\.|\\})")) {
     const std::vector<std::string> literals = found(right, "\"([a-z_]+\\.[a-z_]*)\"");
     if (literals.empty()) {
-      for (const std::string& code : codesBehind(right, source)) actions.insert(code);
+      for (const std::string& code : codesBehind(right, source)) {
+        actions.insert(code);
+      }
     }
     for (const std::string& literal : literals) {
       if (literal.back() != '.') {
         actions.insert(literal);
         continue;
       }
-      for (const std::string& ending : endingsOf(literal)) actions.insert(literal + ending);
+      for (const std::string& ending : endingsOf(literal)) {
+        actions.insert(literal + ending);
+      }
     }
   }
   return actions;
@@ -92,16 +107,21 @@ Noted noted() {
   Noted all;
   for (const char* folder : {"app", "db"}) {
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
-      if (entry.path().extension() != ".cpp") continue;
+      if (entry.path().extension() != ".cpp") {
+        continue;
+      }
       const std::string source = readFile(entry.path());
       all.actions.merge(actionsOf(source));
-      for (const std::string& kind : found(source, "\\bobjectKind = \"([a-z_]+)\"")) all.kinds.insert(kind);
+      for (const std::string& kind : found(source, "\\bobjectKind = \"([a-z_]+)\"")) {
+        all.kinds.insert(kind);
+      }
     }
   }
   // seals.h: what the repositories seal themselves.
   for (const std::string& kind :
-       found(readFile(kRoot / "db/repository/base/seals.h"), "kSealed[A-Za-z]+ = \"([a-z_]+)\""))
+       found(readFile(kRoot / "db/repository/base/seals.h"), "kSealed[A-Za-z]+ = \"([a-z_]+)\"")) {
     all.kinds.insert(kind);
+  }
   return all;
 }
 
@@ -110,8 +130,9 @@ TEST(AuditWords, EveryActionThatTheSourcesNoteHasWords) {
 
   EXPECT_GE(all.actions.size(), 90U);
   for (const char* action : {"mark.submit", "user.sign_in_failed", "retention.extend", "curriculum.closed",
-                             "database.restore", "demonstration.remove"})
+                             "database.restore", "demonstration.remove"}) {
     EXPECT_TRUE(all.actions.contains(action)) << action << " was not found in the sources";
+  }
   for (const std::string& action : all.actions) {
     const std::string words = auditActionLabel(action).str();
     EXPECT_NE(words, action) << "give it words in app/session/access/audit_words.cpp";

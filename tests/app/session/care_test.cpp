@@ -241,7 +241,9 @@ TEST_F(CareTest, ATextThatASpreadsheetWouldRunIsWrittenAsText) {
   Statement who = connection_.prepare("SELECT person_id FROM person_identity WHERE full_name LIKE ?");
   who.execute({"=HYPER%"});
   std::string person;
-  while (who.step()) person = who.text(0);
+  while (who.step()) {
+    person = who.text(0);
+  }
   if (person.empty()) {
     connection_.execute("INSERT INTO person_identity (person_id, full_name) VALUES (?, ?)",
                         {real_.traineeId, "=HYPERLINK(\"x\")"});

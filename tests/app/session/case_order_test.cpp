@@ -14,7 +14,9 @@ std::vector<OrderedCase> paperCases() {
   std::vector<OrderedCase> cases;
   for (const char* stage : {"pre", "mid", "post"}) {
     for (const char* group : {"G1", "G2", "G3"}) {
-      for (int i = 0; i < 10; ++i) cases.push_back({cases.size(), std::string(stage) + " " + group});
+      for (int i = 0; i < 10; ++i) {
+        cases.push_back({cases.size(), std::string(stage) + " " + group});
+      }
     }
   }
   return cases;
@@ -30,7 +32,9 @@ TEST(CaseOrder, IsAPermutationOfItsOwnForEachRater) {
   EXPECT_NE(first, second);
   EXPECT_NE(first, counterbalancedOrder(cases, 6, 0));
   std::sort(first.begin(), first.end());
-  for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i], i);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(first[i], i);
+  }
 }
 
 TEST(CaseOrder, SpreadsStagesAndGroupsEvenlyOverTheSitting) {
@@ -41,19 +45,25 @@ TEST(CaseOrder, SpreadsStagesAndGroupsEvenlyOverTheSitting) {
   // Nine strata of ten: every nine cases in a row, counted from the start, hold each stratum once.
   for (std::size_t round = 0; round < 10; ++round) {
     std::map<std::string, int> seen;
-    for (std::size_t i = 0; i < 9; ++i) ++seen[cases[order[round * 9 + i]].stratum];
+    for (std::size_t i = 0; i < 9; ++i) {
+      ++seen[cases[order[round * 9 + i]].stratum];
+    }
     EXPECT_EQ(seen.size(), 9U) << round;
   }
 }
 
 TEST(CaseOrder, SpreadsSmallStrataToo) {
   std::vector<OrderedCase> cases;
-  for (std::size_t i = 0; i < 20; ++i) cases.push_back({i, i < 4 ? "few" : "many"});
+  for (std::size_t i = 0; i < 20; ++i) {
+    cases.push_back({i, i < 4 ? "few" : "many"});
+  }
 
   const std::vector<std::size_t> order = counterbalancedOrder(cases, 1, 0);
 
   std::size_t inFirstHalf = 0;
-  for (std::size_t i = 0; i < 10; ++i) inFirstHalf += cases[order[i]].stratum == "few" ? 1 : 0;
+  for (std::size_t i = 0; i < 10; ++i) {
+    inFirstHalf += cases[order[i]].stratum == "few" ? 1 : 0;
+  }
   EXPECT_EQ(inFirstHalf, 2U);
 }
 

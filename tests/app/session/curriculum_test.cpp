@@ -20,7 +20,9 @@ constexpr std::int64_t kMinute_us = 60'000'000;
 
 StoredCurriculumVersion shipped(const OfficeCentre& centre, const std::string& id) {
   for (CurriculumTemplate& one : curriculumTemplates(centre.assets())) {
-    if (one.id == id) return one.content;
+    if (one.id == id) {
+      return one.content;
+    }
   }
   throw std::runtime_error("no template " + id);
 }

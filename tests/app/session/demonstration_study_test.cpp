@@ -70,7 +70,9 @@ TEST(DemonstrationStudy, EveryTrialNamesItsExerciseAndItsPhase) {
 
   std::map<std::string, std::size_t> trials;
   for (const TrialListing& trial : TrialRepository(centre.connection()).list({})) {
-    if (trial.enrolmentId.empty()) continue;  // the instructor's example
+    if (trial.enrolmentId.empty()) {
+      continue;  // the instructor's example
+    }
     EXPECT_EQ(trial.moduleId, version->modules.front().id);
     ++trials[trial.phaseId];
   }

@@ -23,7 +23,9 @@ const DeviceChoice kNone{.library = "/nowhere/libHD.so", .name = ""};
 
 const ReadinessFinding* find(const DeviceReadiness& readiness, const std::string& code) {
   for (const ReadinessFinding& finding : readiness.findings) {
-    if (finding.code == code) return &finding;
+    if (finding.code == code) {
+      return &finding;
+    }
   }
   return nullptr;
 }

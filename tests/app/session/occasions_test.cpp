@@ -34,7 +34,9 @@ StoredCurriculumVersion longerPaperProtocol(OfficeCentre& centre, const Occasion
   const auto paper = std::find_if(templates.begin(), templates.end(),
                                   [](const CurriculumTemplate& one) { return one.id == "paper-three-arms"; });
   StoredCurriculumVersion content = paper->content;
-  for (StoredArm& arm : content.arms) arm.phases.back().duration_us += 20 * kMinute_us;
+  for (StoredArm& arm : content.arms) {
+    arm.phases.back().duration_us += 20 * kMinute_us;
+  }
   content.scoringPoints.push_back({fourth.code, 60 * kMinute_us});
   return content;
 }
@@ -72,7 +74,9 @@ struct StudyOfFour {
       const std::size_t at = occasions.positionOf(status.assignment.scoringPoint).value();
       const std::int64_t steps = 50 + 10 * static_cast<std::int64_t>(at);
       Sheet sheet{.overall_steps = steps};
-      for (const StoredRubricRow& row : revision.rows) sheet.rows.push_back({row.code, steps, ""});
+      for (const StoredRubricRow& row : revision.rows) {
+        sheet.rows.push_back({row.code, steps, ""});
+      }
       sheets.submit(status.assignment.id, centre.workplace().ids().newUuid(), sheet, "",
                     centre.workplace().now_us());
     }
@@ -97,7 +101,9 @@ TEST(Occasions, AFourthOneGoesThroughPlanReleaseReportAndExport) {
   const CohortInputs inputs =
       reportInputs(study.centre.as("statistician"), {.cohortId = study.cohortId}, digests);
   std::set<std::string> exported;
-  for (const CohortCsvRow& row : cohortCsvRows(inputs)) exported.insert(row.occasion);
+  for (const CohortCsvRow& row : cohortCsvRows(inputs)) {
+    exported.insert(row.occasion);
+  }
 
   EXPECT_EQ(asked.created, 4U * 3U * 2U);  // occasions, trainees, chiefs
   ASSERT_EQ(matrix.lines.size(), 12U);
@@ -108,8 +114,9 @@ TEST(Occasions, AFourthOneGoesThroughPlanReleaseReportAndExport) {
   EXPECT_TRUE(SheetRepository(study.centre.connection()).isReleased(study.cohortId, study.fourth.code));
   EXPECT_EQ(inputs.occasions, (std::vector<Text>{"before", "after 20 min", "after 40 min", "after 60 min"}));
   ASSERT_EQ(inputs.scores.size(), 12U);
-  for (const TraineeScore& score : inputs.scores)
+  for (const TraineeScore& score : inputs.scores) {
     EXPECT_DOUBLE_EQ(score.score, 5.0 + static_cast<double>(score.occasion));
+  }
   EXPECT_TRUE(exported.contains("after 60 min"));
 }
 

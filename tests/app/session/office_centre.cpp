@@ -70,7 +70,9 @@ std::vector<std::string> OfficeCentre::addChiefs(std::size_t count) {
 std::string OfficeCentre::runPaperCurriculum() {
   as("administrator");
   for (const CurriculumTemplate& shipped : curriculumTemplates(assets())) {
-    if (shipped.id != "paper-three-arms") continue;
+    if (shipped.id != "paper-three-arms") {
+      continue;
+    }
     const std::string id = addCurriculum(*workplace_, shipped.title, shipped.description, shipped.content);
     const std::string version = publishCurriculum(*workplace_, id, "first", assets());
     runCurriculum(*workplace_, version);
@@ -90,11 +92,15 @@ std::map<std::string, std::int64_t> OfficeCentre::rowCounts() {
   Statement table = connection_->prepare("SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name");
   table.execute();
   std::vector<std::string> names;
-  while (table.step()) names.push_back(table.text(0));
+  while (table.step()) {
+    names.push_back(table.text(0));
+  }
   for (const std::string& name : names) {
     Statement row = connection_->prepare("SELECT count(*) FROM " + name);
     row.execute();
-    if (row.step()) counts[name] = row.int64(0);
+    if (row.step()) {
+      counts[name] = row.int64(0);
+    }
   }
   return counts;
 }

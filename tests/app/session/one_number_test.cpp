@@ -48,12 +48,18 @@ class RandomRecording {
     const int twists = whole(1, 5);
     idle(whole(50, 300));
     for (int i = 0; i < twists; ++i) {
-      if (chance(0.3)) setTarget(between(30.0, 120.0));
-      if (chance(0.2)) touch();
+      if (chance(0.3)) {
+        setTarget(between(30.0, 120.0));
+      }
+      if (chance(0.2)) {
+        touch();
+      }
       const bool last = i + 1 == twists;
       twist(last && chance(0.4));
     }
-    if (chance(0.1)) samples_[samples_.size() / 2].device.time_us = samples_.front().device.time_us;
+    if (chance(0.1)) {
+      samples_[samples_.size() / 2].device.time_us = samples_.front().device.time_us;
+    }
   }
 
   [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
@@ -80,7 +86,9 @@ class RandomRecording {
     ++tick_;
   }
   void idle(int ticks) {
-    for (int i = 0; i < ticks; ++i) add(ExercisePhase::kTracking, 0.0);
+    for (int i = 0; i < ticks; ++i) {
+      add(ExercisePhase::kTracking, 0.0);
+    }
   }
   void skip(int ticks) { tick_ += ticks; }
   void setTarget(double target_deg) {
@@ -88,12 +96,16 @@ class RandomRecording {
     next_ = {ServoCommand::Kind::kSetTarget, radians(target_deg)};
   }
   void touch() {
-    for (int i = 0; i < 80; ++i) add(ExercisePhase::kTwisting, 1.5 * i / 80.0);
+    for (int i = 0; i < 80; ++i) {
+      add(ExercisePhase::kTwisting, 1.5 * i / 80.0);
+    }
     back(1.5);
   }
   void back(double angle_deg) {
     const int ticks = whole(100, 300);
-    for (int i = 0; i < ticks; ++i) add(ExercisePhase::kReleased, angle_deg * std::exp(-0.03 * i));
+    for (int i = 0; i < ticks; ++i) {
+      add(ExercisePhase::kReleased, angle_deg * std::exp(-0.03 * i));
+    }
     idle(whole(20, 200));
   }
 
@@ -108,9 +120,15 @@ class RandomRecording {
     const double error = error_deg();
     const double end_deg = chance(0.1) ? 1.0 : target_deg_ + error;
     const double top_deg = target_deg_ + std::max(0.0, error);
-    for (int i = 1; i <= turn; ++i) add(ExercisePhase::kTwisting, top_deg * i / turn);
-    if (chance(0.15)) skip(whole(2, 19));   // short: the metrics bridge it
-    if (chance(0.1)) skip(whole(25, 200));  // long: the metrics of this twist are undefined
+    for (int i = 1; i <= turn; ++i) {
+      add(ExercisePhase::kTwisting, top_deg * i / turn);
+    }
+    if (chance(0.15)) {
+      skip(whole(2, 19));  // short: the metrics bridge it
+    }
+    if (chance(0.1)) {
+      skip(whole(25, 200));  // long: the metrics of this twist are undefined
+    }
     if (chance(0.15)) {
       next_ = {ServoCommand::Kind::kSetTarget, radians(end_deg - error)};
       target_deg_ = end_deg - error;
@@ -128,7 +146,9 @@ class RandomRecording {
   void letGo(double end_deg) {
     const bool blind = chance(0.1);
     const bool lost = chance(0.1);
-    if (blind) skip(whole(25, 60));
+    if (blind) {
+      skip(whole(25, 60));
+    }
     if (blind || lost) {
       ++truth_.unfinished;
     } else {
@@ -137,8 +157,12 @@ class RandomRecording {
       truth_.onTarget += error <= kTolerance_deg ? 1 : 0;
       truth_.errorSum_deg += error;
     }
-    if (lost) add(ExercisePhase::kReleased, end_deg, kDeviceLost);
-    if (!blind && !lost && chance(0.2)) setTarget(between(30.0, 120.0));  // too late for this twist
+    if (lost) {
+      add(ExercisePhase::kReleased, end_deg, kDeviceLost);
+    }
+    if (!blind && !lost && chance(0.2)) {
+      setTarget(between(30.0, 120.0));  // too late for this twist
+    }
     back(end_deg);
   }
 
@@ -159,7 +183,9 @@ class OneNumber : public ::testing::Test {
         .addUser({.id = "statistician", .login = "statistician", .roles = {"statistician"}},
                  "a long enough password");
     Transaction transaction(centre_.connection());
-    for (int i = 0; i < kRecordings; ++i) record(i);
+    for (int i = 0; i < kRecordings; ++i) {
+      record(i);
+    }
     transaction.commit();
   }
 
@@ -216,25 +242,37 @@ class OneNumber : public ::testing::Test {
 
 double meanError_deg(const std::vector<TwistResult>& twists) {
   double sum = 0.0;
-  for (const TwistResult& twist : twists) sum += degrees(std::abs(twist.released_rad - twist.target_rad));
+  for (const TwistResult& twist : twists) {
+    sum += degrees(std::abs(twist.released_rad - twist.target_rad));
+  }
   return sum / static_cast<double>(twists.size());
 }
 
 TEST_F(OneNumber, IsTheSameForTheSameRunOnEveryWayThatReadsIt) {
   // Each way is the first to look at some of the runs: who measures must not matter.
   for (const auto& [trialId, truth] : truths_) {
-    if (trialId.back() == '1') static_cast<void>(debrief(centre_.workplace(), trialId, "no assets here"));
-    if (trialId.back() == '2') static_cast<void>(attemptOf(centre_.workplace(), trialId));
+    if (trialId.back() == '1') {
+      static_cast<void>(debrief(centre_.workplace(), trialId, "no assets here"));
+    }
+    if (trialId.back() == '2') {
+      static_cast<void>(attemptOf(centre_.workplace(), trialId));
+    }
   }
   const CohortInputs reported = report();
   const Transcript paper = transcript(centre_.workplace(), centre_.person());
   const Trend way = trend(centre_.workplace(), centre_.person(), centre_.module("first"));
   std::map<std::string, TrialSummaryRow> rows;
-  for (const TrialSummaryRow& row : reported.trials) rows[row.trialId] = row;
+  for (const TrialSummaryRow& row : reported.trials) {
+    rows[row.trialId] = row;
+  }
   std::map<std::string, TrendPoint> points;
-  for (const TrendPoint& point : way.points) points[point.trialId] = point;
+  for (const TrendPoint& point : way.points) {
+    points[point.trialId] = point;
+  }
   std::map<std::string, Attempt> attempts;
-  for (const Attempt& attempt : paper.modules.at(0).attempts) attempts[attempt.trialId] = attempt;
+  for (const Attempt& attempt : paper.modules.at(0).attempts) {
+    attempts[attempt.trialId] = attempt;
+  }
   ASSERT_EQ(rows.size(), truths_.size());
   Truth all;
   for (const auto& [trialId, truth] : truths_) {
@@ -265,7 +303,9 @@ TEST_F(OneNumber, IsTheSameForTheSameRunOnEveryWayThatReadsIt) {
     EXPECT_DOUBLE_EQ(attempt.duration_s / 60.0, row.minutes) << trialId;
     const auto share = attempt.values.find(kOnTargetMetric);
     EXPECT_EQ(points.at(trialId).value.has_value(), truth.completed > 0) << trialId;
-    if (truth.completed == 0) continue;
+    if (truth.completed == 0) {
+      continue;
+    }
     const auto completed = static_cast<double>(truth.completed);
     EXPECT_NEAR(*row.meanAbsoluteError_deg, truth.errorSum_deg / completed, 1e-4) << trialId;
     EXPECT_DOUBLE_EQ(share->second, static_cast<double>(truth.onTarget) / completed) << trialId;
@@ -278,7 +318,9 @@ TEST_F(OneNumber, IsTheSameInTheDebriefAndInItsMasteryCheck) {
   ASSERT_EQ(reported.trials.size(), truths_.size());
 
   for (const TrialSummaryRow& row : reported.trials) {
-    if (row.trialId.back() != '3' && row.trialId.back() != '7') continue;  // a debrief takes its time
+    if (row.trialId.back() != '3' && row.trialId.back() != '7') {
+      continue;  // a debrief takes its time
+    }
     const Debrief told = debrief(centre_.workplace(), row.trialId, "no assets here");
     const auto passed =
         std::count_if(told.twists.begin(), told.twists.end(), [](const TwistResult& t) { return t.passed; });
@@ -291,7 +333,9 @@ TEST_F(OneNumber, IsTheSameInTheDebriefAndInItsMasteryCheck) {
     const TargetCheck& mastery = told.checks.back();
     ASSERT_EQ(mastery.metric, kOnTargetMetric);
     EXPECT_EQ(mastery.value.has_value(), row.twists > 0) << row.trialId;
-    if (row.twists == 0) continue;
+    if (row.twists == 0) {
+      continue;
+    }
     EXPECT_DOUBLE_EQ(*mastery.value,
                      static_cast<double>(row.twistsOnTarget) / static_cast<double>(row.twists));
     EXPECT_NEAR(meanError_deg(told.twists), *row.meanAbsoluteError_deg, 1e-9) << row.trialId;
@@ -303,9 +347,13 @@ TEST_F(OneNumber, IsTheSameInTheExportedTable) {
   std::map<std::string, std::map<std::string, std::string>> cells;  // by trial: statistic -> value
   std::map<std::string, std::string> block;
   for (const CohortCsvRow& row : cohortCsvRows(reported)) {
-    if (row.section != "trial") continue;
+    if (row.section != "trial") {
+      continue;
+    }
     block[row.statistic] = row.value;
-    if (row.statistic == "trial") cells[row.value] = std::exchange(block, {});
+    if (row.statistic == "trial") {
+      cells[row.value] = std::exchange(block, {});
+    }
   }
 
   ASSERT_EQ(cells.size(), truths_.size());

@@ -101,7 +101,9 @@ TEST(RosterAccounts, GivingUpKeepsTheAccountsThatWereMade) {
 
   EXPECT_THROW(addAccounts(workplace, trainees, made,
                            [](const Progress& progress) {
-                             if (progress.fraction >= 0.5) throw Error(ErrorCode::kBadData, "stop", "", "");
+                             if (progress.fraction >= 0.5) {
+                               throw Error(ErrorCode::kBadData, "stop", "", "");
+                             }
                            }),
                Error);
 

@@ -55,7 +55,9 @@ bool refused(const ServiceCall& call, Workplace& workplace, const std::filesyste
 TEST(PermissionMatrix, EveryOperationIsAskedForByAServiceThatIsCalledHere) {
   OfficeCentre centre;
   std::set<std::string> covered;
-  for (const ServiceCall& call : calls()) covered.emplace(operationCode(call.operation));
+  for (const ServiceCall& call : calls()) {
+    covered.emplace(operationCode(call.operation));
+  }
 
   for (const std::string& operation : AccessRepository(centre.connection()).operations()) {
     EXPECT_TRUE(covered.contains(operation)) << operation;
@@ -85,11 +87,14 @@ TEST(PermissionMatrix, EveryServiceFunctionIsCalledHere) {
   std::size_t found = 0;
   const std::filesystem::path app = std::filesystem::path(TORSIO_SOURCE_DIR) / "app";
   for (const auto& entry : std::filesystem::recursive_directory_iterator(app)) {
-    if (entry.path().extension() != ".h" || entry.path().string().find("/gui/") != std::string::npos)
+    if (entry.path().extension() != ".h" || entry.path().string().find("/gui/") != std::string::npos) {
       continue;
+    }
     const std::string text = readFile(entry.path());
     for (std::sregex_iterator at(text.begin(), text.end(), declaration), end; at != end; ++at) {
-      if ((*at)[1] == "StationHeartbeat") continue;  // writes what the station shows of itself
+      if ((*at)[1] == "StationHeartbeat") {
+        continue;  // writes what the station shows of itself
+      }
       EXPECT_TRUE(called.contains((*at)[1])) << (*at)[1] << " in " << entry.path();
       ++found;
     }
@@ -153,7 +158,9 @@ struct ScoredCase {
     const StoredRubricRevision revision = sheets.revision(rubric).value();
     for (const StoredAssignment& one : sheets.assignmentsOf(raterId)) {
       Sheet sheet{.overall_steps = 70};
-      for (const StoredRubricRow& row : revision.rows) sheet.rows.push_back({row.code, 70, ""});
+      for (const StoredRubricRow& row : revision.rows) {
+        sheet.rows.push_back({row.code, 70, ""});
+      }
       sheets.submit(one.id, centre.workplace().ids().newUuid(), sheet, "", centre.workplace().now_us());
     }
   }
@@ -197,7 +204,9 @@ TEST(PermissionMatrix, ARefusedCallLeavesTheRecordAsItIs) {
 
   for (const std::string& role : access.roles()) {
     for (const ServiceCall& call : calls()) {
-      if (allowed.contains({role, std::string(operationCode(call.operation))})) continue;
+      if (allowed.contains({role, std::string(operationCode(call.operation))})) {
+        continue;
+      }
       (void)refused(call, centre.as(role), centre.folder());
       ASSERT_EQ(centre.rowCounts(), before) << role << " calls " << call.name;
     }
@@ -220,7 +229,9 @@ TEST(PermissionMatrix, NobodyUnknownDisabledAndPracticeOnlyUsersAreRefusedEveryt
 
   for (const Actor& actor : {nobody, unknown, disabled, practiceOnly}) {
     for (const ServiceCall& call : calls()) {
-      if (actor.practiceOnly && call.operation == Operation::kPractice) continue;  // all that a PIN opens
+      if (actor.practiceOnly && call.operation == Operation::kPractice) {
+        continue;  // all that a PIN opens
+      }
       Workplace& workplace = centre.workplace();
       workplace.setActor(actor);
       EXPECT_TRUE(refused(call, workplace, centre.folder())) << actor.login << " calls " << call.name;

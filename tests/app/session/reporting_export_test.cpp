@@ -48,8 +48,9 @@ struct SmallStudy {
 
 TEST(ReportInputs, AreForThoseWhoMayComputeResults) {
   SmallStudy study;
-  for (const char* role : {"trainee", "rater", "allocator", ""})
+  for (const char* role : {"trainee", "rater", "allocator", ""}) {
     EXPECT_THROW((void)reportInputs(study.centre.as(role), study.request, study.digests), Error) << role;
+  }
 
   const CohortInputs inputs = reportInputs(study.centre.as("administrator"), study.request, study.digests);
 
@@ -67,8 +68,9 @@ TEST(ReportInputs, NameTraineesOnlyForWhoMaySeeNames) {
   EXPECT_THROW((void)reportInputs(study.centre.as("statistician"), study.request, study.digests), Error);
   const CohortInputs inputs = reportInputs(study.centre.as("administrator"), study.request, study.digests);
 
-  for (const CohortTrainee& trainee : inputs.trainees)
+  for (const CohortTrainee& trainee : inputs.trainees) {
     EXPECT_NE(trainee.code.find(" Trainee "), std::string::npos) << trainee.code;
+  }
 }
 
 TEST(ReportInputs, SayWhetherTheRecordIsStillWhatWasFrozen) {
@@ -95,20 +97,22 @@ TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
   plan.name = "Spring";
   plan.instrument = paperEvaluationInstrument();
   plan.models = {{"PM", "proposed"}, {"FEM", "finite elements"}};
-  for (const char* raterClass : {"intern", "deputy_chief", "chief"})
+  for (const char* raterClass : {"intern", "deputy_chief", "chief"}) {
     plan.raterIds.push_back(addPerson(
         workplace,
         {.fullName = "Rater", .externalId = raterClass, .trainee = false, .raterClass = raterClass}));
+  }
   study.request.campaignId = addCampaign(workplace, plan);
   const auto submit = [&](const std::string& raterId, const std::string& model) {
     std::vector<StoredEvaluationMark> marks;
-    for (std::int64_t index = 1; index <= 9; ++index)
+    for (std::int64_t index = 1; index <= 9; ++index) {
       marks.push_back({.id = workplace.ids().newUuid(),
                        .raterId = raterId,
                        .modelCode = model,
                        .indexNumber = index,
                        .score_steps = 70,
                        .submittedUtc_us = testing::kOfficeTime_us});
+    }
     EvaluationRepository(study.centre.connection()).submit(study.request.campaignId, marks);
   };
   submit(plan.raterIds[0], "PM");
@@ -128,9 +132,13 @@ TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
   ASSERT_NE(section, report.sections.end());
   EXPECT_NE(section->paragraphs.at(0).str().find("27 marks are in so far"), std::string::npos);
 
-  for (const std::string& rater : {plan.raterIds[1], plan.raterIds[2]})
-    for (const char* model : {"PM", "FEM"})
-      if (rater != plan.raterIds[2] || model != std::string("PM")) submit(rater, model);
+  for (const std::string& rater : {plan.raterIds[1], plan.raterIds[2]}) {
+    for (const char* model : {"PM", "FEM"}) {
+      if (rater != plan.raterIds[2] || model != std::string("PM")) {
+        submit(rater, model);
+      }
+    }
+  }
   const CohortInputs finished = reportInputs(workplace, study.request, study.digests);
   EXPECT_FALSE(finished.unfinishedEvaluation);
   ASSERT_EQ(finished.evaluations.size(), 2U);
@@ -171,7 +179,9 @@ void record(SmallStudy& study, const std::string& trialId, std::size_t ticks) {
 
 std::vector<std::pair<double, bool>> pairs(const std::vector<TwistAttempt>& attempts) {
   std::vector<std::pair<double, bool>> out;
-  for (const TwistAttempt& attempt : attempts) out.emplace_back(attempt.error_deg, attempt.onTarget);
+  for (const TwistAttempt& attempt : attempts) {
+    out.emplace_back(attempt.error_deg, attempt.onTarget);
+  }
   return out;
 }
 

@@ -48,8 +48,9 @@ WatchLog whole() {
 }
 
 void expectNoSecretIn(ReviewCentre& centre, const std::string& text) {
-  for (const std::string& secret : centre.secrets())
+  for (const std::string& secret : centre.secrets()) {
     EXPECT_EQ(text.find(secret), std::string::npos) << secret;
+  }
 }
 
 TEST(BlindedRecording, PlaysTheSameSamplesUnderACaseLabel) {
@@ -62,8 +63,9 @@ TEST(BlindedRecording, PlaysTheSameSamplesUnderACaseLabel) {
 
   EXPECT_EQ(decodeTrial(recording.trial), decodeTrial(original));
   ASSERT_EQ(recording.trial.chunks.size(), original.chunks.size());
-  for (std::size_t i = 0; i < original.chunks.size(); ++i)
+  for (std::size_t i = 0; i < original.chunks.size(); ++i) {
     EXPECT_EQ(recording.trial.chunks[i].outputDigest, original.chunks[i].outputDigest);
+  }
   const TrialHeader& header = recording.trial.header;
   expectNoSecretIn(centre, header.trialId + header.traineeCode + header.phaseLabel + header.softwareVersion +
                                recording.label + recording.digest + recording.trial.summary.contentHash);
@@ -276,7 +278,9 @@ TEST(EvaluationForm, HidesTheModelsAndKeepsTheOwnOrder) {
   EXPECT_EQ(forms[0].models[1].hiddenLabel, "K");
   EXPECT_EQ(forms[0].indices.size(), 9U);
   EXPECT_EQ(evaluationForms(*centre.physician(1))[0].models[0].hiddenLabel, "K");
-  for (std::size_t i = 0; i < 8; ++i) saveEvaluationScore(*desk, campaign.id, "M", i, 73);
+  for (std::size_t i = 0; i < 8; ++i) {
+    saveEvaluationScore(*desk, campaign.id, "M", i, 73);
+  }
   EXPECT_EQ(refusal([&] { submitEvaluation(*desk, campaign.id, "M"); }).first, ErrorCode::kBadData);
   saveEvaluationScore(*desk, campaign.id, "M", 8, 100);
   EXPECT_EQ(evaluationForms(*desk)[0].models[0].scores[0], 73);  // the draft is on the disk
@@ -301,7 +305,9 @@ TEST(ReviewDesk, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
   campaign.models = {{"PM", "proposed model", "K", 1}};
   campaign.raters = {{centre.raterId(0), "chief", "PM"}};
   EvaluationRepository(centre.connection()).addCampaign(campaign);
-  for (std::size_t i = 0; i < 9; ++i) saveEvaluationScore(*desk, campaign.id, "K", i, 73);
+  for (std::size_t i = 0; i < 9; ++i) {
+    saveEvaluationScore(*desk, campaign.id, "K", i, 73);
+  }
   const auto auditedBy = [&](Workplace& by, const char* action, const std::function<void()>& change) {
     testing::expectAudited(centre.connection(), by.actor().userId, action, change);
     EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty()) << action;

@@ -32,7 +32,9 @@ const Scene& bar() {
 Actor actorIn(Connection& connection, const std::string& login) {
   Actor actor;
   for (const StoredUser& user : AccessRepository(connection).users()) {
-    if (user.login == login) actor = {user.id, user.login, user.personId, user.roles, false};
+    if (user.login == login) {
+      actor = {user.id, user.login, user.personId, user.roles, false};
+    }
   }
   return actor;
 }
@@ -59,7 +61,9 @@ ReviewCentre::ReviewCentre(const std::filesystem::path& folder)
 ReviewCentre::~ReviewCentre() {
   connection_.reset();
   std::error_code ignored;
-  if (owner_) std::filesystem::remove_all(folder_, ignored);
+  if (owner_) {
+    std::filesystem::remove_all(folder_, ignored);
+  }
 }
 
 void ReviewCentre::open() {
@@ -194,7 +198,9 @@ std::string ReviewCentre::raterId(std::size_t index) {
 std::vector<std::string> ReviewCentre::cases(std::size_t index, bool live) {
   std::vector<std::string> ids;
   for (const QueueEntry& entry : SheetRepository(*connection_).queue(raterId(index))) {
-    if (entry.trialId.empty() == live) ids.push_back(entry.assignmentId);
+    if (entry.trialId.empty() == live) {
+      ids.push_back(entry.assignmentId);
+    }
   }
   return ids;
 }
@@ -202,7 +208,9 @@ std::vector<std::string> ReviewCentre::cases(std::size_t index, bool live) {
 std::string ReviewCentre::caseAbout(std::size_t index, std::size_t trainee) {
   DeskRepository desk(*connection_);
   for (const std::string& id : cases(index)) {
-    if (desk.assignment(id)->trialId == trialIds_.at(trainee)) return id;
+    if (desk.assignment(id)->trialId == trialIds_.at(trainee)) {
+      return id;
+    }
   }
   return {};
 }
@@ -213,15 +221,20 @@ std::vector<std::string> ReviewCentre::secrets() {
   for (const StoredTrainee& trainee : PeopleRepository(*connection_).trainees()) {
     found.push_back(trainee.person.code);
     found.push_back(trainee.person.id);
-    if (const auto identity = PeopleRepository(*connection_).identity(trainee.person.id))
+    if (const auto identity = PeopleRepository(*connection_).identity(trainee.person.id)) {
       found.push_back(identity->fullName);
+    }
   }
   for (const TrialListing& trial : TrialRepository(*connection_).list()) {
     found.push_back(trial.trialId);
     found.push_back(trial.trialId.substr(0, 8));
-    if (trial.summary) found.push_back(trial.summary->contentHash.substr(0, 8));
+    if (trial.summary) {
+      found.push_back(trial.summary->contentHash.substr(0, 8));
+    }
   }
-  for (const std::string& id : enrolmentIds_) found.push_back(id);
+  for (const std::string& id : enrolmentIds_) {
+    found.push_back(id);
+  }
   return found;
 }
 

@@ -42,8 +42,9 @@ TEST(KilledSheet, LosesNoKeystrokeThatWasSaved) {
   program.start(QCoreApplication::applicationFilePath(),
                 {QString::fromLatin1(kScore), QString::fromStdString(centre.folder().string())});
   QByteArray said;
-  while (said.count('\n') < 20 && program.waitForReadyRead(kPatience_ms))
+  while (said.count('\n') < 20 && program.waitForReadyRead(kPatience_ms)) {
     said += program.readAllStandardOutput();
+  }
 
   program.kill();  // SIGKILL: no destructor, no flush
   ASSERT_TRUE(program.waitForFinished(kPatience_ms));
@@ -58,8 +59,9 @@ TEST(KilledSheet, LosesNoKeystrokeThatWasSaved) {
   const auto reported = static_cast<std::size_t>(said.count('\n'));
   EXPECT_GE(opened.sheet.comment.size(), reported);
   EXPECT_LE(opened.sheet.comment.size(), reported + 1);
-  for (std::size_t i = 0; i < opened.sheet.comment.size(); ++i)
+  for (std::size_t i = 0; i < opened.sheet.comment.size(); ++i) {
     ASSERT_EQ(opened.sheet.comment[i], static_cast<char>('a' + i % 26));
+  }
 }
 
 }  // namespace
@@ -67,7 +69,9 @@ TEST(KilledSheet, LosesNoKeystrokeThatWasSaved) {
 
 int main(int argc, char** argv) {
   const QCoreApplication application(argc, argv);
-  if (argc == 3 && std::strcmp(argv[1], torsio::kScore) == 0) torsio::scoreForever(argv[2]);
+  if (argc == 3 && std::strcmp(argv[1], torsio::kScore) == 0) {
+    torsio::scoreForever(argv[2]);
+  }
   ::testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

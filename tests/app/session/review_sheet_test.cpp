@@ -59,7 +59,9 @@ TEST(SheetEditor, UndoesToTheFirstMarkAndComesBack) {
   editor.clearAll();
 
   int undone = 0;
-  while (editor.undo()) ++undone;
+  while (editor.undo()) {
+    ++undone;
+  }
 
   EXPECT_EQ(undone, 5);
   EXPECT_FALSE(editor.answer("time").given());
@@ -76,7 +78,9 @@ TEST(SheetEditor, UndoesToTheFirstMarkAndComesBack) {
 TEST(SheetEditor, TypingInOneTextIsOneStepAndNamesItself) {
   SheetEditor editor(twoRows(), {});
   editor.setScore("time", 70);
-  for (const char* text : {"c", "ca", "cal", "calm"}) editor.setComment(text);
+  for (const char* text : {"c", "ca", "cal", "calm"}) {
+    editor.setComment(text);
+  }
 
   ASSERT_TRUE(editor.undoable().has_value());
   EXPECT_EQ(editor.undoable()->kind, SheetChange::Kind::kComment);
@@ -142,7 +146,9 @@ TEST(WatchLog, CountsWhatWentByOnceAndSurvivesStorage) {
 TEST(RangePyramid, AnswersAsALoopOverAllValues) {
   Random random(7);
   std::vector<float> values;
-  for (int i = 0; i < 5'003; ++i) values.push_back(static_cast<float>(random.uniform()));
+  for (int i = 0; i < 5'003; ++i) {
+    values.push_back(static_cast<float>(random.uniform()));
+  }
   const RangePyramid pyramid(values);
   for (int n = 0; n < 500; ++n) {
     auto first = static_cast<std::size_t>(random.uniform() * 5'002.0);
@@ -227,7 +233,9 @@ TEST(CaseSheet, NotAssessableNeedsAReasonAndNoWatching) {
   const auto desk = centre.physician(0);
   const std::string id = centre.cases(0).front();
   SheetEditor editor(openSheet(*desk, id).rubric, {});
-  for (const std::string& row : editor.order()) editor.setNotAssessable(row, "nothing to see");
+  for (const std::string& row : editor.order()) {
+    editor.setNotAssessable(row, "nothing to see");
+  }
 
   submitSheet(*desk, id, editor.sheet(), WatchLog(2'000'000));
 

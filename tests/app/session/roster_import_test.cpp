@@ -102,7 +102,9 @@ TEST(RosterImport, GivesEveryLineItsStatusAndSaysWhatToMend) {
   EXPECT_EQ(preview.rows[4].problem, "the external_id is missing");
   EXPECT_EQ(preview.rows[5].problem, "the number S-3 stands on line 4 already");
   EXPECT_EQ(preview.rows[6].problem, "the line has 3 values, the header 5");
-  for (std::size_t i = 3; i < 7; ++i) EXPECT_FALSE(preview.rows[i].remedy.empty()) << i;
+  for (std::size_t i = 3; i < 7; ++i) {
+    EXPECT_FALSE(preview.rows[i].remedy.empty()) << i;
+  }
   EXPECT_EQ(preview.errors, 4U);
   EXPECT_FALSE(preview.importable());
 }
@@ -142,7 +144,9 @@ TEST(RosterImport, GivesPseudonymsAndKeepsNamesOutOfTheTrail) {
   for (const AuditEntry& entry : AuditRepository(centre.connection()).entries()) {
     EXPECT_EQ((entry.oldJson + entry.newJson + entry.reason).find("Onymous"), std::string::npos);
   }
-  for (const PersonRow& row : people(workplace)) EXPECT_TRUE(row.trainee);
+  for (const PersonRow& row : people(workplace)) {
+    EXPECT_TRUE(row.trainee);
+  }
   EXPECT_EQ(namedPeople(workplace).size(), 2U);
 }
 
@@ -182,7 +186,9 @@ TEST(RosterImport, ReadsRatersWithTheirClass) {
 
   EXPECT_EQ(outcome.newCodes, (std::vector<std::string>{"R-01", "R-02", "R-03"}));
   std::map<std::string, std::size_t> classes;
-  for (const PersonRow& row : people(workplace)) ++classes[row.raterClass];
+  for (const PersonRow& row : people(workplace)) {
+    ++classes[row.raterClass];
+  }
   EXPECT_EQ(classes["chief"], 2U);
   EXPECT_EQ(classes["deputy_chief"], 1U);
   EXPECT_EQ(look(workplace, "staff id,name,class\nC-9,Xu,professor\n", RosterKind::kRaters).errors, 1U);
@@ -191,8 +197,9 @@ TEST(RosterImport, ReadsRatersWithTheirClass) {
 TEST(RosterImport, ThousandLinesTakeNoTimeWorthMentioning) {
   OfficeCentre centre;
   std::string text = "id,name,level\n";
-  for (int i = 0; i < 1000; ++i)
+  for (int i = 0; i < 1000; ++i) {
     text += "S-" + std::to_string(i) + ",Person " + std::to_string(i) + ",graduate\n";
+  }
 
   const RosterOutcome outcome = commitRoster(centre.as("administrator"), text);
 

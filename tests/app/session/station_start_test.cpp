@@ -100,9 +100,13 @@ class StationStartTest : public ::testing::Test {
     ServoLoop servo({.device = &device, .scene = &testing::trainingBar(), .recording = &ring}, {});
     for (std::int64_t tick = 0; tick < seconds * 1000; ++tick) {
       servo.tick(tick * kTickPeriod_us);
-      if (tick % 1000 == 999) recorder.pump();
+      if (tick % 1000 == 999) {
+        recorder.pump();
+      }
     }
-    if (!finish) return std::nullopt;
+    if (!finish) {
+      return std::nullopt;
+    }
     return recorder.finish(TrialOutcome::kCompleted, 0);
   }
 
@@ -121,21 +125,26 @@ class StationStartTest : public ::testing::Test {
   StationStart settle() { return settleStation(centre_.workplace(), folder()); }
   /// Nobody has written to the files for long.
   void letFilesRest() const {
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder()))
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder())) {
       fs::last_write_time(entry, fs::last_write_time(entry) - std::chrono::minutes(1));
+    }
   }
   std::int64_t logged_us() {
     std::int64_t total_us = 0;
     for (const StoredExposure& exposure :
-         StudyRepository(centre_.connection()).exposures(centre_.cohort().id))
+         StudyRepository(centre_.connection()).exposures(centre_.cohort().id)) {
       total_us += exposure.duration_us;
+    }
     return total_us;
   }
   std::optional<AuditEntry> note(const std::string& action) {
     const std::vector<AuditEntry> entries =
         AuditRepository(centre_.connection()).entries({.objectKind = "trial"});
-    for (const AuditEntry& entry : entries)
-      if (entry.action == action) return entry;
+    for (const AuditEntry& entry : entries) {
+      if (entry.action == action) {
+        return entry;
+      }
+    }
     return std::nullopt;
   }
 
@@ -276,7 +285,9 @@ TEST_F(StationStartTest, ARunShowsItselfOnTheBoardAndGoesFromItAtTheEnd) {
   second();
   EXPECT_EQ(board.find("station 1")->trialId, spec.trialId);
   const std::int64_t first_us = board.find("station 1")->heartbeatUtc_us;
-  for (int i = 0; i < 25; ++i) second();
+  for (int i = 0; i < 25; ++i) {
+    second();
+  }
   EXPECT_EQ(board.find("station 1")->heartbeatUtc_us, first_us + 2 * kHeartbeat_us);
   EXPECT_TRUE(board.ownerOf(spec.trialId, centre_.workplace().now_us() - kStationSilence_us).has_value());
   session.stop("power");

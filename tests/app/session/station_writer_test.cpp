@@ -52,7 +52,9 @@ class Gate {
 template <typename Condition>
 bool soon(const Condition& condition) {
   const auto end = std::chrono::steady_clock::now() + kLong;
-  while (!condition() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  while (!condition() && std::chrono::steady_clock::now() < end) {
+    std::this_thread::yield();
+  }
   return condition();
 }
 
@@ -66,7 +68,9 @@ TEST(StationWriter, ShowsWhoIsHereAndWritesInOrder) {
   std::vector<int> order;
   StationWriter line(keyOf(centre, trainee), kQuick);
 
-  for (int i = 0; i < 3; ++i) line.write([&order, i](Workplace&) { order.push_back(i); });
+  for (int i = 0; i < 3; ++i) {
+    line.write([&order, i](Workplace&) { order.push_back(i); });
+  }
 
   ASSERT_TRUE(line.settled(kLong));
   EXPECT_EQ(order, (std::vector<int>{0, 1, 2}));
@@ -139,7 +143,9 @@ TEST(StationWriter, AServerThatHangsHoldsUpNobodyAndWhatWaitsIsWrittenLater) {
         },
         kQuick);
 
-    for (int i = 0; i < 3; ++i) line.write([&written](Workplace&) { ++written; });
+    for (int i = 0; i < 3; ++i) {
+      line.write([&written](Workplace&) { ++written; });
+    }
     EXPECT_TRUE(soon([&] { return !line.answers(); }));
     EXPECT_EQ(line.waiting(), 3U);
     EXPECT_EQ(written.load(), 0);
@@ -159,7 +165,9 @@ TEST(StationWriter, AServerThatIsAwayIsAskedAgainAndARefusedWriteIsGivenUp) {
   StationWriter line(
       [&away, &tries, key] {
         ++tries;
-        if (away) throw DbError(DbFault::kUnreachable, "", "away", "server", "");
+        if (away) {
+          throw DbError(DbFault::kUnreachable, "", "away", "server", "");
+        }
         return std::make_unique<Workplace>(key);
       },
       kQuick);
@@ -229,8 +237,9 @@ TEST(StationWriter, ARunGoesOnWhileTheServerHangsAndItsTimeIsLoggedAfterwards) {
   gate.open();
   ASSERT_TRUE(line.settled(kLong));
   std::int64_t logged_us = 0;
-  for (const StoredExposure& exposure : studies.exposures(centre.cohort().id))
+  for (const StoredExposure& exposure : studies.exposures(centre.cohort().id)) {
     logged_us += exposure.duration_us;
+  }
   EXPECT_EQ(logged_us, 60 * kSecond_us);
   EXPECT_EQ(studies.deviations(centre.cohort().id).size(), 1U);
   EXPECT_EQ(line.refused(), 0U);
@@ -283,7 +292,9 @@ TEST(TimedTrialSink, ARecordingWhoseDatabaseHangsGoesToAFileWithEverySample) {
     Sample sample;
     sample.tick = tick;
     ASSERT_TRUE(ring.push(sample));
-    if (tick % 1000 == 999) recorder.pump();
+    if (tick % 1000 == 999) {
+      recorder.pump();
+    }
   }
   const RecordingResult result = recorder.finish(TrialOutcome::kCompleted, 0);
 

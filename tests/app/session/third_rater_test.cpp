@@ -59,8 +59,9 @@ class Disagreement : public ::testing::Test {
 
   std::string addRater(const std::string& code, const std::string& classCode) {
     PeopleRepository people(centre_.connection());
-    if (classCode != "chief")
+    if (classCode != "chief") {
       people.addRaterClasses(std::vector<StoredRaterClass>{{classCode, classCode, 2}});
+    }
     StoredRater rater;
     rater.person.id = "rater-" + code;
     rater.person.code = code;
@@ -145,7 +146,9 @@ TEST(ReferenceRuns, AreOfferedFromRecordingsThatNobodyScores) {
   copy.header.trialId = free;
   TrialRepository repository(centre.connection(), {.station = "station-7"});
   repository.begin(copy.header);
-  for (const TrialChunk& chunk : copy.chunks) repository.append(chunk);
+  for (const TrialChunk& chunk : copy.chunks) {
+    repository.append(chunk);
+  }
   repository.finish(copy.summary);
 
   const std::vector<ReferenceCandidate> candidates = referenceCandidates(*office);

@@ -71,7 +71,9 @@ TrainingCentre::~TrainingCentre() {
   workplace_.reset();
   connection_.reset();
   std::error_code ignored;
-  if (owner_) std::filesystem::remove_all(folder_, ignored);
+  if (owner_) {
+    std::filesystem::remove_all(folder_, ignored);
+  }
 }
 
 void TrainingCentre::open() {
@@ -172,7 +174,9 @@ void TrainingCentre::fill(const Setup& setup) {
 
 void TrainingCentre::become(const std::string& who) {
   for (const StoredUser& user : AccessRepository(*connection_, PasswordCost::kTest).users()) {
-    if (user.login == who) workplace_->setActor({user.id, user.login, user.personId, user.roles, false});
+    if (user.login == who) {
+      workplace_->setActor({user.id, user.login, user.personId, user.roles, false});
+    }
   }
 }
 
@@ -181,15 +185,21 @@ StoredCohort TrainingCentre::cohort() {
 }
 
 std::string TrainingCentre::enrolment(const std::string& traineeCode) {
-  for (const StoredEnrolment& enrolment : StudyRepository(*connection_).enrolments(cohort().id))
-    if (enrolment.traineeCode == traineeCode) return enrolment.id;
+  for (const StoredEnrolment& enrolment : StudyRepository(*connection_).enrolments(cohort().id)) {
+    if (enrolment.traineeCode == traineeCode) {
+      return enrolment.id;
+    }
+  }
   return {};
 }
 
 std::string TrainingCentre::module(const std::string& code) {
   const auto version = CurriculumRepository(*connection_).version(cohort().curriculumVersionId);
-  for (const StoredModule& module : version->modules)
-    if (module.code == code) return module.id;
+  for (const StoredModule& module : version->modules) {
+    if (module.code == code) {
+      return module.id;
+    }
+  }
   return {};
 }
 

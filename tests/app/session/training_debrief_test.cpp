@@ -84,8 +84,9 @@ TEST(Debrief, PassesAnExpertAndFailsWhoDidNothing) {
   const Debrief passed = debrief(centre.workplace(), good, {}, &trainingBar());
   const Debrief failed = debrief(centre.workplace(), idle, {}, &trainingBar());
 
-  for (const TargetCheck& check : passed.checks)
+  for (const TargetCheck& check : passed.checks) {
     EXPECT_TRUE(check.passed) << static_cast<int>(check.kind) << " " << check.value.value_or(-1.0);
+  }
   EXPECT_TRUE(passed.passed);
   EXPECT_FALSE(failed.passed);
   EXPECT_TRUE(failed.twists.empty());
@@ -213,7 +214,9 @@ TEST(Trend, ShowsEveryAttemptAndTheWayToTheThreshold) {
 
 TEST(Trend, FitsALearningCurveFromEightAttemptsOn) {
   TrainingCentre centre;
-  for (int i = 0; i < 9; ++i) centre.attempt("first", "practice", 1.0 - 0.9 * std::exp(-0.4 * i), 10.0);
+  for (int i = 0; i < 9; ++i) {
+    centre.attempt("first", "practice", 1.0 - 0.9 * std::exp(-0.4 * i), 10.0);
+  }
 
   const Trend way = trend(centre.workplace(), centre.person(), centre.module("first"), "time.total");
 

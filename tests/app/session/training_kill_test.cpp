@@ -55,8 +55,9 @@ void trainAndKill(const TrainingCentre& centre, int seconds) {
   program.start(QCoreApplication::applicationFilePath(),
                 {QString::fromLatin1(kTrain), QString::fromStdString(centre.folder().string())});
   QByteArray said;
-  while (said.count('\n') < seconds && program.waitForReadyRead(kPatience_ms))
+  while (said.count('\n') < seconds && program.waitForReadyRead(kPatience_ms)) {
     said += program.readAllStandardOutput();
+  }
   program.kill();
   ASSERT_TRUE(program.waitForFinished(kPatience_ms));
   ASSERT_GE(said.count('\n'), seconds) << program.readAllStandardError().toStdString();
@@ -64,8 +65,9 @@ void trainAndKill(const TrainingCentre& centre, int seconds) {
 
 std::int64_t logged_us(TrainingCentre& centre) {
   std::int64_t total_us = 0;
-  for (const StoredExposure& exposure : StudyRepository(centre.connection()).exposures(centre.cohort().id))
+  for (const StoredExposure& exposure : StudyRepository(centre.connection()).exposures(centre.cohort().id)) {
     total_us += exposure.duration_us;
+  }
   return total_us;
 }
 
@@ -125,7 +127,9 @@ TEST(KilledRun, OfSomebodyElseIsClosedButNotShown) {
 
 int main(int argc, char** argv) {
   const QCoreApplication application(argc, argv);
-  if (argc == 3 && std::strcmp(argv[1], torsio::kTrain) == 0) torsio::trainForever(argv[2]);
+  if (argc == 3 && std::strcmp(argv[1], torsio::kTrain) == 0) {
+    torsio::trainForever(argv[2]);
+  }
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -166,7 +166,9 @@ TEST_F(RemarksTest, EveryChangeAtTheStationLeavesAnEntryAndTheTrailStaysWhole) {
 
 TEST(Transcript, HoldsEveryAttemptAndTheTimeSpent) {
   TrainingCentre centre;
-  for (int i = 0; i < 2; ++i) centre.attempt("first", "practice", 1.0);
+  for (int i = 0; i < 2; ++i) {
+    centre.attempt("first", "practice", 1.0);
+  }
   const StoredExposure hour{.id = "33333333-3333-4333-8333-333333333333",
                             .enrolmentId = centre.enrolment(),
                             .kind = "real",

@@ -35,18 +35,25 @@ class TrainingRunTest : public ::testing::Test {
   void pass(std::int64_t span_us, std::int64_t step_us = 200'000) {
     for (; span_us > 0; span_us -= step_us) {
       clock_.advance_us(std::min(span_us, step_us));
-      for (const RunEvent& event : run_.advance()) events_.push_back(event);
+      for (const RunEvent& event : run_.advance()) {
+        events_.push_back(event);
+      }
     }
   }
   [[nodiscard]] std::vector<Kind> kinds() const {
     std::vector<Kind> kinds;
-    for (const RunEvent& event : events_) kinds.push_back(event.kind);
+    for (const RunEvent& event : events_) {
+      kinds.push_back(event.kind);
+    }
     return kinds;
   }
   static std::int64_t sum(const std::vector<ExposurePiece>& pieces, const std::string& kind) {
     std::int64_t total_us = 0;
-    for (const ExposurePiece& piece : pieces)
-      if (piece.kind == kind) total_us += piece.duration_us;
+    for (const ExposurePiece& piece : pieces) {
+      if (piece.kind == kind) {
+        total_us += piece.duration_us;
+      }
+    }
     return total_us;
   }
 };
@@ -144,7 +151,9 @@ TEST_F(TrainingRunTest, AMachineThatSleptTrainedNobody) {
   run_.start();
   pass(kMinute_us);
   clock_.advance_us(45 * kMinute_us);  // the lid was closed
-  for (const RunEvent& event : run_.advance()) events_.push_back(event);
+  for (const RunEvent& event : run_.advance()) {
+    events_.push_back(event);
+  }
 
   EXPECT_EQ(run_.remainingInPhase_us(), 19 * kMinute_us);
   EXPECT_EQ(kinds().back(), Kind::kPaused);
@@ -162,7 +171,9 @@ TEST_F(TrainingRunTest, WaitingForTheMachineIsNoTraining) {
   EXPECT_EQ(run_.remainingInPhase_us(), 18 * kMinute_us);
   const std::vector<ExposurePiece> pieces = run_.takeExposure(true);
   std::int64_t sum_us = 0;
-  for (const ExposurePiece& piece : pieces) sum_us += piece.duration_us;
+  for (const ExposurePiece& piece : pieces) {
+    sum_us += piece.duration_us;
+  }
   EXPECT_EQ(sum_us, 2 * kMinute_us);
   EXPECT_EQ(kinds(), std::vector<Kind>{Kind::kPhaseBegan});
 }
@@ -198,7 +209,9 @@ TEST_F(TrainingRunTest, ExposureComesInPiecesAndAddsUp) {
 
 TEST_F(TrainingRunTest, RefusesAPlanWithNothingLeftToDo) {
   RunPlan plan = paperArm();
-  for (RunPhase& phase : plan.phases) phase.done_us = phase.duration_us;
+  for (RunPhase& phase : plan.phases) {
+    phase.done_us = phase.duration_us;
+  }
   EXPECT_THROW(TrainingRun(plan, clock_), Error);
   EXPECT_THROW(TrainingRun(RunPlan{}, clock_), Error);
   plan.phases[0].duration_us = 0;

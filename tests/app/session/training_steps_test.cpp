@@ -71,7 +71,9 @@ TEST(NextSteps, AModuleIsMasteredByEnoughGoodAttemptsInARow) {
 
 TEST(NextSteps, PracticeAtAGradedModuleDoesNotCount) {
   TrainingCentre centre;
-  for (int i = 0; i < 2; ++i) centre.attempt("first", "practice", 1.0);
+  for (int i = 0; i < 2; ++i) {
+    centre.attempt("first", "practice", 1.0);
+  }
   centre.attempt("second", "practice", 1.0);
   NextSteps steps = nextSteps(centre.workplace(), centre.person());
   EXPECT_EQ(steps.modules[1].state, StepState::kOpen);
@@ -86,9 +88,13 @@ TEST(NextSteps, PracticeAtAGradedModuleDoesNotCount) {
 
 TEST(NextSteps, AttemptsCanBeUsedUp) {
   TrainingCentre centre;
-  for (int i = 0; i < 2; ++i) centre.attempt("first", "practice", 1.0);
+  for (int i = 0; i < 2; ++i) {
+    centre.attempt("first", "practice", 1.0);
+  }
   // Too short for a single twist: nothing was reached.
-  for (int i = 0; i < 3; ++i) centre.attempt("second", "graded", 1.0, 0.5);
+  for (int i = 0; i < 3; ++i) {
+    centre.attempt("second", "graded", 1.0, 0.5);
+  }
 
   const NextSteps steps = nextSteps(centre.workplace(), centre.person());
 
@@ -208,8 +214,9 @@ TEST(RunSession, LogsTheDoseOfEveryPhaseAndTheRest) {
   EXPECT_TRUE(session.run().over());
 
   std::map<std::string, std::int64_t> dose_us;
-  for (const StoredExposure& exposure : StudyRepository(centre.connection()).exposures(centre.cohort().id))
+  for (const StoredExposure& exposure : StudyRepository(centre.connection()).exposures(centre.cohort().id)) {
     dose_us[exposure.kind] += exposure.duration_us;
+  }
   EXPECT_EQ(dose_us["virtual"], kMinute_us);
   EXPECT_EQ(dose_us["real"], kMinute_us);
   EXPECT_EQ(dose_us["rest"], 10 * kSecond_us);

@@ -66,10 +66,14 @@ struct Study {
     const CohortRow cohort = cohorts(workplace).at(0);
     const auto version = curriculumVersion(workplace, cohort.cohort.curriculumVersionId);
     for (const StoredEnrolment& enrolment : enrolments(workplace, cohortId)) {
-      if (enrolment.id != enrolmentId) continue;
+      if (enrolment.id != enrolmentId) {
+        continue;
+      }
       for (const StoredGroup& group : cohort.groups) {
         for (const StoredArm& arm : version->arms) {
-          if (group.id == enrolment.groupId && arm.id == group.armId) return arm;
+          if (group.id == enrolment.groupId && arm.id == group.armId) {
+            return arm;
+          }
         }
       }
     }
@@ -80,9 +84,13 @@ struct Study {
     SheetRepository sheets(centre.connection());
     const StoredRubricRevision revision = sheets.revision(rubric).value();
     for (const AssignmentStatus& status : sheets.assignments(cohortId)) {
-      if (status.assignment.scoringPoint != scoringPoint || status.state != SheetState::kOpen) continue;
+      if (status.assignment.scoringPoint != scoringPoint || status.state != SheetState::kOpen) {
+        continue;
+      }
       Sheet sheet{.overall_steps = 70};
-      for (const StoredRubricRow& row : revision.rows) sheet.rows.push_back({row.code, 70, ""});
+      for (const StoredRubricRow& row : revision.rows) {
+        sheet.rows.push_back({row.code, 70, ""});
+      }
       sheets.submit(status.assignment.id, centre.workplace().ids().newUuid(), sheet, "",
                     centre.workplace().now_us());
     }
@@ -103,7 +111,9 @@ TEST(ScoringPlan, EveryRaterScoresEveryTraineeAtEveryPointOnce) {
   const ScoringMatrix matrix = scoringMatrix(workplace, study.cohortId);
   ASSERT_EQ(matrix.raters.size(), 3U);
   ASSERT_EQ(matrix.lines.size(), 18U);
-  for (const ScoringMatrix::Line& line : matrix.lines) EXPECT_EQ(line.missing, 3U);
+  for (const ScoringMatrix::Line& line : matrix.lines) {
+    EXPECT_EQ(line.missing, 3U);
+  }
 }
 
 TEST(ScoringPlan, LiveCasesHaveOneLabelForAllAndOrdersDiffer) {
@@ -121,7 +131,9 @@ TEST(ScoringPlan, LiveCasesHaveOneLabelForAllAndOrdersDiffer) {
       orders.back().push_back(one.enrolmentId + one.scoringPoint);
     }
   }
-  for (const auto& [key, labels] : labelsOfCase) EXPECT_EQ(labels.size(), 1U);
+  for (const auto& [key, labels] : labelsOfCase) {
+    EXPECT_EQ(labels.size(), 1U);
+  }
   EXPECT_NE(orders[0], orders[1]);
   EXPECT_NE(orders[1], orders[2]);
 }
@@ -139,8 +151,9 @@ TEST(ScoringPlan, LabelsDoNotFollowStageOrGroup) {
   }
   std::sort(byLabel.begin(), byLabel.end());
   std::size_t changes = 0;
-  for (std::size_t i = 1; i < byLabel.size(); ++i)
+  for (std::size_t i = 1; i < byLabel.size(); ++i) {
     changes += byLabel[i].second != byLabel[i - 1].second ? 1 : 0;
+  }
 
   EXPECT_GT(changes, 6U);  // two if sorted by stage; about twelve of seventeen at random
 }
@@ -208,12 +221,17 @@ TEST(CampaignService, OrdersAreCounterbalancedWithinEachClass) {
 
   const CampaignRow row = campaigns(workplace).at(0);
   std::map<std::string, std::set<std::string>> orders;
-  for (const StoredCampaignRater& rater : row.campaign.raters)
+  for (const StoredCampaignRater& rater : row.campaign.raters) {
     orders[rater.classCode].insert(rater.modelOrder);
-  for (const auto& [code, seen] : orders) EXPECT_EQ(seen.size(), 6U) << code;  // 3! orders, six raters
+  }
+  for (const auto& [code, seen] : orders) {
+    EXPECT_EQ(seen.size(), 6U) << code;  // 3! orders, six raters
+  }
   EXPECT_EQ(row.marksExpected, 18U * 3U * 9U);
   std::set<std::string> hidden;
-  for (const StoredModel& model : row.campaign.models) hidden.insert(model.hiddenLabel);
+  for (const StoredModel& model : row.campaign.models) {
+    hidden.insert(model.hiddenLabel);
+  }
   EXPECT_EQ(hidden, (std::set<std::string>{"X", "Y", "Z"}));
 }
 
@@ -296,7 +314,9 @@ TEST(RunDayBoard, ShowsWhoRunsAtWhichStation) {
 
   std::size_t running = 0;
   for (const RunDayRow& row : board.rows) {
-    if (row.runningTrialId.empty()) continue;
+    if (row.runningTrialId.empty()) {
+      continue;
+    }
     ++running;
     EXPECT_EQ(row.traineeCode, "T-01");
     EXPECT_EQ(row.station, "station 2");
@@ -493,7 +513,9 @@ TEST(Audit, AWholeStudyLeavesAnEntryForEveryChangeAndVerifies) {
                                                      {"people.export_named", 1},
                                                      {"user.add", 1},
                                                      {"allocation.reveal", 1}};
-  for (const auto& [action, count] : expected) EXPECT_EQ(study.centre.audited(action), count) << action;
+  for (const auto& [action, count] : expected) {
+    EXPECT_EQ(study.centre.audited(action), count) << action;
+  }
   for (const AuditEntry& entry : AuditRepository(study.centre.connection()).entries({.limit = 10'000})) {
     const std::string text = entry.oldJson + entry.newJson + entry.reason;
     EXPECT_EQ(text.find("Trainee "), std::string::npos) << entry.action;

@@ -71,7 +71,9 @@ class FileIo : public testing::Test {
   }
   std::size_t filesLeft() const {
     std::size_t count = 0;
-    for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder)) ++count;
+    for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder)) {
+      ++count;
+    }
     return count;
   }
 

@@ -48,7 +48,9 @@ TEST(Random, DrawsBoundedNumbersWithoutBias) {
 
   // Chi square with five degrees of freedom exceeds 20.5 once in a thousand seeds; this seed is fixed.
   double chiSquare = 0.0;
-  for (const int count : seen) chiSquare += (count - 10'000.0) * (count - 10'000.0) / 10'000.0;
+  for (const int count : seen) {
+    chiSquare += (count - 10'000.0) * (count - 10'000.0) / 10'000.0;
+  }
   EXPECT_LT(chiSquare, 20.5);
   EXPECT_EQ(random.bounded(1), 0U);
 }

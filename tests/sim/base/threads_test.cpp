@@ -24,7 +24,9 @@ struct Wide {
   explicit Wide(std::uint64_t value) { words.fill(value); }
   bool whole() const {
     for (const std::uint64_t word : words) {
-      if (word != words[0]) return false;
+      if (word != words[0]) {
+        return false;
+      }
     }
     return true;
   }
@@ -84,7 +86,9 @@ TEST(SpscRing, CarriesAMillionValuesBetweenTwoThreadsWholeAndInOrder) {
       std::this_thread::yield();
       continue;
     }
-    if (!value.whole() || value.words[0] != expected) ++wrong;
+    if (!value.whole() || value.words[0] != expected) {
+      ++wrong;
+    }
     ++expected;
   }
   producer.join();
@@ -107,14 +111,18 @@ TEST(LatestValue, GivesTheNewestValueAsOftenAsItIsAsked) {
 TEST(LatestValue, NeverTearsNorGoesBackInAMillionExchanges) {
   LatestValue<Wide> latest;
   std::thread writer([&latest] {
-    for (std::uint64_t i = 1; i <= kExchanges; ++i) latest.publish(Wide(i));
+    for (std::uint64_t i = 1; i <= kExchanges; ++i) {
+      latest.publish(Wide(i));
+    }
   });
 
   std::uint64_t before = 0;
   std::uint64_t wrong = 0;
   while (before < kExchanges) {
     const Wide& value = latest.latest();
-    if (!value.whole() || value.words[0] < before) ++wrong;
+    if (!value.whole() || value.words[0] < before) {
+      ++wrong;
+    }
     before = value.words[0];
   }
   writer.join();

@@ -25,7 +25,9 @@ TEST(DeviceDrivers, L1_OffersEveryDriverButTheHapticOneWithoutTheVendorsLibrary)
   for (const DeviceDriver& driver : drivers) {
     EXPECT_EQ(driver.available, driver.id != "hdapi") << driver.id;
     EXPECT_FALSE(driver.name.empty() || driver.finding.empty());
-    if (!driver.available) continue;
+    if (!driver.available) {
+      continue;
+    }
     const auto device = driver.open(anyRequest());
     EXPECT_EQ(device->read(0).status & ~static_cast<std::uint32_t>(kDeviceEnded), 0U) << driver.id;
   }

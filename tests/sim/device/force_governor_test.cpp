@@ -30,7 +30,9 @@ class Bench {
   }
   ForceCommand run(std::int64_t ticks, const Vec3& wanted_N) {
     ForceCommand last;
-    for (std::int64_t i = 0; i < ticks; ++i) last = tick(wanted_N);
+    for (std::int64_t i = 0; i < ticks; ++i) {
+      last = tick(wanted_N);
+    }
     return last;
   }
   /// Engaged, with the slew limiter settled on the wanted force.
@@ -90,7 +92,9 @@ TEST(ForceGovernor, F2HoldsTheSlewLimitWhileRampsRunAndForcesJumpAtRandom) {
     if (random.bounded(50) == 0) {
       wanted_N = {4.0 * random.normal(), 4.0 * random.normal(), 4.0 * random.normal()};
     }
-    if (random.bounded(300) == 0) bench.governor.enable(random.bounded(2) == 0);
+    if (random.bounded(300) == 0) {
+      bench.governor.enable(random.bounded(2) == 0);
+    }
     const Vec3 sent_N = bench.tick(wanted_N).force_N;
     ASSERT_LE(norm(sent_N - before_N), kSlewStep_N + kRounding_N) << "tick " << i;
     ASSERT_LE(norm(sent_N), 3.3 + kRounding_N);
@@ -149,7 +153,9 @@ TEST(ForceGovernor, F4EngagesInsideTheOrganFromZeroWithAMonotoneRamp) {
   double first_N = -1.0;
   for (std::int64_t i = 0; i < kEngageTime_us / kTick_us; ++i) {
     const double sent_N = bench.tick(wanted_N).force_N.y;
-    if (first_N < 0.0) first_N = sent_N;
+    if (first_N < 0.0) {
+      first_N = sent_N;
+    }
     ASSERT_GE(sent_N, before_N);
     before_N = sent_N;
   }
@@ -173,8 +179,12 @@ TEST(ForceGovernor, F5FadesAForceThatIsNoLongerComputedAndFadesItBack) {
 
   EXPECT_NEAR(sent_N[4], 1.0, kRounding_N);  // 5 ms old: still whole
   EXPECT_NEAR(sent_N[14], 0.5, 1e-9);        // 15 ms: half way between 5 and 25 ms
-  for (std::size_t i = 25; i < 100; ++i) ASSERT_EQ(sent_N[i], 0.0) << i;
-  for (std::size_t i = 101; i < 200; ++i) ASSERT_GE(sent_N[i], sent_N[i - 1]);
+  for (std::size_t i = 25; i < 100; ++i) {
+    ASSERT_EQ(sent_N[i], 0.0) << i;
+  }
+  for (std::size_t i = 101; i < 200; ++i) {
+    ASSERT_GE(sent_N[i], sent_N[i - 1]);
+  }
   EXPECT_NEAR(sent_N[149], 0.5, 0.02);  // 100 ms of recovery, half done
   EXPECT_NEAR(sent_N[250], 1.0, kRounding_N);
 }
@@ -183,7 +193,9 @@ TEST(ForceGovernor, F5TreatsADeviceThatSaysNothingNewLikeAStall) {
   Bench bench = Bench::engaged({1.0, 0.0, 0.0});
   ForceCommand sent;
 
-  for (int i = 0; i < 30; ++i) sent = bench.tick({1.0, 0.0, 0.0}, kDeviceStale);
+  for (int i = 0; i < 30; ++i) {
+    sent = bench.tick({1.0, 0.0, 0.0}, kDeviceStale);
+  }
 
   EXPECT_EQ(sent.force_N, Vec3{});
   EXPECT_TRUE(sent.limits & kForceStale);
@@ -247,7 +259,9 @@ TEST(ForceGovernor, F7FadesTheForceOutsideTheUsableWorkspace) {
 
   const auto settled = [&bench](const Vec3& tip_m) {
     ForceCommand sent;
-    for (int i = 0; i < 50; ++i) sent = bench.tick({1.0, 0.0, 0.0}, kDeviceOk, tip_m);
+    for (int i = 0; i < 50; ++i) {
+      sent = bench.tick({1.0, 0.0, 0.0}, kDeviceOk, tip_m);
+    }
     return sent;
   };
 
@@ -262,7 +276,9 @@ TEST(ForceGovernor, FoldsBackWhileTheMotorsAreWarmAndRecoversSlowly) {
   Bench bench = Bench::engaged({1.2, 0.0, 0.0});
 
   ForceCommand warm;
-  for (int i = 0; i < 2'000; ++i) warm = bench.tick({1.2, 0.0, 0.0}, kDeviceWarm);
+  for (int i = 0; i < 2'000; ++i) {
+    warm = bench.tick({1.2, 0.0, 0.0}, kDeviceWarm);
+  }
   const ForceCommand cooling = bench.run(100, {1.2, 0.0, 0.0});
   const ForceCommand cool = bench.run(1'400, {1.2, 0.0, 0.0});
 

@@ -46,7 +46,9 @@ struct FakeLoop {
     loop.sent = loop.governor.govern(
         {time_us, time_us, loop.wanted_N, toolState(loop.sample).pose.position_m, loop.sample.status});
     loop.device->write(loop.sent);
-    if (loop.workEach_us > 0) loop.fake->advance_us(loop.workEach_us);
+    if (loop.workEach_us > 0) {
+      loop.fake->advance_us(loop.workEach_us);
+    }
   }
 };
 
@@ -93,7 +95,9 @@ class HdapiBench : public ::testing::Test {
   std::vector<HdapiEvent> events(HdapiEvent::Kind kind) {
     std::vector<HdapiEvent> found;
     for (HdapiEvent event; device->nextEvent(event);) {
-      if (event.kind == kind) found.push_back(event);
+      if (event.kind == kind) {
+        found.push_back(event);
+      }
     }
     return found;
   }
@@ -101,7 +105,9 @@ class HdapiBench : public ::testing::Test {
   std::vector<int> logged(const std::string& function, int begin = 0) {
     std::vector<int> found;
     for (int i = begin; i < fake.log_count(); ++i) {
-      if (fake.log_entry(i).function == function) found.push_back(i);
+      if (fake.log_entry(i).function == function) {
+        found.push_back(i);
+      }
     }
     return found;
   }

@@ -200,7 +200,9 @@ TEST_F(HdapiGives, K3_GivesTheSameTwistOnAnOmniAsOnATouchAfterTheDockedReference
     std::vector<ToolState> states{rollTo(-1.94046)};
     EXPECT_TRUE(device->snapshot().rollReferenced);
     pose.joints_rad[1] = 0.5;
-    for (int i = 0; i <= 250; ++i) states.push_back(rollTo(-1.94046 + 0.017 * i));
+    for (int i = 0; i <= 250; ++i) {
+      states.push_back(rollTo(-1.94046 + 0.017 * i));
+    }
     device.reset();
     return states;
   };

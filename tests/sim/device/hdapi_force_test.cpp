@@ -117,7 +117,9 @@ struct Watched {
     auto& watched = *static_cast<Watched*>(context);
     watched.dog->beat(1000 * watched.fake->now_us());
     watched.device->write({{0.5, 0.0, 0.0}, 0});
-    if (!std::exchange(watched.hangs, false)) return;
+    if (!std::exchange(watched.hangs, false)) {
+      return;
+    }
     watched.fake->advance_us(kStall_ns / 1000);
     watched.dog->check(1000 * watched.fake->now_us());
   }
@@ -252,7 +254,9 @@ struct Wall {
     const Vec3 tip_m = toolState(wall.device->read(time_us)).pose.position_m;
     Vec3 force_N{-wall.stiffness_N_per_m * tip_m.x, 0.0, 0.0};
     std::uint32_t limits = kForceFull;
-    if (wall.watched) force_N = wall.passivity.control(time_us, tip_m, force_N, true, limits);
+    if (wall.watched) {
+      force_N = wall.passivity.control(time_us, tip_m, force_N, true, limits);
+    }
     wall.passivity.sent(force_N);
     wall.damped += (limits & kForcePassivity) != 0 ? 1 : 0;
     wall.device->write({force_N, 0});

@@ -46,7 +46,9 @@ TEST_F(HdapiThreads, T1_HoldsWithAServoThreadOfOurOwnOverMailboxes) {
     }
   });
   fake.run(2'000);
-  while (reads < 100) std::this_thread::yield();
+  while (reads < 100) {
+    std::this_thread::yield();
+  }
   stop = true;
   own.join();
   EXPECT_TRUE(device->close());
@@ -81,7 +83,9 @@ TEST(HdapiMailbox, T2_HandsOverAMillionReadingsWithoutTearingOne) {
         reading.sample.position[2] != short32) {
       ++torn;
     }
-    if (reading.number < last) ++backwards;
+    if (reading.number < last) {
+      ++backwards;
+    }
     last = reading.number;
   }
   writer.join();

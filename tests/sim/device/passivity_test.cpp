@@ -63,7 +63,9 @@ Outcome bounce(const Wall& wall, std::optional<PassivityOptions> options) {
       energy_J -= sent_N * v_m_per_s * 1e-5;
     }
     outcome.leastEnergy_J = std::min(outcome.leastEnergy_J, energy_J);
-    if (tick > kTicks * 4 / 5) outcome.largestDepth_m = std::max(outcome.largestDepth_m, -x_m);
+    if (tick > kTicks * 4 / 5) {
+      outcome.largestDepth_m = std::max(outcome.largestDepth_m, -x_m);
+    }
   }
   outcome.finalSpeed_m_per_s = std::abs(v_m_per_s);
   return outcome;

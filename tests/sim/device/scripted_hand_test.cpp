@@ -27,7 +27,9 @@ ScriptedHandOptions quarterTurn(std::uint64_t seed) {
 std::vector<ToolState> play(ScriptedHand& hand, double duration_s) {
   std::vector<ToolState> states;
   const auto ticks = static_cast<std::int64_t>(duration_s * 1000.0);
-  for (std::int64_t i = 0; i <= ticks; ++i) states.push_back(toolState(hand.read(i * 1000)));
+  for (std::int64_t i = 0; i <= ticks; ++i) {
+    states.push_back(toolState(hand.read(i * 1000)));
+  }
   return states;
 }
 
@@ -75,7 +77,9 @@ TEST(ScriptedHand, ReachesContactGripsTwistsReleasesAndComesBack) {
       ++closings;
       gripRadius_m = std::hypot(tip_m.x, tip_m.y);
     }
-    if (states[i].grip > 0.5) largestAngle_rad = std::max(largestAngle_rad, angleAboutZ(tip_m));
+    if (states[i].grip > 0.5) {
+      largestAngle_rad = std::max(largestAngle_rad, angleAboutZ(tip_m));
+    }
   }
 
   // Tip radius 2.5 mm, pressed in by 1.2 mm on the average; tremor, drift and the missed grasp point add less
@@ -96,7 +100,9 @@ TEST(ScriptedHand, TurnsTheStylusWithTheTwistAndPointsItAtTheAxis) {
   const double tolerance = radians(4.0);
 
   for (const ToolState& state : play(hand, hand.span_s(0)[1])) {
-    if (state.grip < 0.5) continue;
+    if (state.grip < 0.5) {
+      continue;
+    }
     const Vec3 ahead = rotate(state.pose.orientation, {0.0, 0.0, -1.0});
     const Vec3 inwards = normalized(Vec3{-state.pose.position_m.x, -state.pose.position_m.y, 0.0});
     ASSERT_GT(dot(ahead, inwards), std::cos(tolerance));
@@ -119,7 +125,9 @@ TEST(ScriptedHand, MovesSmoothlyWithoutASingleJump) {
 double powerAt(const std::vector<double>& signal, double frequency_Hz) {
   const double n = static_cast<double>(signal.size());
   double mean = 0.0;
-  for (const double value : signal) mean += value / n;
+  for (const double value : signal) {
+    mean += value / n;
+  }
   std::complex<double> total;
   for (std::size_t i = 0; i < signal.size(); ++i) {
     const double window = 0.5 - 0.5 * std::cos(2.0 * kPi * static_cast<double>(i) / n);
@@ -135,7 +143,9 @@ TEST(ScriptedHand, TremblesBetweenEightAndTwelveHertz) {
   ScriptedHand hand(options);
   std::vector<double> axial_m;
   for (const ToolState& state : play(hand, hand.span_s(0)[1])) {
-    if (state.grip > 0.99) axial_m.push_back(state.pose.position_m.z);
+    if (state.grip > 0.99) {
+      axial_m.push_back(state.pose.position_m.z);
+    }
   }
   ASSERT_GT(axial_m.size(), 2'000U);
 
@@ -206,7 +216,9 @@ TEST(ScriptedHand, MirrorsItsTwistForAMirroredTarget) {
 
   double least_rad = 0.0;
   for (const ToolState& state : play(back, back.span_s(0)[1])) {
-    if (state.grip > 0.5) least_rad = std::min(least_rad, angleAboutZ(state.pose.position_m));
+    if (state.grip > 0.5) {
+      least_rad = std::min(least_rad, angleAboutZ(state.pose.position_m));
+    }
   }
   EXPECT_LT(least_rad, radians(-50.0));
   EXPECT_NEAR(there.heldAngle_rad(0) - radians(90.0), back.heldAngle_rad(0) + radians(90.0), 1e-12);

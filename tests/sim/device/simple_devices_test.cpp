@@ -39,7 +39,9 @@ TEST(ReplayDevice, GivesEachRecordedSampleOnceAndThenSaysThatItEnded) {
   }
   ReplayDevice device(recorded, {});
 
-  for (const DeviceSample& sample : recorded) EXPECT_EQ(device.read(0), sample);
+  for (const DeviceSample& sample : recorded) {
+    EXPECT_EQ(device.read(0), sample);
+  }
   const DeviceSample after = device.read(9'000);
 
   EXPECT_EQ(after.status, static_cast<std::uint32_t>(kDeviceEnded));
@@ -58,7 +60,9 @@ class PointerDeviceTest : public testing::Test {
   /// The state after so many milliseconds of reading.
   ToolState settle(int ticks = 500) {
     DeviceSample sample;
-    for (int i = 0; i < ticks; ++i) sample = device.read(time_us += 1000);
+    for (int i = 0; i < ticks; ++i) {
+      sample = device.read(time_us += 1000);
+    }
     return toolState(sample);
   }
   static PointerInput at(const Vec3& onPlane_m) {

@@ -18,13 +18,17 @@ Vec3 helix(double angle) {
 
 std::vector<Vec3> helixPoints(int count, double turns) {
   std::vector<Vec3> points;
-  for (int i = 0; i <= count; ++i) points.push_back(helix(2.0 * kPi * turns * i / count));
+  for (int i = 0; i <= count; ++i) {
+    points.push_back(helix(2.0 * kPi * turns * i / count));
+  }
   return points;
 }
 
 TEST(Centreline, LeavesAStraightLineAsItIs) {
   std::vector<Vec3> points;
-  for (int i = 0; i <= 30; ++i) points.push_back({0.01 * i * i, -0.02 * i * i, 0.005 * i * i});
+  for (int i = 0; i <= 30; ++i) {
+    points.push_back({0.01 * i * i, -0.02 * i * i, 0.005 * i * i});
+  }
   std::vector<double> arcs;
 
   const Centreline line = Centreline::curved(points, 0.02, 256, {0, 0, 1}, 0.0, arcs);
@@ -57,14 +61,17 @@ TEST(Centreline, KeepsTheRadiusOfABendWhenItSmoothes) {
 TEST(Centreline, TakesTheStepsOfTheMeshOutOfALine) {
   Random random(3);
   std::vector<Vec3> points;
-  for (int i = 0; i <= 400; ++i)
+  for (int i = 0; i <= 400; ++i) {
     points.push_back({2e-4 * random.normal(), 2e-4 * random.normal(), 0.0005 * i});
+  }
   std::vector<double> arcs;
 
   const Centreline line = Centreline::curved(points, 0.003, 256, {1, 0, 0}, 0.0, arcs);
 
   EXPECT_NEAR(line.length_m(), 0.2, 2e-3);  // the raw polyline is 1.2 times as long
-  for (int k = 5; k < 95; ++k) EXPECT_GT(line.frameAt(line.length_m() * k / 100).tangent.z, 0.99);
+  for (int k = 5; k < 95; ++k) {
+    EXPECT_GT(line.frameAt(line.length_m() * k / 100).tangent.z, 0.99);
+  }
 }
 
 TEST(Centreline, HasOrthonormalFramesThatDoNotTurnAboutIt) {
@@ -133,7 +140,9 @@ TEST(Centreline, ClampsWhatLiesBeyondItsEnds) {
 
 TEST(Centreline, MeasuresHeightsAlongAStraightAxisWhateverTheCentresDo) {
   std::vector<Vec3> centres;
-  for (int i = 0; i <= 20; ++i) centres.push_back({0.01 * std::sin(0.3 * i), 0.0, 0.01 * i});
+  for (int i = 0; i <= 20; ++i) {
+    centres.push_back({0.01 * std::sin(0.3 * i), 0.0, 0.01 * i});
+  }
 
   const Centreline line = Centreline::straightAlong({0, 0, 1}, 0.2, centres, {0, 1, 0});
 

@@ -48,7 +48,9 @@ double distanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec
   const Vec3 foot = p - dot(p - a, n) * n;
   const bool inside = dot(cross(b - a, foot - a), n) >= 0 && dot(cross(c - b, foot - b), n) >= 0 &&
                       dot(cross(a - c, foot - c), n) >= 0;
-  if (inside) return norm(p - foot);
+  if (inside) {
+    return norm(p - foot);
+  }
   return std::min({norm(p - nearestOnSegment(p, a, b)), norm(p - nearestOnSegment(p, b, c)),
                    norm(p - nearestOnSegment(p, c, a))});
 }
@@ -77,7 +79,9 @@ std::vector<Vec3> randomPoints(std::size_t count, std::uint64_t seed) {
   Random random(seed);
   const auto within = [&random](double low, double high) { return low + (high - low) * random.uniform(); };
   std::vector<Vec3> points(count);
-  for (Vec3& p : points) p = {within(-0.08, 0.12), within(-0.08, 0.08), within(-0.14, 0.14)};
+  for (Vec3& p : points) {
+    p = {within(-0.08, 0.12), within(-0.08, 0.08), within(-0.14, 0.14)};
+  }
   return points;
 }
 
@@ -111,9 +115,13 @@ TEST(CollisionMesh, AgreesWithTheDistanceQueryOfFcl) {
   const CollisionMesh collision(mesh);
   auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
   std::vector<fcl::Vector3d> points;
-  for (const Vec3& v : mesh.vertices_m) points.emplace_back(v.x, v.y, v.z);
+  for (const Vec3& v : mesh.vertices_m) {
+    points.emplace_back(v.x, v.y, v.z);
+  }
   std::vector<fcl::Triangle> triangles;
-  for (const TriangleMesh::Triangle& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    triangles.emplace_back(t[0], t[1], t[2]);
+  }
   model->beginModel();
   model->addSubModel(points, triangles);
   model->endModel();
@@ -181,9 +189,13 @@ TEST(CollisionMesh, AgreesWithTheCapsulesOfFcl) {
   const CollisionMesh collision(mesh);
   auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
   std::vector<fcl::Vector3d> points;
-  for (const Vec3& v : mesh.vertices_m) points.emplace_back(v.x, v.y, v.z);
+  for (const Vec3& v : mesh.vertices_m) {
+    points.emplace_back(v.x, v.y, v.z);
+  }
   std::vector<fcl::Triangle> triangles;
-  for (const TriangleMesh::Triangle& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    triangles.emplace_back(t[0], t[1], t[2]);
+  }
   model->beginModel();
   model->addSubModel(points, triangles);
   model->endModel();
@@ -193,7 +205,9 @@ TEST(CollisionMesh, AgreesWithTheCapsulesOfFcl) {
   int compared = 0;
   for (const Segment& segment : randomSegments(300, 7)) {
     const SegmentHit hit = collision.nearest(segment, 1.0);
-    if (hit.surface.distance_m < kRadius_m + 1e-4) continue;  // FCL knows no depth
+    if (hit.surface.distance_m < kRadius_m + 1e-4) {
+      continue;  // FCL knows no depth
+    }
     const Vec3 way = segment.to_m - segment.from_m;
     const auto capsule = std::make_shared<fcl::Capsuled>(kRadius_m, norm(way));
     fcl::Transform3d pose = fcl::Transform3d::Identity();
@@ -251,8 +265,12 @@ TEST(CollisionMesh, TakesTheLowestOfEquallyNearTriangles) {
 
 TEST(CollisionMesh, AnswersMirroredQueriesWithMirroredPoints) {
   TriangleMesh mirrored = wavyBody();
-  for (Vec3& v : mirrored.vertices_m) v.y = -v.y;
-  for (TriangleMesh::Triangle& t : mirrored.triangles) std::swap(t[1], t[2]);
+  for (Vec3& v : mirrored.vertices_m) {
+    v.y = -v.y;
+  }
+  for (TriangleMesh::Triangle& t : mirrored.triangles) {
+    std::swap(t[1], t[2]);
+  }
   const CollisionMesh left(wavyBody());
   const CollisionMesh right(mirrored);
 
@@ -282,7 +300,9 @@ TEST(CollisionMesh, TakesNoMemoryInAQuery) {
 
   const std::int64_t before = allocationCount();
   double sum = 0.0;
-  for (const Vec3& p : points) sum += collision.closest(p).distance_m;
+  for (const Vec3& p : points) {
+    sum += collision.closest(p).distance_m;
+  }
   const std::int64_t after = allocationCount();
 
   EXPECT_EQ(after, before);

@@ -19,7 +19,9 @@ TriangleMesh roughTube() {
   TriangleMesh mesh = testing::jTube(0.02, 0.12, 0.04, 40, 70);
   Random random(7);
   constexpr double kPush_m = 0.0008;
-  for (Vec3& p : mesh.vertices_m) p += kPush_m * Vec3{random.normal(), random.normal(), random.normal()};
+  for (Vec3& p : mesh.vertices_m) {
+    p += kPush_m * Vec3{random.normal(), random.normal(), random.normal()};
+  }
   return mesh;
 }
 
@@ -51,7 +53,9 @@ TEST(HarmonicField, HasNoExtremumBetweenTheCaps) {
     const double here = tube.field.level[v];
     EXPECT_GE(here, 0.0);
     EXPECT_LE(here, 1.0);
-    if (tube.caps.parts[v] != LatticePart::kSide) continue;
+    if (tube.caps.parts[v] != LatticePart::kSide) {
+      continue;
+    }
     double least = 2.0;
     double most = -1.0;
     for (const std::uint32_t half : tube.topology.outgoing(v)) {
@@ -67,7 +71,9 @@ TEST(HarmonicField, HasOneLoopAtEveryLevel) {
   const Solved tube(roughTube());
   const LevelTracer tracer(tube.mesh, tube.topology, tube.field);
   std::vector<double> levels;
-  for (int k = 0; k <= 500; ++k) levels.push_back(k / 500.0);
+  for (int k = 0; k <= 500; ++k) {
+    levels.push_back(k / 500.0);
+  }
 
   int traced = 0;
   tracer.traceAll(levels, [&](std::size_t k, const std::vector<LevelLoop>& loops) {
@@ -83,9 +89,13 @@ TEST(HarmonicField, RisesRoundEveryTriangleToNothing) {
   const Solved tube(roughTube());
 
   for (std::uint32_t t = 0; t < tube.mesh.triangles.size(); ++t) {
-    if (!isSideTriangle(tube.mesh.triangles[t], tube.caps.parts)) continue;
+    if (!isSideTriangle(tube.mesh.triangles[t], tube.caps.parts)) {
+      continue;
+    }
     double sum = 0.0;
-    for (std::uint32_t k = 0; k < 3; ++k) sum += tube.field.rise_rad(tube.topology, 3 * t + k);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      sum += tube.field.rise_rad(tube.topology, 3 * t + k);
+    }
     EXPECT_NEAR(sum, 0.0, 1e-12) << t;
   }
 }
@@ -96,7 +106,9 @@ TEST(HarmonicField, TurnsEquallyRoundACircularBar) {
   for (std::uint32_t v = 36; v + 36 < bar.mesh.vertices_m.size(); ++v) {
     const std::uint32_t next = v % 36 == 35 ? v - 35 : v + 1;
     for (const std::uint32_t half : bar.topology.outgoing(v)) {
-      if (bar.topology.target(half) != next) continue;
+      if (bar.topology.target(half) != next) {
+        continue;
+      }
       EXPECT_NEAR(bar.field.rise_rad(bar.topology, half), 2.0 * kPi / 36, 1e-9) << v;
     }
   }
@@ -172,7 +184,9 @@ TEST(EndCaps, ClosesHolesSoThatTheSideIsATube) {
   const EndCaps caps = findEndCaps(mesh, topology, request);
 
   for (std::size_t v = 0; v < mesh.vertices_m.size(); ++v) {
-    if (mesh.vertices_m[v].z < 0.2) continue;
+    if (mesh.vertices_m[v].z < 0.2) {
+      continue;
+    }
     EXPECT_EQ(caps.parts[v], LatticePart::kFreeCap) << v;
   }
   EXPECT_NO_THROW(solveHarmonicField(mesh, topology, caps.parts));

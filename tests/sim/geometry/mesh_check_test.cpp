@@ -80,7 +80,9 @@ TEST(MeshReport, FindsTheVertexWhereTwoPartsTouch) {
   const auto top = static_cast<std::uint32_t>(mesh.vertices_m.size() / 2 - 1);
   const auto bottom = static_cast<std::uint32_t>(mesh.vertices_m.size() - 2);
   for (TriangleMesh::Triangle& t : mesh.triangles) {
-    for (std::uint32_t& corner : t) corner = corner == bottom ? top : corner;
+    for (std::uint32_t& corner : t) {
+      corner = corner == bottom ? top : corner;
+    }
   }
 
   const MeshReport report = checkMesh(mesh);
@@ -129,7 +131,9 @@ TEST(RequireOrgan, WeldsSeams) {
   TriangleMesh soup;
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     const auto first = static_cast<std::uint32_t>(soup.vertices_m.size());
-    for (const std::uint32_t corner : t) soup.vertices_m.push_back(mesh.vertices_m[corner]);
+    for (const std::uint32_t corner : t) {
+      soup.vertices_m.push_back(mesh.vertices_m[corner]);
+    }
     soup.triangles.push_back({first, first + 1, first + 2});
   }
   MeshRepairs repairs;
@@ -144,8 +148,12 @@ TEST(RequireOrgan, WeldsSeams) {
 TEST(RequireOrgan, TurnsWhatIsInsideOutAndSingleFaces) {
   const TriangleMesh mesh = ellipsoid(kOrganRadius_m);
   TriangleMesh wrong = mesh;
-  for (TriangleMesh::Triangle& t : wrong.triangles) std::swap(t[1], t[2]);
-  for (const std::size_t t : {3U, 50U, 51U}) std::swap(wrong.triangles[t][1], wrong.triangles[t][2]);
+  for (TriangleMesh::Triangle& t : wrong.triangles) {
+    std::swap(t[1], t[2]);
+  }
+  for (const std::size_t t : {3U, 50U, 51U}) {
+    std::swap(wrong.triangles[t][1], wrong.triangles[t][2]);
+  }
   MeshRepairs repairs;
 
   const TriangleMesh organ = requireOrgan(wrong, "organ.obj", 0.001, &repairs);
@@ -260,7 +268,9 @@ TEST(RequireOrgan, RefusesAnEmptyMeshABadIndexAndABadNumber) {
   EXPECT_THAT(refusal(mesh), HasSubstr("M07 vertex 5 is not a finite number"));
 
   mesh = ellipsoid(kOrganRadius_m);
-  for (Vec3& v : mesh.vertices_m) v.x += 1000.0;
+  for (Vec3& v : mesh.vertices_m) {
+    v.x += 1000.0;
+  }
   EXPECT_THAT(refusal(mesh), HasSubstr("M07 vertex 0 lies at ("));
 }
 

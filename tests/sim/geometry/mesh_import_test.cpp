@@ -100,12 +100,16 @@ std::string offText(const TriangleMesh& mesh) {
   std::string text =
       "OFF\n" + std::to_string(mesh.vertices_m.size()) + " " + std::to_string(mesh.triangles.size()) + " 0\n";
   for (const Vec3& v : mesh.vertices_m) {
-    for (const double x : {v.x, v.y, v.z}) text.append(std::to_string(1000.0 * x)).append(" ");
+    for (const double x : {v.x, v.y, v.z}) {
+      text.append(std::to_string(1000.0 * x)).append(" ");
+    }
     text += '\n';
   }
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     text += '3';
-    for (const std::uint32_t corner : t) text.append(1, ' ').append(std::to_string(corner));
+    for (const std::uint32_t corner : t) {
+      text.append(1, ' ').append(std::to_string(corner));
+    }
     text += '\n';
   }
   return text;
@@ -250,7 +254,9 @@ TEST_F(MeshImport, RefusesOpenNonManifoldAndWrongUnits) {
   EXPECT_THAT(refusal(file("fin.obj", objText(fin)), ErrorCode::kBadMesh), HasSubstr("M12"));
 
   TriangleMesh metres = organ_;
-  for (Vec3& v : metres.vertices_m) v *= 0.001;  // the writer multiplies by 1000: the file holds metres
+  for (Vec3& v : metres.vertices_m) {
+    v *= 0.001;  // the writer multiplies by 1000: the file holds metres
+  }
   const fs::path inMetres = file("metres.obj", objText(metres));
   EXPECT_THAT(refusal(inMetres, ErrorCode::kBadMesh), HasSubstr("the file seems to be in metres"));
   EXPECT_EQ(importMesh(inMetres, {.scale_m = lengthUnit_m("m"), .organ = true}).triangles.size(),
@@ -285,7 +291,9 @@ TEST_F(MeshImport, RefusesFaceIndicesOutOfRange) {
 TEST_F(MeshImport, ReadsWindowsLineEndsAndComments) {
   const auto withReturns = [](const std::string& text) {
     std::string out;
-    for (const char c : text) out += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    for (const char c : text) {
+      out += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    }
     return out;
   };
   std::string off = withReturns(offText(organ_));
@@ -307,10 +315,14 @@ TEST_F(MeshImport, ReadsBigEndianPly) {
                  bytes.begin() + static_cast<std::ptrdiff_t>(at + 4));
     at += 4;
   };
-  for (std::size_t i = 0; i < 3 * organ_.vertices_m.size(); ++i) swap4();
+  for (std::size_t i = 0; i < 3 * organ_.vertices_m.size(); ++i) {
+    swap4();
+  }
   for (std::size_t i = 0; i < organ_.triangles.size(); ++i) {
     ++at;  // the length of the list
-    for (int k = 0; k < 3; ++k) swap4();
+    for (int k = 0; k < 3; ++k) {
+      swap4();
+    }
   }
 
   expectSame(importMesh(file("big.ply", bytes)), organ_);
@@ -359,8 +371,12 @@ TEST_F(MeshImport, SurvivesDamagedFiles) {
     for (int i = 0; i < kVariants; ++i) {
       std::string bytes = seed;
       const std::size_t at = random.bounded(bytes.size());
-      if (i % 3 == 0) bytes.resize(at);
-      if (i % 3 == 1) bytes.erase(at, 1 + random.bounded(20));
+      if (i % 3 == 0) {
+        bytes.resize(at);
+      }
+      if (i % 3 == 1) {
+        bytes.erase(at, 1 + random.bounded(20));
+      }
       for (int k = 0; i % 3 == 2 && k < 5; ++k) {
         bytes[random.bounded(bytes.size())] = static_cast<char>(random.bounded(256));
       }

@@ -163,7 +163,9 @@ TEST(ArmFile, HasTheGirthsOfAMan) {
       const double a = 2.0 * kPi * i / kSides;
       const Vec3 direction{std::cos(a), std::sin(a), 0.0};
       const Vec3 p = widthAt(share * 0.262, direction) * direction;
-      if (i > 0) girth_m += norm(p - previous);
+      if (i > 0) {
+        girth_m += norm(p - previous);
+      }
       previous = p;
     }
     EXPECT_NEAR(girth_m / kMillimetre_m, girth_mm, 0.01 * girth_mm) << share;

@@ -26,9 +26,15 @@ TEST(MonotoneCurve, PassesThroughItsPointsWithoutOvershoot) {
   EXPECT_DOUBLE_EQ(curve(6), 2.0);
   EXPECT_EQ(curve(-1), 0.0);
   EXPECT_EQ(curve(9), 2.0);
-  for (double x = 0.0; x < 1.0; x += 0.05) EXPECT_EQ(curve(x), 0.0);
-  for (double x = 3.0; x < 4.0; x += 0.05) EXPECT_DOUBLE_EQ(curve(x), 5.0);
-  for (double x = 1.0; x < 3.0; x += 0.05) EXPECT_GE(curve(x + 0.05), curve(x));
+  for (double x = 0.0; x < 1.0; x += 0.05) {
+    EXPECT_EQ(curve(x), 0.0);
+  }
+  for (double x = 3.0; x < 4.0; x += 0.05) {
+    EXPECT_DOUBLE_EQ(curve(x), 5.0);
+  }
+  for (double x = 1.0; x < 3.0; x += 0.05) {
+    EXPECT_GE(curve(x + 0.05), curve(x));
+  }
 }
 
 TEST(SplineCurve, RunsStraightThroughPointsOnALine) {
@@ -94,7 +100,9 @@ TEST(ZeroSurface, OfABallHasItsVolumeAndGenus) {
 TEST(ZeroSurface, IsClosedAndManifoldForNoiseToo) {
   Random random(7);
   std::vector<double> noise(20 * 20 * 20);
-  for (double& v : noise) v = random.uniform() - 0.5;
+  for (double& v : noise) {
+    v = random.uniform() - 0.5;
+  }
   const SampleGrid grid{{0, 0, 0}, 1.0, {20, 20, 20}};
   constexpr double kNeverSkip = 1e9;
 
@@ -123,7 +131,9 @@ TEST(Remeshed, KeepsShapeAndTopologyAndEvensTheEdges) {
   EXPECT_NEAR(report.volume_m3 / signedVolume_m3(fine), 1.0, 0.02);
   EXPECT_EQ(report.degenerateFaces, 0U);
   const CollisionMesh surface(fine);
-  for (const Vec3& v : mesh.vertices_m) ASSERT_LT(std::abs(surface.closest(v).distance_m), 1e-9);
+  for (const Vec3& v : mesh.vertices_m) {
+    ASSERT_LT(std::abs(surface.closest(v).distance_m), 1e-9);
+  }
   for (const TriangleMesh::Triangle& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double edge = norm(mesh.vertices_m[t[k]] - mesh.vertices_m[t[(k + 1) % 3]]);
@@ -137,11 +147,15 @@ TEST(MakeArm, FollowsThePersonsMeasures) {
   // A woman of ANSUR II: forearm, palm, breadth and fingers shorter (finger lengths scaled by 72.4 / 76.8).
   ArmMeasures woman;
   woman.forearmLength_mm = 236.0;
-  for (double& girth : woman.girth_mm) girth *= 155.0 / 176.0;
+  for (double& girth : woman.girth_mm) {
+    girth *= 155.0 / 176.0;
+  }
   woman.palmLength_mm = 108.7;
   woman.handBreadth_mm = 78.2;
   woman.handThickness_mm = 26.0;
-  for (double& finger : woman.fingerLength_mm) finger *= 72.4 / 76.8;
+  for (double& finger : woman.fingerLength_mm) {
+    finger *= 72.4 / 76.8;
+  }
 
   const Arm arm = makeArm(woman);
 

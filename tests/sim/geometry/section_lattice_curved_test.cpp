@@ -30,7 +30,9 @@ double distanceFromMesh(const TriangleMesh& mesh, const Vec3& p) {
   NearestOnTriangle nearest;
   for (const auto& [a, b, c] : mesh.triangles) {
     const auto here = nearestOnTriangle(p, {mesh.vertices_m[a], mesh.vertices_m[b], mesh.vertices_m[c]});
-    if (here.distance2 < nearest.distance2) nearest = here;
+    if (here.distance2 < nearest.distance2) {
+      nearest = here;
+    }
   }
   return std::sqrt(nearest.distance2);
 }
@@ -65,7 +67,9 @@ TEST(CurvedLattice, KeepsTheAreaOfASectionRoundTheBend) {
   const SectionLattice lattice(mesh, {});
 
   EXPECT_NEAR(lattice.length_m(), 0.12 + kPi * 0.04 + 0.04, 1e-3);
-  for (int j = 0; j < lattice.sections(); ++j) EXPECT_NEAR(sectionArea(lattice, j), area, 0.01 * area) << j;
+  for (int j = 0; j < lattice.sections(); ++j) {
+    EXPECT_NEAR(sectionArea(lattice, j), area, 0.01 * area) << j;
+  }
 }
 
 TEST(CurvedLattice, MeetsEverySectionOnceWithEveryRidge) {
@@ -244,7 +248,9 @@ TEST_P(ShippedOrgan, FindsItsVerticesAgain) {
 
   double farthest = 0.0;
   for (std::size_t v = 0; v < organ.vertices_m.size(); v += 23) {
-    if (lattice.vertexParts()[v] != LatticePart::kSide) continue;
+    if (lattice.vertexParts()[v] != LatticePart::kSide) {
+      continue;
+    }
     const LatticePoint p = lattice.surfacePoint(lattice.vertexCoordinates()[v]);
     farthest = std::max(farthest, norm(p.position_m - organ.vertices_m[v]));
   }
@@ -280,7 +286,9 @@ TEST(CurvedLattice, EndsBeforeTheThumbOfAnArm) {
   EXPECT_GT(lattice.length_m(), 0.262);
   EXPECT_LT(lattice.length_m(), 0.330);
   for (std::size_t v = 0; v < arm.vertices_m.size(); ++v) {
-    if (arm.vertices_m[v].z < 0.35) continue;
+    if (arm.vertices_m[v].z < 0.35) {
+      continue;
+    }
     EXPECT_EQ(lattice.vertexParts()[v], LatticePart::kFreeCap) << v;
   }
 }

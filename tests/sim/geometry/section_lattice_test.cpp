@@ -118,7 +118,9 @@ TEST_P(StraightBar, HasTheTrueOutlineInEverySection) {
     for (int j = 0; j < lattice.sections(); ++j) {
       const double scale = 1.0 + (bar.topScale - 1.0) * lattice.sectionArc_m(j) / kHeight_m;
       Outline2 truth = bar.outline;
-      for (auto& p : truth) p = {scale * p[0], scale * p[1]};
+      for (auto& p : truth) {
+        p = {scale * p[0], scale * p[1]};
+      }
       for (const Point2& p : seenFromAbove(lattice, j)) {
         EXPECT_LT(distanceFrom(truth, p), bowed(bar) ? kBowed_m : kBar_m) << bar.name << " " << j;
       }
@@ -156,7 +158,9 @@ TEST_P(StraightBar, LiesAnywhereInSpace) {
 
   EXPECT_NEAR(lattice.length_m(), kHeight_m, 1e-12);
   const double area = areaOf(testing::starOutline(5, 0.04, 0.02));
-  for (int j = 0; j < lattice.sections(); ++j) EXPECT_NEAR(areaOf(outlineOf(lattice, j)), area, 1e-9 * area);
+  for (int j = 0; j < lattice.sections(); ++j) {
+    EXPECT_NEAR(areaOf(outlineOf(lattice, j)), area, 1e-9 * area);
+  }
 }
 
 TEST_P(StraightBar, WorksWithNoVertexBetweenItsEnds) {
@@ -166,7 +170,9 @@ TEST_P(StraightBar, WorksWithNoVertexBetweenItsEnds) {
   const SectionLattice lattice(mesh, options());
 
   EXPECT_NEAR(lattice.length_m(), kHeight_m, kExact_m);
-  for (int j = 0; j < lattice.sections(); ++j) EXPECT_NEAR(areaOf(outlineOf(lattice, j)), 0.04 * 0.03, 1e-12);
+  for (int j = 0; j < lattice.sections(); ++j) {
+    EXPECT_NEAR(areaOf(outlineOf(lattice, j)), 0.04 * 0.03, 1e-12);
+  }
 }
 
 TEST_P(StraightBar, LeadsEachRidgeStraightFromEndToEnd) {
@@ -211,7 +217,9 @@ TEST_P(StraightBar, SpacesRidgesByEqualWayOrEqualAngle) {
   for (int ridge = 0; ridge < 24; ++ridge) {
     const Vec3 p = angles.keyPoint_m(ridge, 8);
     double angle = std::atan2(p.y, p.x);
-    if (angle < -1e-9) angle += 2.0 * kPi;
+    if (angle < -1e-9) {
+      angle += 2.0 * kPi;
+    }
     EXPECT_NEAR(angle, 2.0 * kPi * ridge / 24, 1e-9);
   }
 }
@@ -262,7 +270,9 @@ TEST_P(StraightBar, FindsEachVertexAgainByItsCoordinates) {
         EXPECT_NEAR(c.arc_m, mesh.vertices_m[v].z, arcTolerance) << bar.name << " " << v;
         EXPECT_GE(c.angle_rad, 0.0);
         EXPECT_LT(c.angle_rad, 2.0 * kPi);
-        if (lattice.vertexParts()[v] != LatticePart::kSide) continue;
+        if (lattice.vertexParts()[v] != LatticePart::kSide) {
+          continue;
+        }
         const LatticePoint p = lattice.surfacePoint(c);
         EXPECT_LT(norm(p.position_m - mesh.vertices_m[v]), tolerance) << bar.name << " " << v;
         Vec3 blended;
@@ -308,7 +318,9 @@ TEST_P(StraightBar, StaysTheSameHoweverItIsTriangulated) {
   EXPECT_NEAR(lattice.length_m(), kHeight_m, 1e-9);
   for (int j = 0; j < lattice.sections(); ++j) {
     EXPECT_NEAR(areaOf(outlineOf(lattice, j)), areaOf(outline), 1e-4 * areaOf(outline));
-    for (const Point2& p : seenFromAbove(lattice, j)) EXPECT_LT(distanceFrom(outline, p), kRemeshed_m);
+    for (const Point2& p : seenFromAbove(lattice, j)) {
+      EXPECT_LT(distanceFrom(outline, p), kRemeshed_m);
+    }
   }
 }
 
@@ -407,7 +419,9 @@ TEST(SectionLattice, CutsAnOrganBetweenTheGivenPlanes) {
   EXPECT_NEAR(lattice.length_m(), 0.1, kExact_m);
   EXPECT_NEAR(lattice.frameAt(0.05).tangent.z, 1.0, 1e-12);
   for (std::size_t v = 0; v < mesh.vertices_m.size(); ++v) {
-    if (mesh.vertices_m[v].z < 0.1001) continue;
+    if (mesh.vertices_m[v].z < 0.1001) {
+      continue;
+    }
     EXPECT_EQ(lattice.vertexParts()[v], LatticePart::kFreeCap);
     EXPECT_EQ(lattice.vertexCoordinates()[v].arc_m, lattice.length_m());
   }
@@ -425,7 +439,9 @@ TEST(SectionLattice, CutsACurvedOrganWhereAsked) {
   // A cut through the mesh ends about an edge length before it: rings are 5 mm apart.
   EXPECT_NEAR(lattice.length_m(), 0.1, 0.006);
   for (std::size_t v = 0; v < mesh.vertices_m.size(); ++v) {
-    if (mesh.vertices_m[v].z <= 0.1) continue;
+    if (mesh.vertices_m[v].z <= 0.1) {
+      continue;
+    }
     EXPECT_EQ(lattice.vertexParts()[v], LatticePart::kFreeCap);
   }
 }

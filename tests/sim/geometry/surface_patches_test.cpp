@@ -77,7 +77,9 @@ TEST(DeformedSurface, AnswersLikeAMeshThatWasBuiltFromTheMovedVertices) {
     ASSERT_NEAR(norm(point.normal - expected.normal), 0.0, 1e-6);
     const SegmentHit expectedHit = built.nearest({from, to}, 0.01);
     ASSERT_EQ(hit.found, expectedHit.found);
-    if (!hit.found) continue;
+    if (!hit.found) {
+      continue;
+    }
     ASSERT_NEAR(hit.surface.distance_m, expectedHit.surface.distance_m, 1e-12);
   }
 }

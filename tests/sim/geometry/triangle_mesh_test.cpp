@@ -24,10 +24,14 @@ TEST(TriangleMesh, EnclosesTheVolumeOfATetrahedron) {
   TriangleMesh mesh = cornerTetrahedron();
   EXPECT_NEAR(signedVolume_m3(mesh), 1e-6 / 6.0, 1e-20);
 
-  for (Vec3& v : mesh.vertices_m) v += Vec3{50.0, -20.0, 7.0};
+  for (Vec3& v : mesh.vertices_m) {
+    v += Vec3{50.0, -20.0, 7.0};
+  }
   EXPECT_NEAR(signedVolume_m3(mesh), 1e-6 / 6.0, 1e-17);  // digits lost: 50 m against 10 mm
 
-  for (TriangleMesh::Triangle& t : mesh.triangles) std::swap(t[0], t[1]);
+  for (TriangleMesh::Triangle& t : mesh.triangles) {
+    std::swap(t[0], t[1]);
+  }
   EXPECT_NEAR(signedVolume_m3(mesh), -1e-6 / 6.0, 1e-17);
   EXPECT_EQ(signedVolume_m3({}), 0.0);
 }

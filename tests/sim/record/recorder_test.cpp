@@ -73,7 +73,9 @@ class RecorderTest : public testing::Test {
   void TearDown() override { fs::remove_all(folder); }
   RecorderOptions options() const { return {.spillFolder = folder}; }
   void push(std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i < to; ++i) ASSERT_TRUE(ring.push(samples[i]));
+    for (std::size_t i = from; i < to; ++i) {
+      ASSERT_TRUE(ring.push(samples[i]));
+    }
   }
 
   fs::path folder;
@@ -101,7 +103,9 @@ TEST_F(RecorderTest, BatchesOneSecondAndHandsOnTheRestAtTheEnd) {
   EXPECT_FALSE(result.spillFile.has_value());
   EXPECT_TRUE(result.problem.empty());
   const std::vector<Sample> back = decodeTrial(sink.trial());
-  for (std::size_t i = 0; i < samples.size(); ++i) ASSERT_EQ(back[i], inStoredSteps(samples[i]));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    ASSERT_EQ(back[i], inStoredSteps(samples[i]));
+  }
 }
 
 TEST_F(RecorderTest, SealsTheTrialWithAContentHashThatSeesEveryChange) {
@@ -147,7 +151,9 @@ TEST_F(RecorderTest, CountsWhatTheRingRefused) {
   }
   Recorder recorder(small, sink, someHeader(), options());
   int refused = 0;
-  for (std::size_t i = 0; i < 1'200; ++i) refused += small.push(samples[i]) ? 0 : 1;
+  for (std::size_t i = 0; i < 1'200; ++i) {
+    refused += small.push(samples[i]) ? 0 : 1;
+  }
 
   const RecordingResult result = recorder.finish(TrialOutcome::kCompleted, 0);
 
@@ -189,7 +195,9 @@ TEST_F(RecorderTest, SpillsTheWholeTrialToAFileWhenTheSinkGivesUpHalfWay) {
   recorder.pump();
   closing.close();
   push(1'500, 3'500);
-  for (int i = 0; i < 3; ++i) recorder.pump();
+  for (int i = 0; i < 3; ++i) {
+    recorder.pump();
+  }
   EXPECT_TRUE(recorder.spilling());
 
   const RecordingResult result = recorder.finish(TrialOutcome::kCompleted, 0);
@@ -225,7 +233,9 @@ TEST_F(RecorderTest, RecordsFromItsOwnThreadWithoutLosingASample) {
   recorder.start();
   std::thread servo([&wide, &many] {
     for (const Sample& sample : many) {
-      while (!wide.push(sample)) std::this_thread::yield();
+      while (!wide.push(sample)) {
+        std::this_thread::yield();
+      }
     }
   });
   servo.join();
@@ -237,7 +247,9 @@ TEST_F(RecorderTest, RecordsFromItsOwnThreadWithoutLosingASample) {
   EXPECT_NO_THROW(verifyContent(sink.trial()));
   const std::vector<Sample> back = decodeTrial(sink.trial());
   ASSERT_EQ(back.size(), many.size());
-  for (std::size_t i = 0; i < many.size(); ++i) ASSERT_EQ(back[i].device, many[i].device);
+  for (std::size_t i = 0; i < many.size(); ++i) {
+    ASSERT_EQ(back[i].device, many[i].device);
+  }
 }
 
 class TrialFile : public RecorderTest {

@@ -21,7 +21,9 @@ std::vector<std::int64_t> roundTrip(const std::vector<std::int64_t>& column,
   std::vector<std::uint8_t> packed;
   packColumn(column, packed);
   EXPECT_LE(packed.size(), largestPackedColumn(column.size()));
-  if (packedSize != nullptr) *packedSize = packed.size();
+  if (packedSize != nullptr) {
+    *packedSize = packed.size();
+  }
   std::vector<std::int64_t> back(column.size());
   EXPECT_TRUE(unpackColumn(packed, back).empty());
   return back;
@@ -54,7 +56,9 @@ TEST(ColumnCodec, RoundTripsRandomColumnsOfEveryRoughness) {
 
 TEST(ColumnCodec, TakesNothingPerSampleForColumnsThatAPolynomialDescribes) {
   std::vector<std::int64_t> cubic(1000);
-  for (std::int64_t i = 0; i < 1000; ++i) cubic[static_cast<std::size_t>(i)] = 7 * i * i * i - 40 * i * i + 3;
+  for (std::int64_t i = 0; i < 1000; ++i) {
+    cubic[static_cast<std::size_t>(i)] = 7 * i * i * i - 40 * i * i + 3;
+  }
   std::size_t size = 0;
 
   EXPECT_EQ(roundTrip(cubic, &size), cubic);
@@ -94,12 +98,15 @@ TEST(SampleCodec, GivesTheSameBytesForTheSameSamples) {
 TEST(SampleCodec, RoundTripsSamplesOfPureNoise) {
   Random random(2);
   std::vector<Sample> samples(500);
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  for (std::size_t i = 0; i < samples.size(); ++i) {
     samples[i] = noiseSample(static_cast<std::int64_t>(3 * i), random);
+  }
 
   const std::vector<Sample> back = decodeChunk(encodeChunk(0, samples));
 
-  for (std::size_t i = 0; i < samples.size(); ++i) ASSERT_EQ(back[i], inStoredSteps(samples[i]));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    ASSERT_EQ(back[i], inStoredSteps(samples[i]));
+  }
 }
 
 TEST(SampleCodec, KeepsAnHourOfTwistingBelowSixtyMegabytes) {
@@ -196,7 +203,9 @@ TEST(SampleCodec, SurvivesRandomDamageBehindAValidDigest) {
     for (std::uint64_t n = 1 + random.bounded(4); n > 0; --n) {
       bad.bytes[random.bounded(bad.bytes.size())] = static_cast<std::byte>(random.bounded(256));
     }
-    if (random.bounded(4) == 0) bad.samples = static_cast<std::int64_t>(1 + random.bounded(400));
+    if (random.bounded(4) == 0) {
+      bad.samples = static_cast<std::int64_t>(1 + random.bounded(400));
+    }
     bad.digest = chunkDigest(bad);
     try {
       // A bit that the frame format leaves unused may be taken; then nothing else may have changed.
@@ -215,7 +224,9 @@ TEST(SampleCodec, RefusesRandomBytes) {
     TrialChunk chunk;
     chunk.samples = 100;
     chunk.bytes.resize(random.bounded(200));
-    for (std::byte& byte : chunk.bytes) byte = static_cast<std::byte>(random.bounded(256));
+    for (std::byte& byte : chunk.bytes) {
+      byte = static_cast<std::byte>(random.bounded(256));
+    }
     chunk.digest = chunkDigest(chunk);
     ASSERT_EQ(refusal(chunk), ErrorCode::kBadData);
   }
@@ -228,7 +239,9 @@ TEST(ColumnCodec, SurvivesRandomBytes) {
   int refused = 0;
   for (int round = 0; round < 50'000; ++round) {
     std::vector<std::uint8_t> packed(random.bounded(500));
-    for (std::uint8_t& byte : packed) byte = static_cast<std::uint8_t>(random.bounded(256));
+    for (std::uint8_t& byte : packed) {
+      byte = static_cast<std::uint8_t>(random.bounded(256));
+    }
     if (packed.size() >= 2 && round % 2 == 0) {
       packed[0] %= 6;
       packed[1] %= 10;

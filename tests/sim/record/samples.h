@@ -30,7 +30,9 @@ inline std::vector<Sample> twistSamples(std::int64_t count) {
     Sample s;
     s.tick = i;
     s.device = device;
-    if (i % 777 == 5) s.command = {ServoCommand::Kind::kSetTarget, 0.1 * t};
+    if (i % 777 == 5) {
+      s.command = {ServoCommand::Kind::kSetTarget, 0.1 * t};
+    }
     if (held) {
       s.phase = ExercisePhase::kTwisting;
       s.limits = i % 100 < 10 ? kForceSlew : kForceFull;
@@ -53,8 +55,12 @@ inline Sample noiseSample(std::int64_t tick, Random& random) {
   Sample s;
   s.tick = tick;
   s.device.time_us = static_cast<std::int64_t>(random.next());
-  for (std::int32_t& value : s.device.position) value = any32();
-  for (std::int32_t& value : s.device.orientation) value = any32();
+  for (std::int32_t& value : s.device.position) {
+    value = any32();
+  }
+  for (std::int32_t& value : s.device.orientation) {
+    value = any32();
+  }
   s.device.roll = any32();
   s.device.grip = any32();
   s.device.buttons = static_cast<std::uint32_t>(random.next());

@@ -294,7 +294,9 @@ TEST(UsersOrgan, IsCutByItsFieldWhenItIsBent) {
 
 TEST(UsersOrgan, IsReadInItsUnit) {
   TriangleMesh bar = testing::prism(testing::circleOutline(0.03, 36), 0.2, 12);
-  for (Vec3& p : bar.vertices_m) p *= 0.1;  // written in millimetres: now in centimetres
+  for (Vec3& p : bar.vertices_m) {
+    p *= 0.1;  // written in millimetres: now in centimetres
+  }
   SceneRequest request = usersMesh(bar, "centimetres");
   request.organScale_m = 0.01;
 

@@ -13,7 +13,9 @@ constexpr double kSurface_N_per_m = 500.0;
 TEST(ContactCoupling, MeetsASteadyPushWithTheSpringsInSeries) {
   ContactCoupling coupling(kSurface_N_per_m, 1000);
 
-  for (int i = 0; i < 50; ++i) (void)coupling.step(0.002);
+  for (int i = 0; i < 50; ++i) {
+    (void)coupling.step(0.002);
+  }
 
   // 500 and 2000 N/m in series are 400 N/m; the surface takes 2000 / 2500 of the way.
   EXPECT_NEAR(coupling.force_N(), 400.0 * 0.002, 1e-12);
@@ -40,7 +42,9 @@ TEST(ContactCoupling, TakesInMoreWorkThanItGivesBackOverEveryCycle) {
     const double depth_m = 0.002 + 0.001 * std::sin(2.0 * 3.14159265358979 * i / 100.0);
     (void)coupling.step(depth_m);
     // Trapezoid: the continuous coupling's own work, without the hold between ticks.
-    if (i > 100) work_J += 0.5 * (coupling.force_N() + before_N) * (depth_m - before_m);
+    if (i > 100) {
+      work_J += 0.5 * (coupling.force_N() + before_N) * (depth_m - before_m);
+    }
     before_m = depth_m;
     before_N = coupling.force_N();
   }

@@ -51,7 +51,9 @@ class ExerciseTest : public ::testing::Test {
   /// Held still until the coupling has come to rest: 20 ticks are 40 of its time constants.
   ExerciseStep settled(const ToolState& tool) {
     ExerciseStep answer;
-    for (int i = 0; i < 20; ++i) answer = step(tool);
+    for (int i = 0; i < 20; ++i) {
+      answer = step(tool);
+    }
     return answer;
   }
   /// Touches, closes the jaw and holds; the angle is 0.
@@ -211,7 +213,9 @@ TEST_F(ExerciseTest, GripsNothingWhenTheJawArrivesClosedOrClosesTooFarAway) {
   (void)step(onSurface(0.0, -0.010));
   (void)step(onSurface(0.0, -0.010, 1.0));  // closed 10 mm away
   ExerciseStep answer;
-  for (int i = 0; i < 10; ++i) answer = step(onSurface(0.0, 0.001, 1.0));
+  for (int i = 0; i < 10; ++i) {
+    answer = step(onSurface(0.0, 0.001, 1.0));
+  }
 
   EXPECT_EQ(answer.phase, ExercisePhase::kContact);
 }
@@ -287,7 +291,9 @@ TEST_F(ExerciseTest, MeasuresThePureRollExactly) {
 TEST_F(ExerciseTest, AnswersMirroredMotionWithMirroredTorqueAndForce) {
   gripAt(0.0);
   std::vector<ExerciseStep> there;
-  for (int i = 0; i <= 120; ++i) there.push_back(step(onSurface(radians(i), 0.001, 1.0)));
+  for (int i = 0; i <= 120; ++i) {
+    there.push_back(step(onSurface(radians(i), 0.001, 1.0)));
+  }
   gripAt(0.0);
   for (int i = 0; i <= 120; ++i) {
     const TwistResponse back = step(onSurface(radians(-i), 0.001, 1.0)).response;
@@ -333,7 +339,9 @@ TEST_F(ExerciseTest, LetsGoWhenAViewAsksAndGripsOnlyAfterTheJawOpenedAgain) {
   exercise.releaseTissue();
   const ExerciseStep released = step(onSurface(radians(20.0), 0.001, 1.0));
   ExerciseStep answer = released;
-  for (int i = 0; i < 2'000; ++i) answer = step(onSurface(radians(20.0), 0.001, 1.0));
+  for (int i = 0; i < 2'000; ++i) {
+    answer = step(onSurface(radians(20.0), 0.001, 1.0));
+  }
   const ExercisePhase stillClosed = answer.phase;
   (void)step(onSurface(radians(20.0), 0.001, 0.0));
   (void)step(onSurface(radians(20.0), 0.001, 1.0));
@@ -402,7 +410,9 @@ TEST_F(ExerciseTest, ObeysItsRulesUnderWildMotion) {
     depth_m += 0.001 * random.normal() - 0.002 * depth_m;
     tool = onSurface(angle_rad, depth_m, random.bounded(2) == 0 ? tool.grip : random.uniform(),
                      0.25 * random.uniform());
-    if (random.bounded(4'000) == 0) tool.status = kDeviceLost;
+    if (random.bounded(4'000) == 0) {
+      tool.status = kDeviceLost;
+    }
 
     const ExerciseStep answer = step(tool);
 

@@ -33,7 +33,9 @@ class CountingSink final : public TrialSink {
     ++chunks_;
     samples_ += chunk.samples;
     bytes_ += chunk.bytes.size();
-    if (part_.chunks.size() == kReplayed_s) return;
+    if (part_.chunks.size() == kReplayed_s) {
+      return;
+    }
     part_.chunks.push_back(chunk);
     part_.summary.samples = samples_;
   }
@@ -80,7 +82,9 @@ TEST(ServoLoop, LosesNoSampleInFortyMinutesOnAManualClock) {
   for (std::int64_t i = 0; i < kTicks; ++i) {
     loop.tick(1000 * i);
     ++ticksIn[static_cast<std::size_t>(loop.lastSample().phase)];
-    if (i % 1000 != 999) continue;
+    if (i % 1000 != 999) {
+      continue;
+    }
     recorder.pump();
     ASSERT_EQ(recorder.samples(), i + 1);  // nothing waits in the ring
     for (ExerciseMoment moment; events.pop(moment);) {

@@ -51,7 +51,9 @@ TEST(RecordedTrials, HoldATwistThatIsWorthReplaying) {
 
 TEST(RecordedTrials, KeepTheirRulesWhenTheyAreWrittenAgain) {
   Trial trial = stored("first-release-tangential");
-  for (TrialChunk& chunk : trial.chunks) chunk = encodeChunk(chunk.index, decodeChunk(chunk));
+  for (TrialChunk& chunk : trial.chunks) {
+    chunk = encodeChunk(chunk.index, decodeChunk(chunk));
+  }
 
   const std::vector<Sample> samples = decodeTrial(trial);
 

@@ -68,7 +68,9 @@ Recording record(HapticDevice& device, const ServoOptions& options, int ticks,
     }
     loop.tick(1000LL * i + (i * 31) % 17);
     recording.exact.push_back(loop.lastSample());
-    if (i % 1000 == 999) recorder.pump();
+    if (i % 1000 == 999) {
+      recorder.pump();
+    }
   }
   (void)recorder.finish(TrialOutcome::kCompleted, loop.lateTicks());
   recording.trial = sink.trial();
@@ -83,7 +85,9 @@ TEST(ServoLoop, TakesAScriptedHandThroughAllPhasesOfAnExercise) {
   double largest_rad = 0.0;
   double largest_N = 0.0;
   for (const Sample& sample : recording.exact) {
-    if (phases.empty() || phases.back() != sample.phase) phases.push_back(sample.phase);
+    if (phases.empty() || phases.back() != sample.phase) {
+      phases.push_back(sample.phase);
+    }
     largest_rad = std::max(largest_rad, sample.response.angle_rad);
     largest_N = std::max(largest_N, norm(sample.force_N));
   }
@@ -220,9 +224,13 @@ TEST(ReplayTrial, StopsAtAGapThatAFullRingLeft) {
   MemoryTrialSink sink;
   ServoLoop loop({.device = &device, .scene = &scene(), .recording = &ring}, {});
   Recorder recorder(ring, sink, headerFor(device, {}));
-  for (int i = 0; i < 1'000; ++i) loop.tick(1000LL * i);
+  for (int i = 0; i < 1'000; ++i) {
+    loop.tick(1000LL * i);
+  }
   recorder.pump();
-  for (int i = 1'000; i < 1'500; ++i) loop.tick(1000LL * i);
+  for (int i = 1'000; i < 1'500; ++i) {
+    loop.tick(1000LL * i);
+  }
   const RecordingResult result = recorder.finish(TrialOutcome::kCompleted, 0);
 
   const ReplayReport report = replayTrial(scene(), sink.trial());
@@ -266,7 +274,9 @@ TEST(ServoLoop, TakesNoMemoryInATick) {
   ASSERT_TRUE(wishes.push({ServoCommand::Kind::kSetTarget, 1.0}));
 
   const std::int64_t before = testing::allocationCount();
-  for (int i = 0; i < 10'000; ++i) loop.tick(1000LL * i);
+  for (int i = 0; i < 10'000; ++i) {
+    loop.tick(1000LL * i);
+  }
   const std::int64_t taken = testing::allocationCount() - before;
 
   EXPECT_EQ(taken, 0);
@@ -297,7 +307,9 @@ TEST(ServoLoop, PublishesWhatItRecords) {
   ScriptedHand hand = trainee(3, 20.0);
   LatestValue<LiveState> live;
   ServoLoop loop({.device = &hand, .scene = &scene(), .live = &live}, {.targetAngle_rad = 1.25});
-  for (int i = 0; i < 4'000; ++i) loop.tick(1000LL * i);
+  for (int i = 0; i < 4'000; ++i) {
+    loop.tick(1000LL * i);
+  }
 
   const LiveState state = live.latest();
 

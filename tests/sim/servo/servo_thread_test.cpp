@@ -60,7 +60,9 @@ TEST(ServoThread, StopsTwiceAndStartsAgain) {
   for (int round = 0; round < 2; ++round) {
     const std::int64_t before = loop.ticks();
     thread.start();
-    while (thread.duration().count == before) std::this_thread::yield();
+    while (thread.duration().count == before) {
+      std::this_thread::yield();
+    }
     thread.stop();
     thread.stop();
     EXPECT_GT(loop.ticks(), before);
@@ -72,7 +74,9 @@ class SlowDevice final : public HapticDevice {
  public:
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return capabilities_; }
   [[nodiscard]] DeviceSample read(std::int64_t) noexcept override {
-    if (++reads_ % 20 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    if (++reads_ % 20 == 0) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
     return {};
   }
   void write(const ForceCommand&) noexcept override {}
@@ -90,7 +94,9 @@ TEST(ServoThread, SkipsMissedDeadlinesInsteadOfCatchingUpInABurst) {
   ServoThread thread(loop, 1000);
 
   thread.start();
-  while (thread.duration().count < 200) std::this_thread::yield();
+  while (thread.duration().count < 200) {
+    std::this_thread::yield();
+  }
   thread.stop();
 
   // Ten milliseconds of sleep pass nine or more deadlines, ten times in two hundred ticks.
@@ -119,7 +125,9 @@ class HangingDevice final : public HapticDevice {
   [[nodiscard]] const DeviceCapabilities& capabilities() const noexcept override { return capabilities_; }
   [[nodiscard]] DeviceSample read(std::int64_t) noexcept override {
     if (++reads_ == 50) {
-      while (!dropped.load()) std::this_thread::yield();
+      while (!dropped.load()) {
+        std::this_thread::yield();
+      }
     }
     return {};
   }
@@ -139,7 +147,9 @@ TEST(ServoThread, LetsGoOfTheHandWhenATickHangs) {
   ServoThread thread(loop, 1000);
 
   thread.start();
-  while (thread.duration().count < 60) std::this_thread::yield();  // for ever without a watchdog
+  while (thread.duration().count < 60) {
+    std::this_thread::yield();  // for ever without a watchdog
+  }
   thread.stop();
 
   EXPECT_TRUE(device.dropped.load());

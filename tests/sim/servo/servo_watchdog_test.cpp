@@ -14,9 +14,13 @@ TEST(ServoWatchdog, LetsGoOnceForEachStall) {
   ServoWatchdog dog([&dropped] { ++dropped; });
   dog.beat(0);
 
-  for (int ms = 0; ms < 25; ++ms) dog.check(ms * kMillisecond_ns);
+  for (int ms = 0; ms < 25; ++ms) {
+    dog.check(ms * kMillisecond_ns);
+  }
   EXPECT_EQ(dropped, 0);
-  for (int ms = 25; ms < 200; ++ms) dog.check(ms * kMillisecond_ns);
+  for (int ms = 25; ms < 200; ++ms) {
+    dog.check(ms * kMillisecond_ns);
+  }
   EXPECT_EQ(dropped, 1);
   dog.beat(200 * kMillisecond_ns);
   dog.check(224 * kMillisecond_ns);
@@ -30,7 +34,9 @@ TEST(ServoWatchdog, LetsGoOnceForEachStall) {
 TEST(ServoWatchdog, WatchesNothingBeforeTheFirstTickAndNeverBitesALivelyOne) {
   int dropped = 0;
   ServoWatchdog dog([&dropped] { ++dropped; });
-  for (int ms = 0; ms < 100; ++ms) dog.check(ms * kMillisecond_ns);
+  for (int ms = 0; ms < 100; ++ms) {
+    dog.check(ms * kMillisecond_ns);
+  }
   for (int ms = 100; ms < 10'000; ++ms) {
     dog.beat(ms * kMillisecond_ns);
     dog.check(ms * kMillisecond_ns + 999'999);

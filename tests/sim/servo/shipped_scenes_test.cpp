@@ -55,7 +55,9 @@ TEST(ShippedScenes, LetASkilledHandDoEveryPattern) {
         loop.tick(time_us);
         events |= loop.lastEvents();
         const TwistResponse& response = loop.lastSample().response;
-        if (std::abs(response.angle_rad) > std::abs(angle_rad)) angle_rad = response.angle_rad;
+        if (std::abs(response.angle_rad) > std::abs(angle_rad)) {
+          angle_rad = response.angle_rad;
+        }
         torque_Nm = std::max(torque_Nm, std::abs(response.torque_Nm));
       }
 
@@ -89,7 +91,9 @@ TEST(ShippedScenes, ReplayBitForBitWithAModelThatWasBuiltAnew) {
     Recorder recorder(ring, sink, header);
     for (int i = 0; i < 12'000; ++i) {
       loop.tick(1000LL * i);
-      if (i % 1000 == 999) recorder.pump();
+      if (i % 1000 == 999) {
+        recorder.pump();
+      }
     }
     (void)recorder.finish(TrialOutcome::kCompleted, 0);
     trial = sink.trial();

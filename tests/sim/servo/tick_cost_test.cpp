@@ -49,7 +49,9 @@ TEST(TickCost, TakesNoMemoryAndNoLockThroughAWholeExercise) {
 }
 
 TEST(TickCost, WouldSeeALock) {
-  if (!testing::lockCountWorks()) GTEST_SKIP() << "locks are not counted here";
+  if (!testing::lockCountWorks()) {
+    GTEST_SKIP() << "locks are not counted here";
+  }
   std::mutex mutex;
   const std::int64_t before = testing::lockCount();
   { const std::lock_guard<std::mutex> guard(mutex); }
@@ -62,7 +64,9 @@ TEST(TickCost, TellsEveryMomentWithItsTime) {
   SpscRing<ExerciseMoment> events(64);
   LatestValue<LiveState> live;
   ServoLoop loop({.device = &hand, .scene = &scene, .live = &live, .events = &events}, {});
-  for (int i = 0; i < 10'000; ++i) loop.tick(1000LL * i);
+  for (int i = 0; i < 10'000; ++i) {
+    loop.tick(1000LL * i);
+  }
 
   std::uint32_t seen = kEventNone;
   std::int64_t touched_us = -1;
@@ -75,9 +79,15 @@ TEST(TickCost, TellsEveryMomentWithItsTime) {
     EXPECT_EQ(moment.time_us, 1000 * moment.tick);
     last_us = moment.time_us;
     seen |= moment.events;
-    if ((moment.events & kEventTouched) != 0) touched_us = moment.time_us;
-    if ((moment.events & kEventGripped) != 0) gripped_us = moment.time_us;
-    if ((moment.events & kEventReleased) != 0) released_us = moment.time_us;
+    if ((moment.events & kEventTouched) != 0) {
+      touched_us = moment.time_us;
+    }
+    if ((moment.events & kEventGripped) != 0) {
+      gripped_us = moment.time_us;
+    }
+    if ((moment.events & kEventReleased) != 0) {
+      released_us = moment.time_us;
+    }
   }
 
   EXPECT_EQ(seen & (kEventTouched | kEventGripped | kEventReleased),

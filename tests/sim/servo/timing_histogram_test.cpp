@@ -16,7 +16,9 @@ TEST(TimingHistogram, SaysNothingBeforeTheFirstValue) {
 
 TEST(TimingHistogram, BoundsEachQuantileFromAboveByAQuarter) {
   TimingHistogram histogram;
-  for (int i = 1; i <= 10'000; ++i) histogram.add_ns(i * 1000);  // 1 us .. 10 ms, evenly
+  for (int i = 1; i <= 10'000; ++i) {
+    histogram.add_ns(i * 1000);  // 1 us .. 10 ms, evenly
+  }
 
   const TimingSummary summary = histogram.summary();
 
@@ -31,7 +33,9 @@ TEST(TimingHistogram, BoundsEachQuantileFromAboveByAQuarter) {
 
 TEST(TimingHistogram, KeepsRareOutliersInItsMaximum) {
   TimingHistogram histogram;
-  for (int i = 0; i < 9'999; ++i) histogram.add_ns(20'000);
+  for (int i = 0; i < 9'999; ++i) {
+    histogram.add_ns(20'000);
+  }
   histogram.add_ns(24'500'000);
 
   EXPECT_LE(histogram.summary().p999_us, 25.0);

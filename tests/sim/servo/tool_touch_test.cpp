@@ -129,9 +129,13 @@ TEST(ToolTouch, AgreesWithFclOnATwistedBar) {
   const CollisionMesh surface(mesh);
   auto model = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
   std::vector<fcl::Vector3d> points;
-  for (const Vec3& v : mesh.vertices_m) points.emplace_back(v.x, v.y, v.z);
+  for (const Vec3& v : mesh.vertices_m) {
+    points.emplace_back(v.x, v.y, v.z);
+  }
   std::vector<fcl::Triangle> triangles;
-  for (const TriangleMesh::Triangle& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
+  for (const TriangleMesh::Triangle& t : mesh.triangles) {
+    triangles.emplace_back(t[0], t[1], t[2]);
+  }
   model->beginModel();
   model->addSubModel(points, triangles);
   model->endModel();
@@ -140,7 +144,9 @@ TEST(ToolTouch, AgreesWithFclOnATwistedBar) {
   for (const ToolState& tool : toolsNear(mesh, surface, 400)) {
     const ToolShape shape = toolShape(tool, scene.instrument);
     const ToolTouch touch = touchTool(shape, scene, twist, false);
-    if (!(touch.shaft.gap_m > 0.0) || !std::isfinite(touch.shaft.gap_m)) continue;  // FCL has no depth
+    if (!(touch.shaft.gap_m > 0.0) || !std::isfinite(touch.shaft.gap_m)) {
+      continue;  // FCL has no depth
+    }
     const auto capsule =
         std::make_shared<fcl::Capsuled>(shape.tipRadius_m, norm(shape.shaft.to_m - shape.shaft.from_m));
     fcl::Transform3d pose = fcl::Transform3d::Identity();

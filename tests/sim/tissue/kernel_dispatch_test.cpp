@@ -45,8 +45,9 @@ class KernelDispatch : public testing::TestWithParam<Isa> {
   static Aligned<float> randomBlocks(int streams, std::uint64_t seed) {
     Random random(seed);
     auto blocks = aligned<float>(kVertices * streams);
-    for (std::size_t i = 0; i < blocks.size(); ++i)
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
       blocks[i] = static_cast<float>(2.0 * random.uniform() - 1.0);
+    }
     return blocks;
   }
   static double stream(const Aligned<float>& blocks, int streams, int vertex, int which) {
@@ -209,7 +210,9 @@ TEST_P(KernelDispatch, LatticeMovesEverySectionByItsOwnMatrix) {
   const auto in = randomBlocks(3, 16);
   Random random(17);
   std::vector<float> motions(12 * kSections);
-  for (float& m : motions) m = static_cast<float>(random.uniform());
+  for (float& m : motions) {
+    m = static_cast<float>(random.uniform());
+  }
   auto out = aligned<float>(kVertices * 3);
   auto inDouble = aligned<double>(kVertices * 3);
   auto outDouble = aligned<double>(kVertices * 3);
@@ -223,7 +226,9 @@ TEST_P(KernelDispatch, LatticeMovesEverySectionByItsOwnMatrix) {
     const double* m = motionsDouble.data() + 12 * (v / kKernelBlock);
     for (int axis = 0; axis < 3; ++axis) {
       double expected = m[9 + axis];
-      for (int k = 0; k < 3; ++k) expected += m[3 * axis + k] * stream(in, 3, v, k);
+      for (int k = 0; k < 3; ++k) {
+        expected += m[3 * axis + k] * stream(in, 3, v, k);
+      }
       const std::size_t at = lane(3, v, axis);
       EXPECT_NEAR(out[at], expected, kFloatTolerance);
       EXPECT_NEAR(outDouble[at], expected, 1e-15);
@@ -235,9 +240,13 @@ TEST_P(KernelDispatch, ComponentKrigingIsTheWeightedSumOverBothRidges) {
   // Given twenty key points of random displacement and two vertices with random weights.
   Random random(18);
   std::vector<float> weights(16);
-  for (float& w : weights) w = static_cast<float>(random.uniform() - 0.4);
+  for (float& w : weights) {
+    w = static_cast<float>(random.uniform() - 0.4);
+  }
   std::vector<float> displacements(4 * 20);
-  for (float& d : displacements) d = static_cast<float>(random.uniform());
+  for (float& d : displacements) {
+    d = static_cast<float>(random.uniform());
+  }
   const std::vector<int> first{0, 2};
   const std::vector<int> firstNext{10, 12};
   const std::vector<float> share{0.25F, 1.0F};

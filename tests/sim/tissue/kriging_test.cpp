@@ -27,14 +27,18 @@ constexpr Covariance kAll[] = {Covariance::kGaussian, Covariance::kExponential, 
 std::vector<double> evenSamples(int count) {
   std::vector<double> samples;
   samples.reserve(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) samples.push_back(static_cast<double>(i) / (count - 1));
+  for (int i = 0; i < count; ++i) {
+    samples.push_back(static_cast<double>(i) / (count - 1));
+  }
   return samples;
 }
 
 std::vector<double> valuesOf(const std::function<double(double)>& field, const std::vector<double>& samples) {
   std::vector<double> values;
   values.reserve(samples.size());
-  for (const double s : samples) values.push_back(field(s));
+  for (const double s : samples) {
+    values.push_back(field(s));
+  }
   return values;
 }
 
@@ -77,9 +81,11 @@ class CovarianceCondition : public testing::TestWithParam<Condition> {};
 TEST_P(CovarianceCondition, IsWhatTheRangeMakesIt) {
   const Condition c = GetParam();
   Eigen::MatrixXd matrix(c.samples, c.samples);
-  for (int i = 0; i < c.samples; ++i)
-    for (int j = 0; j < c.samples; ++j)
+  for (int i = 0; i < c.samples; ++i) {
+    for (int j = 0; j < c.samples; ++j) {
       matrix(i, j) = covarianceAt(c.covariance, std::abs(i - j) / (c.samples - 1.0), c.range);
+    }
+  }
 
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix, Eigen::EigenvaluesOnly);
   const double number = eigen.eigenvalues()(c.samples - 1) / eigen.eigenvalues()(0);
@@ -117,8 +123,8 @@ TEST(Kriging1d, KeepsTheConditionNumberBelowTenToTheTenWhateverTheNumberOfSample
 
 TEST(Kriging1d, ReturnsSamplesAsTheyAre) {
   Random random(3);
-  for (const Covariance c : kAll)
-    for (const Drift drift : {Drift::kConstant, Drift::kLinear})
+  for (const Covariance c : kAll) {
+    for (const Drift drift : {Drift::kConstant, Drift::kLinear}) {
       for (const int window : {0, 5, 8}) {
         const std::vector<double> samples = evenSamples(20);
         const std::vector<double> values = valuesOf([&](double) { return random.normal(); }, samples);
@@ -130,11 +136,13 @@ TEST(Kriging1d, ReturnsSamplesAsTheyAre) {
           EXPECT_EQ(kriging.weights(samples[i]).variance, 0.0);
         }
       }
+    }
+  }
 }
 
 TEST(Kriging1d, ReachesTheSamplesContinuously) {
   constexpr double kExact = 1e-8;
-  for (const int count : {10, 50, 360})
+  for (const int count : {10, 50, 360}) {
     for (const int window : {0, 8}) {
       const std::vector<double> samples = evenSamples(count);
       const std::vector<double> values =
@@ -146,16 +154,19 @@ TEST(Kriging1d, ReachesTheSamplesContinuously) {
         EXPECT_NEAR(kriging.estimate(samples[i + 1] - 1e-13, values), values[i + 1], kExact);
       }
     }
+  }
 }
 
 TEST(Kriging1d, GivesWeightsThatSumToOne) {
   constexpr double kRounding = 1e-12;
   Random random(4);
-  for (const Covariance c : kAll)
-    for (const Drift drift : {Drift::kConstant, Drift::kLinear})
+  for (const Covariance c : kAll) {
+    for (const Drift drift : {Drift::kConstant, Drift::kLinear}) {
       for (const int window : {0, 2, 3, 8}) {
         std::vector<double> samples = evenSamples(30);
-        for (double& s : samples) s += 0.3 / 30 * random.uniform();  // not equally spaced
+        for (double& s : samples) {
+          s += 0.3 / 30 * random.uniform();  // not equally spaced
+        }
         const Kriging1d kriging(samples, {.covariance = c, .drift = drift, .window = window});
 
         for (int k = 0; k < 50; ++k) {
@@ -163,7 +174,9 @@ TEST(Kriging1d, GivesWeightsThatSumToOne) {
           const KrigingWeights w = kriging.weights(query);
           // The Gaussian's weights reach 1e4 with either sign; their sum is rounded at that size.
           double size = 0.0;
-          for (const double lambda : w.lambda) size += std::abs(lambda);
+          for (const double lambda : w.lambda) {
+            size += std::abs(lambda);
+          }
           if (c != Covariance::kGaussian) {
             EXPECT_LT(size, 4.0);
           }
@@ -172,13 +185,16 @@ TEST(Kriging1d, GivesWeightsThatSumToOne) {
           EXPECT_GE(w.variance, 0.0);
           EXPECT_EQ(static_cast<int>(w.lambda.size()), kriging.windowSize());
           double moment = 0.0;
-          for (std::size_t i = 0; i < w.lambda.size(); ++i)
+          for (std::size_t i = 0; i < w.lambda.size(); ++i) {
             moment += w.lambda[i] * samples[static_cast<std::size_t>(w.first) + i];
+          }
           if (drift == Drift::kLinear) {
             EXPECT_NEAR(moment, query, kRounding * std::max(1.0, size));
           }
         }
       }
+    }
+  }
 }
 
 TEST(Kriging1d, GivesTheSameWeightsFromTheVariogram) {
@@ -193,23 +209,27 @@ TEST(Kriging1d, GivesTheSameWeightsFromTheVariogram) {
     const Kriging1d kriging(samples, global(c, range, count));
     Eigen::MatrixXd gamma = Eigen::MatrixXd::Ones(count + 1, count + 1);
     gamma(count, count) = 0.0;
-    for (int i = 0; i < count; ++i)
-      for (int j = 0; j < count; ++j)
+    for (int i = 0; i < count; ++i) {
+      for (int j = 0; j < count; ++j) {
         gamma(i, j) = 1.0 - covarianceAt(c,
                                          std::abs(samples[static_cast<std::size_t>(i)] -
                                                   samples[static_cast<std::size_t>(j)]),
                                          range);
+      }
+    }
     const Eigen::FullPivLU<Eigen::MatrixXd> solver(gamma);
 
     for (const double query : {0.013, 0.4, 0.777}) {
       Eigen::VectorXd right = Eigen::VectorXd::Ones(count + 1);
-      for (int i = 0; i < count; ++i)
+      for (int i = 0; i < count; ++i) {
         right(i) = 1.0 - covarianceAt(c, std::abs(samples[static_cast<std::size_t>(i)] - query), range);
+      }
       const Eigen::VectorXd reference = solver.solve(right);
       const KrigingWeights w = kriging.weights(query);
 
-      for (int i = 0; i < count; ++i)
+      for (int i = 0; i < count; ++i) {
         EXPECT_NEAR(w.lambda[static_cast<std::size_t>(i)], reference(i), kEquivalence);
+      }
       EXPECT_NEAR(w.variance, reference.head(count).dot(right.head(count)) + reference(count), kEquivalence);
     }
   }
@@ -229,14 +249,16 @@ TEST(Kriging1d, HasASmallerVarianceNearSamplesAndWithMoreOfThem) {
 
 TEST(Kriging1d, IsExactForAUniformTwistWithTheLinearDrift) {
   constexpr double kRounding = 1e-12;
-  for (const int count : {2, 3, 5, 20, 360})
+  for (const int count : {2, 3, 5, 20, 360}) {
     for (const int window : {0, 8}) {
       const std::vector<double> samples = evenSamples(count);
       const std::vector<double> values = valuesOf([](double s) { return 0.3 + 2.0 * s; }, samples);
       const Kriging1d kriging(samples, {.window = window});
-      for (double s = 0.0; s <= 1.0; s += 0.0137)
+      for (double s = 0.0; s <= 1.0; s += 0.0137) {
         EXPECT_NEAR(kriging.estimate(s, values), 0.3 + 2.0 * s, kRounding);
+      }
     }
+  }
 }
 
 TEST(Kriging1d, ErrsOnAUniformTwistWithTheConstantDriftOfThePaper) {
@@ -245,8 +267,9 @@ TEST(Kriging1d, ErrsOnAUniformTwistWithTheConstantDriftOfThePaper) {
     const std::vector<double> samples = evenSamples(count);
     const Kriging1d kriging(samples, {.drift = Drift::kConstant, .window = 0});
     double worst = 0.0;
-    for (int i = 0; i <= 1000; ++i)
+    for (int i = 0; i <= 1000; ++i) {
       worst = std::max(worst, std::abs(kriging.estimate(i / 1000.0, samples) - i / 1000.0));
+    }
 
     EXPECT_LT(worst, 2.0 * error);
     EXPECT_GT(worst, error / 4.0);  // it does err
@@ -293,28 +316,37 @@ TEST_P(KrigingAccuracy, IsWithinAFactorTwoOfTheMeasuredTable) {
   const Method& method = GetParam();
   const auto fields = angleFields();
   std::vector<double> queries;
-  for (int i = 0; i <= 700; ++i) queries.push_back(i / 700.0);
+  for (int i = 0; i <= 700; ++i) {
+    queries.push_back(i / 700.0);
+  }
   std::vector<std::vector<double>> exact;
   for (const auto& field : fields) {
     exact.push_back(valuesOf(field, queries));
-    for (double& v : exact.back()) v /= field(1.0);
+    for (double& v : exact.back()) {
+      v /= field(1.0);
+    }
   }
   for (const auto& [count, error] : method.largestError) {
     KrigingOptions options{.covariance = method.covariance,
                            .rangeInSpacings = method.rangeInSpacings,
                            .drift = method.drift,
                            .window = method.window};
-    if (method.rangeInLengths > 0.0) options.rangeInSpacings = method.rangeInLengths * (count - 1);
+    if (method.rangeInLengths > 0.0) {
+      options.rangeInSpacings = method.rangeInLengths * (count - 1);
+    }
     const std::vector<double> samples = evenSamples(count);
     const KrigingTable table(Kriging1d(samples, options), queries);
     double worst = 0.0;
     for (std::size_t f = 0; f < fields.size(); ++f) {
       std::vector<double> values = valuesOf(fields[f], samples);
-      for (double& v : values) v /= fields[f](1.0);
+      for (double& v : values) {
+        v /= fields[f](1.0);
+      }
       std::vector<double> estimates(queries.size());
       table.estimate(values, estimates);
-      for (std::size_t q = 0; q < queries.size(); ++q)
+      for (std::size_t q = 0; q < queries.size(); ++q) {
         worst = std::max(worst, std::abs(estimates[q] - exact[f][q]));
+      }
     }
     EXPECT_LT(worst, 2.0 * error) << method.name << ", M = " << count;
     EXPECT_GT(worst, error / 2.0) << method.name << ", M = " << count;
@@ -382,8 +414,9 @@ TEST(Kriging1d, RaisesTheNuggetOnlyWhenAPivotFails) {
   EXPECT_GT(gaussian.nuggetUsed(), 0.0);
   EXPECT_LE(gaussian.nuggetUsed(), 1.0001e-8);
   EXPECT_EQ(matern.nuggetUsed(), 0.0);
-  for (double s = 0.003; s < 1.0; s += 0.017)
+  for (double s = 0.003; s < 1.0; s += 0.017) {
     EXPECT_NEAR(gaussian.estimate(s, values), std::sin(3.0 * s), 1e-4);
+  }
   EXPECT_EQ(gaussian.estimate(samples[7], values), values[7]);  // the copy, in spite of the nugget
   EXPECT_EQ(Kriging1d(samples, {.nugget = 1e-3}).nuggetUsed(), 1e-3);
 }
@@ -398,7 +431,9 @@ TEST(Kriging1d, TreatsEqualSpacingLikeAnyOther) {
   for (double s = 0.001; s < 1.0; s += 0.0071) {
     const KrigingWeights a = shared.weights(s), b = separate.weights(s);
     ASSERT_EQ(a.first, b.first);
-    for (std::size_t i = 0; i < a.lambda.size(); ++i) EXPECT_NEAR(a.lambda[i], b.lambda[i], 1e-6);
+    for (std::size_t i = 0; i < a.lambda.size(); ++i) {
+      EXPECT_NEAR(a.lambda[i], b.lambda[i], 1e-6);
+    }
   }
 }
 
@@ -425,7 +460,9 @@ TEST(Kriging1d, MirrorsItsWeightsWithItsSamples) {
   for (const double s : {0.013, 0.21, 0.37, 0.499}) {
     const KrigingWeights left = kriging.weights(s), right = kriging.weights(1.0 - s);
     ASSERT_EQ(left.first, 24 - 8 - right.first);
-    for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(left.lambda[i], right.lambda[7 - i], 1e-8);
+    for (std::size_t i = 0; i < 8; ++i) {
+      EXPECT_NEAR(left.lambda[i], right.lambda[7 - i], 1e-8);
+    }
   }
 }
 
@@ -457,7 +494,9 @@ TEST(KrigingTable, HoldsTheSameWeightsAsSingleQueries) {
   const std::vector<double> values = valuesOf([](double s) { return std::sinh(3.0 * s); }, samples);
   const Kriging1d kriging(samples);
   std::vector<double> queries = {samples[5], -1.0, 2.0};
-  for (int i = 0; i < 200; ++i) queries.push_back(random.uniform());
+  for (int i = 0; i < 200; ++i) {
+    queries.push_back(random.uniform());
+  }
 
   const KrigingTable table(kriging, queries);
 
@@ -492,7 +531,9 @@ TEST(KrigeComponents, LeavesTheCircleAtLargeTwistAsThePaperWouldHaveIt) {
   const std::vector<double> dz(samples.size(), 0.25);
   const Kriging1d kriging(samples, {.window = 0});
   std::vector<double> queries;
-  for (int i = 0; i <= 400; ++i) queries.push_back(i / 400.0);
+  for (int i = 0; i <= 400; ++i) {
+    queries.push_back(i / 400.0);
+  }
   const KrigingTable table(kriging, queries);
 
   double worstComponents = 0.0, worstAngle = 0.0;

@@ -149,7 +149,9 @@ TEST(SectionField, HoldsAWarpingWhoseMeanIsZero) {
     const auto node = [&](std::size_t k) { return field.nodes[static_cast<std::size_t>(e[k])]; };
     const double part = 0.5 * orientation(node(0), node(1), node(2));
     area += part;
-    for (std::size_t k = 3; k < 6; ++k) sum += part / 3.0 * field.warping[static_cast<std::size_t>(e[k])];
+    for (std::size_t k = 3; k < 6; ++k) {
+      sum += part / 3.0 * field.warping[static_cast<std::size_t>(e[k])];
+    }
   }
 
   EXPECT_NEAR(area / section.area, 1.0, 1e-12);
@@ -248,8 +250,9 @@ TEST(BoundaryElements, AgreeWithFiniteElementsOnSmoothOutlines) {
     EXPECT_NEAR(boundary.torsionConstant / elements.torsionConstant, 1.0, kCrossCheck);
     EXPECT_NEAR(boundary.sag / elements.sag, 1.0, kCrossCheck);
     EXPECT_NEAR(boundary.maxShear / elements.maxShear, 1.0, 5.0 * kCrossCheck);
-    for (std::size_t i = 0; i < outline.size(); ++i)
+    for (std::size_t i = 0; i < outline.size(); ++i) {
       EXPECT_NEAR(boundary.outlineWarping[i], elements.outlineWarping[i], kCrossCheck);
+    }
   }
 }
 
@@ -263,8 +266,9 @@ TEST(BoundaryElements, AgreeWithFiniteElementsOnAKidneyShapedSection) {
   EXPECT_NEAR(boundary.sag / reference.sag, 1.0, 1e-3);
   EXPECT_NEAR(boundary.warpingMax / reference.warpingMax, 1.0, 1e-3);
   EXPECT_NEAR(boundary.warpingMin / reference.warpingMin, 1.0, 1e-3);
-  for (std::size_t i = 0; i < outline.size(); ++i)
+  for (std::size_t i = 0; i < outline.size(); ++i) {
     EXPECT_NEAR(boundary.outlineWarping[i], reference.outlineWarping[i], 2e-3);
+  }
   // The change under refinement is reported as the (not rigorous) bracket.
   EXPECT_LT(boundary.torsionLower, boundary.torsionUpper);
   EXPECT_EQ(boundary.methodUsed, SectionMethod::kBoundaryElements);
@@ -296,11 +300,12 @@ TEST(BoundaryElements, AgreeWithFiniteElementsOnSectionsWithHoles) {
     EXPECT_NEAR(boundary.torsionConstant / elements.torsionConstant, 1.0, 1e-3);
     EXPECT_NEAR(boundary.sag / elements.sag, 1.0, 1e-3);
     ASSERT_EQ(boundary.holeWarping.size(), holes.size());
-    for (std::size_t k = 0; k < holes.size(); ++k)
+    for (std::size_t k = 0; k < holes.size(); ++k) {
       for (std::size_t i = 0; i < holes[k].size(); ++i) {
         EXPECT_NEAR(boundary.holeWarping[k][i], elements.holeWarping[k][i], 1e-3);
         EXPECT_NEAR(boundary.holeShear[k][i], elements.holeShear[k][i], kShearOnCoarseHoles);
       }
+    }
   }
 }
 

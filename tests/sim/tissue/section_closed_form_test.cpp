@@ -96,7 +96,9 @@ TEST(SectionSolver, FindsTheLargestShearOfRectanglesInTheMiddleOfTheLongSide) {
     const SectionProperties section = solveSection(shapes::rectangle(width, 1.0));
 
     expectRelative(section.maxShear, shear, kShearTolerance, "largest shear");
-    for (const double corner : section.outlineShear) EXPECT_EQ(corner, 0.0);
+    for (const double corner : section.outlineShear) {
+      EXPECT_EQ(corner, 0.0);
+    }
   }
 }
 
@@ -147,8 +149,9 @@ TEST(SectionSolver, WarpsAnEllipseByExactlyMinusKxy) {
 
   const SectionProperties section = solveSection(outline);
 
-  for (std::size_t i = 0; i < outline.size(); ++i)
+  for (std::size_t i = 0; i < outline.size(); ++i) {
     EXPECT_NEAR(section.outlineWarping[i], -0.6 * outline[i][0] * outline[i][1], kRounding);
+  }
   EXPECT_NEAR(section.warpingMin, -0.6, kRounding);
   EXPECT_NEAR(section.warpingMax, 0.6, kRounding);
 }
@@ -156,9 +159,12 @@ TEST(SectionSolver, WarpsAnEllipseByExactlyMinusKxy) {
 TEST(SectionSolver, DoesNotWarpACircle) {
   const SectionProperties section = solveSection(shapes::circle(128));
 
-  for (const double psi : section.outlineWarping) EXPECT_NEAR(psi, 0.0, 1e-12);
-  for (const double shear : section.outlineShear)
+  for (const double psi : section.outlineWarping) {
+    EXPECT_NEAR(psi, 0.0, 1e-12);
+  }
+  for (const double shear : section.outlineShear) {
     EXPECT_NEAR(shear, 1.0, kShearTolerance);  // tau = G theta r
+  }
 }
 
 struct WarpingPoint {
@@ -228,7 +234,9 @@ TEST(SectionSolver, CarriesThePlateauOverTheHoleOfATube) {
     expectRelative(tube.sag, (1.0 - k * k) / 4.0, kSagTolerance + kPolygon, "plateau");
     expectRelative(tube.area, kPi * (1.0 - k * k), kPolygon, "area");
     expectRelative(tube.maxShear, 1.0, kShearTolerance, "largest shear");
-    for (const double shear : tube.holeShear.at(0)) EXPECT_NEAR(shear, k, 2e-3);
+    for (const double shear : tube.holeShear.at(0)) {
+      EXPECT_NEAR(shear, k, 2e-3);
+    }
     EXPECT_LE(tube.torsionLower, tube.torsionUpper);
     EXPECT_LE((tube.torsionUpper - tube.torsionLower) / tube.torsionConstant, 2e-4);
   }
@@ -246,8 +254,9 @@ TEST(SectionSolver, ApproachesBredtsFormulaOnAThinSquareTube) {
 
 TEST(SectionSolver, FindsTrefftzsShearCentreOfAHalfDisc) {
   shapes::Outline half;
-  for (int i = 0; i <= 128; ++i)
+  for (int i = 0; i <= 128; ++i) {
     half.push_back({std::cos(kPi * (i / 128.0 - 0.5)), std::sin(kPi * (i / 128.0 - 0.5))});
+  }
 
   const SectionProperties section = solveSection(half);
 

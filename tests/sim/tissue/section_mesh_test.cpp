@@ -59,10 +59,11 @@ TEST(Polygon, TellsStarShapedFromOthers) {
 
 double areaOf(const PlaneMesh& mesh) {
   double sum = 0.0;
-  for (const auto& t : mesh.triangles)
+  for (const auto& t : mesh.triangles) {
     sum += 0.5 * orientation(mesh.points[static_cast<std::size_t>(t[0])],
                              mesh.points[static_cast<std::size_t>(t[1])],
                              mesh.points[static_cast<std::size_t>(t[2])]);
+  }
   return sum;
 }
 
@@ -94,7 +95,7 @@ void expectConforming(const PlaneMesh& mesh) {
 /// Smallest angle of the mesh in degrees.
 double smallestAngle(const PlaneMesh& mesh) {
   double least = 180.0;
-  for (const auto& t : mesh.triangles)
+  for (const auto& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Point2& a = mesh.points[static_cast<std::size_t>(t[k])];
       const Point2& b = mesh.points[static_cast<std::size_t>(t[(k + 1) % 3])];
@@ -102,6 +103,7 @@ double smallestAngle(const PlaneMesh& mesh) {
       const double dot = (b[0] - a[0]) * (c[0] - a[0]) + (b[1] - a[1]) * (c[1] - a[1]);
       least = std::min(least, degrees(std::atan2(orientation(a, b, c), dot)));
     }
+  }
   return least;
 }
 
@@ -122,7 +124,9 @@ TEST(PolarMesh, KeepsItsRaysWhereANotchForbidsToLeaveThemOut) {
   Random random(21);
   for (int k = 0; k < 20; ++k) {
     const SectionShape shape = prepareSection(shapes::randomStar(random, 12), {}, 128);
-    if (grazingSine(shape.outline.boundary.points, {}) < 0.05) continue;
+    if (grazingSine(shape.outline.boundary.points, {}) < 0.05) {
+      continue;
+    }
 
     const PlaneMesh mesh = polarMesh(shape.outline.boundary, {}, 8);
 
@@ -144,7 +148,9 @@ TEST(PolygonMesh, FillsAnySectionWithWellShapedTriangles) {
                         Case{shapes::rectangle(20.0, 1.0), {}, 15.0}}) {
     const SectionShape shape = prepareSection(c.outline, c.holes, 128);
     std::vector<BoundaryLoop> loops;
-    for (const SampledLoop& hole : shape.holes) loops.push_back(hole.boundary);
+    for (const SampledLoop& hole : shape.holes) {
+      loops.push_back(hole.boundary);
+    }
 
     const auto mesh = polygonMesh(shape.outline.boundary, loops);
 
@@ -153,9 +159,12 @@ TEST(PolygonMesh, FillsAnySectionWithWellShapedTriangles) {
     EXPECT_NEAR(areaOf(*mesh), shape.area, 1e-12);
     EXPECT_GT(smallestAngle(*mesh), c.angle);
     std::size_t boundary = shape.outline.boundary.points.size(), edges = 0;
-    for (const BoundaryLoop& loop : loops) boundary += loop.points.size();
-    for (const auto& n : mesh->neighbours)
+    for (const BoundaryLoop& loop : loops) {
+      boundary += loop.points.size();
+    }
+    for (const auto& n : mesh->neighbours) {
       edges += static_cast<std::size_t>(std::count(n.begin(), n.end(), -1));
+    }
     EXPECT_EQ(edges, boundary);  // no boundary edge was split or lost
   }
 }
@@ -183,7 +192,9 @@ TEST(Bisection, KeepsTheMeshConformingAndTheAnglesAboveHalf) {
 
   for (int round = 0; round < 6; ++round) {
     std::vector<char> marked(mesh->triangles.size(), 0);
-    for (char& m : marked) m = random.uniform() < 0.2 ? 1 : 0;
+    for (char& m : marked) {
+      m = random.uniform() < 0.2 ? 1 : 0;
+    }
     const std::size_t before = mesh->triangles.size();
     bisect(*mesh, marked);
     EXPECT_GE(mesh->triangles.size(),
@@ -196,7 +207,9 @@ TEST(Bisection, KeepsTheMeshConformingAndTheAnglesAboveHalf) {
   // New boundary points know their way along the outline: the way and the place agree.
   const BoundaryLoop& loop = shape.outline.boundary;
   for (std::size_t i = 0; i < mesh->points.size(); ++i) {
-    if (mesh->loop[i] < 0) continue;
+    if (mesh->loop[i] < 0) {
+      continue;
+    }
     const auto after = std::upper_bound(loop.arc.begin(), loop.arc.end(), mesh->arc[i]);
     const auto k = static_cast<std::size_t>(after - loop.arc.begin()) - 1;
     const Point2& a = loop.points[k];

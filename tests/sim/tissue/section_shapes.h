@@ -85,24 +85,30 @@ inline Outline randomSimple(Random& random, int points, double height) {
   };
   for (bool changed = true; changed;) {
     changed = false;
-    for (std::size_t i = 0; i < n && !changed; ++i)
-      for (std::size_t j = i + 2; j < n && !changed; ++j)
+    for (std::size_t i = 0; i < n && !changed; ++i) {
+      for (std::size_t j = i + 2; j < n && !changed; ++j) {
         if ((j + 1) % n != i && way(i, j) + way(i + 1, j + 1) < way(i, i + 1) + way(j, j + 1) - 1e-12) {
           std::reverse(p.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                        p.begin() + static_cast<std::ptrdiff_t>(j) + 1);
           changed = true;
         }
+      }
+    }
   }
   return p;
 }
 
 inline Outline moved(Outline outline, double scale, Point2 by) {
-  for (Point2& p : outline) p = {scale * p[0] + by[0], scale * p[1] + by[1]};
+  for (Point2& p : outline) {
+    p = {scale * p[0] + by[0], scale * p[1] + by[1]};
+  }
   return outline;
 }
 
 inline Outline mirrored(Outline outline) {
-  for (Point2& p : outline) p[0] = -p[0];
+  for (Point2& p : outline) {
+    p[0] = -p[0];
+  }
   return outline;
 }
 

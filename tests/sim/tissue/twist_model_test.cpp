@@ -181,7 +181,9 @@ TEST(TwistModel, BothEndsHeldGivesASymmetricProfile) {
   }
   // Two halves pull: four times the torque of the same bar held at one end and turned at the other.
   EXPECT_NEAR(bar.model.torque_Nm(state) / roundBar().model.torque_Nm({l, 1.2}), 4.0, 1e-6);
-  for (const double s : {0.0, l}) EXPECT_NEAR(bar.model.angleAt(s, state), 0.0, 1e-15);
+  for (const double s : {0.0, l}) {
+    EXPECT_NEAR(bar.model.angleAt(s, state), 0.0, 1e-15);
+  }
 }
 
 TEST(TwistModel, ToRestUndoesToDeformed) {
@@ -240,7 +242,9 @@ TEST(TwistModel, AnEllipticBarWarpsByItsClosedForm) {
   int compared = 0;
   for (std::size_t v = 0; v < out.size(); ++v) {
     const Vec3& p = bar.mesh.vertices_m[v];
-    if (p.z < 0.05 || p.z > 0.2 || axisDistance(p) < 0.9 * kB) continue;
+    if (p.z < 0.05 || p.z > 0.2 || axisDistance(p) < 0.9 * kB) {
+      continue;
+    }
     EXPECT_NEAR(out[v].z - p.z, factor * p.x * p.y,
                 5e-3 * largest);  // psi linear between 128 points, polygon
     ++compared;
@@ -441,7 +445,9 @@ TEST(TwistModel, AboutTheShearCentreOnlyTheTiltOfTheSectionChanges) {
   // dZ differs by theta (x0 y) for a centre moved by x0 along x.
   for (std::size_t v = 0; v < a.size(); ++v) {
     const Vec3& p = mesh.vertices_m[v];
-    if (p.z < 0.1 || p.z > 0.15) continue;
+    if (p.z < 0.1 || p.z > 0.15) {
+      continue;
+    }
     EXPECT_NEAR(a[v].z - b[v].z, 0.5 / kBarLength_m * shift * p.y,
                 4e-5);  // psi tabled on 180 angles cuts the sharp corners
   }
@@ -493,11 +499,15 @@ TEST(TwistModel, ComponentKrigingIsExactAtKeyPointsAndLeavesTheCircleBetweenThem
   double between = 0.0;
   for (std::size_t v = 0; v < a.size(); ++v) {
     const Vec3& p = components.mesh.vertices_m[v];
-    if (axisDistance(p) < 0.02) continue;
+    if (axisDistance(p) < 0.02) {
+      continue;
+    }
     const double place = p.z / kBarLength_m * 10.0;
     const bool section = std::abs(place - std::round(place)) < 1e-9;
     const double angle = std::atan2(p.y, p.x) / (2.0 * kPi) * 24.0;
-    if (std::abs(angle - std::round(angle)) > 1e-6) continue;  // on a ridge
+    if (std::abs(angle - std::round(angle)) > 1e-6) {
+      continue;  // on a ridge
+    }
     (section ? atSections : between) = std::max(section ? atSections : between, norm(a[v] - b[v]));
   }
   EXPECT_LT(atSections, 1e-6);

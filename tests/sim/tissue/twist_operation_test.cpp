@@ -50,7 +50,9 @@ double spectralNorm(const std::array<Vec3, 3>& columns) {
     return Vec3{dot(columns[0], y), dot(columns[1], y), dot(columns[2], y)};
   };
   Vec3 x{0.6, 0.5, 0.4};
-  for (int i = 0; i < 200; ++i) x = normalized(transposed(times(x)));
+  for (int i = 0; i < 200; ++i) {
+    x = normalized(transposed(times(x)));
+  }
   return norm(times(x));
 }
 

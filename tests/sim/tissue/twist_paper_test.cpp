@@ -35,7 +35,9 @@ PaperOptions withBeta(double beta, int sections) {
 
 bool rises(const std::vector<double>& values) {
   for (std::size_t i = 1; i < values.size(); ++i) {
-    if (!(values[i] >= values[i - 1])) return false;
+    if (!(values[i] >= values[i - 1])) {
+      return false;
+    }
   }
   return true;
 }
@@ -89,7 +91,9 @@ TEST(PaperFormulation, TheAngleIsMonotoneExactlyFromTheSmallestBetaOn) {
     const auto angles = [&](double beta) {
       std::vector<double> phi;
       phi.reserve(static_cast<std::size_t>(sections));
-      for (int j = 0; j < sections; ++j) phi.push_back(j * std::exp((sections - 1 - j) / beta));
+      for (int j = 0; j < sections; ++j) {
+        phi.push_back(j * std::exp((sections - 1 - j) / beta));
+      }
       return phi;
     };
     const double smallest = smallestMonotoneBeta(sections);

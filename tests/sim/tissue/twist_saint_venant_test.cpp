@@ -21,7 +21,9 @@ constexpr int kNodes = 1001;
 std::vector<double> uniformCompliance() {
   std::vector<double> c;
   c.reserve(kNodes);
-  for (int i = 0; i < kNodes; ++i) c.push_back(3.0 * kLength * i / (kNodes - 1));
+  for (int i = 0; i < kNodes; ++i) {
+    c.push_back(3.0 * kLength * i / (kNodes - 1));
+  }
   return c;
 }
 
@@ -52,7 +54,9 @@ std::vector<TorsionSection> taperedSections(int count, double r0, double r1) {
 std::vector<double> evenArcs(int count) {
   std::vector<double> arcs;
   arcs.reserve(static_cast<std::size_t>(count));
-  for (int j = 0; j < count; ++j) arcs.push_back(kLength * j / (count - 1));
+  for (int j = 0; j < count; ++j) {
+    arcs.push_back(kLength * j / (count - 1));
+  }
   return arcs;
 }
 
@@ -119,12 +123,15 @@ TEST(SectionCompliances, RefuseSectionsAndModuliWithoutMeaning) {
 TEST(HermiteTable, IsExactAtItsNodesAndForCubics) {
   const auto cubic = [](double x) { return 2.0 - x + 0.5 * x * x - 0.25 * x * x * x; };
   std::vector<double> values;
-  for (int i = 0; i <= 10; ++i) values.push_back(cubic(1.0 + 0.25 * i));
+  for (int i = 0; i <= 10; ++i) {
+    values.push_back(cubic(1.0 + 0.25 * i));
+  }
 
   const HermiteTable smooth(1.0, 0.25, values, false);
 
-  for (int i = 0; i <= 10; ++i)
+  for (int i = 0; i <= 10; ++i) {
     EXPECT_EQ(smooth.value(1.0 + 0.25 * i), values[static_cast<std::size_t>(i)]) << i;
+  }
   for (double x = 1.0; x <= 3.5; x += 0.07) {
     EXPECT_NEAR(smooth.at(x).value, cubic(x), 1e-13);  // values of up to 12
     EXPECT_NEAR(smooth.at(x).slope, -1.0 + x - 0.75 * x * x, 1e-12);

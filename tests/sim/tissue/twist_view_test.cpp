@@ -86,7 +86,9 @@ const std::vector<Case>& everyKind() {
   static const std::vector<Case> cases = [&] {
     std::vector<Case> built;
     built.reserve(recipes.size());
-    for (const Recipe& r : recipes) built.push_back({r.name, bentBar(r.options), r.fast});
+    for (const Recipe& r : recipes) {
+      built.push_back({r.name, bentBar(r.options), r.fast});
+    }
     return built;
   }();
   return cases;

@@ -125,14 +125,19 @@ void fakehd_set_temperature(const double* values, int count) {
 void fakehd_set_calibration(std::uint32_t state) {
   FAKEHD_GUARDED
   f.calibration = state;
-  if (state == hd::kCalibrationNeedsManualInput) f.docked = false;
+  if (state == hd::kCalibrationNeedsManualInput) {
+    f.docked = false;
+  }
 }
 void fakehd_dock(int docked) {
   FAKEHD_GUARDED
   f.docked = docked != 0;
-  if (f.docked) f.pose = kInkwellPose;
-  if (f.docked && f.calibration == hd::kCalibrationNeedsManualInput)
+  if (f.docked) {
+    f.pose = kInkwellPose;
+  }
+  if (f.docked && f.calibration == hd::kCalibrationNeedsManualInput) {
     f.calibration = hd::kCalibrationNeedsUpdate;
+  }
 }
 void fakehd_fault(const char* function, int skip, int times, std::uint32_t error, std::int32_t internal) {
   FAKEHD_GUARDED
@@ -154,7 +159,9 @@ void fakehd_replug() {
 void fakehd_run(int ticks) {
   Fake& f = fake();
   std::unique_lock lock(f.mutex);
-  if (!f.running) return;
+  if (!f.running) {
+    return;
+  }
   f.pendingTicks = ticks;
   f.changed.notify_all();
   f.changed.wait(lock, [&f] { return f.pendingTicks == 0 || f.stop; });

@@ -9,7 +9,9 @@ using namespace fakehd;
 namespace {
 
 bool nameOpens(const Fake& f, const char* name) {
-  if (f.anyName) return true;
+  if (f.anyName) {
+    return true;
+  }
   return f.onlyName.empty() ? name == nullptr : name != nullptr && f.onlyName == name;
 }
 
@@ -20,7 +22,9 @@ void give(Fake& f, hd::Enum name, T* values) {
     push(f, hd::kInvalidEnum, 0);
     return;
   }
-  for (std::size_t i = 0; i < number->second.size(); ++i) values[i] = static_cast<T>(number->second[i]);
+  for (std::size_t i = 0; i < number->second.size(); ++i) {
+    values[i] = static_cast<T>(number->second[i]);
+  }
 }
 
 }  // namespace
@@ -30,10 +34,16 @@ extern "C" {
 hd::Handle hdInitDevice(const char* configName) {
   Fake& f = fake();
   const Guard guard(f.spin);
-  if (f.real && f.tick == 0) readEnvironment(f);
+  if (f.real && f.tick == 0) {
+    readEnvironment(f);
+  }
   writeLog(f, "hdInitDevice");
-  if (!enter(f, __func__)) return hd::kInvalidHandle;
-  if (f.garbageHandle >= 0) return static_cast<hd::Handle>(f.garbageHandle);
+  if (!enter(f, __func__)) {
+    return hd::kInvalidHandle;
+  }
+  if (f.garbageHandle >= 0) {
+    return static_cast<hd::Handle>(f.garbageHandle);
+  }
   if (!f.licence) {
     push(f, hd::kInvalidLicense, 0);
     return hd::kInvalidHandle;
@@ -54,8 +64,12 @@ void hdDisableDevice(hd::Handle device) {
   Fake& f = fake();
   const Guard guard(f.spin);
   writeLog(f, "hdDisableDevice");
-  if (!enter(f, __func__)) return;
-  if (device != 0) push(f, hd::kBadHandle, 0);
+  if (!enter(f, __func__)) {
+    return;
+  }
+  if (device != 0) {
+    push(f, hd::kBadHandle, 0);
+  }
   f.initiated = false;
   f.forceEnabled = false;
 }
@@ -63,7 +77,9 @@ void hdDisableDevice(hd::Handle device) {
 void hdMakeCurrentDevice(hd::Handle device) {
   Fake& f = fake();
   const Guard guard(f.spin);
-  if (enter(f, __func__) && device != 0) push(f, hd::kBadHandle, 0);
+  if (enter(f, __func__) && device != 0) {
+    push(f, hd::kBadHandle, 0);
+  }
 }
 
 hd::Handle hdGetCurrentDevice() {
@@ -81,7 +97,9 @@ void hdBeginFrame(hd::Handle device) {
     // A broken connection opens the frame all the same; only a frame error does not.
     const hd::ErrorCode last =
         f.errorCount > 0 ? f.errors[static_cast<std::size_t>(f.errorCount - 1)].error : 0;
-    if (last == hd::kIllegalBegin || last == hd::kFrameError) return;
+    if (last == hd::kIllegalBegin || last == hd::kFrameError) {
+      return;
+    }
   }
   if (device != 0) {
     breakRule(f, hd::kBadHandle);
@@ -94,7 +112,9 @@ void hdBeginFrame(hd::Handle device) {
   f.inFrame = true;
   ++f.framesThisTick;
   f.frameForce = {};
-  if (!f.unplugged) f.latched = f.now;
+  if (!f.unplugged) {
+    f.latched = f.now;
+  }
 }
 
 void hdEndFrame(hd::Handle) {
@@ -106,18 +126,24 @@ void hdEndFrame(hd::Handle) {
     return;
   }
   f.inFrame = false;
-  if (!works) return;
+  if (!works) {
+    return;
+  }
   const bool was = f.commanded != std::array<double, 3>{};
   f.commanded = f.frameForce;
   const bool is = f.commanded != std::array<double, 3>{};
-  if (was != is) writeLog(f, is ? "force" : "zero force");
+  if (was != is) {
+    writeLog(f, is ? "force" : "zero force");
+  }
 }
 
 hd::ErrorInfo hdGetError() {
   Fake& f = fake();
   const Guard guard(f.spin);
   (void)enter(f, __func__, false);
-  if (f.errorCount == 0) return {};
+  if (f.errorCount == 0) {
+    return {};
+  }
   return f.errors[static_cast<std::size_t>(--f.errorCount)];
 }
 
@@ -128,7 +154,9 @@ const char* hdGetErrorString(hd::ErrorCode) {
 void hdEnable(hd::Enum capability) {
   Fake& f = fake();
   const Guard guard(f.spin);
-  if (!enter(f, __func__)) return;
+  if (!enter(f, __func__)) {
+    return;
+  }
   f.enabled[capability] = true;
   if (capability == hd::kForceOutput) {
     f.forceEnabled = true;
@@ -139,7 +167,9 @@ void hdEnable(hd::Enum capability) {
 void hdDisable(hd::Enum capability) {
   Fake& f = fake();
   const Guard guard(f.spin);
-  if (!enter(f, __func__) || (f.stuckForce && capability == hd::kForceOutput)) return;
+  if (!enter(f, __func__) || (f.stuckForce && capability == hd::kForceOutput)) {
+    return;
+  }
   f.enabled[capability] = false;
   if (capability == hd::kForceOutput) {
     f.forceEnabled = false;
@@ -156,7 +186,9 @@ hd::Boolean hdIsEnabled(hd::Enum capability) {
 void hdGetIntegerv(hd::Enum name, hd::Int* values) {
   Fake& f = fake();
   const Guard guard(f.spin);
-  if (!enter(f, __func__)) return;
+  if (!enter(f, __func__)) {
+    return;
+  }
   switch (name) {
     case hd::kCurrentButtons:
       *values = f.latched.buttons;
@@ -176,7 +208,9 @@ void hdGetIntegerv(hd::Enum name, hd::Int* values) {
 void hdGetDoublev(hd::Enum name, double* values) {
   Fake& f = fake();
   const Guard guard(f.spin);
-  if (!enter(f, __func__)) return;
+  if (!enter(f, __func__)) {
+    return;
+  }
   const auto copy = [values](const auto& from) { std::memcpy(values, from.data(), sizeof(from)); };
   switch (name) {
     case hd::kCurrentTransform:
@@ -206,7 +240,9 @@ void hdGetDoublev(hd::Enum name, double* values) {
 void hdGetBooleanv(hd::Enum name, hd::Boolean* values) {
   Fake& f = fake();
   const Guard guard(f.spin);
-  if (!enter(f, __func__)) return;
+  if (!enter(f, __func__)) {
+    return;
+  }
   if (name != hd::kCurrentInkwellSwitch) {
     breakRule(f, hd::kInvalidInputType);
     return;
@@ -217,7 +253,9 @@ void hdGetBooleanv(hd::Enum name, hd::Boolean* values) {
 const char* hdGetString(hd::Enum name) {
   Fake& f = fake();
   const Guard guard(f.spin);
-  if (!enter(f, __func__)) return nullptr;
+  if (!enter(f, __func__)) {
+    return nullptr;
+  }
   switch (name) {
     case hd::kDeviceModelType:
       return f.model.c_str();
@@ -238,7 +276,9 @@ const char* hdGetString(hd::Enum name) {
 void hdSetDoublev(hd::Enum name, const double* values) {
   Fake& f = fake();
   const Guard guard(f.spin);
-  if (!enter(f, __func__)) return;
+  if (!enter(f, __func__)) {
+    return;
+  }
   if (name != hd::kCurrentForce) {
     breakRule(f, hd::kInvalidEnum);
     return;
@@ -253,15 +293,21 @@ void hdSetDoublev(hd::Enum name, const double* values) {
 hd::Enum hdCheckCalibration() {
   Fake& f = fake();
   const Guard guard(f.spin);
-  if (!enter(f, __func__)) return hd::kCalibrationNeedsManualInput;
-  if (!f.inFrame && f.running) ++f.ruleBreaks;
+  if (!enter(f, __func__)) {
+    return hd::kCalibrationNeedsManualInput;
+  }
+  if (!f.inFrame && f.running) {
+    ++f.ruleBreaks;
+  }
   return f.calibration;
 }
 
 void hdUpdateCalibration(hd::Enum style) {
   Fake& f = fake();
   const Guard guard(f.spin);
-  if (!enter(f, __func__)) return;
+  if (!enter(f, __func__)) {
+    return;
+  }
   const auto styles = static_cast<hd::Enum>(f.numbers[hd::kCalibrationStyle].at(0));
   if ((style & styles) == 0) {
     push(f, hd::kInvalidValue, 0);
@@ -275,10 +321,14 @@ void hdStartScheduler() {
   {
     const Guard guard(f.spin);
     writeLog(f, "hdStartScheduler");
-    if (!enter(f, __func__, false)) return;
+    if (!enter(f, __func__, false)) {
+      return;
+    }
   }
   const std::lock_guard lock(f.mutex);
-  if (f.running) return;
+  if (f.running) {
+    return;
+  }
   f.stop = false;
   f.running = true;
   f.thread = std::thread([&f] { servoLoop(f); });
@@ -289,11 +339,15 @@ void hdStopScheduler() {
   {
     const Guard guard(f.spin);
     writeLog(f, "hdStopScheduler");
-    if (!enter(f, __func__, false)) return;
+    if (!enter(f, __func__, false)) {
+      return;
+    }
   }
   std::unique_lock lock(f.mutex);
   f.changed.wait(lock, [&f] { return !f.unplugged; });
-  if (!f.running) return;
+  if (!f.running) {
+    return;
+  }
   f.stop = true;
   f.changed.notify_all();
   lock.unlock();
@@ -306,7 +360,9 @@ hd::SchedulerHandle hdScheduleAsynchronous(hd::SchedulerCallback callback, void*
   Fake& f = fake();
   const Guard guard(f.spin);
   writeLog(f, "hdScheduleAsynchronous");
-  if (!enter(f, __func__, false)) return 0;
+  if (!enter(f, __func__, false)) {
+    return 0;
+  }
   return schedule(f, callback, userData, priority, false);
 }
 
@@ -315,8 +371,12 @@ void hdUnschedule(hd::SchedulerHandle callback) {
   Fake& f = fake();
   const Guard guard(f.spin);
   writeLog(f, "hdUnschedule");
-  if (!enter(f, __func__, false)) return;
-  if (!unschedule(f, callback)) push(f, hd::kInvalidValue, 0);
+  if (!enter(f, __func__, false)) {
+    return;
+  }
+  if (!unschedule(f, callback)) {
+    push(f, hd::kInvalidValue, 0);
+  }
 }
 #endif
 
@@ -332,9 +392,13 @@ void hdScheduleSynchronous(hd::SchedulerCallback callback, void* userData, hd::U
   hd::SchedulerHandle handle = 0;
   {
     const Guard guard(f.spin);
-    if (!enter(f, __func__, false)) return;
+    if (!enter(f, __func__, false)) {
+      return;
+    }
     inlineCall = !f.running || onServoThread(f);
-    if (!inlineCall) handle = schedule(f, callback, userData, priority, true);
+    if (!inlineCall) {
+      handle = schedule(f, callback, userData, priority, true);
+    }
   }
   if (inlineCall) {
     (void)callback(userData);
@@ -346,7 +410,9 @@ void hdScheduleSynchronous(hd::SchedulerCallback callback, void* userData, hd::U
   f.changed.wait(lock, [&f, handle] {
     const Guard guard(f.spin);
     for (int k = 0; k < f.taskCount; ++k) {
-      if (f.tasks[static_cast<std::size_t>(k)].handle == handle) return false;
+      if (f.tasks[static_cast<std::size_t>(k)].handle == handle) {
+        return false;
+      }
     }
     return true;
   });

@@ -14,7 +14,9 @@ Matrix multiplied(const Matrix& a, const Matrix& b) {
   Matrix c{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      for (std::size_t k = 0; k < 3; ++k) c[i][j] += a[i][k] * b[k][j];
+      for (std::size_t k = 0; k < 3; ++k) {
+        c[i][j] += a[i][k] * b[k][j];
+      }
     }
   }
   return c;
@@ -36,12 +38,16 @@ void place(Fake& f) {
   const double reach = kLink_mm * (std::cos(q2) + std::sin(q3));
   std::array<double, 3> position{-std::sin(q1) * reach, kLink_mm * (std::sin(q2) - std::cos(q3)) + 23.35,
                                  std::cos(q1) * reach - 168.35};
-  if (p.usePosition != 0) position = std::to_array(p.position_mm);
+  if (p.usePosition != 0) {
+    position = std::to_array(p.position_mm);
+  }
   const Matrix r = multiplied(
       multiplied(turnY(-q1), turnX(-q3)),
       multiplied(turnY(p.gimbal_rad[0]), multiplied(turnX(-p.gimbal_rad[1]), turnZ(-p.gimbal_rad[2]))));
   for (std::size_t c = 0; c < 3; ++c) {
-    for (std::size_t i = 0; i < 3; ++i) f.now.transform[4 * c + i] = r[i][c];
+    for (std::size_t i = 0; i < 3; ++i) {
+      f.now.transform[4 * c + i] = r[i][c];
+    }
     f.now.transform[12 + c] = position[c];
     f.now.joints[c] = p.joints_rad[c];
     f.now.gimbal[c] = (p.gimbal_rad[c] - f.gimbalOffset[c]) / f.gimbalScale[c];
@@ -55,9 +61,13 @@ void tellStory(Fake& f) {
   if (f.dockAtTick >= 0 && tick >= f.dockAtTick) {
     f.docked = true;
     f.pose = kInkwellPose;
-    if (f.calibration == hd::kCalibrationNeedsManualInput) f.calibration = hd::kCalibrationNeedsUpdate;
+    if (f.calibration == hd::kCalibrationNeedsManualInput) {
+      f.calibration = hd::kCalibrationNeedsUpdate;
+    }
   }
-  if (f.unplugAtTick >= 0 && tick >= f.unplugAtTick) f.unplugged = true;
+  if (f.unplugAtTick >= 0 && tick >= f.unplugAtTick) {
+    f.unplugged = true;
+  }
 }
 
 }  // namespace
@@ -68,7 +78,9 @@ std::array<double, 3> rendered(const Fake& f) {
 
 bool unschedule(Fake& f, hd::SchedulerHandle handle) {
   for (int k = 0; k < f.taskCount; ++k) {
-    if (f.tasks[static_cast<std::size_t>(k)].handle != handle) continue;
+    if (f.tasks[static_cast<std::size_t>(k)].handle != handle) {
+      continue;
+    }
     for (int m = k; m + 1 < f.taskCount; ++m) {
       f.tasks[static_cast<std::size_t>(m)] = f.tasks[static_cast<std::size_t>(m + 1)];
     }
@@ -85,7 +97,9 @@ hd::SchedulerHandle schedule(Fake& f, hd::SchedulerCallback callback, void* user
     return 0;
   }
   int at = 0;
-  while (at < f.taskCount && f.tasks[static_cast<std::size_t>(at)].priority >= priority) ++at;
+  while (at < f.taskCount && f.tasks[static_cast<std::size_t>(at)].priority >= priority) {
+    ++at;
+  }
   for (int k = f.taskCount; k > at; --k) {
     f.tasks[static_cast<std::size_t>(k)] = f.tasks[static_cast<std::size_t>(k - 1)];
   }
@@ -104,7 +118,9 @@ void runTick(Fake& f) {
   {
     const Guard guard(f.spin);
     ++f.tick;
-    if (!f.real) f.now_us += f.period_us.load();
+    if (!f.real) {
+      f.now_us += f.period_us.load();
+    }
     f.framesThisTick = 0;
     tellStory(f);
     move = f.unplugged ? nullptr : f.poseFunction;
@@ -119,14 +135,22 @@ void runTick(Fake& f) {
   }
   {
     const Guard guard(f.spin);
-    if (!f.unplugged) place(f);
+    if (!f.unplugged) {
+      place(f);
+    }
   }
   for (int i = 0; i < count; ++i) {
     const Task& task = tasks[static_cast<std::size_t>(i)];
-    if (f.hook != nullptr) f.hook(f.hookContext, 1);
+    if (f.hook != nullptr) {
+      f.hook(f.hookContext, 1);
+    }
     const hd::CallbackCode answer = task.callback(task.userData);
-    if (f.hook != nullptr) f.hook(f.hookContext, 0);
-    if (answer == hd::kCallbackContinue && !task.once) continue;
+    if (f.hook != nullptr) {
+      f.hook(f.hookContext, 0);
+    }
+    if (answer == hd::kCallbackContinue && !task.once) {
+      continue;
+    }
     const Guard guard(f.spin);
     (void)unschedule(f, task.handle);
   }
@@ -136,7 +160,9 @@ void runTick(Fake& f) {
 int waitingTasks(Fake& f) {
   const Guard guard(f.spin);
   int waiting = 0;
-  for (int k = 0; k < f.taskCount; ++k) waiting += f.tasks[static_cast<std::size_t>(k)].once ? 1 : 0;
+  for (int k = 0; k < f.taskCount; ++k) {
+    waiting += f.tasks[static_cast<std::size_t>(k)].once ? 1 : 0;
+  }
   return waiting;
 }
 
@@ -158,11 +184,15 @@ void servoLoop(Fake& f) {
       continue;
     }
     f.changed.wait(lock, [&f] { return f.stop || f.pendingTicks > 0 || f.pendingOnce > 0; });
-    if (f.stop) break;
+    if (f.stop) {
+      break;
+    }
     lock.unlock();
     runTick(f);
     lock.lock();
-    if (f.pendingTicks > 0) --f.pendingTicks;
+    if (f.pendingTicks > 0) {
+      --f.pendingTicks;
+    }
     f.pendingOnce = waitingTasks(f);
     f.changed.notify_all();
   }

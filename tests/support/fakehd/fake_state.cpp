@@ -37,7 +37,9 @@ int loads() {
 }
 
 void push(Fake& f, hd::ErrorCode error, std::int32_t internal) {
-  if (f.errorCount < kMostErrors) f.errors[static_cast<std::size_t>(f.errorCount++)] = {error, internal, 0};
+  if (f.errorCount < kMostErrors) {
+    f.errors[static_cast<std::size_t>(f.errorCount++)] = {error, internal, 0};
+  }
 }
 
 void breakRule(Fake& f, hd::ErrorCode error) {
@@ -50,7 +52,9 @@ bool onServoThread(const Fake& f) {
 }
 
 void writeLog(const Fake& f, const char* line) {
-  if (f.logFile.empty()) return;
+  if (f.logFile.empty()) {
+    return;
+  }
   if (std::FILE* const file = std::fopen(f.logFile.c_str(), "a")) {
     std::fprintf(file, "%s\n", line);
     std::fclose(file);
@@ -68,15 +72,21 @@ bool enter(Fake& f, const char* function, bool deviceCall) {
   } else {
     f.counts.emplace(function, 1);
   }
-  if (deviceCall && f.running && !servo) ++f.offThread;
+  if (deviceCall && f.running && !servo) {
+    ++f.offThread;
+  }
   bool works = true;
   for (Fault& fault : f.faults) {
-    if (fault.function != function || fault.times == 0) continue;
+    if (fault.function != function || fault.times == 0) {
+      continue;
+    }
     if (fault.skip > 0) {
       --fault.skip;
       continue;
     }
-    if (fault.times > 0) --fault.times;
+    if (fault.times > 0) {
+      --fault.times;
+    }
     push(f, fault.error.error, fault.error.internalError);
     works = false;
   }
@@ -97,19 +107,34 @@ const char* environment(const char* name) {
 }  // namespace
 
 void readEnvironment(Fake& f) {
-  if (*environment("FAKEHD_NO_DEVICE") != '\0') f.present = false;
-  if (*environment("FAKEHD_NO_LICENCE") != '\0') f.licence = false;
-  if (*environment("FAKEHD_MODEL") != '\0') f.model = environment("FAKEHD_MODEL");
+  if (*environment("FAKEHD_NO_DEVICE") != '\0') {
+    f.present = false;
+  }
+  if (*environment("FAKEHD_NO_LICENCE") != '\0') {
+    f.licence = false;
+  }
+  if (*environment("FAKEHD_MODEL") != '\0') {
+    f.model = environment("FAKEHD_MODEL");
+  }
   const std::string calibration = environment("FAKEHD_CALIBRATION");
-  if (calibration == "update") f.calibration = hd::kCalibrationNeedsUpdate;
-  if (calibration == "dock") f.calibration = hd::kCalibrationNeedsManualInput;
-  if (*environment("FAKEHD_DOCK_AT_TICK") != '\0')
+  if (calibration == "update") {
+    f.calibration = hd::kCalibrationNeedsUpdate;
+  }
+  if (calibration == "dock") {
+    f.calibration = hd::kCalibrationNeedsManualInput;
+  }
+  if (*environment("FAKEHD_DOCK_AT_TICK") != '\0') {
     f.dockAtTick = std::atoi(environment("FAKEHD_DOCK_AT_TICK"));
+  }
   if (*environment("FAKEHD_UNPLUG_AT_TICK") != '\0') {
     f.unplugAtTick = std::atoi(environment("FAKEHD_UNPLUG_AT_TICK"));
   }
-  if (*environment("FAKEHD_TICK_US") != '\0') f.period_us = std::atoi(environment("FAKEHD_TICK_US"));
-  if (std::string(environment("FAKEHD_POSE")) == "centre") f.pose = {{0, 0, 0}, {0, 0, 0}, 1, {0, 0, 0}};
+  if (*environment("FAKEHD_TICK_US") != '\0') {
+    f.period_us = std::atoi(environment("FAKEHD_TICK_US"));
+  }
+  if (std::string(environment("FAKEHD_POSE")) == "centre") {
+    f.pose = {{0, 0, 0}, {0, 0, 0}, 1, {0, 0, 0}};
+  }
   f.logFile = environment("FAKEHD_LOG");
 }
 

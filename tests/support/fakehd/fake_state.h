@@ -24,7 +24,9 @@ namespace hd = torsio::hd;
 class SpinLock {
  public:
   void lock() noexcept {
-    while (flag_.test_and_set(std::memory_order_acquire)) std::this_thread::yield();
+    while (flag_.test_and_set(std::memory_order_acquire)) {
+      std::this_thread::yield();
+    }
   }
   void unlock() noexcept { flag_.clear(std::memory_order_release); }
 

@@ -13,7 +13,9 @@ namespace torsio::testing {
 struct FakeHd {
   explicit FakeHd(const std::string& path) {
     const LoadedLibrary library = loadLibrary(path);
-    if (library.handle == nullptr) throw std::runtime_error(library.systemText);
+    if (library.handle == nullptr) {
+      throw std::runtime_error(library.systemText);
+    }
 #define FAKEHD_RESOLVE(name) \
   name = reinterpret_cast<decltype(name)>(librarySymbol(library.handle, "fakehd_" #name));
 // clang-format off
