@@ -29,7 +29,7 @@ struct AttemptMeasures {
   /// The next three: empty without a completed twist.
   std::optional<double> meanAbsoluteError_deg{};
   std::optional<double> peakTorque_Nm{};  ///< largest magnitude of any sample, not filtered
-  std::optional<double> peakForce_N{};    ///< the same of the force sent to the device
+  std::optional<double> peakForce_N{};    ///< largest magnitude sent to the device, not filtered
   /// By metric id, SI. A metric of single twists: over the completed ones, the sum of mishaps, the largest of
   /// peaks, else the median. What is not defined is missing.
   std::map<std::string, double> values{};
