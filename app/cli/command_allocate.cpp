@@ -30,8 +30,8 @@ struct AllocateArguments {
   std::string replay;
 };
 
-const std::vector<std::string> kMethods = {"complete permutation", "permuted blocks", "stratified blocks",
-                                           "minimisation"};
+const std::vector<std::string> kAllocationMethods = {"complete permutation", "permuted blocks",
+                                                     "stratified blocks", "minimisation"};
 const std::vector<std::string> kImbalances = {"range", "variance"};
 
 Input parsed(const std::string& file) {
@@ -95,7 +95,7 @@ std::vector<AllocationFactor> factorsOf(const Input& list, const std::string& wh
 AllocationDesign designOf(JsonFields& fields) {
   AllocationDesign design;
   design.studyId = fields.text("study");
-  design.method = static_cast<AllocationMethod>(fields.choice("method", kMethods, 0));
+  design.method = static_cast<AllocationMethod>(fields.choice("method", kAllocationMethods, 0));
   design.arms = as<std::vector<std::string>>(fields, "arms");
   if (fields.has("participants")) {
     design.participants = count(fields, "participants");
@@ -129,7 +129,7 @@ AllocationDesign designOf(JsonFields& fields) {
 Json designJson(const AllocationDesign& design) {
   Json out;
   out["study"] = design.studyId;
-  out["method"] = kMethods.at(static_cast<std::size_t>(design.method));
+  out["method"] = kAllocationMethods.at(static_cast<std::size_t>(design.method));
   out["arms"] = design.arms;
   out["participants"] = design.participants;
   out["block_sizes"] = design.blockSizes;
