@@ -571,18 +571,6 @@ CREATE TABLE trial_chunk (
 );
 {{append_only trial_chunk}}
 
-CREATE TABLE trial_event (
-  trial_id TEXT NOT NULL REFERENCES trial (id),
-  sequence BIGINT NOT NULL,
-  tick BIGINT NOT NULL,
-  time_us BIGINT NOT NULL,
-  kind TEXT NOT NULL,
-  label TEXT NOT NULL,
-  value DOUBLE PRECISION,
-  PRIMARY KEY (trial_id, sequence)
-);
-{{append_only trial_event}}
-
 CREATE TABLE trial_end (
   trial_id TEXT PRIMARY KEY REFERENCES trial (id),
   sample_count BIGINT NOT NULL,

@@ -82,7 +82,6 @@ class PersonDataTest : public DatabaseTest {
       trial.summary = {1000, 0, 0, TrialOutcome::kCompleted, contentHash(trial)};
       TrialRepository trials(connection, {"s", sample.enrolments[i].id});
       trials.import(trial);
-      trials.addEvents(trial.header.trialId, std::vector<StoredTrialEvent>{{1, 1, 1, "bookmark", text, {}}});
       trialIds.push_back(trial.header.trialId);
       StoredTrainingMark mark;
       mark.id = sample.ids.newUuid();
@@ -175,7 +174,7 @@ TEST_F(PersonDataTest, ExportsAllAboutOnePersonAndNothingAboutAnother) {
     }
   }
   for (const char* table : {"person", "person_identity", "trainee", "consent", "enrolment", "trial",
-                            "trial_chunk", "trial_event", "trial_end", "training_mark", "deviation",
+                            "trial_chunk", "trial_end", "training_mark", "deviation",
                             "app_user", "user_role", "mark_draft", "mark_draft_row", "assignment"}) {
     EXPECT_TRUE(names.contains(table)) << table;
   }

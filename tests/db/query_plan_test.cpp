@@ -79,7 +79,6 @@ TEST_F(QueryPlanTest, TrialsAreFoundByIndexAndTheNewestNeedNoSorting) {
   expectNoWalk(plansOf(connection, [&] { (void)trials.list({.enrolmentId = "e"}); }));
   expectNoWalk(plansOf(connection, [&] { (void)trials.unfinished("station"); }));
   expectNoWalk(plansOf(connection, [&] { (void)trials.find("t"); }));
-  expectNoWalk(plansOf(connection, [&] { (void)trials.events("t"); }));
 }
 
 TEST_F(QueryPlanTest, PeopleAreListedInTheOrderOfAnIndex) {

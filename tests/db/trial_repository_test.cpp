@@ -168,34 +168,14 @@ TEST_F(TrialRepositoryTest, ListsTheNewestFirstAndFilters) {
   EXPECT_EQ(trials.list({.limit = 1, .offset = 1}).at(0).trialId, ids[2]);
 }
 
-TEST_F(TrialRepositoryTest, KeepsEventsInTheirOrder) {
-  Connection connection = openWithSchema();
-  SampleRecord sample(connection, 1);
-  const std::string id = sample.ids.newUuid();
-  TrialRepository trials(connection);
-  record(trials, sampleHeader(id, "T-01"), 1);
-
-  trials.addEvents(id, std::vector<StoredTrialEvent>{{1, 120, 120000, "contact", "", std::nullopt},
-                                                     {2, 500, 500000, "bookmark", "slipped", 0.25}});
-
-  const std::vector<StoredTrialEvent> events = trials.events(id);
-  ASSERT_EQ(events.size(), 2U);
-  EXPECT_EQ(events[0].kind, "contact");
-  EXPECT_FALSE(events[0].value.has_value());
-  EXPECT_EQ(events[1].label, "slipped");
-  EXPECT_EQ(events[1].value, 0.25);
-  EXPECT_EQ(events[1].time_us, 500000);
-}
-
 TEST_F(TrialRepositoryTest, NothingRecordedCanBeChanged) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   TrialRepository trials(connection);
   const std::string id = sample.ids.newUuid();
   record(trials, sampleHeader(id, "T-01"), 2);
-  trials.addEvents(id, std::vector<StoredTrialEvent>{{1, 1, 1, "contact", "", std::nullopt}});
 
-  for (const std::string table : {"trial", "trial_chunk", "trial_event", "trial_end"}) {
+  for (const std::string table : {"trial", "trial_chunk", "trial_end"}) {
     EXPECT_EQ(faultFrom([&] { connection.execute("DELETE FROM " + table); }), DbFault::kAppendOnly) << table;
   }
   EXPECT_EQ(faultFrom([&] { connection.execute("UPDATE trial_chunk SET bytes = ?", {Blob{}}); }),

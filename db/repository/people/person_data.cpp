@@ -53,7 +53,6 @@ constexpr std::array kRules{
     PersonRule{"trial", "trainee_id = ?"},
     PersonRule{"trial_chunk", kOwnTrials, OnErase::kDelete, "",
                "trial_id, chunk_index, first_tick, sample_count, digest, output_digest, stored_utc_us"},
-    PersonRule{"trial_event", kOwnTrials, OnErase::kDelete},
     PersonRule{"trial_end", kOwnTrials},
     PersonRule{"trial_digest", kOwnTrials},
     PersonRule{"draft_viewing", kDrafts, OnErase::kDelete},

@@ -255,28 +255,6 @@ void TrialRepository::end(const std::string& trialId, const std::string& station
   transaction.commit();
 }
 
-void TrialRepository::addEvents(const std::string& trialId, std::span<const StoredTrialEvent> events) {
-  Transaction transaction(connection_);
-  Statement insert =
-      connection_.prepare(insertInto("trial_event", "trial_id, sequence, tick, time_us, kind, label, value"));
-  for (const StoredTrialEvent& event : events) {
-    insert.execute(
-        {trialId, event.sequence, event.tick, event.time_us, event.kind, event.label, event.value});
-  }
-  transaction.commit();
-}
-
-std::vector<StoredTrialEvent> TrialRepository::events(const std::string& trialId) const {
-  return selectAll(
-      connection_,
-      "SELECT sequence, tick, time_us, kind, label, value FROM trial_event WHERE trial_id = ? ORDER BY "
-      "sequence",
-      {trialId}, [](RowReader& row) {
-        return StoredTrialEvent{row.int64(), row.int64(), row.int64(),
-                                row.text(),  row.text(),  row.maybeReal()};
-      });
-}
-
 std::vector<TrialListing> TrialRepository::list(const TrialFilter& filter) {
   std::string where;
   std::vector<Value> values;

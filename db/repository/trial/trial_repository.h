@@ -35,16 +35,6 @@ struct TrialContext {
   friend bool operator==(const TrialContext&, const TrialContext&) = default;
 };
 
-/// Something that happened in a trial. Appended beside the samples, never changed.
-struct StoredTrialEvent {
-  std::int64_t sequence = 0;  ///< 1, 2, 3 ... within the trial
-  std::int64_t tick = 0;
-  std::int64_t time_us = 0;  ///< since the first tick
-  std::string kind{};        ///< "contact", "twisting", "released", "bookmark", "limit" ...
-  std::string label{};
-  std::optional<double> value{};
-};
-
 /// One line of a list of trials.
 struct TrialListing {
   std::string trialId{};
@@ -91,8 +81,6 @@ class TrialRepository final : public TrialSink {
   void append(const TrialChunk& chunk) override;
   void finish(const TrialSummary& summary) override;
 
-  void addEvents(const std::string& trialId, std::span<const StoredTrialEvent> events);
-  [[nodiscard]] std::vector<StoredTrialEvent> events(const std::string& trialId) const;
 
   [[nodiscard]] std::vector<TrialListing> list(const TrialFilter& filter = {});
   [[nodiscard]] std::optional<TrialHeader> find(const std::string& trialId) const;
