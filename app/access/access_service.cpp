@@ -15,11 +15,11 @@ namespace {
 
 constexpr const char* kAdministrator = "administrator";
 
-AccessRepository repository(Workplace& workplace) {
+AccessRepository repository(SessionContext& workplace) {
   return AccessRepository(workplace.connection(), workplace.passwordCost());
 }
 
-StoredUser userOf(Workplace& workplace, const std::string& userId) {
+StoredUser userOf(SessionContext& workplace, const std::string& userId) {
   for (const StoredUser& user : repository(workplace).users()) {
     if (user.id == userId) {
       return user;
@@ -33,7 +33,7 @@ bool isActiveAdministrator(const StoredUser& user) {
 }
 
 /// Somebody must be left who can let others in.
-void keepAnAdministrator(Workplace& workplace, const std::string& withoutUser) {
+void keepAnAdministrator(SessionContext& workplace, const std::string& withoutUser) {
   const std::vector<StoredUser> all = repository(workplace).users();
   const bool remains = std::any_of(all.begin(), all.end(), [&](const StoredUser& user) {
     return user.id != withoutUser && isActiveAdministrator(user);
@@ -57,7 +57,7 @@ const char* failureName(SignIn outcome) {
 }
 
 /// A failure, without what was typed: an unknown login may be a password in the wrong field.
-void noteFailure(Workplace& workplace, const std::string& login, SignIn outcome, const char* with) {
+void noteFailure(SessionContext& workplace, const std::string& login, SignIn outcome, const char* with) {
   std::string userId;
   for (const StoredUser& user : repository(workplace).users()) {
     if (user.login == login) {
@@ -70,7 +70,7 @@ void noteFailure(Workplace& workplace, const std::string& login, SignIn outcome,
                   .newJson = nlohmann::json{{"outcome", failureName(outcome)}, {"with", with}}.dump()});
 }
 
-SignInAnswer answer(Workplace& workplace, const std::string& login, const SignInResult& result,
+SignInAnswer answer(SessionContext& workplace, const std::string& login, const SignInResult& result,
                     bool practiceOnly) {
   SignInAnswer answer{result.outcome, {}, result.waitUntilUtc_us};
   if (result.outcome != SignIn::kOk && result.outcome != SignIn::kMustChange) {
@@ -98,7 +98,7 @@ bool needsFirstRun(Connection& connection) {
   return AccessRepository(connection).users().empty();
 }
 
-void setUpCentre(Workplace& workplace, const FirstRun& first) {
+void setUpCentre(SessionContext& workplace, const FirstRun& first) {
   if (first.centre.empty()) {
     throw Error(ErrorCode::kBadParameter, "the centre has no name", "centre",
                 "Enter the name of your centre");
@@ -128,16 +128,16 @@ void setUpCentre(Workplace& workplace, const FirstRun& first) {
   transaction.commit();
 }
 
-SignInAnswer signIn(Workplace& workplace, const std::string& login, const std::string& password) {
+SignInAnswer signIn(SessionContext& workplace, const std::string& login, const std::string& password) {
   return answer(workplace, login, repository(workplace).signIn(login, password, workplace.now_us()), false);
 }
 
-SignInAnswer signInForPractice(Workplace& workplace, const std::string& login, const std::string& pin) {
+SignInAnswer signInForPractice(SessionContext& workplace, const std::string& login, const std::string& pin) {
   return answer(workplace, login, repository(workplace).signInForPractice(login, pin, workplace.now_us()),
                 true);
 }
 
-SignInAnswer changeOwnPassword(Workplace& workplace, const std::string& login, const std::string& oldPassword,
+SignInAnswer changeOwnPassword(SessionContext& workplace, const std::string& login, const std::string& oldPassword,
                                const std::string& newPassword) {
   AccessRepository access = repository(workplace);
   const SignInResult old = access.signIn(login, oldPassword, workplace.now_us());
@@ -158,7 +158,7 @@ SignInAnswer changeOwnPassword(Workplace& workplace, const std::string& login, c
   return signedIn;
 }
 
-SignInAnswer unlock(Workplace& workplace, const std::string& secret) {
+SignInAnswer unlock(SessionContext& workplace, const std::string& secret) {
   const Actor& actor = workplace.actor();
   if (actor.userId.empty()) {
     throw Error(ErrorCode::kPermission, "nobody is signed in", "lock", "Sign in first");
@@ -177,7 +177,7 @@ SignInAnswer unlock(Workplace& workplace, const std::string& secret) {
   return unlocked;
 }
 
-void signOut(Workplace& workplace) {
+void signOut(SessionContext& workplace) {
   if (!workplace.actor().userId.empty()) {
     workplace.note(
         {.action = "user.sign_out", .objectKind = "app_user", .objectId = workplace.actor().userId});
@@ -185,7 +185,7 @@ void signOut(Workplace& workplace) {
   workplace.setActor({});
 }
 
-std::string addUser(Workplace& workplace, const NewUser& user) {
+std::string addUser(SessionContext& workplace, const NewUser& user) {
   workplace.require(Operation::kUserManage);
   const std::string id = workplace.ids().newUuid();
   AccessRepository access = repository(workplace);
@@ -204,12 +204,12 @@ std::string addUser(Workplace& workplace, const NewUser& user) {
   return id;
 }
 
-std::vector<StoredUser> users(Workplace& workplace) {
+std::vector<StoredUser> users(SessionContext& workplace) {
   workplace.require(Operation::kUserManage);
   return repository(workplace).users();
 }
 
-void setUserRoles(Workplace& workplace, const std::string& userId, const std::vector<std::string>& roles,
+void setUserRoles(SessionContext& workplace, const std::string& userId, const std::vector<std::string>& roles,
                   const std::string& reason) {
   workplace.require(Operation::kUserManage);
   Transaction transaction(workplace.connection());
@@ -228,7 +228,7 @@ void setUserRoles(Workplace& workplace, const std::string& userId, const std::ve
   transaction.commit();
 }
 
-void setUserActive(Workplace& workplace, const std::string& userId, bool active, const std::string& reason) {
+void setUserActive(SessionContext& workplace, const std::string& userId, bool active, const std::string& reason) {
   workplace.require(Operation::kUserManage);
   Transaction transaction(workplace.connection());
   if (!active && isActiveAdministrator(userOf(workplace, userId))) {
@@ -242,7 +242,7 @@ void setUserActive(Workplace& workplace, const std::string& userId, bool active,
   transaction.commit();
 }
 
-void resetPassword(Workplace& workplace, const std::string& userId, const std::string& startPassword,
+void resetPassword(SessionContext& workplace, const std::string& userId, const std::string& startPassword,
                    const std::string& reason) {
   workplace.require(Operation::kUserManage);
   AccessRepository access = repository(workplace);
@@ -254,7 +254,7 @@ void resetPassword(Workplace& workplace, const std::string& userId, const std::s
   transaction.commit();
 }
 
-void setOwnPin(Workplace& workplace, const std::string& pin) {
+void setOwnPin(SessionContext& workplace, const std::string& pin) {
   workplace.require(Operation::kPractice);
   if (workplace.actor().practiceOnly) {
     throw Error(ErrorCode::kPermission, "you came in with the PIN", "PIN",

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "db/repository/people/access_repository.h"
 
 namespace torsio {
@@ -23,7 +23,7 @@ struct FirstRun {
 [[nodiscard]] bool needsFirstRun(Connection& connection);
 /// Stores the centre, its settings and the first administrator, whose password is their own from the start.
 /// Throws Error{kPermission} when the database has users already, {kBadParameter} for a weak password.
-void setUpCentre(Workplace& workplace, const FirstRun& first);
+void setUpCentre(SessionContext& workplace, const FirstRun& first);
 
 /// What came of a try to sign in.
 struct SignInAnswer {
@@ -34,19 +34,19 @@ struct SignInAnswer {
 
 /// With the password; the workplace then belongs to the actor (for kOk only). Audited; a failure without what
 /// was typed.
-[[nodiscard]] SignInAnswer signIn(Workplace& workplace, const std::string& login,
+[[nodiscard]] SignInAnswer signIn(SessionContext& workplace, const std::string& login,
                                   const std::string& password);
 /// With the station PIN: practice without a record and nothing else.
-[[nodiscard]] SignInAnswer signInForPractice(Workplace& workplace, const std::string& login,
+[[nodiscard]] SignInAnswer signInForPractice(SessionContext& workplace, const std::string& login,
                                              const std::string& pin);
 /// After kMustChange, or by the user: the old password must fit. Then signs in. Throws Error{kBadParameter}
 /// for a weak or unchanged password, {kPermission} when the old one is wrong.
-SignInAnswer changeOwnPassword(Workplace& workplace, const std::string& login, const std::string& oldPassword,
+SignInAnswer changeOwnPassword(SessionContext& workplace, const std::string& login, const std::string& oldPassword,
                                const std::string& newPassword);
 /// After an idle lock: the secret of the user who is signed in (the PIN for practice), nobody else's.
 /// Audited, failures too. Throws Error{kPermission} when nobody is signed in.
-[[nodiscard]] SignInAnswer unlock(Workplace& workplace, const std::string& secret);
-void signOut(Workplace& workplace);
+[[nodiscard]] SignInAnswer unlock(SessionContext& workplace, const std::string& secret);
+void signOut(SessionContext& workplace);
 
 /// A user and a start password that must be changed at the first sign-in. kUserManage.
 struct NewUser {
@@ -56,17 +56,17 @@ struct NewUser {
   std::string startPassword{};
   bool demonstration = false;
 };
-std::string addUser(Workplace& workplace, const NewUser& user);
-[[nodiscard]] std::vector<StoredUser> users(Workplace& workplace);
+std::string addUser(SessionContext& workplace, const NewUser& user);
+[[nodiscard]] std::vector<StoredUser> users(SessionContext& workplace);
 /// At least one active administrator must remain: throws Error{kBadParameter} otherwise.
-void setUserRoles(Workplace& workplace, const std::string& userId, const std::vector<std::string>& roles,
+void setUserRoles(SessionContext& workplace, const std::string& userId, const std::vector<std::string>& roles,
                   const std::string& reason);
-void setUserActive(Workplace& workplace, const std::string& userId, bool active, const std::string& reason);
+void setUserActive(SessionContext& workplace, const std::string& userId, bool active, const std::string& reason);
 /// A new start password, to be changed at the next sign-in.
-void resetPassword(Workplace& workplace, const std::string& userId, const std::string& startPassword,
+void resetPassword(SessionContext& workplace, const std::string& userId, const std::string& startPassword,
                    const std::string& reason);
 /// One's own station PIN; empty removes it.
-void setOwnPin(Workplace& workplace, const std::string& pin);
+void setOwnPin(SessionContext& workplace, const std::string& pin);
 
 /// What an actor reaches first: "station" (trainee), "review" (rater), "office" (administrator, allocator,
 /// statistician).

@@ -7,17 +7,17 @@
 
 namespace torsio {
 
-std::vector<AuditEntry> auditEntries(Workplace& workplace, const AuditFilter& filter) {
+std::vector<AuditEntry> auditEntries(SessionContext& workplace, const AuditFilter& filter) {
   workplace.require(Operation::kAuditView);
   return AuditRepository(workplace.connection()).entries(filter);
 }
 
-std::int64_t auditEntryCount(Workplace& workplace, std::int64_t fromUtc_us) {
+std::int64_t auditEntryCount(SessionContext& workplace, std::int64_t fromUtc_us) {
   workplace.require(Operation::kAuditView);
   return AuditRepository(workplace.connection()).count(fromUtc_us);
 }
 
-std::map<std::string, std::string> auditActors(Workplace& workplace) {
+std::map<std::string, std::string> auditActors(SessionContext& workplace) {
   workplace.require(Operation::kAuditView);
   std::map<std::string, std::string> logins;
   for (const StoredUser& user : AccessRepository(workplace.connection()).users()) {
@@ -30,7 +30,7 @@ std::map<std::string, std::string> auditActors(Workplace& workplace) {
   return logins;
 }
 
-std::vector<AuditFinding> verifyAudit(Workplace& workplace) {
+std::vector<AuditFinding> verifyAudit(SessionContext& workplace) {
   workplace.require(Operation::kAuditView);
   std::vector<AuditFinding> findings = verifyAuditTrail(workplace.connection());
   workplace.note({.action = "audit.verify",

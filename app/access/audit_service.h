@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/system/audit_verification.h"
 
 namespace torsio {
 
 /// Newest first. kAuditView.
-[[nodiscard]] std::vector<AuditEntry> auditEntries(Workplace& workplace, const AuditFilter& filter = {});
+[[nodiscard]] std::vector<AuditEntry> auditEntries(SessionContext& workplace, const AuditFilter& filter = {});
 /// How many there are since `fromUtc_us`. kAuditView.
-[[nodiscard]] std::int64_t auditEntryCount(Workplace& workplace, std::int64_t fromUtc_us);
+[[nodiscard]] std::int64_t auditEntryCount(SessionContext& workplace, std::int64_t fromUtc_us);
 /// Sign-in names by the ids that stand in the entries. kAuditView.
-[[nodiscard]] std::map<std::string, std::string> auditActors(Workplace& workplace);
+[[nodiscard]] std::map<std::string, std::string> auditActors(SessionContext& workplace);
 /// Walks the whole chain and compares every sealed mark and trial with its row. That somebody looked, and
 /// what was found, is audited. Takes seconds with many trials. kAuditView.
-[[nodiscard]] std::vector<AuditFinding> verifyAudit(Workplace& workplace);
+[[nodiscard]] std::vector<AuditFinding> verifyAudit(SessionContext& workplace);
 
 }  // namespace torsio

@@ -50,7 +50,7 @@ std::string randomStartPassword() {
   return password;
 }
 
-std::vector<StartAccount> performFirstRun(Workplace& workplace, const FirstRun& first,
+std::vector<StartAccount> performFirstRun(SessionContext& workplace, const FirstRun& first,
                                           const AddPeople& addPeople) {
   std::vector<StartAccount> accounts;
   Transaction transaction(workplace.connection());

@@ -30,12 +30,12 @@ struct StartAccount {
 };
 
 /// Fills the record with people who are not real, and makes an account for each role.
-using AddPeople = std::function<std::vector<StartAccount>(Workplace&)>;
+using AddPeople = std::function<std::vector<StartAccount>(SessionContext&)>;
 
 /// Carries out what the first-run wizard decided, all or nothing: the centre, the first administrator (who is
 /// signed in afterwards) and, where `first.demonstration` is set, `addPeople` (app/demonstration has one).
 /// Throws what setUpCentre and `addPeople` throw.
-std::vector<StartAccount> performFirstRun(Workplace& workplace, const FirstRun& first,
+std::vector<StartAccount> performFirstRun(SessionContext& workplace, const FirstRun& first,
                                           const AddPeople& addPeople);
 
 /// Twenty characters in groups that can be read aloud; from the system's random source.

@@ -35,7 +35,7 @@ int minutesOf(const std::optional<std::string>& text) {
 
 }  // namespace
 
-void setCentreSetting(Workplace& workplace, const std::string& name, const std::string& value,
+void setCentreSetting(SessionContext& workplace, const std::string& name, const std::string& value,
                       const std::string& reason) {
   workplace.require(Operation::kSettingsEdit);
   if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
@@ -57,7 +57,7 @@ void setCentreSetting(Workplace& workplace, const std::string& name, const std::
   transaction.commit();
 }
 
-void setCentreName(Workplace& workplace, const std::string& name) {
+void setCentreName(SessionContext& workplace, const std::string& name) {
   workplace.require(Operation::kSettingsEdit);
   if (name.empty()) {
     throw Error(ErrorCode::kBadParameter, "the centre has no name", "centre",
@@ -94,7 +94,7 @@ IdleLimits centreIdleLimits(Connection& connection) {
   return {.warn_us = warn_min * kMinute_us, .lock_us = lock_min * kMinute_us};
 }
 
-void setCentreIdleLimits(Workplace& workplace, int warn_min, int lock_min) {
+void setCentreIdleLimits(SessionContext& workplace, int warn_min, int lock_min) {
   workplace.require(Operation::kSettingsEdit);
   if (!sensible(warn_min, lock_min)) {
     throw Error(ErrorCode::kBadParameter, "these minutes make no sense", "idle lock",
@@ -107,7 +107,7 @@ void setCentreIdleLimits(Workplace& workplace, int warn_min, int lock_min) {
   transaction.commit();
 }
 
-void setGradedWithMouse(Workplace& workplace, bool graded) {
+void setGradedWithMouse(SessionContext& workplace, bool graded) {
   setCentreSetting(workplace, "graded_with_mouse", graded ? "yes" : "no");
 }
 

@@ -22,7 +22,7 @@ struct DemonstrationUsers {
   std::string raterId;
 };
 
-DemonstrationUsers fillWithPeople(Workplace& workplace, const std::filesystem::path& assets,
+DemonstrationUsers fillWithPeople(SessionContext& workplace, const std::filesystem::path& assets,
                                   const ProgressCallback& progress) {
   DemonstrationOptions options;
   options.training.assets = assets;
@@ -43,7 +43,7 @@ DemonstrationUsers fillWithPeople(Workplace& workplace, const std::filesystem::p
   return {station.personId, desk.raterIds.front()};
 }
 
-StartAccount account(Workplace& workplace, const std::string& login, const std::string& role,
+StartAccount account(SessionContext& workplace, const std::string& login, const std::string& role,
                      const StoredPerson& person) {
   StartAccount made{login, role, person.code, randomStartPassword()};
   addUser(workplace, {.login = login,
@@ -54,7 +54,7 @@ StartAccount account(Workplace& workplace, const std::string& login, const std::
   return made;
 }
 
-std::vector<StartAccount> accountsOf(Workplace& workplace, const DemonstrationUsers& users) {
+std::vector<StartAccount> accountsOf(SessionContext& workplace, const DemonstrationUsers& users) {
   PeopleRepository people(workplace.connection());
   const std::vector<StoredTrainee> trainees = people.trainees();
   const std::vector<StoredRater> raters = people.raters();
@@ -71,7 +71,7 @@ std::vector<StartAccount> accountsOf(Workplace& workplace, const DemonstrationUs
 
 }  // namespace
 
-std::vector<StartAccount> addDemonstration(Workplace& workplace, const std::filesystem::path& assets,
+std::vector<StartAccount> addDemonstration(SessionContext& workplace, const std::filesystem::path& assets,
                                            const ProgressCallback& progress) {
   return accountsOf(workplace, fillWithPeople(workplace, assets, progress));
 }

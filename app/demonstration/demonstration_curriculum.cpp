@@ -50,7 +50,7 @@ void giveIds(StoredCurriculumVersion& version, IdSource& ids) {
       required = idOf.at(required);
     }
   }
-  for (StoredArm& arm : version.arms) {
+  for (StudyArm& arm : version.arms) {
     arm.id = ids.newUuid();
     for (StoredPhase& phase : arm.phases) {
       phase.id = ids.newUuid();
@@ -101,7 +101,7 @@ void storeDemonstrationExposures(Connection& connection, const DemonstrationStud
   SeededIdSource ids(seed ^ kExposureStream);
   std::vector<StoredExposure> exposures;
   for (const DemonstrationTrainee& trainee : study.trainees) {
-    const StoredArm& arm = curriculum.arms.at(trainee.group);
+    const StudyArm& arm = curriculum.arms.at(trainee.group);
     std::int64_t at_us = utc_us;
     const auto spend = [&](const std::string& phaseId, const std::string& kind, std::int64_t duration_us) {
       exposures.push_back({ids.newUuid(), trainee.enrolmentId, phaseId, kind, at_us, duration_us, kBy, true});

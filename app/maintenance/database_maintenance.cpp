@@ -139,7 +139,7 @@ DatabaseCheck checkDatabase(const std::string& locator) {
   return check(connection);
 }
 
-BackupContent backUpDatabase(Workplace& workplace, const fs::path& target, const ProgressCallback& progress) {
+BackupContent backUpDatabase(SessionContext& workplace, const fs::path& target, const ProgressCallback& progress) {
   workplace.require(Operation::kDatabaseBackup);
   if (workplace.connection().engine() != Engine::kSqlite) {
     requireSqlite(workplace.key().locator, "Use pg_dump --format=custom --file=FILE on the server");
@@ -153,7 +153,7 @@ BackupContent backUpDatabase(Workplace& workplace, const fs::path& target, const
   return checkBackup(target);
 }
 
-DatabaseCheck checkDatabase(Workplace& workplace, const ProgressCallback& progress) {
+DatabaseCheck checkDatabase(SessionContext& workplace, const ProgressCallback& progress) {
   workplace.require(Operation::kDatabaseBackup);
   DatabaseCheck result = check(workplace.connection(), progress);
   workplace.note({.action = "database.check",

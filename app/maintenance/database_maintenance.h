@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "app/base/progress.h"
 #include "db/migrations/backup.h"
 #include "db/repository/system/audit_verification.h"
@@ -32,7 +32,7 @@ struct BackupCheck {
 };
 
 // For the command line, where whoever may read the file may do this. The window goes through the functions
-// that take a Workplace.
+// that take a SessionContext.
 
 /// Copies the database while others work, into one file that is checked before it gets its name. Throws
 /// Error: kUsage for PostgreSQL (its own pg_dump does it).
@@ -50,10 +50,10 @@ BackupContent restoreDatabase(const std::filesystem::path& backup, const std::st
 [[nodiscard]] DatabaseCheck checkDatabase(const std::string& locator);
 
 /// kDatabaseBackup, audited.
-BackupContent backUpDatabase(Workplace& workplace, const std::filesystem::path& target,
+BackupContent backUpDatabase(SessionContext& workplace, const std::filesystem::path& target,
                              const ProgressCallback& progress = {});
 /// kDatabaseBackup, audited with the result.
-[[nodiscard]] DatabaseCheck checkDatabase(Workplace& workplace, const ProgressCallback& progress = {});
+[[nodiscard]] DatabaseCheck checkDatabase(SessionContext& workplace, const ProgressCallback& progress = {});
 
 /// Copies a file in steps, telling the fraction; what was begun is removed again when `progress` throws.
 /// Throws Error (kFileUnwritable, kFileMissing).

@@ -28,12 +28,12 @@ DemonstrationSize sizeOf(const std::vector<DemonstrationRows>& tables) {
 
 }  // namespace
 
-DemonstrationSize demonstrationSize(Workplace& workplace) {
+DemonstrationSize demonstrationSize(SessionContext& workplace) {
   workplace.require(Operation::kPersonErase);
   return sizeOf(demonstrationRows(workplace.connection()));
 }
 
-DemonstrationSize removeDemonstrationData(Workplace& workplace, const std::string& reason) {
+DemonstrationSize removeDemonstrationData(SessionContext& workplace, const std::string& reason) {
   workplace.require(Operation::kPersonErase);
   return sizeOf(removeDemonstration(workplace.connection(), workplace.actor().userId, workplace.station(),
                                     reason, workplace.now_us()));

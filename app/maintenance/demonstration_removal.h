@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 
 namespace torsio {
 
@@ -16,11 +16,11 @@ struct DemonstrationSize {
 };
 
 /// For the question before removing. kPersonErase.
-[[nodiscard]] DemonstrationSize demonstrationSize(Workplace& workplace);
+[[nodiscard]] DemonstrationSize demonstrationSize(SessionContext& workplace);
 
 /// Removes all demonstration data at once; real data stay untouched (removeDemonstration in
 /// db/repository/system/demonstration_data.h). kPersonErase, audited. Returns what was removed. Throws Error
 /// (kBadData) when real data use simulated ones; nothing is removed then.
-DemonstrationSize removeDemonstrationData(Workplace& workplace, const std::string& reason);
+DemonstrationSize removeDemonstrationData(SessionContext& workplace, const std::string& reason);
 
 }  // namespace torsio

@@ -6,7 +6,7 @@
 
 namespace torsio {
 
-std::vector<Text> othersAtWork(Workplace& workplace) {
+std::vector<Text> othersAtWork(SessionContext& workplace) {
   workplace.require(Operation::kDatabaseRestore);
   const std::int64_t aliveSince_us = workplace.now_us() - kStationSilence_us;
   std::vector<Text> sentences;
@@ -23,7 +23,7 @@ std::vector<Text> othersAtWork(Workplace& workplace) {
   return sentences;
 }
 
-void requireNobodyAtWork(Workplace& workplace) {
+void requireNobodyAtWork(SessionContext& workplace) {
   const std::vector<Text> others = othersAtWork(workplace);
   if (others.empty()) {
     return;

@@ -3,17 +3,17 @@
 
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "sim/base/text.h"
 
 namespace torsio {
 
 /// Who else works at this record now, one plain sentence each: runs that go on, at this station too, and
 /// other stations that gave a sign of life in the last kStationSilence_us. kDatabaseRestore.
-[[nodiscard]] std::vector<Text> othersAtWork(Workplace& workplace);
+[[nodiscard]] std::vector<Text> othersAtWork(SessionContext& workplace);
 
 /// Before a record is replaced or moved. kDatabaseRestore. Throws Error (kDatabase) with the first of
 /// othersAtWork.
-void requireNobodyAtWork(Workplace& workplace);
+void requireNobodyAtWork(SessionContext& workplace);
 
 }  // namespace torsio

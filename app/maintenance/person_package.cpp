@@ -144,7 +144,7 @@ class FolderInTheMaking {
 
 }  // namespace
 
-PersonPackage exportPersonPackage(Workplace& workplace, const std::string& personId, const fs::path& folder,
+PersonPackage exportPersonPackage(SessionContext& workplace, const std::string& personId, const fs::path& folder,
                                   const std::string& reason) {
   workplace.require(Operation::kPersonExport);
   if (fs::exists(folder)) {
@@ -184,7 +184,7 @@ PersonPackage exportPersonPackage(Workplace& workplace, const std::string& perso
   return package;
 }
 
-void erasePersonRecord(Workplace& workplace, const std::string& personId, const std::string& reason) {
+void erasePersonRecord(SessionContext& workplace, const std::string& personId, const std::string& reason) {
   workplace.require(Operation::kPersonErase);
   if (reason.empty()) {
     throw Error(ErrorCode::kBadParameter, "erasing needs a reason", personId, "Say why, for the audit trail");

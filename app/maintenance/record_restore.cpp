@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::uintmax_t kSpareRoom_bytes = 64ULL << 20;  // the write-ahead log of the copy, and some air
 
-void requireFile(Workplace& workplace) {
+void requireFile(SessionContext& workplace) {
   if (workplace.connection().engine() == Engine::kSqlite) {
     return;
   }
@@ -140,10 +140,10 @@ void requireRoom(const fs::path& record, const fs::path& backup) {
 }
 
 /// The audit entry in the trail of `connection`.
-void tell(Workplace& workplace, Connection& connection, const std::string& action, const RestorePlan& plan,
+void tell(SessionContext& workplace, Connection& connection, const std::string& action, const RestorePlan& plan,
           const fs::path& safety) {
   WorkplaceKey key = workplace.key();
-  const Workplace there(connection, workplace.ids(), key, [&workplace] { return workplace.now_us(); });
+  const SessionContext there(connection, workplace.ids(), key, [&workplace] { return workplace.now_us(); });
   there.note({.action = action,
               .objectKind = "database",
               .objectId = plan.backup.filename().string(),
@@ -155,7 +155,7 @@ void tell(Workplace& workplace, Connection& connection, const std::string& actio
 }
 
 /// Brings the copy up to date, erases again, tells of the restore.
-void bringToday(Workplace& workplace, const fs::path& ready, const RestorePlan& plan,
+void bringToday(SessionContext& workplace, const fs::path& ready, const RestorePlan& plan,
                 const fs::path& safety) {
   Connection copy = openRecord(ready.string(), OpenMode::kReadWrite,
                                {.softwareVersion = softwareVersion(), .backup = false});
@@ -167,7 +167,7 @@ void bringToday(Workplace& workplace, const fs::path& ready, const RestorePlan& 
 
 }  // namespace
 
-RestorePlan planRestore(Workplace& workplace, const fs::path& backup, const ProgressCallback& progress) {
+RestorePlan planRestore(SessionContext& workplace, const fs::path& backup, const ProgressCallback& progress) {
   workplace.require(Operation::kDatabaseRestore);
   requireFile(workplace);
   requireNobodyAtWork(workplace);
@@ -190,7 +190,7 @@ RestorePlan planRestore(Workplace& workplace, const fs::path& backup, const Prog
   return plan;
 }
 
-std::shared_ptr<PreparedRestore> prepareRestore(Workplace& workplace, const RestorePlan& plan,
+std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& workplace, const RestorePlan& plan,
                                                 const ProgressCallback& progress) {
   workplace.require(Operation::kDatabaseRestore);
   requireFile(workplace);

@@ -17,7 +17,7 @@ void requireReason(const std::string& reason, const std::string& where) {
   }
 }
 
-void hold(Workplace& workplace, const RetentionHold& decision) {
+void hold(SessionContext& workplace, const RetentionHold& decision) {
   workplace.require(Operation::kRetentionManage);
   requireReason(decision.reason, decision.personId);
   Transaction transaction(workplace.connection());
@@ -39,12 +39,12 @@ std::int64_t recordingsOf(Connection& connection, const std::string& code) {
 
 }  // namespace
 
-std::vector<RetentionRule> retentionRules(Workplace& workplace) {
+std::vector<RetentionRule> retentionRules(SessionContext& workplace) {
   workplace.require(Operation::kRetentionManage);
   return RetentionRepository(workplace.connection()).rules();
 }
 
-void setRetentionRule(Workplace& workplace, const std::string& category, std::int64_t keep_days,
+void setRetentionRule(SessionContext& workplace, const std::string& category, std::int64_t keep_days,
                       const std::string& basis) {
   workplace.require(Operation::kRetentionManage);
   Transaction transaction(workplace.connection());
@@ -57,7 +57,7 @@ void setRetentionRule(Workplace& workplace, const std::string& category, std::in
   transaction.commit();
 }
 
-void removeRetentionRule(Workplace& workplace, const std::string& category) {
+void removeRetentionRule(SessionContext& workplace, const std::string& category) {
   workplace.require(Operation::kRetentionManage);
   Transaction transaction(workplace.connection());
   RetentionRepository(workplace.connection()).removeRule(category);
@@ -65,16 +65,16 @@ void removeRetentionRule(Workplace& workplace, const std::string& category) {
   transaction.commit();
 }
 
-std::vector<RetentionItem> retentionQueue(Workplace& workplace) {
+std::vector<RetentionItem> retentionQueue(SessionContext& workplace) {
   workplace.require(Operation::kRetentionManage);
   return RetentionRepository(workplace.connection()).due(workplace.now_us());
 }
 
-void lockRecord(Workplace& workplace, const std::string& personId, const std::string& reason) {
+void lockRecord(SessionContext& workplace, const std::string& personId, const std::string& reason) {
   hold(workplace, {.personId = personId, .kind = "lock", .reason = reason});
 }
 
-void extendRecord(Workplace& workplace, const std::string& personId, std::int64_t untilUtc_us,
+void extendRecord(SessionContext& workplace, const std::string& personId, std::int64_t untilUtc_us,
                   const std::string& reason) {
   workplace.require(Operation::kRetentionManage);
   if (untilUtc_us <= workplace.now_us()) {
@@ -83,11 +83,11 @@ void extendRecord(Workplace& workplace, const std::string& personId, std::int64_
   hold(workplace, {.personId = personId, .kind = "extend", .untilUtc_us = untilUtc_us, .reason = reason});
 }
 
-void releaseRecord(Workplace& workplace, const std::string& personId, const std::string& reason) {
+void releaseRecord(SessionContext& workplace, const std::string& personId, const std::string& reason) {
   hold(workplace, {.personId = personId, .kind = "release", .reason = reason});
 }
 
-RetentionOutcome eraseDue(Workplace& workplace, std::span<const std::string> personIds,
+RetentionOutcome eraseDue(SessionContext& workplace, std::span<const std::string> personIds,
                           const std::string& reason, bool dryRun) {
   if (!dryRun) {
     workplace.require(Operation::kPersonErase);

@@ -6,27 +6,27 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "db/repository/people/retention_repository.h"
 
 namespace torsio {
 
 /// kRetentionManage, as all below; every change is audited.
-[[nodiscard]] std::vector<RetentionRule> retentionRules(Workplace& workplace);
-void setRetentionRule(Workplace& workplace, const std::string& category, std::int64_t keep_days,
+[[nodiscard]] std::vector<RetentionRule> retentionRules(SessionContext& workplace);
+void setRetentionRule(SessionContext& workplace, const std::string& category, std::int64_t keep_days,
                       const std::string& basis);
 /// Takes the rule of a category away: its records are kept without limit.
-void removeRetentionRule(Workplace& workplace, const std::string& category);
+void removeRetentionRule(SessionContext& workplace, const std::string& category);
 
 /// The review queue: whose record is due now and why, those who are held among them, longest due first.
-[[nodiscard]] std::vector<RetentionItem> retentionQueue(Workplace& workplace);
+[[nodiscard]] std::vector<RetentionItem> retentionQueue(SessionContext& workplace);
 
 /// Keeps a record for good, or until a day; release ends it. Throws Error (kBadParameter) without a reason,
 /// or for a day that has passed.
-void lockRecord(Workplace& workplace, const std::string& personId, const std::string& reason);
-void extendRecord(Workplace& workplace, const std::string& personId, std::int64_t untilUtc_us,
+void lockRecord(SessionContext& workplace, const std::string& personId, const std::string& reason);
+void extendRecord(SessionContext& workplace, const std::string& personId, std::int64_t untilUtc_us,
                   const std::string& reason);
-void releaseRecord(Workplace& workplace, const std::string& personId, const std::string& reason);
+void releaseRecord(SessionContext& workplace, const std::string& personId, const std::string& reason);
 
 /// What an erase of due records would do, or did.
 struct RetentionOutcome {
@@ -38,7 +38,7 @@ struct RetentionOutcome {
 /// The reviewer's choice out of the queue. A dry run changes nothing. Else also kPersonErase: each person is
 /// erased in a transaction of their own through erasePerson. Throws Error (kBadData) before anything is
 /// erased when somebody is not due.
-RetentionOutcome eraseDue(Workplace& workplace, std::span<const std::string> personIds,
+RetentionOutcome eraseDue(SessionContext& workplace, std::span<const std::string> personIds,
                           const std::string& reason, bool dryRun);
 
 }  // namespace torsio

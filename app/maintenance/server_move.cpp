@@ -120,7 +120,7 @@ std::string passwordFileLine(const ServerAddress& address) {
          ":PASSWORD";
 }
 
-ServerCheck checkServer(Workplace& workplace, const ServerAddress& address) {
+ServerCheck checkServer(SessionContext& workplace, const ServerAddress& address) {
   workplace.require(Operation::kDatabaseRestore);
   ServerCheck check;
   Connection connection = openDatabase(typedLocator(address), OpenMode::kReadOnly);
@@ -131,7 +131,7 @@ ServerCheck checkServer(Workplace& workplace, const ServerAddress& address) {
   return check;
 }
 
-CopyReport moveToServer(Workplace& workplace, const ServerAddress& address, const ProgressCallback& progress,
+CopyReport moveToServer(SessionContext& workplace, const ServerAddress& address, const ProgressCallback& progress,
                         const std::filesystem::path& unstored) {
   workplace.require(Operation::kDatabaseRestore);
   requireNobodyAtWork(workplace);
@@ -153,7 +153,7 @@ CopyReport moveToServer(Workplace& workplace, const ServerAddress& address, cons
   }
 }
 
-std::string switchToServer(Workplace& workplace, const ServerAddress& address, const CopyReport& copied) {
+std::string switchToServer(SessionContext& workplace, const ServerAddress& address, const CopyReport& copied) {
   workplace.require(Operation::kDatabaseRestore);
   requireNobodyAtWork(workplace);
   if (AuditRepository(workplace.connection()).length() != copied.auditEntries) {
@@ -162,7 +162,7 @@ std::string switchToServer(Workplace& workplace, const ServerAddress& address, c
   }
   std::string locator = openLasting(address);
   Connection there = openDatabase(locator, OpenMode::kReadWrite);
-  const Workplace server(there, workplace.ids(), workplace.key(),
+  const SessionContext server(there, workplace.ids(), workplace.key(),
                          [&workplace] { return workplace.now_us(); });
   server.note({.action = "database.switch",
                .objectKind = "database",
@@ -172,7 +172,7 @@ std::string switchToServer(Workplace& workplace, const ServerAddress& address, c
   return locator;
 }
 
-std::string joinServer(Workplace& workplace, const ServerAddress& address,
+std::string joinServer(SessionContext& workplace, const ServerAddress& address,
                        const std::filesystem::path& unstored) {
   workplace.require(Operation::kDatabaseRestore);
   requireNothingWaits(workplace.key().locator, unstored);
@@ -184,7 +184,7 @@ std::string joinServer(Workplace& workplace, const ServerAddress& address,
   std::string locator = openLasting(address);
   const AuditNote note{.action = "database.join", .objectKind = "database", .objectId = check.location};
   Connection there = openUpToDate(locator);
-  const Workplace server(there, workplace.ids(), workplace.key(),
+  const SessionContext server(there, workplace.ids(), workplace.key(),
                          [&workplace] { return workplace.now_us(); });
   server.note(note);
   workplace.note(note);

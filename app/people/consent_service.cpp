@@ -43,12 +43,12 @@ std::vector<ConsentText> consentTexts(const std::filesystem::path& assets, const
   return texts;
 }
 
-std::vector<StoredConsent> consentHistory(Workplace& workplace, const std::string& personId) {
+std::vector<StoredConsent> consentHistory(SessionContext& workplace, const std::string& personId) {
   workplace.require(Operation::kPersonViewCoded);
   return PeopleRepository(workplace.connection()).consents(personId);
 }
 
-void recordConsent(Workplace& workplace, const std::string& personId, const std::string& purpose,
+void recordConsent(SessionContext& workplace, const std::string& personId, const std::string& purpose,
                    bool granted, const std::string& textVersion) {
   workplace.require(Operation::kConsentRecord);
   if (!isPurpose(purpose)) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "db/repository/people/people_repository.h"
 
 namespace torsio {
@@ -24,11 +24,11 @@ struct ConsentText {
                                                     const std::string& language = "en");
 
 /// Every decision, oldest first. kPersonViewCoded.
-[[nodiscard]] std::vector<StoredConsent> consentHistory(Workplace& workplace, const std::string& personId);
+[[nodiscard]] std::vector<StoredConsent> consentHistory(SessionContext& workplace, const std::string& personId);
 
 /// Given, or withdrawn (`granted` false). Audited. kConsentRecord. Throws Error{kBadParameter} for an unknown
 /// purpose or person, or an empty version.
-void recordConsent(Workplace& workplace, const std::string& personId, const std::string& purpose,
+void recordConsent(SessionContext& workplace, const std::string& personId, const std::string& purpose,
                    bool granted, const std::string& textVersion);
 
 }  // namespace torsio

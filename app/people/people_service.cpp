@@ -190,13 +190,13 @@ std::vector<std::string> codedCells(const PersonRow& row) {
 
 }  // namespace
 
-std::vector<PersonRow> people(Workplace& workplace) {
+std::vector<PersonRow> people(SessionContext& workplace) {
   workplace.require(Operation::kPersonViewCoded);
   PeopleRepository repository(workplace.connection());
   return byCode(rowsById(repository));
 }
 
-std::vector<NamedPersonRow> namedPeople(Workplace& workplace) {
+std::vector<NamedPersonRow> namedPeople(SessionContext& workplace) {
   workplace.require(Operation::kPersonViewIdentity);
   PeopleRepository repository(workplace.connection());
   std::map<std::string, StoredIdentity> identities;
@@ -213,7 +213,7 @@ std::vector<NamedPersonRow> namedPeople(Workplace& workplace) {
   return list;
 }
 
-std::string addPerson(Workplace& workplace, const PersonEntry& entry) {
+std::string addPerson(SessionContext& workplace, const PersonEntry& entry) {
   workplace.require(Operation::kPersonEdit);
   Transaction transaction(workplace.connection());
   PeopleRepository repository(workplace.connection());
@@ -244,7 +244,7 @@ std::string addPerson(Workplace& workplace, const PersonEntry& entry) {
   return person.id;
 }
 
-PersonEntry personEntry(Workplace& workplace, const std::string& personId) {
+PersonEntry personEntry(SessionContext& workplace, const std::string& personId) {
   workplace.require(Operation::kPersonEdit);
   workplace.require(Operation::kPersonViewIdentity);
   PeopleRepository repository(workplace.connection());
@@ -262,7 +262,7 @@ PersonEntry personEntry(Workplace& workplace, const std::string& personId) {
           .raterClass = row.raterClass};
 }
 
-void changePerson(Workplace& workplace, const std::string& personId, const PersonEntry& entry,
+void changePerson(SessionContext& workplace, const std::string& personId, const PersonEntry& entry,
                   const std::string& reason) {
   workplace.require(Operation::kPersonEdit);
   Transaction transaction(workplace.connection());
@@ -303,7 +303,7 @@ void changePerson(Workplace& workplace, const std::string& personId, const Perso
   transaction.commit();
 }
 
-void setPersonState(Workplace& workplace, const std::string& personId, const std::string& state,
+void setPersonState(SessionContext& workplace, const std::string& personId, const std::string& state,
                     const std::string& reason) {
   workplace.require(Operation::kPersonEdit);
   if (std::find(kStates.begin(), kStates.end(), state) == kStates.end()) {
@@ -329,7 +329,7 @@ std::vector<StoredRaterClass> paperRaterClasses() {
           {"chief", "chief physician", 3}};
 }
 
-std::vector<StoredRaterClass> ensureRaterClasses(Workplace& workplace) {
+std::vector<StoredRaterClass> ensureRaterClasses(SessionContext& workplace) {
   workplace.require(Operation::kPersonEdit);
   PeopleRepository repository(workplace.connection());
   std::vector<StoredRaterClass> classes = repository.raterClasses();
@@ -345,12 +345,12 @@ std::vector<StoredRaterClass> ensureRaterClasses(Workplace& workplace) {
   return classes;
 }
 
-std::vector<StoredRaterClass> raterClasses(Workplace& workplace) {
+std::vector<StoredRaterClass> raterClasses(SessionContext& workplace) {
   workplace.require(Operation::kPersonViewCoded);
   return PeopleRepository(workplace.connection()).raterClasses();
 }
 
-std::size_t exportPeople(Workplace& workplace, const std::filesystem::path& file, bool withNames) {
+std::size_t exportPeople(SessionContext& workplace, const std::filesystem::path& file, bool withNames) {
   workplace.require(withNames ? Operation::kReportExportNamed : Operation::kReportExportCoded);
   constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
   std::string text = kByteOrderMark;

@@ -36,7 +36,7 @@ std::vector<std::string> rolesOf(const PersonRow& row) {
 
 }  // namespace
 
-std::vector<PersonRow> peopleWithoutAccount(Workplace& workplace) {
+std::vector<PersonRow> peopleWithoutAccount(SessionContext& workplace) {
   workplace.require(Operation::kUserManage);
   std::set<std::string> withAccount;
   for (const StoredUser& user : users(workplace)) {
@@ -49,7 +49,7 @@ std::vector<PersonRow> peopleWithoutAccount(Workplace& workplace) {
   return rows;
 }
 
-void addAccounts(Workplace& workplace, const std::vector<std::string>& personIds,
+void addAccounts(SessionContext& workplace, const std::vector<std::string>& personIds,
                  std::vector<StartAccount>& made, const ProgressCallback& progress) {
   std::vector<PersonRow> rows = peopleWithoutAccount(workplace);
   const std::set<std::string> wanted(personIds.begin(), personIds.end());

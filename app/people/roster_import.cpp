@@ -85,7 +85,7 @@ struct KnownPeople {
   std::vector<StoredRaterClass> classes;
 };
 
-KnownPeople readKnown(Workplace& workplace) {
+KnownPeople readKnown(SessionContext& workplace) {
   KnownPeople known;
   known.classes = PeopleRepository(workplace.connection()).raterClasses();
   if (known.classes.empty()) {
@@ -331,7 +331,7 @@ std::string fingerprintOf(const RosterPreview& preview) {
   return digest.hex();
 }
 
-RosterPreview preview(Workplace& workplace, const RosterFile& file, RosterKind kind,
+RosterPreview preview(SessionContext& workplace, const RosterFile& file, RosterKind kind,
                       const RosterColumns& columns, const ProgressCallback& progress, double share) {
   checkColumns(file, kind, columns);
   const KnownPeople known = readKnown(workplace);
@@ -373,7 +373,7 @@ RosterPreview preview(Workplace& workplace, const RosterFile& file, RosterKind k
   return preview;
 }
 
-void requireRosterRights(const Workplace& workplace) {
+void requireRosterRights(const SessionContext& workplace) {
   workplace.require(Operation::kPersonEdit);
   workplace.require(Operation::kPersonViewIdentity);
 }
@@ -387,7 +387,7 @@ nlohmann::json addedJson(const StoredPerson& person, const std::string& part) {
 }
 
 /// Adds the new people; ids are random, so giving codes in their order hides the order of the roster.
-std::vector<std::string> addNew(Workplace& workplace, const RosterPreview& preview, LineCount& count) {
+std::vector<std::string> addNew(SessionContext& workplace, const RosterPreview& preview, LineCount& count) {
   PeopleRepository repository(workplace.connection());
   const std::vector<std::string> used = repository.codes();
   PersonCodes codes({used.begin(), used.end()});
@@ -430,7 +430,7 @@ std::vector<std::string> addNew(Workplace& workplace, const RosterPreview& previ
   return newCodes;
 }
 
-void applyChanges(Workplace& workplace, const RosterPreview& preview, LineCount& count) {
+void applyChanges(SessionContext& workplace, const RosterPreview& preview, LineCount& count) {
   for (const RosterRow& row : preview.rows) {
     if (row.status != RosterStatus::kChanges) {
       continue;
@@ -449,13 +449,13 @@ void applyChanges(Workplace& workplace, const RosterPreview& preview, LineCount&
 
 }  // namespace
 
-RosterPreview previewRoster(Workplace& workplace, const RosterFile& file, RosterKind kind,
+RosterPreview previewRoster(SessionContext& workplace, const RosterFile& file, RosterKind kind,
                             const RosterColumns& columns, const ProgressCallback& progress) {
   requireRosterRights(workplace);
   return preview(workplace, file, kind, columns, progress, 1.0);
 }
 
-RosterOutcome importRoster(Workplace& workplace, const RosterFile& file, RosterKind kind,
+RosterOutcome importRoster(SessionContext& workplace, const RosterFile& file, RosterKind kind,
                            const RosterColumns& columns, const std::string& fingerprint, RosterMode mode,
                            const ProgressCallback& progress) {
   constexpr double kComparing = 0.2;  // of the whole work

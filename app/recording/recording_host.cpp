@@ -12,7 +12,7 @@
 #include <QSysInfo>
 #include <QtGlobal>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 
 namespace torsio {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "app/devices/station_device.h"
 
 namespace torsio {
@@ -18,7 +18,7 @@ inline constexpr std::int64_t kHeartbeat_us = 10'000'000;
 /// that the station is silent.
 class StationHeartbeat {
  public:
-  explicit StationHeartbeat(Workplace& workplace) : workplace_(&workplace) {}
+  explicit StationHeartbeat(SessionContext& workplace) : workplace_(&workplace) {}
 
   /// What runs from now on; empty: nothing. Shown with the next heartbeat that finds it in the database.
   void show(const std::string& trialId);
@@ -32,7 +32,7 @@ class StationHeartbeat {
   void leave();
 
  private:
-  Workplace* workplace_;
+  SessionContext* workplace_;
   std::string trialId_;
   StationDevice device_;
   std::string shownTrial_;

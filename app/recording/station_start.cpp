@@ -32,7 +32,7 @@ std::optional<StoredEnrolment> enrolmentOf(StudyRepository& studies, const std::
 }
 
 /// Training time that a recording proves and nobody logged; its station or its database went down before.
-std::int64_t logMissing_us(Workplace& workplace, const TrialListing& trial) {
+std::int64_t logMissing_us(SessionContext& workplace, const TrialListing& trial) {
   if (trial.enrolmentId.empty()) {
     return 0;
   }
@@ -67,7 +67,7 @@ std::int64_t logMissing_us(Workplace& workplace, const TrialListing& trial) {
   return missing_us;
 }
 
-SettledTrial settled(Workplace& workplace, TrialListing trial, bool fromFile) {
+SettledTrial settled(SessionContext& workplace, TrialListing trial, bool fromFile) {
   const std::int64_t added_us = logMissing_us(workplace, trial);
   const nlohmann::json what{{"exposure_us", added_us}};
   workplace.note({.action = fromFile ? "trial.import" : "trial.close_interrupted",
@@ -97,7 +97,7 @@ TrialListing listingOf(TrialRepository& trials, const Trial& trial) {
 
 /// Measures a recording that ended just now and keeps its digest; free practice is nobody's and is not
 /// measured.
-void measureNow(Workplace& workplace, const TrialListing& trial) {
+void measureNow(SessionContext& workplace, const TrialListing& trial) {
   if (trial.enrolmentId.empty()) {
     return;
   }
@@ -105,7 +105,7 @@ void measureNow(Workplace& workplace, const TrialListing& trial) {
   static_cast<void>(digestOf(workplace.connection(), trial, rules, workplace.now_us()));
 }
 
-SettledTrial store(Workplace& workplace, const UnstoredTrial& waiting) {
+SettledTrial store(SessionContext& workplace, const UnstoredTrial& waiting) {
   Transaction transaction(workplace.connection());
   TrialRepository trials(workplace.connection(), waiting.context);
   trials.import(waiting.trial);
@@ -118,7 +118,7 @@ SettledTrial store(Workplace& workplace, const UnstoredTrial& waiting) {
   return stored;
 }
 
-void importFiles(Workplace& workplace, const std::filesystem::path& folder, StationStart& start) {
+void importFiles(SessionContext& workplace, const std::filesystem::path& folder, StationStart& start) {
   UnstoredTrials found = unstoredTrials(workplace.key().locator, folder);
   start.kept = std::move(found.unreadable);
   for (const UnstoredTrial& waiting : found.trials) {
@@ -137,7 +137,7 @@ void importFiles(Workplace& workplace, const std::filesystem::path& folder, Stat
 
 }  // namespace
 
-StationStart settleStation(Workplace& workplace, const std::filesystem::path& folder) {
+StationStart settleStation(SessionContext& workplace, const std::filesystem::path& folder) {
   StationStart start;
   importFiles(workplace, folder, start);
   Transaction transaction(workplace.connection());

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "app/recording/unstored_trials.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/base/text.h"
@@ -34,6 +34,6 @@ struct StationStart {
 /// closed as interrupted; the training time that either proves is logged. Audited. For the start of the
 /// program too, when nobody is signed in: it shows nobody's data. Throws DbError (the database is away); then
 /// the files are still there.
-StationStart settleStation(Workplace& workplace, const std::filesystem::path& folder = unstoredFolder());
+StationStart settleStation(SessionContext& workplace, const std::filesystem::path& folder = unstoredFolder());
 
 }  // namespace torsio

@@ -24,7 +24,7 @@ bool isAway(const std::exception& problem) {
 
 /// The line's own workplace with its heartbeat.
 struct Desk {
-  std::unique_ptr<Workplace> workplace;
+  std::unique_ptr<SessionContext> workplace;
   std::optional<StationHeartbeat> heartbeat;
 };
 
@@ -76,7 +76,7 @@ struct StationWriter::State {
     }
   }
 
-  void perform(Workplace& workplace, const Waiting& waiting) {
+  void perform(SessionContext& workplace, const Waiting& waiting) {
     bool given = false;
     try {
       waiting.write(workplace);
@@ -105,7 +105,7 @@ struct StationWriter::State {
 };
 
 StationWriter::StationWriter(const WorkplaceKey& key, const LinePatience& patience)
-    : StationWriter([key] { return std::make_unique<Workplace>(key); }, patience) {
+    : StationWriter([key] { return std::make_unique<SessionContext>(key); }, patience) {
   signIn(key.actor);
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "app/devices/station_device.h"
 
 namespace torsio {
@@ -28,8 +28,8 @@ struct LinePatience {
 class StationWriter {
  public:
   /// Opens the database; throws Error, DbError. Called in the line's thread.
-  using Open = std::function<std::unique_ptr<Workplace>()>;
-  using Write = std::function<void(Workplace&)>;
+  using Open = std::function<std::unique_ptr<SessionContext>()>;
+  using Write = std::function<void(SessionContext&)>;
 
   explicit StationWriter(const WorkplaceKey& key, const LinePatience& patience = {});
   StationWriter(Open open, const LinePatience& patience);

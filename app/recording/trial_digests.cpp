@@ -82,7 +82,7 @@ class Fresh {
 
 }  // namespace
 
-std::vector<TrialSummaryRow> TrialDigests::ofCohort(Workplace& workplace, const std::string& cohortId,
+std::vector<TrialSummaryRow> TrialDigests::ofCohort(SessionContext& workplace, const std::string& cohortId,
                                                     const ProgressCallback& progress) {
   workplace.require(Operation::kResultsCompute);
   Connection& connection = workplace.connection();

@@ -6,7 +6,7 @@
 
 #include <QStandardPaths>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "app/recording/recording_host.h"
 #include "app/recording/unstored_trials.h"
 #include "sim/base/file_io.h"

@@ -21,7 +21,7 @@ namespace torsio {
 
 namespace {
 
-void addFreeze(Workplace& workplace, const ReportRequest& request, CohortInputs& inputs) {
+void addFreeze(SessionContext& workplace, const ReportRequest& request, CohortInputs& inputs) {
   if (request.frozenId.empty()) {
     return;
   }
@@ -44,7 +44,7 @@ void addFreeze(Workplace& workplace, const ReportRequest& request, CohortInputs&
 
 /// Whoever may not look at marks gets them, under codes, once nothing can be influenced any more
 /// (docs/decisions/0007).
-bool showsSingleMarks(Workplace& workplace, const ReportRequest& request, const CohortInputs& inputs) {
+bool showsSingleMarks(SessionContext& workplace, const ReportRequest& request, const CohortInputs& inputs) {
   if (workplace.may(Operation::kMarkViewCoded)) {
     return true;
   }
@@ -53,7 +53,7 @@ bool showsSingleMarks(Workplace& workplace, const ReportRequest& request, const 
 }
 
 /// The design in words, and whether the draw could be repeated.
-void addAllocation(Workplace& workplace, const std::string& cohortId, CohortInputs& inputs) {
+void addAllocation(SessionContext& workplace, const std::string& cohortId, CohortInputs& inputs) {
   if (!workplace.may(Operation::kAllocationView)) {
     return;
   }
@@ -88,7 +88,7 @@ void addAllocation(Workplace& workplace, const std::string& cohortId, CohortInpu
 }
 
 /// "T-07 Li Na" in place of "T-07", everywhere.
-void nameTrainees(Workplace& workplace, CohortInputs& inputs) {
+void nameTrainees(SessionContext& workplace, CohortInputs& inputs) {
   workplace.require(Operation::kPersonViewIdentity);
   PeopleRepository people(workplace.connection());
   std::map<std::string, std::string> nameOf;  // by person
@@ -128,7 +128,7 @@ void nameTrainees(Workplace& workplace, CohortInputs& inputs) {
 
 }  // namespace
 
-std::vector<ReportableCampaign> reportableCampaigns(Workplace& workplace) {
+std::vector<ReportableCampaign> reportableCampaigns(SessionContext& workplace) {
   workplace.require(Operation::kResultsCompute);
   EvaluationRepository repository(workplace.connection());
   std::vector<ReportableCampaign> campaigns;
@@ -138,7 +138,7 @@ std::vector<ReportableCampaign> reportableCampaigns(Workplace& workplace) {
   return campaigns;
 }
 
-CohortInputs reportInputs(Workplace& workplace, const ReportRequest& request, TrialDigests& digests,
+CohortInputs reportInputs(SessionContext& workplace, const ReportRequest& request, TrialDigests& digests,
                           const ProgressCallback& progress) {
   workplace.require(Operation::kResultsCompute);
   Connection& connection = workplace.connection();

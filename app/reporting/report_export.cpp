@@ -30,7 +30,7 @@ std::string_view identityCode(ReportIdentity identity) noexcept {
   return "";
 }
 
-ReportExport exportReport(Workplace& workplace, const ReportRequest& request, const CohortInputs& inputs,
+ReportExport exportReport(SessionContext& workplace, const ReportRequest& request, const CohortInputs& inputs,
                           ReportFormat format, const std::filesystem::path& file, const std::string& language,
                           const ReportPages& pages) {
   const bool named = request.identity == ReportIdentity::kNamed;

@@ -36,7 +36,7 @@ std::string blindedDigest(const std::string& contentHash, const std::string& sal
   return digest.hex().substr(0, kDigestDigits);
 }
 
-StoredAssignment ownAssignment(Workplace& workplace, Operation operation, const std::string& assignmentId) {
+StoredAssignment ownAssignment(SessionContext& workplace, Operation operation, const std::string& assignmentId) {
   workplace.require(operation);
   DeskRepository desk(workplace.connection());
   const std::optional<StoredAssignment> found = desk.assignment(assignmentId);
@@ -52,7 +52,7 @@ StoredAssignment ownAssignment(Workplace& workplace, Operation operation, const 
   return *found;
 }
 
-BlindedCase blindedCase(Workplace& workplace, const std::string& assignmentId) {
+BlindedCase blindedCase(SessionContext& workplace, const std::string& assignmentId) {
   const StoredAssignment found = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
   BlindedCase shown{.assignmentId = assignmentId,
                     .label = found.caseLabel,
@@ -64,7 +64,7 @@ BlindedCase blindedCase(Workplace& workplace, const std::string& assignmentId) {
   return shown;
 }
 
-BlindedRecording loadBlindedRecording(Workplace& workplace, const std::string& assignmentId) {
+BlindedRecording loadBlindedRecording(SessionContext& workplace, const std::string& assignmentId) {
   const StoredAssignment found = ownAssignment(workplace, Operation::kTrialViewAssigned, assignmentId);
   if (found.trialId.empty()) {
     throw Error(ErrorCode::kBadData, "this case is scored live and has no recording",

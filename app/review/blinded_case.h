@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/record/trial.h"
 #include "sim/scene/scene.h"
@@ -44,16 +44,16 @@ struct BlindedRecording {
 
 /// The assignment behind a case, for services only. Throws Error{kPermission}: the actor may not, or it is
 /// another rater's or nobody's (which of the two is not told), or it was withdrawn.
-[[nodiscard]] StoredAssignment ownAssignment(Workplace& workplace, Operation operation,
+[[nodiscard]] StoredAssignment ownAssignment(SessionContext& workplace, Operation operation,
                                              const std::string& assignmentId);
 /// kMarkSubmit, own case.
-[[nodiscard]] BlindedCase blindedCase(Workplace& workplace, const std::string& assignmentId);
+[[nodiscard]] BlindedCase blindedCase(SessionContext& workplace, const std::string& assignmentId);
 
 /// Loads the recording of an own case and checks it against its content hash, so that what is played is what
 /// was recorded, bit for bit. kTrialViewAssigned, and only while the case is assigned. Throws
 /// Error{kPermission}, {kBadData}: a live case; {kVerifyFailed}: the recording was changed. No text names the
 /// trial.
-[[nodiscard]] BlindedRecording loadBlindedRecording(Workplace& workplace, const std::string& assignmentId);
+[[nodiscard]] BlindedRecording loadBlindedRecording(SessionContext& workplace, const std::string& assignmentId);
 
 /// The recording `trialId` under `label`, checked as above: for services that have decided who may see it.
 [[nodiscard]] BlindedRecording blindedRecordingOf(Connection& connection, const std::string& trialId,

@@ -8,7 +8,7 @@
 
 namespace torsio {
 
-std::vector<CaseRemark> caseRemarks(Workplace& workplace, const std::string& assignmentId) {
+std::vector<CaseRemark> caseRemarks(SessionContext& workplace, const std::string& assignmentId) {
   const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
   std::vector<CaseRemark> own;
   if (assignment.trialId.empty()) {
@@ -22,7 +22,7 @@ std::vector<CaseRemark> caseRemarks(Workplace& workplace, const std::string& ass
   return own;
 }
 
-void addCaseRemark(Workplace& workplace, const std::string& assignmentId, const CaseRemark& remark) {
+void addCaseRemark(SessionContext& workplace, const std::string& assignmentId, const CaseRemark& remark) {
   const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
   if (assignment.trialId.empty() || remark.time_us < 0) {
     throw Error(ErrorCode::kBadData, "this case has no recording to mark",

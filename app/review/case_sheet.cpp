@@ -40,7 +40,7 @@ std::string seenJson(const BlindedCase& shown, const WatchLog& watched) {
 
 }  // namespace
 
-ViewingRules viewingRules(Workplace& workplace) {
+ViewingRules viewingRules(SessionContext& workplace) {
   workplace.require(Operation::kMarkSubmit);
   ViewingRules rules;
   SettingRepository settings(workplace.connection());
@@ -69,12 +69,12 @@ ViewingRules viewingRules(Workplace& workplace) {
   return rules;
 }
 
-KeptAt keptAt(Workplace& workplace) {
+KeptAt keptAt(SessionContext& workplace) {
   workplace.require(Operation::kMarkSubmit);
   return workplace.connection().engine() == Engine::kSqlite ? KeptAt::kThisMachine : KeptAt::kServer;
 }
 
-OpenedSheet openSheet(Workplace& workplace, const std::string& assignmentId) {
+OpenedSheet openSheet(SessionContext& workplace, const std::string& assignmentId) {
   const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
   SheetRepository sheets(workplace.connection());
   DeskRepository desk(workplace.connection());
@@ -98,7 +98,7 @@ OpenedSheet openSheet(Workplace& workplace, const std::string& assignmentId) {
   return opened;
 }
 
-std::int64_t saveSheet(Workplace& workplace, const std::string& assignmentId, Sheet sheet,
+std::int64_t saveSheet(SessionContext& workplace, const std::string& assignmentId, Sheet sheet,
                        const WatchLog& watched) {
   static_cast<void>(ownAssignment(workplace, Operation::kMarkSubmit, assignmentId));
   sheet.changedUtc_us = workplace.now_us();
@@ -123,7 +123,7 @@ SheetCheck checkSheet(const StoredRubricRevision& rubric, const Sheet& sheet, bo
   return checkSheetLines(lines, seen, rules);
 }
 
-void submitSheet(Workplace& workplace, const std::string& assignmentId, const Sheet& sheet,
+void submitSheet(SessionContext& workplace, const std::string& assignmentId, const Sheet& sheet,
                  const WatchLog& watched) {
   const OpenedSheet opened = openSheet(workplace, assignmentId);
   const SheetCheck check =
@@ -149,7 +149,7 @@ void submitSheet(Workplace& workplace, const std::string& assignmentId, const Sh
   transaction.commit();
 }
 
-void amendSheet(Workplace& workplace, const std::string& assignmentId, const Sheet& sheet,
+void amendSheet(SessionContext& workplace, const std::string& assignmentId, const Sheet& sheet,
                 const std::string& reason) {
   const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
   const std::string where = "case " + assignment.caseLabel;
@@ -168,7 +168,7 @@ void amendSheet(Workplace& workplace, const std::string& assignmentId, const She
   transaction.commit();
 }
 
-std::vector<SheetVersion> sheetVersions(Workplace& workplace, const std::string& assignmentId) {
+std::vector<SheetVersion> sheetVersions(SessionContext& workplace, const std::string& assignmentId) {
   const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
   std::vector<SheetVersion> versions;
   for (const StoredTrainingMark& mark :

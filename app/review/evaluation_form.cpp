@@ -80,7 +80,7 @@ OpenForm formOf(Connection& connection, const StoredCampaign& campaign, const St
   return open;
 }
 
-OpenForm ownForm(Workplace& workplace, const std::string& campaignId) {
+OpenForm ownForm(SessionContext& workplace, const std::string& campaignId) {
   workplace.require(Operation::kEvaluationSubmit);
   const auto campaign = EvaluationRepository(workplace.connection()).campaign(campaignId);
   const std::string& person = workplace.actor().personId;
@@ -115,7 +115,7 @@ bool EvaluationForm::complete() const noexcept {
                      [](const EvaluationFormModel& model) { return model.submitted; });
 }
 
-std::vector<EvaluationForm> evaluationForms(Workplace& workplace) {
+std::vector<EvaluationForm> evaluationForms(SessionContext& workplace) {
   workplace.require(Operation::kEvaluationSubmit);
   std::vector<EvaluationForm> forms;
   const std::string& person = workplace.actor().personId;
@@ -133,7 +133,7 @@ std::vector<EvaluationForm> evaluationForms(Workplace& workplace) {
   return forms;
 }
 
-void saveEvaluationScore(Workplace& workplace, const std::string& campaignId, const std::string& hiddenLabel,
+void saveEvaluationScore(SessionContext& workplace, const std::string& campaignId, const std::string& hiddenLabel,
                          std::size_t index, std::optional<std::int64_t> score_steps) {
   const OpenForm open = ownForm(workplace, campaignId);
   const std::size_t model = openModel(open, hiddenLabel);
@@ -148,7 +148,7 @@ void saveEvaluationScore(Workplace& workplace, const std::string& campaignId, co
                            static_cast<std::int64_t>(index + 1), score_steps, workplace.now_us());
 }
 
-void submitEvaluation(Workplace& workplace, const std::string& campaignId, const std::string& hiddenLabel) {
+void submitEvaluation(SessionContext& workplace, const std::string& campaignId, const std::string& hiddenLabel) {
   const OpenForm open = ownForm(workplace, campaignId);
   const std::size_t model = openModel(open, hiddenLabel);
   const std::vector<std::optional<std::int64_t>>& scores = open.form.models[model].scores;

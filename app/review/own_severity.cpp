@@ -39,7 +39,7 @@ std::optional<SeverityCase> compared(const std::vector<CaseMark>& marks, const s
 
 }  // namespace
 
-OwnSeverity ownSeverity(Workplace& workplace) {
+OwnSeverity ownSeverity(SessionContext& workplace) {
   workplace.require(Operation::kMarkSubmit);
   const std::string& rater = workplace.actor().personId;
   DeskRepository desk(workplace.connection());

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "assessment/statistics/values.h"
 
 namespace torsio {
@@ -34,6 +34,6 @@ struct OwnSeverity {
 
 /// Overall marks of cases on which all have committed; "not assessable" ones are left out. The mean of the
 /// others does not contain the own mark. kMarkSubmit.
-[[nodiscard]] OwnSeverity ownSeverity(Workplace& workplace);
+[[nodiscard]] OwnSeverity ownSeverity(SessionContext& workplace);
 
 }  // namespace torsio

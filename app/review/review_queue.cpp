@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "app/review/alignment.h"
+#include "app/review/discrepancy_review.h"
 #include "app/review/evaluation_form.h"
-#include "app/review/warm_up.h"
+#include "app/review/rater_calibration.h"
 #include "db/repository/rating/desk_repository.h"
 
 namespace torsio {
@@ -29,7 +29,7 @@ std::optional<double> ownPace_min(DeskRepository& desk, const std::string& rater
   return static_cast<double>(*middle) / kMinute_us;
 }
 
-std::vector<QueueLine> allLines(Workplace& workplace, const std::optional<double>& pace_min) {
+std::vector<QueueLine> allLines(SessionContext& workplace, const std::optional<double>& pace_min) {
   DeskRepository desk(workplace.connection());
   const std::int64_t now_us = workplace.now_us();
   std::vector<QueueLine> lines;
@@ -54,7 +54,7 @@ std::vector<QueueLine> allLines(Workplace& workplace, const std::optional<double
 
 }  // namespace
 
-ReviewQueue reviewQueue(Workplace& workplace) {
+ReviewQueue reviewQueue(SessionContext& workplace) {
   workplace.require(Operation::kMarkSubmit);
   ReviewQueue queue;
   DeskRepository desk(workplace.connection());
@@ -89,9 +89,9 @@ ReviewQueue reviewQueue(Workplace& workplace) {
     queue.next = found->shown.assignmentId;
     break;
   }
-  const WarmUp warmUp = torsio::warmUp(workplace);
+  const RaterCalibration warmUp = torsio::warmUp(workplace);
   queue.warmUpWaiting = !warmUp.runs.empty() && !warmUp.complete();
-  for (const AlignmentCase& open : alignmentCases(workplace)) {
+  for (const DiscrepancyCase& open : alignmentCases(workplace)) {
     if (open.decision.empty()) {
       ++queue.disagreements;
     }
@@ -106,7 +106,7 @@ ReviewQueue reviewQueue(Workplace& workplace) {
   return queue;
 }
 
-std::vector<QueueLine> liveLines(Workplace& workplace) {
+std::vector<QueueLine> liveLines(SessionContext& workplace) {
   workplace.require(Operation::kMarkSubmit);
   std::vector<QueueLine> lines;
   for (QueueLine& line : allLines(workplace, std::nullopt)) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "app/review/blinded_case.h"
 
 namespace torsio {
@@ -39,9 +39,9 @@ struct ReviewQueue {
 };
 
 /// kMarkSubmit.
-[[nodiscard]] ReviewQueue reviewQueue(Workplace& workplace);
+[[nodiscard]] ReviewQueue reviewQueue(SessionContext& workplace);
 
 /// Live cases of the actor in running order: scored on the real arm, without a recording. kMarkSubmit.
-[[nodiscard]] std::vector<QueueLine> liveLines(Workplace& workplace);
+[[nodiscard]] std::vector<QueueLine> liveLines(SessionContext& workplace);
 
 }  // namespace torsio

@@ -51,7 +51,7 @@ struct Field {
   }
 };
 
-Field readField(Workplace& workplace, const std::string& cohortId) {
+Field readField(SessionContext& workplace, const std::string& cohortId) {
   StudyRepository study(workplace.connection());
   Field field;
   field.cohort = study.cohort(cohortId);
@@ -137,7 +137,7 @@ std::map<std::string, std::string> codesOf(StudyRepository& study, const std::st
   return codes;
 }
 
-OpenDraw openDraw(Workplace& workplace, const Field& field) {
+OpenDraw openDraw(SessionContext& workplace, const Field& field) {
   StudyRepository study(workplace.connection());
   const std::vector<StoredAllocationDesign> designs = study.designs(field.cohort.id);
   if (designs.empty()) {
@@ -168,7 +168,7 @@ OpenDraw openDraw(Workplace& workplace, const Field& field) {
   return open;
 }
 
-StoredAllocation draw(Workplace& workplace, const Field& field, OpenDraw& open,
+StoredAllocation draw(SessionContext& workplace, const Field& field, OpenDraw& open,
                       const StoredEnrolment& enrolment) {
   StudyRepository study(workplace.connection());
   const AllocationPerson person = personForDraw(open.design, field.trainees.at(enrolment.traineeId));
@@ -242,7 +242,7 @@ const std::vector<std::string>& allocationFactorNames() {
   return kNames;
 }
 
-BalancePreview previewBalance(Workplace& workplace, const AllocationPlan& plan) {
+BalancePreview previewBalance(SessionContext& workplace, const AllocationPlan& plan) {
   workplace.require(Operation::kAllocationRun);
   Field field = readField(workplace, plan.cohortId);
   BalancePreview preview;
@@ -282,7 +282,7 @@ BalancePreview previewBalance(Workplace& workplace, const AllocationPlan& plan) 
   return preview;
 }
 
-AllocationDesignRow lockAllocation(Workplace& workplace, const AllocationPlan& plan,
+AllocationDesignRow lockAllocation(SessionContext& workplace, const AllocationPlan& plan,
                                    const std::string& supersedeReason) {
   workplace.require(Operation::kAllocationRun);
   Transaction transaction(workplace.connection());
@@ -326,7 +326,7 @@ AllocationDesignRow lockAllocation(Workplace& workplace, const AllocationPlan& p
   return {stored, design, 0, 0};
 }
 
-std::vector<AllocationDesignRow> allocationDesigns(Workplace& workplace, const std::string& cohortId) {
+std::vector<AllocationDesignRow> allocationDesigns(SessionContext& workplace, const std::string& cohortId) {
   workplace.require(Operation::kAllocationView);
   StudyRepository study(workplace.connection());
   std::vector<std::string> groups;
@@ -340,12 +340,12 @@ std::vector<AllocationDesignRow> allocationDesigns(Workplace& workplace, const s
   return rows;
 }
 
-std::vector<StoredAllocation> allocations(Workplace& workplace, const std::string& designId) {
+std::vector<StoredAllocation> allocations(SessionContext& workplace, const std::string& designId) {
   workplace.require(Operation::kAllocationView);
   return StudyRepository(workplace.connection()).allocations(designId);
 }
 
-StoredAllocation allocateOne(Workplace& workplace, const std::string& cohortId,
+StoredAllocation allocateOne(SessionContext& workplace, const std::string& cohortId,
                              const std::string& enrolmentId) {
   workplace.require(Operation::kAllocationRun);
   Transaction transaction(workplace.connection());
@@ -363,7 +363,7 @@ StoredAllocation allocateOne(Workplace& workplace, const std::string& cohortId,
   return record;
 }
 
-std::size_t allocateAll(Workplace& workplace, const std::string& cohortId) {
+std::size_t allocateAll(SessionContext& workplace, const std::string& cohortId) {
   workplace.require(Operation::kAllocationRun);
   Transaction transaction(workplace.connection());
   const Field field = readField(workplace, cohortId);
@@ -379,7 +379,7 @@ std::size_t allocateAll(Workplace& workplace, const std::string& cohortId) {
   return waiting.size();
 }
 
-StoredAllocation overrideAllocation(Workplace& workplace, const std::string& cohortId,
+StoredAllocation overrideAllocation(SessionContext& workplace, const std::string& cohortId,
                                     const std::string& enrolmentId, const std::string& groupId,
                                     const std::string& reason) {
   workplace.require(Operation::kAllocationRun);
@@ -423,7 +423,7 @@ StoredAllocation overrideAllocation(Workplace& workplace, const std::string& coh
   return record;
 }
 
-std::string revealSeed(Workplace& workplace, const std::string& designId, const std::string& reason) {
+std::string revealSeed(SessionContext& workplace, const std::string& designId, const std::string& reason) {
   workplace.require(Operation::kAllocationReveal);
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
@@ -450,7 +450,7 @@ std::string revealSeed(Workplace& workplace, const std::string& designId, const 
   return seed;
 }
 
-AllocationCheck checkAllocation(Workplace& workplace, const std::string& designId) {
+AllocationCheck checkAllocation(SessionContext& workplace, const std::string& designId) {
   workplace.require(Operation::kAllocationView);
   StudyRepository study(workplace.connection());
   AllocationCheck check;
@@ -511,7 +511,7 @@ AllocationCheck checkAllocation(Workplace& workplace, const std::string& designI
   refuse("there is no such design", designId, "Choose one from the list");
 }
 
-std::vector<SealedCard> takeOutCards(Workplace& workplace, const std::string& cohortId) {
+std::vector<SealedCard> takeOutCards(SessionContext& workplace, const std::string& cohortId) {
   workplace.require(Operation::kAllocationRun);
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());

@@ -76,7 +76,7 @@ void checkModels(const std::vector<NewModel>& models) {
 }
 
 /// The raters of the plan by class, in the order of codes.
-std::map<std::string, std::vector<StoredRater>> ratersByClass(Workplace& workplace,
+std::map<std::string, std::vector<StoredRater>> ratersByClass(SessionContext& workplace,
                                                               const CampaignPlan& plan) {
   std::map<std::string, std::int64_t> weight_milli;
   for (const RaterClass& raterClass : plan.instrument.classes) {
@@ -120,7 +120,7 @@ EvaluationInstrument paperEvaluationInstrument() {
   return instrument;
 }
 
-std::string addCampaign(Workplace& workplace, const CampaignPlan& plan) {
+std::string addCampaign(SessionContext& workplace, const CampaignPlan& plan) {
   workplace.require(Operation::kEvaluationSetup);
   if (plan.name.empty()) {
     refuseParameter("the evaluation has no name", "name", "Enter one");
@@ -170,7 +170,7 @@ std::string addCampaign(Workplace& workplace, const CampaignPlan& plan) {
   return campaign.id;
 }
 
-std::vector<CampaignRow> campaigns(Workplace& workplace) {
+std::vector<CampaignRow> campaigns(SessionContext& workplace) {
   workplace.require(Operation::kEvaluationSetup);
   EvaluationRepository repository(workplace.connection());
   std::map<std::string, std::string> codes;

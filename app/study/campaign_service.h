@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "db/repository/rating/evaluation_repository.h"
 
 namespace torsio {
@@ -35,7 +35,7 @@ struct CampaignPlan {
 /// within each class (every order as often as any other, up to four models; beyond, rows of a Latin square).
 /// Returns the id. Audited. kEvaluationSetup. Throws Error{kBadParameter}: weights that do not sum to 1,
 /// fewer than two models, a weighted class without a rater, a rater whose class has no weight.
-std::string addCampaign(Workplace& workplace, const CampaignPlan& plan);
+std::string addCampaign(SessionContext& workplace, const CampaignPlan& plan);
 
 struct CampaignRow {
   StoredCampaign campaign{};
@@ -51,6 +51,6 @@ struct CampaignRow {
   std::vector<Rater> raters{};
 };
 /// Oldest first, with who has scored how much; no marks. kEvaluationSetup.
-[[nodiscard]] std::vector<CampaignRow> campaigns(Workplace& workplace);
+[[nodiscard]] std::vector<CampaignRow> campaigns(SessionContext& workplace);
 
 }  // namespace torsio

@@ -3,12 +3,12 @@
 
 namespace torsio {
 
-std::vector<TrialListing> codedTrials(Workplace& workplace, const TrialFilter& filter) {
+std::vector<TrialListing> codedTrials(SessionContext& workplace, const TrialFilter& filter) {
   workplace.require(Operation::kTrialViewCoded);
   return TrialRepository(workplace.connection()).list(filter);
 }
 
-std::vector<StoredTrainingMark> codedMarks(Workplace& workplace, const std::string& cohortId) {
+std::vector<StoredTrainingMark> codedMarks(SessionContext& workplace, const std::string& cohortId) {
   workplace.require(Operation::kMarkViewCoded);
   return RatingRepository(workplace.connection()).marks(cohortId);
 }

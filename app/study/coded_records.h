@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "db/repository/rating/rating_repository.h"
 #include "db/repository/trial/trial_repository.h"
 
 namespace torsio {
 
 /// Recordings under their codes, newest first. kTrialViewCoded.
-[[nodiscard]] std::vector<TrialListing> codedTrials(Workplace& workplace, const TrialFilter& filter = {});
+[[nodiscard]] std::vector<TrialListing> codedTrials(SessionContext& workplace, const TrialFilter& filter = {});
 
 /// Every newest mark of a cohort under the codes of trainee and rater. kMarkViewCoded.
-[[nodiscard]] std::vector<StoredTrainingMark> codedMarks(Workplace& workplace, const std::string& cohortId);
+[[nodiscard]] std::vector<StoredTrainingMark> codedMarks(SessionContext& workplace, const std::string& cohortId);
 
 }  // namespace torsio

@@ -47,13 +47,13 @@ void checkNewCohort(const NewCohort& cohort) {
 }
 
 /// What a phase id means, within the arm of an enrolment.
-const StoredPhase* phaseOf(const StoredArm& arm, const std::string& phaseId) {
+const StoredPhase* phaseOf(const StudyArm& arm, const std::string& phaseId) {
   const auto found = std::find_if(arm.phases.begin(), arm.phases.end(),
                                   [&](const StoredPhase& phase) { return phase.id == phaseId; });
   return found == arm.phases.end() ? nullptr : &*found;
 }
 
-void checkPhase(Workplace& workplace, const StoredCohort& cohort, const StoredEnrolment& enrolment,
+void checkPhase(SessionContext& workplace, const StoredCohort& cohort, const StoredEnrolment& enrolment,
                 const NewExposure& exposure) {
   if (exposure.phaseId.empty()) {
     return;
@@ -69,7 +69,7 @@ void checkPhase(Workplace& workplace, const StoredCohort& cohort, const StoredEn
       armId = group.armId;
     }
   }
-  for (const StoredArm& arm : version->arms) {
+  for (const StudyArm& arm : version->arms) {
     if (arm.id != armId) {
       continue;
     }
@@ -90,7 +90,7 @@ void checkPhase(Workplace& workplace, const StoredCohort& cohort, const StoredEn
 
 }  // namespace
 
-std::vector<CohortRow> cohorts(Workplace& workplace) {
+std::vector<CohortRow> cohorts(SessionContext& workplace) {
   workplace.require(Operation::kPersonViewCoded);
   StudyRepository study(workplace.connection());
   CurriculumRepository curricula(workplace.connection());
@@ -122,7 +122,7 @@ std::vector<CohortRow> cohorts(Workplace& workplace) {
   return rows;
 }
 
-std::vector<StoredEnrolment> enrolments(Workplace& workplace, const std::string& cohortId) {
+std::vector<StoredEnrolment> enrolments(SessionContext& workplace, const std::string& cohortId) {
   workplace.require(Operation::kPersonViewCoded);
   std::vector<StoredEnrolment> list = StudyRepository(workplace.connection()).enrolments(cohortId);
   if (workplace.may(Operation::kAllocationView)) {
@@ -139,7 +139,7 @@ std::vector<StoredEnrolment> enrolments(Workplace& workplace, const std::string&
   return list;
 }
 
-std::string addCohort(Workplace& workplace, const NewCohort& cohort) {
+std::string addCohort(SessionContext& workplace, const NewCohort& cohort) {
   workplace.require(Operation::kStudySetup);
   checkNewCohort(cohort);
   Transaction transaction(workplace.connection());
@@ -151,7 +151,7 @@ std::string addCohort(Workplace& workplace, const NewCohort& cohort) {
     if (!version) {
       refuse("there is no such curriculum", cohort.curriculumVersionId, "Choose one from the list");
     }
-    for (const StoredArm& arm : version->arms) {
+    for (const StudyArm& arm : version->arms) {
       names.push_back({arm.code, arm.label});
     }
   }
@@ -174,7 +174,7 @@ std::string addCohort(Workplace& workplace, const NewCohort& cohort) {
   return id;
 }
 
-void assignCurriculum(Workplace& workplace, const std::string& cohortId, const std::string& versionId) {
+void assignCurriculum(SessionContext& workplace, const std::string& cohortId, const std::string& versionId) {
   workplace.require(Operation::kStudySetup);
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
@@ -192,7 +192,7 @@ void assignCurriculum(Workplace& workplace, const std::string& cohortId, const s
   transaction.commit();
 }
 
-std::vector<std::string> enrolTrainees(Workplace& workplace, const std::string& cohortId,
+std::vector<std::string> enrolTrainees(SessionContext& workplace, const std::string& cohortId,
                                        const std::vector<std::string>& traineeIds) {
   workplace.require(Operation::kStudyEnrol);
   if (traineeIds.empty()) {
@@ -232,7 +232,7 @@ std::vector<std::string> enrolTrainees(Workplace& workplace, const std::string& 
   return ids;
 }
 
-void setEnrolmentState(Workplace& workplace, const std::string& cohortId, const std::string& enrolmentId,
+void setEnrolmentState(SessionContext& workplace, const std::string& cohortId, const std::string& enrolmentId,
                        EnrolmentState state, const std::string& reason) {
   workplace.require(Operation::kStudyEnrol);
   if (state == EnrolmentState::kWithdrawn && reason.empty()) {
@@ -258,7 +258,7 @@ const std::vector<std::string>& deviationKinds() {
   return kKinds;
 }
 
-std::string reportDeviation(Workplace& workplace, const NewDeviation& deviation) {
+std::string reportDeviation(SessionContext& workplace, const NewDeviation& deviation) {
   workplace.require(Operation::kStudySetup);
   if (std::find(deviationKinds().begin(), deviationKinds().end(), deviation.kind) == deviationKinds().end()) {
     refuse("this kind of deviation is not known", deviation.kind, "Choose one from the list");
@@ -289,12 +289,12 @@ std::string reportDeviation(Workplace& workplace, const NewDeviation& deviation)
   return id;
 }
 
-std::vector<StoredDeviation> deviations(Workplace& workplace, const std::string& cohortId) {
+std::vector<StoredDeviation> deviations(SessionContext& workplace, const std::string& cohortId) {
   workplace.require(Operation::kPersonViewCoded);
   return StudyRepository(workplace.connection()).deviations(cohortId);
 }
 
-std::string recordExposure(Workplace& workplace, const NewExposure& exposure) {
+std::string recordExposure(SessionContext& workplace, const NewExposure& exposure) {
   if (!workplace.may(Operation::kStudySetup)) {
     workplace.require(Operation::kTrialRecordOwn);
   }

@@ -64,7 +64,7 @@ json moduleJson(const StoredModule& module) {
   return out;
 }
 
-json armJson(const StoredArm& arm) {
+json armJson(const StudyArm& arm) {
   json out{{"code", arm.code},
            {"label", arm.label},
            {"rest_min", static_cast<double>(arm.restAllowance_us) / kMinute_us},
@@ -174,9 +174,9 @@ StoredModule readModule(const json& source, const std::string& place) {
   return module;
 }
 
-StoredArm readArm(const json& source, const std::string& place) {
+StudyArm readArm(const json& source, const std::string& place) {
   JsonFields fields(source, place);
-  StoredArm arm;
+  StudyArm arm;
   arm.code = fields.text("code", "");
   arm.id = arm.code;
   arm.label = fields.text("label", "");
@@ -239,7 +239,7 @@ std::string curriculumJson(const StoredCurriculumVersion& content) {
   for (const StoredModule& module : content.modules) {
     out["modules"].push_back(moduleJson(module));
   }
-  for (const StoredArm& arm : content.arms) {
+  for (const StudyArm& arm : content.arms) {
     out["arms"].push_back(armJson(arm));
   }
   for (const StoredScoringPoint& point : content.scoringPoints) {

@@ -48,7 +48,7 @@ class Examination {
       checkModule(module);
     }
     checkCircle();
-    for (const StoredArm& arm : content_.arms) {
+    for (const StudyArm& arm : content_.arms) {
       checkArm(arm);
     }
     checkScoringPoints();
@@ -84,7 +84,7 @@ class Examination {
     }
     modules_ = seen;
     seen.clear();
-    for (const StoredArm& arm : content_.arms) {
+    for (const StudyArm& arm : content_.arms) {
       if (arm.code.empty()) {
         add(Text("arm \"%1\"", arm.label), "has no code", "Give it a short one, such as G1");
       } else if (!seen.insert(arm.code).second) {
@@ -191,7 +191,7 @@ class Examination {
         "Remove one prerequisite");
   }
 
-  void checkArm(const StoredArm& arm) {
+  void checkArm(const StudyArm& arm) {
     const Text where("arm %1", arm.code);
     if (arm.label.empty()) {
       add(where, "has no name", "Say in a few words what it goes through");
@@ -221,7 +221,7 @@ class Examination {
   void checkScoringPoints() {
     std::set<std::string> seen;
     std::int64_t longest_us = 0;
-    for (const StoredArm& arm : content_.arms) {
+    for (const StudyArm& arm : content_.arms) {
       std::int64_t total_us = 0;
       for (const StoredPhase& phase : arm.phases) {
         total_us += phase.duration_us;

@@ -36,7 +36,7 @@ StoredCurriculumVersion withCodes(StoredCurriculumVersion version) {
       required = codes[required];
     }
   }
-  for (StoredArm& arm : version.arms) {
+  for (StudyArm& arm : version.arms) {
     arm.id = arm.code;
     for (StoredPhase& phase : arm.phases) {
       phase.id.clear();
@@ -60,7 +60,7 @@ StoredCurriculumVersion withIds(StoredCurriculumVersion content, IdSource& ids) 
       required = idOf.at(required);
     }
   }
-  for (StoredArm& arm : content.arms) {
+  for (StudyArm& arm : content.arms) {
     arm.id = ids.newUuid();
     for (StoredPhase& phase : arm.phases) {
       phase.id = ids.newUuid();
@@ -72,7 +72,7 @@ StoredCurriculumVersion withIds(StoredCurriculumVersion content, IdSource& ids) 
   return content;
 }
 
-void moveTo(Workplace& workplace, const std::string& versionId, const std::string& state,
+void moveTo(SessionContext& workplace, const std::string& versionId, const std::string& state,
             const std::string& reason) {
   workplace.require(Operation::kCurriculumEdit);
   Transaction transaction(workplace.connection());
@@ -88,7 +88,7 @@ void moveTo(Workplace& workplace, const std::string& versionId, const std::strin
 
 }  // namespace
 
-std::vector<CurriculumRow> curricula(Workplace& workplace) {
+std::vector<CurriculumRow> curricula(SessionContext& workplace) {
   workplace.require(Operation::kPersonViewCoded);
   CurriculumRepository repository(workplace.connection());
   std::map<std::string, std::vector<std::string>> followers;
@@ -113,7 +113,7 @@ std::vector<CurriculumRow> curricula(Workplace& workplace) {
   return rows;
 }
 
-StoredCurriculumVersion publishedContent(Workplace& workplace, const std::string& versionId) {
+StoredCurriculumVersion publishedContent(SessionContext& workplace, const std::string& versionId) {
   workplace.require(Operation::kPersonViewCoded);
   auto version = CurriculumRepository(workplace.connection()).version(versionId);
   if (!version) {
@@ -122,14 +122,14 @@ StoredCurriculumVersion publishedContent(Workplace& workplace, const std::string
   return withCodes(*std::move(version));
 }
 
-std::optional<StoredCurriculumVersion> curriculumVersion(Workplace& workplace, const std::string& versionId) {
+std::optional<StoredCurriculumVersion> curriculumVersion(SessionContext& workplace, const std::string& versionId) {
   if (!workplace.may(Operation::kPractice)) {
     workplace.require(Operation::kPersonViewCoded);
   }
   return CurriculumRepository(workplace.connection()).version(versionId);
 }
 
-std::string addCurriculum(Workplace& workplace, const std::string& name, const std::string& description,
+std::string addCurriculum(SessionContext& workplace, const std::string& name, const std::string& description,
                           const std::optional<StoredCurriculumVersion>& content, bool demonstration) {
   workplace.require(Operation::kCurriculumEdit);
   if (name.empty()) {
@@ -146,7 +146,7 @@ std::string addCurriculum(Workplace& workplace, const std::string& name, const s
   return id;
 }
 
-CurriculumDraft curriculumDraft(Workplace& workplace, const std::string& curriculumId) {
+CurriculumDraft curriculumDraft(SessionContext& workplace, const std::string& curriculumId) {
   workplace.require(Operation::kCurriculumEdit);
   CurriculumRepository repository(workplace.connection());
   const StoredCurriculum curriculum = curriculumOf(repository, curriculumId);
@@ -161,7 +161,7 @@ CurriculumDraft curriculumDraft(Workplace& workplace, const std::string& curricu
   return {0, withCodes(repository.version(versions.back()).value()), "", 0};
 }
 
-std::int64_t saveCurriculumDraft(Workplace& workplace, const std::string& curriculumId,
+std::int64_t saveCurriculumDraft(SessionContext& workplace, const std::string& curriculumId,
                                  const CurriculumDraft& draft) {
   workplace.require(Operation::kCurriculumEdit);
   Transaction transaction(workplace.connection());
@@ -177,7 +177,7 @@ std::int64_t saveCurriculumDraft(Workplace& workplace, const std::string& curric
   return revision;
 }
 
-std::string publishCurriculum(Workplace& workplace, const std::string& curriculumId, const std::string& note,
+std::string publishCurriculum(SessionContext& workplace, const std::string& curriculumId, const std::string& note,
                               const std::filesystem::path& assets) {
   workplace.require(Operation::kCurriculumEdit);
   Transaction transaction(workplace.connection());
@@ -205,11 +205,11 @@ std::string publishCurriculum(Workplace& workplace, const std::string& curriculu
   return version.id;
 }
 
-void runCurriculum(Workplace& workplace, const std::string& versionId) {
+void runCurriculum(SessionContext& workplace, const std::string& versionId) {
   moveTo(workplace, versionId, "running", "");
 }
 
-void closeCurriculum(Workplace& workplace, const std::string& versionId, const std::string& reason) {
+void closeCurriculum(SessionContext& workplace, const std::string& versionId, const std::string& reason) {
   moveTo(workplace, versionId, "closed", reason);
 }
 

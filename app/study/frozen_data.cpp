@@ -88,7 +88,7 @@ std::vector<std::string> idsOf(const std::vector<Row>& rows) {
   return ids;
 }
 
-Manifest manifestOf(Workplace& workplace, const std::string& cohortId,
+Manifest manifestOf(SessionContext& workplace, const std::string& cohortId,
                     const std::vector<std::string>& campaignIds) {
   Connection& connection = workplace.connection();
   StudyRepository study(connection);
@@ -166,7 +166,7 @@ FrozenRow rowOf(const StoredFreeze& stored, const std::string& createdBy) {
   return row;
 }
 
-std::optional<StoredFreeze> findFreeze(Workplace& workplace, const std::string& frozenId) {
+std::optional<StoredFreeze> findFreeze(SessionContext& workplace, const std::string& frozenId) {
   FreezeRepository repository(workplace.connection());
   for (const StoredCohort& cohort : StudyRepository(workplace.connection()).cohorts()) {
     for (StoredFreeze& freeze : repository.list(cohort.id)) {
@@ -203,7 +203,7 @@ void compareTable(const std::string& table, const Hashes& then, const Hashes& no
 
 }  // namespace
 
-FrozenRow freezeData(Workplace& workplace, const std::string& cohortId, const std::string& name,
+FrozenRow freezeData(SessionContext& workplace, const std::string& cohortId, const std::string& name,
                      const std::vector<std::string>& campaignIds) {
   workplace.require(Operation::kResultsCompute);
   if (name.empty()) {
@@ -230,7 +230,7 @@ FrozenRow freezeData(Workplace& workplace, const std::string& cohortId, const st
   return rowOf(freeze, workplace.actor().login);
 }
 
-std::vector<FrozenRow> frozenData(Workplace& workplace, const std::string& cohortId) {
+std::vector<FrozenRow> frozenData(SessionContext& workplace, const std::string& cohortId) {
   workplace.require(Operation::kResultsCompute);
   std::map<std::string, std::string> loginOf;  // by user
   for (const StoredUser& user : AccessRepository(workplace.connection()).users()) {
@@ -244,7 +244,7 @@ std::vector<FrozenRow> frozenData(Workplace& workplace, const std::string& cohor
   return rows;
 }
 
-FrozenCheck compareWithFrozen(Workplace& workplace, const std::string& frozenId) {
+FrozenCheck compareWithFrozen(SessionContext& workplace, const std::string& frozenId) {
   workplace.require(Operation::kResultsCompute);
   const auto stored = findFreeze(workplace, frozenId);
   if (!stored) {

@@ -8,12 +8,12 @@
 
 namespace torsio {
 
-Occasions knownOccasions(Workplace& workplace) {
+Occasions knownOccasions(SessionContext& workplace) {
   workplace.require(Operation::kPersonViewCoded);
   return OccasionRepository(workplace.connection()).all();
 }
 
-Occasion addOccasion(Workplace& workplace, const std::string& label) {
+Occasion addOccasion(SessionContext& workplace, const std::string& label) {
   workplace.require(Operation::kCurriculumEdit);
   if (label.empty()) {
     throw Error(ErrorCode::kBadParameter, "the occasion has no name", "occasion", "Enter one");

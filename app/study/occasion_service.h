@@ -3,17 +3,17 @@
 
 #include <string>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "assessment/study/occasion.h"
 
 namespace torsio {
 
 /// Lists the occasions that curricula can name, in order of time. kPersonViewCoded (whoever works in the
 /// office).
-[[nodiscard]] Occasions knownOccasions(Workplace& workplace);
+[[nodiscard]] Occasions knownOccasions(SessionContext& workplace);
 
 /// Adds an occasion after all others, for every later curriculum ("six months later"). Returns it. Audited.
 /// kCurriculumEdit. Throws Error{kBadParameter} without a name or when another occasion has it.
-Occasion addOccasion(Workplace& workplace, const std::string& label);
+Occasion addOccasion(SessionContext& workplace, const std::string& label);
 
 }  // namespace torsio

@@ -81,7 +81,7 @@ void checkRevision(const StoredRubricRevision& revision) {
   }
 }
 
-std::string storeRevision(Workplace& workplace, const std::string& rubricId, StoredRubricRevision revision,
+std::string storeRevision(SessionContext& workplace, const std::string& rubricId, StoredRubricRevision revision,
                           std::int64_t number, const std::string& note) {
   revision.id = workplace.ids().newUuid();
   revision.rubricId = rubricId;
@@ -148,7 +148,7 @@ std::vector<RubricTemplate> rubricTemplates(const std::filesystem::path& assets)
   return templates;
 }
 
-std::vector<RubricRow> rubrics(Workplace& workplace) {
+std::vector<RubricRow> rubrics(SessionContext& workplace) {
   workplace.require(Operation::kPersonViewCoded);
   SheetRepository repository(workplace.connection());
   std::vector<RubricRow> rows;
@@ -162,7 +162,7 @@ std::vector<RubricRow> rubrics(Workplace& workplace) {
   return rows;
 }
 
-std::string addRubric(Workplace& workplace, const std::string& name, const StoredRubricRevision& first,
+std::string addRubric(SessionContext& workplace, const std::string& name, const StoredRubricRevision& first,
                       bool demonstration) {
   workplace.require(Operation::kCurriculumEdit);
   if (name.empty()) {
@@ -177,7 +177,7 @@ std::string addRubric(Workplace& workplace, const std::string& name, const Store
   return id;
 }
 
-std::string reviseRubric(Workplace& workplace, const std::string& rubricId, const StoredRubricRevision& next,
+std::string reviseRubric(SessionContext& workplace, const std::string& rubricId, const StoredRubricRevision& next,
                          const std::string& note) {
   workplace.require(Operation::kCurriculumEdit);
   checkRevision(next);

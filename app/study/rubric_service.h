@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "db/repository/rating/sheet_repository.h"
 
 namespace torsio {
@@ -27,15 +27,15 @@ struct RubricRow {
   std::vector<StoredRubricRevision> revisions{};  ///< oldest first; the last one is offered
 };
 /// All rubrics by name. kPersonViewCoded (whoever works in the office).
-[[nodiscard]] std::vector<RubricRow> rubrics(Workplace& workplace);
+[[nodiscard]] std::vector<RubricRow> rubrics(SessionContext& workplace);
 
 /// Stores a rubric with its first revision. Returns the id of the revision. Audited. kCurriculumEdit. Throws
 /// Error{kBadParameter}: no rows, a row without code or label, a code twice, a scale or an anchor out of
 /// range.
-std::string addRubric(Workplace& workplace, const std::string& name, const StoredRubricRevision& first,
+std::string addRubric(SessionContext& workplace, const std::string& name, const StoredRubricRevision& first,
                       bool demonstration = false);
 /// The next revision: sheets that were assigned keep theirs. Returns its id. Audited. kCurriculumEdit.
-std::string reviseRubric(Workplace& workplace, const std::string& rubricId, const StoredRubricRevision& next,
+std::string reviseRubric(SessionContext& workplace, const std::string& rubricId, const StoredRubricRevision& next,
                          const std::string& note);
 
 }  // namespace torsio

@@ -16,7 +16,7 @@ namespace torsio {
 namespace {
 
 /// Fills the phases of one kind in order with time that names no phase.
-void fillInOrder(const StoredArm& arm, PhaseKind kind, std::int64_t time_us,
+void fillInOrder(const StudyArm& arm, PhaseKind kind, std::int64_t time_us,
                  std::vector<std::int64_t>& spent_us) {
   for (std::size_t i = 0; i < arm.phases.size() && time_us > 0; ++i) {
     if (arm.phases[i].kind != kind) {
@@ -29,14 +29,14 @@ void fillInOrder(const StoredArm& arm, PhaseKind kind, std::int64_t time_us,
   }
 }
 
-void countRest(const StoredArm& arm, std::int64_t duration_us, PhaseProgress& progress) {
+void countRest(const StudyArm& arm, std::int64_t duration_us, PhaseProgress& progress) {
   progress.restUsed_us += duration_us;
   ++progress.rests;
   progress.restLeft_us =
       arm.restSplittable ? std::max<std::int64_t>(0, arm.restAllowance_us - progress.restUsed_us) : 0;
 }
 
-void fillTraining(RunDayRow& row, const StoredArm& arm, const std::vector<StoredExposure>& exposures,
+void fillTraining(RunDayRow& row, const StudyArm& arm, const std::vector<StoredExposure>& exposures,
                   const Occasions& occasions) {
   row.armLabel = arm.label;
   row.restAllowance_us = arm.restAllowance_us;
@@ -56,7 +56,7 @@ void fillTraining(RunDayRow& row, const StoredArm& arm, const std::vector<Stored
 
 }  // namespace
 
-PhaseProgress phaseProgress(const StoredArm& arm, std::span<const StoredExposure> exposures) {
+PhaseProgress phaseProgress(const StudyArm& arm, std::span<const StoredExposure> exposures) {
   PhaseProgress progress;
   progress.restLeft_us = arm.restAllowance_us;
   std::vector<std::int64_t> spent_us(arm.phases.size(), 0);
@@ -103,7 +103,7 @@ struct Today {
   std::map<std::pair<std::string, std::string>, std::size_t> missing;  ///< and code of the occasion
 };
 
-Today readToday(Workplace& workplace, const std::string& cohortId) {
+Today readToday(SessionContext& workplace, const std::string& cohortId) {
   StudyRepository study(workplace.connection());
   Today today;
   for (StoredExposure& exposure : study.exposures(cohortId)) {
@@ -125,7 +125,7 @@ Today readToday(Workplace& workplace, const std::string& cohortId) {
 
 }  // namespace
 
-RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId) {
+RunDayBoard runDayBoard(SessionContext& workplace, const std::string& cohortId) {
   workplace.require(Operation::kStudySetup);
   StudyRepository study(workplace.connection());
   RunDayBoard board;
@@ -135,12 +135,12 @@ RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId) {
   board.cohortName = cohort.name;
   const Occasions occasions = occasionsOfCohort(workplace.connection(), cohortId);
   const auto version = CurriculumRepository(workplace.connection()).version(cohort.curriculumVersionId);
-  std::map<std::string, const StoredArm*> armOfGroup;
+  std::map<std::string, const StudyArm*> armOfGroup;
   for (const StoredGroup& group : study.groups(cohortId)) {
     if (!version) {
       break;
     }
-    for (const StoredArm& arm : version->arms) {
+    for (const StudyArm& arm : version->arms) {
       if (arm.id == group.armId) {
         armOfGroup[group.id] = &arm;
       }
@@ -222,7 +222,7 @@ std::vector<RunDayAlert> runDayAlerts(const RunDayBoard& board) {
   return alerts;
 }
 
-void swapTurns(Workplace& workplace, const std::string& cohortId, const std::string& enrolmentId,
+void swapTurns(SessionContext& workplace, const std::string& cohortId, const std::string& enrolmentId,
                const std::string& otherEnrolmentId, const std::string& reason) {
   workplace.require(Operation::kStudySetup);
   if (enrolmentId == otherEnrolmentId) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "assessment/study/occasion.h"
 #include "assessment/study/protocol_terms.h"
 #include "db/repository/study/curriculum_repository.h"
@@ -18,7 +18,7 @@ namespace torsio {
 
 /// Where somebody stands in an arm, from the time that was logged.
 struct PhaseProgress {
-  std::size_t phase = 0;  ///< position in StoredArm::phases; their number: all done
+  std::size_t phase = 0;  ///< position in StudyArm::phases; their number: all done
   std::int64_t inPhase_us = 0;
   std::int64_t left_us = 0;     ///< of this phase
   std::int64_t virtual_us = 0;  ///< spent so far
@@ -29,7 +29,7 @@ struct PhaseProgress {
 };
 /// Time with a phase id counts for that phase; other virtual or real time fills the phases of its kind in
 /// order. Rest counts for no phase. An allowance that may not be split is used up by the first rest.
-[[nodiscard]] PhaseProgress phaseProgress(const StoredArm& arm, std::span<const StoredExposure> exposures);
+[[nodiscard]] PhaseProgress phaseProgress(const StudyArm& arm, std::span<const StoredExposure> exposures);
 
 /// One line of the board.
 struct RunDayRow {
@@ -83,10 +83,10 @@ struct RunDayAlert {
 /// Two trainees take each other's turn today; their groups stay as they were drawn. A deviation of kind
 /// "swapped" for each, naming the other, both or none. kStudySetup. Throws Error{kBadData} for one and the
 /// same trainee.
-void swapTurns(Workplace& workplace, const std::string& cohortId, const std::string& enrolmentId,
+void swapTurns(SessionContext& workplace, const std::string& cohortId, const std::string& enrolmentId,
                const std::string& otherEnrolmentId, const std::string& reason);
 
 /// Everything about today in one look. kStudySetup.
-[[nodiscard]] RunDayBoard runDayBoard(Workplace& workplace, const std::string& cohortId);
+[[nodiscard]] RunDayBoard runDayBoard(SessionContext& workplace, const std::string& cohortId);
 
 }  // namespace torsio

@@ -62,7 +62,7 @@ std::vector<StoredEnrolment> chosenEnrolments(StudyRepository& study, const Scor
   return chosen;
 }
 
-void checkPlan(Workplace& workplace, const ScoringPlan& plan) {
+void checkPlan(SessionContext& workplace, const ScoringPlan& plan) {
   if (plan.raterIds.empty()) {
     refuseParameter("nobody is asked to score", "raters", "Choose at least one");
   }
@@ -136,7 +136,7 @@ void giveCommonLabels(std::vector<Case>& cases, const std::vector<AssignmentStat
 }
 
 /// The assignments of one rater for the cases that they were not asked about yet.
-std::vector<StoredAssignment> assignmentsFor(Workplace& workplace, const ScoringPlan& plan,
+std::vector<StoredAssignment> assignmentsFor(SessionContext& workplace, const ScoringPlan& plan,
                                              const std::vector<Case>& cases, std::size_t panelPosition,
                                              std::uint64_t seed) {
   const std::string& raterId = plan.raterIds.at(panelPosition);
@@ -183,7 +183,7 @@ ScoringCell cellOf(const AssignmentStatus& status) {
           status.changedUtc_us};
 }
 
-void setReleased(Workplace& workplace, const std::string& cohortId, const std::string& scoringPoint,
+void setReleased(SessionContext& workplace, const std::string& cohortId, const std::string& scoringPoint,
                  bool released, const std::string& reason) {
   SheetRepository(workplace.connection())
       .setReleased(cohortId, scoringPoint, released, reason, workplace.actor().userId, workplace.now_us());
@@ -196,7 +196,7 @@ void setReleased(Workplace& workplace, const std::string& cohortId, const std::s
 
 }  // namespace
 
-ScoringPlanOutcome createAssignments(Workplace& workplace, const ScoringPlan& plan) {
+ScoringPlanOutcome createAssignments(SessionContext& workplace, const ScoringPlan& plan) {
   workplace.require(Operation::kStudySetup);
   Transaction transaction(workplace.connection());
   StudyRepository study(workplace.connection());
@@ -238,7 +238,7 @@ ScoringPlanOutcome createAssignments(Workplace& workplace, const ScoringPlan& pl
   return outcome;
 }
 
-ScoringMatrix scoringMatrix(Workplace& workplace, const std::string& cohortId) {
+ScoringMatrix scoringMatrix(SessionContext& workplace, const std::string& cohortId) {
   workplace.require(Operation::kStudySetup);
   const std::vector<AssignmentStatus> all = SheetRepository(workplace.connection()).assignments(cohortId);
   std::map<std::string, std::string> codes;
@@ -278,7 +278,7 @@ ScoringMatrix scoringMatrix(Workplace& workplace, const std::string& cohortId) {
   return matrix;
 }
 
-std::string reassign(Workplace& workplace, const std::string& assignmentId, const std::string& newRaterId,
+std::string reassign(SessionContext& workplace, const std::string& assignmentId, const std::string& newRaterId,
                      const std::string& reason) {
   workplace.require(Operation::kStudySetup);
   if (reason.empty()) {
@@ -334,7 +334,7 @@ std::string reassign(Workplace& workplace, const std::string& assignmentId, cons
   return newId;
 }
 
-std::vector<ReleaseState> releaseStates(Workplace& workplace, const std::string& cohortId) {
+std::vector<ReleaseState> releaseStates(SessionContext& workplace, const std::string& cohortId) {
   workplace.require(Operation::kMarkRelease);
   SheetRepository sheets(workplace.connection());
   std::vector<ReleaseState> states;
@@ -355,7 +355,7 @@ std::vector<ReleaseState> releaseStates(Workplace& workplace, const std::string&
   return states;
 }
 
-void releaseMarks(Workplace& workplace, const std::string& cohortId, const std::string& scoringPoint,
+void releaseMarks(SessionContext& workplace, const std::string& cohortId, const std::string& scoringPoint,
                   const std::string& reason) {
   workplace.require(Operation::kMarkRelease);
   Transaction transaction(workplace.connection());
@@ -377,7 +377,7 @@ void releaseMarks(Workplace& workplace, const std::string& cohortId, const std::
   refuse("there is no such scoring point", scoringPoint, "Choose one from the list");
 }
 
-void retractMarks(Workplace& workplace, const std::string& cohortId, const std::string& scoringPoint,
+void retractMarks(SessionContext& workplace, const std::string& cohortId, const std::string& scoringPoint,
                   const std::string& reason) {
   workplace.require(Operation::kMarkRelease);
   if (reason.empty()) {

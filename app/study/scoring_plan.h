@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "assessment/study/occasion.h"
 #include "db/repository/rating/sheet_repository.h"
 
@@ -45,7 +45,7 @@ struct ScoringPlanOutcome {
 /// a live case has one label for all raters (it is called out in the room), a recorded one another for each.
 /// Audited. kStudySetup. Throws Error{kBadParameter}: nobody to score, an unknown rater, rubric or
 /// occasion.
-ScoringPlanOutcome createAssignments(Workplace& workplace, const ScoringPlan& plan);
+ScoringPlanOutcome createAssignments(SessionContext& workplace, const ScoringPlan& plan);
 
 /// One cell of the matrix.
 struct ScoringCell {
@@ -75,12 +75,12 @@ struct ScoringMatrix {
   Occasions occasions{};      ///< of the cohort: what can be asked for
 };
 /// Who has scored whom; no marks. kStudySetup.
-[[nodiscard]] ScoringMatrix scoringMatrix(Workplace& workplace, const std::string& cohortId);
+[[nodiscard]] ScoringMatrix scoringMatrix(SessionContext& workplace, const std::string& cohortId);
 
 /// Takes a sheet that was not submitted from its rater; with `newRaterId` another one is asked, under a label
 /// of theirs. Returns the new assignment, empty without one. Audited. kStudySetup. Throws Error{kBadData}:
 /// submitted already, or the other rater was asked about this case before.
-std::string reassign(Workplace& workplace, const std::string& assignmentId, const std::string& newRaterId,
+std::string reassign(SessionContext& workplace, const std::string& assignmentId, const std::string& newRaterId,
                      const std::string& reason);
 
 /// What stands before a release.
@@ -91,13 +91,13 @@ struct ReleaseState {
   std::size_t missing = 0;  ///< not submitted yet
 };
 /// In order of time. kMarkRelease.
-[[nodiscard]] std::vector<ReleaseState> releaseStates(Workplace& workplace, const std::string& cohortId);
+[[nodiscard]] std::vector<ReleaseState> releaseStates(SessionContext& workplace, const std::string& cohortId);
 /// Shows the marks of an occasion to the trainees. While sheets are missing only with a reason. Audited.
 /// kMarkRelease.
-void releaseMarks(Workplace& workplace, const std::string& cohortId, const std::string& scoringPoint,
+void releaseMarks(SessionContext& workplace, const std::string& cohortId, const std::string& scoringPoint,
                   const std::string& reason = {});
 /// Takes them back; the reason is required. Audited. kMarkRelease.
-void retractMarks(Workplace& workplace, const std::string& cohortId, const std::string& scoringPoint,
+void retractMarks(SessionContext& workplace, const std::string& cohortId, const std::string& scoringPoint,
                   const std::string& reason);
 
 }  // namespace torsio

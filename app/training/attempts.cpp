@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t kMostAttempts = 10'000;
 
-Attempt measured(Workplace& workplace, const TrialListing& listing, ExerciseRules& rules) {
+Attempt measured(SessionContext& workplace, const TrialListing& listing, ExerciseRules& rules) {
   Attempt attempt;
   if (listing.summary) {
     const AttemptMeasures measures =
@@ -36,7 +36,7 @@ Attempt measured(Workplace& workplace, const TrialListing& listing, ExerciseRule
 
 }  // namespace
 
-Attempt attemptOf(Workplace& workplace, const std::string& trialId) {
+Attempt attemptOf(SessionContext& workplace, const std::string& trialId) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
   const TrialListing listing = ownTrial(workplace, record, trialId);
   ExerciseRules rules;
@@ -46,7 +46,7 @@ Attempt attemptOf(Workplace& workplace, const std::string& trialId) {
   return attempt;
 }
 
-std::vector<Attempt> attemptsOf(Workplace& workplace, const std::string& personId,
+std::vector<Attempt> attemptsOf(SessionContext& workplace, const std::string& personId,
                                 const std::string& moduleId) {
   workplace.requireOwn(Operation::kTrialViewOwn, personId);
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);

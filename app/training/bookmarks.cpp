@@ -9,7 +9,7 @@
 
 namespace torsio {
 
-std::string keepBookmark(Workplace& workplace, const TrialListing& trial, double at_s,
+std::string keepBookmark(SessionContext& workplace, const TrialListing& trial, double at_s,
                          const std::string& text) {
   const double length_s = trial.summary ? spanOf_s(trial.summary->samples) : 0.0;
   if (!std::isfinite(at_s) || at_s < 0.0 || at_s > length_s) {

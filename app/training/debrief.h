@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "app/training/attempts.h"
 #include "assessment/attempt/pass_rule.h"
 #include "assessment/study/protocol_terms.h"
@@ -93,10 +93,10 @@ struct Debrief {
 
 /// The debrief of a stored trial. kTrialViewOwn, own trials only. `scene`: that of the trial when it is
 /// loaded already; else it is loaded from `assets` for the expert run. Seconds: call it off the GUI thread.
-[[nodiscard]] Debrief debrief(Workplace& workplace, const std::string& trialId,
+[[nodiscard]] Debrief debrief(SessionContext& workplace, const std::string& trialId,
                               const std::filesystem::path& assets, const Scene* scene = nullptr);
 
 /// A bookmark of one's own in a trial of one's own. Audited. kTrialViewOwn.
-void addBookmark(Workplace& workplace, const std::string& trialId, double at_s, const std::string& text);
+void addBookmark(SessionContext& workplace, const std::string& trialId, double at_s, const std::string& text);
 
 }  // namespace torsio

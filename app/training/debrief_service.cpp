@@ -82,7 +82,7 @@ void addMastery(const StoredModule& module, const Attempt& attempt, const std::v
 
 }  // namespace
 
-Debrief debrief(Workplace& workplace, const std::string& trialId, const std::filesystem::path& assets,
+Debrief debrief(SessionContext& workplace, const std::string& trialId, const std::filesystem::path& assets,
                 const Scene* scene) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
   const TrialListing listing = ownTrial(workplace, record, trialId);
@@ -117,7 +117,7 @@ Debrief debrief(Workplace& workplace, const std::string& trialId, const std::fil
   return out;
 }
 
-void addBookmark(Workplace& workplace, const std::string& trialId, double at_s, const std::string& text) {
+void addBookmark(SessionContext& workplace, const std::string& trialId, double at_s, const std::string& text) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
   const TrialListing listing = ownTrial(workplace, record, trialId);
   Transaction transaction(workplace.connection());

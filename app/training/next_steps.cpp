@@ -86,7 +86,7 @@ void planArm(Connection& connection, const TraineeRecord& record, NextSteps& ste
     const StoredPhase& stored = record.arm->phases[i];
     RunPhase phase{.phaseId = stored.id,
                    .label = stored.label,
-                   .arm = stored.kind == PhaseKind::kReal ? TrainingArm::kReal : TrainingArm::kVirtual,
+                   .arm = stored.kind == PhaseKind::kReal ? TrainingSetting::kReal : TrainingSetting::kVirtual,
                    .duration_us = stored.duration_us,
                    .moduleId = stored.moduleId};
     if (i < progress.phase) {
@@ -133,7 +133,7 @@ void chooseNext(NextSteps& steps) {
 
 }  // namespace
 
-NextSteps nextSteps(Workplace& workplace, const std::string& personId) {
+NextSteps nextSteps(SessionContext& workplace, const std::string& personId) {
   workplace.requireOwn(Operation::kTrialViewOwn, personId);
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
   NextSteps steps;

@@ -30,13 +30,13 @@ double secondsOf(std::int64_t time_us) {
 }
 
 /// Practice, and never in the hands of raters.
-bool namesMayBeShown(Workplace& workplace, const TrialListing& trial) {
+bool namesMayBeShown(SessionContext& workplace, const TrialListing& trial) {
   return trial.attemptMode == AttemptMode::kPractice &&
          !QuestionRepository(workplace.connection()).isScored(trial.trialId);
 }
 
 /// Chiefs who can sign in; simulated ones for simulated trainees only, and the other way round.
-std::vector<AskablePhysician> askable(Workplace& workplace, const TraineeRecord& record) {
+std::vector<AskablePhysician> askable(SessionContext& workplace, const TraineeRecord& record) {
   PeopleRepository people(workplace.connection());
   const std::string last = QuestionRepository(workplace.connection()).lastAsked(record.personId);
   std::vector<AskablePhysician> physicians;
@@ -53,7 +53,7 @@ std::vector<AskablePhysician> askable(Workplace& workplace, const TraineeRecord&
   return physicians;
 }
 
-StoredQuestion questionToMe(Workplace& workplace, const std::string& questionId) {
+StoredQuestion questionToMe(SessionContext& workplace, const std::string& questionId) {
   workplace.require(Operation::kTrialViewAssigned);
   const std::optional<StoredQuestion> question = QuestionRepository(workplace.connection()).find(questionId);
   if (!question) {
@@ -66,7 +66,7 @@ StoredQuestion questionToMe(Workplace& workplace, const std::string& questionId)
   return *question;
 }
 
-std::string moduleTitle(Workplace& workplace, const std::string& trialId) {
+std::string moduleTitle(SessionContext& workplace, const std::string& trialId) {
   const auto context = TrialRepository(workplace.connection()).context(trialId);
   if (!context || context->moduleId.empty()) {
     return {};
@@ -82,7 +82,7 @@ std::string moduleTitle(Workplace& workplace, const std::string& trialId) {
 
 }  // namespace
 
-QuestionDesk questionDesk(Workplace& workplace, const std::string& trialId) {
+QuestionDesk questionDesk(SessionContext& workplace, const std::string& trialId) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
   const TrialListing trial = ownTrial(workplace, record, trialId);
   PeopleRepository people(workplace.connection());
@@ -103,7 +103,7 @@ QuestionDesk questionDesk(Workplace& workplace, const std::string& trialId) {
   return desk;
 }
 
-std::string askPhysician(Workplace& workplace, const std::string& trialId, double at_s,
+std::string askPhysician(SessionContext& workplace, const std::string& trialId, double at_s,
                          const std::string& raterId, const std::string& text) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
   const TrialListing trial = ownTrial(workplace, record, trialId);
@@ -126,7 +126,7 @@ std::string askPhysician(Workplace& workplace, const std::string& trialId, doubl
   return id;
 }
 
-std::vector<PhysicianQuestion> questionsToMe(Workplace& workplace) {
+std::vector<PhysicianQuestion> questionsToMe(SessionContext& workplace) {
   workplace.require(Operation::kTrialViewAssigned);
   std::vector<PhysicianQuestion> questions;
   if (workplace.actor().personId.empty()) {
@@ -149,7 +149,7 @@ std::vector<PhysicianQuestion> questionsToMe(Workplace& workplace) {
   return questions;
 }
 
-Debrief questionedRun(Workplace& workplace, const std::string& questionId) {
+Debrief questionedRun(SessionContext& workplace, const std::string& questionId) {
   const StoredQuestion question = questionToMe(workplace, questionId);
   const Trial trial = TrialRepository(workplace.connection()).load(question.trialId);
   const std::optional<TrialContext> context =
@@ -164,7 +164,7 @@ Debrief questionedRun(Workplace& workplace, const std::string& questionId) {
   return run;
 }
 
-void answerQuestion(Workplace& workplace, const std::string& questionId, const std::string& text) {
+void answerQuestion(SessionContext& workplace, const std::string& questionId, const std::string& text) {
   const StoredQuestion question = questionToMe(workplace, questionId);
   if (text.empty()) {
     throw Error(ErrorCode::kBadParameter, "the answer is empty", "", "Write what you want to say");

@@ -103,7 +103,7 @@ std::vector<TraineeRemark> threads(const std::vector<StoredRemark>& all,
   return roots;
 }
 
-TrialRemarks remarksOf(Workplace& workplace, const TraineeRecord& record, const TrialListing& trial) {
+TrialRemarks remarksOf(SessionContext& workplace, const TraineeRecord& record, const TrialListing& trial) {
   RemarkRepository repository(workplace.connection());
   std::set<std::string> read;
   for (const StoredReceipt& receipt : repository.receipts(trial.trialId)) {
@@ -139,7 +139,7 @@ TrialRemarks remarksOf(Workplace& workplace, const TraineeRecord& record, const 
 }
 
 /// A remark that the actor may see, with its trial.
-StoredRemark visibleRemark(Workplace& workplace, const std::string& remarkId) {
+StoredRemark visibleRemark(SessionContext& workplace, const std::string& remarkId) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
   const std::optional<StoredRemark> remark = RemarkRepository(workplace.connection()).find(remarkId);
   if (!remark) {
@@ -226,7 +226,7 @@ std::int64_t stepsOf(double value, const ScoreScale& scale, const std::string& w
 
 }  // namespace
 
-std::vector<TrialRemarks> ownRemarks(Workplace& workplace) {
+std::vector<TrialRemarks> ownRemarks(SessionContext& workplace) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
   const Release release(workplace.connection(), record);
   TrialFilter filter;
@@ -245,7 +245,7 @@ std::vector<TrialRemarks> ownRemarks(Workplace& workplace) {
   return all;
 }
 
-std::size_t unreadRemarks(Workplace& workplace) {
+std::size_t unreadRemarks(SessionContext& workplace) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
   const Release release(workplace.connection(), record);
   const std::vector<StoredRemark> unread =
@@ -256,7 +256,7 @@ std::size_t unreadRemarks(Workplace& workplace) {
       }));
 }
 
-void markRemarkRead(Workplace& workplace, const std::string& remarkId) {
+void markRemarkRead(SessionContext& workplace, const std::string& remarkId) {
   const StoredRemark remark = visibleRemark(workplace, remarkId);
   Transaction transaction(workplace.connection());
   RemarkRepository(workplace.connection())
@@ -268,7 +268,7 @@ void markRemarkRead(Workplace& workplace, const std::string& remarkId) {
   transaction.commit();
 }
 
-std::string replyToRemark(Workplace& workplace, const std::string& remarkId, const std::string& text) {
+std::string replyToRemark(SessionContext& workplace, const std::string& remarkId, const std::string& text) {
   const StoredRemark remark = visibleRemark(workplace, remarkId);
   if (text.empty()) {
     throw Error(ErrorCode::kBadParameter, "the reply is empty", "", "Write what you want to say");
@@ -292,7 +292,7 @@ std::string replyToRemark(Workplace& workplace, const std::string& remarkId, con
   return id;
 }
 
-ScoreGap scoreGap(Workplace& workplace, const std::string& trialId) {
+ScoreGap scoreGap(SessionContext& workplace, const std::string& trialId) {
   workplace.require(Operation::kMarkViewOwn);
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
   static_cast<void>(ownTrial(workplace, record, trialId));
@@ -332,7 +332,7 @@ ScoreGap scoreGap(Workplace& workplace, const std::string& trialId) {
   return gap;
 }
 
-void selfScore(Workplace& workplace, const std::string& trialId, double overall,
+void selfScore(SessionContext& workplace, const std::string& trialId, double overall,
                const std::vector<SelfScoreRow>& rows) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
   const TrialListing trial = ownTrial(workplace, record, trialId);

@@ -42,7 +42,7 @@ void checkPermission(const NextSteps& steps, const RunRequest& request) {
 bool hasVirtualTime(const RunPlan& plan) {
   return plan.phases.empty() ||
          std::any_of(plan.phases.begin(), plan.phases.end(), [](const RunPhase& phase) {
-           return phase.arm == TrainingArm::kVirtual && phase.done_us < phase.duration_us;
+           return phase.arm == TrainingSetting::kVirtual && phase.done_us < phase.duration_us;
          });
 }
 
@@ -70,7 +70,7 @@ RunPlan planOf(const NextSteps& steps, const ModuleStep& step) {
   }
   RunPlan plan;
   plan.phases.push_back({.label = step.module.title,
-                         .arm = TrainingArm::kVirtual,
+                         .arm = TrainingSetting::kVirtual,
                          .duration_us = kModuleTime_us,
                          .moduleId = step.module.id});
   return plan;
@@ -78,7 +78,7 @@ RunPlan planOf(const NextSteps& steps, const ModuleStep& step) {
 
 }  // namespace
 
-RunSession::RunSession(Workplace& workplace, const RunRequest& request, const Clock& clock,
+RunSession::RunSession(SessionContext& workplace, const RunRequest& request, const Clock& clock,
                        StationWriter* line)
     : workplace_(workplace),
       clock_(&clock),
@@ -125,7 +125,7 @@ void RunSession::start() {
   write([note = AuditNote{.action = "run.start",
                           .objectKind = "enrolment",
                           .objectId = steps_.enrolmentId,
-                          .newJson = what.dump()}](Workplace& own) { own.note(note); });
+                          .newJson = what.dump()}](SessionContext& own) { own.note(note); });
   heartbeat();
 }
 
@@ -139,7 +139,7 @@ void RunSession::log(bool all) {
                                   .phaseId = piece.phaseId,
                                   .kind = piece.kind,
                                   .startedUtc_us = piece.begun_us + utcOffset_us_,
-                                  .duration_us = piece.duration_us}](Workplace& own) {
+                                  .duration_us = piece.duration_us}](SessionContext& own) {
       recordExposure(own, exposure);
     });
   }
@@ -205,14 +205,14 @@ void RunSession::stop(const std::string& reason) {
                                     .reportedBy = workplace_.actor().userId,
                                     .reportedUtc_us = workplace_.now_us(),
                                     .demonstration = steps_.demonstration};
-    write([deviation, note](Workplace& own) {
+    write([deviation, note](SessionContext& own) {
       Transaction transaction(own.connection());
       StudyRepository(own.connection()).addDeviation(deviation);
       own.note(note);
       transaction.commit();
     });
   } else {
-    write([note](Workplace& own) { own.note(note); });
+    write([note](SessionContext& own) { own.note(note); });
   }
   show("");
   heartbeat();
@@ -242,7 +242,7 @@ std::unique_ptr<TrialSink> RunSession::sinkFor(const RecordingSpec& recording) c
   return recordingSink(workplace_.key().locator, recording.context);
 }
 
-std::vector<RecoveredTrial> recoverInterrupted(Workplace& workplace, const std::filesystem::path& folder) {
+std::vector<RecoveredTrial> recoverInterrupted(SessionContext& workplace, const std::filesystem::path& folder) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialRecordOwn);
   std::vector<RecoveredTrial> own;
   for (const SettledTrial& settled : settleStation(workplace, folder).trials) {
@@ -260,7 +260,7 @@ std::vector<RecoveredTrial> recoverInterrupted(Workplace& workplace, const std::
   return own;
 }
 
-void decideOwnConsent(Workplace& workplace, const std::string& purpose, bool granted,
+void decideOwnConsent(SessionContext& workplace, const std::string& purpose, bool granted,
                       const std::string& textVersion) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialRecordOwn);
   if (textVersion.empty()) {
@@ -282,12 +282,12 @@ void decideOwnConsent(Workplace& workplace, const std::string& purpose, bool gra
   transaction.commit();
 }
 
-bool hasOwnConsent(Workplace& workplace, const std::string& purpose) {
+bool hasOwnConsent(SessionContext& workplace, const std::string& purpose) {
   workplace.require(Operation::kTrialViewOwn);
   return PeopleRepository(workplace.connection()).hasConsent(workplace.actor().personId, purpose);
 }
 
-bool gradesWithMouse(Workplace& workplace) {
+bool gradesWithMouse(SessionContext& workplace) {
   workplace.require(Operation::kPractice);
   return SettingRepository(workplace.connection()).value("graded_with_mouse") == "yes";
 }

@@ -45,7 +45,7 @@ void findCurriculum(Connection& connection, TraineeRecord& record) {
     if (group.id != record.enrolment->groupId) {
       continue;
     }
-    for (const StoredArm& arm : record.version->arms) {
+    for (const StudyArm& arm : record.version->arms) {
       if (arm.id == group.armId) {
         record.arm = arm;
       }
@@ -64,7 +64,7 @@ const StoredModule* TraineeRecord::module(const std::string& moduleId) const {
   return found == version->modules.end() ? nullptr : &*found;
 }
 
-TraineeRecord ownRecord(Workplace& workplace, Operation operation) {
+TraineeRecord ownRecord(SessionContext& workplace, Operation operation) {
   const std::string& personId = workplace.actor().personId;
   workplace.requireOwn(operation, personId);
   for (const StoredTrainee& trainee : PeopleRepository(workplace.connection()).trainees()) {
@@ -83,7 +83,7 @@ TraineeRecord ownRecord(Workplace& workplace, Operation operation) {
               "Ask an administrator to add you to the roster");
 }
 
-TrialListing ownTrial(Workplace& workplace, const TraineeRecord& record, const std::string& trialId) {
+TrialListing ownTrial(SessionContext& workplace, const TraineeRecord& record, const std::string& trialId) {
   TrialRepository trials(workplace.connection());
   TrialFilter filter;
   filter.traineeCode = record.code;

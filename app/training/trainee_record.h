@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
 #include "db/repository/trial/trial_repository.h"
@@ -19,17 +19,17 @@ struct TraineeRecord {
   std::optional<StoredEnrolment> enrolment{};        ///< the newest that is neither completed nor withdrawn
   StoredCohort cohort{};                             ///< of the enrolment
   std::optional<StoredCurriculumVersion> version{};  ///< running or closed: what was begun may be ended
-  std::optional<StoredArm> arm{};
+  std::optional<StudyArm> arm{};
 
   /// Null when the curriculum has no such module.
   [[nodiscard]] const StoredModule* module(const std::string& moduleId) const;
 };
 
 /// The record of the actor. Throws Error{kPermission}: no right to `operation`, or no trainee.
-[[nodiscard]] TraineeRecord ownRecord(Workplace& workplace, Operation operation);
+[[nodiscard]] TraineeRecord ownRecord(SessionContext& workplace, Operation operation);
 
 /// A trial of this trainee. Throws Error{kPermission} for somebody else's, {kBadParameter} for none.
-[[nodiscard]] TrialListing ownTrial(Workplace& workplace, const TraineeRecord& record,
+[[nodiscard]] TrialListing ownTrial(SessionContext& workplace, const TraineeRecord& record,
                                     const std::string& trialId);
 
 }  // namespace torsio

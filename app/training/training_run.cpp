@@ -11,8 +11,8 @@ namespace torsio {
 
 namespace {
 
-const char* kindOf(TrainingArm arm) {
-  return arm == TrainingArm::kVirtual ? "virtual" : "real";
+const char* kindOf(TrainingSetting arm) {
+  return arm == TrainingSetting::kVirtual ? "virtual" : "real";
 }
 
 std::int64_t left_us(const RunPhase& phase) {
@@ -86,7 +86,7 @@ void TrainingRun::book(const std::string& kind, std::int64_t from_us, std::int64
 
 void TrainingRun::endPhase(std::int64_t at_us) {
   emit(RunEvent::Kind::kPhaseEnded, at_us);
-  const TrainingArm before = phase().arm;
+  const TrainingSetting before = phase().arm;
   std::size_t next = phase_ + 1;
   while (next < plan_.phases.size() && left_us(plan_.phases[next]) <= 0) {
     ++next;

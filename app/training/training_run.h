@@ -11,13 +11,13 @@
 namespace torsio {
 
 /// Where a phase of training happens.
-enum class TrainingArm { kVirtual, kReal };
+enum class TrainingSetting { kVirtual, kReal };
 
 /// One stretch of a run.
 struct RunPhase {
   std::string phaseId{};  ///< of the curriculum; empty: a run outside any phase
   std::string label{};
-  TrainingArm arm = TrainingArm::kVirtual;
+  TrainingSetting arm = TrainingSetting::kVirtual;
   std::int64_t duration_us = 0;
   std::int64_t done_us = 0;  ///< spent in earlier runs
   std::string moduleId{};    ///< what is practised; empty: the module of the run

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMinute_us = 60e6;
 
-void addTimes(Workplace& workplace, const NextSteps& steps, Transcript& transcript) {
+void addTimes(SessionContext& workplace, const NextSteps& steps, Transcript& transcript) {
   if (steps.cohortId.empty()) {
     return;
   }
@@ -34,7 +34,7 @@ void addTimes(Workplace& workplace, const NextSteps& steps, Transcript& transcri
 
 }  // namespace
 
-Transcript transcript(Workplace& workplace, const std::string& personId) {
+Transcript transcript(SessionContext& workplace, const std::string& personId) {
   const NextSteps steps = nextSteps(workplace, personId);
   Transcript transcript;
   if (const auto centre = StudyRepository(workplace.connection()).centre()) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "app/training/next_steps.h"
 #include "app/training/trend.h"
 
@@ -33,6 +33,6 @@ struct Transcript {
   double rest_min = 0.0;
 };
 /// kTrialViewOwn, own person only. Audited: it may leave the house.
-[[nodiscard]] Transcript transcript(Workplace& workplace, const std::string& personId);
+[[nodiscard]] Transcript transcript(SessionContext& workplace, const std::string& personId);
 
 }  // namespace torsio

@@ -131,7 +131,7 @@ LevelCourse levelCourse(const std::vector<bool>& failed) {
   return course;
 }
 
-Trend trend(Workplace& workplace, const std::string& personId, const std::string& moduleId,
+Trend trend(SessionContext& workplace, const std::string& personId, const std::string& moduleId,
             const std::string& metric) {
   workplace.requireOwn(Operation::kTrialViewOwn, personId);
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);

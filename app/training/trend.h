@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "app/training/attempts.h"
 #include "assessment/study/protocol_terms.h"
 
@@ -74,7 +74,7 @@ struct LevelCourse {
 
 /// kTrialViewOwn, own attempts only. `metric`: empty: that of the module's first mastery rule. Throws
 /// Error{kBadParameter} for a module that is not in the trainee's curriculum.
-[[nodiscard]] Trend trend(Workplace& workplace, const std::string& personId, const std::string& moduleId,
+[[nodiscard]] Trend trend(SessionContext& workplace, const std::string& personId, const std::string& moduleId,
                           const std::string& metric = {});
 
 }  // namespace torsio

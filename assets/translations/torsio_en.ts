@@ -92,7 +92,7 @@
     </message>
 </context>
 <context>
-    <name>torsio::gui::ShellWindow</name>
+    <name>torsio::gui::MainWindow</name>
     <message numerus="yes">
         <source>%n recording(s) of this station could not be stored</source>
         <translation>

@@ -8555,7 +8555,7 @@
     </message>
 </context>
 <context>
-    <name>torsio::gui::AlignmentPage</name>
+    <name>torsio::gui::DiscrepancyReviewPage</name>
     <message>
         <source>Your mark stays as it is</source>
         <translation>您的评分保持不变</translation>
@@ -9305,7 +9305,7 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
-    <name>torsio::gui::CarePage</name>
+    <name>torsio::gui::MaintenancePage</name>
     <message>
         <source>to be reviewed</source>
         <translation>待审查</translation>
@@ -11486,7 +11486,7 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
-    <name>torsio::gui::MainWindow</name>
+    <name>torsio::gui::SimulatorWindow</name>
     <message>
         <source>Loading…</source>
         <translation>正在加载…</translation>
@@ -14274,7 +14274,7 @@ MSM = 质点弹簧</translation>
     </message>
 </context>
 <context>
-    <name>torsio::gui::ShellWindow</name>
+    <name>torsio::gui::MainWindow</name>
     <message>
         <source>Something is unfinished here. Only its owner can sign out</source>
         <translation>此处有未完成的内容，只有本人可以退出登录</translation>
@@ -15086,7 +15086,7 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
-    <name>torsio::gui::WarmUpDialog</name>
+    <name>torsio::gui::RaterCalibrationDialog</name>
     <message>
         <source>&amp;Add as a reference run</source>
         <translation>添加为参考操作(&amp;A)</translation>
@@ -15217,7 +15217,7 @@ Leave it empty to remove it.</source>
     </message>
 </context>
 <context>
-    <name>torsio::gui::WarmUpPage</name>
+    <name>torsio::gui::RaterCalibrationPage</name>
     <message>
         <source>The recording could not be opened.</source>
         <translation>无法打开录像。</translation>

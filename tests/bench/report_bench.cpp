@@ -10,7 +10,7 @@
 
 #include <QApplication>
 
-#include "app/gui/administrator/office_pages.h"
+#include "app/gui/administrator/administrator_pages.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/maintenance/retention.h"
@@ -182,7 +182,7 @@ std::string fill(testing::OfficeCentre& centre) {
 Verdict measureReport(testing::OfficeCentre& centre, const std::string& cohortId) {
   ReportRequest request;
   request.cohortId = cohortId;
-  Workplace& workplace = centre.as("statistician");
+  SessionContext& workplace = centre.as("statistician");
   const auto build = [&] {
     TrialDigests digests(centre.assets());  // as in a program that has just been started
     const ReportModel model = cohortReport(reportInputs(workplace, request, digests));
@@ -254,7 +254,7 @@ Verdict measureTrials(testing::OfficeCentre& centre) {
 void measureRoster() {
   constexpr int kPeople = 10'000;
   testing::OfficeCentre centre;
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
   std::string text = "external_id,full_name,sex,level\r\n";
   for (int i = 0; i < kPeople; ++i) {
     text += std::to_string(500'000 + i) + ",Person " + std::to_string(i) + ",female,intern\r\n";

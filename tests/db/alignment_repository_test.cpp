@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/rating/alignment_repository.h"
+#include "db/repository/rating/discrepancy_repository.h"
 
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/rating/sheet_repository.h"
@@ -33,7 +33,7 @@ TEST_F(AlignmentRepositoryTest, TheNewestDecisionCountsAndAllAreKept) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const std::string id = assignmentIn(connection, sample);
-  AlignmentRepository decisions(connection, "room 1");
+  DiscrepancyRepository decisions(connection, "room 1");
 
   EXPECT_FALSE(decisions.latest(id).has_value());
   EXPECT_EQ(decisions.add({id, 0, "third", "far apart", "admin", kSampleTime_us}), 1);
@@ -55,7 +55,7 @@ TEST_F(AlignmentRepositoryTest, RefusesWhatIsNoDecisionAndLeavesNoEntry) {
   Connection connection = openWithSchema();
   SampleRecord sample(connection, 1);
   const std::string id = assignmentIn(connection, sample);
-  AlignmentRepository decisions(connection);
+  DiscrepancyRepository decisions(connection);
   EXPECT_EQ(faultFrom([&] { decisions.add({id, 0, "perhaps", "", "admin", 0}); }), DbFault::kCheck);
   EXPECT_EQ(faultFrom([&] { decisions.add({"none", 0, "keep", "", "admin", 0}); }), DbFault::kForeignKey);
   EXPECT_TRUE(AuditRepository(connection).entries().empty());

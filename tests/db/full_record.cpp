@@ -185,7 +185,7 @@ void addCurriculum(Connection& connection, const std::string& prefix, bool demon
   }
   version.modules[1].requires_ = {version.modules[0].id};
   version.modules[1].mastery = {{"time", "at_most", 20.0, "s", 3}};
-  StoredArm arm;
+  StudyArm arm;
   arm.id = prefix + " arm";
   arm.code = "A";
   arm.phases = {{prefix + " phase", PhaseKind::kVirtual, "first", 60, version.modules[0].id}};

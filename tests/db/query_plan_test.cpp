@@ -11,7 +11,7 @@
 #include "db/repository/people/access_repository.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/people/retention_repository.h"
-#include "db/repository/rating/alignment_repository.h"
+#include "db/repository/rating/discrepancy_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/rating/rating_repository.h"
@@ -159,7 +159,7 @@ TEST_F(QueryPlanTest, TheDeskOfARaterIsFoundByIndex) {
   expectNoWalk(plansOf(connection, [&] { (void)desk.viewing("m"); }));
   expectNoWalk(plansOf(connection, [&] { (void)desk.workingTimes_us("r", 20); }));
   expectNoWalk(plansOf(connection, [&] { (void)desk.evaluationDraft("c", "r"); }));
-  AlignmentRepository alignment(connection);
+  DiscrepancyRepository alignment(connection);
   expectNoWalk(plansOf(connection, [&] { (void)alignment.history("a"); }));
   expectNoWalk(plansOf(connection, [&] { (void)alignment.latest("a"); }));
   expectNoWalk(plansOf(connection, [&] { (void)alignment.ofCase("e", "pre"); }));

@@ -315,7 +315,7 @@ TEST_F(TrialRepositoryTest, KeepsForWhatAndOnWhichMachineATrialWasRecorded) {
   module.mode = AttemptMode::kGraded;
   module.tolerance_rad = 0.1;
   version.modules = {module};
-  StoredArm arm;
+  StudyArm arm;
   arm.id = "a";
   arm.code = "A1";
   arm.phases = {{"p", PhaseKind::kVirtual, "first", 60, "m"}};

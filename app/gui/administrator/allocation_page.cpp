@@ -13,7 +13,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/printed_cards.h"
 #include "app/gui/administrator/record_dialogs.h"
 #include "app/gui/administrator/study_words.h"

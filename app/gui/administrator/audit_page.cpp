@@ -16,7 +16,7 @@
 #include <QVBoxLayout>
 
 #include "app/access/audit_words.h"
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/spoken.h"
 #include "app/gui/widgets/data_table.h"
@@ -204,7 +204,7 @@ void AuditPage::verify() {
   const auto findings = std::make_shared<std::vector<AuditFinding>>();
   shell().run(
       tr("Verifying the audit trail"),
-      [findings](Workplace& workplace, const ProgressCallback&) { *findings = verifyAudit(workplace); },
+      [findings](SessionContext& workplace, const ProgressCallback&) { *findings = verifyAudit(workplace); },
       [this, findings] {
         findings_ = *findings;
         showVerdict();

@@ -15,7 +15,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/study_words.h"
 #include "app/gui/base/spoken.h"
 #include "app/gui/widgets/data_table.h"

@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/cohort_dialogs.h"
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/study_words.h"
 #include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
@@ -103,7 +103,7 @@ const CohortRow* CohortsPage::current() const {
 
 void CohortsPage::showMembers() {
   const CohortRow* row = current();
-  Workplace& workplace = shell().workplace();
+  SessionContext& workplace = shell().workplace();
   add_->setEnabled(shell().may(Operation::kStudySetup));
   enrol_->setEnabled(row != nullptr && shell().may(Operation::kStudyEnrol));
   follow_->setEnabled(row != nullptr && shell().may(Operation::kStudySetup));

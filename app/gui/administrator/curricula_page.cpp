@@ -19,7 +19,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/curriculum_editor.h"
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/study_words.h"
 #include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/base/shell_context.h"

@@ -16,7 +16,7 @@
 #include "app/gui/administrator/curriculum_parts.h"
 #include "app/gui/administrator/exercise_editor.h"
 #include "app/gui/administrator/group_editor.h"
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/study_words.h"
 #include "app/gui/base/spoken.h"
 #include "app/gui/widgets/form.h"

@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 
 #include "app/devices/haptic_station.h"
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/station_settings_card.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/spoken.h"
@@ -63,7 +63,7 @@ void DevicesPage::check() {
   check_->setEnabled(false);
   shell().run(
       tr("Checking the device"),
-      [request, result](Workplace&, const ProgressCallback& progress) mutable {
+      [request, result](SessionContext&, const ProgressCallback& progress) mutable {
         request.say = [&progress](const Text& sentence) { progress({sentence, 0.5, -1.0}); };
         progress({"Looking for the device", 0.1, -1.0});
         *result = checkDevice(request);

@@ -19,7 +19,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/study_words.h"
 #include "app/gui/base/asset_names.h"
 #include "app/gui/base/spoken.h"
@@ -383,7 +383,7 @@ void ExerciseEditor::takeCode() {
   for (StoredModule& module : content_.modules) {
     std::replace(module.requires_.begin(), module.requires_.end(), before, *code);
   }
-  for (StoredArm& arm : content_.arms) {
+  for (StudyArm& arm : content_.arms) {
     for (StoredPhase& phase : arm.phases) {
       if (phase.moduleId == before) {
         phase.moduleId = *code;

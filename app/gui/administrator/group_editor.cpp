@@ -19,7 +19,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/study_words.h"
 #include "app/gui/base/spoken.h"
 #include "app/gui/widgets/form.h"
@@ -37,13 +37,13 @@ enum PhaseColumn { kWhere, kName, kMinutes, kExercise };
 
 std::vector<std::string> codesOf(const StoredCurriculumVersion& content) {
   std::vector<std::string> codes;
-  for (const StoredArm& arm : content.arms) {
+  for (const StudyArm& arm : content.arms) {
     codes.push_back(arm.code);
   }
   return codes;
 }
 
-QString lineOf(const StoredArm& arm) {
+QString lineOf(const StudyArm& arm) {
   return QStringLiteral("%1  %2").arg(toQString(arm.code), toQString(arm.label));
 }
 
@@ -76,14 +76,14 @@ GroupEditor::GroupEditor(StoredCurriculumVersion& content, QWidget* parent)
   connect(list_, &OrderedList::moveWanted, this, &GroupEditor::move);
   connect(code_.field(), &QLineEdit::editingFinished, this, &GroupEditor::takeCode);
   connect(label_, &QLineEdit::textEdited, this, [this](const QString& text) {
-    take([&](StoredArm& arm) { arm.label = text.trimmed().toStdString(); });
+    take([&](StudyArm& arm) { arm.label = text.trimmed().toStdString(); });
   });
   connect(rest_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    take([=](StoredArm& arm) { arm.restAllowance_us = std::llround(value * kMicrosecondsOfMinute); });
+    take([=](StudyArm& arm) { arm.restAllowance_us = std::llround(value * kMicrosecondsOfMinute); });
     splittable_->setEnabled(value > 0.0);
   });
   connect(splittable_, &QCheckBox::toggled, this,
-          [this](bool on) { take([=](StoredArm& arm) { arm.restSplittable = on; }); });
+          [this](bool on) { take([=](StudyArm& arm) { arm.restSplittable = on; }); });
   connect(addPhase_, &QPushButton::clicked, this, &GroupEditor::addPhase);
   connect(removePhase_, &QPushButton::clicked, this, &GroupEditor::removePhase);
   connect(phaseUp_, &QPushButton::clicked, this, [this] { movePhase(-1); });
@@ -116,13 +116,13 @@ QWidget* GroupEditor::form() {
   return fields;
 }
 
-StoredArm* GroupEditor::group() {
+StudyArm* GroupEditor::group() {
   return list_->chosenOf(content_.arms);
 }
 
 QStringList GroupEditor::lines() const {
   QStringList lines;
-  for (const StoredArm& arm : content_.arms) {
+  for (const StudyArm& arm : content_.arms) {
     lines << lineOf(arm);
   }
   return lines;
@@ -141,7 +141,7 @@ void GroupEditor::showContent() {
   if (filling_) {
     return;
   }
-  const StoredArm* arm = group();
+  const StudyArm* arm = group();
   const bool change = arm != nullptr && !readOnly_;
   for (QWidget* field : std::initializer_list<QWidget*>{label_, code_.field(), rest_, splittable_, phases_,
                                                         addPhase_, removePhase_, phaseUp_, phaseDown_}) {
@@ -163,7 +163,7 @@ void GroupEditor::showContent() {
   showPhases(*arm, phases_->currentRow());
 }
 
-void GroupEditor::showPhases(const StoredArm& arm, int current) {
+void GroupEditor::showPhases(const StudyArm& arm, int current) {
   filling_ = true;
   for (int row = 0; row < phases_->rowCount(); ++row) {
     for (int column = 0; column < phases_->columnCount(); ++column) {
@@ -235,7 +235,7 @@ void GroupEditor::addPhaseRow(int row, const StoredPhase& phase) {
   });
 }
 
-void GroupEditor::showTotals(const StoredArm& arm) {
+void GroupEditor::showTotals(const StudyArm& arm) {
   std::int64_t virtual_us = 0;
   std::int64_t real_us = 0;
   for (const StoredPhase& phase : arm.phases) {
@@ -248,8 +248,8 @@ void GroupEditor::showTotals(const StoredArm& arm) {
                             locale().toString(minutes(real_us), 'g', 6)));
 }
 
-void GroupEditor::take(const std::function<void(StoredArm&)>& change) {
-  StoredArm* arm = group();
+void GroupEditor::take(const std::function<void(StudyArm&)>& change) {
+  StudyArm* arm = group();
   if (filling_ || arm == nullptr) {
     return;
   }
@@ -261,7 +261,7 @@ void GroupEditor::take(const std::function<void(StoredArm&)>& change) {
 
 void GroupEditor::takePhase(const QWidget* cell, const std::function<void(StoredPhase&)>& change) {
   const int row = rowOf(phases_, cell);
-  take([&](StoredArm& arm) {
+  take([&](StudyArm& arm) {
     if (row >= 0 && row < std::ssize(arm.phases)) {
       change(arm.phases[static_cast<std::size_t>(row)]);
     }
@@ -269,7 +269,7 @@ void GroupEditor::takePhase(const QWidget* cell, const std::function<void(Stored
 }
 
 void GroupEditor::takeCode() {
-  const StoredArm* arm = group();
+  const StudyArm* arm = group();
   if (filling_ || arm == nullptr) {
     return;
   }
@@ -280,11 +280,11 @@ void GroupEditor::takeCode() {
   if (!code) {
     return;
   }
-  take([&](StoredArm& changed) { changed.code = changed.id = *code; });
+  take([&](StudyArm& changed) { changed.code = changed.id = *code; });
 }
 
 void GroupEditor::add() {
-  StoredArm arm = group() != nullptr ? *group() : StoredArm{};
+  StudyArm arm = group() != nullptr ? *group() : StudyArm{};
   arm.code = freeCode("G", codesOf(content_));
   arm.id = arm.code;
   arm.label = tr("New group").toStdString();
@@ -316,7 +316,7 @@ void GroupEditor::move(int by) {
 }
 
 void GroupEditor::addPhase() {
-  StoredArm* arm = group();
+  StudyArm* arm = group();
   if (arm == nullptr) {
     return;
   }
@@ -329,7 +329,7 @@ void GroupEditor::addPhase() {
 }
 
 void GroupEditor::removePhase() {
-  StoredArm* arm = group();
+  StudyArm* arm = group();
   const int row = phases_->currentRow() >= 0 ? phases_->currentRow() : phases_->rowCount() - 1;
   if (arm == nullptr || row < 0) {
     return;
@@ -340,7 +340,7 @@ void GroupEditor::removePhase() {
 }
 
 void GroupEditor::movePhase(int by) {
-  StoredArm* arm = group();
+  StudyArm* arm = group();
   if (arm == nullptr) {
     return;
   }

@@ -42,10 +42,10 @@ class GroupEditor : public QWidget {
  private:
   QWidget* form();
   void showContent();
-  void showPhases(const StoredArm& arm, int current);
+  void showPhases(const StudyArm& arm, int current);
   void addPhaseRow(int row, const StoredPhase& phase);
-  void showTotals(const StoredArm& arm);
-  void take(const std::function<void(StoredArm&)>& change);
+  void showTotals(const StudyArm& arm);
+  void take(const std::function<void(StudyArm&)>& change);
   void takePhase(const QWidget* cell, const std::function<void(StoredPhase&)>& change);
   void takeCode();
   void add();
@@ -54,7 +54,7 @@ class GroupEditor : public QWidget {
   void addPhase();
   void removePhase();
   void movePhase(int by);
-  [[nodiscard]] StoredArm* group();
+  [[nodiscard]] StudyArm* group();
   [[nodiscard]] QStringList lines() const;
 
   StoredCurriculumVersion& content_;

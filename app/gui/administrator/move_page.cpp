@@ -14,7 +14,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/form.h"
@@ -177,7 +177,7 @@ void MovePage::testServer() {
   auto found = std::make_shared<ServerCheck>();
   shell().run(
       tr("Looking at the server"),
-      [typed = address(), found](Workplace& workplace, const ProgressCallback&) {
+      [typed = address(), found](SessionContext& workplace, const ProgressCallback&) {
         *found = checkServer(workplace, typed);
       },
       [this, found] {
@@ -193,7 +193,7 @@ void MovePage::copyRecord() {
   auto report = std::make_shared<CopyReport>();
   shell().run(
       tr("Moving the record to the server"),
-      [typed = address(), report](Workplace& workplace, const ProgressCallback& progress) {
+      [typed = address(), report](SessionContext& workplace, const ProgressCallback& progress) {
         *report = moveToServer(workplace, typed, progress);
       },
       [this, report] {
@@ -209,7 +209,7 @@ void MovePage::switchStation() {
   auto locator = std::make_shared<std::string>();
   shell().run(
       tr("Turning this station to the server"),
-      [typed = address(), report = copied_, locator](Workplace& workplace, const ProgressCallback&) {
+      [typed = address(), report = copied_, locator](SessionContext& workplace, const ProgressCallback&) {
         *locator = report ? switchToServer(workplace, typed, *report) : joinServer(workplace, typed);
       },
       [this, locator, where = toQString(check_->location)] {

@@ -10,7 +10,7 @@
 #include <QPainter>
 #include <QPdfWriter>
 
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/report/typeface.h"
 #include "sim/base/file_io.h"
 

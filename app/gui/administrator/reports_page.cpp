@@ -11,7 +11,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/report_preview.h"
 #include "app/gui/base/language.h"
 #include "app/gui/base/shell_context.h"
@@ -105,7 +105,7 @@ ReportsPage::ReportsPage(ShellContext& shell)
 
 void ReportsPage::enter(const QVariant&) {
   attempt(shell(), [&] {
-    Workplace& workplace = shell().workplace();
+    SessionContext& workplace = shell().workplace();
     fillCohorts(cohort_, workplace);
     fillCampaigns(campaign_, workplace, tr("none"));
     fillFrozen();
@@ -156,7 +156,7 @@ void ReportsPage::compute() {
   auto model = std::make_shared<ReportModel>();
   shell().run(
       tr("Preparing the report"),
-      [wanted, inputs, model, digests = digests_](Workplace& workplace, const ProgressCallback& progress) {
+      [wanted, inputs, model, digests = digests_](SessionContext& workplace, const ProgressCallback& progress) {
         *inputs = reportInputs(workplace, wanted, *digests, progress);
         *model = cohortReport(*inputs);
       },

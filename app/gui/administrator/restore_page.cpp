@@ -12,7 +12,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/card.h"
 #include "app/gui/widgets/file_choice.h"
@@ -138,7 +138,7 @@ void RestorePage::check() {
   auto plan = std::make_shared<RestorePlan>();
   shell().run(
       tr("Checking the backup"),
-      [file, plan](Workplace& workplace, const ProgressCallback& progress) {
+      [file, plan](SessionContext& workplace, const ProgressCallback& progress) {
         *plan = planRestore(workplace, file, progress);
       },
       [this, plan] {
@@ -155,7 +155,7 @@ void RestorePage::restore() {
   auto prepared = std::make_shared<std::shared_ptr<PreparedRestore>>();
   shell().run(
       tr("Restoring the backup"),
-      [plan = *plan_, prepared](Workplace& workplace, const ProgressCallback& progress) {
+      [plan = *plan_, prepared](SessionContext& workplace, const ProgressCallback& progress) {
         *prepared = prepareRestore(workplace, plan, progress);
       },
       [this, prepared, name = QFileInfo(toQString(plan_->backup)).fileName()] {

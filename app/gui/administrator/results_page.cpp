@@ -12,7 +12,7 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/base/figure_card.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/spoken.h"
@@ -100,7 +100,7 @@ ResultsPage::ResultsPage(ShellContext& shell)
 
 void ResultsPage::enter(const QVariant& argument) {
   attempt(shell(), [&] {
-    Workplace& workplace = shell().workplace();
+    SessionContext& workplace = shell().workplace();
     fillCohorts(cohort_, workplace);
     fillCampaigns(campaign_, workplace, tr("none"));
     if (argument.isValid()) {
@@ -122,7 +122,7 @@ void ResultsPage::compute() {
   auto model = std::make_shared<ReportModel>();
   shell().run(
       tr("Computing results"),
-      [request, model, digests = digests_](Workplace& workplace, const ProgressCallback& progress) {
+      [request, model, digests = digests_](SessionContext& workplace, const ProgressCallback& progress) {
         *model = cohortReport(reportInputs(workplace, request, *digests, progress));
       },
       [this, model] {

@@ -266,7 +266,7 @@ void RosterPage::exportPerson(const std::filesystem::path& folder, const std::st
   const auto package = std::make_shared<PersonPackage>();
   shell().run(
       tr("Exporting a record"),
-      [id = person->row.person.id, folder, reason, package](Workplace& workplace, const ProgressCallback&) {
+      [id = person->row.person.id, folder, reason, package](SessionContext& workplace, const ProgressCallback&) {
         *package = exportPersonPackage(workplace, id, folder, reason);
       },
       [this, package] {
@@ -308,7 +308,7 @@ void RosterPage::exportList() {
   const auto count = std::make_shared<std::size_t>(0);
   shell().run(
       tr("Exporting people"),
-      [file, withNames, count](Workplace& workplace, const ProgressCallback&) {
+      [file, withNames, count](SessionContext& workplace, const ProgressCallback&) {
         *count = exportPeople(workplace, toPath(file), withNames);
       },
       [this, file, count] { shell().notify(tr("%1 people written to %2").arg(*count).arg(file)); });

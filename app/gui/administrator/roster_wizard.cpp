@@ -380,7 +380,7 @@ void RosterPreviewPage::initializePage() {
   shell_.run(
       tr("Looking at the roster"),
       [found, file = *import_.file, kind = import_.kind, columns = import_.columns](
-          Workplace& workplace, const ProgressCallback& progress) {
+          SessionContext& workplace, const ProgressCallback& progress) {
         try {
           RosterPreview preview = previewRoster(workplace, file, kind, columns, progress);
           // Proves before the last button that the database would take it.
@@ -444,7 +444,7 @@ void RosterPreviewPage::commit(std::function<void()> done) {
   shell_.run(
       tr("Importing the roster"),
       [outcome, problem, file = *import_.file, kind = import_.kind, columns = import_.columns,
-       fingerprint = import_.preview->fingerprint](Workplace& workplace, const ProgressCallback& progress) {
+       fingerprint = import_.preview->fingerprint](SessionContext& workplace, const ProgressCallback& progress) {
         try {
           *outcome = importRoster(workplace, file, kind, columns, fingerprint, RosterMode::kCommit, progress);
         } catch (const Error& error) {

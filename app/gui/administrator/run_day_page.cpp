@@ -12,7 +12,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/run_day_dialogs.h"
 #include "app/gui/administrator/study_words.h"
 #include "app/gui/administrator/user_dialogs.h"
@@ -118,7 +118,7 @@ void RunDayPage::refresh() {
   }
   reader_->run(
       [this, key = shell().workplace().key(), cohort]() -> Background::Finish {
-        Workplace own(key);
+        SessionContext own(key);
         return [this, cohort, board = runDayBoard(own, cohort)] {
           if (cohort != chosenId(cohort_)) {
             return;  // another one was chosen meanwhile

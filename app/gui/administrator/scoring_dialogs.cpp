@@ -14,7 +14,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/study_words.h"
 #include "app/gui/base/spoken.h"
 #include "app/gui/widgets/data_table.h"
@@ -202,7 +202,7 @@ Row rowOf(const ThirdRequest& request) {
 
 void fillThirds(QComboBox* box, const ThirdRequest& request) {
   box->clear();
-  for (const ThirdRater& rater : request.free) {
+  for (const Adjudicator& rater : request.free) {
     box->addItem(translated(QT_TRANSLATE_NOOP("Scoring", "%1, %2: %3 sheets wait"))
                      .arg(toQString(rater.code), orDash(rater.classCode))
                      .arg(rater.open),

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/people/people_service.h"
-#include "app/review/third_rater.h"
+#include "app/review/adjudicator.h"
 #include "app/study/scoring_plan.h"
 
 class QWidget;

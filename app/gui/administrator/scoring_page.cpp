@@ -7,11 +7,11 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/scoring_dialogs.h"
 #include "app/gui/administrator/study_words.h"
 #include "app/gui/administrator/user_dialogs.h"
-#include "app/gui/administrator/warm_up_dialog.h"
+#include "app/gui/administrator/rater_calibration_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
@@ -276,7 +276,7 @@ void ScoringPage::assignThirdRater() {
 void ScoringPage::showWarmUp() {
   attempt(shell(), [&] {
     static_cast<void>(rubricRevision());  // the first one comes from the shipped files
-    WarmUpDialog dialog(shell(), rubrics(shell().workplace()), this);
+    RaterCalibrationDialog dialog(shell(), rubrics(shell().workplace()), this);
     dialog.exec();
   });
 }

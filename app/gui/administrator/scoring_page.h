@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/review/third_rater.h"
+#include "app/review/adjudicator.h"
 #include "app/study/scoring_plan.h"
 
 class QComboBox;

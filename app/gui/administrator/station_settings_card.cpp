@@ -10,7 +10,7 @@
 
 #include "app/access/first_run.h"
 #include "app/access/settings_service.h"
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/form.h"
 #include "app/gui/widgets/theme.h"

@@ -14,7 +14,7 @@
 #include "app/access/first_run.h"
 #include "app/gui/administrator/accounts_dialog.h"
 #include "app/gui/administrator/cohort_dialogs.h"
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
@@ -29,7 +29,7 @@ namespace {
 /// Everybody of the record, with names where the actor may see them.
 std::vector<PersonChoice> peopleToChoose(ShellContext& shell) {
   std::vector<PersonChoice> choices;
-  Workplace& workplace = shell.workplace();
+  SessionContext& workplace = shell.workplace();
   if (shell.may(Operation::kPersonViewIdentity)) {
     for (const NamedPersonRow& person : namedPeople(workplace)) {
       const QString code = toQString(person.row.person.code);
@@ -150,7 +150,7 @@ void UsersPage::add() {
       return;
     }
     const auto id = std::make_shared<std::string>();
-    storeAndShow([user = *user, id](Workplace& workplace) { *id = addUser(workplace, user); },
+    storeAndShow([user = *user, id](SessionContext& workplace) { *id = addUser(workplace, user); },
                  toQString(user->login), user->startPassword, id);
   });
 }
@@ -174,7 +174,7 @@ void UsersPage::addForRoster() {
     shell().run(
         tr("Making accounts"),
         [issued, chosen = dialog.chosen(), cost = shell().workplace().passwordCost()](
-            Workplace& workplace, const ProgressCallback& progress) {
+            SessionContext& workplace, const ProgressCallback& progress) {
           workplace.setPasswordCost(cost);
           try {
             addAccounts(workplace, chosen, issued->made, progress);
@@ -203,13 +203,13 @@ void UsersPage::sayWhyNotAll(const std::exception_ptr& problem) {
       shell(), [&] { std::rethrow_exception(problem); }, tr("Cancelled; the accounts that were shown stay"));
 }
 
-void UsersPage::storeAndShow(const std::function<void(Workplace&)>& store, const QString& login,
+void UsersPage::storeAndShow(const std::function<void(SessionContext&)>& store, const QString& login,
                              const std::string& password, const std::shared_ptr<std::string>& id) {
   // Sealing a password takes a second on purpose: not in the window's thread.
   const PasswordCost cost = shell().workplace().passwordCost();
   shell().run(
       tr("Sealing the start password"),
-      [store, cost](Workplace& workplace, const ProgressCallback&) {
+      [store, cost](SessionContext& workplace, const ProgressCallback&) {
         workplace.setPasswordCost(cost);
         store(workplace);
       },
@@ -254,7 +254,7 @@ void UsersPage::newPassword() {
     const std::string password = randomStartPassword();
     const auto id = std::make_shared<std::string>(user->id);
     storeAndShow([id, password, reason = *reason](
-                     Workplace& workplace) { resetPassword(workplace, *id, password, reason); },
+                     SessionContext& workplace) { resetPassword(workplace, *id, password, reason); },
                  login, password, id);
   });
 }

@@ -38,7 +38,7 @@ class UsersPage : public Page {
   void changeRoles();
   void newPassword();
   /// Stores away from the window's thread, then shows the start password of the user `id`.
-  void storeAndShow(const std::function<void(Workplace&)>& store, const QString& login,
+  void storeAndShow(const std::function<void(SessionContext&)>& store, const QString& login,
                     const std::string& password, const std::shared_ptr<std::string>& id);
   void switchActive();
 

@@ -13,7 +13,7 @@
 #include "app/gui/base/page_id.h"
 
 namespace torsio {
-class Workplace;
+class SessionContext;
 }
 
 namespace torsio::gui {
@@ -62,7 +62,7 @@ struct ScreenEntry {
   QString name;  ///< of the file, without language, theme, size and ending: "station-debrief"
   QString role;  ///< "trainee", "rater", "administrator": who is signed in
   PageId pageId;
-  std::function<QVariant(Workplace&)> argument;  ///< for Page::enter; may be empty
+  std::function<QVariant(SessionContext&)> argument;  ///< for Page::enter; may be empty
   std::function<void(Page&)> prepare;            ///< after enter(); may be empty
 };
 

@@ -26,7 +26,7 @@ double guessedRemaining_s(double elapsed_s, double fraction) {
 
 }  // namespace
 
-ShellContext::ShellContext(Workplace& workplace, std::filesystem::path assets, ThemeKind theme)
+ShellContext::ShellContext(SessionContext& workplace, std::filesystem::path assets, ThemeKind theme)
     : workplace_(workplace), assets_(std::move(assets)), theme_(theme) {
   workers_.setMaxThreadCount(1);  // one long job after another: they share disk and database
 }
@@ -96,7 +96,7 @@ void ShellContext::run(const QString& title, Work work, std::function<void()> do
   workers_.start([this, key = workplace_.key(), work = std::move(work), done = std::move(done), finish] {
     std::exception_ptr problem;
     try {
-      Workplace own(key);
+      SessionContext own(key);
       QElapsedTimer since;
       since.start();
       work(own, [this, since](const Progress& progress) {

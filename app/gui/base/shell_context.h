@@ -14,7 +14,7 @@
 #include <QThreadPool>
 #include <QVariant>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "app/base/progress.h"
 #include "app/gui/base/page_id.h"
 #include "app/gui/base/problem.h"
@@ -43,10 +43,10 @@ class ShellContext : public QObject {
 
  public:
   /// `workplace` outlives the context.
-  ShellContext(Workplace& workplace, std::filesystem::path assets, ThemeKind theme);
+  ShellContext(SessionContext& workplace, std::filesystem::path assets, ThemeKind theme);
   ~ShellContext() override;
 
-  [[nodiscard]] Workplace& workplace() const noexcept { return workplace_; }
+  [[nodiscard]] SessionContext& workplace() const noexcept { return workplace_; }
   [[nodiscard]] const std::filesystem::path& assets() const noexcept { return assets_; }
   [[nodiscard]] ThemeKind themeKind() const noexcept { return theme_; }
   void setThemeKind(ThemeKind kind);
@@ -78,7 +78,7 @@ class ShellContext : public QObject {
   /// a workplace and a callback that it calls with its progress (which throws Cancelled when the user gave
   /// up, so that work unwinds and leaves no half file); `done` runs in the GUI thread after success. Title
   /// and progress are shown with time left and a cancel button. Failures are reported.
-  using Work = std::function<void(Workplace&, const ProgressCallback&)>;
+  using Work = std::function<void(SessionContext&, const ProgressCallback&)>;
   void run(const QString& title, Work work, std::function<void()> done);
   [[nodiscard]] bool working() const noexcept { return jobs_ > 0; }
   /// Closes the desk and the record, carries out the change, and goes back to sign-in. The calling page dies
@@ -101,7 +101,7 @@ class ShellContext : public QObject {
   void jobEnded();
 
  private:
-  Workplace& workplace_;
+  SessionContext& workplace_;
   std::filesystem::path assets_;
   ThemeKind theme_;
   std::set<Operation> rights_;

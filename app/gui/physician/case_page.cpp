@@ -183,7 +183,7 @@ void CasePage::load() {
   const std::filesystem::path assets = shell().assets();
   shell().run(
       tr("Opening case %1").arg(toQString(opened_.shown.label)),
-      [loaded, id, assets](Workplace& own, const ProgressCallback&) {
+      [loaded, id, assets](SessionContext& own, const ProgressCallback&) {
         *loaded = loadForShowing(loadBlindedRecording(own, id), assets);
       },
       [this, loaded, ticket] {

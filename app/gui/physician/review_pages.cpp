@@ -3,7 +3,7 @@
 
 #include <QCoreApplication>
 
-#include "app/gui/physician/alignment_page.h"
+#include "app/gui/physician/discrepancy_review_page.h"
 #include "app/gui/physician/case_page.h"
 #include "app/gui/physician/evaluation_page.h"
 #include "app/gui/physician/live_page.h"
@@ -11,7 +11,7 @@
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/review_words.h"
 #include "app/gui/physician/severity_page.h"
-#include "app/gui/physician/warm_up_page.h"
+#include "app/gui/physician/rater_calibration_page.h"
 #include "app/gui/widgets/child.h"
 #include "app/review/review_queue.h"
 
@@ -25,7 +25,7 @@ std::function<Page*(ShellContext&)> maker() {
 }
 
 /// The case that "continue" would open.
-QVariant nextCase(Workplace& workplace) {
+QVariant nextCase(SessionContext& workplace) {
   const auto next = reviewQueue(workplace).next;
   return next ? QVariant(toQString(*next)) : QVariant();
 }
@@ -43,8 +43,8 @@ void showMoment(ReplayPanel& replay) {
 }  // namespace
 
 std::vector<PageEntry> reviewPages() {
-  return {{PageId::kQueue, maker<QueuePage>()},       {PageId::kWarmUp, maker<WarmUpPage>()},
-          {PageId::kLiveSheet, maker<LivePage>()},    {PageId::kAlignment, maker<AlignmentPage>()},
+  return {{PageId::kQueue, maker<QueuePage>()},       {PageId::kWarmUp, maker<RaterCalibrationPage>()},
+          {PageId::kLiveSheet, maker<LivePage>()},    {PageId::kAlignment, maker<DiscrepancyReviewPage>()},
           {PageId::kSeverity, maker<SeverityPage>()}, {PageId::kEvaluation, maker<EvaluationPage>()},
           {PageId::kCase, maker<CasePage>()}};
 }
@@ -58,7 +58,7 @@ std::vector<ScreenEntry> reviewScreens() {
        "rater",
        PageId::kWarmUp,
        {},
-       [](Page& page) { showMoment(child<ReplayPanel>(static_cast<WarmUpPage&>(page), "replay")); }},
+       [](Page& page) { showMoment(child<ReplayPanel>(static_cast<RaterCalibrationPage&>(page), "replay")); }},
       {"review-live", "rater", PageId::kLiveSheet, {}, {}},
       {"review-alignment", "rater", PageId::kAlignment, {}, {}},
       {"review-severity", "rater", PageId::kSeverity, {}, {}},

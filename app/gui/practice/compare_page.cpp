@@ -138,7 +138,7 @@ void ComparePage::load(const QString& organ) {
   const std::array<Formulation, 2> formulations{sides_[0].formulation, sides_[1].formulation};
   shell().run(
       tr("Loading the models"),
-      [scenes, request, formulations](Workplace&, const ProgressCallback& progress) {
+      [scenes, request, formulations](SessionContext&, const ProgressCallback& progress) {
         for (std::size_t i = 0; i < scenes->size(); ++i) {
           progress({request.id, static_cast<double>(i) / 2.0, -1.0});
           SceneRequest one = request;
@@ -257,7 +257,7 @@ std::vector<ScreenEntry> compareScreens() {
   return {{.name = QStringLiteral("compare"),
            .role = QStringLiteral("rater"),
            .pageId = PageId::kCompare,
-           .argument = [](Workplace&) { return QVariant(); },
+           .argument = [](SessionContext&) { return QVariant(); },
            .prepare =
                [](Page& page) {
                  while (!static_cast<ComparePage&>(page).loaded()) {

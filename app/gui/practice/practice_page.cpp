@@ -18,7 +18,7 @@ namespace torsio::gui {
 namespace {
 
 /// For a picture: the organ half-way through the exercise, whatever the machine's speed.
-void holdAtTarget(MainWindow& simulator) {
+void holdAtTarget(SimulatorWindow& simulator) {
   while (simulator.controller().loading()) {
     QCoreApplication::processEvents();
   }
@@ -49,7 +49,7 @@ PracticePage::PracticePage(ShellContext& context, const StationDesk& desk, QWidg
   if (const StationDesk::DeviceOpener open = desk.openDevice) {
     setup.openHaptic = [open](const Scene& scene) { return open(scene, scene.pattern.targetAngle_rad); };
   }
-  simulator_ = new MainWindow(setup);
+  simulator_ = new SimulatorWindow(setup);
   simulator_->setObjectName(QStringLiteral("simulator"));
   simulator_->setParent(this, Qt::Widget);
   auto* column = new QVBoxLayout(this);
@@ -103,7 +103,7 @@ bool PracticePage::leave() {
 }
 
 std::vector<std::pair<QString, QString>> PracticePage::keys() const {
-  return MainWindow::pointerKeys();
+  return SimulatorWindow::pointerKeys();
 }
 
 void PracticePage::retranslate() {
@@ -118,8 +118,8 @@ std::vector<ScreenEntry> practiceScreens() {
   return {{.name = QStringLiteral("practice"),
            .role = QStringLiteral("trainee"),
            .pageId = PageId::kPractice,
-           .argument = [](Workplace&) { return QVariant(); },
-           .prepare = [](Page& page) { holdAtTarget(child<MainWindow>(page, "simulator")); }}};
+           .argument = [](SessionContext&) { return QVariant(); },
+           .prepare = [](Page& page) { holdAtTarget(child<SimulatorWindow>(page, "simulator")); }}};
 }
 
 PageEntry practicePage(std::shared_ptr<StationDesk> desk) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/gui/practice/main_window.h"
+#include "app/gui/practice/simulator_window.h"
 
 namespace torsio {
 class TrialStore;
@@ -39,7 +39,7 @@ class PracticePage : public Page {
 
   std::shared_ptr<TrialStore> store_;
   std::shared_ptr<std::set<std::string>> own_;  // ids of the trials of this sign-in
-  MainWindow* simulator_ = nullptr;
+  SimulatorWindow* simulator_ = nullptr;
 };
 
 /// For everybody who may practise.

@@ -3,7 +3,7 @@
 
 #include <QCoreApplication>
 
-#include "app/gui/administrator/office_pages.h"
+#include "app/gui/administrator/administrator_pages.h"
 #include "app/gui/physician/review_pages.h"
 #include "app/gui/practice/compare_page.h"
 #include "app/gui/practice/practice_page.h"

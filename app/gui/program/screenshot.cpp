@@ -78,10 +78,10 @@ struct Stage {
     child<SceneView>(window, "view").applyCamera();
     waitUntil([this] { return child<SceneView>(window, "view").framesDrawn() > 0; }, "the first frame");
   }
-  MainWindow window;
+  SimulatorWindow window;
 };
 
-void settle(MainWindow& window) {
+void settle(SimulatorWindow& window) {
   const std::int64_t before = child<SceneView>(window, "view").framesDrawn();
   waitUntil(
       [&] {
@@ -91,7 +91,7 @@ void settle(MainWindow& window) {
       "the picture");
 }
 
-double angleOf(const ScreenshotRequest& request, MainWindow& window) {
+double angleOf(const ScreenshotRequest& request, SimulatorWindow& window) {
   return request.angle_rad.value_or(window.controller().scene()->pattern.targetAngle_rad);
 }
 
@@ -100,7 +100,7 @@ double angleOf(const ScreenshotRequest& request, MainWindow& window) {
 void takeScreenshot(const WindowSetup& setup, const ScreenshotRequest& request) {
   requireDisplay();
   Stage stage(setup, request);
-  MainWindow& window = stage.window;
+  SimulatorWindow& window = stage.window;
   if (request.strip) {
     settle(window);
     writePicture(filmStrip(stripRows(captureStrip(child<SceneView>(window, "view"),
@@ -119,7 +119,7 @@ void takeScreenshot(const WindowSetup& setup, const ScreenshotRequest& request) 
 FrameRate measureFrameRate(const WindowSetup& setup, const ScreenshotRequest& request, double seconds) {
   requireDisplay();
   Stage stage(setup, request);
-  MainWindow& window = stage.window;
+  SimulatorWindow& window = stage.window;
   SimulationController& controller = window.controller();
   LiveState state = scriptedTwist(*controller.scene(), angleOf(request, window));
   const double widest_rad = state.response.angle_rad;

@@ -7,7 +7,7 @@
 
 #include <QSize>
 
-#include "app/gui/practice/main_window.h"
+#include "app/gui/practice/simulator_window.h"
 
 namespace torsio::gui {
 

@@ -128,7 +128,7 @@ class Cast {
  public:
   Cast(const std::string& locator, const std::filesystem::path& assets, const ProgressCallback& progress)
       : locator_(locator) {
-    Workplace workplace(key());
+    SessionContext workplace(key());
     workplace.setPasswordCost(PasswordCost::kInteractive);
     FirstRun first;
     first.centre = kCentre;
@@ -136,7 +136,7 @@ class Cast {
     first.password = randomStartPassword();
     first.demonstration = true;
     const std::vector<StartAccount> accounts = performFirstRun(
-        workplace, first, [&](Workplace& own) { return addDemonstration(own, assets, progress); });
+        workplace, first, [&](SessionContext& own) { return addDemonstration(own, assets, progress); });
     actors_["administrator"] = workplace.actor();
     for (const StartAccount& account : accounts) {
       const SignInAnswer answer =
@@ -145,13 +145,13 @@ class Cast {
     }
   }
 
-  [[nodiscard]] std::unique_ptr<Workplace> workplaceOf(const QString& role) const {
+  [[nodiscard]] std::unique_ptr<SessionContext> workplaceOf(const QString& role) const {
     const auto actor = actors_.find(role.toStdString());
     if (actor == actors_.end()) {
       throw Error(ErrorCode::kBadParameter, "nobody of the demonstration has this role", role.toStdString(),
                   "Use trainee, rater or administrator");
     }
-    auto workplace = std::make_unique<Workplace>(key());
+    auto workplace = std::make_unique<SessionContext>(key());
     workplace->setActor(actor->second);
     return workplace;
   }
@@ -199,7 +199,7 @@ void takePanels(Photographer& photographer) {
 
 void takePage(Photographer& photographer, const Cast& cast, const std::filesystem::path& assets,
               const ScreenEntry& screen) {
-  const std::unique_ptr<Workplace> workplace = cast.workplaceOf(screen.role);
+  const std::unique_ptr<SessionContext> workplace = cast.workplaceOf(screen.role);
   photographer.take(screen.name, [&](ThemeKind kind, Language language) -> std::unique_ptr<QWidget> {
     DeskSetup setup;
     setup.assets = assets;

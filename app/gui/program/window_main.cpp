@@ -13,12 +13,12 @@
 #include "app/base/assets.h"
 #include "app/base/build_info.h"
 #include "app/gui/base/spoken.h"
-#include "app/gui/practice/main_window.h"
+#include "app/gui/practice/simulator_window.h"
 #include "app/gui/program/all_pages.h"
 #include "app/gui/program/option_refusal.h"
 #include "app/gui/program/screenshot.h"
 #include "app/gui/scene/scene_view.h"
-#include "app/gui/shell/shell_window.h"
+#include "app/gui/shell/main_window.h"
 #include "app/recording/trial_store.h"
 #include "app/report/typeface.h"
 #include "sim/base/angle.h"
@@ -217,7 +217,7 @@ int runSimulator(const WindowOptions& options) {
     takeScreenshot(setup, *options.screenshot);
     return 0;
   }
-  MainWindow window(setup);
+  SimulatorWindow window(setup);
   window.show();
   window.controller().load(options.scene);
   return QApplication::exec();
@@ -233,7 +233,7 @@ int runShell(const WindowOptions& options) {
   setup.theme = options.theme;
   setup.systemIsDark = systemIsDark();
   setup.kiosk = options.kiosk;
-  ShellWindow window(setup);
+  MainWindow window(setup);
   if (setup.kiosk) {
     window.showFullScreen();
   } else {

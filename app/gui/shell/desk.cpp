@@ -62,7 +62,7 @@ std::size_t homeGroup(const Actor& actor) {
 
 }  // namespace
 
-Desk::Desk(Workplace& workplace, const DeskSetup& setup, QWidget* parent)
+Desk::Desk(SessionContext& workplace, const DeskSetup& setup, QWidget* parent)
     : QWidget(parent), context_(workplace, setup.assets, setup.theme), setup_(setup) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

@@ -50,7 +50,7 @@ class Desk : public QWidget {
 
  public:
   /// `workplace` outlives the desk.
-  Desk(Workplace& workplace, const DeskSetup& setup, QWidget* parent = nullptr);
+  Desk(SessionContext& workplace, const DeskSetup& setup, QWidget* parent = nullptr);
   ~Desk() override;
 
   [[nodiscard]] ShellContext& context() noexcept { return context_; }

@@ -125,7 +125,7 @@ void DebriefPage::compute(const std::string& trialId) {
   fill();
   shell().run(
       tr("Looking at your run"),
-      [result, trialId, assets = shell().assets(), scene = desk_.lastScene](Workplace& workplace,
+      [result, trialId, assets = shell().assets(), scene = desk_.lastScene](SessionContext& workplace,
                                                                             const ProgressCallback&) {
         *result = torsio::debrief(workplace, trialId, assets, scene.get());
       },

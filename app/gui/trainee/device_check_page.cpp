@@ -91,7 +91,7 @@ void DeviceCheckPage::check() {
   const auto readiness = std::make_shared<DeviceReadiness>();
   shell().run(
       tr("Checking the device"),
-      [readiness, probe = desk_.probe](Workplace&, const ProgressCallback&) { *readiness = probe(); },
+      [readiness, probe = desk_.probe](SessionContext&, const ProgressCallback&) { *readiness = probe(); },
       [this, readiness] {
         checking_ = false;
         found(*readiness);

@@ -141,7 +141,7 @@ void NextStepPage::fillNext() {
   nextContent_->addWidget(title);
   auto* quiet = plainLabel(next_, "quiet");
   const RunPhase* phase = presentPhase(steps_.plan);
-  const bool real = phase != nullptr && phase->arm == TrainingArm::kReal;
+  const bool real = phase != nullptr && phase->arm == TrainingSetting::kReal;
   if (steps_.enrolmentId.empty() || !steps_.hasCurriculum) {
     title->setText(tr("Nothing is planned for you yet"));
     quiet->setText(

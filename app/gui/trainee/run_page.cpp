@@ -188,7 +188,7 @@ void RunPage::enter(const QVariant& argument) {
   lastTrial_.clear();
   inFile_ = false;
   retranslate();
-  if (session_->run().phase().arm == TrainingArm::kReal) {
+  if (session_->run().phase().arm == TrainingSetting::kReal) {
     begin();
     return;
   }
@@ -203,7 +203,7 @@ void RunPage::enter(const QVariant& argument) {
 
 /// The scene is there. The device of the first recording comes before the clock: waiting is not training.
 void RunPage::begin() {
-  const bool real = session_->run().phase().arm == TrainingArm::kReal;
+  const bool real = session_->run().phase().arm == TrainingSetting::kReal;
   if (!real && desk_.openDevice) {
     fetchDevice();
   } else {
@@ -344,7 +344,7 @@ void RunPage::follow(const std::vector<RunEvent>& events) {
     }
     const TrainingRun& run = session_->run();
     const bool recording = scene_->controller().mode() == SimulationController::Mode::kRecording;
-    if (run.state() == RunState::kRunning && run.phase().arm == TrainingArm::kVirtual && !recording) {
+    if (run.state() == RunState::kRunning && run.phase().arm == TrainingSetting::kVirtual && !recording) {
       record();
     }
   });

@@ -69,7 +69,7 @@ void RunPage::showState() {
   }
   const TrainingRun& run = session_->run();
   const RunPhase& phase = run.phase();
-  const bool real = phase.arm == TrainingArm::kReal;
+  const bool real = phase.arm == TrainingSetting::kReal;
   countdown_->setText(StationLabels::clock(run.remainingInPhase_us()));
   setLook(countdown_, "caution", run.state() == RunState::kRunning && run.remainingInPhase_us() < kSoon_us);
   progress_->setValue(static_cast<int>(phase.done_us * 1000 / std::max<std::int64_t>(1, phase.duration_us)));
@@ -93,7 +93,7 @@ void RunPage::showState() {
 bool RunPage::showNotice() {
   const TrainingRun& run = session_->run();
   const RunPhase& phase = run.phase();
-  const bool real = phase.arm == TrainingArm::kReal;
+  const bool real = phase.arm == TrainingSetting::kReal;
   goOn_->setVisible(opening_.going() ? waiting_ : run.state() != RunState::kRunning);
   noticeFigure_->setVisible(!opening_.going());
   setLook(goOn_, "primary", !opening_.going());

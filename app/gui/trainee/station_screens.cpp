@@ -28,7 +28,7 @@ constexpr double kPartOfTheWay = 0.7;
 constexpr double kHand_s = 60.0;
 constexpr double kExpertAt = 0.45;  // of the replay
 
-DemonstrationStation laidOut(Workplace& workplace) {
+DemonstrationStation laidOut(SessionContext& workplace) {
   return storeDemonstrationStation(workplace.connection(), workplace.ids(), assetsFolder(),
                                    workplace.now_us());
 }
@@ -42,12 +42,12 @@ void waitFor(const Condition& done) {
   }
 }
 
-QVariant nothing(Workplace& workplace) {
+QVariant nothing(SessionContext& workplace) {
   static_cast<void>(laidOut(workplace));
   return {};
 }
 
-QVariant later(Workplace& workplace) {
+QVariant later(SessionContext& workplace) {
   static_cast<void>(laidOut(workplace));
   return QStringLiteral("later");
 }
@@ -105,7 +105,7 @@ void showFinding(Page& page) {
   }
 }
 
-ScreenEntry screen(const char* name, PageId page, std::function<QVariant(Workplace&)> argument,
+ScreenEntry screen(const char* name, PageId page, std::function<QVariant(SessionContext&)> argument,
                    std::function<void(Page&)> prepare = {}) {
   return {.name = QLatin1String(name),
           .role = QStringLiteral("trainee"),
@@ -124,11 +124,11 @@ std::vector<ScreenEntry> stationScreens() {
           screen("station-run", PageId::kRun, later, showRun),
           screen(
               "station-debrief", PageId::kDebrief,
-              [](Workplace& workplace) -> QVariant { return toQString(laidOut(workplace).newestTrialId); },
+              [](SessionContext& workplace) -> QVariant { return toQString(laidOut(workplace).newestTrialId); },
               showFinding),
           screen(
               "station-trend", PageId::kTrend,
-              [](Workplace& workplace) -> QVariant { return toQString(laidOut(workplace).firstModuleId); },
+              [](SessionContext& workplace) -> QVariant { return toQString(laidOut(workplace).firstModuleId); },
               [](Page& page) { static_cast<TrendPage&>(page).chooseMetric("time.total"); }),
           screen("station-remarks", PageId::kRemarks, nothing),
           screen("station-transcript", PageId::kTranscript, nothing)};

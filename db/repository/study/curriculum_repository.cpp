@@ -75,7 +75,7 @@ void insertArms(Connection& connection, const StoredCurriculumVersion& version) 
   Statement phase = connection.prepare(
       insertInto("curriculum_phase", "id, arm_id, position, kind, label, duration_us, module_id"));
   std::int64_t number = 0;
-  for (const StoredArm& part : version.arms) {
+  for (const StudyArm& part : version.arms) {
     arm.execute(
         {part.id, version.id, ++number, part.code, part.label, part.restAllowance_us, part.restSplittable});
     std::int64_t position = 0;
@@ -139,18 +139,18 @@ StoredPhase phaseOf(RowReader& row) {
   return {row.text(), readTerm<PhaseKind>(row, "kind"), row.text(), row.int64(), row.text()};
 }
 
-std::vector<StoredArm> armsOf(Connection& connection, const std::string& versionId) {
-  std::vector<StoredArm> arms = selectAll(
+std::vector<StudyArm> armsOf(Connection& connection, const std::string& versionId) {
+  std::vector<StudyArm> arms = selectAll(
       connection,
       "SELECT id, code, label, rest_allowance_us, rest_splittable FROM curriculum_arm WHERE version_id = ?"
       " ORDER BY number",
       {versionId}, [](RowReader& row) {
-        return StoredArm{row.text(), row.text(), row.text(), row.int64(), row.boolean(), {}};
+        return StudyArm{row.text(), row.text(), row.text(), row.int64(), row.boolean(), {}};
       });
   Statement phases = connection.prepare(
       "SELECT id, kind, label, duration_us, module_id FROM curriculum_phase WHERE arm_id = ?"
       " ORDER BY position");
-  for (StoredArm& arm : arms) {
+  for (StudyArm& arm : arms) {
     phases.execute({arm.id});
     arm.phases = readRows(phases, phaseOf);
   }

@@ -49,7 +49,7 @@ struct StoredPhase {
 };
 
 /// What one group of a study goes through (paper section 6). Rest stops the clock of the phases.
-struct StoredArm {
+struct StudyArm {
   std::string id{};
   std::string code{};
   std::string label{};
@@ -71,7 +71,7 @@ struct StoredCurriculumVersion {
   std::string note{};
   std::int64_t createdUtc_us = 0;
   std::vector<StoredModule> modules{};
-  std::vector<StoredArm> arms{};
+  std::vector<StudyArm> arms{};
   std::vector<StoredScoringPoint> scoringPoints{};
   std::string state{};  ///< filled when read: "draft", "running", "closed"
 };

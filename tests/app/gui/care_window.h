@@ -14,10 +14,10 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/gui/administrator/care_page.h"
-#include "app/gui/administrator/office_pages.h"
+#include "app/gui/administrator/maintenance_page.h"
+#include "app/gui/administrator/administrator_pages.h"
 #include "app/gui/base/spoken.h"
-#include "app/gui/shell/shell_window.h"
+#include "app/gui/shell/main_window.h"
 #include "app/people/people_service.h"
 #include "db/repository/base/audit_repository.h"
 #include "db/repository/trial/station_repository.h"
@@ -33,7 +33,7 @@ class CarePages : public ::testing::Test {
  protected:
   QTemporaryDir folder_;
   ManualClock clock_;
-  std::unique_ptr<ShellWindow> window_;
+  std::unique_ptr<MainWindow> window_;
   QStringList failures_;
 
   [[nodiscard]] fs::path in(const char* name) const { return toPath(folder_.path()) / name; }
@@ -44,7 +44,7 @@ class CarePages : public ::testing::Test {
       WorkplaceKey key;
       key.locator = record();
       key.station = "test";
-      Workplace office(key);
+      SessionContext office(key);
       office.setPasswordCost(PasswordCost::kTest);
       FirstRun first;
       first.centre = "City hospital";
@@ -66,7 +66,7 @@ class CarePages : public ::testing::Test {
     setup.clock = &clock_;
     setup.unstored = in("unstored");
     setup.passwordCost = PasswordCost::kTest;
-    window_ = std::make_unique<ShellWindow>(setup);
+    window_ = std::make_unique<MainWindow>(setup);
     window_->QWidget::show();
     window_->start();
     window_->background().wait();
@@ -108,9 +108,9 @@ class CarePages : public ::testing::Test {
     return dynamic_cast<Made&>(*window_->desk()->page());
   }
 
-  CarePage& carePage() {
+  MaintenancePage& carePage() {
     window_->desk()->open(PageId::kCare);
-    return dynamic_cast<CarePage&>(*window_->desk()->page());
+    return dynamic_cast<MaintenancePage&>(*window_->desk()->page());
   }
 
   void press(QWidget& in, const char* text) {

@@ -82,7 +82,7 @@ class DeskOf {
   /// Gone without leave(), save or anything else: a crash as far as the page knows.
   void drop() { page_.reset(); }
 
-  [[nodiscard]] Workplace& workplace() { return *workplace_; }
+  [[nodiscard]] SessionContext& workplace() { return *workplace_; }
   [[nodiscard]] ShellContext& shell() { return shell_; }
   [[nodiscard]] Page& page() { return *page_; }
   [[nodiscard]] const QStringList& failures() const { return failures_; }
@@ -90,7 +90,7 @@ class DeskOf {
   [[nodiscard]] std::vector<std::pair<PageId, QVariant>>& wanted() { return wanted_; }
 
  private:
-  std::unique_ptr<Workplace> workplace_;
+  std::unique_ptr<SessionContext> workplace_;
   ShellContext shell_;
   std::unique_ptr<Page> page_;
   std::vector<std::pair<PageId, QVariant>> wanted_;

@@ -9,7 +9,7 @@
 #include <QToolButton>
 
 #include "app/gui/administrator/audit_page.h"
-#include "app/gui/administrator/care_page.h"
+#include "app/gui/administrator/maintenance_page.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/maintenance/retention.h"
@@ -87,7 +87,7 @@ TEST(AuditPage, ShowsTheNewestThousandAndSaysHowManyThereAre) {
   EXPECT_TRUE(more.isHidden());
 }
 
-TEST(CarePage, SortsTheQueueByTimeThoughTimesArePutIntoWordsOnlyWhenLookedAt) {
+TEST(MaintenancePage, SortsTheQueueByTimeThoughTimesArePutIntoWordsOnlyWhenLookedAt) {
   Office office;
   office.centre.as("administrator");
   setRetentionRule(office.centre.workplace(), kRetainTrainee, 1, "contract");
@@ -97,7 +97,7 @@ TEST(CarePage, SortsTheQueueByTimeThoughTimesArePutIntoWordsOnlyWhenLookedAt) {
     office.centre.passTime_us(kDay_us);
   }
   office.centre.passTime_us(kDay_us);
-  auto page = office.open<CarePage>("administrator");
+  auto page = office.open<MaintenancePage>("administrator");
   QTableView& view = child<DataTable>(*page, "queue").view();
   ASSERT_EQ(child<DataTable>(*page, "queue").visibleRows(), 12);
   constexpr int kDueSince = 4;

@@ -28,11 +28,11 @@
 #include "app/gui/administrator/allocation_page.h"
 #include "app/gui/administrator/audit_page.h"
 #include "app/gui/administrator/campaigns_page.h"
-#include "app/gui/administrator/care_page.h"
+#include "app/gui/administrator/maintenance_page.h"
 #include "app/gui/administrator/cohorts_page.h"
 #include "app/gui/administrator/curricula_page.h"
 #include "app/gui/administrator/curriculum_editor.h"
-#include "app/gui/administrator/office_pages.h"
+#include "app/gui/administrator/administrator_pages.h"
 #include "app/gui/administrator/report_preview.h"
 #include "app/gui/administrator/reports_page.h"
 #include "app/gui/administrator/results_page.h"
@@ -387,10 +387,10 @@ TEST(FigureCanvas, CopiesPictureAndTableAndSaysItsValues) {
   EXPECT_TRUE(canvas.accessibleDescription().contains(QStringLiteral("Group 1 1.25")));
 }
 
-TEST(CarePage, BacksUpTestsTheBackupAndChecksTheRecord) {
+TEST(MaintenancePage, BacksUpTestsTheBackupAndChecksTheRecord) {
   Office office;
   office.centre.addTrainees(3);
-  auto page = office.open<CarePage>("administrator");
+  auto page = office.open<MaintenancePage>("administrator");
 
   const fs::path backup = office.centre.folder() / "backup.sqlite";
   page->backUp(backup);

@@ -11,7 +11,7 @@
 #include <QSpinBox>
 
 #include "app/gui/administrator/allocation_page.h"
-#include "app/gui/administrator/care_page.h"
+#include "app/gui/administrator/maintenance_page.h"
 #include "app/gui/administrator/curricula_page.h"
 #include "app/gui/administrator/roster_page.h"
 #include "app/gui/administrator/scoring_page.h"
@@ -42,10 +42,10 @@ void giveReason(QDialog& dialog) {
   dialog.accept();
 }
 
-TEST(CarePage, SetsAndTakesAwayRulesForKeepingRecords) {
+TEST(MaintenancePage, SetsAndTakesAwayRulesForKeepingRecords) {
   Office office;
   setRetentionRule(office.centre.as("administrator"), kRetainRater, 30, "contract");
-  auto page = office.open<CarePage>("administrator");
+  auto page = office.open<MaintenancePage>("administrator");
   answer([](QDialog& dialog) {
     dialog.findChild<QCheckBox*>(QStringLiteral("trainee"))->setChecked(true);
     dialog.findChild<QSpinBox*>(QStringLiteral("trainee.days"))->setValue(1'825);
@@ -64,10 +64,10 @@ TEST(CarePage, SetsAndTakesAwayRulesForKeepingRecords) {
   EXPECT_EQ(office.centre.audited("retention.remove_rule"), 1);
 }
 
-TEST(CarePage, KeepsTheRulesFromWhoeverMayNotManageThem) {
+TEST(MaintenancePage, KeepsTheRulesFromWhoeverMayNotManageThem) {
   Office office;
 
-  auto page = office.open<CarePage>("statistician");
+  auto page = office.open<MaintenancePage>("statistician");
 
   EXPECT_FALSE(named(*page, "retentionRules").isEnabled());
 }
@@ -116,7 +116,7 @@ TEST(AllocationPage, MovesATraineeByHandBesideTheDrawnRecord) {
   Office office;
   const std::vector<std::string> trainees = office.centre.addTrainees(3);
   const std::string version = office.centre.runPaperCurriculum();
-  Workplace& workplace = office.centre.as("administrator");
+  SessionContext& workplace = office.centre.as("administrator");
   const std::string cohort = addCohort(workplace, {.name = "Study", .curriculumVersionId = version});
   enrolTrainees(workplace, cohort, trainees);
   AllocationPlan plan;

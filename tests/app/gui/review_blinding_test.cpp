@@ -10,16 +10,16 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/base/spoken.h"
-#include "app/gui/physician/alignment_page.h"
+#include "app/gui/physician/discrepancy_review_page.h"
 #include "app/gui/physician/evaluation_page.h"
 #include "app/gui/physician/live_page.h"
 #include "app/gui/physician/queue_page.h"
 #include "app/gui/physician/review_pages.h"
 #include "app/gui/physician/severity_page.h"
-#include "app/gui/physician/warm_up_page.h"
+#include "app/gui/physician/rater_calibration_page.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/review/alignment.h"
-#include "app/review/warm_up.h"
+#include "app/review/discrepancy_review.h"
+#include "app/review/rater_calibration.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "tests/app/gui/desk_of.h"
 #include "tests/app/gui/visible_words.h"
@@ -114,7 +114,7 @@ void goThroughACase(DeskOf& desk, Gathering& gathering, const QString& id) {
 
 void goThroughTheRest(DeskOf& desk, Gathering& gathering) {
   gathering.look(desk.open<QueuePage>());
-  auto& warmUpPage = desk.open<WarmUpPage>();
+  auto& warmUpPage = desk.open<RaterCalibrationPage>();
   gathering.look(warmUpPage);
   desk.press(Qt::Key_8);
   desk.press(Qt::Key_Return, Qt::ControlModifier);
@@ -128,7 +128,7 @@ void goThroughTheRest(DeskOf& desk, Gathering& gathering) {
   gathering.look(live);
   desk.press(Qt::Key_Return, Qt::ControlModifier);
   gathering.look(live);
-  auto& alignment = desk.open<AlignmentPage>();
+  auto& alignment = desk.open<DiscrepancyReviewPage>();
   gathering.look(alignment);
   for (QPushButton* button : alignment.findChildren<QPushButton*>()) {
     if (button->text().contains(QStringLiteral("Move")) && button->isVisibleTo(&alignment)) {

@@ -16,7 +16,7 @@
 
 #include "app/gui/base/shell_context.h"
 #include "app/gui/base/spoken.h"
-#include "app/gui/physician/alignment_page.h"
+#include "app/gui/physician/discrepancy_review_page.h"
 #include "app/gui/physician/case_page.h"
 #include "app/gui/physician/evaluation_page.h"
 #include "app/gui/physician/live_page.h"
@@ -25,12 +25,12 @@
 #include "app/gui/physician/review_pages.h"
 #include "app/gui/physician/severity_page.h"
 #include "app/gui/physician/sheet_panel.h"
-#include "app/gui/physician/warm_up_page.h"
+#include "app/gui/physician/rater_calibration_page.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/review/alignment.h"
+#include "app/review/discrepancy_review.h"
 #include "app/review/evaluation_form.h"
-#include "app/review/warm_up.h"
+#include "app/review/rater_calibration.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "sim/record/sample_codec.h"
@@ -48,7 +48,7 @@ using torsio::testing::reviewSheet;
 void expectNothingOfOthers(ReviewCentre& centre, std::size_t index) {
   DeskOf desk(centre, index);
   EXPECT_TRUE(alignmentCases(desk.workplace()).empty());
-  auto& alignment = desk.open<AlignmentPage>();
+  auto& alignment = desk.open<DiscrepancyReviewPage>();
   EXPECT_TRUE(paintedWordsOf(alignment).join(u' ').contains(QStringLiteral("No disagreement waits for you")));
   for (const DataTable* table : alignment.findChildren<DataTable*>()) {
     EXPECT_EQ(table->visibleRows(), 0);
@@ -386,12 +386,12 @@ TEST(LivePage, ScoresInRunningOrderWithTargetsForFingers) {
   EXPECT_EQ(openSheet(desk.workplace(), live[2]).state, SheetState::kOpen);
 }
 
-TEST(WarmUpPage, ShowsTheOwnOffsetAfterTheMark) {
+TEST(RaterCalibrationPage, ShowsTheOwnOffsetAfterTheMark) {
   ReviewCentre centre(ReviewCentre::Setup{});
   addReferenceRuns(*centre.administrator(),
                    {{centre.trialIds()[0], centre.rubricRevisionId(), 6.0, 5, false}});
   DeskOf desk(centre, 0);
-  auto& page = desk.open<WarmUpPage>();
+  auto& page = desk.open<RaterCalibrationPage>();
   EXPECT_FALSE(wordsOf(page).join(u' ').contains(QStringLiteral("Panel of 5")));
 
   desk.press(Qt::Key_8);
@@ -401,7 +401,7 @@ TEST(WarmUpPage, ShowsTheOwnOffsetAfterTheMark) {
   EXPECT_DOUBLE_EQ(*warmUp(desk.workplace()).runs[0].offset_points, 2.0);
 }
 
-TEST(AlignmentPage, MovesAMarkWithAReasonAndKeepsTheOther) {
+TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
   ReviewCentre::Setup setup;
   setup.trainees = 1;
   ReviewCentre centre(setup);
@@ -413,7 +413,7 @@ TEST(AlignmentPage, MovesAMarkWithAReasonAndKeepsTheOther) {
   }
   DeskOf desk(centre, 0);
   ASSERT_EQ(alignmentCases(desk.workplace()).size(), 1U);
-  auto& page = desk.open<AlignmentPage>();
+  auto& page = desk.open<DiscrepancyReviewPage>();
   const auto button = [&page](const char* part) {
     for (QPushButton* one : page.findChildren<QPushButton*>()) {
       if (one->text().contains(QLatin1String(part)) && one->isVisibleTo(&page)) {

@@ -13,14 +13,14 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/administrator/scoring_page.h"
-#include "app/gui/administrator/warm_up_dialog.h"
+#include "app/gui/administrator/rater_calibration_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/review/alignment.h"
+#include "app/review/discrepancy_review.h"
 #include "app/review/case_sheet.h"
 #include "app/review/review_queue.h"
-#include "app/review/warm_up.h"
+#include "app/review/rater_calibration.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/app/session/review_centre.h"
@@ -44,7 +44,7 @@ QPushButton* buttonOf(QWidget& page, const char* part) {
 class ScoringOffice : public ::testing::Test {
  protected:
   ReviewCentre centre_{ReviewCentre::Setup{}};
-  std::unique_ptr<Workplace> office_ = centre_.administrator();
+  std::unique_ptr<SessionContext> office_ = centre_.administrator();
   ShellContext shell_{*office_, std::filesystem::path(TORSIO_SOURCE_DIR) / "assets", ThemeKind::kLight};
   std::unique_ptr<ScoringPage> page_;
 
@@ -119,7 +119,7 @@ TEST_F(ScoringOffice, ChoosesTheRunsOfTheWarmUpWithThePanelsMark) {
   open();
 
   press("Warm-up", [](QDialog& dialog) {
-    auto& warmUp = static_cast<WarmUpDialog&>(dialog);
+    auto& warmUp = static_cast<RaterCalibrationDialog&>(dialog);
     EXPECT_EQ(child<DataTable>(warmUp, "candidates").visibleRows(), 2);
     EXPECT_FALSE(buttonOf(dialog, "Add")->isEnabled());  // nothing is chosen
     for (const double mark : {4.1, 7.6}) {
@@ -146,7 +146,7 @@ TEST_F(ScoringOffice, WithdrawsARunOfTheWarmUpWithAReason) {
   open();
 
   press("Warm-up", [](QDialog& dialog) {
-    auto& warmUp = static_cast<WarmUpDialog&>(dialog);
+    auto& warmUp = static_cast<RaterCalibrationDialog&>(dialog);
     QPushButton* withdraw = buttonOf(dialog, "Withdraw");
     EXPECT_FALSE(withdraw->isEnabled());  // nothing is chosen
     child<DataTable>(warmUp, "present").view().selectRow(0);

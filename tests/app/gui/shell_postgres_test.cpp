@@ -15,7 +15,7 @@
 
 #include "app/access/first_run.h"
 #include "app/gui/base/spoken.h"
-#include "app/gui/shell/shell_window.h"
+#include "app/gui/shell/main_window.h"
 #include "tests/db/test_database.h"
 
 namespace torsio::gui {
@@ -47,7 +47,7 @@ class FirstRunOnServer : public DatabaseTest {
     setup.remember = false;
     setup.unstored = folder_.path() / "unstored";
     setup.passwordCost = PasswordCost::kTest;
-    window_ = std::make_unique<ShellWindow>(setup);
+    window_ = std::make_unique<MainWindow>(setup);
     window_->QWidget::show();
     window_->start();
   }
@@ -98,7 +98,7 @@ class FirstRunOnServer : public DatabaseTest {
 
   TemporaryFolder folder_;
   QString address_;
-  std::unique_ptr<ShellWindow> window_;
+  std::unique_ptr<MainWindow> window_;
 };
 
 TEST_F(FirstRunOnServer, MakesTheCentreOnTheServerAndSignsItsAdministratorIn) {
@@ -121,7 +121,7 @@ TEST_F(FirstRunOnServer, MakesTheCentreOnTheServerAndSignsItsAdministratorIn) {
 
 TEST_F(FirstRunOnServer, SaysThatACentreIsThereAlreadyAndLetsItsPeopleSignIn) {
   {
-    Workplace office(WorkplaceKey{locator(), "other", {}});
+    SessionContext office(WorkplaceKey{locator(), "other", {}});
     office.setPasswordCost(PasswordCost::kTest);
     setUpCentre(office, {.centre = "Old hospital", .login = "chief", .password = kPassword});
   }

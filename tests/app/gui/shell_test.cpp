@@ -27,7 +27,7 @@
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
-#include "app/gui/shell/shell_window.h"
+#include "app/gui/shell/main_window.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/trial/station_repository.h"
@@ -110,7 +110,7 @@ class Shell : public ::testing::Test {
  protected:
   QTemporaryDir folder_;
   ManualClock clock_;
-  std::unique_ptr<ShellWindow> window_;
+  std::unique_ptr<MainWindow> window_;
 
   ShellSetup setup() {
     ShellSetup setup;
@@ -126,7 +126,7 @@ class Shell : public ::testing::Test {
   }
 
   void open(const ShellSetup& with) {
-    window_ = std::make_unique<ShellWindow>(with);
+    window_ = std::make_unique<MainWindow>(with);
     window_->QWidget::show();
     window_->start();
     window_->background().wait();  // recordings that wait in files are stored first
@@ -137,7 +137,7 @@ class Shell : public ::testing::Test {
     WorkplaceKey key;
     key.locator = with.locator.toStdString();
     key.station = "test";
-    Workplace office(key);
+    SessionContext office(key);
     office.setPasswordCost(PasswordCost::kTest);
     FirstRun first;
     first.centre = "City hospital";
@@ -494,7 +494,7 @@ TEST_F(Shell, LongWorkShowsItsProgressAndCanBeCancelled) {
 
   context.run(
       QStringLiteral("Export"),
-      [&seen](Workplace&, const ProgressCallback& progress) {
+      [&seen](SessionContext&, const ProgressCallback& progress) {
         while (true) {
           progress({"Writing", 0.5, 30.0});
           seen.store(true);
@@ -676,7 +676,7 @@ TEST_F(Shell, ADatabaseThatHangsIsSaidCalmlyAndHoldsUpNobody) {
   enter(QStringLiteral("admin"), QString::fromLatin1(kAdminPassword));
   const auto gate = std::make_shared<Gate>();
   gate->set(false);
-  window_->line()->write([gate](Workplace&) { gate->pass(); });
+  window_->line()->write([gate](SessionContext&) { gate->pass(); });
   const auto tells = [this](const char* part) {
     window_->heartbeat();
     return says(*window_, QLatin1String(part));

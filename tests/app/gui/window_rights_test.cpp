@@ -16,7 +16,7 @@ using testing::Office;
 
 TEST(RightsOfTheWindow, StayAsTheyWereReadWhileServicesAskAnew) {
   Office office;
-  Workplace& workplace = office.centre.as("administrator");
+  SessionContext& workplace = office.centre.as("administrator");
   ASSERT_TRUE(office.shell().may(Operation::kUserManage));
 
   office.centre.connection().execute("DELETE FROM role_operation WHERE operation_code = ?",

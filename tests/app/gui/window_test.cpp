@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/base/spoken.h"
-#include "app/gui/practice/main_window.h"
+#include "app/gui/practice/simulator_window.h"
 #include "app/gui/program/screenshot.h"
 #include "app/gui/simulator/exercise_panel.h"
 #include "app/gui/simulator/readout_panel.h"
@@ -39,7 +39,7 @@ WindowSetup setup(ThemeKind kind = ThemeKind::kLight) {
 class Window : public ::testing::Test {
  protected:
   std::vector<SceneRequest> loaded_;  // asked of the loader, in its thread
-  MainWindow window_{[this] {
+  SimulatorWindow window_{[this] {
     WindowSetup noted = setup();
     noted.loader = [this](const SceneRequest& request) {
       loaded_.push_back(request);

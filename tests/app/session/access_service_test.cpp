@@ -42,7 +42,7 @@ TEST(AccessService, StartPasswordOpensNothingBeforeItWasChanged) {
   OfficeCentre centre;
   addUser(centre.as("administrator"), {.login = "new", .roles = {"statistician"}, .startPassword = kStart});
 
-  Workplace& workplace = centre.as("");
+  SessionContext& workplace = centre.as("");
   const SignInAnswer first = signIn(workplace, "new", kStart);
 
   EXPECT_EQ(first.outcome, SignIn::kMustChange);
@@ -55,7 +55,7 @@ TEST(AccessService, StartPasswordOpensNothingBeforeItWasChanged) {
 
 TEST(AccessService, UnlocksWithTheSecretOfTheSameUserOnly) {
   OfficeCentre centre;
-  Workplace& workplace = centre.as("rater");
+  SessionContext& workplace = centre.as("rater");
 
   EXPECT_EQ(unlock(workplace, "somebody else's words").outcome, SignIn::kWrong);
   EXPECT_EQ(unlock(workplace, kOfficePassword).outcome, SignIn::kOk);
@@ -69,7 +69,7 @@ TEST(AccessService, PinOpensPracticeAndCannotChangeItself) {
   OfficeCentre centre;
   setOwnPin(centre.as("trainee"), "4711");
 
-  Workplace& workplace = centre.as("");
+  SessionContext& workplace = centre.as("");
   const SignInAnswer answer = signInForPractice(workplace, "trainee", "4711");
 
   EXPECT_EQ(answer.outcome, SignIn::kOk);
@@ -81,7 +81,7 @@ TEST(AccessService, PinOpensPracticeAndCannotChangeItself) {
 
 TEST(AccessService, LastAdministratorStays) {
   OfficeCentre centre;
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
   const std::string self = workplace.actor().userId;
 
   EXPECT_THROW(setUserActive(workplace, self, false, "leaves"), Error);

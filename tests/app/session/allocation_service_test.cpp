@@ -55,7 +55,7 @@ TEST(AllocationService, EveryMethodDividesEvenlyAndCanBeRepeatedFromTheSeed) {
        {AllocationMethod::kCompletePermutation, AllocationMethod::kPermutedBlocks,
         AllocationMethod::kStratifiedBlocks, AllocationMethod::kMinimisation}) {
     Study study;
-    Workplace& allocator = study.centre.as("allocator");
+    SessionContext& allocator = study.centre.as("allocator");
     const AllocationDesignRow design = lockAllocation(allocator, study.plan(method));
 
     EXPECT_EQ(allocateAll(allocator, study.cohortId), 30U);
@@ -76,7 +76,7 @@ TEST(AllocationService, OneByOneGivesWhatAllAtOnceGives) {
     Study study;
     AllocationPlan plan = study.plan(AllocationMethod::kStratifiedBlocks);
     plan.seed = 20240601;
-    Workplace& allocator = study.centre.as("allocator");
+    SessionContext& allocator = study.centre.as("allocator");
     lockAllocation(allocator, plan);
     if (together) {
       allocateAll(allocator, study.cohortId);
@@ -99,7 +99,7 @@ TEST(AllocationService, PaperSizedPermutationFollowsThePublishedVector) {
   Study study;
   AllocationPlan plan = study.plan(AllocationMethod::kCompletePermutation);
   plan.seed = 20240601;
-  Workplace& allocator = study.centre.as("allocator");
+  SessionContext& allocator = study.centre.as("allocator");
   const AllocationDesignRow design = lockAllocation(allocator, plan);
   allocateAll(allocator, study.cohortId);
 
@@ -118,7 +118,7 @@ TEST(AllocationService, PaperSizedPermutationFollowsThePublishedVector) {
 
 TEST(AllocationService, SeedStaysSealedUntilItIsRevealed) {
   Study study(6);
-  Workplace& allocator = study.centre.as("allocator");
+  SessionContext& allocator = study.centre.as("allocator");
   const AllocationDesignRow design = lockAllocation(allocator, study.plan(AllocationMethod::kPermutedBlocks));
 
   EXPECT_TRUE(design.stored.seed.empty());
@@ -134,7 +134,7 @@ TEST(AllocationService, SeedStaysSealedUntilItIsRevealed) {
 
 TEST(AllocationService, PreviewTellsTheBalanceWithoutTheRealSeed) {
   Study study;
-  Workplace& allocator = study.centre.as("allocator");
+  SessionContext& allocator = study.centre.as("allocator");
   const auto before = study.centre.rowCounts();
 
   const BalancePreview blocks = previewBalance(allocator, study.plan(AllocationMethod::kStratifiedBlocks));
@@ -154,7 +154,7 @@ TEST(AllocationService, NamesThoseWhoseFactorsAreMissing) {
   const std::string extra =
       addPerson(study.centre.as("administrator"), {.fullName = "No Sex", .externalId = "X"});
   enrolTrainees(study.centre.workplace(), study.cohortId, {extra});
-  Workplace& allocator = study.centre.as("allocator");
+  SessionContext& allocator = study.centre.as("allocator");
 
   const BalancePreview preview = previewBalance(allocator, study.plan(AllocationMethod::kMinimisation));
 
@@ -166,7 +166,7 @@ TEST(AllocationService, NamesThoseWhoseFactorsAreMissing) {
 
 TEST(AllocationService, OverrideIsARecordBesideTheDrawnOne) {
   Study study(6);
-  Workplace& allocator = study.centre.as("allocator");
+  SessionContext& allocator = study.centre.as("allocator");
   const AllocationDesignRow design = lockAllocation(allocator, study.plan(AllocationMethod::kPermutedBlocks));
   const StoredAllocation drawn = allocateOne(allocator, study.cohortId, study.enrolmentIds[0]);
   std::string other;
@@ -194,7 +194,7 @@ TEST(AllocationService, OverrideIsARecordBesideTheDrawnOne) {
 
 TEST(AllocationService, CheckFindsAGroupThatWasChangedBehindItsBack) {
   Study study(6);
-  Workplace& allocator = study.centre.as("allocator");
+  SessionContext& allocator = study.centre.as("allocator");
   const AllocationDesignRow design = lockAllocation(allocator, study.plan(AllocationMethod::kPermutedBlocks));
   allocateAll(allocator, study.cohortId);
   const std::vector<StoredEnrolment> list = enrolments(allocator, study.cohortId);
@@ -209,7 +209,7 @@ TEST(AllocationService, RepeatsTheAllocationOfTheDemonstrationToo) {
   OfficeCentre centre;
   const DemonstrationStudy study =
       storeDemonstrationPeople(centre.connection(), centre.workplace().ids(), 1, testing::kOfficeTime_us);
-  Workplace& allocator = centre.as("allocator");
+  SessionContext& allocator = centre.as("allocator");
 
   const AllocationDesignRow design = allocationDesigns(allocator, study.cohortId).at(0);
   const AllocationCheck check = checkAllocation(allocator, design.stored.id);
@@ -220,7 +220,7 @@ TEST(AllocationService, RepeatsTheAllocationOfTheDemonstrationToo) {
 
 TEST(AllocationService, ASecondDesignNeedsAReasonAndLeavesGroupsAlone) {
   Study study(6);
-  Workplace& allocator = study.centre.as("allocator");
+  SessionContext& allocator = study.centre.as("allocator");
   lockAllocation(allocator, study.plan(AllocationMethod::kCompletePermutation));
   allocateAll(allocator, study.cohortId);
   const std::vector<std::string> later = {

@@ -52,7 +52,7 @@ class CareTest : public ::testing::Test {
     }
   }
 
-  Workplace workplaceOf(const std::string& role) {
+  SessionContext workplaceOf(const std::string& role) {
     Actor actor{.userId = "u-" + role, .login = role};
     actor.roles = {role};
     return {connection_, ids_, {database_, "room 1", actor}, [this] { return now_us_; }};
@@ -70,7 +70,7 @@ class CareTest : public ::testing::Test {
 
 TEST_F(CareTest, NobodyButTheAdministratorMayDoAnyOfIt) {
   for (const char* role : {"trainee", "rater", "allocator", "statistician"}) {
-    Workplace workplace = workplaceOf(role);
+    SessionContext workplace = workplaceOf(role);
     const auto refused = [&](auto&& act) {
       EXPECT_EQ(refusalFrom(act).code, ErrorCode::kPermission) << role;
     };
@@ -90,7 +90,7 @@ TEST_F(CareTest, NobodyButTheAdministratorMayDoAnyOfIt) {
 }
 
 TEST_F(CareTest, ABackupTellsOfItselfAndPassesItsTestRestore) {
-  Workplace office = workplaceOf("administrator");
+  SessionContext office = workplaceOf("administrator");
 
   const BackupContent content = backUpDatabase(office, in("backup.sqlite"));
 
@@ -106,7 +106,7 @@ TEST_F(CareTest, ABackupTellsOfItselfAndPassesItsTestRestore) {
 }
 
 TEST_F(CareTest, ARestoreSaysInNumbersWhatIsLostBeforeAnythingIsDone) {
-  Workplace office = workplaceOf("administrator");
+  SessionContext office = workplaceOf("administrator");
   backUpDatabase(office, in("backup.sqlite"));
   const FullRecord later(connection_, "later", false);
 
@@ -120,7 +120,7 @@ TEST_F(CareTest, ARestoreSaysInNumbersWhatIsLostBeforeAnythingIsDone) {
 }
 
 TEST_F(CareTest, WhoeverWasErasedAfterTheBackupStaysErased) {
-  Workplace office = workplaceOf("administrator");
+  SessionContext office = workplaceOf("administrator");
   backUpDatabase(office, in("backup.sqlite"));
   erasePersonRecord(office, real_.traineeId, "asked for it");
 
@@ -139,7 +139,7 @@ TEST_F(CareTest, WhoeverWasErasedAfterTheBackupStaysErased) {
 }
 
 TEST_F(CareTest, APreparedRestoreThatIsGivenUpLeavesTheRecordAndNoFile) {
-  Workplace office = workplaceOf("administrator");
+  SessionContext office = workplaceOf("administrator");
   backUpDatabase(office, in("backup.sqlite"));
   const RestorePlan plan = planRestore(office, in("backup.sqlite"));
 
@@ -150,7 +150,7 @@ TEST_F(CareTest, APreparedRestoreThatIsGivenUpLeavesTheRecordAndNoFile) {
 }
 
 TEST_F(CareTest, ARecordThatSomebodyHasOpenIsNotReplaced) {
-  Workplace office = workplaceOf("administrator");
+  SessionContext office = workplaceOf("administrator");
   backUpDatabase(office, in("backup.sqlite"));
   const auto prepared = prepareRestore(office, planRestore(office, in("backup.sqlite")));
 
@@ -160,7 +160,7 @@ TEST_F(CareTest, ARecordThatSomebodyHasOpenIsNotReplaced) {
 }
 
 TEST_F(CareTest, NothingIsReplacedWhileARunGoesOnOrAnotherStationIsConnected) {
-  Workplace office = workplaceOf("administrator");
+  SessionContext office = workplaceOf("administrator");
   StationRepository stations(connection_);
   stations.heartbeat({.station = "room 2", .heartbeatUtc_us = now_us_});
   const std::int64_t longAgo_us = now_us_ - 2 * kStationSilence_us;
@@ -177,7 +177,7 @@ TEST_F(CareTest, NothingIsReplacedWhileARunGoesOnOrAnotherStationIsConnected) {
 }
 
 TEST_F(CareTest, ABackupWithAChangedMarkIsNotRestored) {
-  Workplace office = workplaceOf("administrator");
+  SessionContext office = workplaceOf("administrator");
   backUpDatabase(office, in("backup.sqlite"));
   {
     Connection forged = openDatabase(in("backup.sqlite").string(), OpenMode::kReadWrite);
@@ -203,7 +203,7 @@ TEST_F(CareTest, ACopyThatFailsLeavesNoNewFile) {
 }
 
 TEST_F(CareTest, ThePackageOfAPersonHoldsTablesRecordingsAndHashesThatFit) {
-  Workplace office = workplaceOf("administrator");
+  SessionContext office = workplaceOf("administrator");
 
   const PersonPackage package = exportPersonPackage(office, real_.traineeId, in("package"), "asked");
 
@@ -248,7 +248,7 @@ TEST_F(CareTest, ATextThatASpreadsheetWouldRunIsWrittenAsText) {
     connection_.execute("INSERT INTO person_identity (person_id, full_name) VALUES (?, ?)",
                         {real_.traineeId, "=HYPERLINK(\"x\")"});
   }
-  Workplace office = workplaceOf("administrator");
+  SessionContext office = workplaceOf("administrator");
 
   exportPersonPackage(office, real_.traineeId, in("package"), "asked");
 
@@ -257,7 +257,7 @@ TEST_F(CareTest, ATextThatASpreadsheetWouldRunIsWrittenAsText) {
 }
 
 TEST_F(CareTest, RemovingTheDemonstrationLeavesTheRealPeople) {
-  Workplace office = workplaceOf("administrator");
+  SessionContext office = workplaceOf("administrator");
   const DemonstrationSize size = demonstrationSize(office);
   EXPECT_EQ(size.people, 2);
   EXPECT_EQ(size.trials, 1);
@@ -273,7 +273,7 @@ TEST_F(CareTest, RemovingTheDemonstrationLeavesTheRealPeople) {
 }
 
 TEST_F(CareTest, TheRetentionQueueIsReviewedBeforeAnythingIsErased) {
-  Workplace office = workplaceOf("administrator");
+  SessionContext office = workplaceOf("administrator");
   StoredTrainee other;
   other.person = {.id = "other", .code = "R-2", .createdUtc_us = kSampleTime_us};
   StoredTrainee appeal;
@@ -306,7 +306,7 @@ TEST_F(CareTest, TheRetentionQueueIsReviewedBeforeAnythingIsErased) {
 }
 
 TEST_F(CareTest, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
-  Workplace office = workplaceOf("administrator");
+  SessionContext office = workplaceOf("administrator");
   StoredTrainee due;
   due.person = {.id = "due", .code = "R-2", .createdUtc_us = kSampleTime_us};
   PeopleRepository(connection_).addTrainees({&due, 1});

@@ -57,7 +57,7 @@ TEST(CurriculumTemplates, PaperProtocolIsThatOfTheStudy) {
   // min.
   ASSERT_EQ(paper.arms.size(), 3U);
   std::vector<std::string> kinds;
-  for (const StoredArm& arm : paper.arms) {
+  for (const StudyArm& arm : paper.arms) {
     EXPECT_EQ(arm.restAllowance_us, 5 * kMinute_us);
     EXPECT_FALSE(arm.restSplittable);
     std::string text;
@@ -133,7 +133,7 @@ TEST(CurriculumContent, FindsModulesThatWaitForEachOther) {
 
 TEST(CurriculumService, DraftBecomesAVersionThatRunsAndCloses) {
   OfficeCentre centre;
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
   const std::string id = addCurriculum(workplace, "Twists", "", shipped(centre, "first-steps"));
   const std::string version = publishCurriculum(workplace, id, "first", centre.assets());
 
@@ -155,7 +155,7 @@ TEST(CurriculumService, DraftBecomesAVersionThatRunsAndCloses) {
 
 TEST(CurriculumService, NobodyOverwritesADraftOfSomebodyElse) {
   OfficeCentre centre;
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
   const std::string id = addCurriculum(workplace, "Twists", "");
   CurriculumDraft mine = curriculumDraft(workplace, id);
   const CurriculumDraft theirs = mine;
@@ -169,7 +169,7 @@ TEST(CurriculumService, NobodyOverwritesADraftOfSomebodyElse) {
 
 TEST(CurriculumService, AnEmptyDraftIsKeptButNotPublished) {
   OfficeCentre centre;
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
   const std::string id = addCurriculum(workplace, "Twists", "");
 
   EXPECT_THROW((void)publishCurriculum(workplace, id, "", centre.assets()), Error);
@@ -195,7 +195,7 @@ TEST(RubricService, ShippedRubricHasThePapersCriteriaFromOneToTen) {
 TEST(RubricService, RevisionsAreKeptAndWrongOnesRefused) {
   OfficeCentre centre;
   const std::string first = centre.addPaperRubric();
-  Workplace& workplace = centre.workplace();
+  SessionContext& workplace = centre.workplace();
   const RubricRow stored = rubrics(workplace).at(0);
   StoredRubricRevision next = stored.revisions.at(0);
   next.rows.pop_back();

@@ -36,7 +36,7 @@ TEST(DemonstrationStudy, FollowsTheProtocolThatItsBoardShows) {
   fillDemonstration(shortest(centre), centre.connection());
   EXPECT_EQ(centreSign(centre.connection()).name, "Skills laboratory");  // a demonstration takes no name away
 
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
   const std::vector<CohortRow> all = cohorts(workplace);
   ASSERT_EQ(all.size(), 1U);
   const RunDayBoard board = runDayBoard(workplace, all.front().cohort.id);

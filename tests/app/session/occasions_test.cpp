@@ -34,7 +34,7 @@ StoredCurriculumVersion longerPaperProtocol(OfficeCentre& centre, const Occasion
   const auto paper = std::find_if(templates.begin(), templates.end(),
                                   [](const CurriculumTemplate& one) { return one.id == "paper-three-arms"; });
   StoredCurriculumVersion content = paper->content;
-  for (StoredArm& arm : content.arms) {
+  for (StudyArm& arm : content.arms) {
     arm.phases.back().duration_us += 20 * kMinute_us;
   }
   content.scoringPoints.push_back({fourth.code, 60 * kMinute_us});
@@ -53,7 +53,7 @@ struct StudyOfFour {
     const std::vector<std::string> trainees = centre.addTrainees(3);
     chiefs = centre.addChiefs(2);
     rubric = centre.addPaperRubric();
-    Workplace& office = centre.as("administrator");
+    SessionContext& office = centre.as("administrator");
     fourth = addOccasion(office, "after another 20 minutes");
     const std::string curriculum = addCurriculum(office, "Longer", "", longerPaperProtocol(centre, fourth));
     const std::string version = publishCurriculum(office, curriculum, "", centre.assets());
@@ -85,7 +85,7 @@ struct StudyOfFour {
 
 TEST(Occasions, AFourthOneGoesThroughPlanReleaseReportAndExport) {
   StudyOfFour study;
-  Workplace& office = study.centre.as("administrator");
+  SessionContext& office = study.centre.as("administrator");
 
   const ScoringPlanOutcome asked =
       createAssignments(office, {.cohortId = study.cohortId,
@@ -124,7 +124,7 @@ TEST(Occasions, OfAnotherStudyAreNotAskedForInThePapersProtocol) {
   OfficeCentre centre;
   centre.addTrainees(1);
   const std::string version = centre.runPaperCurriculum();
-  Workplace& office = centre.as("administrator");
+  SessionContext& office = centre.as("administrator");
   const std::string cohort = addCohort(office, {.name = "Paper", .curriculumVersionId = version});
 
   addOccasion(office, "six months later");
@@ -136,7 +136,7 @@ TEST(Occasions, OfAnotherStudyAreNotAskedForInThePapersProtocol) {
 
 TEST(Occasions, NeedANameOfTheirOwnAndAreAudited) {
   OfficeCentre centre;
-  Workplace& office = centre.as("administrator");
+  SessionContext& office = centre.as("administrator");
 
   const Occasion added = addOccasion(office, "six months later");
 

@@ -18,7 +18,7 @@ OfficeCentre::OfficeCentre() {
   connection_ =
       std::make_unique<Connection>(openRecord((folder_ / "office.sqlite").string(), OpenMode::kCreate,
                                               {.softwareVersion = "test", .now_us = kOfficeTime_us}));
-  workplace_ = std::make_unique<Workplace>(
+  workplace_ = std::make_unique<SessionContext>(
       *connection_, ids_, WorkplaceKey{(folder_ / "office.sqlite").string(), "test station", {}},
       [this] { return now_us_; });
   workplace_->setPasswordCost(PasswordCost::kTest);
@@ -38,7 +38,7 @@ OfficeCentre::~OfficeCentre() {
   std::filesystem::remove_all(folder_, ignored);
 }
 
-Workplace& OfficeCentre::as(const std::string& role) {
+SessionContext& OfficeCentre::as(const std::string& role) {
   workplace_->setActor(role.empty() ? Actor{} : actors_.at(role));
   return *workplace_;
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "db/connection/connection.h"
 #include "db/repository/base/id_source.h"
 
@@ -27,14 +27,14 @@ class OfficeCentre {
   OfficeCentre(const OfficeCentre&) = delete;
   OfficeCentre& operator=(const OfficeCentre&) = delete;
 
-  [[nodiscard]] Workplace& workplace() { return *workplace_; }
+  [[nodiscard]] SessionContext& workplace() { return *workplace_; }
   [[nodiscard]] Connection& connection() { return *connection_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] std::filesystem::path assets() const {
     return std::filesystem::path(TORSIO_SOURCE_DIR) / "assets";
   }
   /// Signs in as the user of this role, or as nobody for "".
-  Workplace& as(const std::string& role);
+  SessionContext& as(const std::string& role);
   void passTime_us(std::int64_t span_us) { now_us_ += span_us; }
 
   /// Stores trainees T-01 .. with sex and level, and raters of the class "chief" R-01 ..; as the
@@ -56,7 +56,7 @@ class OfficeCentre {
   std::unique_ptr<Connection> connection_;
   SeededIdSource ids_{7};
   std::int64_t now_us_ = kOfficeTime_us;
-  std::unique_ptr<Workplace> workplace_;
+  std::unique_ptr<SessionContext> workplace_;
   std::map<std::string, Actor> actors_;
 };
 

@@ -32,7 +32,7 @@ TEST(PeopleService, NumbersAreUniqueAndCodesNeverComeTwice) {
 TEST(PeopleService, ChangingKeepsOldAndNewInTheTrailWithoutNames) {
   OfficeCentre centre;
   const std::string id = centre.addTrainees(1).front();
-  Workplace& workplace = centre.workplace();
+  SessionContext& workplace = centre.workplace();
   PersonEntry entry = personEntry(workplace, id);
   entry.level = "doctoral student";
   entry.fullName = "Married Name";
@@ -48,7 +48,7 @@ TEST(PeopleService, ChangingKeepsOldAndNewInTheTrailWithoutNames) {
 
 TEST(PeopleService, NamedExportIsAuditedAndHarmlessToSpreadsheets) {
   OfficeCentre centre;
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
   addPerson(workplace, {.fullName = "=cmd(\"x\"), Dr", .externalId = "S-1"});
   const std::filesystem::path file = centre.folder() / "people.csv";
 
@@ -69,7 +69,7 @@ TEST(RosterAccounts, EverybodyWithoutOneGetsAnAccountThatMustChangeItsPassword) 
   OfficeCentre centre;
   const std::vector<std::string> trainees = centre.addTrainees(3);
   const std::vector<std::string> chiefs = centre.addChiefs(2);
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
   addUser(workplace, {.login = "t-01",  // taken by somebody else, who needs no second account
                       .personId = trainees[1],
                       .roles = {"trainee"},
@@ -96,7 +96,7 @@ TEST(RosterAccounts, EverybodyWithoutOneGetsAnAccountThatMustChangeItsPassword) 
 TEST(RosterAccounts, GivingUpKeepsTheAccountsThatWereMade) {
   OfficeCentre centre;
   const std::vector<std::string> trainees = centre.addTrainees(4);
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
   std::vector<StartAccount> made;
 
   EXPECT_THROW(addAccounts(workplace, trainees, made,
@@ -115,7 +115,7 @@ TEST(RosterAccounts, GivingUpKeepsTheAccountsThatWereMade) {
 TEST(ConsentService, NewestDecisionCountsAndWithdrawalIsListed) {
   OfficeCentre centre;
   const std::string id = centre.addTrainees(1).front();
-  Workplace& workplace = centre.workplace();
+  SessionContext& workplace = centre.workplace();
   const std::string version = consentTexts(centre.assets()).at(0).version;
 
   recordConsent(workplace, id, "research", true, version);

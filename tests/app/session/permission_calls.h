@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 
 namespace torsio::testing {
 
@@ -15,7 +15,7 @@ namespace torsio::testing {
 struct ServiceCall {
   Operation operation;
   const char* name;
-  std::function<void(Workplace&, const std::filesystem::path& folder)> run;
+  std::function<void(SessionContext&, const std::filesystem::path& folder)> run;
 };
 
 /// Id of nothing.

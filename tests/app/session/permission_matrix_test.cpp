@@ -42,7 +42,7 @@ const std::vector<ServiceCall>& calls() {
 }
 
 /// Whether the matrix refused: not that there is no such thing, nor that it belongs to somebody else.
-bool refused(const ServiceCall& call, Workplace& workplace, const std::filesystem::path& folder) {
+bool refused(const ServiceCall& call, SessionContext& workplace, const std::filesystem::path& folder) {
   try {
     call.run(workplace, folder);
   } catch (const Error& error) {
@@ -82,7 +82,7 @@ TEST(PermissionMatrix, EveryServiceFunctionIsCalledHere) {
     const std::string name = call.name;
     called.insert(name.substr(0, name.find(',')));
   }
-  const std::regex declaration(R"((\w+)\(Workplace& workplace\b)");
+  const std::regex declaration(R"((\w+)\(SessionContext& workplace\b)");
 
   std::size_t found = 0;
   const std::filesystem::path app = std::filesystem::path(TORSIO_SOURCE_DIR) / "app";
@@ -110,7 +110,7 @@ TEST(PermissionMatrix, ACurriculumIsReadByWhoeverPractisesOrSeesPeople) {
     const bool may = allowed.contains({role, "practice"}) || allowed.contains({role, "person.view_coded"});
     const ServiceCall read{
         Operation::kPersonViewCoded, "curriculumVersion",
-        [](Workplace& w, const std::filesystem::path&) { static_cast<void>(curriculumVersion(w, kNoSuch)); }};
+        [](SessionContext& w, const std::filesystem::path&) { static_cast<void>(curriculumVersion(w, kNoSuch)); }};
     EXPECT_EQ(refused(read, centre.as(role), centre.folder()), !may) << role;
     EXPECT_TRUE(refused(read, centre.as(""), centre.folder()));
   }
@@ -232,7 +232,7 @@ TEST(PermissionMatrix, NobodyUnknownDisabledAndPracticeOnlyUsersAreRefusedEveryt
       if (actor.practiceOnly && call.operation == Operation::kPractice) {
         continue;  // all that a PIN opens
       }
-      Workplace& workplace = centre.workplace();
+      SessionContext& workplace = centre.workplace();
       workplace.setActor(actor);
       EXPECT_TRUE(refused(call, workplace, centre.folder())) << actor.login << " calls " << call.name;
     }

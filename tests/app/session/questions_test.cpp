@@ -37,7 +37,7 @@ class QuestionsTest : public ::testing::Test {
   std::string trial_ = centre_.attempt("first", "practice", 1.0);
   std::string chief_ = PeopleRepository(centre_.connection()).raters().front().person.id;
 
-  Workplace& desk() { return centre_.workplace(); }
+  SessionContext& desk() { return centre_.workplace(); }
 
   void giveToRaters(const std::string& trialId) {
     SheetRepository sheets(centre_.connection());

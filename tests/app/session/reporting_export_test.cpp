@@ -75,7 +75,7 @@ TEST(ReportInputs, NameTraineesOnlyForWhoMaySeeNames) {
 
 TEST(ReportInputs, SayWhetherTheRecordIsStillWhatWasFrozen) {
   SmallStudy study;
-  Workplace& workplace = study.centre.as("administrator");
+  SessionContext& workplace = study.centre.as("administrator");
   study.request.frozenId = freezeData(workplace, study.request.cohortId, "first").id;
   const std::optional<CohortFreeze> frozen = reportInputs(workplace, study.request, study.digests).freeze;
   ASSERT_TRUE(frozen);
@@ -92,7 +92,7 @@ TEST(ReportInputs, SayWhetherTheRecordIsStillWhatWasFrozen) {
 
 TEST(ReportInputs, AnUnfinishedEvaluationIsSaidAndKeepsNothingElseBack) {
   SmallStudy study;
-  Workplace& workplace = study.centre.as("administrator");
+  SessionContext& workplace = study.centre.as("administrator");
   CampaignPlan plan;
   plan.name = "Spring";
   plan.instrument = paperEvaluationInstrument();
@@ -189,7 +189,7 @@ TEST(TrialDigests, AreMeasuredOnceAndAreTheSameToTheLastBitAfterwards) {
   SmallStudy study;
   record(study, "first", 100);
   record(study, "second", 70);
-  Workplace& workplace = study.centre.as("statistician");
+  SessionContext& workplace = study.centre.as("statistician");
 
   const std::vector<TrialSummaryRow> measured = study.digests.ofCohort(workplace, study.request.cohortId);
   TrialDigests later(study.centre.assets());
@@ -269,7 +269,7 @@ TEST(TrialDigests, OfARecordingWithOtherContentAreNotBelieved) {
 
 TEST(ReportExport, KeepsWhoTookOutWhatWithTheHashOfTheFileAndNoName) {
   SmallStudy study;
-  Workplace& workplace = study.centre.as("administrator");
+  SessionContext& workplace = study.centre.as("administrator");
   study.request.identity = ReportIdentity::kNamed;
   const CohortInputs inputs = reportInputs(workplace, study.request, study.digests);
   const std::filesystem::path file = study.centre.folder() / "named.csv";

@@ -6,14 +6,14 @@
 
 #include <gtest/gtest.h>
 
-#include "app/review/alignment.h"
+#include "app/review/discrepancy_review.h"
 #include "app/review/blinded_case.h"
 #include "app/review/case_remarks.h"
 #include "app/review/case_sheet.h"
 #include "app/review/evaluation_form.h"
 #include "app/review/own_severity.h"
 #include "app/review/review_queue.h"
-#include "app/review/warm_up.h"
+#include "app/review/rater_calibration.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/system/audit_verification.h"
@@ -130,7 +130,7 @@ TEST(Alignment, NobodySeesAnotherMarkBeforeAllHaveCommitted) {
 
   submitSheet(*centre.physician(2), centre.caseAbout(2, 0), reviewSheet(7, 7, 7), whole());
 
-  const std::vector<AlignmentCase> cases = alignmentCases(*first);
+  const std::vector<DiscrepancyCase> cases = alignmentCases(*first);
   ASSERT_EQ(cases.size(), 1U);
   const RowComparison& overall = cases[0].rows.back();
   EXPECT_DOUBLE_EQ(overall.own, 2.0);
@@ -182,14 +182,14 @@ TEST(CaseRemarks, AreTheRatersOwn) {
   EXPECT_TRUE(caseRemarks(*centre.physician(1), centre.caseAbout(1, 0)).empty());
 }
 
-TEST(WarmUp, ShowsThePanelOnlyAfterTheOwnMark) {
+TEST(RaterCalibration, ShowsThePanelOnlyAfterTheOwnMark) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
   const auto office = centre.administrator();
   EXPECT_EQ(refusal([&] { addReferenceRuns(*desk, {}); }).first, ErrorCode::kPermission);
   addReferenceRuns(*office, {{centre.trialIds()[0], centre.rubricRevisionId(), 6.2, 8, false},
                              {centre.trialIds()[1], centre.rubricRevisionId(), 3.0, 8, false}});
-  const WarmUp before = warmUp(*desk);
+  const RaterCalibration before = warmUp(*desk);
   ASSERT_EQ(before.runs.size(), 2U);
   EXPECT_FALSE(before.runs[0].panel_points.has_value());
   EXPECT_TRUE(reviewQueue(*desk).warmUpWaiting);
@@ -200,7 +200,7 @@ TEST(WarmUp, ShowsThePanelOnlyAfterTheOwnMark) {
   scoreReferenceRun(*desk, 1, 70);  // a second try
   scoreReferenceRun(*desk, 2, 25);
 
-  const WarmUp after = warmUp(*desk);
+  const RaterCalibration after = warmUp(*desk);
   EXPECT_TRUE(after.complete());
   EXPECT_EQ(after.runs[0].tries, 2U);
   EXPECT_NEAR(*after.runs[0].offset_points, 0.8, 1e-12);   // 7.0 - 6.2
@@ -211,7 +211,7 @@ TEST(WarmUp, ShowsThePanelOnlyAfterTheOwnMark) {
   EXPECT_EQ(refusal([&] { scoreReferenceRun(*desk, 1, 101); }).first, ErrorCode::kBadData);
 }
 
-TEST(WarmUp, GivesAWithdrawnRunToNobodyAndKeepsWhatWasScored) {
+TEST(RaterCalibration, GivesAWithdrawnRunToNobodyAndKeepsWhatWasScored) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto desk = centre.physician(0);
   const auto office = centre.administrator();
@@ -228,7 +228,7 @@ TEST(WarmUp, GivesAWithdrawnRunToNobodyAndKeepsWhatWasScored) {
     withdrawReferenceRun(*office, centre.trialIds()[0], "the panel met only in part");
   });
 
-  const WarmUp left = warmUp(*desk);
+  const RaterCalibration left = warmUp(*desk);
   ASSERT_EQ(left.runs.size(), 1U);  // the second is the first now
   EXPECT_FALSE(left.runs[0].own_steps.has_value());
   EXPECT_FALSE(left.complete());
@@ -243,7 +243,7 @@ TEST(WarmUp, GivesAWithdrawnRunToNobodyAndKeepsWhatWasScored) {
             "the panel met only in part");
 }
 
-TEST(WarmUp, TakesAWithdrawnRunNeitherBackNorOutTwice) {
+TEST(RaterCalibration, TakesAWithdrawnRunNeitherBackNorOutTwice) {
   ReviewCentre centre(ReviewCentre::Setup{});
   const auto office = centre.administrator();
   const std::string trial = centre.trialIds()[0];
@@ -308,7 +308,7 @@ TEST(ReviewDesk, EveryChangeLeavesAnEntryAndTheTrailStaysWhole) {
   for (std::size_t i = 0; i < 9; ++i) {
     saveEvaluationScore(*desk, campaign.id, "K", i, 73);
   }
-  const auto auditedBy = [&](Workplace& by, const char* action, const std::function<void()>& change) {
+  const auto auditedBy = [&](SessionContext& by, const char* action, const std::function<void()>& change) {
     testing::expectAudited(centre.connection(), by.actor().userId, action, change);
     EXPECT_TRUE(verifyAuditTrail(centre.connection()).empty()) << action;
   };

@@ -179,14 +179,14 @@ void ReviewCentre::addAssignments(const Setup& setup) {
   sheets.assign(assignments);
 }
 
-std::unique_ptr<Workplace> ReviewCentre::physician(std::size_t index) {
-  return std::make_unique<Workplace>(
+std::unique_ptr<SessionContext> ReviewCentre::physician(std::size_t index) {
+  return std::make_unique<SessionContext>(
       *connection_, *ids_, WorkplaceKey{locator(), "desk-1", actorIn(*connection_, physicianLogin(index))},
       [this] { return now_us_; });
 }
 
-std::unique_ptr<Workplace> ReviewCentre::administrator() {
-  return std::make_unique<Workplace>(*connection_, *ids_,
+std::unique_ptr<SessionContext> ReviewCentre::administrator() {
+  return std::make_unique<SessionContext>(*connection_, *ids_,
                                      WorkplaceKey{locator(), "office-1", actorIn(*connection_, "office")},
                                      [this] { return now_us_; });
 }

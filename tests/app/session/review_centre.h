@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "sim/scene/scene.h"
 
@@ -37,8 +37,8 @@ class ReviewCentre {
   ReviewCentre& operator=(const ReviewCentre&) = delete;
 
   /// Physician `index` (0 ..) signed in; a workplace of its own on the shared connection.
-  [[nodiscard]] std::unique_ptr<Workplace> physician(std::size_t index);
-  [[nodiscard]] std::unique_ptr<Workplace> administrator();
+  [[nodiscard]] std::unique_ptr<SessionContext> physician(std::size_t index);
+  [[nodiscard]] std::unique_ptr<SessionContext> administrator();
   [[nodiscard]] Connection& connection() { return *connection_; }
   [[nodiscard]] std::string locator() const { return (folder_ / "centre.sqlite").string(); }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

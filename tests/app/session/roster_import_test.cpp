@@ -13,7 +13,7 @@ namespace {
 
 using testing::OfficeCentre;
 
-RosterOutcome commitRoster(Workplace& workplace, const std::string& text,
+RosterOutcome commitRoster(SessionContext& workplace, const std::string& text,
                            RosterKind kind = RosterKind::kTrainees, RosterMode mode = RosterMode::kCommit) {
   const RosterFile file = parseRoster(text, "roster.csv");
   const RosterColumns columns = suggestColumns(file, kind);
@@ -21,7 +21,7 @@ RosterOutcome commitRoster(Workplace& workplace, const std::string& text,
   return importRoster(workplace, file, kind, columns, preview.fingerprint, mode);
 }
 
-RosterPreview look(Workplace& workplace, const std::string& text, RosterKind kind = RosterKind::kTrainees) {
+RosterPreview look(SessionContext& workplace, const std::string& text, RosterKind kind = RosterKind::kTrainees) {
   const RosterFile file = parseRoster(text, "roster.csv");
   return previewRoster(workplace, file, kind, suggestColumns(file, kind));
 }
@@ -77,7 +77,7 @@ TEST(RosterFile, ItsOwnTemplateIsUnderstood) {
 
 TEST(RosterImport, GivesEveryLineItsStatusAndSaysWhatToMend) {
   OfficeCentre centre;
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
   commitRoster(workplace, "id,name,sex,level,email\nS-1,Ann,f,graduate,ann@x.org\nS-2,Bob,m,graduate,\n");
 
   const RosterPreview preview = look(workplace,
@@ -111,7 +111,7 @@ TEST(RosterImport, GivesEveryLineItsStatusAndSaysWhatToMend) {
 
 TEST(RosterImport, ImportsAllOrNothing) {
   OfficeCentre centre;
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
   const auto before = centre.rowCounts();
 
   EXPECT_THROW(commitRoster(workplace, "id,name,age\nS-1,Ann,24\nS-2,Bob,old\n"), Error);
@@ -121,7 +121,7 @@ TEST(RosterImport, ImportsAllOrNothing) {
 
 TEST(RosterImport, DryRunDoesItAllAndTakesItBack) {
   OfficeCentre centre;
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
   const auto before = centre.rowCounts();
 
   const RosterOutcome outcome =
@@ -133,7 +133,7 @@ TEST(RosterImport, DryRunDoesItAllAndTakesItBack) {
 
 TEST(RosterImport, GivesPseudonymsAndKeepsNamesOutOfTheTrail) {
   OfficeCentre centre;
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
 
   const RosterOutcome outcome =
       commitRoster(workplace, "id,name,sex\nS-1,Ann Onymous,f\nS-2,Bob Onymous,m\n");
@@ -152,7 +152,7 @@ TEST(RosterImport, GivesPseudonymsAndKeepsNamesOutOfTheTrail) {
 
 TEST(RosterImport, BlankCellsKeepWhatIsKnown) {
   OfficeCentre centre;
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
   commitRoster(workplace, "id,name,sex,level\nS-1,Ann,f,graduate\n");
 
   commitRoster(workplace, "id,name,sex,level\nS-1,Ann B.,,\nS-2,Bob,,\n");
@@ -165,7 +165,7 @@ TEST(RosterImport, BlankCellsKeepWhatIsKnown) {
 
 TEST(RosterImport, RefusesWhenTheRecordChangedSinceThePreview) {
   OfficeCentre centre;
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
   const RosterFile file = parseRoster("id,name\nS-1,Ann\n", "roster.csv");
   const RosterColumns columns = suggestColumns(file, RosterKind::kTrainees);
   const RosterPreview preview = previewRoster(workplace, file, RosterKind::kTrainees, columns);
@@ -178,7 +178,7 @@ TEST(RosterImport, RefusesWhenTheRecordChangedSinceThePreview) {
 
 TEST(RosterImport, ReadsRatersWithTheirClass) {
   OfficeCentre centre;
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
 
   const RosterOutcome outcome = commitRoster(
       workplace, "staff id;name;class\nC-1;Lee;chief physician\nC-2;Wang;主任医师\nC-3;Ruiz;deputy_chief\n",

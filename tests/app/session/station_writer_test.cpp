@@ -69,7 +69,7 @@ TEST(StationWriter, ShowsWhoIsHereAndWritesInOrder) {
   StationWriter line(keyOf(centre, trainee), kQuick);
 
   for (int i = 0; i < 3; ++i) {
-    line.write([&order, i](Workplace&) { order.push_back(i); });
+    line.write([&order, i](SessionContext&) { order.push_back(i); });
   }
 
   ASSERT_TRUE(line.settled(kLong));
@@ -122,7 +122,7 @@ TEST(StationWriter, EachWriteIsDoneAsWhoeverWasSignedInWhenItWasGiven) {
   std::string who;
   StationWriter line(keyOf(centre, trainee), kQuick);
 
-  line.write([&who](Workplace& own) { who = own.actor().userId; });
+  line.write([&who](SessionContext& own) { who = own.actor().userId; });
   line.signIn({});
 
   ASSERT_TRUE(line.settled(kLong));
@@ -139,12 +139,12 @@ TEST(StationWriter, AServerThatHangsHoldsUpNobodyAndWhatWaitsIsWrittenLater) {
     StationWriter line(
         [&gate, key] {
           gate.pass();
-          return std::make_unique<Workplace>(key);
+          return std::make_unique<SessionContext>(key);
         },
         kQuick);
 
     for (int i = 0; i < 3; ++i) {
-      line.write([&written](Workplace&) { ++written; });
+      line.write([&written](SessionContext&) { ++written; });
     }
     EXPECT_TRUE(soon([&] { return !line.answers(); }));
     EXPECT_EQ(line.waiting(), 3U);
@@ -168,12 +168,12 @@ TEST(StationWriter, AServerThatIsAwayIsAskedAgainAndARefusedWriteIsGivenUp) {
         if (away) {
           throw DbError(DbFault::kUnreachable, "", "away", "server", "");
         }
-        return std::make_unique<Workplace>(key);
+        return std::make_unique<SessionContext>(key);
       },
       kQuick);
-  line.write([](Workplace&) { throw Error(ErrorCode::kPermission, "not allowed", "", ""); });
+  line.write([](SessionContext&) { throw Error(ErrorCode::kPermission, "not allowed", "", ""); });
   bool second = false;
-  line.write([&second](Workplace&) { second = true; });
+  line.write([&second](SessionContext&) { second = true; });
   EXPECT_TRUE(soon([&] { return tries > 2 && !line.answers(); }));
 
   away = false;
@@ -192,7 +192,7 @@ TEST(StationWriter, EndsInTimeThoughTheServerNeverAnswers) {
   const auto begun = std::chrono::steady_clock::now();
   {
     StationWriter line(
-        [gate, ended]() -> std::unique_ptr<Workplace> {
+        [gate, ended]() -> std::unique_ptr<SessionContext> {
           gate->pass();
           *ended = true;
           throw DbError(DbFault::kUnreachable, "", "away", "server", "");
@@ -216,7 +216,7 @@ TEST(StationWriter, ARunGoesOnWhileTheServerHangsAndItsTimeIsLoggedAfterwards) {
   StationWriter line(
       [&gate, key] {
         gate.pass();
-        return std::make_unique<Workplace>(key);
+        return std::make_unique<SessionContext>(key);
       },
       kQuick);
   line.signIn(key.actor);

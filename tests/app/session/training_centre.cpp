@@ -81,7 +81,7 @@ void TrainingCentre::open() {
   options.softwareVersion = softwareVersion();
   options.now_us = now_us_;
   connection_ = std::make_unique<Connection>(openRecord(locator(), OpenMode::kCreate, options));
-  workplace_ = std::make_unique<Workplace>(*connection_, *ids_, WorkplaceKey{locator(), "station 1", {}},
+  workplace_ = std::make_unique<SessionContext>(*connection_, *ids_, WorkplaceKey{locator(), "station 1", {}},
                                            [this] { return now_us_; });
 }
 
@@ -128,7 +128,7 @@ void TrainingCentre::fill(const Setup& setup) {
   version.modules[1].requires_ = {version.modules[0].id};
   version.modules[1].attemptLimit = 3;
   version.modules[2].requires_ = {version.modules[1].id};
-  StoredArm arm;
+  StudyArm arm;
   arm.id = ids_->newUuid();
   arm.code = "G1";
   arm.label = "virtual, then real arm";

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "app/devices/device_readiness.h"
 #include "db/repository/study/curriculum_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -46,7 +46,7 @@ class TrainingCentre {
   TrainingCentre(const TrainingCentre&) = delete;
   TrainingCentre& operator=(const TrainingCentre&) = delete;
 
-  [[nodiscard]] Workplace& workplace() { return *workplace_; }
+  [[nodiscard]] SessionContext& workplace() { return *workplace_; }
   [[nodiscard]] Connection& connection() { return *connection_; }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] std::string locator() const { return (folder_ / "centre.sqlite").string(); }
@@ -71,7 +71,7 @@ class TrainingCentre {
   std::int64_t now_us_ = kCentreTime_us;
   std::unique_ptr<IdSource> ids_;
   std::unique_ptr<Connection> connection_;
-  std::unique_ptr<Workplace> workplace_;
+  std::unique_ptr<SessionContext> workplace_;
 };
 
 /// The bar of the servo tests, made once: target 90 degrees.

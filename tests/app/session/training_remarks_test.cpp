@@ -145,7 +145,7 @@ TEST_F(RemarksTest, OwnMarksMayChangeUntilTheOthersAreShown) {
 }
 
 TEST_F(RemarksTest, EveryChangeAtTheStationLeavesAnEntryAndTheTrailStaysWhole) {
-  Workplace& desk = centre_.workplace();
+  SessionContext& desk = centre_.workplace();
   const auto audited = [&](const char* action, const std::function<void()>& change) {
     testing::expectAudited(centre_.connection(), desk.actor().userId, action, change);
     EXPECT_TRUE(verifyAuditTrail(centre_.connection()).empty()) << action;

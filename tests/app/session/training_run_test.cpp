@@ -18,9 +18,9 @@ constexpr std::int64_t kMinute_us = 60 * kSecond_us;
 RunPlan paperArm() {
   RunPlan plan;
   plan.phases.push_back(
-      {.phaseId = "p1", .label = "virtual", .arm = TrainingArm::kVirtual, .duration_us = 20 * kMinute_us});
+      {.phaseId = "p1", .label = "virtual", .arm = TrainingSetting::kVirtual, .duration_us = 20 * kMinute_us});
   plan.phases.push_back(
-      {.phaseId = "p2", .label = "real", .arm = TrainingArm::kReal, .duration_us = 20 * kMinute_us});
+      {.phaseId = "p2", .label = "real", .arm = TrainingSetting::kReal, .duration_us = 20 * kMinute_us});
   plan.restAllowance_us = 5 * kMinute_us;
   return plan;
 }
@@ -62,7 +62,7 @@ TEST_F(TrainingRunTest, HandsOverFromTheVirtualToTheRealArmAndStopsHardAtTheEnd)
   run_.start();
   pass(20 * kMinute_us);
   EXPECT_EQ(run_.state(), RunState::kHandOver);
-  EXPECT_EQ(run_.phase().arm, TrainingArm::kReal);
+  EXPECT_EQ(run_.phase().arm, TrainingSetting::kReal);
 
   pass(kLongestHandOver_us);
   EXPECT_EQ(run_.state(), RunState::kRunning);

@@ -48,7 +48,7 @@ struct Study {
     enrolmentIds = enrolTrainees(centre.workplace(), cohortId, trainees);
   }
   void allocate() {
-    Workplace& allocator = centre.as("allocator");
+    SessionContext& allocator = centre.as("allocator");
     AllocationPlan plan;
     plan.cohortId = cohortId;
     lockAllocation(allocator, plan);
@@ -61,8 +61,8 @@ struct Study {
             .rubricRevisionId = rubric,
             .seed = 3};
   }
-  [[nodiscard]] StoredArm armOf(const std::string& enrolmentId) {
-    Workplace& workplace = centre.as("administrator");
+  [[nodiscard]] StudyArm armOf(const std::string& enrolmentId) {
+    SessionContext& workplace = centre.as("administrator");
     const CohortRow cohort = cohorts(workplace).at(0);
     const auto version = curriculumVersion(workplace, cohort.cohort.curriculumVersionId);
     for (const StoredEnrolment& enrolment : enrolments(workplace, cohortId)) {
@@ -70,7 +70,7 @@ struct Study {
         continue;
       }
       for (const StoredGroup& group : cohort.groups) {
-        for (const StoredArm& arm : version->arms) {
+        for (const StudyArm& arm : version->arms) {
           if (group.id == enrolment.groupId && arm.id == group.armId) {
             return arm;
           }
@@ -100,7 +100,7 @@ struct Study {
 TEST(ScoringPlan, EveryRaterScoresEveryTraineeAtEveryPointOnce) {
   Study study;
   study.allocate();
-  Workplace& workplace = study.centre.as("administrator");
+  SessionContext& workplace = study.centre.as("administrator");
 
   const ScoringPlanOutcome first = createAssignments(workplace, study.plan());
   const ScoringPlanOutcome again = createAssignments(workplace, study.plan());
@@ -160,7 +160,7 @@ TEST(ScoringPlan, LabelsDoNotFollowStageOrGroup) {
 
 TEST(ScoringPlan, ReassigningNeedsAReasonAndAnUnaskedRater) {
   Study study;
-  Workplace& workplace = study.centre.as("administrator");
+  SessionContext& workplace = study.centre.as("administrator");
   ScoringPlan plan = study.plan();
   plan.scoringPoints = {"pre"};
   plan.raterIds.pop_back();
@@ -181,7 +181,7 @@ TEST(ScoringPlan, ReassigningNeedsAReasonAndAnUnaskedRater) {
 
 TEST(ScoringPlan, MarksAreReleasedWhenAllAreInOrWithAReason) {
   Study study;
-  Workplace& workplace = study.centre.as("administrator");
+  SessionContext& workplace = study.centre.as("administrator");
   createAssignments(workplace, study.plan());
   study.submitAll("pre");
 
@@ -203,7 +203,7 @@ TEST(ScoringPlan, MarksAreReleasedWhenAllAreInOrWithAReason) {
 
 TEST(CampaignService, OrdersAreCounterbalancedWithinEachClass) {
   OfficeCentre centre;
-  Workplace& workplace = centre.as("administrator");
+  SessionContext& workplace = centre.as("administrator");
   CampaignPlan plan;
   plan.name = "Models";
   plan.instrument = paperEvaluationInstrument();
@@ -250,7 +250,7 @@ TEST(CampaignService, RefusesAClassWithAWeightAndNobodyInIt) {
 }
 
 TEST(PhaseProgress, CountsNamedUnnamedAndRestTime) {
-  const StoredArm arm{.restAllowance_us = 5 * kMinute_us,
+  const StudyArm arm{.restAllowance_us = 5 * kMinute_us,
                       .phases = {{"p1", PhaseKind::kVirtual, "first", 20 * kMinute_us, ""},
                                  {"p2", PhaseKind::kReal, "second", 20 * kMinute_us, ""}}};
   const auto spent = [](const char* kind, const char* phase, std::int64_t minutes) {
@@ -272,10 +272,10 @@ TEST(PhaseProgress, CountsNamedUnnamedAndRestTime) {
 TEST(RunDayBoard, ShowsPhaseExposureRestAndMissingSheets) {
   Study study;
   study.allocate();
-  Workplace& workplace = study.centre.as("administrator");
+  SessionContext& workplace = study.centre.as("administrator");
   createAssignments(workplace, study.plan());
   const std::string id = study.enrolmentIds[0];
-  const StoredArm arm = study.armOf(id);
+  const StudyArm arm = study.armOf(id);
   recordExposure(workplace, {study.cohortId, id, arm.phases[0].id,
                              std::string(storedText(arm.phases[0].kind)), 0, 20 * kMinute_us});
   recordExposure(workplace, {study.cohortId, id, "", "rest", 0, 2 * kMinute_us});
@@ -299,7 +299,7 @@ TEST(RunDayBoard, ShowsPhaseExposureRestAndMissingSheets) {
 TEST(RunDayBoard, ShowsWhoRunsAtWhichStation) {
   Study study;
   study.allocate();
-  Workplace& workplace = study.centre.as("administrator");
+  SessionContext& workplace = study.centre.as("administrator");
   const std::string trialId = workplace.ids().newUuid();
   TrialHeader header;
   header.trialId = trialId;
@@ -330,7 +330,7 @@ TEST(RunDayBoard, ShowsWhoRunsAtWhichStation) {
 
 TEST(RunDayBoard, WarnsOfSilentStationsFirstThenOfWhatIsMissing) {
   Study study;
-  Workplace& workplace = study.centre.as("administrator");
+  SessionContext& workplace = study.centre.as("administrator");
   const std::string trialId = workplace.ids().newUuid();
   TrialHeader header;
   header.trialId = trialId;
@@ -360,7 +360,7 @@ TEST(RunDayBoard, WarnsOfSilentStationsFirstThenOfWhatIsMissing) {
 
 TEST(RunDayBoard, TellsOfADeviceThatIsNotFitWhileItsStationAnswers) {
   Study study;
-  Workplace& workplace = study.centre.as("administrator");
+  SessionContext& workplace = study.centre.as("administrator");
   const DeviceReadiness unfit{
       .device = Text("Touch"),
       .haptic = true,
@@ -386,7 +386,7 @@ TEST(RunDayBoard, TellsOfADeviceThatIsNotFitWhileItsStationAnswers) {
 
 TEST(RunDayBoard, NotesASwapForBothOrForNobody) {
   Study study;
-  Workplace& workplace = study.centre.as("administrator");
+  SessionContext& workplace = study.centre.as("administrator");
   const std::string& first = study.enrolmentIds[0];
   const std::string& second = study.enrolmentIds[1];
 
@@ -421,9 +421,9 @@ TEST(Allocation, CardsAreTakenOutWithATrace) {
 TEST(CohortService, RefusesTimeInAPhaseOfAnotherArmOrKind) {
   Study study;
   study.allocate();
-  Workplace& workplace = study.centre.as("administrator");
+  SessionContext& workplace = study.centre.as("administrator");
   const std::string id = study.enrolmentIds[0];
-  const StoredArm arm = study.armOf(id);
+  const StudyArm arm = study.armOf(id);
   const char* other = arm.phases[0].kind == PhaseKind::kVirtual ? "real" : "virtual";
 
   EXPECT_THROW(recordExposure(workplace, {study.cohortId, id, arm.phases[0].id, other, 0, kMinute_us}),
@@ -448,7 +448,7 @@ TEST(CohortService, WhoMayNotSeeTheAllocationSeesNoGroups) {
 TEST(FrozenData, TellsLaterWhatIsDifferent) {
   Study study;
   study.allocate();
-  Workplace& workplace = study.centre.as("administrator");
+  SessionContext& workplace = study.centre.as("administrator");
   createAssignments(workplace, study.plan());
   study.submitAll("pre");
 
@@ -470,7 +470,7 @@ TEST(FrozenData, TellsLaterWhatIsDifferent) {
 TEST(Audit, AWholeStudyLeavesAnEntryForEveryChangeAndVerifies) {
   Study study;
   study.allocate();
-  Workplace& workplace = study.centre.as("administrator");
+  SessionContext& workplace = study.centre.as("administrator");
   const std::string version = consentTexts(study.centre.assets()).at(0).version;
   recordConsent(workplace, people(workplace).at(3).person.id, "training_record", true, version);
   createAssignments(workplace, study.plan());

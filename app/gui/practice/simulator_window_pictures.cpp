@@ -3,14 +3,14 @@
 #include <QLocale>
 
 #include "app/gui/base/spoken.h"
-#include "app/gui/practice/main_window.h"
+#include "app/gui/practice/simulator_window.h"
 #include "app/gui/widgets/file_choice.h"
 #include "app/gui/widgets/picture.h"
 #include "sim/base/error.h"
 
 namespace torsio::gui {
 
-void MainWindow::choosePicture() {
+void SimulatorWindow::choosePicture() {
   const QString file = askFileToSave(this, tr("Save picture"), tr("torsio.png"), tr("PNG pictures (*.png)"));
   if (file.isEmpty()) {
     return;
@@ -18,7 +18,7 @@ void MainWindow::choosePicture() {
   savePicture(view_->picture(), file);
 }
 
-void MainWindow::savePicture(const QImage& picture, const QString& file) {
+void SimulatorWindow::savePicture(const QImage& picture, const QString& file) {
   try {
     writePicture(picture, file.toStdString());
     Q_EMIT controller_->noticed(tr("Saved %1").arg(file));
@@ -28,7 +28,7 @@ void MainWindow::savePicture(const QImage& picture, const QString& file) {
   }
 }
 
-void MainWindow::chooseFilmStrip() {
+void SimulatorWindow::chooseFilmStrip() {
   if (controller_->scene() == nullptr || !SceneView::platformCanRender()) {
     Q_EMIT controller_->noticed(tr("There is no picture to capture here"));
     return;
@@ -49,7 +49,7 @@ void MainWindow::chooseFilmStrip() {
   savePicture(filmStrip(stripRows(frames)), file);
 }
 
-std::vector<StripFrame> MainWindow::replayFrames() {
+std::vector<StripFrame> SimulatorWindow::replayFrames() {
   TrialPlayback& playback = *controller_->playback();
   const std::int64_t before_us = playback.position_us();
   std::vector<StripFrame> frames;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/administrator/office_pages.h"
+#include "app/gui/administrator/administrator_pages.h"
 
 #include <QCoreApplication>
 
 #include "app/gui/administrator/allocation_page.h"
 #include "app/gui/administrator/audit_page.h"
 #include "app/gui/administrator/campaigns_page.h"
-#include "app/gui/administrator/care_page.h"
+#include "app/gui/administrator/maintenance_page.h"
 #include "app/gui/administrator/cohorts_page.h"
 #include "app/gui/administrator/curricula_page.h"
 #include "app/gui/administrator/curriculum_editor.h"
@@ -43,7 +43,7 @@ std::vector<PageEntry> officePages() {
           entry<AllocationPage>(PageId::kAllocation), entry<ScoringPage>(PageId::kScoring),
           entry<CampaignsPage>(PageId::kCampaigns),   entry<ResultsPage>(PageId::kResults),
           entry<ReportsPage>(PageId::kReports),       entry<UsersPage>(PageId::kUsers),
-          entry<AuditPage>(PageId::kAudit),           entry<CarePage>(PageId::kCare),
+          entry<AuditPage>(PageId::kAudit),           entry<MaintenancePage>(PageId::kCare),
           entry<RestorePage>(PageId::kRestore),       entry<MovePage>(PageId::kMove),
           entry<DevicesPage>(PageId::kDevices)};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/physician/alignment_page.h"
+#include "app/gui/physician/discrepancy_review_page.h"
 
 #include <cmath>
 
@@ -24,7 +24,7 @@
 
 namespace torsio::gui {
 
-AlignmentPage::AlignmentPage(ShellContext& shell, QWidget* parent)
+DiscrepancyReviewPage::DiscrepancyReviewPage(ShellContext& shell, QWidget* parent)
     : Page(shell, parent),
       heading_(new PageHeading(this)),
       table_(new DataTable(QStringLiteral("review.alignment"), this)),
@@ -76,7 +76,7 @@ AlignmentPage::AlignmentPage(ShellContext& shell, QWidget* parent)
   connectAll();
 }
 
-void AlignmentPage::connectAll() {
+void DiscrepancyReviewPage::connectAll() {
   connect(table_, &DataTable::currentChanged, this, [this](const QString& id) {
     if (id.isEmpty() || id.toStdString() == chosen_) {
       return;
@@ -86,7 +86,7 @@ void AlignmentPage::connectAll() {
     showCase();
   });
   connect(replay_, &QPushButton::clicked, this, [this] {
-    if (const AlignmentCase* one = current()) {
+    if (const DiscrepancyCase* one = current()) {
       this->shell().open(PageId::kCase, toQString(one->shown.assignmentId));
     }
   });
@@ -96,23 +96,23 @@ void AlignmentPage::connectAll() {
       showCase();
       return;
     }
-    decide([](Workplace& w, const std::string& id, const std::string& why) { keepMark(w, id, why); },
+    decide([](SessionContext& w, const std::string& id, const std::string& why) { keepMark(w, id, why); },
            tr("Your mark stays as it is"));
   });
-  connect(move_, &QPushButton::clicked, this, &AlignmentPage::startMoving);
-  connect(sheet_, &SheetEditorPanel::finishWanted, this, &AlignmentPage::startMoving);  // seals
+  connect(move_, &QPushButton::clicked, this, &DiscrepancyReviewPage::startMoving);
+  connect(sheet_, &SheetEditorPanel::finishWanted, this, &DiscrepancyReviewPage::startMoving);  // seals
   connect(third_, &QPushButton::clicked, this, [this] {
-    decide([](Workplace& w, const std::string& id, const std::string& why) { askForThird(w, id, why); },
+    decide([](SessionContext& w, const std::string& id, const std::string& why) { askForThird(w, id, why); },
            tr("The office is asked for a third physician"));
   });
 }
 
-AlignmentPage::~AlignmentPage() = default;
+DiscrepancyReviewPage::~DiscrepancyReviewPage() = default;
 
-void AlignmentPage::enter(const QVariant&) {
+void DiscrepancyReviewPage::enter(const QVariant&) {
   stopMoving();
   read();
-  for (const AlignmentCase& one : cases_) {
+  for (const DiscrepancyCase& one : cases_) {
     if (!one.decision.empty()) {
       continue;
     }
@@ -123,14 +123,14 @@ void AlignmentPage::enter(const QVariant&) {
   showList();
 }
 
-void AlignmentPage::read() {
+void DiscrepancyReviewPage::read() {
   cases_ = alignmentCases(shell().workplace());
   showList();
 }
 
-void AlignmentPage::showList() {
+void DiscrepancyReviewPage::showList() {
   std::vector<Row> rows;
-  for (const AlignmentCase& one : cases_) {
+  for (const DiscrepancyCase& one : cases_) {
     const QString decision = one.decision == "keep"    ? tr("kept")
                              : one.decision == "move"  ? tr("moved")
                              : one.decision == "third" ? tr("third asked for")
@@ -141,13 +141,13 @@ void AlignmentPage::showList() {
                      {decision}}});
   }
   table_->setRows(std::move(rows));
-  if (const AlignmentCase* one = current()) {
+  if (const DiscrepancyCase* one = current()) {
     table_->select(toQString(one->shown.assignmentId));
   }
 }
 
-const AlignmentCase* AlignmentPage::current() const {
-  for (const AlignmentCase& one : cases_) {
+const DiscrepancyCase* DiscrepancyReviewPage::current() const {
+  for (const DiscrepancyCase& one : cases_) {
     if (one.shown.assignmentId == chosen_) {
       return &one;
     }
@@ -155,8 +155,8 @@ const AlignmentCase* AlignmentPage::current() const {
   return cases_.empty() ? nullptr : &cases_.front();
 }
 
-void AlignmentPage::showCase() {
-  const AlignmentCase* one = current();
+void DiscrepancyReviewPage::showCase() {
+  const DiscrepancyCase* one = current();
   const bool moving = sheet_->editor() != nullptr;
   empty_->setVisible(cases_.empty());
   table_->setVisible(!cases_.empty());
@@ -181,14 +181,14 @@ void AlignmentPage::showCase() {
   third_->setVisible(!moving);
 }
 
-void AlignmentPage::startMoving() {
-  const AlignmentCase* one = current();
+void DiscrepancyReviewPage::startMoving() {
+  const DiscrepancyCase* one = current();
   if (one == nullptr) {
     return;
   }
   if (sheet_->editor() != nullptr) {
     const Sheet sheet = sheet_->editor()->sheet();
-    decide([&sheet](Workplace& w, const std::string& id,
+    decide([&sheet](SessionContext& w, const std::string& id,
                     const std::string& why) { moveMark(w, id, sheet, why); },
            tr("The moved mark is sealed; the one before is kept"));
     return;
@@ -201,13 +201,13 @@ void AlignmentPage::startMoving() {
   });
 }
 
-void AlignmentPage::stopMoving() {
+void DiscrepancyReviewPage::stopMoving() {
   sheet_->endSheet();
 }
 
 template <typename Action>
-void AlignmentPage::decide(const Action& action, const QString& said) {
-  const AlignmentCase* one = current();
+void DiscrepancyReviewPage::decide(const Action& action, const QString& said) {
+  const DiscrepancyCase* one = current();
   if (one == nullptr) {
     return;
   }
@@ -223,7 +223,7 @@ void AlignmentPage::decide(const Action& action, const QString& said) {
   }
 }
 
-void AlignmentPage::retranslate() {
+void DiscrepancyReviewPage::retranslate() {
   heading_->setTexts(tr("Alignment"),
                      tr("Only cases that all have submitted, and only where your mark lies apart. The "
                         "others are not named; nor are you to them."));
@@ -241,16 +241,16 @@ void AlignmentPage::retranslate() {
   showCase();
 }
 
-std::vector<std::pair<QString, QString>> AlignmentPage::keys() const {
+std::vector<std::pair<QString, QString>> DiscrepancyReviewPage::keys() const {
   return sheetKeys();
 }
 
-void AlignmentPage::applyTheme(const Theme& theme) {
+void DiscrepancyReviewPage::applyTheme(const Theme& theme) {
   bars_->setTheme(theme);
   sheet_->setTheme(theme);
 }
 
-void AlignmentPage::keyPressEvent(QKeyEvent* event) {
+void DiscrepancyReviewPage::keyPressEvent(QKeyEvent* event) {
   if (sheet_->editor() == nullptr || !sheet_->handle(event)) {
     Page::keyPressEvent(event);
   }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/gui/base/page.h"
-#include "app/review/alignment.h"
+#include "app/review/discrepancy_review.h"
 #include "app/review/sheet_editor.h"
 
 class QLabel;
@@ -21,12 +21,12 @@ class SheetEditorPanel;
 
 /// After all have submitted: own marks that lie apart, and what to do about each. Only disagreements; nobody
 /// is named.
-class AlignmentPage : public Page {
+class DiscrepancyReviewPage : public Page {
   Q_OBJECT
 
  public:
-  explicit AlignmentPage(ShellContext& shell, QWidget* parent = nullptr);
-  ~AlignmentPage() override;
+  explicit DiscrepancyReviewPage(ShellContext& shell, QWidget* parent = nullptr);
+  ~DiscrepancyReviewPage() override;
 
   void enter(const QVariant& argument) override;
   [[nodiscard]] std::vector<std::pair<QString, QString>> keys() const override;
@@ -37,7 +37,7 @@ class AlignmentPage : public Page {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  [[nodiscard]] const AlignmentCase* current() const;
+  [[nodiscard]] const DiscrepancyCase* current() const;
   void connectAll();
   void read();
   void showList();
@@ -61,7 +61,7 @@ class AlignmentPage : public Page {
   QPushButton* third_;
   QPushButton* replay_;
   QLabel* empty_;
-  std::vector<AlignmentCase> cases_;
+  std::vector<DiscrepancyCase> cases_;
   std::string chosen_;  ///< assignment id
 };
 

@@ -39,12 +39,12 @@ struct WindowSetup {
 
 /// The window: scene in the middle, exercise and readouts beside it. It only passes on: simulation is the
 /// controller's, drawing the scene view's, steering the pointer controls'.
-class MainWindow : public QMainWindow {
+class SimulatorWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  explicit MainWindow(const WindowSetup& setup);
-  ~MainWindow() override;
+  explicit SimulatorWindow(const WindowSetup& setup);
+  ~SimulatorWindow() override;
 
   [[nodiscard]] SimulationController& controller() noexcept { return *controller_; }
   [[nodiscard]] const std::filesystem::path& assets() const noexcept { return setup_.assets; }

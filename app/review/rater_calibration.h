@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "app/review/blinded_case.h"
 
 namespace torsio {
 
 /// A reference run as a rater sees it. What the panel said is there only after the own score.
-struct WarmUpRun {
+struct CalibrationRun {
   std::size_t number = 0;  ///< 1, 2 ...: "Reference 1"
   std::optional<std::int64_t> length_us{};
   std::optional<std::int64_t> own_steps{};  ///< newest try
@@ -22,22 +22,22 @@ struct WarmUpRun {
   std::size_t tries = 0;
 };
 
-struct WarmUp {
+struct RaterCalibration {
   StoredRubricRevision rubric{};  ///< of the first run; anchors help to find the overall mark
-  std::vector<WarmUpRun> runs{};
+  std::vector<CalibrationRun> runs{};
   [[nodiscard]] bool complete() const noexcept;
   /// Mean over the runs that were scored, points; empty: none.
   [[nodiscard]] std::optional<double> meanOffset_points() const noexcept;
 };
 
 /// kMarkSubmit.
-[[nodiscard]] WarmUp warmUp(Workplace& workplace);
+[[nodiscard]] RaterCalibration warmUp(SessionContext& workplace);
 /// The recording of run `number`, blinded like a case. kTrialViewAssigned: reference runs are for every
 /// rater. Throws Error{kBadData}: no such run.
-[[nodiscard]] BlindedRecording loadReferenceRun(Workplace& workplace, std::size_t number);
+[[nodiscard]] BlindedRecording loadReferenceRun(SessionContext& workplace, std::size_t number);
 /// Stores the rater's overall mark with its offset from the panel; a second try is kept beside the first.
 /// kMarkSubmit; audited. Throws Error{kBadData}: no such run, or outside the scale.
-void scoreReferenceRun(Workplace& workplace, std::size_t number, std::int64_t score_steps);
+void scoreReferenceRun(SessionContext& workplace, std::size_t number, std::int64_t score_steps);
 
 /// A recording that may become a reference run: complete, never one before, and nobody is asked to score it
 /// (the panel's mark would give the case away).
@@ -51,7 +51,7 @@ struct ReferenceCandidate {
   bool demonstration = false;
 };
 /// Newest first. kStudySetup.
-[[nodiscard]] std::vector<ReferenceCandidate> referenceCandidates(Workplace& workplace);
+[[nodiscard]] std::vector<ReferenceCandidate> referenceCandidates(SessionContext& workplace);
 
 /// A reference run as the office sees it.
 struct ReferenceRow {
@@ -67,7 +67,7 @@ struct ReferenceRow {
   std::string withdrawnBecause{};  ///< empty: raters are given it
 };
 /// In the order of the warm-up, those that were withdrawn last. kStudySetup.
-[[nodiscard]] std::vector<ReferenceRow> referenceRows(Workplace& workplace);
+[[nodiscard]] std::vector<ReferenceRow> referenceRows(SessionContext& workplace);
 
 /// A run for the warm-up, chosen by the office.
 struct ReferenceChoice {
@@ -80,10 +80,10 @@ struct ReferenceChoice {
 /// Adds reference runs behind those there are. kStudySetup; audited. Throws Error{kBadData}: no
 /// such rubric, a recording that does not exist or has not ended, one that is or was a reference run;
 /// {kBadParameter}: a mark outside the rubric's scale, or a panel of nobody.
-void addReferenceRuns(Workplace& workplace, const std::vector<ReferenceChoice>& runs);
+void addReferenceRuns(SessionContext& workplace, const std::vector<ReferenceChoice>& runs);
 /// From now on no rater is given the run; it stays stored with what raters scored, and later ones move up.
 /// For good: what raters have seen cannot come back as new. kStudySetup; audited with the reason. Throws
 /// Error{kBadData}: no such reference run; {kBadParameter}: no reason.
-void withdrawReferenceRun(Workplace& workplace, const std::string& trialId, const std::string& reason);
+void withdrawReferenceRun(SessionContext& workplace, const std::string& trialId, const std::string& reason);
 
 }  // namespace torsio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/administrator/warm_up_dialog.h"
+#include "app/gui/administrator/rater_calibration_dialog.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -18,7 +18,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
@@ -33,7 +33,7 @@ constexpr std::ptrdiff_t kUsual = 2;  // reference runs of a warm-up
 
 }  // namespace
 
-WarmUpDialog::WarmUpDialog(ShellContext& shell, std::vector<RubricRow> rubrics, QWidget* parent)
+RaterCalibrationDialog::RaterCalibrationDialog(ShellContext& shell, std::vector<RubricRow> rubrics, QWidget* parent)
     : QDialog(parent),
       shell_(shell),
       rubrics_(std::move(rubrics)),
@@ -77,17 +77,17 @@ WarmUpDialog::WarmUpDialog(ShellContext& shell, std::vector<RubricRow> rubrics, 
       tr("No recording can be offered: each is being scored, is or was a reference run, or is incomplete."));
   column->addWidget(candidates_, 1);
   createForm();
-  connect(candidates_, &DataTable::currentChanged, this, &WarmUpDialog::check);
-  connect(present_, &DataTable::currentChanged, this, &WarmUpDialog::check);
-  connect(rubric_, &QComboBox::currentIndexChanged, this, &WarmUpDialog::showScale);
-  connect(withdraw_, &QPushButton::clicked, this, &WarmUpDialog::withdraw);
-  connect(add_, &QPushButton::clicked, this, &WarmUpDialog::add);
+  connect(candidates_, &DataTable::currentChanged, this, &RaterCalibrationDialog::check);
+  connect(present_, &DataTable::currentChanged, this, &RaterCalibrationDialog::check);
+  connect(rubric_, &QComboBox::currentIndexChanged, this, &RaterCalibrationDialog::showScale);
+  connect(withdraw_, &QPushButton::clicked, this, &RaterCalibrationDialog::withdraw);
+  connect(add_, &QPushButton::clicked, this, &RaterCalibrationDialog::add);
   connect(close_, &QPushButton::clicked, this, &QDialog::accept);
   showScale();
   read();
 }
 
-void WarmUpDialog::createForm() {
+void RaterCalibrationDialog::createForm() {
   auto* column = static_cast<QVBoxLayout*>(layout());
   for (const RubricRow& rubric : rubrics_) {
     rubric_->addItem(toQString(rubric.name), toQString(rubric.id));
@@ -115,18 +115,18 @@ void WarmUpDialog::createForm() {
   column->addLayout(buttons);
 }
 
-const StoredRubricRevision& WarmUpDialog::revision() const {
+const StoredRubricRevision& RaterCalibrationDialog::revision() const {
   return rubrics_.at(static_cast<std::size_t>(std::max(rubric_->currentIndex(), 0))).revisions.back();
 }
 
-void WarmUpDialog::showScale() {
+void RaterCalibrationDialog::showScale() {
   const ScoreScale& scale = revision().overall;
   mark_->setDecimals(1);  // a mean of a panel
   mark_->setRange(pointsFromSteps(scale.lo, scale), pointsFromSteps(scale.hi, scale));
   mark_->setSingleStep(0.5);
 }
 
-void WarmUpDialog::read() {
+void RaterCalibrationDialog::read() {
   const QLocale locale = this->locale();
   const std::vector<ReferenceRow> runs = referenceRows(shell_.workplace());
   const auto given = std::count_if(runs.begin(), runs.end(),
@@ -169,13 +169,13 @@ void WarmUpDialog::read() {
   check();
 }
 
-void WarmUpDialog::check() {
+void RaterCalibrationDialog::check() {
   add_->setEnabled(!candidates_->currentId().isEmpty());
   const QString chosen = present_->currentId();
   withdraw_->setEnabled(!chosen.isEmpty() && !withdrawn_.contains(chosen));
 }
 
-void WarmUpDialog::add() {
+void RaterCalibrationDialog::add() {
   attempt(shell_, [this] {
     addReferenceRuns(shell_.workplace(), {{candidates_->currentId().toStdString(), revision().id,
                                            mark_->value(), panel_->value(), false}});
@@ -184,7 +184,7 @@ void WarmUpDialog::add() {
   });
 }
 
-void WarmUpDialog::withdraw() {
+void RaterCalibrationDialog::withdraw() {
   const QString chosen = present_->currentId();
   const std::optional<std::string> reason =
       askReason(this, tr("Withdraw a reference run"),

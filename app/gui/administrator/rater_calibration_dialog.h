@@ -7,7 +7,7 @@
 #include <QDialog>
 #include <QString>
 
-#include "app/review/warm_up.h"
+#include "app/review/rater_calibration.h"
 #include "app/study/rubric_service.h"
 
 class QComboBox;
@@ -23,12 +23,12 @@ class ShellContext;
 
 /// The reference runs of the physicians' warm-up: which there are, one more with the mark that a panel gave
 /// it, and one less with a reason. Each change is stored at once.
-class WarmUpDialog : public QDialog {
+class RaterCalibrationDialog : public QDialog {
   Q_OBJECT
 
  public:
   /// `rubrics`: at least one, each with a revision.
-  WarmUpDialog(ShellContext& shell, std::vector<RubricRow> rubrics, QWidget* parent);
+  RaterCalibrationDialog(ShellContext& shell, std::vector<RubricRow> rubrics, QWidget* parent);
 
  private:
   void createForm();

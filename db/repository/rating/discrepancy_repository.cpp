@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/rating/alignment_repository.h"
+#include "db/repository/rating/discrepancy_repository.h"
 
 #include "db/connection/row_reader.h"
 #include "db/repository/base/audit_repository.h"
@@ -12,15 +12,15 @@ const std::string kDecisions =
     "SELECT d.assignment_id, d.sequence, d.decision, d.reason, d.decided_by, d.decided_utc_us"
     " FROM alignment_decision d";
 
-AlignmentDecision decisionOf(RowReader& row) {
+DiscrepancyDecision decisionOf(RowReader& row) {
   return {row.text(), row.int64(), row.text(), row.text(), row.text(), row.int64()};
 }
 
 }  // namespace
 
-std::int64_t AlignmentRepository::add(const AlignmentDecision& decision) {
+std::int64_t DiscrepancyRepository::add(const DiscrepancyDecision& decision) {
   Transaction transaction(connection_);
-  const std::optional<AlignmentDecision> before = latest(decision.assignmentId);
+  const std::optional<DiscrepancyDecision> before = latest(decision.assignmentId);
   const std::int64_t sequence = before ? before->sequence + 1 : 1;
   connection_.execute(insertInto("alignment_decision",
                                  "assignment_id, sequence, decision, reason, decided_by, decided_utc_us"),
@@ -39,17 +39,17 @@ std::int64_t AlignmentRepository::add(const AlignmentDecision& decision) {
   return sequence;
 }
 
-std::vector<AlignmentDecision> AlignmentRepository::history(const std::string& assignmentId) const {
+std::vector<DiscrepancyDecision> DiscrepancyRepository::history(const std::string& assignmentId) const {
   return selectAll(connection_, kDecisions + " WHERE d.assignment_id = ? ORDER BY d.sequence", {assignmentId},
                    decisionOf);
 }
 
-std::optional<AlignmentDecision> AlignmentRepository::latest(const std::string& assignmentId) const {
-  const std::vector<AlignmentDecision> all = history(assignmentId);
+std::optional<DiscrepancyDecision> DiscrepancyRepository::latest(const std::string& assignmentId) const {
+  const std::vector<DiscrepancyDecision> all = history(assignmentId);
   return all.empty() ? std::nullopt : std::optional(all.back());
 }
 
-std::vector<AlignmentDecision> AlignmentRepository::ofCase(const std::string& enrolmentId,
+std::vector<DiscrepancyDecision> DiscrepancyRepository::ofCase(const std::string& enrolmentId,
                                                            const std::string& scoringPoint) const {
   return selectAll(
       connection_,
@@ -60,7 +60,7 @@ std::vector<AlignmentDecision> AlignmentRepository::ofCase(const std::string& en
       {enrolmentId, scoringPoint}, decisionOf);
 }
 
-std::vector<AlignmentDecision> AlignmentRepository::ofCohort(const std::string& cohortId) const {
+std::vector<DiscrepancyDecision> DiscrepancyRepository::ofCohort(const std::string& cohortId) const {
   return selectAll(
       connection_,
       kDecisions +

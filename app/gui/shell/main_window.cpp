@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/shell/shell_window.h"
+#include "app/gui/shell/main_window.h"
 
 #include <utility>
 
@@ -48,7 +48,7 @@ bool pressedByEnter(const QWidget& window, QObject* watched, const QEvent& event
 
 }  // namespace
 
-ShellWindow::ShellWindow(const ShellSetup& setup)
+MainWindow::MainWindow(const ShellSetup& setup)
     : setup_(setup),
       preferences_(setup.remember),
       idle_(setup.clock != nullptr ? *setup.clock : machineClock_, setup.idle.value_or(IdleLimits{})),
@@ -82,25 +82,25 @@ ShellWindow::ShellWindow(const ShellSetup& setup)
   createKeys();
   retranslate();
   qApp->installEventFilter(this);
-  connect(&second_, &QTimer::timeout, this, &ShellWindow::watchIdleness);
-  connect(&second_, &QTimer::timeout, this, &ShellWindow::heartbeat);
+  connect(&second_, &QTimer::timeout, this, &MainWindow::watchIdleness);
+  connect(&second_, &QTimer::timeout, this, &MainWindow::heartbeat);
   second_.start(1000);
   restoreGeometry(preferences_.layout(QStringLiteral("window")).toByteArray());
 }
 
-ShellWindow::~ShellWindow() {
+MainWindow::~MainWindow() {
   qApp->removeEventFilter(this);
   delete desk_;  // before the workplace that it works at
 }
 
-WorkplaceKey ShellWindow::key() const {
+WorkplaceKey MainWindow::key() const {
   WorkplaceKey key;
   key.locator = setup_.locator.toStdString();
   key.station = setup_.station;
   return key;
 }
 
-void ShellWindow::createPanels() {
+void MainWindow::createPanels() {
   trouble_ = new TroublePanel(this);
   firstRun_ = new FirstRunPanel(setup_.locator, this);
   signIn_ = new SignInPanel(this);
@@ -110,17 +110,17 @@ void ShellWindow::createPanels() {
     stack_->addWidget(panel);
   }
   trouble_->setTheme(theme(theme_));
-  connect(trouble_, &TroublePanel::retryWanted, this, &ShellWindow::openDatabase);
-  connect(trouble_, &TroublePanel::otherDatabaseWanted, this, &ShellWindow::enterFirstRun);
-  connect(firstRun_, &FirstRunPanel::languageWanted, this, &ShellWindow::chooseLanguage);
-  connect(firstRun_, &FirstRunPanel::chosen, this, &ShellWindow::setUp);
-  connect(firstRun_, &FirstRunPanel::done, this, &ShellWindow::enterDesk);
+  connect(trouble_, &TroublePanel::retryWanted, this, &MainWindow::openDatabase);
+  connect(trouble_, &TroublePanel::otherDatabaseWanted, this, &MainWindow::enterFirstRun);
+  connect(firstRun_, &FirstRunPanel::languageWanted, this, &MainWindow::chooseLanguage);
+  connect(firstRun_, &FirstRunPanel::chosen, this, &MainWindow::setUp);
+  connect(firstRun_, &FirstRunPanel::done, this, &MainWindow::enterDesk);
   connect(&firstRun_->job(), &JobPanel::cancelled, this, [this] { setUpCancelled_->store(true); });
-  connect(signIn_, &SignInPanel::passwordGiven, this, &ShellWindow::tryPassword);
-  connect(signIn_, &SignInPanel::pinGiven, this, &ShellWindow::tryPin);
-  connect(signIn_, &SignInPanel::languageWanted, this, &ShellWindow::chooseLanguage);
-  connect(signIn_, &SignInPanel::guestChosen, this, &ShellWindow::enterAsGuest);
-  connect(password_, &PasswordPanel::chosen, this, &ShellWindow::changePassword);
+  connect(signIn_, &SignInPanel::passwordGiven, this, &MainWindow::tryPassword);
+  connect(signIn_, &SignInPanel::pinGiven, this, &MainWindow::tryPin);
+  connect(signIn_, &SignInPanel::languageWanted, this, &MainWindow::chooseLanguage);
+  connect(signIn_, &SignInPanel::guestChosen, this, &MainWindow::enterAsGuest);
+  connect(password_, &PasswordPanel::chosen, this, &MainWindow::changePassword);
   connect(password_, &PasswordPanel::givenUp, this, [this] {
     if (desk_ != nullptr) {
       show(desk_);
@@ -130,7 +130,7 @@ void ShellWindow::createPanels() {
   });
   dialogLock_ = new DialogLock(this);
   for (LockPanel* lock : {lock_, &dialogLock_->panel()}) {
-    connect(lock, &LockPanel::passwordGiven, this, &ShellWindow::unlock);
+    connect(lock, &LockPanel::passwordGiven, this, &MainWindow::unlock);
     connect(lock, &LockPanel::signOutWanted, this, [this] { signOutBeyondDialogs({}); });
   }
   connect(&background_, &Background::workingChanged, this, [this](bool working) {
@@ -142,7 +142,7 @@ void ShellWindow::createPanels() {
   });
 }
 
-void ShellWindow::createKeys() {
+void MainWindow::createKeys() {
   const auto key = [this](const QKeySequence& keys, auto act) {
     connect(new QShortcut(keys, this), &QShortcut::activated, this, act);
   };
@@ -151,17 +151,17 @@ void ShellWindow::createKeys() {
   key(QKeySequence(QStringLiteral("?")), sheet);
   key(Qt::Key_F11, [this] { toggleFullScreen(); });
   key(Qt::CTRL | Qt::ALT | Qt::Key_L, [this] { lock(); });
-  connect(signIn_, &SignInPanel::leaveKioskWanted, this, &ShellWindow::leaveKiosk);
+  connect(signIn_, &SignInPanel::leaveKioskWanted, this, &MainWindow::leaveKiosk);
   signIn_->setKiosk(setup_.kiosk);
 }
 
-void ShellWindow::toggleFullScreen() {
+void MainWindow::toggleFullScreen() {
   if (!setup_.kiosk) {
     setWindowState(windowState() ^ Qt::WindowFullScreen);
   }
 }
 
-bool ShellWindow::eventFilter(QObject* watched, QEvent* event) {
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   switch (event->type()) {
     case QEvent::KeyPress:
     case QEvent::MouseMove:
@@ -177,7 +177,7 @@ bool ShellWindow::eventFilter(QObject* watched, QEvent* event) {
   return pressedByEnter(*this, watched, *event) || QWidget::eventFilter(watched, event);
 }
 
-void ShellWindow::watchIdleness() {
+void MainWindow::watchIdleness() {
   const bool watched = desk_ != nullptr && stack_->currentWidget() == desk_;
   const bool busy = !watched || desk_->busy();
   if (busy != idle_.busy()) {
@@ -205,11 +205,11 @@ void ShellWindow::watchIdleness() {
   }
 }
 
-void ShellWindow::show(QWidget* panel) {
+void MainWindow::show(QWidget* panel) {
   stack_->setCurrentWidget(panel);
 }
 
-QString ShellWindow::screen() const {
+QString MainWindow::screen() const {
   const QWidget* shown = stack_->currentWidget();
   const std::pair<const QWidget*, const char*> names[] = {{trouble_, "trouble"}, {firstRun_, "first run"},
                                                           {signIn_, "sign-in"},  {password_, "password"},
@@ -222,14 +222,14 @@ QString ShellWindow::screen() const {
   return {};
 }
 
-void ShellWindow::start() {
+void MainWindow::start() {
   if (const QString chosen = preferences_.database(); !chosen.isEmpty()) {
     setup_.locator = chosen;
   }
   openDatabase();
 }
 
-void ShellWindow::heartbeat() {
+void MainWindow::heartbeat() {
   if (!line_) {
     return;
   }
@@ -237,7 +237,7 @@ void ShellWindow::heartbeat() {
   showAnswers(line_->answers());
 }
 
-void ShellWindow::showAnswers(bool answers) {
+void MainWindow::showAnswers(bool answers) {
   const bool running = desk_ != nullptr && desk_->busy();
   awayBanner_->setVisible(!answers);
   if (!answers) {
@@ -256,7 +256,7 @@ void ShellWindow::showAnswers(bool answers) {
 }
 
 /// The connection of the pages was lost with the server.
-void ShellWindow::reconnect() {
+void MainWindow::reconnect() {
   try {
     workplace_->reconnect();
   } catch (...) {
@@ -264,13 +264,13 @@ void ShellWindow::reconnect() {
   }
 }
 
-void ShellWindow::forgetActor() {
+void MainWindow::forgetActor() {
   if (!workplace_ || workplace_->actor().userId.empty()) {
     return;
   }
   try {
     if (line_ && !line_->answers()) {
-      line_->write([](Workplace& own) { torsio::signOut(own); });
+      line_->write([](SessionContext& own) { torsio::signOut(own); });
       workplace_->setActor({});
     } else {
       torsio::signOut(*workplace_);
@@ -280,23 +280,23 @@ void ShellWindow::forgetActor() {
   }
 }
 
-QString ShellWindow::userId() const {
+QString MainWindow::userId() const {
   return workplace_ ? toQString(workplace_->actor().userId) : QString();
 }
 
-void ShellWindow::retranslate() {
+void MainWindow::retranslate() {
   idleWarning_->setAccessibleName(tr("Warning of the idle lock"));
   awayBanner_->setAccessibleName(tr("State of the database"));
 }
 
-void ShellWindow::changeEvent(QEvent* event) {
+void MainWindow::changeEvent(QEvent* event) {
   if (event->type() == QEvent::LanguageChange) {
     retranslate();
   }
   QWidget::changeEvent(event);
 }
 
-void ShellWindow::applyChoices(const QString& user, bool station) {
+void MainWindow::applyChoices(const QString& user, bool station) {
   const auto language = preferences_.language(user);
   const auto stations = preferences_.language({});
   if (language || stations) {
@@ -312,7 +312,7 @@ void ShellWindow::applyChoices(const QString& user, bool station) {
   }
 }
 
-void ShellWindow::chooseLanguage(Language language) {
+void MainWindow::chooseLanguage(Language language) {
   language_.choose(language);
   preferences_.setLanguage(userId(), language);
   if (desk_ != nullptr) {
@@ -320,7 +320,7 @@ void ShellWindow::chooseLanguage(Language language) {
   }
 }
 
-void ShellWindow::chooseTheme(ThemeKind kind) {
+void MainWindow::chooseTheme(ThemeKind kind) {
   theme_ = kind;
   setup_.theme.reset();
   preferences_.setThemeKind(userId(), kind);
@@ -331,7 +331,7 @@ void ShellWindow::chooseTheme(ThemeKind kind) {
   }
 }
 
-void ShellWindow::closeEvent(QCloseEvent* event) {
+void MainWindow::closeEvent(QCloseEvent* event) {
   if (!mayClose_ || background_.working() || (desk_ != nullptr && !desk_->mayLeave())) {
     event->ignore();
     return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/review/warm_up.h"
+#include "app/review/rater_calibration.h"
 
 #include <algorithm>
 #include <map>
@@ -66,15 +66,15 @@ ScoreScale checkedScale(Connection& connection, const ReferenceChoice& choice) {
 
 }  // namespace
 
-bool WarmUp::complete() const noexcept {
+bool RaterCalibration::complete() const noexcept {
   return std::all_of(runs.begin(), runs.end(),
-                     [](const WarmUpRun& run) { return run.own_steps.has_value(); });
+                     [](const CalibrationRun& run) { return run.own_steps.has_value(); });
 }
 
-std::optional<double> WarmUp::meanOffset_points() const noexcept {
+std::optional<double> RaterCalibration::meanOffset_points() const noexcept {
   double sum = 0.0;
   std::size_t n = 0;
-  for (const WarmUpRun& run : runs) {
+  for (const CalibrationRun& run : runs) {
     if (!run.offset_points) {
       continue;
     }
@@ -84,19 +84,19 @@ std::optional<double> WarmUp::meanOffset_points() const noexcept {
   return n > 0 ? std::optional(sum / static_cast<double>(n)) : std::nullopt;
 }
 
-WarmUp warmUp(Workplace& workplace) {
+RaterCalibration warmUp(SessionContext& workplace) {
   workplace.require(Operation::kMarkSubmit);
   DeskRepository desk(workplace.connection());
   SheetRepository sheets(workplace.connection());
   const std::vector<StoredWarmup> tries =
       RemarkRepository(workplace.connection()).warmups(workplace.actor().personId);
-  WarmUp out;
+  RaterCalibration out;
   for (const StoredReferenceRun& run : desk.referenceRuns()) {
     const StoredRubricRevision rubric = sheets.revision(run.rubricRevisionId).value();
     if (out.runs.empty()) {
       out.rubric = rubric;
     }
-    WarmUpRun shown;
+    CalibrationRun shown;
     shown.number = out.runs.size() + 1;
     shown.length_us = desk.trialLength_us(run.trialId);
     for (const StoredWarmup& one : tries) {
@@ -114,13 +114,13 @@ WarmUp warmUp(Workplace& workplace) {
   return out;
 }
 
-BlindedRecording loadReferenceRun(Workplace& workplace, std::size_t number) {
+BlindedRecording loadReferenceRun(SessionContext& workplace, std::size_t number) {
   workplace.require(Operation::kTrialViewAssigned);
   const StoredReferenceRun run = runNumber(workplace.connection(), number);
   return blindedRecordingOf(workplace.connection(), run.trialId, labelOf(number), workplace.actor().personId);
 }
 
-void scoreReferenceRun(Workplace& workplace, std::size_t number, std::int64_t score_steps) {
+void scoreReferenceRun(SessionContext& workplace, std::size_t number, std::int64_t score_steps) {
   workplace.require(Operation::kMarkSubmit);
   const StoredReferenceRun run = runNumber(workplace.connection(), number);
   const StoredRubricRevision rubric =
@@ -145,7 +145,7 @@ void scoreReferenceRun(Workplace& workplace, std::size_t number, std::int64_t sc
   transaction.commit();
 }
 
-std::vector<ReferenceCandidate> referenceCandidates(Workplace& workplace) {
+std::vector<ReferenceCandidate> referenceCandidates(SessionContext& workplace) {
   workplace.require(Operation::kStudySetup);
   DeskRepository desk(workplace.connection());
   std::set<std::string> spoken;
@@ -168,7 +168,7 @@ std::vector<ReferenceCandidate> referenceCandidates(Workplace& workplace) {
   return candidates;
 }
 
-std::vector<ReferenceRow> referenceRows(Workplace& workplace) {
+std::vector<ReferenceRow> referenceRows(SessionContext& workplace) {
   workplace.require(Operation::kStudySetup);
   DeskRepository desk(workplace.connection());
   SheetRepository sheets(workplace.connection());
@@ -194,7 +194,7 @@ std::vector<ReferenceRow> referenceRows(Workplace& workplace) {
   return rows;
 }
 
-void addReferenceRuns(Workplace& workplace, const std::vector<ReferenceChoice>& runs) {
+void addReferenceRuns(SessionContext& workplace, const std::vector<ReferenceChoice>& runs) {
   workplace.require(Operation::kStudySetup);
   DeskRepository desk(workplace.connection());
   auto position = static_cast<std::int64_t>(desk.allReferenceRuns().size());
@@ -218,7 +218,7 @@ void addReferenceRuns(Workplace& workplace, const std::vector<ReferenceChoice>& 
   transaction.commit();
 }
 
-void withdrawReferenceRun(Workplace& workplace, const std::string& trialId, const std::string& reason) {
+void withdrawReferenceRun(SessionContext& workplace, const std::string& trialId, const std::string& reason) {
   workplace.require(Operation::kStudySetup);
   if (reason.empty()) {
     throw Error(ErrorCode::kBadParameter, "a withdrawal needs a reason", trialId, "Say why, in a few words");

@@ -52,17 +52,17 @@ struct ShellSetup {
 
 /// The program's window: first run, sign-in, forced password change, the desk of whoever signed in, and the
 /// lock. One of them is shown at a time. Passwords are checked off the GUI thread.
-class ShellWindow : public QWidget {
+class MainWindow : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ShellWindow(const ShellSetup& setup);
-  ~ShellWindow() override;
+  explicit MainWindow(const ShellSetup& setup);
+  ~MainWindow() override;
 
   /// Opens the database and shows the first screen.
   void start();
   [[nodiscard]] Desk* desk() noexcept { return desk_; }
-  [[nodiscard]] Workplace* workplace() noexcept { return workplace_.get(); }
+  [[nodiscard]] SessionContext* workplace() noexcept { return workplace_.get(); }
   [[nodiscard]] Background& background() noexcept { return background_; }
   [[nodiscard]] LanguageSwitch& languageSwitch() noexcept { return language_; }
   /// "first run", "sign-in", "password", "desk", "lock", "trouble": for tests.
@@ -131,7 +131,7 @@ class ShellWindow : public QWidget {
   MonotonicClock machineClock_;
   IdleGuard idle_;
   QTimer second_;
-  std::unique_ptr<Workplace> workplace_;
+  std::unique_ptr<SessionContext> workplace_;
   std::unique_ptr<StationWriter> line_;
   bool answered_ = true;    // the database, at the last heartbeat
   bool settleDue_ = false;  // recordings may have gone to files meanwhile

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "assessment/study/occasion.h"
 
 namespace torsio {
 
 /// Somebody who may be asked.
-struct ThirdRater {
+struct Adjudicator {
   std::string id{};
   std::string code{};
   std::string classCode{};
@@ -28,18 +28,18 @@ struct ThirdRequest {
   std::vector<std::string> askedBy{};  ///< codes
   std::vector<std::string> reasons{};
   std::int64_t askedUtc_us = 0;    ///< the first time
-  std::vector<ThirdRater> free{};  ///< not asked about this case before; of the same class and the least
+  std::vector<Adjudicator> free{};  ///< not asked about this case before; of the same class and the least
                                    ///< loaded first
 };
 
 /// What waits in a cohort, oldest first: cases on which a physician's newest decision is "third" and nobody
 /// has been asked since. kStudySetup.
-[[nodiscard]] std::vector<ThirdRequest> thirdRequests(Workplace& workplace, const std::string& cohortId);
+[[nodiscard]] std::vector<ThirdRequest> thirdRequests(SessionContext& workplace, const std::string& cohortId);
 
 /// Asks `raterId` about the case of a request, under a label of their own and with the same rubric. Returns
 /// the new assignment. kStudySetup; audited. Throws Error{kBadData}: no request, or the rater was asked about
 /// this case before or is none.
-std::string assignThird(Workplace& workplace, const std::string& cohortId, const std::string& assignmentId,
+std::string assignThird(SessionContext& workplace, const std::string& cohortId, const std::string& assignmentId,
                         const std::string& raterId);
 
 }  // namespace torsio

@@ -24,11 +24,11 @@ class PageHeading;
 
 /// Care of the record: backup and its test, check of the database, room on the disk, simulated data, and
 /// whose record is due for review.
-class CarePage : public Page {
+class MaintenancePage : public Page {
   Q_OBJECT
 
  public:
-  explicit CarePage(ShellContext& shell);
+  explicit MaintenancePage(ShellContext& shell);
 
   void enter(const QVariant& argument) override;
   void retranslate() override;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 #include "app/review/blinded_case.h"
 
 namespace torsio {
@@ -24,7 +24,7 @@ struct RowComparison {
 };
 
 /// A case on which all have committed and where the own sheet lies apart.
-struct AlignmentCase {
+struct DiscrepancyCase {
   BlindedCase shown{};
   std::vector<RowComparison> rows{};  ///< in the rubric's order, the overall mark last
   double largest = 0.0;               ///< distance, points
@@ -37,15 +37,15 @@ inline constexpr double kAlignmentThreshold_points = 2.0;
 
 /// Disagreements only, in the rater's own order; a case that was moved stays listed with its decision as long
 /// as it lies apart. kMarkSubmit. Cases on which somebody has not committed are not even looked at.
-[[nodiscard]] std::vector<AlignmentCase> alignmentCases(Workplace& workplace);
+[[nodiscard]] std::vector<DiscrepancyCase> alignmentCases(SessionContext& workplace);
 
 /// The mark stays. kMarkSubmit, own committed case; audited.
-void keepMark(Workplace& workplace, const std::string& assignmentId, const std::string& reason);
+void keepMark(SessionContext& workplace, const std::string& assignmentId, const std::string& reason);
 /// A new version of the own sheet; both stay. Throws Error{kBadParameter} without a reason, {kBadData} when
 /// not all have committed. kMarkSubmit, own committed case; audited.
-void moveMark(Workplace& workplace, const std::string& assignmentId, const Sheet& sheet,
+void moveMark(SessionContext& workplace, const std::string& assignmentId, const Sheet& sheet,
               const std::string& reason);
 /// The office is asked for a further rater; needs a reason. kMarkSubmit, own committed case; audited.
-void askForThird(Workplace& workplace, const std::string& assignmentId, const std::string& reason);
+void askForThird(SessionContext& workplace, const std::string& assignmentId, const std::string& reason);
 
 }  // namespace torsio

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
@@ -52,7 +52,7 @@ QLabel* fieldBeside(QBoxLayout* row, QWidget* field) {
   return label;
 }
 
-void fillCohorts(QComboBox* chooser, Workplace& workplace) {
+void fillCohorts(QComboBox* chooser, SessionContext& workplace) {
   const std::string before = chosenId(chooser);
   const QSignalBlocker quiet(chooser);
   chooser->clear();
@@ -70,7 +70,7 @@ void fillCohorts(QComboBox* chooser, Workplace& workplace) {
   }
 }
 
-void fillCampaigns(QComboBox* chooser, Workplace& workplace, const QString& none) {
+void fillCampaigns(QComboBox* chooser, SessionContext& workplace, const QString& none) {
   const std::string before = chosenId(chooser);
   const QSignalBlocker quiet(chooser);
   chooser->clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of ShellWindow: the desk of whoever signed in.
+// Of MainWindow: the desk of whoever signed in.
 #include <QInputDialog>
 #include <QLocale>
 #include <QMessageBox>
@@ -15,7 +15,7 @@
 #include "app/gui/shell/lock_panel.h"
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/rail.h"
-#include "app/gui/shell/shell_window.h"
+#include "app/gui/shell/main_window.h"
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/maintenance/demonstration_removal.h"
@@ -23,7 +23,7 @@
 
 namespace torsio::gui {
 
-void ShellWindow::tellKept() {
+void MainWindow::tellKept() {
   if (kept_.empty() || workplace_->actor().practiceOnly) {
     return;
   }
@@ -35,7 +35,7 @@ void ShellWindow::tellKept() {
   kept_.clear();
 }
 
-void ShellWindow::enterDesk() {
+void MainWindow::enterDesk() {
   leaveDesk();
   if (!setup_.idle) {
     idle_.setLimits(centreIdleLimits(workplace_->connection()));
@@ -46,7 +46,7 @@ void ShellWindow::enterDesk() {
   tellKept();
 }
 
-void ShellWindow::openDesk() {
+void MainWindow::openDesk() {
   DeskSetup setup;
   setup.assets = setup_.assets;
   setup.centre = centre_;
@@ -58,13 +58,13 @@ void ShellWindow::openDesk() {
   desk_->context().setLine(line_.get());
   stack_->addWidget(desk_);
   connect(desk_, &Desk::signOutWanted, this, [this] { signOut(); });
-  connect(desk_, &Desk::lockWanted, this, &ShellWindow::lock);
-  connect(desk_, &Desk::languageWanted, this, &ShellWindow::chooseLanguage);
-  connect(desk_, &Desk::themeWanted, this, &ShellWindow::chooseTheme);
-  connect(desk_, &Desk::pinWanted, this, &ShellWindow::choosePin);
+  connect(desk_, &Desk::lockWanted, this, &MainWindow::lock);
+  connect(desk_, &Desk::languageWanted, this, &MainWindow::chooseLanguage);
+  connect(desk_, &Desk::themeWanted, this, &MainWindow::chooseTheme);
+  connect(desk_, &Desk::pinWanted, this, &MainWindow::choosePin);
   connect(desk_, &Desk::shortcutsWanted, this, [this] { ShortcutSheet(desk_, this).exec(); });
   connect(desk_, &Desk::aboutWanted, this, [this] { showAboutBox(this); });
-  connect(desk_, &Desk::demonstrationRemovalWanted, this, &ShellWindow::removeDemonstration);
+  connect(desk_, &Desk::demonstrationRemovalWanted, this, &MainWindow::removeDemonstration);
   connect(desk_, &Desk::passwordChangeWanted, this, [this] {
     password_->begin(toQString(workplace_->actor().login), {}, false);
     show(password_);
@@ -81,7 +81,7 @@ void ShellWindow::openDesk() {
   desk_->openHome();
 }
 
-void ShellWindow::leaveDesk() {
+void MainWindow::leaveDesk() {
   if (desk_ == nullptr) {
     return;
   }
@@ -90,7 +90,7 @@ void ShellWindow::leaveDesk() {
   desk_ = nullptr;
 }
 
-bool ShellWindow::signOut(const QString& reason) {
+bool MainWindow::signOut(const QString& reason) {
   if (desk_ != nullptr && !desk_->mayLeave()) {
     return false;
   }
@@ -103,7 +103,7 @@ bool ShellWindow::signOut(const QString& reason) {
   return true;
 }
 
-bool ShellWindow::lock() {
+bool MainWindow::lock() {
   if (desk_ == nullptr || stack_->currentWidget() != desk_ || desk_->busy()) {
     return false;
   }
@@ -118,7 +118,7 @@ bool ShellWindow::lock() {
   return true;
 }
 
-void ShellWindow::signOutBeyondDialogs(const QString& reason) {
+void MainWindow::signOutBeyondDialogs(const QString& reason) {
   dialogLock_->closeOthers();
   if (QThread::currentThread()->loopLevel() > deskLevel_) {
     // Whoever opened a dialog still waits in its event loop, and belongs to the desk: that returns first.
@@ -134,7 +134,7 @@ void ShellWindow::signOutBeyondDialogs(const QString& reason) {
   sayLocked(tr("Something is unfinished here. Only its owner can sign out"));
 }
 
-void ShellWindow::choosePin() {
+void MainWindow::choosePin() {
   bool entered = false;
   const QString pin = QInputDialog::getText(this, tr("PIN for practice"),
                                             tr("At least four digits. With it you practise at a station; "
@@ -149,7 +149,7 @@ void ShellWindow::choosePin() {
   });
 }
 
-void ShellWindow::removeDemonstration() {
+void MainWindow::removeDemonstration() {
   attempt(desk_->context(), [&] {
     const DemonstrationSize size = demonstrationSize(*workplace_);
     if (size.rows == 0) {
@@ -172,7 +172,7 @@ void ShellWindow::removeDemonstration() {
     }
     desk_->context().run(
         tr("Removing the demonstration"),
-        [reason = tr("Removed from the user menu").toStdString()](Workplace& own, const ProgressCallback&) {
+        [reason = tr("Removed from the user menu").toStdString()](SessionContext& own, const ProgressCallback&) {
           static_cast<void>(removeDemonstrationData(own, reason));
         },
         [this] { desk_->context().notify(tr("The demonstration data were removed")); });

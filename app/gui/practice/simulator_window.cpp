@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/practice/main_window.h"
+#include "app/gui/practice/simulator_window.h"
 
 #include <algorithm>
 #include <utility>
@@ -48,7 +48,7 @@ QString localTime(std::int64_t utc_us) {
 
 }  // namespace
 
-MainWindow::MainWindow(const WindowSetup& setup) : setup_(setup), themeKind_(setup.theme) {
+SimulatorWindow::SimulatorWindow(const WindowSetup& setup) : setup_(setup), themeKind_(setup.theme) {
   setWindowTitle(QStringLiteral("Torsio"));
   resize(1280, 800);
   controller_ = std::make_unique<SimulationController>(setup_.loader, setup_.recording);
@@ -80,11 +80,11 @@ MainWindow::MainWindow(const WindowSetup& setup) : setup_(setup), themeKind_(set
   frameTimer_.start(kFrame_ms);
 }
 
-MainWindow::~MainWindow() {
+SimulatorWindow::~SimulatorWindow() {
   frameTimer_.stop();
 }
 
-void MainWindow::createLayout() {
+void SimulatorWindow::createLayout() {
   auto* centre = new QWidget(this);
   auto* row = new QHBoxLayout(centre);
   row->setContentsMargins(0, 0, 0, 0);
@@ -133,12 +133,12 @@ void MainWindow::createLayout() {
   statusBar()->setSizeGripEnabled(false);
 }
 
-void MainWindow::connectController() {
+void SimulatorWindow::connectController() {
   SimulationController* c = controller_.get();
-  connect(c, &SimulationController::sceneChanged, this, &MainWindow::showScene);
-  connect(c, &SimulationController::modeChanged, this, &MainWindow::showMode);
-  connect(c, &SimulationController::failed, this, &MainWindow::showProblem);
-  connect(c, &SimulationController::hapticModelChanged, this, &MainWindow::showDevice);
+  connect(c, &SimulationController::sceneChanged, this, &SimulatorWindow::showScene);
+  connect(c, &SimulationController::modeChanged, this, &SimulatorWindow::showMode);
+  connect(c, &SimulationController::failed, this, &SimulatorWindow::showProblem);
+  connect(c, &SimulationController::hapticModelChanged, this, &SimulatorWindow::showDevice);
   connect(c, &SimulationController::noticed, this, [this](const QString& sentence) {
     notice_ = sentence;
     noticeLeft_s_ = kNoticeFor_s;
@@ -194,12 +194,12 @@ void MainWindow::connectController() {
   connect(replayBar_, &ReplayBar::closed, c, &SimulationController::closeReplay);
 }
 
-void MainWindow::setThemeKind(ThemeKind kind) {
+void SimulatorWindow::setThemeKind(ThemeKind kind) {
   applyTheme(*qApp, theme(kind));
   applyColours(kind);
 }
 
-void MainWindow::applyColours(ThemeKind kind) {
+void SimulatorWindow::applyColours(ThemeKind kind) {
   themeKind_ = kind;
   const Theme& colours = theme(kind);
   view_->setTheme(colours);
@@ -212,7 +212,7 @@ void MainWindow::applyColours(ThemeKind kind) {
   }
 }
 
-void MainWindow::retranslate() {
+void SimulatorWindow::retranslate() {
   nameActions();
   exercise_->retranslate();
   readout_->retranslate();
@@ -230,13 +230,13 @@ void MainWindow::retranslate() {
   showMode();
 }
 
-void MainWindow::pause() {
+void SimulatorWindow::pause() {
   frameTimer_.stop();
   controller_->releaseTissue();
   controller_->useHapticDevice({});  // a run may need it
 }
 
-void MainWindow::resume() {
+void SimulatorWindow::resume() {
   if (setup_.openHaptic) {
     controller_->useHapticDevice(setup_.openHaptic);
   }
@@ -244,13 +244,13 @@ void MainWindow::resume() {
   frameTimer_.start(kFrame_ms);
 }
 
-void MainWindow::showDevice() {
+void SimulatorWindow::showDevice() {
   const QString& model = controller_->hapticModel();
   device_->setText(model.isEmpty() ? tr("Mouse and keyboard") : model);
   device_->setVisible(static_cast<bool>(setup_.openHaptic));
 }
 
-QString MainWindow::hapticHint(const LiveState& state) const {
+QString SimulatorWindow::hapticHint(const LiveState& state) const {
   switch (state.phase) {
     case ExercisePhase::kTracking:
       return tr("Bring the jaw to the marked band");
@@ -264,7 +264,7 @@ QString MainWindow::hapticHint(const LiveState& state) const {
   return tr("The tissue returns to rest");
 }
 
-void MainWindow::frame(double elapsed_s) {
+void SimulatorWindow::frame(double elapsed_s) {
   pointer_->advance(elapsed_s);
   controller_->advance(elapsed_s);
   const LiveState state = controller_->state();
@@ -284,7 +284,7 @@ void MainWindow::frame(double elapsed_s) {
   replayBar_->show(controller_->playback());
 }
 
-void MainWindow::showTool(const LiveState& state) {
+void SimulatorWindow::showTool(const LiveState& state) {
   const Scene& scene = *controller_->scene();
   const bool holds = state.phase == ExercisePhase::kTwisting;
   const bool live = controller_->playback() == nullptr;
@@ -305,7 +305,7 @@ void MainWindow::showTool(const LiveState& state) {
   view_->setTool(pose, state.grip);
 }
 
-void MainWindow::measureRate() {
+void SimulatorWindow::measureRate() {
   const double span_s = static_cast<double>(sinceRate_.elapsed()) * 1e-3;
   if (span_s < kRateOver_s) {
     return;
@@ -315,7 +315,7 @@ void MainWindow::measureRate() {
   sinceRate_.restart();
 }
 
-void MainWindow::showHint(const LiveState& state) {
+void SimulatorWindow::showHint(const LiveState& state) {
   const SimulationController::Mode mode = controller_->mode();
   QString text;
   if (noticeLeft_s_ > 0.0) {
@@ -353,7 +353,7 @@ void MainWindow::showHint(const LiveState& state) {
   }
 }
 
-void MainWindow::showScene() {
+void SimulatorWindow::showScene() {
   const Scene& scene = *controller_->scene();
   view_->setScene(controller_->viewScene());
   showGhost();
@@ -367,7 +367,7 @@ void MainWindow::showScene() {
   view_->setFocus();
 }
 
-void MainWindow::showGhost() {
+void SimulatorWindow::showGhost() {
   const Scene* scene = controller_->scene();
   if (scene == nullptr || !actions_.ghost->isChecked()) {
     view_->setGhost(std::nullopt);
@@ -377,7 +377,7 @@ void MainWindow::showGhost() {
   view_->setGhost(TwistState{grasp_m, controller_->target_rad()});
 }
 
-void MainWindow::showTitle() {
+void SimulatorWindow::showTitle() {
   const Scene& scene = *controller_->scene();
   const QString title = assetName(toQString(scene.title));
   setWindowTitle(tr("%1 \u2013 Torsio").arg(title));
@@ -385,7 +385,7 @@ void MainWindow::showTitle() {
   source_->setToolTip(toQString(scene.provenance));
 }
 
-void MainWindow::showMode() {
+void SimulatorWindow::showMode() {
   using Mode = SimulationController::Mode;
   const Mode mode = controller_->mode();
   const bool recording = mode == Mode::kRecording;
@@ -404,16 +404,16 @@ void MainWindow::showMode() {
   applyIcons();
 }
 
-void MainWindow::look(ViewPreset preset) {
+void SimulatorWindow::look(ViewPreset preset) {
   view_->camera().look(preset);
   view_->applyCamera();
 }
 
-void MainWindow::lookWhole() {
+void SimulatorWindow::lookWhole() {
   view_->frameOrgan();
 }
 
-void MainWindow::chooseOrganFile() {
+void SimulatorWindow::chooseOrganFile() {
   const QString file = askFileToOpen(
       this, tr("Open organ"), tr("Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae);;All files (*)"));
   if (file.isEmpty()) {
@@ -433,7 +433,7 @@ void MainWindow::chooseOrganFile() {
   controller_->load(request);
 }
 
-void MainWindow::chooseReplay() {
+void SimulatorWindow::chooseReplay() {
   try {
     const std::vector<RecordedTrial> trials = setup_.recording.list();
     if (trials.empty()) {
@@ -460,7 +460,7 @@ void MainWindow::chooseReplay() {
   }
 }
 
-void MainWindow::toggleRecording() {
+void SimulatorWindow::toggleRecording() {
   if (controller_->mode() == SimulationController::Mode::kRecording) {
     controller_->stopRecording();
   } else {
@@ -469,14 +469,14 @@ void MainWindow::toggleRecording() {
   }
 }
 
-void MainWindow::showProblem(const QString& happened, const QString& remedy, const QString& details) {
+void SimulatorWindow::showProblem(const QString& happened, const QString& remedy, const QString& details) {
   QMessageBox box(QMessageBox::Warning, tr("Torsio"), happened, QMessageBox::Ok, this);
   box.setInformativeText(remedy);
   box.setDetailedText(details);
   box.exec();
 }
 
-std::vector<std::pair<QString, QString>> MainWindow::pointerKeys() {
+std::vector<std::pair<QString, QString>> SimulatorWindow::pointerKeys() {
   return {
       {tr("Move the instrument"), tr("Mouse, or arrow keys")},
       {tr("Depth"), tr("Wheel, or Page Up and Page Down")},
@@ -491,13 +491,13 @@ std::vector<std::pair<QString, QString>> MainWindow::pointerKeys() {
   };
 }
 
-void MainWindow::chooseKeys() {
+void SimulatorWindow::chooseKeys() {
   if (askPointerKeys(this)) {
     pointer_->setKeys(PointerKeys::stored());
   }
 }
 
-void MainWindow::showHelp() {
+void SimulatorWindow::showHelp() {
   QString text = QStringLiteral("<table cellspacing='6'>");
   for (const auto& [what, how] : pointerKeys()) {
     text +=
@@ -509,7 +509,7 @@ void MainWindow::showHelp() {
   box.exec();
 }
 
-void MainWindow::showAbout() {
+void SimulatorWindow::showAbout() {
   QMessageBox::about(this, tr("About Torsio"),
                      tr("<h3>Torsio %1</h3><p>Training and assessment of surgical twist skills.</p>"
                         "<p>A training tool; not a medical device.</p>"
@@ -517,20 +517,20 @@ void MainWindow::showAbout() {
                          .arg(toQString(softwareVersion())));
 }
 
-void MainWindow::restoreChoices() {
+void SimulatorWindow::restoreChoices() {
   const QSettings settings;
   restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
   actions_.lattice->setChecked(settings.value(QStringLiteral("view/lattice"), false).toBool());
 }
 
-void MainWindow::saveChoices() const {
+void SimulatorWindow::saveChoices() const {
   QSettings settings;
   settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
   settings.setValue(QStringLiteral("view/lattice"), actions_.lattice->isChecked());
   settings.setValue(QStringLiteral("view/dark"), themeKind_ == ThemeKind::kDark);
 }
 
-void MainWindow::closeEvent(QCloseEvent* event) {
+void SimulatorWindow::closeEvent(QCloseEvent* event) {
   frameTimer_.stop();
   controller_->shutDown();
   if (setup_.remember) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/access/workplace.h"
+#include "app/access/session_context.h"
 
 #include <algorithm>
 #include <utility>
@@ -22,7 +22,7 @@ Connection openUpToDate(const std::string& locator) {
   return openRecord(locator, OpenMode::kCreate, options);
 }
 
-struct Workplace::Owned {
+struct SessionContext::Owned {
   explicit Owned(const std::string& locator) : connection(openUpToDate(locator)) {}
   Connection connection;
   SystemIdSource ids;
@@ -32,26 +32,26 @@ bool Actor::hasRole(const std::string& role) const {
   return std::find(roles.begin(), roles.end(), role) != roles.end();
 }
 
-Workplace::Workplace(const WorkplaceKey& key)
+SessionContext::SessionContext(const WorkplaceKey& key)
     : owned_(std::make_unique<Owned>(key.locator)),
       connection_(&owned_->connection),
       ids_(&owned_->ids),
       key_(key),
       now_(utcNow_us) {}
 
-Workplace::Workplace(Connection& connection, IdSource& ids, WorkplaceKey key, UtcClock now)
+SessionContext::SessionContext(Connection& connection, IdSource& ids, WorkplaceKey key, UtcClock now)
     : connection_(&connection), ids_(&ids), key_(std::move(key)), now_(std::move(now)) {}
 
-Workplace::~Workplace() = default;
-Workplace::Workplace(Workplace&&) noexcept = default;
+SessionContext::~SessionContext() = default;
+SessionContext::SessionContext(SessionContext&&) noexcept = default;
 
-void Workplace::reconnect() {
+void SessionContext::reconnect() {
   if (owned_) {
     owned_->connection = openUpToDate(key_.locator);
   }
 }
 
-bool Workplace::may(Operation operation) const {
+bool SessionContext::may(Operation operation) const {
   if (key_.actor.userId.empty()) {
     return false;
   }
@@ -61,7 +61,7 @@ bool Workplace::may(Operation operation) const {
   return AccessRepository(*connection_).allowed(key_.actor.userId, std::string(operationCode(operation)));
 }
 
-void Workplace::require(Operation operation) const {
+void SessionContext::require(Operation operation) const {
   if (may(operation)) {
     return;
   }
@@ -73,7 +73,7 @@ void Workplace::require(Operation operation) const {
               code, "Ask an administrator, or sign in as somebody who may");
 }
 
-void Workplace::requireOwn(Operation operation, const std::string& personId) const {
+void SessionContext::requireOwn(Operation operation, const std::string& personId) const {
   require(operation);
   if (!key_.actor.personId.empty() && key_.actor.personId == personId) {
     return;
@@ -82,7 +82,7 @@ void Workplace::requireOwn(Operation operation, const std::string& personId) con
               "Open your own record");
 }
 
-void Workplace::note(const AuditNote& note) const {
+void SessionContext::note(const AuditNote& note) const {
   AuditRepository(*connection_)
       .append({.atUtc_us = now_us(),
                .actor = key_.actor.userId.empty() ? "torsio" : key_.actor.userId,

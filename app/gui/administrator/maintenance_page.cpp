@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/administrator/care_page.h"
+#include "app/gui/administrator/maintenance_page.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 #include <QStorageInfo>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/office_parts.h"
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/record_dialogs.h"
 #include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
@@ -38,7 +38,7 @@ bool isFile(const std::string& locator) {
 
 }  // namespace
 
-CarePage::CarePage(ShellContext& shell)
+MaintenancePage::MaintenancePage(ShellContext& shell)
     : Page(shell),
       heading_(new PageHeading(this)),
       record_(new Card(QString(), this)),
@@ -72,21 +72,21 @@ CarePage::CarePage(ShellContext& shell)
   column->addWidget(cards());
   column->addWidget(queueTitle_);
   column->addWidget(queue_, 1);
-  connect(checkButton_, &QPushButton::clicked, this, &CarePage::checkRecord);
-  connect(backupButton_, &QPushButton::clicked, this, &CarePage::askBackUp);
-  connect(testButton_, &QPushButton::clicked, this, &CarePage::askTest);
-  connect(removeButton_, &QPushButton::clicked, this, &CarePage::askRemoveDemonstration);
+  connect(checkButton_, &QPushButton::clicked, this, &MaintenancePage::checkRecord);
+  connect(backupButton_, &QPushButton::clicked, this, &MaintenancePage::askBackUp);
+  connect(testButton_, &QPushButton::clicked, this, &MaintenancePage::askTest);
+  connect(removeButton_, &QPushButton::clicked, this, &MaintenancePage::askRemoveDemonstration);
   connect(restoreButton_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kRestore); });
   connect(moveButton_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kMove); });
-  connect(keep_, &QPushButton::clicked, this, &CarePage::keepLonger);
-  connect(lock_, &QPushButton::clicked, this, &CarePage::lock);
-  connect(erase_, &QPushButton::clicked, this, &CarePage::erase);
-  connect(rules_, &QPushButton::clicked, this, &CarePage::changeRules);
-  connect(queue_, &DataTable::currentChanged, this, &CarePage::showButtons);
+  connect(keep_, &QPushButton::clicked, this, &MaintenancePage::keepLonger);
+  connect(lock_, &QPushButton::clicked, this, &MaintenancePage::lock);
+  connect(erase_, &QPushButton::clicked, this, &MaintenancePage::erase);
+  connect(rules_, &QPushButton::clicked, this, &MaintenancePage::changeRules);
+  connect(queue_, &DataTable::currentChanged, this, &MaintenancePage::showButtons);
   retranslate();
 }
 
-QWidget* CarePage::cards() {
+QWidget* MaintenancePage::cards() {
   auto* box = new QWidget(this);
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -120,11 +120,11 @@ QWidget* CarePage::cards() {
   return box;
 }
 
-void CarePage::enter(const QVariant&) {
+void MaintenancePage::enter(const QVariant&) {
   read();
 }
 
-void CarePage::read() {
+void MaintenancePage::read() {
   attempt(shell(), [&] {
     if (shell().may(Operation::kPersonErase)) {
       demonstration_ = demonstrationSize(shell().workplace());
@@ -152,7 +152,7 @@ void CarePage::read() {
   });
 }
 
-void CarePage::showRecord() {
+void MaintenancePage::showRecord() {
   const std::string locator = shell().workplace().key().locator;
   QStringList lines;
   if (isFile(locator)) {
@@ -192,7 +192,7 @@ void CarePage::showRecord() {
                                     .arg(demonstration_.marks));
 }
 
-void CarePage::showButtons() {
+void MaintenancePage::showButtons() {
   const bool file = isFile(shell().workplace().key().locator);
   backupButton_->setEnabled(file && shell().may(Operation::kDatabaseBackup));
   testButton_->setEnabled(shell().may(Operation::kDatabaseBackup));
@@ -216,18 +216,18 @@ void CarePage::showButtons() {
   erase_->setEnabled(item != nullptr && !item->held && shell().may(Operation::kPersonErase));
 }
 
-const RetentionItem* CarePage::current() const {
+const RetentionItem* MaintenancePage::current() const {
   const std::string id = queue_->currentId().toStdString();
   const auto found =
       std::find_if(due_.begin(), due_.end(), [&](const RetentionItem& item) { return item.personId == id; });
   return found == due_.end() ? nullptr : &*found;
 }
 
-void CarePage::backUp(const std::filesystem::path& file) {
+void MaintenancePage::backUp(const std::filesystem::path& file) {
   auto content = std::make_shared<BackupContent>();
   shell().run(
       tr("Backing up"),
-      [file, content](Workplace& workplace, const ProgressCallback& progress) {
+      [file, content](SessionContext& workplace, const ProgressCallback& progress) {
         *content = backUpDatabase(workplace, file, progress);
       },
       [this, file, content] {
@@ -238,11 +238,11 @@ void CarePage::backUp(const std::filesystem::path& file) {
       });
 }
 
-void CarePage::testBackup(const std::filesystem::path& file) {
+void MaintenancePage::testBackup(const std::filesystem::path& file) {
   auto found = std::make_shared<BackupCheck>();
   shell().run(
       tr("Testing a backup"),
-      [file, found](Workplace&, const ProgressCallback& progress) { *found = verifyBackup(file, progress); },
+      [file, found](SessionContext&, const ProgressCallback& progress) { *found = verifyBackup(file, progress); },
       [this, file, found] {
         backupText_->setText(
             found->database.sound()
@@ -254,11 +254,11 @@ void CarePage::testBackup(const std::filesystem::path& file) {
       });
 }
 
-void CarePage::checkRecord() {
+void MaintenancePage::checkRecord() {
   auto found = std::make_shared<DatabaseCheck>();
   shell().run(
       tr("Checking the database"),
-      [found](Workplace& workplace, const ProgressCallback& progress) {
+      [found](SessionContext& workplace, const ProgressCallback& progress) {
         *found = checkDatabase(workplace, progress);
       },
       [this, found] {
@@ -267,7 +267,7 @@ void CarePage::checkRecord() {
       });
 }
 
-bool CarePage::removeDemonstration(const std::string& reason) {
+bool MaintenancePage::removeDemonstration(const std::string& reason) {
   return attempt(shell(), [&] {
     const DemonstrationSize gone = removeDemonstrationData(shell().workplace(), reason);
     read();
@@ -275,7 +275,7 @@ bool CarePage::removeDemonstration(const std::string& reason) {
   });
 }
 
-void CarePage::askBackUp() {
+void MaintenancePage::askBackUp() {
   const QString name = QStringLiteral("torsio-%1.sqlite").arg(QDate::currentDate().toString(Qt::ISODate));
   const QString file = askFileToSave(this, tr("Back up to"), name, tr("Backup (*.sqlite)"));
   if (!file.isEmpty()) {
@@ -283,14 +283,14 @@ void CarePage::askBackUp() {
   }
 }
 
-void CarePage::askTest() {
+void MaintenancePage::askTest() {
   const QString file = askFileToOpen(this, tr("Test a backup"), tr("Backup (*.sqlite)"));
   if (!file.isEmpty()) {
     testBackup(toPath(file));
   }
 }
 
-void CarePage::askRemoveDemonstration() {
+void MaintenancePage::askRemoveDemonstration() {
   const std::optional<std::string> reason =
       askReason(this, tr("Remove the demonstration"),
                 tr("%1 simulated people and all that belongs to them go at once. This cannot be taken back.")
@@ -300,7 +300,7 @@ void CarePage::askRemoveDemonstration() {
   }
 }
 
-void CarePage::changeRules() {
+void MaintenancePage::changeRules() {
   attempt(shell(), [&] {
     const std::optional<RetentionRulesEdit> edit =
         askRetentionRules(this, retentionRules(shell().workplace()));
@@ -317,7 +317,7 @@ void CarePage::changeRules() {
   });
 }
 
-void CarePage::keepLonger() {
+void MaintenancePage::keepLonger() {
   const RetentionItem* item = current();
   if (item == nullptr) {
     return;
@@ -333,7 +333,7 @@ void CarePage::keepLonger() {
   });
 }
 
-void CarePage::lock() {
+void MaintenancePage::lock() {
   const RetentionItem* item = current();
   if (item == nullptr) {
     return;
@@ -357,7 +357,7 @@ void CarePage::lock() {
   });
 }
 
-void CarePage::erase() {
+void MaintenancePage::erase() {
   const RetentionItem* item = current();
   if (item == nullptr) {
     return;
@@ -379,7 +379,7 @@ void CarePage::erase() {
   });
 }
 
-void CarePage::retranslate() {
+void MaintenancePage::retranslate() {
   heading_->setTexts(tr("Care of the record"), tr("Back up, test the backup, and look after what is due."));
   backup_->setTitle(tr("Backup"));
   backupText_->setText(

@@ -12,7 +12,7 @@
 namespace torsio {
 
 /// What was decided about a mark that lies apart from the others.
-struct AlignmentDecision {
+struct DiscrepancyDecision {
   std::string assignmentId{};
   std::int64_t sequence = 0;  ///< given by add(): 1, 2, 3 ... of the assignment
   std::string decision{};     ///< "keep", "move" (a new version of the mark follows), "third" (a third rater)
@@ -23,23 +23,23 @@ struct AlignmentDecision {
 
 /// Decisions about marks that lie apart. Append-only; the newest counts. Each is told of in the audit trail
 /// in the same transaction.
-class AlignmentRepository {
+class DiscrepancyRepository {
  public:
   /// `station`: for the audit trail.
-  explicit AlignmentRepository(Connection& connection, std::string station = {})
+  explicit DiscrepancyRepository(Connection& connection, std::string station = {})
       : connection_(connection), station_(std::move(station)) {}
 
   /// Returns the sequence number. Throws DbError: kForeignKey (no such assignment), kCheck (no such
   /// decision).
-  std::int64_t add(const AlignmentDecision& decision);
+  std::int64_t add(const DiscrepancyDecision& decision);
   /// Oldest first.
-  [[nodiscard]] std::vector<AlignmentDecision> history(const std::string& assignmentId) const;
-  [[nodiscard]] std::optional<AlignmentDecision> latest(const std::string& assignmentId) const;
+  [[nodiscard]] std::vector<DiscrepancyDecision> history(const std::string& assignmentId) const;
+  [[nodiscard]] std::optional<DiscrepancyDecision> latest(const std::string& assignmentId) const;
   /// The newest of every assignment about one trainee at one scoring point.
-  [[nodiscard]] std::vector<AlignmentDecision> ofCase(const std::string& enrolmentId,
+  [[nodiscard]] std::vector<DiscrepancyDecision> ofCase(const std::string& enrolmentId,
                                                       const std::string& scoringPoint) const;
   /// The newest of every assignment of a cohort, oldest first.
-  [[nodiscard]] std::vector<AlignmentDecision> ofCohort(const std::string& cohortId) const;
+  [[nodiscard]] std::vector<DiscrepancyDecision> ofCohort(const std::string& cohortId) const;
 
  private:
   Connection& connection_;

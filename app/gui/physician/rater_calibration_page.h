@@ -5,7 +5,7 @@
 
 #include "app/gui/base/page.h"
 #include "app/review/sheet_editor.h"
-#include "app/review/warm_up.h"
+#include "app/review/rater_calibration.h"
 
 class QButtonGroup;
 class QHBoxLayout;
@@ -21,12 +21,12 @@ class ReplayPanel;
 class SheetEditorPanel;
 
 /// Two reference runs before the real ones: score, then see how far from the panel.
-class WarmUpPage : public Page {
+class RaterCalibrationPage : public Page {
   Q_OBJECT
 
  public:
-  explicit WarmUpPage(ShellContext& shell, QWidget* parent = nullptr);
-  ~WarmUpPage() override;
+  explicit RaterCalibrationPage(ShellContext& shell, QWidget* parent = nullptr);
+  ~RaterCalibrationPage() override;
 
   void enter(const QVariant& argument) override;
   [[nodiscard]] bool leave() override;
@@ -62,7 +62,7 @@ class WarmUpPage : public Page {
   Card* rubricCard_;
   QScrollArea* anchorsArea_;
   QLabel* anchors_;
-  WarmUp warmUp_;
+  RaterCalibration warmUp_;
   std::size_t number_ = 0;
   std::uint64_t loads_ = 0;
 };

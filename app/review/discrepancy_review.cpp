@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/review/alignment.h"
+#include "app/review/discrepancy_review.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +8,7 @@
 
 #include "app/review/case_sheet.h"
 #include "app/review/sheet_editor.h"
-#include "db/repository/rating/alignment_repository.h"
+#include "db/repository/rating/discrepancy_repository.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
@@ -73,7 +73,7 @@ std::optional<RowComparison> compare(const std::vector<CaseMark>& marks, const s
 }
 
 /// Throws unless everybody has committed on this own case.
-StoredAssignment committedCase(Workplace& workplace, const std::string& assignmentId) {
+StoredAssignment committedCase(SessionContext& workplace, const std::string& assignmentId) {
   StoredAssignment found = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
   if (!SheetRepository(workplace.connection()).allSubmitted(found.enrolmentId, found.scoringPoint)) {
     throw Error(ErrorCode::kBadData, "not everybody has submitted this case yet",
@@ -82,9 +82,9 @@ StoredAssignment committedCase(Workplace& workplace, const std::string& assignme
   return found;
 }
 
-void decide(Workplace& workplace, const std::string& assignmentId, const char* decision,
+void decide(SessionContext& workplace, const std::string& assignmentId, const char* decision,
             const std::string& reason) {
-  AlignmentRepository(workplace.connection(), workplace.station())
+  DiscrepancyRepository(workplace.connection(), workplace.station())
       .add({.assignmentId = assignmentId,
             .decision = decision,
             .reason = reason,
@@ -102,18 +102,18 @@ void requireReason(const std::string& reason, const std::string& label) {
 
 }  // namespace
 
-std::vector<AlignmentCase> alignmentCases(Workplace& workplace) {
+std::vector<DiscrepancyCase> alignmentCases(SessionContext& workplace) {
   workplace.require(Operation::kMarkSubmit);
   DeskRepository desk(workplace.connection());
   SheetRepository sheets(workplace.connection());
-  AlignmentRepository decisions(workplace.connection());
+  DiscrepancyRepository decisions(workplace.connection());
   const double threshold = threshold_points(workplace.connection());
   const std::string& rater = workplace.actor().personId;
-  std::vector<AlignmentCase> found;
+  std::vector<DiscrepancyCase> found;
   for (const StoredAssignment& assignment : desk.committed(rater)) {
     const std::vector<CaseMark> marks = desk.marksOfCase(assignment.enrolmentId, assignment.scoringPoint);
     const StoredRubricRevision rubric = sheets.revision(assignment.rubricRevisionId).value();
-    AlignmentCase line;
+    DiscrepancyCase line;
     const auto add = [&](const std::string& row, const std::string& label, const ScoreScale& scale) {
       auto compared = compare(marks, rater, row, scale, threshold);
       if (!compared) {
@@ -142,12 +142,12 @@ std::vector<AlignmentCase> alignmentCases(Workplace& workplace) {
   return found;
 }
 
-void keepMark(Workplace& workplace, const std::string& assignmentId, const std::string& reason) {
+void keepMark(SessionContext& workplace, const std::string& assignmentId, const std::string& reason) {
   static_cast<void>(committedCase(workplace, assignmentId));
   decide(workplace, assignmentId, "keep", reason);
 }
 
-void moveMark(Workplace& workplace, const std::string& assignmentId, const Sheet& sheet,
+void moveMark(SessionContext& workplace, const std::string& assignmentId, const Sheet& sheet,
               const std::string& reason) {
   const StoredAssignment found = committedCase(workplace, assignmentId);
   requireReason(reason, found.caseLabel);
@@ -157,7 +157,7 @@ void moveMark(Workplace& workplace, const std::string& assignmentId, const Sheet
   transaction.commit();
 }
 
-void askForThird(Workplace& workplace, const std::string& assignmentId, const std::string& reason) {
+void askForThird(SessionContext& workplace, const std::string& assignmentId, const std::string& reason) {
   const StoredAssignment found = committedCase(workplace, assignmentId);
   requireReason(reason, found.caseLabel);
   decide(workplace, assignmentId, "third", reason);

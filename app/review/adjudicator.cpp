@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/review/third_rater.h"
+#include "app/review/adjudicator.h"
 
 #include <algorithm>
 #include <map>
@@ -14,7 +14,7 @@
 #include "app/study/case_order.h"
 #include "app/study/drawn_seed.h"
 #include "db/repository/people/people_repository.h"
-#include "db/repository/rating/alignment_repository.h"
+#include "db/repository/rating/discrepancy_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/occasion_repository.h"
 #include "db/repository/study/study_repository.h"
@@ -35,13 +35,13 @@ CaseKey keyOf(const StoredAssignment& one) {
 /// What is known of the sheets of one case.
 struct CaseSheets {
   std::vector<AssignmentStatus> sheets;
-  std::vector<AlignmentDecision> asked;  // oldest first
+  std::vector<DiscrepancyDecision> asked;  // oldest first
 };
 
 /// Cases of a cohort on which a third rater was asked for and none has been found yet.
 std::map<CaseKey, CaseSheets> openCases(Connection& connection, const std::string& cohortId) {
-  std::map<std::string, AlignmentDecision> asked;
-  for (AlignmentDecision& decision : AlignmentRepository(connection).ofCohort(cohortId)) {
+  std::map<std::string, DiscrepancyDecision> asked;
+  for (DiscrepancyDecision& decision : DiscrepancyRepository(connection).ofCohort(cohortId)) {
     if (decision.decision == kThird) {
       asked.emplace(decision.assignmentId, std::move(decision));
     }
@@ -61,7 +61,7 @@ std::map<CaseKey, CaseSheets> openCases(Connection& connection, const std::strin
     const CaseSheets& one = entry.second;
     const auto answered = [&one](const AssignmentStatus& status) {
       return status.state != SheetState::kWithdrawn &&
-             std::all_of(one.asked.begin(), one.asked.end(), [&](const AlignmentDecision& decision) {
+             std::all_of(one.asked.begin(), one.asked.end(), [&](const DiscrepancyDecision& decision) {
                return status.assignment.assignedUtc_us > decision.decidedUtc_us;
              });
     };
@@ -82,14 +82,14 @@ const StoredAssignment& assignmentOf(const CaseSheets& sheets, const std::string
 }
 
 /// Active raters with what waits for them, by id.
-std::map<std::string, ThirdRater> activeRaters(Connection& connection) {
-  std::map<std::string, ThirdRater> raters;
+std::map<std::string, Adjudicator> activeRaters(Connection& connection) {
+  std::map<std::string, Adjudicator> raters;
   SheetRepository sheets(connection);
   for (const StoredRater& rater : PeopleRepository(connection).raters()) {
     if (rater.person.state != "active") {
       continue;
     }
-    ThirdRater one{rater.person.id, rater.person.code, rater.classCode, 0};
+    Adjudicator one{rater.person.id, rater.person.code, rater.classCode, 0};
     for (const QueueEntry& entry : sheets.queue(one.id)) {
       one.open += entry.state != SheetState::kSubmitted;
     }
@@ -98,20 +98,20 @@ std::map<std::string, ThirdRater> activeRaters(Connection& connection) {
   return raters;
 }
 
-std::vector<ThirdRater> freeFor(const CaseSheets& sheets, const std::map<std::string, ThirdRater>& raters) {
+std::vector<Adjudicator> freeFor(const CaseSheets& sheets, const std::map<std::string, Adjudicator>& raters) {
   std::set<std::string> taken;
   for (const AssignmentStatus& status : sheets.sheets) {
     taken.insert(status.assignment.raterId);
   }
   const auto asker = raters.find(assignmentOf(sheets, sheets.asked.front().assignmentId).raterId);
   const std::string wanted = asker != raters.end() ? asker->second.classCode : std::string();
-  std::vector<ThirdRater> free;
+  std::vector<Adjudicator> free;
   for (const auto& [id, rater] : raters) {
     if (!taken.contains(id)) {
       free.push_back(rater);
     }
   }
-  std::sort(free.begin(), free.end(), [&wanted](const ThirdRater& a, const ThirdRater& b) {
+  std::sort(free.begin(), free.end(), [&wanted](const Adjudicator& a, const Adjudicator& b) {
     const bool otherA = a.classCode != wanted;
     const bool otherB = b.classCode != wanted;
     return std::tie(otherA, a.open, a.code) < std::tie(otherB, b.open, b.code);
@@ -121,7 +121,7 @@ std::vector<ThirdRater> freeFor(const CaseSheets& sheets, const std::map<std::st
 
 }  // namespace
 
-std::vector<ThirdRequest> thirdRequests(Workplace& workplace, const std::string& cohortId) {
+std::vector<ThirdRequest> thirdRequests(SessionContext& workplace, const std::string& cohortId) {
   workplace.require(Operation::kStudySetup);
   Connection& connection = workplace.connection();
   std::vector<ThirdRequest> requests;
@@ -138,7 +138,7 @@ std::vector<ThirdRequest> thirdRequests(Workplace& workplace, const std::string&
   for (const StoredRater& rater : PeopleRepository(connection).raters()) {
     codes[rater.person.id] = rater.person.code;
   }
-  const std::map<std::string, ThirdRater> raters = activeRaters(connection);
+  const std::map<std::string, Adjudicator> raters = activeRaters(connection);
   for (const auto& [key, sheets] : cases) {
     const StoredAssignment& first = assignmentOf(sheets, sheets.asked.front().assignmentId);
     ThirdRequest request;
@@ -149,7 +149,7 @@ std::vector<ThirdRequest> thirdRequests(Workplace& workplace, const std::string&
     for (const AssignmentStatus& status : sheets.sheets) {
       request.marks += status.state == SheetState::kSubmitted ? 1 : 0;
     }
-    for (const AlignmentDecision& decision : sheets.asked) {
+    for (const DiscrepancyDecision& decision : sheets.asked) {
       request.askedBy.push_back(codes[assignmentOf(sheets, decision.assignmentId).raterId]);
       request.reasons.push_back(decision.reason);
     }
@@ -163,7 +163,7 @@ std::vector<ThirdRequest> thirdRequests(Workplace& workplace, const std::string&
   return requests;
 }
 
-std::string assignThird(Workplace& workplace, const std::string& cohortId, const std::string& assignmentId,
+std::string assignThird(SessionContext& workplace, const std::string& cohortId, const std::string& assignmentId,
                         const std::string& raterId) {
   workplace.require(Operation::kStudySetup);
   Transaction transaction(workplace.connection());
@@ -178,8 +178,8 @@ std::string assignThird(Workplace& workplace, const std::string& cohortId, const
   if (found == cases.end()) {
     refuse("nobody has asked for a third rater here", assignmentId, "Read the list again");
   }
-  const std::vector<ThirdRater> free = freeFor(found->second, activeRaters(workplace.connection()));
-  if (std::none_of(free.begin(), free.end(), [&](const ThirdRater& rater) { return rater.id == raterId; })) {
+  const std::vector<Adjudicator> free = freeFor(found->second, activeRaters(workplace.connection()));
+  if (std::none_of(free.begin(), free.end(), [&](const Adjudicator& rater) { return rater.id == raterId; })) {
     refuse("this rater cannot be asked about this case", assignmentId, "Choose one from the list");
   }
   StoredAssignment next = before;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of ShellWindow: everything before the desk.
+// Of MainWindow: everything before the desk.
 #include <utility>
 
 #include <QUrl>
@@ -13,7 +13,7 @@
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/shell/lock_panel.h"
 #include "app/gui/shell/password_panel.h"
-#include "app/gui/shell/shell_window.h"
+#include "app/gui/shell/main_window.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
 #include "app/recording/station_start.h"
@@ -22,7 +22,7 @@
 namespace torsio::gui {
 
 /// Only somebody who may change the centre's settings gets out of the kiosk.
-void ShellWindow::leaveKiosk() {
+void MainWindow::leaveKiosk() {
   CredentialsDialog dialog(tr("Leave kiosk mode"),
                            tr("An administrator ends the kiosk with name and password."), this);
   if (dialog.exec() != QDialog::Accepted) {
@@ -30,7 +30,7 @@ void ShellWindow::leaveKiosk() {
   }
   background_.run(
       [this, key = key(), login = dialog.login(), password = dialog.password()]() -> Background::Finish {
-        Workplace own(key);
+        SessionContext own(key);
         const SignInAnswer answer = torsio::signIn(own, login.toStdString(), password.toStdString());
         const bool may = answer.outcome == SignIn::kOk && own.may(Operation::kSettingsEdit);
         if (answer.outcome == SignIn::kOk) {
@@ -48,10 +48,10 @@ void ShellWindow::leaveKiosk() {
       [this](const std::exception_ptr& problem) { signIn_->say(problemSentence(problem), true); });
 }
 
-void ShellWindow::openDatabase() {
+void MainWindow::openDatabase() {
   line_.reset();
   try {
-    workplace_ = std::make_unique<Workplace>(key());
+    workplace_ = std::make_unique<SessionContext>(key());
     workplace_->setPasswordCost(setup_.passwordCost);
     if (needsFirstRun(workplace_->connection())) {
       enterFirstRun();
@@ -73,11 +73,11 @@ void ShellWindow::openDatabase() {
 }
 
 /// Recordings that wait in files can take long to store; until then nobody signs in.
-void ShellWindow::settle() {
+void MainWindow::settle() {
   background_.run(
       [this, key = key(),
        folder = setup_.unstored.empty() ? unstoredFolder() : setup_.unstored]() -> Background::Finish {
-        Workplace own(key);
+        SessionContext own(key);
         const StationStart start = settleStation(own, folder);
         return [this, kept = start.kept] {
           kept_ = kept;
@@ -93,7 +93,7 @@ void ShellWindow::settle() {
       });
 }
 
-void ShellWindow::startLine() {
+void MainWindow::startLine() {
   line_ = std::make_unique<StationWriter>(key(), setup_.linePatience);
   answered_ = true;
   settleDue_ = false;
@@ -104,12 +104,12 @@ void ShellWindow::startLine() {
 }
 
 /// After the database was away: recordings of the meantime wait in files.
-void ShellWindow::settleAgain() {
+void MainWindow::settleAgain() {
   settleDue_ = false;
   background_.run(
       [this, key = key(),
        folder = setup_.unstored.empty() ? unstoredFolder() : setup_.unstored]() -> Background::Finish {
-        Workplace own(key);
+        SessionContext own(key);
         const StationStart start = settleStation(own, folder);
         return [this, start] {
           if (desk_ == nullptr || start.trials.empty()) {
@@ -121,7 +121,7 @@ void ShellWindow::settleAgain() {
       [this](const std::exception_ptr&) { settleDue_ = true; });
 }
 
-void ShellWindow::changeRecord(const RecordChange& change) {
+void MainWindow::changeRecord(const RecordChange& change) {
   leaveDesk();
   forgetActor();
   if (line_) {
@@ -147,12 +147,12 @@ void ShellWindow::changeRecord(const RecordChange& change) {
   signIn_->say(sentence, failed);
 }
 
-void ShellWindow::enterFirstRun() {
+void MainWindow::enterFirstRun() {
   firstRun_->setLanguage(language_.present());
   show(firstRun_);
 }
 
-void ShellWindow::setUp(const FirstRunChoice& choice) {
+void MainWindow::setUp(const FirstRunChoice& choice) {
   if (!QUrl(choice.locator).password().isEmpty()) {
     firstRun_->say(
         tr("Leave the password out of the address; it would stand in a settings file. Put it into .pgpass"));
@@ -165,7 +165,7 @@ void ShellWindow::setUp(const FirstRunChoice& choice) {
   firstRun_->job().begin(tr("Setting up the centre"));
   background_.run(
       [this, choice, key = key()]() -> Background::Finish {
-        Workplace own(key);
+        SessionContext own(key);
         own.setPasswordCost(setup_.passwordCost);
         if (!needsFirstRun(own.connection())) {
           return [this, choice] {  // a centre is there already: its people sign in
@@ -174,7 +174,7 @@ void ShellWindow::setUp(const FirstRunChoice& choice) {
             openDatabase();
           };
         }
-        const auto accounts = performFirstRun(own, choice.first, [this](Workplace& workplace) {
+        const auto accounts = performFirstRun(own, choice.first, [this](SessionContext& workplace) {
           return addDemonstration(workplace, setup_.assets, [this](const Progress& progress) {
             if (setUpCancelled_->load()) {
               throw Cancelled{};
@@ -186,7 +186,7 @@ void ShellWindow::setUp(const FirstRunChoice& choice) {
         });
         return [this, actor = own.actor(), choice, accounts] {
           firstRun_->job().end();
-          workplace_ = std::make_unique<Workplace>(this->key());
+          workplace_ = std::make_unique<SessionContext>(this->key());
           workplace_->setPasswordCost(setup_.passwordCost);
           workplace_->setActor(actor);
           startLine();
@@ -207,34 +207,34 @@ void ShellWindow::setUp(const FirstRunChoice& choice) {
       });
 }
 
-void ShellWindow::enterSignIn() {
+void MainWindow::enterSignIn() {
   applyChoices({}, true);
   signIn_->setCentre(centre_);
   signIn_->clear();
   show(signIn_);
 }
 
-void ShellWindow::tryPassword(const QString& login, const QString& password) {
+void MainWindow::tryPassword(const QString& login, const QString& password) {
   background_.run(
       [this, key = key(), login, password]() -> Background::Finish {
-        Workplace own(key);
+        SessionContext own(key);
         const SignInAnswer answer = torsio::signIn(own, login.toStdString(), password.toStdString());
         return [this, answer, login, password] { took(answer, login, password); };
       },
       [this](const std::exception_ptr& problem) { signIn_->say(problemSentence(problem), true); });
 }
 
-void ShellWindow::tryPin(const QString& login, const QString& pin) {
+void MainWindow::tryPin(const QString& login, const QString& pin) {
   background_.run(
       [this, key = key(), login, pin]() -> Background::Finish {
-        Workplace own(key);
+        SessionContext own(key);
         const SignInAnswer answer = signInForPractice(own, login.toStdString(), pin.toStdString());
         return [this, answer, login] { took(answer, login, {}); };
       },
       [this](const std::exception_ptr& problem) { signIn_->say(problemSentence(problem), true); });
 }
 
-void ShellWindow::took(const SignInAnswer& answer, const QString& login, const QString& password) {
+void MainWindow::took(const SignInAnswer& answer, const QString& login, const QString& password) {
   switch (answer.outcome) {
     case SignIn::kOk:
       workplace_->setActor(answer.actor);
@@ -256,18 +256,18 @@ void ShellWindow::took(const SignInAnswer& answer, const QString& login, const Q
   }
 }
 
-void ShellWindow::enterAsGuest() {
+void MainWindow::enterAsGuest() {
   Actor guest;
   guest.practiceOnly = true;
   workplace_->setActor(guest);
   enterDesk();
 }
 
-void ShellWindow::changePassword(const QString& login, const QString& oldPassword,
+void MainWindow::changePassword(const QString& login, const QString& oldPassword,
                                  const QString& newPassword) {
   background_.run(
       [this, key = key(), login, oldPassword, newPassword]() -> Background::Finish {
-        Workplace own(key);
+        SessionContext own(key);
         own.setPasswordCost(setup_.passwordCost);
         const SignInAnswer answer =
             changeOwnPassword(own, login.toStdString(), oldPassword.toStdString(), newPassword.toStdString());
@@ -283,15 +283,15 @@ void ShellWindow::changePassword(const QString& login, const QString& oldPasswor
       [this](const std::exception_ptr& problem) { password_->say(problemSentence(problem)); });
 }
 
-void ShellWindow::sayLocked(const QString& sentence) {
+void MainWindow::sayLocked(const QString& sentence) {
   lock_->say(sentence);
   dialogLock_->panel().say(sentence);
 }
 
-void ShellWindow::unlock(const QString& password) {
+void MainWindow::unlock(const QString& password) {
   background_.run(
       [this, key = key(), login = workplace_->actor().login, password]() -> Background::Finish {
-        Workplace own(key);
+        SessionContext own(key);
         const SignInAnswer answer = torsio::signIn(own, login, password.toStdString());
         return [this, answer] {
           if (answer.outcome == SignIn::kOk && answer.actor.userId == workplace_->actor().userId) {

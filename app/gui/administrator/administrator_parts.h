@@ -20,7 +20,7 @@ class QVBoxLayout;
 class QWidget;
 
 namespace torsio {
-class Workplace;
+class SessionContext;
 }
 
 namespace torsio::gui {
@@ -39,9 +39,9 @@ QLabel* fieldBeside(QBoxLayout* row, QWidget* field);
 
 /// The cohorts of the record, newest last; keeps the choice when filled anew. Chosen first: the newest whose
 /// people are in groups, since there is something to see; else the newest.
-void fillCohorts(QComboBox* chooser, Workplace& workplace);
+void fillCohorts(QComboBox* chooser, SessionContext& workplace);
 /// The evaluation campaigns and "none". Chosen first: the newest that somebody has scored in.
-void fillCampaigns(QComboBox* chooser, Workplace& workplace, const QString& none);
+void fillCampaigns(QComboBox* chooser, SessionContext& workplace, const QString& none);
 /// Id of what is chosen; empty: nothing.
 [[nodiscard]] std::string chosenId(const QComboBox* chooser);
 void chooseId(QComboBox* chooser, const std::string& id);

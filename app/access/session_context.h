@@ -51,15 +51,15 @@ struct AuditNote {
 /// through. Each service function begins with require(): the matrix role x operation is read from the
 /// database each time, so a right that was taken away is gone at once. Default deny. Belongs to the thread
 /// that made it.
-class Workplace {
+class SessionContext {
  public:
   /// Opens (or makes) the database of `key` and brings its schema up to date. Throws Error, DbError.
-  explicit Workplace(const WorkplaceKey& key);
+  explicit SessionContext(const WorkplaceKey& key);
   /// Tests and the demonstration: an open connection, ids and time of their own. Both outlive the workplace.
-  Workplace(Connection& connection, IdSource& ids, WorkplaceKey key, UtcClock now);
-  ~Workplace();
-  Workplace(Workplace&&) noexcept;
-  Workplace& operator=(Workplace&&) = delete;
+  SessionContext(Connection& connection, IdSource& ids, WorkplaceKey key, UtcClock now);
+  ~SessionContext();
+  SessionContext(SessionContext&&) noexcept;
+  SessionContext& operator=(SessionContext&&) = delete;
 
   [[nodiscard]] Connection& connection() const noexcept { return *connection_; }
   [[nodiscard]] IdSource& ids() const noexcept { return *ids_; }

@@ -7,26 +7,26 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include "app/gui/practice/main_window.h"
+#include "app/gui/practice/simulator_window.h"
 #include "app/gui/widgets/icons.h"
 
 namespace torsio::gui {
 
-QAction* MainWindow::addKeyed(const QKeySequence& keys) {
+QAction* SimulatorWindow::addKeyed(const QKeySequence& keys) {
   auto* action = new QAction(this);
   action->setShortcut(keys);
   addAction(action);
   return action;
 }
 
-void MainWindow::name(QAction* action, const QString& text, const QString& tip) {
+void SimulatorWindow::name(QAction* action, const QString& text, const QString& tip) {
   action->setText(text);
   action->setStatusTip(tip);
   const QKeySequence keys = action->shortcut();
   action->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
 }
 
-void MainWindow::nameActions() {
+void SimulatorWindow::nameActions() {
   const Actions& a = actions_;
   name(a.open, tr("Open organ\u2026"), tr("Use a mesh of your own instead of a shipped organ"));
   name(a.picture, tr("Picture\u2026"), tr("Save the scene as a PNG picture"));
@@ -67,7 +67,7 @@ void MainWindow::nameActions() {
   menus_.help->setTitle(tr("&Help"));
 }
 
-void MainWindow::createActions() {
+void SimulatorWindow::createActions() {
   Actions& a = actions_;
   a.open = addKeyed(QKeySequence::Open);
   a.picture = addKeyed(Qt::CTRL | Qt::SHIFT | Qt::Key_P);
@@ -91,27 +91,27 @@ void MainWindow::createActions() {
     action->setCheckable(true);
   }
 
-  connect(a.open, &QAction::triggered, this, &MainWindow::chooseOrganFile);
-  connect(a.picture, &QAction::triggered, this, &MainWindow::choosePicture);
-  connect(a.strip, &QAction::triggered, this, &MainWindow::chooseFilmStrip);
-  connect(a.record, &QAction::triggered, this, &MainWindow::toggleRecording);
-  connect(a.replay, &QAction::triggered, this, &MainWindow::chooseReplay);
+  connect(a.open, &QAction::triggered, this, &SimulatorWindow::chooseOrganFile);
+  connect(a.picture, &QAction::triggered, this, &SimulatorWindow::choosePicture);
+  connect(a.strip, &QAction::triggered, this, &SimulatorWindow::chooseFilmStrip);
+  connect(a.record, &QAction::triggered, this, &SimulatorWindow::toggleRecording);
+  connect(a.replay, &QAction::triggered, this, &SimulatorWindow::chooseReplay);
   connect(a.release, &QAction::triggered, controller_.get(), &SimulationController::releaseTissue);
   connect(a.restart, &QAction::triggered, this, [this] { controller_->load(controller_->request()); });
   connect(a.front, &QAction::triggered, this, [this] { look(ViewPreset::kFront); });
   connect(a.side, &QAction::triggered, this, [this] { look(ViewPreset::kSide); });
   connect(a.top, &QAction::triggered, this, [this] { look(ViewPreset::kTop); });
-  connect(a.whole, &QAction::triggered, this, &MainWindow::lookWhole);
+  connect(a.whole, &QAction::triggered, this, &SimulatorWindow::lookWhole);
   connect(a.lattice, &QAction::toggled, this, [this](bool on) { view_->setLattice(on); });
   connect(a.wireframe, &QAction::toggled, this, [this](bool on) { view_->setWireframe(on); });
   connect(a.shear, &QAction::toggled, this, [this](bool on) { view_->setShearVisible(on); });
   connect(a.markers, &QAction::toggled, this, [this](bool on) { view_->setMarkersVisible(on); });
-  connect(a.ghost, &QAction::toggled, this, &MainWindow::showGhost);
-  connect(a.keys, &QAction::triggered, this, &MainWindow::chooseKeys);
-  connect(a.help, &QAction::triggered, this, &MainWindow::showHelp);
+  connect(a.ghost, &QAction::toggled, this, &SimulatorWindow::showGhost);
+  connect(a.keys, &QAction::triggered, this, &SimulatorWindow::chooseKeys);
+  connect(a.help, &QAction::triggered, this, &SimulatorWindow::showHelp);
 }
 
-void MainWindow::createMenus() {
+void SimulatorWindow::createMenus() {
   Actions& a = actions_;
   Menus& m = menus_;
   m.quality = new QMenu(this);
@@ -133,7 +133,7 @@ void MainWindow::createMenus() {
   createMenuBar();
 }
 
-void MainWindow::createMenuBar() {
+void SimulatorWindow::createMenuBar() {
   Actions& a = actions_;
   Menus& m = menus_;
   a.dark = addKeyed(Qt::CTRL | Qt::Key_D);
@@ -148,7 +148,7 @@ void MainWindow::createMenuBar() {
           [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
   a.about = addKeyed({});
   a.about->setMenuRole(QAction::AboutRole);
-  connect(a.about, &QAction::triggered, this, &MainWindow::showAbout);
+  connect(a.about, &QAction::triggered, this, &SimulatorWindow::showAbout);
 
   m.file = menuBar()->addMenu(QString());
   m.file->addActions({a.open, a.picture, a.strip});
@@ -171,7 +171,7 @@ void MainWindow::createMenuBar() {
   m.help->addActions({a.help, a.keys, a.about});
 }
 
-void MainWindow::createToolBar() {
+void SimulatorWindow::createToolBar() {
   const Actions& a = actions_;
   QToolBar* bar = addToolBar(tr("Tools"));
   bar->setObjectName(QStringLiteral("tools"));
@@ -220,7 +220,7 @@ void MainWindow::createToolBar() {
   bar->addWidget(menus_.more);
 }
 
-void MainWindow::applyIcons() {
+void SimulatorWindow::applyIcons() {
   const Theme& colours = theme(themeKind_);
   const Actions& a = actions_;
   const std::pair<QAction*, const char*> icons[] = {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/gui/physician/warm_up_page.h"
+#include "app/gui/physician/rater_calibration_page.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ StoredRubricRevision overallOnly(StoredRubricRevision rubric) {
 
 }  // namespace
 
-WarmUpPage::WarmUpPage(ShellContext& shell, QWidget* parent)
+RaterCalibrationPage::RaterCalibrationPage(ShellContext& shell, QWidget* parent)
     : Page(shell, parent),
       heading_(new PageHeading(this)),
       goOn_(new QPushButton(this)),
@@ -80,7 +80,7 @@ WarmUpPage::WarmUpPage(ShellContext& shell, QWidget* parent)
   right->addStretch(0);
   row->addLayout(right, 2);
   column->addLayout(row, 1);
-  connect(compare_, &QPushButton::clicked, this, &WarmUpPage::compare);
+  connect(compare_, &QPushButton::clicked, this, &RaterCalibrationPage::compare);
   // Success shows the recording right after; failure and cancelling end here.
   connect(&shell, &ShellContext::jobEnded, this, [this] {
     if (number_ > 0 && !replay_->ready()) {
@@ -88,16 +88,16 @@ WarmUpPage::WarmUpPage(ShellContext& shell, QWidget* parent)
     }
   });
   connect(goOn_, &QPushButton::clicked, this, [this] { this->shell().open(PageId::kQueue); });
-  connect(sheet_, &SheetPanel::edited, this, &WarmUpPage::showResult);
-  connect(sheet_, &SheetEditorPanel::finishWanted, this, &WarmUpPage::compare);
+  connect(sheet_, &SheetPanel::edited, this, &RaterCalibrationPage::showResult);
+  connect(sheet_, &SheetEditorPanel::finishWanted, this, &RaterCalibrationPage::compare);
 }
 
-WarmUpPage::~WarmUpPage() = default;
+RaterCalibrationPage::~RaterCalibrationPage() = default;
 
-void WarmUpPage::enter(const QVariant&) {
+void RaterCalibrationPage::enter(const QVariant&) {
   warmUp_ = warmUp(shell().workplace());
   std::size_t first = warmUp_.runs.empty() ? 0 : 1;
-  for (const WarmUpRun& run : warmUp_.runs) {
+  for (const CalibrationRun& run : warmUp_.runs) {
     if (run.own_steps) {
       continue;
     }
@@ -107,14 +107,14 @@ void WarmUpPage::enter(const QVariant&) {
   openRun(first);
 }
 
-bool WarmUpPage::leave() {
+bool RaterCalibrationPage::leave() {
   replay_->pause();
   ++loads_;
   replay_->show(nullptr);
   return true;
 }
 
-void WarmUpPage::openRun(std::size_t number) {
+void RaterCalibrationPage::openRun(std::size_t number) {
   number_ = number;
   replay_->show(nullptr);
   sheet_->endSheet();
@@ -135,7 +135,7 @@ void WarmUpPage::openRun(std::size_t number) {
   const std::filesystem::path assets = shell().assets();
   shell().run(
       tr("Opening reference %1").arg(static_cast<int>(number_)),
-      [loaded, number, assets](Workplace& own, const ProgressCallback&) {
+      [loaded, number, assets](SessionContext& own, const ProgressCallback&) {
         *loaded = loadForShowing(loadReferenceRun(own, number), assets);
       },
       [this, loaded, ticket] {
@@ -145,7 +145,7 @@ void WarmUpPage::openRun(std::size_t number) {
       });
 }
 
-void WarmUpPage::showRuns() {
+void RaterCalibrationPage::showRuns() {
   for (QAbstractButton* button : group_->buttons()) {
     group_->removeButton(button);
     button->hide();
@@ -154,7 +154,7 @@ void WarmUpPage::showRuns() {
   while (QLayoutItem* item = choices_->takeAt(0)) {
     delete item;
   }
-  for (const WarmUpRun& run : warmUp_.runs) {
+  for (const CalibrationRun& run : warmUp_.runs) {
     auto* button = new QToolButton(this);
     button->setCheckable(true);
     button->setChecked(run.number == number_);
@@ -168,7 +168,7 @@ void WarmUpPage::showRuns() {
   choices_->addStretch(1);
 }
 
-void WarmUpPage::showResult() {
+void RaterCalibrationPage::showResult() {
   const bool any = number_ > 0;
   compare_->setVisible(any);
   compare_->setEnabled(any && sheet_->editor() != nullptr &&
@@ -180,7 +180,7 @@ void WarmUpPage::showResult() {
                                 : tr("On to the queue"));
   anchors_->setText(anchorText());
   rubricCard_->setVisible(any && !anchors_->text().isEmpty());
-  const WarmUpRun* run = any ? &warmUp_.runs[number_ - 1] : nullptr;
+  const CalibrationRun* run = any ? &warmUp_.runs[number_ - 1] : nullptr;
   resultCard_->setVisible(any);
   if (run == nullptr) {
     return;
@@ -208,7 +208,7 @@ void WarmUpPage::showResult() {
                     : tr("You may score it again, or go on with the next run."));
 }
 
-void WarmUpPage::compare() {
+void RaterCalibrationPage::compare() {
   if (sheet_->editor() == nullptr || number_ == 0) {
     return;
   }
@@ -227,18 +227,18 @@ void WarmUpPage::compare() {
   showResult();
 }
 
-bool WarmUpPage::compared() const {
+bool RaterCalibrationPage::compared() const {
   return number_ > 0 && sheet_->editor() != nullptr && warmUp_.runs[number_ - 1].own_steps.has_value() &&
          sheet_->editor()->answer(kOverallRow).score_steps == warmUp_.runs[number_ - 1].own_steps;
 }
 
-std::size_t WarmUpPage::nextNumber() const {
+std::size_t RaterCalibrationPage::nextNumber() const {
   const auto open = std::find_if(warmUp_.runs.begin(), warmUp_.runs.end(),
-                                 [](const WarmUpRun& run) { return !run.own_steps.has_value(); });
+                                 [](const CalibrationRun& run) { return !run.own_steps.has_value(); });
   return open == warmUp_.runs.end() ? 0 : open->number;
 }
 
-void WarmUpPage::goNext() {
+void RaterCalibrationPage::goNext() {
   if (const std::size_t next = nextNumber(); next > 0) {
     openRun(next);
   } else {
@@ -246,7 +246,7 @@ void WarmUpPage::goNext() {
   }
 }
 
-QString WarmUpPage::anchorText() const {
+QString RaterCalibrationPage::anchorText() const {
   QStringList lines;
   for (const StoredRubricRow& row : warmUp_.rubric.rows) {
     QStringList points;
@@ -260,7 +260,7 @@ QString WarmUpPage::anchorText() const {
   return lines.join(QStringLiteral("\n\n"));
 }
 
-void WarmUpPage::retranslate() {
+void RaterCalibrationPage::retranslate() {
   heading_->setTexts(tr("Warm-up"),
                      tr("Score the reference runs before the real cases and see your own offset from the "
                         "panel. Nobody else sees it."));
@@ -274,7 +274,7 @@ void WarmUpPage::retranslate() {
   showResult();
 }
 
-std::vector<std::pair<QString, QString>> WarmUpPage::keys() const {
+std::vector<std::pair<QString, QString>> RaterCalibrationPage::keys() const {
   std::vector<std::pair<QString, QString>> all = replayKeys();
   for (auto& one : sheetKeys()) {
     all.push_back(std::move(one));
@@ -283,12 +283,12 @@ std::vector<std::pair<QString, QString>> WarmUpPage::keys() const {
   return all;
 }
 
-void WarmUpPage::applyTheme(const Theme& theme) {
+void RaterCalibrationPage::applyTheme(const Theme& theme) {
   replay_->setTheme(theme);
   sheet_->setTheme(theme);
 }
 
-void WarmUpPage::keyPressEvent(QKeyEvent* event) {
+void RaterCalibrationPage::keyPressEvent(QKeyEvent* event) {
   if (sheet_->handleCommand(event)) {
     return;
   }
