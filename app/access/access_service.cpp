@@ -137,8 +137,8 @@ SignInAnswer signInForPractice(SessionContext& workplace, const std::string& log
                 true);
 }
 
-SignInAnswer changeOwnPassword(SessionContext& workplace, const std::string& login, const std::string& oldPassword,
-                               const std::string& newPassword) {
+SignInAnswer changeOwnPassword(SessionContext& workplace, const std::string& login,
+                               const std::string& oldPassword, const std::string& newPassword) {
   AccessRepository access = repository(workplace);
   const SignInResult old = access.signIn(login, oldPassword, workplace.now_us());
   if (old.outcome != SignIn::kOk && old.outcome != SignIn::kMustChange) {
@@ -228,7 +228,8 @@ void setUserRoles(SessionContext& workplace, const std::string& userId, const st
   transaction.commit();
 }
 
-void setUserActive(SessionContext& workplace, const std::string& userId, bool active, const std::string& reason) {
+void setUserActive(SessionContext& workplace, const std::string& userId, bool active,
+                   const std::string& reason) {
   workplace.require(Operation::kUserManage);
   Transaction transaction(workplace.connection());
   if (!active && isActiveAdministrator(userOf(workplace, userId))) {

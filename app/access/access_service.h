@@ -41,8 +41,8 @@ struct SignInAnswer {
                                              const std::string& pin);
 /// After kMustChange, or by the user: the old password must fit. Then signs in. Throws Error{kBadParameter}
 /// for a weak or unchanged password, {kPermission} when the old one is wrong.
-SignInAnswer changeOwnPassword(SessionContext& workplace, const std::string& login, const std::string& oldPassword,
-                               const std::string& newPassword);
+SignInAnswer changeOwnPassword(SessionContext& workplace, const std::string& login,
+                               const std::string& oldPassword, const std::string& newPassword);
 /// After an idle lock: the secret of the user who is signed in (the PIN for practice), nobody else's.
 /// Audited, failures too. Throws Error{kPermission} when nobody is signed in.
 [[nodiscard]] SignInAnswer unlock(SessionContext& workplace, const std::string& secret);
@@ -61,7 +61,8 @@ std::string addUser(SessionContext& workplace, const NewUser& user);
 /// At least one active administrator must remain: throws Error{kBadParameter} otherwise.
 void setUserRoles(SessionContext& workplace, const std::string& userId, const std::vector<std::string>& roles,
                   const std::string& reason);
-void setUserActive(SessionContext& workplace, const std::string& userId, bool active, const std::string& reason);
+void setUserActive(SessionContext& workplace, const std::string& userId, bool active,
+                   const std::string& reason);
 /// A new start password, to be changed at the next sign-in.
 void resetPassword(SessionContext& workplace, const std::string& userId, const std::string& startPassword,
                    const std::string& reason);

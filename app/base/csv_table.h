@@ -40,7 +40,7 @@ class CsvTable {
   /// twice, a line with too few or too many values, quotes that do not close, text that is no UTF-8.
   static CsvTable read(const std::filesystem::path& file, std::initializer_list<std::string_view> required,
                        std::initializer_list<std::string_view> optional = {});
-  /// The same for text that is already there; `name` stands for the file in messages.
+  /// Reads a table from text as read() does from a file; `name` stands for the file in messages.
   static CsvTable parse(std::string_view text, const std::string& name,
                         std::initializer_list<std::string_view> required,
                         std::initializer_list<std::string_view> optional = {});
@@ -56,7 +56,7 @@ class CsvTable {
 
   /// The value as it stands; `column` exists (contract). May be empty.
   [[nodiscard]] const std::string& cell(std::size_t row, std::string_view column) const;
-  /// The same, refusing an empty value.
+  /// The value of a cell, which may not be empty. Throws Error{kBadData} for an empty one.
   [[nodiscard]] const std::string& text(std::size_t row, std::string_view column) const;
   /// A finite number with a decimal point. Throws Error{kBadData} for an empty value, text, a decimal comma,
   /// NaN, infinity, or a number too large for a double.

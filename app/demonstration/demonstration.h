@@ -44,8 +44,8 @@ struct DemonstrationSummary {
 /// Error (kUsage: unknown language); then none of the three files has been replaced.
 DemonstrationSummary runDemonstration(const DemonstrationOptions& options);
 
-/// The same people, trials and marks into a record that exists: a centre that wants something to try things
-/// out on. `options.out` is not used; no report is written. All or nothing. Throws Error, DbError.
+/// Stores the people, trials and marks of a demonstration in an existing record, for a centre that wants data
+/// to try things on. `options.out` is not used; no report is written. All or nothing. Throws Error, DbError.
 DemonstrationSummary fillDemonstration(const DemonstrationOptions& options, Connection& connection);
 
 }  // namespace torsio

@@ -42,7 +42,7 @@ struct DeviceCheckRequest {
 
 /// Force of the self-test: below the sustained force of an Omni, clearly felt.
 inline constexpr double kSelfTestForce_N = 0.5;
-/// It swells and fades over this time.
+/// Time over which the force of the self-test swells and fades.
 inline constexpr double kSelfTestTime_s = 2.0;
 
 struct DeviceCheckResult {

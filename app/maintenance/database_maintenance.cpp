@@ -139,7 +139,8 @@ DatabaseCheck checkDatabase(const std::string& locator) {
   return check(connection);
 }
 
-BackupContent backUpDatabase(SessionContext& workplace, const fs::path& target, const ProgressCallback& progress) {
+BackupContent backUpDatabase(SessionContext& workplace, const fs::path& target,
+                             const ProgressCallback& progress) {
   workplace.require(Operation::kDatabaseBackup);
   if (workplace.connection().engine() != Engine::kSqlite) {
     requireSqlite(workplace.key().locator, "Use pg_dump --format=custom --file=FILE on the server");

@@ -144,8 +144,8 @@ class FolderInTheMaking {
 
 }  // namespace
 
-PersonPackage exportPersonPackage(SessionContext& workplace, const std::string& personId, const fs::path& folder,
-                                  const std::string& reason) {
+PersonPackage exportPersonPackage(SessionContext& workplace, const std::string& personId,
+                                  const fs::path& folder, const std::string& reason) {
   workplace.require(Operation::kPersonExport);
   if (fs::exists(folder)) {
     throw Error(ErrorCode::kFileUnwritable, "this folder exists already", folder.string(),

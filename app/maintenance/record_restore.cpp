@@ -140,8 +140,8 @@ void requireRoom(const fs::path& record, const fs::path& backup) {
 }
 
 /// The audit entry in the trail of `connection`.
-void tell(SessionContext& workplace, Connection& connection, const std::string& action, const RestorePlan& plan,
-          const fs::path& safety) {
+void tell(SessionContext& workplace, Connection& connection, const std::string& action,
+          const RestorePlan& plan, const fs::path& safety) {
   WorkplaceKey key = workplace.key();
   const SessionContext there(connection, workplace.ids(), key, [&workplace] { return workplace.now_us(); });
   there.note({.action = action,

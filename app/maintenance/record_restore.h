@@ -65,7 +65,8 @@ class PreparedRestore {
 /// entry and is else unchanged until takeOver(). kDatabaseRestore. Throws as planRestore does, and
 /// kFileUnwritable when there is not enough room; then nothing is left but the finished safety backup, if
 /// any.
-[[nodiscard]] std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& workplace, const RestorePlan& plan,
+[[nodiscard]] std::shared_ptr<PreparedRestore> prepareRestore(SessionContext& workplace,
+                                                              const RestorePlan& plan,
                                                               const ProgressCallback& progress = {});
 
 }  // namespace torsio

@@ -131,8 +131,8 @@ ServerCheck checkServer(SessionContext& workplace, const ServerAddress& address)
   return check;
 }
 
-CopyReport moveToServer(SessionContext& workplace, const ServerAddress& address, const ProgressCallback& progress,
-                        const std::filesystem::path& unstored) {
+CopyReport moveToServer(SessionContext& workplace, const ServerAddress& address,
+                        const ProgressCallback& progress, const std::filesystem::path& unstored) {
   workplace.require(Operation::kDatabaseRestore);
   requireNobodyAtWork(workplace);
   requireNothingWaits(workplace.key().locator, unstored);
@@ -153,7 +153,8 @@ CopyReport moveToServer(SessionContext& workplace, const ServerAddress& address,
   }
 }
 
-std::string switchToServer(SessionContext& workplace, const ServerAddress& address, const CopyReport& copied) {
+std::string switchToServer(SessionContext& workplace, const ServerAddress& address,
+                           const CopyReport& copied) {
   workplace.require(Operation::kDatabaseRestore);
   requireNobodyAtWork(workplace);
   if (AuditRepository(workplace.connection()).length() != copied.auditEntries) {
@@ -163,7 +164,7 @@ std::string switchToServer(SessionContext& workplace, const ServerAddress& addre
   std::string locator = openLasting(address);
   Connection there = openDatabase(locator, OpenMode::kReadWrite);
   const SessionContext server(there, workplace.ids(), workplace.key(),
-                         [&workplace] { return workplace.now_us(); });
+                              [&workplace] { return workplace.now_us(); });
   server.note({.action = "database.switch",
                .objectKind = "database",
                .objectId = parseLocator(locator).shown(),
@@ -185,7 +186,7 @@ std::string joinServer(SessionContext& workplace, const ServerAddress& address,
   const AuditNote note{.action = "database.join", .objectKind = "database", .objectId = check.location};
   Connection there = openUpToDate(locator);
   const SessionContext server(there, workplace.ids(), workplace.key(),
-                         [&workplace] { return workplace.now_us(); });
+                              [&workplace] { return workplace.now_us(); });
   server.note(note);
   workplace.note(note);
   return locator;

@@ -24,7 +24,8 @@ struct ConsentText {
                                                     const std::string& language = "en");
 
 /// Every decision, oldest first. kPersonViewCoded.
-[[nodiscard]] std::vector<StoredConsent> consentHistory(SessionContext& workplace, const std::string& personId);
+[[nodiscard]] std::vector<StoredConsent> consentHistory(SessionContext& workplace,
+                                                        const std::string& personId);
 
 /// Given, or withdrawn (`granted` false). Audited. kConsentRecord. Throws Error{kBadParameter} for an unknown
 /// purpose or person, or an empty version.

@@ -22,7 +22,7 @@ struct PersonRow {
   std::vector<std::string> consents{};  ///< purposes whose newest decision grants them
 };
 
-/// The same with what leads back to the person.
+/// A person of the roster with the identity behind the code.
 struct NamedPersonRow {
   PersonRow row{};
   StoredIdentity identity{};  ///< empty texts when there is none
@@ -30,7 +30,7 @@ struct NamedPersonRow {
 
 /// Everybody who was not erased, ordered by code. kPersonViewCoded.
 [[nodiscard]] std::vector<PersonRow> people(SessionContext& workplace);
-/// The same with names. kPersonViewIdentity.
+/// Everybody who was not erased, with names, ordered by code. kPersonViewIdentity.
 [[nodiscard]] std::vector<NamedPersonRow> namedPeople(SessionContext& workplace);
 
 /// One person to enter by hand. Empty texts mean "not known".

@@ -7,9 +7,9 @@
 
 namespace torsio {
 
-/// This machine in words, for the trials that it records: name, operating system, processor with its number
-/// of threads, graphics card. What the system does not tell stays empty (the graphics card is told by Linux
-/// only). `root`: where the files of the system begin.
+/// Describes the present machine for the trials that it records: name, operating system, processor with its
+/// number of threads, graphics card. What the system does not tell stays empty (the graphics card is told by
+/// Linux only). `root`: where the files of the system begin.
 [[nodiscard]] RecordingHost thisHost(const std::filesystem::path& root = "/");
 
 }  // namespace torsio

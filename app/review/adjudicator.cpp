@@ -163,20 +163,20 @@ std::vector<ThirdRequest> thirdRequests(SessionContext& workplace, const std::st
   return requests;
 }
 
-std::string assignThird(SessionContext& workplace, const std::string& cohortId, const std::string& assignmentId,
-                        const std::string& raterId) {
+std::string assignThird(SessionContext& workplace, const std::string& cohortId,
+                        const std::string& assignmentId, const std::string& raterId) {
   workplace.require(Operation::kStudySetup);
   Transaction transaction(workplace.connection());
   SheetRepository sheets(workplace.connection());
   const auto asked = sheets.findAssignment(assignmentId);
   if (!asked) {
-    refuse("nobody has asked for a third rater here", assignmentId, "Read the list again");
+    refuse("nobody has asked for an adjudicator here", assignmentId, "Read the list again");
   }
   const StoredAssignment& before = asked->assignment;
   const std::map<CaseKey, CaseSheets> cases = openCases(workplace.connection(), cohortId);
   const auto found = cases.find(keyOf(before));
   if (found == cases.end()) {
-    refuse("nobody has asked for a third rater here", assignmentId, "Read the list again");
+    refuse("nobody has asked for an adjudicator here", assignmentId, "Read the list again");
   }
   const std::vector<Adjudicator> free = freeFor(found->second, activeRaters(workplace.connection()));
   if (std::none_of(free.begin(), free.end(), [&](const Adjudicator& rater) { return rater.id == raterId; })) {

@@ -27,9 +27,9 @@ struct ThirdRequest {
   std::size_t marks = 0;
   std::vector<std::string> askedBy{};  ///< codes
   std::vector<std::string> reasons{};
-  std::int64_t askedUtc_us = 0;    ///< the first time
+  std::int64_t askedUtc_us = 0;     ///< the first time
   std::vector<Adjudicator> free{};  ///< not asked about this case before; of the same class and the least
-                                   ///< loaded first
+                                    ///< loaded first
 };
 
 /// What waits in a cohort, oldest first: cases on which a physician's newest decision is "third" and nobody
@@ -39,7 +39,7 @@ struct ThirdRequest {
 /// Asks `raterId` about the case of a request, under a label of their own and with the same rubric. Returns
 /// the new assignment. kStudySetup; audited. Throws Error{kBadData}: no request, or the rater was asked about
 /// this case before or is none.
-std::string assignThird(SessionContext& workplace, const std::string& cohortId, const std::string& assignmentId,
-                        const std::string& raterId);
+std::string assignThird(SessionContext& workplace, const std::string& cohortId,
+                        const std::string& assignmentId, const std::string& raterId);
 
 }  // namespace torsio

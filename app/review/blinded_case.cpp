@@ -36,7 +36,8 @@ std::string blindedDigest(const std::string& contentHash, const std::string& sal
   return digest.hex().substr(0, kDigestDigits);
 }
 
-StoredAssignment ownAssignment(SessionContext& workplace, Operation operation, const std::string& assignmentId) {
+StoredAssignment ownAssignment(SessionContext& workplace, Operation operation,
+                               const std::string& assignmentId) {
   workplace.require(operation);
   DeskRepository desk(workplace.connection());
   const std::optional<StoredAssignment> found = desk.assignment(assignmentId);
@@ -108,7 +109,7 @@ void checkScene(const BlindedRecording& recording, const Scene& scene) {
     return;
   }
   throw Error(ErrorCode::kVerifyFailed, "the organ here is not the one of the recording",
-              placeOf(recording.label), "Score from the traces, or ask the office for the organ file");
+              placeOf(recording.label), "Score from the traces, or ask an administrator for the organ file");
 }
 
 void rethrowBlinded(const std::exception_ptr& problem, const std::string& label) {
@@ -120,9 +121,10 @@ void rethrowBlinded(const std::exception_ptr& problem, const std::string& label)
     }
     // The original texts may carry an id: only the kind of trouble passes.
     const bool changed = error.code() == ErrorCode::kVerifyFailed;
-    throw Error(
-        error.code(), changed ? "the recording is not what was recorded" : "the recording cannot be opened",
-        placeOf(label), changed ? "Do not score it; tell the office" : "Try again, or tell the office");
+    throw Error(error.code(),
+                changed ? "the recording is not what was recorded" : "the recording cannot be opened",
+                placeOf(label),
+                changed ? "Do not score it; tell an administrator" : "Try again, or tell an administrator");
   }
 }
 

@@ -53,7 +53,8 @@ struct BlindedRecording {
 /// was recorded, bit for bit. kTrialViewAssigned, and only while the case is assigned. Throws
 /// Error{kPermission}, {kBadData}: a live case; {kVerifyFailed}: the recording was changed. No text names the
 /// trial.
-[[nodiscard]] BlindedRecording loadBlindedRecording(SessionContext& workplace, const std::string& assignmentId);
+[[nodiscard]] BlindedRecording loadBlindedRecording(SessionContext& workplace,
+                                                    const std::string& assignmentId);
 
 /// The recording `trialId` under `label`, checked as above: for services that have decided who may see it.
 [[nodiscard]] BlindedRecording blindedRecordingOf(Connection& connection, const std::string& trialId,

@@ -25,7 +25,7 @@ std::vector<CaseRemark> caseRemarks(SessionContext& workplace, const std::string
 void addCaseRemark(SessionContext& workplace, const std::string& assignmentId, const CaseRemark& remark) {
   const StoredAssignment assignment = ownAssignment(workplace, Operation::kMarkSubmit, assignmentId);
   if (assignment.trialId.empty() || remark.time_us < 0) {
-    throw Error(ErrorCode::kBadData, "this case has no recording to mark",
+    throw Error(ErrorCode::kBadData, "this case has no recording to score",
                 Text("case %1", assignment.caseLabel), "Write it into the comment of the sheet");
   }
   const auto header = TrialRepository(workplace.connection()).find(assignment.trialId);

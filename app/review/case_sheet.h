@@ -64,6 +64,7 @@ struct SheetVersion {
   std::int64_t submittedUtc_us = 0;
 };
 /// Oldest first. kMarkSubmit, own case.
-[[nodiscard]] std::vector<SheetVersion> sheetVersions(SessionContext& workplace, const std::string& assignmentId);
+[[nodiscard]] std::vector<SheetVersion> sheetVersions(SessionContext& workplace,
+                                                      const std::string& assignmentId);
 
 }  // namespace torsio

@@ -8,8 +8,8 @@
 
 #include "app/review/case_sheet.h"
 #include "app/review/sheet_editor.h"
-#include "db/repository/rating/discrepancy_repository.h"
 #include "db/repository/rating/desk_repository.h"
+#include "db/repository/rating/discrepancy_repository.h"
 #include "db/repository/system/setting_repository.h"
 #include "sim/base/error.h"
 

@@ -87,7 +87,7 @@ OpenForm ownForm(SessionContext& workplace, const std::string& campaignId) {
   const StoredCampaignRater* rater = campaign && !person.empty() ? asked(*campaign, person) : nullptr;
   if (rater == nullptr) {
     throw Error(ErrorCode::kPermission, "you are not asked in this evaluation", "the evaluation",
-                "Ask the office");
+                "Ask an administrator");
   }
   return formOf(workplace.connection(), *campaign, *rater);
 }
@@ -133,22 +133,24 @@ std::vector<EvaluationForm> evaluationForms(SessionContext& workplace) {
   return forms;
 }
 
-void saveEvaluationScore(SessionContext& workplace, const std::string& campaignId, const std::string& hiddenLabel,
-                         std::size_t index, std::optional<std::int64_t> score_steps) {
+void saveEvaluationScore(SessionContext& workplace, const std::string& campaignId,
+                         const std::string& hiddenLabel, std::size_t index,
+                         std::optional<std::int64_t> score_steps) {
   const OpenForm open = ownForm(workplace, campaignId);
   const std::size_t model = openModel(open, hiddenLabel);
   const ScoreScale& scale = open.form.scale;
   const bool outside = score_steps && !isOnScale(*score_steps, scale);
   if (outside || index >= open.form.indices.size()) {
-    throw Error(ErrorCode::kBadData, "the score lies outside the scale", Text("model %1", hiddenLabel),
-                "Correct the score");
+    throw Error(ErrorCode::kBadData, "the mark lies outside the scale", Text("model %1", hiddenLabel),
+                "Correct the mark");
   }
   DeskRepository(workplace.connection())
       .saveEvaluationDraft(campaignId, workplace.actor().personId, open.models[model].code,
                            static_cast<std::int64_t>(index + 1), score_steps, workplace.now_us());
 }
 
-void submitEvaluation(SessionContext& workplace, const std::string& campaignId, const std::string& hiddenLabel) {
+void submitEvaluation(SessionContext& workplace, const std::string& campaignId,
+                      const std::string& hiddenLabel) {
   const OpenForm open = ownForm(workplace, campaignId);
   const std::size_t model = openModel(open, hiddenLabel);
   const std::vector<std::optional<std::int64_t>>& scores = open.form.models[model].scores;

@@ -26,7 +26,7 @@ StoredReferenceRun runNumber(Connection& connection, std::size_t number) {
   const std::vector<StoredReferenceRun> runs = DeskRepository(connection).referenceRuns();
   if (number < 1 || number > runs.size()) {
     throw Error(ErrorCode::kBadData, "there is no such reference run", Text("reference %1", number),
-                "Open the warm-up again");
+                "Open rater calibration again");
   }
   return runs[number - 1];
 }
@@ -126,8 +126,8 @@ void scoreReferenceRun(SessionContext& workplace, std::size_t number, std::int64
   const StoredRubricRevision rubric =
       SheetRepository(workplace.connection()).revision(run.rubricRevisionId).value();
   if (!isOnScale(score_steps, rubric.overall)) {
-    throw Error(ErrorCode::kBadData, "the score lies outside the scale", Text("reference %1", number),
-                "Correct the score");
+    throw Error(ErrorCode::kBadData, "the mark lies outside the scale", Text("reference %1", number),
+                "Correct the mark");
   }
   StoredWarmup warmup;
   warmup.id = workplace.ids().newUuid();

@@ -28,9 +28,9 @@ struct CampaignResult {
   std::vector<std::string> classesMissing;  ///< names of the weighted classes that have not scored everything
 };
 
-/// The same without storing anything: for previews and reports. While a class of raters that has a weight has
-/// not scored every index of every model, there are marks but no models. Throws Error{kBadData} when there is
-/// no such campaign.
+/// Reads and evaluates the marks of a campaign without storing anything, for previews and reports. While a
+/// class of raters that has a weight has not scored every index of every model, there are marks but no
+/// models. Throws Error{kBadData} when there is no such campaign.
 [[nodiscard]] CampaignResult readCampaign(Connection& connection, const std::string& campaignId);
 
 /// Reads the marks of a campaign, computes Eqs. 25-27, stores the results with formula version, policy and

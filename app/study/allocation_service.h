@@ -77,7 +77,8 @@ struct SealedCard {
 [[nodiscard]] std::vector<SealedCard> takeOutCards(SessionContext& workplace, const std::string& cohortId);
 
 /// Who was put where, in order, overrides too. kAllocationView.
-[[nodiscard]] std::vector<StoredAllocation> allocations(SessionContext& workplace, const std::string& designId);
+[[nodiscard]] std::vector<StoredAllocation> allocations(SessionContext& workplace,
+                                                        const std::string& designId);
 
 /// Draws the group of one enrolment. Audited. kAllocationRun. Throws Error{kBadData}: no design, allocated
 /// already, a factor is not recorded, the list is used up.
@@ -92,7 +93,8 @@ StoredAllocation overrideAllocation(SessionContext& workplace, const std::string
                                     const std::string& reason);
 /// Opens the seal: from now on anybody can repeat the draw. Returns the seed. Audited. kAllocationReveal.
 /// Refused while an enrolled person has no group, unless a reason is given.
-std::string revealSeed(SessionContext& workplace, const std::string& designId, const std::string& reason = {});
+std::string revealSeed(SessionContext& workplace, const std::string& designId,
+                       const std::string& reason = {});
 
 struct AllocationCheck {
   bool sound = true;

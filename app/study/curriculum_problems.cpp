@@ -234,7 +234,7 @@ class Examination {
         if (point.code != occasion.code) {
           continue;
         }
-        const Text where("scoring point %1", point.code);
+        const Text where("occasion %1", point.code);
         if (!seen.insert(point.code).second) {
           add(where, "stands twice", "Keep one of the two");
         }
@@ -249,7 +249,7 @@ class Examination {
     }
     for (const StoredScoringPoint& point : content_.scoringPoints) {
       if (!seen.contains(point.code)) {
-        add(Text("scoring point \"%1\"", point.code), "is not known", "Choose one from the list");
+        add(Text("occasion \"%1\"", point.code), "is not known", "Choose one from the list");
       }
     }
   }

@@ -122,7 +122,8 @@ StoredCurriculumVersion publishedContent(SessionContext& workplace, const std::s
   return withCodes(*std::move(version));
 }
 
-std::optional<StoredCurriculumVersion> curriculumVersion(SessionContext& workplace, const std::string& versionId) {
+std::optional<StoredCurriculumVersion> curriculumVersion(SessionContext& workplace,
+                                                         const std::string& versionId) {
   if (!workplace.may(Operation::kPractice)) {
     workplace.require(Operation::kPersonViewCoded);
   }
@@ -177,8 +178,8 @@ std::int64_t saveCurriculumDraft(SessionContext& workplace, const std::string& c
   return revision;
 }
 
-std::string publishCurriculum(SessionContext& workplace, const std::string& curriculumId, const std::string& note,
-                              const std::filesystem::path& assets) {
+std::string publishCurriculum(SessionContext& workplace, const std::string& curriculumId,
+                              const std::string& note, const std::filesystem::path& assets) {
   workplace.require(Operation::kCurriculumEdit);
   Transaction transaction(workplace.connection());
   const CurriculumDraft draft = curriculumDraft(workplace, curriculumId);

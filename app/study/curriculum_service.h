@@ -33,7 +33,8 @@ struct CurriculumRow {
 [[nodiscard]] std::vector<CurriculumRow> curricula(SessionContext& workplace);
 /// A published version with codes in place of ids: as it looks in the editor, and as a start of the next
 /// draft. kPersonViewCoded. Throws Error{kBadData} for an unknown id.
-[[nodiscard]] StoredCurriculumVersion publishedContent(SessionContext& workplace, const std::string& versionId);
+[[nodiscard]] StoredCurriculumVersion publishedContent(SessionContext& workplace,
+                                                       const std::string& versionId);
 /// A published version with all its parts; empty: there is none. kPersonViewCoded or kPractice.
 [[nodiscard]] std::optional<StoredCurriculumVersion> curriculumVersion(SessionContext& workplace,
                                                                        const std::string& versionId);
@@ -60,8 +61,8 @@ std::int64_t saveCurriculumDraft(SessionContext& workplace, const std::string& c
 
 /// Makes a version that never changes out of the saved draft. Returns its id. Audited. kCurriculumEdit.
 /// Throws Error{kBadData} with the first problem.
-std::string publishCurriculum(SessionContext& workplace, const std::string& curriculumId, const std::string& note,
-                              const std::filesystem::path& assets);
+std::string publishCurriculum(SessionContext& workplace, const std::string& curriculumId,
+                              const std::string& note, const std::filesystem::path& assets);
 /// From now on cohorts can follow it / no cohort may begin it any more. Audited. kCurriculumEdit. Throws
 /// Error{kBadData} for any other step.
 void runCurriculum(SessionContext& workplace, const std::string& versionId);

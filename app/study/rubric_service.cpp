@@ -72,17 +72,17 @@ void checkRevision(const StoredRubricRevision& revision) {
         refuseParameter("an anchor lies outside the scale", where, "Move it, or widen the scale");
       }
       if (!scores.insert(anchor.score_steps).second) {
-        refuseParameter("two anchors stand at the same score", where, "Join them");
+        refuseParameter("two anchors stand at the same mark", where, "Join them");
       }
       if (anchor.meaning.empty()) {
-        refuseParameter("an anchor has no words", where, "Say what the score means");
+        refuseParameter("an anchor has no words", where, "Say what the mark means");
       }
     }
   }
 }
 
-std::string storeRevision(SessionContext& workplace, const std::string& rubricId, StoredRubricRevision revision,
-                          std::int64_t number, const std::string& note) {
+std::string storeRevision(SessionContext& workplace, const std::string& rubricId,
+                          StoredRubricRevision revision, std::int64_t number, const std::string& note) {
   revision.id = workplace.ids().newUuid();
   revision.rubricId = rubricId;
   revision.number = number;
@@ -177,8 +177,8 @@ std::string addRubric(SessionContext& workplace, const std::string& name, const 
   return id;
 }
 
-std::string reviseRubric(SessionContext& workplace, const std::string& rubricId, const StoredRubricRevision& next,
-                         const std::string& note) {
+std::string reviseRubric(SessionContext& workplace, const std::string& rubricId,
+                         const StoredRubricRevision& next, const std::string& note) {
   workplace.require(Operation::kCurriculumEdit);
   checkRevision(next);
   Transaction transaction(workplace.connection());

@@ -35,7 +35,7 @@ struct RubricRow {
 std::string addRubric(SessionContext& workplace, const std::string& name, const StoredRubricRevision& first,
                       bool demonstration = false);
 /// The next revision: sheets that were assigned keep theirs. Returns its id. Audited. kCurriculumEdit.
-std::string reviseRubric(SessionContext& workplace, const std::string& rubricId, const StoredRubricRevision& next,
-                         const std::string& note);
+std::string reviseRubric(SessionContext& workplace, const std::string& rubricId,
+                         const StoredRubricRevision& next, const std::string& note);
 
 }  // namespace torsio

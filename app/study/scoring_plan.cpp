@@ -67,12 +67,12 @@ void checkPlan(SessionContext& workplace, const ScoringPlan& plan) {
     refuseParameter("nobody is asked to score", "raters", "Choose at least one");
   }
   if (plan.scoringPoints.empty()) {
-    refuseParameter("no scoring point is chosen", "scoring points", "Choose at least one");
+    refuseParameter("no occasion is chosen", "occasions", "Choose at least one");
   }
   const Occasions occasions = OccasionRepository(workplace.connection()).all();
   for (const std::string& point : plan.scoringPoints) {
     if (!occasions.contains(point)) {
-      refuseParameter("there is no such scoring point", point, "Choose one from the list");
+      refuseParameter("there is no such occasion", point, "Choose one from the list");
     }
   }
   if (!SheetRepository(workplace.connection()).revision(plan.rubricRevisionId)) {
@@ -278,8 +278,8 @@ ScoringMatrix scoringMatrix(SessionContext& workplace, const std::string& cohort
   return matrix;
 }
 
-std::string reassign(SessionContext& workplace, const std::string& assignmentId, const std::string& newRaterId,
-                     const std::string& reason) {
+std::string reassign(SessionContext& workplace, const std::string& assignmentId,
+                     const std::string& newRaterId, const std::string& reason) {
   workplace.require(Operation::kStudySetup);
   if (reason.empty()) {
     refuse("taking a sheet from its rater needs a reason", assignmentId, "Say why");
@@ -374,7 +374,7 @@ void releaseMarks(SessionContext& workplace, const std::string& cohortId, const 
     transaction.commit();
     return;
   }
-  refuse("there is no such scoring point", scoringPoint, "Choose one from the list");
+  refuse("there is no such occasion", scoringPoint, "Choose one from the list");
 }
 
 void retractMarks(SessionContext& workplace, const std::string& cohortId, const std::string& scoringPoint,

@@ -80,8 +80,8 @@ struct ScoringMatrix {
 /// Takes a sheet that was not submitted from its rater; with `newRaterId` another one is asked, under a label
 /// of theirs. Returns the new assignment, empty without one. Audited. kStudySetup. Throws Error{kBadData}:
 /// submitted already, or the other rater was asked about this case before.
-std::string reassign(SessionContext& workplace, const std::string& assignmentId, const std::string& newRaterId,
-                     const std::string& reason);
+std::string reassign(SessionContext& workplace, const std::string& assignmentId,
+                     const std::string& newRaterId, const std::string& reason);
 
 /// What stands before a release.
 struct ReleaseState {

@@ -117,7 +117,8 @@ Debrief debrief(SessionContext& workplace, const std::string& trialId, const std
   return out;
 }
 
-void addBookmark(SessionContext& workplace, const std::string& trialId, double at_s, const std::string& text) {
+void addBookmark(SessionContext& workplace, const std::string& trialId, double at_s,
+                 const std::string& text) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialViewOwn);
   const TrialListing listing = ownTrial(workplace, record, trialId);
   Transaction transaction(workplace.connection());

@@ -84,11 +84,12 @@ void planArm(Connection& connection, const TraineeRecord& record, NextSteps& ste
   const PhaseProgress progress = phaseProgress(*record.arm, own);
   for (std::size_t i = 0; i < record.arm->phases.size(); ++i) {
     const StoredPhase& stored = record.arm->phases[i];
-    RunPhase phase{.phaseId = stored.id,
-                   .label = stored.label,
-                   .arm = stored.kind == PhaseKind::kReal ? TrainingSetting::kReal : TrainingSetting::kVirtual,
-                   .duration_us = stored.duration_us,
-                   .moduleId = stored.moduleId};
+    RunPhase phase{
+        .phaseId = stored.id,
+        .label = stored.label,
+        .arm = stored.kind == PhaseKind::kReal ? TrainingSetting::kReal : TrainingSetting::kVirtual,
+        .duration_us = stored.duration_us,
+        .moduleId = stored.moduleId};
     if (i < progress.phase) {
       phase.done_us = phase.duration_us;
     }

@@ -35,7 +35,7 @@ void checkPermission(const NextSteps& steps, const RunRequest& request) {
   }
   if (steps.allPhasesDone) {
     throw Error(ErrorCode::kBadParameter, "all phases of your training are over", steps.armLabel,
-                "Ask your training office what comes next");
+                "Ask an administrator what comes next");
   }
 }
 
@@ -59,7 +59,7 @@ ModuleStep chosenStep(const NextSteps& steps, const RunRequest& request) {
   }
   if (step.state == StepState::kUsedUp && request.graded) {
     throw Error(ErrorCode::kBadParameter, "no attempt is left for this module", step.module.title,
-                "Ask your training office for another attempt");
+                "Ask an administrator for another attempt");
   }
   return step;
 }
@@ -242,7 +242,8 @@ std::unique_ptr<TrialSink> RunSession::sinkFor(const RecordingSpec& recording) c
   return recordingSink(workplace_.key().locator, recording.context);
 }
 
-std::vector<RecoveredTrial> recoverInterrupted(SessionContext& workplace, const std::filesystem::path& folder) {
+std::vector<RecoveredTrial> recoverInterrupted(SessionContext& workplace,
+                                               const std::filesystem::path& folder) {
   const TraineeRecord record = ownRecord(workplace, Operation::kTrialRecordOwn);
   std::vector<RecoveredTrial> own;
   for (const SettledTrial& settled : settleStation(workplace, folder).trials) {

@@ -34,7 +34,7 @@ void check(const RunPlan& plan) {
     return;
   }
   throw Error(ErrorCode::kBadParameter, "no training time is left", "training run",
-              "Ask your training office what comes next");
+              "Ask an administrator what comes next");
 }
 
 }  // namespace

@@ -48,10 +48,9 @@ Text pairName(const CohortInputs& in, std::size_t first, std::size_t second) {
 }
 
 ReportTable agreementTable(const CohortInputs& in, const StudyAnalysis& study) {
-  ReportTable table = tableOf(in, "table-agreement", "Agreement of the raters at each scoring point",
+  ReportTable table = tableOf(in, "table-agreement", "Agreement of the raters at each occasion",
                               "Shrout and Fleiss ICC(2,1), ICC(2,k); Krippendorff alpha");
-  table.columns = {"Scoring point", "ICC(2,1) [95 %]", "ICC(2,k) [95 %]", "SEM (points)",
-                   "Krippendorff alpha"};
+  table.columns = {"Occasion", "ICC(2,1) [95 %]", "ICC(2,k) [95 %]", "SEM (points)", "Krippendorff alpha"};
   for (std::size_t t = 0; t < in.occasions.size(); ++t) {
     const OccasionMarks& at = study.occasions[t];
     table.provenance.n += at.n;
@@ -186,8 +185,8 @@ void addEffect(const Text& name, const AnovaEffect& effect, ReportTable& table) 
 }
 
 ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study) {
-  ReportTable table = tableOf(in, "table-mixed-anova", "Course of the groups over the scoring points",
-                              "analysis of variance, groups x scoring points, type III");
+  ReportTable table = tableOf(in, "table-mixed-anova", "Course of the groups over the occasions",
+                              "analysis of variance, groups x occasions, type III");
   table.columns = {
       "Effect", "F", "Degrees of freedom", "p", "p (Greenhouse-Geisser)", "Generalised eta squared"};
   for (const std::optional<Groups>& at : study.scores) {
@@ -201,12 +200,12 @@ ReportTable courseTable(const CohortInputs& in, const StudyAnalysis& study) {
     return table;
   }
   if (got->interaction) {
-    addEffect("group x scoring point", *got->interaction, table);
+    addEffect("group x occasion", *got->interaction, table);
   }
   if (got->group) {
     addEffect("group", *got->group, table);
   }
-  addEffect("scoring point", got->time, table);
+  addEffect("occasion", got->time, table);
   table.notes = {
       Text("The interaction is the question; everybody improves with time. Greenhouse-Geisser epsilon %1.",
            formatFixed(got->sphericity.greenhouseGeisser, kDecimals))};
@@ -313,7 +312,7 @@ ReportSection analysisSection(const CohortInputs& in, const StudyAnalysis& study
       section.tables.push_back(*gains);
     }
   } else {
-    section.paragraphs.push_back("Groups are not compared: scores are missing at some scoring point.");
+    section.paragraphs.push_back("Groups are not compared: scores are missing at some occasion.");
   }
   if (const std::optional<ReportTable> models = modelsTable(in)) {
     section.tables.push_back(*models);

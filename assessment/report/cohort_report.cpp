@@ -35,17 +35,17 @@ void checkInputs(const CohortInputs& in) {
   }
   for (const TraineeScore& score : in.scores) {
     if (score.group >= in.groups.size() || score.occasion >= in.occasions.size() || score.number == 0) {
-      refuse("a score belongs to a group or a scoring point that does not exist");
+      refuse("a score belongs to a group or an occasion that does not exist");
     }
   }
   for (const GroupSummary& summary : in.summaries) {
     if (summary.group >= in.groups.size() || summary.occasion >= in.occasions.size()) {
-      refuse("a summary belongs to a group or a scoring point that does not exist");
+      refuse("a summary belongs to a group or an occasion that does not exist");
     }
   }
   for (const TrainingMark& mark : in.trainingMarks) {
     if (mark.group >= in.groups.size() || mark.occasion >= in.occasions.size()) {
-      refuse("a mark belongs to a group or a scoring point that does not exist");
+      refuse("a mark belongs to a group or an occasion that does not exist");
     }
   }
   for (const TrialSummaryRow& trial : in.trials) {
@@ -110,7 +110,7 @@ ReportTable flowTable(const CohortInputs& in) {
   table.title = "Flow of participants";
   table.columns = {"Group", "Allocated", "Withdrew", "Recorded trials", "Interrupted trials"};
   for (const Text& occasion : in.occasions) {
-    table.columns.push_back(Text("Marked %1", occasion));
+    table.columns.push_back(Text("Scored %1", occasion));
   }
   for (std::size_t g = 0; g < in.groups.size(); ++g) {
     std::int64_t allocated = 0;
@@ -332,7 +332,7 @@ ReportSection methodsSection(const CohortInputs& in) {
       "The variance of the training evaluation is not defined in the paper. The figure shows the variance of "
       "the trainee scores with divisor n; the table lists the other readings.");
   section.paragraphs.push_back(
-      "Ratings were not blinded: raters knew the group or the model, and interns were users and raters at "
+      "Marks were not blinded: raters knew the group or the model, and interns were users and raters at "
       "once, so marks are not independent of each other.");
   section.paragraphs.push_back(
       "Groups are compared by an analysis of covariance: the score at the end, adjusted for the score "

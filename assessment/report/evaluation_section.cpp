@@ -74,7 +74,7 @@ ReportFigure rangesFigure(const CohortInputs& in) {
     }
     out.series.push_back(series);
   }
-  out.notes = {"Corresponds to Fig. 15 of the paper. The mark in each range is the class-weighted mean M."};
+  out.notes = {"Corresponds to Fig. 15 of the paper. The symbol in each range is the class-weighted mean M."};
   return out;
 }
 
@@ -109,9 +109,8 @@ ReportFigure barsFigure(const CohortInputs& in, bool variance) {
 
 ReportFigure chiefsFigure(const CohortInputs& in) {
   const Text of = in.instrument.classes[in.chiefClass].name;
-  ReportFigure out =
-      figure(in, "figure-18", Text("Comprehensive score given by each rater of the class %1", of),
-             FigureKind::kPoints, "Eq. 27 for one rater");
+  ReportFigure out = figure(in, "figure-18", Text("Comprehensive score of each rater of the class %1", of),
+                            FigureKind::kPoints, "Eq. 27 for one rater");
   out.xLabel = "rater";
   out.individual = true;
   for (const ModelEvaluation& model : in.evaluations) {
@@ -179,8 +178,8 @@ ReportFigure boxesFigure(const CohortInputs& in) {
       "Corresponds to Fig. 19 of the paper. Eq. 27 gives one number for each model; what is drawn is the "
       "distribution of the scores that Eq. 27 gives for each single rater.",
       "Boxes end at the quartiles (rule: Hyndman and Fan type 7); whiskers reach the most extreme value "
-      "within 1.5 interquartile ranges of the box; values beyond are drawn singly; the separate mark is the "
-      "mean."};
+      "within 1.5 interquartile ranges of the box; values beyond are drawn singly; the separate symbol is "
+      "the mean."};
   return out;
 }
 

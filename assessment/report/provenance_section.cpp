@@ -90,7 +90,7 @@ ReportTable sourcesTable(const CohortInputs& in) {
   }
   add("Evaluation of the models", "submitted marks of the campaign", evaluationMarks,
       hashOfEvaluationMarks(in));
-  add("Training study; Agreement and comparisons; Raters", "submitted marks of the scoring points",
+  add("Training study; Agreement and comparisons; Raters", "submitted marks of the occasions",
       std::ssize(in.trainingMarks), hashOfTrainingMarks(in));
   add("Learning; Recorded trials", "recordings, listed below", std::ssize(in.trials), hashOfTrials(in));
   table.notes = {

@@ -25,8 +25,8 @@ Item itemOf(const CohortInputs& in, const std::string& id, const Text& title, co
 
 /// Mean over the scoring points of what each rater gave each trainee.
 ReportFigure heatMap(const CohortInputs& in, const StudyAnalysis& study) {
-  ReportFigure figure = itemOf<ReportFigure>(
-      in, "figure-marks", "Marks by trainee and rater, last scoring point", "marks as submitted");
+  ReportFigure figure = itemOf<ReportFigure>(in, "figure-marks", "Marks by trainee and rater, last occasion",
+                                             "marks as submitted");
   figure.kind = FigureKind::kHeatMap;
   figure.xLabel = "trainee";
   figure.yLabel = "mark (points)";
@@ -70,16 +70,16 @@ ReportFigure severityFigure(const CohortInputs& in, const StudyAnalysis& study) 
   }
   figure.series = {series};
   figure.notes = {
-      "Strictest first. Scores are not corrected for severity: every trainee is marked by the same "
-      "raters, so that it does not change their order."};
+      "Strictest first. Scores are not corrected for severity: every trainee is scored by the same raters, "
+      "so that it does not change their order."};
   return figure;
 }
 
 /// Every mark of the last scoring point against the mean of the other raters.
 std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const StudyAnalysis& study) {
-  ReportFigure figure = itemOf<ReportFigure>(in, "figure-bland-altman",
-                                             "Each mark against the other raters, last scoring point",
-                                             "Bland and Altman, each rater against the mean of the others");
+  ReportFigure figure =
+      itemOf<ReportFigure>(in, "figure-bland-altman", "Each mark against the other raters, last occasion",
+                           "Bland and Altman, each rater against the mean of the others");
   figure.kind = FigureKind::kScatter;
   figure.xLabel = "mean of own mark and the others' mean (points)";
   figure.yLabel = "own minus others' mean";
@@ -125,11 +125,9 @@ std::optional<ReportFigure> blandAltmanFigure(const CohortInputs& in, const Stud
 }
 
 ReportTable ratersTable(const CohortInputs& in, const StudyAnalysis& study) {
-  ReportTable table =
-      itemOf<ReportTable>(in, "table-raters", "Raters beside each other",
-                          "Bland and Altman against the mean of the others, last scoring point");
-  table.columns = {"Rater", "Trainees", "Offset [95 %], all scoring points",
-                   "Limits of agreement, last scoring point"};
+  ReportTable table = itemOf<ReportTable>(in, "table-raters", "Raters beside each other",
+                                          "Bland and Altman against the mean of the others, last occasion");
+  table.columns = {"Rater", "Trainees", "Offset [95 %], all occasions", "Limits of agreement, last occasion"};
   for (const RaterSeverity& rater : study.severity) {
     const auto at = static_cast<std::size_t>(
         std::lower_bound(study.raters.begin(), study.raters.end(), rater.rater) - study.raters.begin());

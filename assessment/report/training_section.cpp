@@ -100,7 +100,7 @@ ReportFigure meansFigure(const CohortInputs& in) {
   out.id = "figure-training-means";
   out.title = "Mean score of each group over the study";
   out.kind = FigureKind::kLines;
-  out.xLabel = "scoring point";
+  out.xLabel = "occasion";
   out.yLabel = "score (points)";
   fixScale(in, out);
   out.categories = in.occasions;
@@ -126,7 +126,7 @@ ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
   out.title = Text("Course of every trainee, %1 (%2)", in.groups[group].name, in.groups[group].protocol);
   out.kind = FigureKind::kLines;
   out.individual = true;
-  out.xLabel = "scoring point";
+  out.xLabel = "occasion";
   out.yLabel = "score (points)";
   fixScale(in, out);
   out.categories = in.occasions;
@@ -178,8 +178,8 @@ ReportFigure coursesFigure(const CohortInputs& in, std::size_t group) {
 ReportTable summaryTable(const CohortInputs& in) {
   ReportTable table;
   table.id = "table-training-summary";
-  table.title = "Training study: groups at each scoring point";
-  table.columns = {"Scoring point",
+  table.title = "Training study: groups at each occasion";
+  table.columns = {"Occasion",
                    "Group",
                    "Trainees",
                    "Marks",
@@ -238,8 +238,8 @@ ReportSection trainingSection(const CohortInputs& in) {
   ReportSection section;
   section.title = "Training study";
   section.paragraphs.push_back(
-      Text("%1 physicians marked every trainee at %2 scoring points on a scale from %3 to %4. A trainee's "
-           "score is the plain mean of these marks.",
+      Text("%1 physicians scored every trainee at %2 occasions on a scale from %3 to %4. A trainee's score "
+           "is the plain mean of these marks.",
            in.trainingRaters, in.occasions.size(),
            formatFixed(pointsFromSteps(in.trainingScale.lo, in.trainingScale), 0),
            formatFixed(pointsFromSteps(in.trainingScale.hi, in.trainingScale), 0)));

@@ -135,7 +135,7 @@ Outcome<BorderlineRegression> borderlineRegression(std::span<const double> globa
   const double xx = sumOfSquares(globalRating);
   const double yy = sumOfSquares(score);
   if (xx == 0.0) {
-    return Undefined::undefined("every global rating is the same");
+    return Undefined::undefined("every global mark is the same");
   }
   if (yy == 0.0) {
     return Undefined::undefined("every score is the same");

@@ -86,16 +86,16 @@
         <translation>待评列表</translation>
     </message>
     <message>
-        <source>Warm-up</source>
-        <translation>热身</translation>
+        <source>Rater calibration</source>
+        <translation>评分者校准</translation>
     </message>
     <message>
         <source>Live sheet</source>
         <translation>现场评分表</translation>
     </message>
     <message>
-        <source>Alignment</source>
-        <translation>评分对齐</translation>
+        <source>Discrepancy review</source>
+        <translation>差异复核</translation>
     </message>
     <message>
         <source>My severity</source>
@@ -150,7 +150,7 @@
         <translation>审计记录</translation>
     </message>
     <message>
-        <source>Care</source>
+        <source>Maintenance</source>
         <translation>维护</translation>
     </message>
     <message>
@@ -192,8 +192,8 @@
 <context>
     <name>Assets</name>
     <message>
-        <source>Arm</source>
-        <translation>手臂</translation>
+        <source>Forearm</source>
+        <translation>前臂</translation>
     </message>
     <message>
         <source>Intestine</source>
@@ -279,7 +279,7 @@
         <translation>评阅</translation>
     </message>
     <message>
-        <source>Office</source>
+        <source>Administration</source>
         <translation>管理</translation>
     </message>
 </context>
@@ -830,7 +830,7 @@
     </message>
     <message>
         <source>Every rater gets an order of their own and case labels that tell neither name, group nor stage.</source>
-        <translation>每位评分者的顺序各不相同，病例标签不透露姓名、组别和阶段。</translation>
+        <translation>每位评分者的顺序各不相同，案例标签不透露姓名、组别和阶段。</translation>
     </message>
     <message>
         <source>Rater</source>
@@ -881,8 +881,8 @@
         <translation>公布评分</translation>
     </message>
     <message>
-        <source>Trainees see their marks of a scoring point from the release on.</source>
-        <translation>公布后学员可看到该评分点的评分。</translation>
+        <source>Trainees see their marks of an occasion from the release on.</source>
+        <translation>公布后学员可看到该评分时点的评分。</translation>
     </message>
     <message>
         <source>%1: released, take back</source>
@@ -893,8 +893,8 @@
         <translation>%1：公布，缺 %2 / %3 份</translation>
     </message>
     <message>
-        <source>&amp;Scoring point</source>
-        <translation>评分点(&amp;S)</translation>
+        <source>Occa&amp;sion</source>
+        <translation>评分时点(&amp;S)</translation>
     </message>
     <message>
         <source>Do it</source>
@@ -909,20 +909,20 @@
         <translation>%1，%2：待评 %3 份</translation>
     </message>
     <message>
-        <source>Assign a third rater</source>
-        <translation>指派第三位评分者</translation>
+        <source>Assign an adjudicator</source>
+        <translation>指派仲裁评分者</translation>
     </message>
     <message>
         <source>Physicians could not agree about these cases and ask for one more. The freest one of the same class is suggested; nobody learns who asked.</source>
-        <translation>医师对这些病例意见不一，请求再加一位。已建议同级别中任务最少者；被指派者不会知道由谁提出。</translation>
+        <translation>医师对这些案例意见不一，请求再加一位。已建议同级别中任务最少者；被指派者不会知道由谁提出。</translation>
     </message>
     <message>
         <source>Trainee</source>
         <translation>学员</translation>
     </message>
     <message>
-        <source>Scoring point</source>
-        <translation>评分点</translation>
+        <source>Occasion</source>
+        <translation>评分时点</translation>
     </message>
     <message>
         <source>Asked by</source>
@@ -937,8 +937,8 @@
         <translation>创建时间</translation>
     </message>
     <message>
-        <source>Cases that need a third rater</source>
-        <translation>需要第三位评分者的病例</translation>
+        <source>Cases that need an adjudicator</source>
+        <translation>需要仲裁评分者的案例</translation>
     </message>
     <message>
         <source>&amp;Rater</source>
@@ -1113,11 +1113,11 @@
     </message>
     <message>
         <source>%1 %2 asked for; the lattice takes %3 to %4</source>
-        <translation>要求的%2为 %1；网格可用 %3 至 %4</translation>
+        <translation>要求的%2为 %1；网格线可用 %3 至 %4</translation>
     </message>
     <message>
         <source>%1 %2 asked for; the lattice takes %3 to %4 (%5)</source>
-        <translation>要求的%2为 %1；网格可用 %3 至 %4（%5）</translation>
+        <translation>要求的%2为 %1；网格线可用 %3 至 %4（%5）</translation>
     </message>
     <message>
         <source>%1 %2 is not a whole number from %3 to %4</source>
@@ -1213,11 +1213,11 @@
     </message>
     <message>
         <source>20 min virtual, 20 min real arm</source>
-        <translation>虚拟 20 分钟，实物臂 20 分钟</translation>
+        <translation>虚拟 20 分钟，真实手臂 20 分钟</translation>
     </message>
     <message>
         <source>40 min real arm</source>
-        <translation>实物臂 40 分钟</translation>
+        <translation>真实手臂 40 分钟</translation>
     </message>
     <message>
         <source>40 min virtual</source>
@@ -1296,16 +1296,16 @@
         <translation>请联系管理员，或使用有权限的账号登录</translation>
     </message>
     <message>
-        <source>Ask the office</source>
-        <translation>请联系办公室</translation>
+        <source>Ask an administrator</source>
+        <translation>请联系管理员</translation>
     </message>
     <message>
-        <source>Ask your training office for another attempt</source>
-        <translation>请向培训办公室申请再次尝试</translation>
+        <source>Ask an administrator for another attempt</source>
+        <translation>请向管理员申请追加尝试</translation>
     </message>
     <message>
-        <source>Ask your training office what comes next</source>
-        <translation>请向培训办公室询问后续安排</translation>
+        <source>Ask an administrator what comes next</source>
+        <translation>请向管理员询问后续安排</translation>
     </message>
     <message>
         <source>Begin with a line that names the columns</source>
@@ -1449,7 +1449,7 @@
     </message>
     <message>
         <source>Choose a mark between the ends of the scale</source>
-        <translation>请在量表两端之间选择分数</translation>
+        <translation>请在量表两端之间选择评分</translation>
     </message>
     <message>
         <source>Choose a metric from the list</source>
@@ -1716,8 +1716,8 @@
         <translation>请更正此人的记录，或说明理由后锁定新方案</translation>
     </message>
     <message>
-        <source>Correct the score</source>
-        <translation>请更正分数</translation>
+        <source>Correct the mark</source>
+        <translation>请更正评分</translation>
     </message>
     <message>
         <source>Correct the text</source>
@@ -1748,8 +1748,8 @@
         <translation>设备</translation>
     </message>
     <message>
-        <source>Do not score it; tell the office</source>
-        <translation>请勿评分，并告知办公室</translation>
+        <source>Do not score it; tell an administrator</source>
+        <translation>请勿评分，并告知管理员</translation>
     </message>
     <message>
         <source>Does not finish; long stops</source>
@@ -2468,8 +2468,8 @@
         <translation>请重新打开评分表</translation>
     </message>
     <message>
-        <source>Open the warm-up again</source>
-        <translation>请重新打开热身</translation>
+        <source>Open rater calibration again</source>
+        <translation>请重新打开评分者校准</translation>
     </message>
     <message>
         <source>Open your own record</source>
@@ -2740,8 +2740,8 @@
         <translation>请简要说明理由</translation>
     </message>
     <message>
-        <source>Say what the score means</source>
-        <translation>请说明该分数的含义</translation>
+        <source>Say what the mark means</source>
+        <translation>请说明该评分的含义</translation>
     </message>
     <message>
         <source>Say why</source>
@@ -2756,8 +2756,8 @@
         <translation>请将网格缩放到真实大小</translation>
     </message>
     <message>
-        <source>Score from the traces, or ask the office for the organ file</source>
-        <translation>请依据曲线评分，或向办公室索取器官文件</translation>
+        <source>Score from the traces, or ask an administrator for the organ file</source>
+        <translation>请依据曲线评分，或向管理员索取器官文件</translation>
     </message>
     <message>
         <source>Searches for the grip</source>
@@ -2905,7 +2905,7 @@
     </message>
     <message>
         <source>Three groups train for 40 minutes: all virtual, half virtual and half on the real arm, all real. Marks before, after 20 and after 40 minutes, always on the real arm. Each trainee may rest once for 5 minutes.</source>
-        <translation>三组各训练 40 分钟：全部虚拟；一半虚拟、一半实物臂；全部实物臂。训练前、20 分钟后和 40 分钟后均在实物臂上评分。每位学员可休息一次，5 分钟。</translation>
+        <translation>三组各训练 40 分钟：全部虚拟；一半虚拟、一半真实手臂；全部真实手臂。训练前、20 分钟后和 40 分钟后均在真实手臂上评分。每位学员可休息一次，5 分钟。</translation>
     </message>
     <message>
         <source>Training time</source>
@@ -2924,8 +2924,8 @@
         <translation>请在更快的显示设备上重试</translation>
     </message>
     <message>
-        <source>Try again, or tell the office</source>
-        <translation>请重试，或告知办公室</translation>
+        <source>Try again, or tell an administrator</source>
+        <translation>请重试，或告知管理员</translation>
     </message>
     <message>
         <source>Trying it out</source>
@@ -3665,7 +3665,7 @@
     </message>
     <message>
         <source>lattice mode &apos;%1&apos;</source>
-        <translation>网格模式“%1”</translation>
+        <translation>网格线模式“%1”</translation>
     </message>
     <message>
         <source>lock</source>
@@ -3745,11 +3745,11 @@
     </message>
     <message>
         <source>names a module of the simulator, but happens on the real arm</source>
-        <translation>指定了模拟器模块，但在实物臂上进行</translation>
+        <translation>指定了模拟器模块，但在真实手臂上进行</translation>
     </message>
     <message>
-        <source>needs either a score or a reason why there is none</source>
-        <translation>需要填写分数，或说明无法评分的理由</translation>
+        <source>needs either a mark or a reason why there is none</source>
+        <translation>需要填写评分，或说明无法评分的理由</translation>
     </message>
     <message>
         <source>neither a trainee nor a rater</source>
@@ -3812,8 +3812,8 @@
         <translation>此处没有场景</translation>
     </message>
     <message>
-        <source>no scoring point is chosen</source>
-        <translation>未选择评分点</translation>
+        <source>no occasion is chosen</source>
+        <translation>未选择评分时点</translation>
     </message>
     <message>
         <source>no space left</source>
@@ -3864,8 +3864,8 @@
         <translation>从固定端到自由端的曲面不连通</translation>
     </message>
     <message>
-        <source>nobody has asked for a third rater here</source>
-        <translation>此处没有人请求第三位评分者</translation>
+        <source>nobody has asked for an adjudicator here</source>
+        <translation>此处没有人请求仲裁评分者</translation>
     </message>
     <message>
         <source>nobody is allocated yet</source>
@@ -4005,11 +4005,11 @@
     </message>
     <message>
         <source>real arm 0-20 min</source>
-        <translation>实物臂 0–20 分钟</translation>
+        <translation>真实手臂 0–20 分钟</translation>
     </message>
     <message>
         <source>real arm 20-40 min</source>
-        <translation>实物臂 20–40 分钟</translation>
+        <translation>真实手臂 20–40 分钟</translation>
     </message>
     <message>
         <source>real data use the demonstration: %1 rows of %2 refer to simulated rows of %3</source>
@@ -4084,24 +4084,24 @@
         <translation>结构步骤 %1 与已应用的不同</translation>
     </message>
     <message>
-        <source>score of %1 steps lies outside %2 .. %3</source>
-        <translation>分数 %1 级超出 %2 .. %3</translation>
+        <source>mark of %1 steps lies outside %2 .. %3</source>
+        <translation>评分 %1 级超出 %2 .. %3</translation>
     </message>
     <message>
-        <source>score of %1 steps lies outside its scale</source>
-        <translation>分数 %1 级超出其量表范围</translation>
+        <source>mark of %1 steps lies outside its scale</source>
+        <translation>评分 %1 级超出其量表范围</translation>
     </message>
     <message>
-        <source>scoring point &quot;%1&quot;</source>
-        <translation>评分点“%1”</translation>
+        <source>occasion &quot;%1&quot;</source>
+        <translation>评分时点“%1”</translation>
     </message>
     <message>
-        <source>scoring point %1</source>
-        <translation>评分点 %1</translation>
+        <source>occasion %1</source>
+        <translation>评分时点 %1</translation>
     </message>
     <message>
-        <source>scoring points</source>
-        <translation>评分点</translation>
+        <source>occasions</source>
+        <translation>评分时点</translation>
     </message>
     <message>
         <source>scripted hand</source>
@@ -4668,8 +4668,8 @@
         <translation>评分标准没有评分项</translation>
     </message>
     <message>
-        <source>the score lies outside the scale</source>
-        <translation>分数超出量表范围</translation>
+        <source>the mark lies outside the scale</source>
+        <translation>评分超出量表范围</translation>
     </message>
     <message>
         <source>the sealed seed cannot be read</source>
@@ -4936,8 +4936,8 @@
         <translation>没有该评分标准</translation>
     </message>
     <message>
-        <source>there is no such scoring point</source>
-        <translation>没有该评分点</translation>
+        <source>there is no such occasion</source>
+        <translation>没有该评分时点</translation>
     </message>
     <message>
         <source>there is no such sheet</source>
@@ -4981,7 +4981,7 @@
     </message>
     <message>
         <source>third</source>
-        <translation>第三位</translation>
+        <translation>仲裁评分者</translation>
     </message>
     <message>
         <source>this belongs to somebody else</source>
@@ -4992,8 +4992,8 @@
         <translation>此版本没有力反馈设备驱动</translation>
     </message>
     <message>
-        <source>this case has no recording to mark</source>
-        <translation>该案例没有可标记的录像</translation>
+        <source>this case has no recording to score</source>
+        <translation>该案例没有可评分的录像</translation>
     </message>
     <message>
         <source>this case is not yours</source>
@@ -5109,7 +5109,7 @@
     </message>
     <message>
         <source>this scale has no such mark</source>
-        <translation>量表没有该分数</translation>
+        <translation>量表没有该评分</translation>
     </message>
     <message>
         <source>this sheet is not submitted yet</source>
@@ -5156,8 +5156,8 @@
         <translation>三角形 %1</translation>
     </message>
     <message>
-        <source>two anchors stand at the same score</source>
-        <translation>同一分数有两个锚点</translation>
+        <source>two anchors stand at the same mark</source>
+        <translation>同一评分有两个锚点</translation>
     </message>
     <message>
         <source>two columns are called &quot;%1&quot;</source>
@@ -5404,8 +5404,8 @@
         <translation>有 %1 个评分无法给出并注明了理由；按缺失处理。</translation>
     </message>
     <message>
-        <source>%1 physicians marked every trainee at %2 scoring points on a scale from %3 to %4. A trainee&apos;s score is the plain mean of these marks.</source>
-        <translation>%1 名医师在 %2 个评分点按 %3 至 %4 分对每名学员评分。学员得分为这些评分的算术平均值。</translation>
+        <source>%1 physicians scored every trainee at %2 occasions on a scale from %3 to %4. A trainee&apos;s score is the plain mean of these marks.</source>
+        <translation>%1 名医师在 %2 个评分时点按 %3 至 %4 分对每名学员评分。学员得分为这些评分的算术平均值。</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -5472,8 +5472,8 @@
         <translation>一致性与组间比较</translation>
     </message>
     <message>
-        <source>Agreement of the raters at each scoring point</source>
-        <translation>各评分点的评分者间一致性</translation>
+        <source>Agreement of the raters at each occasion</source>
+        <translation>各评分时点的评分者间一致性</translation>
     </message>
     <message>
         <source>Agreement of the raters with 95 % intervals</source>
@@ -5500,8 +5500,8 @@
         <translation>各次扭转的角度误差：学员均值及 95 % 置信区间</translation>
     </message>
     <message>
-        <source>Bland and Altman against the mean of the others, last scoring point</source>
-        <translation>末次评分点，与其余评分者均值的 Bland-Altman 分析</translation>
+        <source>Bland and Altman against the mean of the others, last occasion</source>
+        <translation>末次评分时点，与其余评分者均值的 Bland-Altman 分析</translation>
     </message>
     <message>
         <source>Bland and Altman, each rater against the mean of the others</source>
@@ -5512,8 +5512,8 @@
         <translation>区组大小</translation>
     </message>
     <message>
-        <source>Boxes end at the quartiles (rule: Hyndman and Fan type 7); whiskers reach the most extreme value within 1.5 interquartile ranges of the box; values beyond are drawn singly; the separate mark is the mean.</source>
-        <translation>箱体两端为四分位数（Hyndman-Fan 第 7 型）；须线延伸至距箱体 1.5 倍四分位距以内的最远值；超出者单独绘出；单独的标记为均值。</translation>
+        <source>Boxes end at the quartiles (rule: Hyndman and Fan type 7); whiskers reach the most extreme value within 1.5 interquartile ranges of the box; values beyond are drawn singly; the separate symbol is the mean.</source>
+        <translation>箱体两端为四分位数（Hyndman-Fan 第 7 型）；须线延伸至距箱体 1.5 倍四分位距以内的最远值；超出者单独绘出；单独的符号为均值。</translation>
     </message>
     <message>
         <source>By level</source>
@@ -5576,8 +5576,8 @@
         <translation>综合得分 N：%1。</translation>
     </message>
     <message>
-        <source>Comprehensive score given by each rater of the class %1</source>
-        <translation>%1类各评分者给出的综合得分</translation>
+        <source>Comprehensive score of each rater of the class %1</source>
+        <translation>%1类各评分者的综合得分</translation>
     </message>
     <message>
         <source>Comprehensive scores of all raters</source>
@@ -5589,11 +5589,11 @@
     </message>
     <message>
         <source>Corresponds to Fig. %1 of the paper. A score is the mean over the raters; the test is on the real arm.</source>
-        <translation>对应论文图 %1。得分为各评分者评分的均值；考核在实物臂上进行。</translation>
+        <translation>对应论文图 %1。得分为各评分者评分的均值；考核在真实手臂上进行。</translation>
     </message>
     <message>
-        <source>Corresponds to Fig. 15 of the paper. The mark in each range is the class-weighted mean M.</source>
-        <translation>对应论文图 15。各范围内的标记为类别加权均值 M。</translation>
+        <source>Corresponds to Fig. 15 of the paper. The symbol in each range is the class-weighted mean M.</source>
+        <translation>对应论文图 15。各范围内的符号为类别加权均值 M。</translation>
     </message>
     <message>
         <source>Corresponds to Fig. 16 of the paper.</source>
@@ -5624,8 +5624,8 @@
         <translation>各学员的得分变化，%1（%2）</translation>
     </message>
     <message>
-        <source>Course of the groups over the scoring points</source>
-        <translation>各组随评分点的变化</translation>
+        <source>Course of the groups over the occasions</source>
+        <translation>各组随评分时点的变化</translation>
     </message>
     <message>
         <source>DEMONSTRATION DATA - SIMULATED</source>
@@ -5676,8 +5676,8 @@
         <translation>训练结束时的组间差值（按训练前得分校正）</translation>
     </message>
     <message>
-        <source>Each mark against the other raters, last scoring point</source>
-        <translation>末次评分点：各评分与其余评分者的比较</translation>
+        <source>Each mark against the other raters, last occasion</source>
+        <translation>末次评分时点：各评分与其余评分者的比较</translation>
     </message>
     <message>
         <source>Each rater scored every model on %1 indices from %2 to %3 points. Raters: %4.</source>
@@ -5828,8 +5828,8 @@
         <translation>组间比较采用协方差分析：以训练前得分校正结束时得分，共用一个斜率；以学员为分析单位。效应量为 Hedges g，其区间由非中心 t 分布得出。评分者间一致性采用绝对一致的组内相关系数（Shrout 与 Fleiss）和 Krippendorff α。严格度为该评分者与其余评分者的平均差。学习效果以容差内扭转的 LC-CUSUM 判定。</translation>
     </message>
     <message>
-        <source>Groups are not compared: scores are missing at some scoring point.</source>
-        <translation>未作组间比较：某些评分点缺少得分。</translation>
+        <source>Groups are not compared: scores are missing at some occasion.</source>
+        <translation>未作组间比较：某些评分时点缺少得分。</translation>
     </message>
     <message>
         <source>Groups of ten detect only very large differences: with two groups of ten, a two-sided test at 5 % has a power of 0.40 for a difference of 0.8 standard deviations. A difference that is not significant is no evidence of equality.</source>
@@ -5928,8 +5928,8 @@
         <translation>学习过程；操作记录</translation>
     </message>
     <message>
-        <source>Limits of agreement, last scoring point</source>
-        <translation>一致性界限（末次评分点）</translation>
+        <source>Limits of agreement, last occasion</source>
+        <translation>一致性界限（末次评分时点）</translation>
     </message>
     <message>
         <source>Limits: mean difference plus and minus 1.96 standard deviations, %1 to %2 points.</source>
@@ -5972,7 +5972,7 @@
         <translation>生成时间</translation>
     </message>
     <message>
-        <source>Marked %1</source>
+        <source>Scored %1</source>
         <translation>%1评分</translation>
     </message>
     <message>
@@ -5988,8 +5988,8 @@
         <translation>得分所依据的评分数</translation>
     </message>
     <message>
-        <source>Marks by trainee and rater, last scoring point</source>
-        <translation>末次评分点各学员、各评分者的评分</translation>
+        <source>Marks by trainee and rater, last occasion</source>
+        <translation>末次评分时点各学员、各评分者的评分</translation>
     </message>
     <message>
         <source>Mean</source>
@@ -6112,8 +6112,8 @@
         <translation>序号</translation>
     </message>
     <message>
-        <source>Offset [95 %], all scoring points</source>
-        <translation>偏差 [95 %]，全部评分点</translation>
+        <source>Offset [95 %], all occasions</source>
+        <translation>偏差 [95 %]，全部评分时点</translation>
     </message>
     <message>
         <source>Offsets are taken against the mean of the other raters; a mean that contains the rater would agree by construction.</source>
@@ -6204,7 +6204,7 @@
         <translation>评分完整的评分者数</translation>
     </message>
     <message>
-        <source>Ratings were not blinded: raters knew the group or the model, and interns were users and raters at once, so marks are not independent of each other.</source>
+        <source>Marks were not blinded: raters knew the group or the model, and interns were users and raters at once, so marks are not independent of each other.</source>
         <translation>评分未设盲：评分者知道组别或模型，实习医师既是使用者又是评分者，因此评分之间并不独立。</translation>
     </message>
     <message>
@@ -6264,8 +6264,8 @@
         <translation>%1各学员的得分</translation>
     </message>
     <message>
-        <source>Scoring point</source>
-        <translation>评分点</translation>
+        <source>Occasion</source>
+        <translation>评分时点</translation>
     </message>
     <message>
         <source>Second half (deg)</source>
@@ -6324,7 +6324,7 @@
         <translation>分层或边际因素</translation>
     </message>
     <message>
-        <source>Strictest first. Scores are not corrected for severity: every trainee is marked by the same raters, so that it does not change their order.</source>
+        <source>Strictest first. Scores are not corrected for severity: every trainee is scored by the same raters, so that it does not change their order.</source>
         <translation>最严者在前。得分未按严格度校正：每名学员由相同的评分者评分，不影响学员的排序。</translation>
     </message>
     <message>
@@ -6428,8 +6428,8 @@
         <translation>训练研究</translation>
     </message>
     <message>
-        <source>Training study: groups at each scoring point</source>
-        <translation>训练研究：各评分点的各组结果</translation>
+        <source>Training study: groups at each occasion</source>
+        <translation>训练研究：各评分时点的各组结果</translation>
     </message>
     <message>
         <source>Training study: score of every trainee</source>
@@ -6560,12 +6560,12 @@
         <translation>有一组为空</translation>
     </message>
     <message>
-        <source>a mark belongs to a group or a scoring point that does not exist</source>
-        <translation>某个评分所属的组或评分点不存在</translation>
+        <source>a mark belongs to a group or an occasion that does not exist</source>
+        <translation>某个评分所属的组或评分时点不存在</translation>
     </message>
     <message>
-        <source>a score belongs to a group or a scoring point that does not exist</source>
-        <translation>某个得分所属的组或评分点不存在</translation>
+        <source>a score belongs to a group or an occasion that does not exist</source>
+        <translation>某个得分所属的组或评分时点不存在</translation>
     </message>
     <message>
         <source>a study needs at least two persons and two raters</source>
@@ -6580,8 +6580,8 @@
         <translation>研究至少需要两名受评者、两项任务且每项任务两名评分者</translation>
     </message>
     <message>
-        <source>a summary belongs to a group or a scoring point that does not exist</source>
-        <translation>某项汇总所属的组或评分点不存在</translation>
+        <source>a summary belongs to a group or an occasion that does not exist</source>
+        <translation>某项汇总所属的组或评分时点不存在</translation>
     </message>
     <message>
         <source>a trainee is in a group that does not exist</source>
@@ -6632,8 +6632,8 @@
         <translation>协方差分析，共用斜率</translation>
     </message>
     <message>
-        <source>analysis of variance, groups x scoring points, type III</source>
-        <translation>方差分析，组别 × 评分点，III 型</translation>
+        <source>analysis of variance, groups x occasions, type III</source>
+        <translation>方差分析，组别 × 评分时点，III 型</translation>
     </message>
     <message>
         <source>as the others</source>
@@ -6716,7 +6716,7 @@
         <translation>所有差值为零</translation>
     </message>
     <message>
-        <source>every global rating is the same</source>
+        <source>every global mark is the same</source>
         <translation>所有总体评分相同</translation>
     </message>
     <message>
@@ -6768,8 +6768,8 @@
         <translation>各组汇总</translation>
     </message>
     <message>
-        <source>group x scoring point</source>
-        <translation>组别 × 评分点</translation>
+        <source>group x occasion</source>
+        <translation>组别 × 评分时点</translation>
     </message>
     <message>
         <source>high</source>
@@ -7048,8 +7048,8 @@
         <translation>得分（分）</translation>
     </message>
     <message>
-        <source>scoring point</source>
-        <translation>评分点</translation>
+        <source>occasion</source>
+        <translation>评分时点</translation>
     </message>
     <message>
         <source>sealed until the study ends</source>
@@ -7064,8 +7064,8 @@
         <translation>该次评价中提交的评分</translation>
     </message>
     <message>
-        <source>submitted marks of the scoring points</source>
-        <translation>各评分点提交的评分</translation>
+        <source>submitted marks of the occasions</source>
+        <translation>各评分时点提交的评分</translation>
     </message>
     <message>
         <source>sums of the recorded times</source>
@@ -7421,11 +7421,11 @@
     </message>
     <message>
         <source>Evaluation mark amended</source>
-        <translation>更正评价分数</translation>
+        <translation>更正评价评分</translation>
     </message>
     <message>
         <source>Evaluation mark submitted</source>
-        <translation>提交评价分数</translation>
+        <translation>提交评价评分</translation>
     </message>
     <message>
         <source>Everything about a person exported</source>
@@ -7436,8 +7436,8 @@
         <translation>手动更改学员分组</translation>
     </message>
     <message>
-        <source>Group of a trainee revealed</source>
-        <translation>揭示学员分组</translation>
+        <source>Seed of the allocation opened</source>
+        <translation>启封分组种子</translation>
     </message>
     <message>
         <source>Groups drawn</source>
@@ -7461,11 +7461,11 @@
     </message>
     <message>
         <source>Mark amended</source>
-        <translation>更正分数</translation>
+        <translation>更正评分</translation>
     </message>
     <message>
         <source>Mark submitted</source>
-        <translation>提交分数</translation>
+        <translation>提交评分</translation>
     </message>
     <message>
         <source>Marks are still missing from: %1.</source>
@@ -7473,7 +7473,7 @@
     </message>
     <message>
         <source>Marks released to trainees</source>
-        <translation>向学员公布分数</translation>
+        <translation>向学员公布评分</translation>
     </message>
     <message>
         <source>Moment of a recording bookmarked</source>
@@ -7488,12 +7488,12 @@
         <translation>放弃迁移至服务器</translation>
     </message>
     <message>
-        <source>Own mark kept when marks lay apart</source>
-        <translation>分歧时保留自己的分数</translation>
+        <source>Own mark kept in the discrepancy review</source>
+        <translation>差异复核：保留自己的评分</translation>
     </message>
     <message>
-        <source>Own mark moved when marks lay apart</source>
-        <translation>分歧时调整自己的分数</translation>
+        <source>Own mark amended in the discrepancy review</source>
+        <translation>差异复核：修订自己的评分</translation>
     </message>
     <message>
         <source>Own password changed</source>
@@ -7564,8 +7564,8 @@
         <translation>选定参考操作</translation>
     </message>
     <message>
-        <source>Reference run scored to warm up</source>
-        <translation>热身：为参考操作评分</translation>
+        <source>Reference run scored for rater calibration</source>
+        <translation>评分者校准：为参考操作评分</translation>
     </message>
     <message>
         <source>Reference run withdrawn</source>
@@ -7573,7 +7573,7 @@
     </message>
     <message>
         <source>Release of marks taken back</source>
-        <translation>撤回分数公布</translation>
+        <translation>撤回评分公布</translation>
     </message>
     <message>
         <source>Remark answered</source>
@@ -7624,12 +7624,12 @@
         <translation>评分任务转交其他评分者</translation>
     </message>
     <message>
-        <source>Scoring sheet added</source>
-        <translation>添加评分表</translation>
+        <source>Rubric added</source>
+        <translation>添加评分标准</translation>
     </message>
     <message>
-        <source>Scoring sheet revised</source>
-        <translation>修订评分表</translation>
+        <source>Rubric revised</source>
+        <translation>修订评分标准</translation>
     </message>
     <message>
         <source>Scoring withdrawn from a rater</source>
@@ -7696,12 +7696,12 @@
         <translation>评价尚未完成：目前已收到 %1 个评分。待每个有权重的评分者类别对每个模型的每项指标都评过分后，才计算得分。</translation>
     </message>
     <message>
-        <source>Third rater asked for</source>
-        <translation>请求第三位评分者</translation>
+        <source>Adjudicator requested</source>
+        <translation>请求仲裁评分者</translation>
     </message>
     <message>
-        <source>Third rater assigned</source>
-        <translation>指定第三位评分者</translation>
+        <source>Adjudicator assigned</source>
+        <translation>指派仲裁评分者</translation>
     </message>
     <message>
         <source>Trainee enrolled</source>
@@ -7761,7 +7761,7 @@
     </message>
     <message>
         <source>evaluation mark</source>
-        <translation>评价分数</translation>
+        <translation>评价评分</translation>
     </message>
     <message>
         <source>frozen data set</source>
@@ -7773,7 +7773,7 @@
     </message>
     <message>
         <source>mark</source>
-        <translation>分数</translation>
+        <translation>评分</translation>
     </message>
     <message>
         <source>person</source>
@@ -7797,7 +7797,7 @@
     </message>
     <message>
         <source>release of marks</source>
-        <translation>分数公布</translation>
+        <translation>评分公布</translation>
     </message>
     <message>
         <source>remark</source>
@@ -7808,11 +7808,11 @@
         <translation>记录保存规则</translation>
     </message>
     <message>
-        <source>scoring sheet</source>
-        <translation>评分表</translation>
+        <source>rubric</source>
+        <translation>评分标准</translation>
     </message>
     <message>
-        <source>scoring task</source>
+        <source>assignment</source>
         <translation>评分任务</translation>
     </message>
     <message>
@@ -7844,8 +7844,8 @@
         <translation>课程版本</translation>
     </message>
     <message>
-        <source>warm-up</source>
-        <translation>热身</translation>
+        <source>rater calibration</source>
+        <translation>评分者校准</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is not a number</source>
@@ -8009,8 +8009,8 @@
         <translation>、</translation>
     </message>
     <message>
-        <source>Ask your training office for another attempt.</source>
-        <translation>请向培训办公室申请追加尝试。</translation>
+        <source>Ask an administrator for another attempt.</source>
+        <translation>请向管理员申请追加尝试。</translation>
     </message>
     <message>
         <source>%1: none</source>
@@ -8431,8 +8431,8 @@
         <translation>管理员</translation>
     </message>
     <message>
-        <source>Keeper of the allocation</source>
-        <translation>分组保管人</translation>
+        <source>Allocator</source>
+        <translation>分组管理员</translation>
     </message>
     <message>
         <source>Statistician</source>
@@ -8561,8 +8561,8 @@
         <translation>您的评分保持不变</translation>
     </message>
     <message>
-        <source>The office is asked for a third physician</source>
-        <translation>已请办公室安排第三位医师</translation>
+        <source>An adjudicator has been requested</source>
+        <translation>已请求仲裁评分者</translation>
     </message>
     <message>
         <source>kept</source>
@@ -8573,8 +8573,8 @@
         <translation>已修改</translation>
     </message>
     <message>
-        <source>third asked for</source>
-        <translation>已请第三位</translation>
+        <source>adjudicator requested</source>
+        <translation>已请求仲裁</translation>
     </message>
     <message>
         <source>to be decided</source>
@@ -8601,32 +8601,32 @@
         <translation>保留我的评分(&amp;K)</translation>
     </message>
     <message>
-        <source>Seal the moved mark</source>
-        <translation>封存修改后的评分</translation>
+        <source>Seal the amended mark</source>
+        <translation>封存修订后的评分</translation>
     </message>
     <message>
-        <source>&amp;Move it …</source>
-        <translation>修改(&amp;M)…</translation>
+        <source>A&amp;mend it …</source>
+        <translation>修订(&amp;M)…</translation>
     </message>
     <message>
-        <source>The moved mark is sealed; the one before is kept</source>
-        <translation>修改后的评分已封存，原评分保留</translation>
+        <source>The amended mark is sealed; the one before is kept</source>
+        <translation>修订后的评分已封存，原评分保留</translation>
     </message>
     <message>
-        <source>Alignment</source>
-        <translation>评分对齐</translation>
+        <source>Discrepancy review</source>
+        <translation>差异复核</translation>
     </message>
     <message>
-        <source>Only cases that all have submitted, and only where your mark lies apart. The others are not named; nor are you to them.</source>
-        <translation>仅列出所有人都已提交、且您的评分与他人相差较大的案例。他人不具名，您对他人也不具名。</translation>
+        <source>Only cases that all have submitted, and only where your mark differs from the others. The others are not named, nor are you to them.</source>
+        <translation>仅列出所有人都已提交、且您的评分与他人差异较大的案例。他人不具名，您对他人也不具名。</translation>
     </message>
     <message>
         <source>No disagreement waits for you.</source>
         <translation>没有待处理的分歧。</translation>
     </message>
     <message>
-        <source>Cases where your mark lies apart</source>
-        <translation>您的评分相差较大的案例</translation>
+        <source>Cases where your mark differs</source>
+        <translation>您的评分差异较大的案例</translation>
     </message>
     <message>
         <source>Case</source>
@@ -8641,16 +8641,16 @@
         <translation>决定</translation>
     </message>
     <message>
-        <source>Reason (needed to move a mark or to ask for a third physician)</source>
-        <translation>理由（修改评分或请第三位医师时必填）</translation>
+        <source>Reason (needed to amend a mark or to ask for an adjudicator)</source>
+        <translation>理由（修订评分或请求仲裁评分者时必填）</translation>
     </message>
     <message>
         <source>Reason</source>
         <translation>理由</translation>
     </message>
     <message>
-        <source>Ask for a &amp;third</source>
-        <translation>请第三位医师(&amp;T)</translation>
+        <source>Ask for an adjudica&amp;tor</source>
+        <translation>请求仲裁评分者(&amp;T)</translation>
     </message>
     <message>
         <source>Look at it again</source>
@@ -8704,10 +8704,10 @@ Seed: %6</source>
     <message>
         <source>%1
 
-Only a keeper of the allocation previews, locks and draws. Whoever has the role Administrator gives it to somebody under Users.</source>
+Only an allocator previews, locks and draws. An administrator gives this role to somebody under Users.</source>
         <translation>%1
 
-只有分组保管人可以预览、锁定和抽取。管理员可在“用户”中授予此角色。</translation>
+只有分组管理员可以预览、锁定和抽取。管理员可在“用户”中授予此角色。</translation>
     </message>
     <message>
         <source>The design is locked and its seed is sealed</source>
@@ -8982,7 +8982,7 @@ Only a keeper of the allocation previews, locks and draws. Whoever has the role 
     </message>
     <message>
         <source>Checks every entry, every sealed mark and every recorded trial</source>
-        <translation>检查每个条目、每个已封存的评分和每次录制的试验</translation>
+        <translation>检查每个条目、每个已封存的评分和每次录制的操作记录</translation>
     </message>
     <message>
         <source>Last day</source>
@@ -9070,7 +9070,7 @@ Only a keeper of the allocation previews, locks and draws. Whoever has the role 
     </message>
     <message>
         <source>✓ Everything is as it was written: entries, marks and trials.</source>
-        <translation>✓ 条目、评分和试验均与写入时一致。</translation>
+        <translation>✓ 条目、评分和操作记录均与写入时一致。</translation>
     </message>
     <message numerus="yes">
         <source>⚠ %n finding(s). Do not report from this record before they are explained.</source>
@@ -9253,7 +9253,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Raters score tissue models on nine indices; they see letters, not names, in an order of their own.</source>
-        <translation>评分者按九项指标为组织模型打分；他们只看到字母而非名称，顺序各不相同。</translation>
+        <translation>评分者按九项指标为组织模型评分；他们只看到字母而非名称，顺序各不相同。</translation>
     </message>
     <message>
         <source>&amp;New evaluation…</source>
@@ -9285,7 +9285,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>No evaluation yet. An evaluation asks raters of three classes to score models on nine indices.</source>
-        <translation>尚无模型评价。评价请三类评分者按九项指标为模型打分。</translation>
+        <translation>尚无模型评价。评价请三类评分者按九项指标为模型评分。</translation>
     </message>
     <message>
         <source>Rater</source>
@@ -9348,7 +9348,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>A backup takes the place of this record, or the record goes to a database server for several stations. Both ask first and show what they will do.</source>
-        <translation>用备份取代此记录，或将记录迁移到供多个站点使用的数据库服务器。两者都会先询问并说明将要执行的操作。</translation>
+        <translation>用备份取代此记录，或将记录迁移到供多个工作站使用的数据库服务器。两者都会先询问并说明将要执行的操作。</translation>
     </message>
     <message>
         <source>This record lies on a database server. Its administrator backs it up and restores it with the server&apos;s own tools.</source>
@@ -9449,11 +9449,11 @@ MSM = 质点弹簧</translation>
         <translation>%1 的身份信息和 %2 次录制将永久删除。评分去除个人信息后保留，以保证统计正确。</translation>
     </message>
     <message>
-        <source>Care of the record</source>
+        <source>Maintenance of the record</source>
         <translation>数据维护</translation>
     </message>
     <message>
-        <source>Back up, test the backup, and look after what is due.</source>
+        <source>Back up, test the backup, and review what is due.</source>
         <translation>备份、测试备份，并处理到期事项。</translation>
     </message>
     <message>
@@ -9612,8 +9612,8 @@ MSM = 质点弹簧</translation>
         <translation>书签</translation>
     </message>
     <message>
-        <source>Marks this moment for yourself (B)</source>
-        <translation>为自己标记此刻（B）</translation>
+        <source>Bookmarks this moment for yourself (B)</source>
+        <translation>为自己添加书签（B）</translation>
     </message>
     <message>
         <source>Remark</source>
@@ -9656,7 +9656,7 @@ MSM = 质点弹簧</translation>
         <translation>总分</translation>
     </message>
     <message>
-        <source>score of %1</source>
+        <source>mark of %1</source>
         <translation>%1 的评分</translation>
     </message>
     <message>
@@ -9700,7 +9700,7 @@ MSM = 质点弹簧</translation>
         <translation>播放速度超出允许范围。</translation>
     </message>
     <message>
-        <source>All rows have the same score. Is that meant?</source>
+        <source>All rows have the same mark. Is that meant?</source>
         <translation>各项评分完全相同，是否有意如此？</translation>
     </message>
     <message>
@@ -9769,7 +9769,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Bookmarks are yours; remarks reach the trainee when the marks are released.</source>
-        <translation>书签仅供您自己使用；评语在成绩公布后送达学员。</translation>
+        <translation>书签仅供您自己使用；评语在评分公布后送达学员。</translation>
     </message>
 </context>
 <context>
@@ -10237,8 +10237,8 @@ MSM = 质点弹簧</translation>
         <translation>课程</translation>
     </message>
     <message>
-        <source>What the groups go through: exercises, phases, rest and scoring points. Published versions never change.</source>
-        <translation>各组的训练内容：练习、阶段、休息和评分点。已发布的版本不再改变。</translation>
+        <source>What the groups go through: exercises, phases, rest and occasions. Published versions never change.</source>
+        <translation>各组的训练内容：练习、阶段、休息和评分时点。已发布的版本不再改变。</translation>
     </message>
     <message>
         <source>&amp;New curriculum…</source>
@@ -10322,8 +10322,8 @@ MSM = 质点弹簧</translation>
         <translation>组别与阶段</translation>
     </message>
     <message>
-        <source>Scoring points</source>
-        <translation>评分点</translation>
+        <source>Occasions</source>
+        <translation>评分时点</translation>
     </message>
     <message>
         <source>When the raters score everybody, counted in minutes of training (rest does not count). The paper scores before, after 20 and after 40 minutes.</source>
@@ -10604,7 +10604,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>This station has no haptic device: you work with mouse and keyboard.</source>
-        <translation>本训练站没有力反馈设备：请使用鼠标和键盘。</translation>
+        <translation>本工作站没有力反馈设备：请使用鼠标和键盘。</translation>
     </message>
     <message>
         <source>Sit down, put the stylus into its dock, and rest your forearm.</source>
@@ -10651,8 +10651,8 @@ MSM = 质点弹簧</translation>
         <translation>可以练习。计分操作要求每一项都正常。</translation>
     </message>
     <message>
-        <source>Something is wrong. Nothing is scored with this device now.</source>
-        <translation>设备有问题，目前不能用它计分。</translation>
+        <source>Something is wrong. No graded run with this device now.</source>
+        <translation>设备有问题，目前不能用它进行计分操作。</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -10682,20 +10682,20 @@ MSM = 质点弹簧</translation>
         <translation>本次尚未检查。检查需几秒钟；请先将手写笔插入笔座。</translation>
     </message>
     <message>
-        <source>This station can run scored trials with the device: %1 servo steps a second.</source>
-        <translation>本工作站可用该设备进行计分训练：每秒 %1 个伺服步。</translation>
+        <source>This station can do graded runs with the device: %1 servo ticks a second.</source>
+        <translation>本工作站可用该设备进行计分操作：每秒 %1 个伺服周期。</translation>
     </message>
     <message>
-        <source>No scored run with the device now: %1. Practice with the mouse works meanwhile.</source>
-        <translation>目前不能用该设备计分：%1。其间可用鼠标练习。</translation>
+        <source>No graded run with the device now: %1. Practice with the mouse works meanwhile.</source>
+        <translation>目前不能用该设备进行计分操作：%1。其间可用鼠标练习。</translation>
     </message>
     <message>
         <source>Devices</source>
         <translation>设备</translation>
     </message>
     <message>
-        <source>Whether the haptic device of this station is fit for a scored run.</source>
-        <translation>本工作站的力反馈设备是否可用于计分训练。</translation>
+        <source>Whether the haptic device of this station is fit for a graded run.</source>
+        <translation>本工作站的力反馈设备是否可用于计分操作。</translation>
     </message>
     <message>
         <source>&amp;Check the device</source>
@@ -10782,7 +10782,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Nine indices for each model, after each trial. Which model stands behind a letter is hidden, and the order is your own.</source>
-        <translation>每次试验后为每个模型评九项指标。字母对应的模型不公开，顺序因人而异。</translation>
+        <translation>每次操作后为每个模型评九项指标。字母对应的模型不公开，顺序因人而异。</translation>
     </message>
     <message>
         <source>Submit this model</source>
@@ -11087,7 +11087,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>A demonstration cohort shows every screen with content: 30 simulated trainees, ten physicians, 900 marks.</source>
-        <translation>演示班级让每个页面都有内容：30 名模拟学员、10 名医师、900 个评分。</translation>
+        <translation>演示批次让每个页面都有内容：30 名模拟学员、10 名医师、900 个评分。</translation>
     </message>
     <message>
         <source>These start passwords are shown only now. Each must be changed at the first sign-in.</source>
@@ -11131,7 +11131,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>With a &amp;demonstration cohort</source>
-        <translation>包含演示班级(&amp;D)</translation>
+        <translation>包含演示批次(&amp;D)</translation>
     </message>
     <message>
         <source>Takes less than a minute. Every row is marked as a demonstration; it can be removed with one click.</source>
@@ -11226,7 +11226,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>In all %1 minutes of training: %2 on the simulator, %3 on the real arm. Rest does not count.</source>
-        <translation>训练共 %1 分钟：模拟器 %2 分钟，实物臂 %3 分钟。休息不计。</translation>
+        <translation>训练共 %1 分钟：模拟器 %2 分钟，真实手臂 %3 分钟。休息不计。</translation>
     </message>
     <message>
         <source>A group needs a code; it keeps %1.</source>
@@ -11386,7 +11386,7 @@ MSM = 质点弹簧</translation>
         <translation>尚未填写：%1</translation>
     </message>
     <message>
-        <source>All rows have the same score. Press again to seal the sheet.</source>
+        <source>All rows have the same mark. Press again to seal the sheet.</source>
         <translation>各项评分完全相同。再按一次即封存。</translation>
     </message>
     <message>
@@ -11536,8 +11536,8 @@ MSM = 质点弹簧</translation>
         <translation>距表面 %1 mm。滚轮：靠近</translation>
     </message>
     <message>
-        <source>Bring the jaw to the marked band. Wheel: depth, right drag: look round</source>
-        <translation>将钳口移到标记带。滚轮：深度；右键拖动：环视</translation>
+        <source>Bring the jaw to the marked band. Wheel: depth, right drag: turn the view</source>
+        <translation>将钳口移到标记带。滚轮：深度；右键拖动：转动视图</translation>
     </message>
     <message>
         <source>Touching. Hold the left button or Space to grip</source>
@@ -11601,7 +11601,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Recorded trial</source>
-        <translation>录制的试验</translation>
+        <translation>录制的操作记录</translation>
     </message>
     <message>
         <source>Torsio</source>
@@ -11664,8 +11664,8 @@ MSM = 质点弹簧</translation>
         <translation>B</translation>
     </message>
     <message>
-        <source>Look round</source>
-        <translation>环视</translation>
+        <source>Turn the view</source>
+        <translation>转动视图</translation>
     </message>
     <message>
         <source>Right drag, or Ctrl + arrow keys</source>
@@ -11976,11 +11976,11 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Turning this station to the server</source>
-        <translation>正在将此站点切换到服务器</translation>
+        <translation>正在将此工作站切换到服务器</translation>
     </message>
     <message>
         <source>This station now works with the record at %1. The old file stays as it was; do not use it any more</source>
-        <translation>此站点现在使用位于 %1 的记录。旧文件保持原样，请不要再使用</translation>
+        <translation>此工作站现在使用位于 %1 的记录。旧文件保持原样，请不要再使用</translation>
     </message>
     <message>
         <source>The server&apos;s administrator makes an empty database and an account for Torsio. The password is used for this only and stored nowhere.</source>
@@ -12000,7 +12000,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>✓ %1 answers at %2. There is a record in this database already: this station can join it.</source>
-        <translation>✓ %1 在 %2 应答。该数据库中已有一份记录：此站点可以加入。</translation>
+        <translation>✓ %1 在 %2 应答。该数据库中已有一份记录：此工作站可以加入。</translation>
     </message>
     <message>
         <source>✓ %1 at %2</source>
@@ -12012,15 +12012,15 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Everything is copied and both sides are compared, row by row. Your record stays as it is. Nobody may be at work meanwhile: close Torsio at all other stations.</source>
-        <translation>复制全部内容并逐行核对两边。您的记录保持不变。期间不得有人使用：请关闭其他所有站点上的 Torsio。</translation>
+        <translation>复制全部内容并逐行核对两边。您的记录保持不变。期间不得有人使用：请关闭其他所有工作站上的 Torsio。</translation>
     </message>
     <message>
         <source>From then on this station works with the server. At every other station open this page, give the same address, and join the record.</source>
-        <translation>此后该站点使用服务器。在其他每个站点打开此页面，填写相同的地址并加入该记录。</translation>
+        <translation>此后该工作站使用服务器。在其他每个工作站打开此页面，填写相同的地址并加入该记录。</translation>
     </message>
     <message>
         <source>From then on this station works with that record, and everybody signs in with the names and passwords of that record. The record here stays as it is and is not used any more.</source>
-        <translation>此后该站点使用那份记录，所有人用那份记录中的登录名和密码登录。这里的记录保持原样，不再使用。</translation>
+        <translation>此后该工作站使用那份记录，所有人用那份记录中的登录名和密码登录。这里的记录保持原样，不再使用。</translation>
     </message>
     <message>
         <source>Torsio stores no password. For this station put the line below, with the real password in place of the last word, into the password file of this computer&apos;s account: .pgpass in the home folder, readable by the account only (on Windows %APPDATA%\postgresql\pgpass.conf). Then switch.</source>
@@ -12032,10 +12032,10 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>One record on a server, for several stations. The file of today stays as it is.</source>
-        <translation>服务器上的一份记录，供多个站点使用。现在的文件保持不变。</translation>
+        <translation>服务器上的一份记录，供多个工作站使用。现在的文件保持不变。</translation>
     </message>
     <message>
-        <source>&amp;Back to care</source>
+        <source>&amp;Back to maintenance</source>
         <translation>返回维护(&amp;B)</translation>
     </message>
     <message>
@@ -12084,7 +12084,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>3  This station</source>
-        <translation>3  此站点</translation>
+        <translation>3  此工作站</translation>
     </message>
     <message>
         <source>Line of the password file</source>
@@ -12096,7 +12096,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>S&amp;witch this station over</source>
-        <translation>切换此站点(&amp;W)</translation>
+        <translation>切换此工作站(&amp;W)</translation>
     </message>
 </context>
 <context>
@@ -12126,12 +12126,12 @@ MSM = 质点弹簧</translation>
         <translation>尚未为您安排训练</translation>
     </message>
     <message>
-        <source>You are in no cohort. Your training office adds you; free practice is open meanwhile.</source>
-        <translation>您尚未加入任何班组，请联系培训办公室。在此期间可以自由练习。</translation>
+        <source>You are in no cohort. An administrator has to add you; free practice is open meanwhile.</source>
+        <translation>您尚未加入任何批次，请联系管理员。在此期间可以自由练习。</translation>
     </message>
     <message>
         <source>Your cohort follows no curriculum yet. Free practice is open meanwhile.</source>
-        <translation>您的班组尚无课程。在此期间可以自由练习。</translation>
+        <translation>您的批次尚无课程。在此期间可以自由练习。</translation>
     </message>
     <message>
         <source>Your training time is complete</source>
@@ -12410,16 +12410,16 @@ MSM = 质点弹簧</translation>
         <translation>其他待办</translation>
     </message>
     <message>
-        <source>&amp;Warm up</source>
-        <translation>热身(&amp;W)</translation>
+        <source>Rater cali&amp;bration</source>
+        <translation>评分者校准(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Live sheet</source>
         <translation>现场评分表(&amp;L)</translation>
     </message>
     <message>
-        <source>&amp;Alignment</source>
-        <translation>评分对齐(&amp;A)</translation>
+        <source>Discrep&amp;ancy review</source>
+        <translation>差异复核(&amp;A)</translation>
     </message>
     <message>
         <source>&amp;Evaluation</source>
@@ -12487,15 +12487,15 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Before the first case: score the reference runs and see how far you are from the panel.</source>
-        <translation>开始第一个病例之前：为参考操作评分，看看与专家组的差距。</translation>
+        <translation>开始第一个案例之前：为参考操作评分，看看与专家组的差距。</translation>
     </message>
     <message>
         <source>Live cases on the real arm that wait for you: %1.</source>
         <translation>等待您的真实手臂现场案例：%1。</translation>
     </message>
     <message>
-        <source>All have submitted. Your marks that lie apart from the others: %1.</source>
-        <translation>所有人均已提交。您与他人相差较大的评分：%1。</translation>
+        <source>All have submitted. Your marks that differ from the others: %1.</source>
+        <translation>所有人均已提交。您与他人差异较大的评分：%1。</translation>
     </message>
     <message>
         <source>Tissue models that ask for your nine marks: %1.</source>
@@ -12717,7 +12717,7 @@ MSM = 质点弹簧</translation>
         <translation>回复</translation>
     </message>
     <message>
-        <source>Score yourself first; then you see how the physicians scored.</source>
+        <source>Score yourself first; then you see the physicians&apos; marks.</source>
         <translation>请先自评，然后可以看到医师的评分。</translation>
     </message>
     <message>
@@ -13062,10 +13062,10 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>The record of all people at all stations goes back to the day of the backup.</source>
-        <translation>所有站点、所有人员的记录都将回到备份当日的状态。</translation>
+        <translation>所有工作站、所有人员的记录都将回到备份当日的状态。</translation>
     </message>
     <message>
-        <source>&amp;Back to care</source>
+        <source>&amp;Back to maintenance</source>
         <translation>返回维护(&amp;B)</translation>
     </message>
     <message>
@@ -13074,7 +13074,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>It is first read from end to end in a copy; your record is not touched. Nobody may be at work: close Torsio at all other stations.</source>
-        <translation>首先在副本中从头到尾读取备份，不会改动您的记录。此时不得有人使用：请关闭其他所有站点上的 Torsio。</translation>
+        <translation>首先在副本中从头到尾读取备份，不会改动您的记录。此时不得有人使用：请关闭其他所有工作站上的 Torsio。</translation>
     </message>
     <message>
         <source>Backup &amp;file</source>
@@ -13147,8 +13147,8 @@ MSM = 质点弹簧</translation>
 <context>
     <name>torsio::gui::ReviewKeys</name>
     <message>
-        <source>Score the marked row; 1 and then 0 is ten</source>
-        <translation>为选中的一项打分；先按 1 再按 0 为十分</translation>
+        <source>Give the selected row a mark; 1 and then 0 is ten</source>
+        <translation>为选中的一项评分；先按 1 再按 0 为十分</translation>
     </message>
     <message>
         <source>Half a point less or more; with Shift the finest step</source>
@@ -13159,8 +13159,8 @@ MSM = 质点弹簧</translation>
         <translation>其他项</translation>
     </message>
     <message>
-        <source>Take the score back</source>
-        <translation>收回分数</translation>
+        <source>Take the mark back</source>
+        <translation>收回评分</translation>
     </message>
     <message>
         <source>Undo, redo</source>
@@ -13566,7 +13566,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>%1 was recording at %2, which does not answer since %3. Go and look.</source>
-        <translation>%1 正在 %2 记录，该站点自 %3 起无响应。请前往查看。</translation>
+        <translation>%1 正在 %2 记录，该工作站自 %3 起无响应。请前往查看。</translation>
     </message>
     <message>
         <source>%1 does not answer since %2.</source>
@@ -13652,7 +13652,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Stations</source>
-        <translation>站点</translation>
+        <translation>工作站</translation>
     </message>
     <message>
         <source>Station</source>
@@ -13704,7 +13704,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Scoring due</source>
-        <translation>应评分点</translation>
+        <translation>待评分时点</translation>
     </message>
     <message>
         <source>Sheets missing</source>
@@ -13715,8 +13715,8 @@ MSM = 质点弹簧</translation>
         <translation>偏离</translation>
     </message>
     <message>
-        <source>%1: the device is not fit for scored runs: %2.</source>
-        <translation>%1：设备不可用于计分训练：%2。</translation>
+        <source>%1: the device is not fit for graded runs: %2.</source>
+        <translation>%1：设备不可用于计分操作：%2。</translation>
     </message>
     <message>
         <source>○ not checked yet</source>
@@ -14039,8 +14039,8 @@ MSM = 质点弹簧</translation>
         <translation>学员</translation>
     </message>
     <message>
-        <source>Scoring point</source>
-        <translation>评分点</translation>
+        <source>Occasion</source>
+        <translation>评分时点</translation>
     </message>
     <message>
         <source>Missing</source>
@@ -14052,15 +14052,15 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>case %1: %2</source>
-        <translation>病例 %1：%2</translation>
+        <translation>案例 %1：%2</translation>
     </message>
     <message>
         <source>● submitted %1 · ○ open or ◐ draft %2</source>
         <translation>● 已提交 %1 · ○ 未开始或 ◐ 草稿 %2</translation>
     </message>
     <message>
-        <source>&amp;Third rater (%1)…</source>
-        <translation>第三位评分者（%1）(&amp;T)…</translation>
+        <source>Ad&amp;judicator (%1)…</source>
+        <translation>仲裁评分者（%1）(&amp;J)…</translation>
     </message>
     <message numerus="yes">
         <source>%n sheet(s) asked for</source>
@@ -14069,8 +14069,8 @@ MSM = 质点弹簧</translation>
         </translation>
     </message>
     <message>
-        <source>The third rater finds the case in their queue</source>
-        <translation>第三位评分者会在自己的队列中看到该病例</translation>
+        <source>The adjudicator finds the case in their queue</source>
+        <translation>仲裁评分者会在自己的队列中看到该案例</translation>
     </message>
     <message>
         <source>Scoring</source>
@@ -14078,11 +14078,11 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>Who scores whom, and how far it has come. Marks are not shown here.</source>
-        <translation>谁为谁评分、进展如何。此处不显示分数。</translation>
+        <translation>谁为谁评分、进展如何。此处不显示评分。</translation>
     </message>
     <message>
-        <source>&amp;Warm-up…</source>
-        <translation>热身(&amp;W)…</translation>
+        <source>Rater cali&amp;bration…</source>
+        <translation>评分者校准(&amp;B)…</translation>
     </message>
     <message>
         <source>The reference runs that every physician scores first</source>
@@ -14110,7 +14110,7 @@ MSM = 质点弹簧</translation>
     </message>
     <message>
         <source>No rater has been asked yet. Press Ask raters: each gets the cases in an order of their own.</source>
-        <translation>尚未邀请评分者。请按“邀请评分者”：每人的病例顺序各不相同。</translation>
+        <translation>尚未邀请评分者。请按“邀请评分者”：每人的案例顺序各不相同。</translation>
     </message>
     <message>
         <source>Scoring &amp;sheet…</source>
@@ -14345,7 +14345,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Remove %1 simulated people, %2 trials and %3 marks?</source>
-        <translation>删除 %1 名模拟人员、%2 次试验和 %3 个评分？</translation>
+        <translation>删除 %1 名模拟人员、%2 次操作记录和 %3 个评分？</translation>
     </message>
     <message>
         <source>Your own data stay as they are. This cannot be undone.</source>
@@ -14427,7 +14427,7 @@ Leave it empty to remove it.</source>
         <translation>通用</translation>
     </message>
     <message>
-        <source>This sheet</source>
+        <source>This list</source>
         <translation>本页</translation>
     </message>
     <message>
@@ -14593,11 +14593,11 @@ Leave it empty to remove it.</source>
     <name>torsio::gui::StationSettingsCard</name>
     <message>
         <source>Kept. It holds at every station from the next sign-in on</source>
-        <translation>已保存。从下次登录起在所有训练站生效</translation>
+        <translation>已保存。从下次登录起在所有工作站生效</translation>
     </message>
     <message>
         <source>At every station</source>
-        <translation>所有训练站</translation>
+        <translation>所有工作站</translation>
     </message>
     <message>
         <source>When nobody is there, &amp;warn after</source>
@@ -15096,8 +15096,8 @@ Leave it empty to remove it.</source>
         <translation>关闭</translation>
     </message>
     <message>
-        <source>Runs of the warm-up</source>
-        <translation>热身用的参考操作</translation>
+        <source>Reference runs for rater calibration</source>
+        <translation>评分者校准用的参考操作</translation>
     </message>
     <message>
         <source>Name</source>
@@ -15132,8 +15132,8 @@ Leave it empty to remove it.</source>
         <translation>参考操作</translation>
     </message>
     <message>
-        <source>None yet: physicians begin without a warm-up.</source>
-        <translation>尚无：医师将不经热身直接开始。</translation>
+        <source>None yet: physicians begin without rater calibration.</source>
+        <translation>尚无：医师将不经校准直接开始。</translation>
     </message>
     <message>
         <source>Phase</source>
@@ -15149,7 +15149,7 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>&amp;Rubric</source>
-        <translation>评分表(&amp;R)</translation>
+        <translation>评分标准(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Mark of the panel, points</source>
@@ -15161,19 +15161,19 @@ Leave it empty to remove it.</source>
     </message>
     <message>
         <source>Every physician scores these runs before the first real case and sees how far the own mark is from the panel&apos;s. Two are usual: one weak, one good.</source>
-        <translation>每位医师在第一个正式病例之前为这些操作评分，并看到自己与专家组的差距。通常为两个：一个较差，一个较好。</translation>
+        <translation>每位医师在第一个正式案例之前为这些操作评分，并看到自己与专家组的差距。通常为两个：一个较差，一个较好。</translation>
     </message>
     <message>
         <source>Every physician scores these runs before the first real case and sees how far the own mark is from the panel&apos;s.</source>
-        <translation>每位医师在第一个正式病例之前为这些操作评分，并看到自己与专家组的差距。</translation>
+        <translation>每位医师在第一个正式案例之前为这些操作评分，并看到自己与专家组的差距。</translation>
     </message>
     <message>
         <source>Reference %1</source>
         <translation>参考 %1</translation>
     </message>
     <message>
-        <source>The reference run is added to the warm-up</source>
-        <translation>参考操作已加入热身</translation>
+        <source>The reference run is added to rater calibration</source>
+        <translation>参考操作已加入评分者校准</translation>
     </message>
     <message>
         <source>&amp;Withdraw…</source>
@@ -15192,8 +15192,8 @@ Leave it empty to remove it.</source>
         <translation>没有可供选择的录像：每一段都正在评分、是或曾是参考操作，或者不完整。</translation>
     </message>
     <message>
-        <source>The panel marks the run together before it is used. Keep the runs as they are where you can, so that every physician warms up on the same ones.</source>
-        <translation>专家组在使用前共同为该操作评分。请尽量保持参考操作不变，使每位医师都用相同的操作热身。</translation>
+        <source>The panel scores the run together before it is used. Keep the runs as they are where you can, so that every physician calibrates on the same ones.</source>
+        <translation>专家组在使用前共同为该操作评分。请尽量保持参考操作不变，使每位医师都用相同的操作校准。</translation>
     </message>
     <message>
         <source>Withdrawn: %1</source>
@@ -15208,8 +15208,8 @@ Leave it empty to remove it.</source>
         <translation>撤回参考操作</translation>
     </message>
     <message>
-        <source>No physician is given this run any more. What was scored on it stays. A run that is withdrawn cannot be used for the warm-up again.</source>
-        <translation>此参考操作不再提供给任何医师。已有的评分会保留。撤回后不能再次用于热身。</translation>
+        <source>No physician is given this run any more. Marks given on it stay. A run that is withdrawn cannot be used for rater calibration again.</source>
+        <translation>此参考操作不再提供给任何医师。已有的评分会保留。撤回后不能再次用于评分者校准。</translation>
     </message>
     <message>
         <source>The reference run is withdrawn</source>
@@ -15223,8 +15223,8 @@ Leave it empty to remove it.</source>
         <translation>无法打开录像。</translation>
     </message>
     <message>
-        <source>The office has chosen no reference run yet. You may begin with your queue.</source>
-        <translation>办公室尚未选定参考录像，您可以直接开始评分。</translation>
+        <source>No reference run has been chosen yet. You may begin with your queue.</source>
+        <translation>尚未选定参考操作，您可以直接从队列开始。</translation>
     </message>
     <message>
         <source>The recording is being opened. You may score meanwhile.</source>
@@ -15299,8 +15299,8 @@ Leave it empty to remove it.</source>
         <translation>%1。%2</translation>
     </message>
     <message>
-        <source>Warm-up</source>
-        <translation>热身</translation>
+        <source>Rater calibration</source>
+        <translation>评分者校准</translation>
     </message>
     <message>
         <source>Score the reference runs before the real cases and see your own offset from the panel. Nobody else sees it.</source>

@@ -43,7 +43,7 @@ class Connection {
   std::int64_t execute(std::string_view sql, std::initializer_list<Value> values = {});
   /// Runs one statement without placeholders just as it is: schema changes. Throws DbError.
   void executeVerbatim(std::string_view sql);
-  /// The same for one that returns rows, executed already: what an engine cannot prepare (FETCH). Throws
+  /// Executes one statement without placeholders that returns rows and cannot be prepared (FETCH). Throws
   /// DbError.
   [[nodiscard]] Statement selectVerbatim(std::string_view sql);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/repository/rating/discrepancy_repository.h"
-
 #include "db/repository/base/audit_repository.h"
+#include "db/repository/rating/discrepancy_repository.h"
 #include "db/repository/rating/sheet_repository.h"
 #include "db/repository/study/freeze_repository.h"
 #include "tests/db/sample_record.h"

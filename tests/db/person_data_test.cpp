@@ -174,8 +174,8 @@ TEST_F(PersonDataTest, ExportsAllAboutOnePersonAndNothingAboutAnother) {
     }
   }
   for (const char* table : {"person", "person_identity", "trainee", "consent", "enrolment", "trial",
-                            "trial_chunk", "trial_end", "training_mark", "deviation",
-                            "app_user", "user_role", "mark_draft", "mark_draft_row", "assignment"}) {
+                            "trial_chunk", "trial_end", "training_mark", "deviation", "app_user", "user_role",
+                            "mark_draft", "mark_draft_row", "assignment"}) {
     EXPECT_TRUE(names.contains(table)) << table;
   }
 }

@@ -29,7 +29,7 @@ struct ServiceTexts {
 /// by their ErrorCode, the sentence is in the details.
 [[nodiscard]] ServiceTexts readServiceTexts(const std::filesystem::path& root);
 
-/// The same for one source, and for one file of assets.
+/// Reads the texts of one source, and of one file of assets.
 void readServiceTexts(const std::string& source, const std::string& file, ServiceTexts& texts);
 void readAssetTexts(const std::string& json, ServiceTexts& texts);
 

@@ -56,7 +56,7 @@ void fillCohorts(QComboBox* chooser, SessionContext& workplace) {
   const std::string before = chosenId(chooser);
   const QSignalBlocker quiet(chooser);
   chooser->clear();
-  chooser->setPlaceholderText(QCoreApplication::translate("Office", "no cohort yet"));
+  chooser->setPlaceholderText(QCoreApplication::translate("Administration", "no cohort yet"));
   int first = -1;
   for (const CohortRow& row : cohorts(workplace)) {
     chooser->addItem(toQString(row.cohort.name), toQString(row.cohort.id));

@@ -286,8 +286,8 @@ void AllocationPage::showDesign() {
   if (cohort_->count() == 0) {
     text = tr("There is no cohort yet. Make one under Cohorts and enrol its trainees.");
   } else if (!shell().may(Operation::kAllocationRun)) {
-    text = tr("%1\n\nOnly a keeper of the allocation previews, locks and draws. Whoever has the role "
-              "Administrator gives it to somebody under Users.")
+    text = tr("%1\n\nOnly an allocator previews, locks and draws. An administrator gives this role to "
+              "somebody under Users.")
                .arg(text);
   }
   stateText_->setText(text);

@@ -7,8 +7,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/campaign_dialog.h"
 #include "app/gui/administrator/administrator_parts.h"
+#include "app/gui/administrator/campaign_dialog.h"
 #include "app/gui/administrator/study_words.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"

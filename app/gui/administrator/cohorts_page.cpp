@@ -9,8 +9,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/cohort_dialogs.h"
 #include "app/gui/administrator/administrator_parts.h"
+#include "app/gui/administrator/cohort_dialogs.h"
 #include "app/gui/administrator/study_words.h"
 #include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/base/shell_context.h"

@@ -18,8 +18,8 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
-#include "app/gui/administrator/curriculum_editor.h"
 #include "app/gui/administrator/administrator_parts.h"
+#include "app/gui/administrator/curriculum_editor.h"
 #include "app/gui/administrator/study_words.h"
 #include "app/gui/administrator/user_dialogs.h"
 #include "app/gui/base/shell_context.h"
@@ -479,8 +479,8 @@ void CurriculaPage::askClose() {
 }
 
 void CurriculaPage::retranslate() {
-  heading_->setTexts(tr("Curricula"), tr("What the groups go through: exercises, phases, rest and scoring "
-                                         "points. Published versions never change."));
+  heading_->setTexts(tr("Curricula"), tr("What the groups go through: exercises, phases, rest and occasions. "
+                                         "Published versions never change."));
   add_->setText(tr("&New curriculum\u2026"));
   showing_->setText(tr("S&howing"));
   take_->setText(tr("&Edit as draft"));

@@ -13,10 +13,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/curriculum_parts.h"
 #include "app/gui/administrator/exercise_editor.h"
 #include "app/gui/administrator/group_editor.h"
-#include "app/gui/administrator/administrator_parts.h"
 #include "app/gui/administrator/study_words.h"
 #include "app/gui/base/spoken.h"
 #include "app/gui/widgets/form.h"
@@ -189,7 +189,7 @@ void CurriculumEditor::judge() {
 void CurriculumEditor::retranslate() {
   setTabText(0, tr("Exercises"));
   setTabText(1, tr("Groups and phases"));
-  setTabText(2, tr("Scoring points"));
+  setTabText(2, tr("Occasions"));
   pointsText_->setText(
       tr("When the raters score everybody, counted in minutes of training (rest does not "
          "count). The paper scores before, after 20 and after 40 minutes."));

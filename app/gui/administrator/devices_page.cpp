@@ -99,10 +99,10 @@ void DevicesPage::showContent() {
         tr("Not checked yet in this session. The check takes a few seconds; put the stylus into the inkwell "
            "first."));
   } else if (result_->usable()) {
-    verdict_->setText(tr("This station can run scored trials with the device: %1 servo steps a second.")
+    verdict_->setText(tr("This station can do graded runs with the device: %1 servo ticks a second.")
                           .arg(locale().toString(result_->rate_Hz, 'f', 0)));
   } else {
-    verdict_->setText(tr("No scored run with the device now: %1. Practice with the mouse works meanwhile.")
+    verdict_->setText(tr("No graded run with the device now: %1. Practice with the mouse works meanwhile.")
                           .arg(toQString(result_->worst()->sentence)));
   }
   setLook(verdict_, "caution", result_ && !result_->usable());
@@ -111,7 +111,7 @@ void DevicesPage::showContent() {
 
 void DevicesPage::retranslate() {
   settings_->retranslate();
-  heading_->setTexts(tr("Devices"), tr("Whether the haptic device of this station is fit for a scored run."));
+  heading_->setTexts(tr("Devices"), tr("Whether the haptic device of this station is fit for a graded run."));
   check_->setText(tr("&Check the device"));
   nameLabel_->setText(tr("Device &name"));
   name_->setPlaceholderText(tr("the usual one"));

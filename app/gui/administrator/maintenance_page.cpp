@@ -242,7 +242,9 @@ void MaintenancePage::testBackup(const std::filesystem::path& file) {
   auto found = std::make_shared<BackupCheck>();
   shell().run(
       tr("Testing a backup"),
-      [file, found](SessionContext&, const ProgressCallback& progress) { *found = verifyBackup(file, progress); },
+      [file, found](SessionContext&, const ProgressCallback& progress) {
+        *found = verifyBackup(file, progress);
+      },
       [this, file, found] {
         backupText_->setText(
             found->database.sound()
@@ -380,7 +382,8 @@ void MaintenancePage::erase() {
 }
 
 void MaintenancePage::retranslate() {
-  heading_->setTexts(tr("Care of the record"), tr("Back up, test the backup, and look after what is due."));
+  heading_->setTexts(tr("Maintenance of the record"),
+                     tr("Back up, test the backup, and review what is due."));
   backup_->setTitle(tr("Backup"));
   backupText_->setText(
       tr("A backup is one file, made while others work and read back at once. Keep it on another machine."));

@@ -306,7 +306,7 @@ void MovePage::showButtons() {
 void MovePage::retranslate() {
   heading_->setTexts(tr("Move to PostgreSQL"),
                      tr("One record on a server, for several stations. The file of today stays as it is."));
-  back_->setText(tr("&Back to care"));
+  back_->setText(tr("&Back to maintenance"));
   server_->setTitle(tr("1  The server"));
   nameField(hostLabel_, tr("&Computer"));
   nameField(portLabel_, tr("P&ort"));

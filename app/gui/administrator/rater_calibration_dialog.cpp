@@ -33,7 +33,8 @@ constexpr std::ptrdiff_t kUsual = 2;  // reference runs of a warm-up
 
 }  // namespace
 
-RaterCalibrationDialog::RaterCalibrationDialog(ShellContext& shell, std::vector<RubricRow> rubrics, QWidget* parent)
+RaterCalibrationDialog::RaterCalibrationDialog(ShellContext& shell, std::vector<RubricRow> rubrics,
+                                               QWidget* parent)
     : QDialog(parent),
       shell_(shell),
       rubrics_(std::move(rubrics)),
@@ -48,7 +49,7 @@ RaterCalibrationDialog::RaterCalibrationDialog(ShellContext& shell, std::vector<
       close_(new QPushButton(tr("Close"), this)) {
   candidates_->setObjectName(QStringLiteral("candidates"));
   present_->setObjectName(QStringLiteral("present"));
-  setWindowTitle(tr("Runs of the warm-up"));
+  setWindowTitle(tr("Reference runs for rater calibration"));
   resize(900, 660);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(3 * kSpace, 3 * kSpace, 3 * kSpace, 2 * kSpace);
@@ -64,7 +65,7 @@ RaterCalibrationDialog::RaterCalibrationDialog(ShellContext& shell, std::vector<
                         {tr("Added")},
                         {tr("State")}});
   present_->view().setAccessibleName(tr("Reference runs"));
-  present_->setEmptyText(tr("None yet: physicians begin without a warm-up."));
+  present_->setEmptyText(tr("None yet: physicians begin without rater calibration."));
   present_->filter().hide();
   present_->setMaximumHeight(9 * fontMetrics().height());
   column->addWidget(present_);
@@ -100,10 +101,9 @@ void RaterCalibrationDialog::createForm() {
   form->addRow(tr("&Mark of the panel, points"), mark_);
   form->addRow(tr("&Physicians on the panel"), panel_);
   column->addLayout(form);
-  auto* note =
-      new QLabel(tr("The panel marks the run together before it is used. Keep the runs as they are where you "
-                    "can, so that every physician warms up on the same ones."),
-                 this);
+  auto* note = new QLabel(tr("The panel scores the run together before it is used. Keep the runs as they are "
+                             "where you can, so that every physician calibrates on the same ones."),
+                          this);
   note->setWordWrap(true);
   note->setProperty("quiet", true);
   column->addWidget(note);
@@ -180,7 +180,7 @@ void RaterCalibrationDialog::add() {
     addReferenceRuns(shell_.workplace(), {{candidates_->currentId().toStdString(), revision().id,
                                            mark_->value(), panel_->value(), false}});
     read();
-    shell_.notify(tr("The reference run is added to the warm-up"));
+    shell_.notify(tr("The reference run is added to rater calibration"));
   });
 }
 
@@ -188,8 +188,8 @@ void RaterCalibrationDialog::withdraw() {
   const QString chosen = present_->currentId();
   const std::optional<std::string> reason =
       askReason(this, tr("Withdraw a reference run"),
-                tr("No physician is given this run any more. What was scored on it stays. A run that is "
-                   "withdrawn cannot be used for the warm-up again."));
+                tr("No physician is given this run any more. Marks given on it stay. A run that is withdrawn "
+                   "cannot be used for rater calibration again."));
   if (!reason) {
     return;
   }

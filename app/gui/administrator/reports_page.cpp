@@ -156,7 +156,8 @@ void ReportsPage::compute() {
   auto model = std::make_shared<ReportModel>();
   shell().run(
       tr("Preparing the report"),
-      [wanted, inputs, model, digests = digests_](SessionContext& workplace, const ProgressCallback& progress) {
+      [wanted, inputs, model, digests = digests_](SessionContext& workplace,
+                                                  const ProgressCallback& progress) {
         *inputs = reportInputs(workplace, wanted, *digests, progress);
         *model = cohortReport(*inputs);
       },

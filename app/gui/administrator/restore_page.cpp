@@ -232,7 +232,7 @@ void RestorePage::showButtons() {
 void RestorePage::retranslate() {
   heading_->setTexts(tr("Restore from a backup"),
                      tr("The record of all people at all stations goes back to the day of the backup."));
-  back_->setText(tr("&Back to care"));
+  back_->setText(tr("&Back to maintenance"));
   backup_->setTitle(tr("1  The backup"));
   backupText_->setText(
       tr("It is first read from end to end in a copy; your record is not touched. Nobody may be at work: "

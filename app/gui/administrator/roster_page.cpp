@@ -266,7 +266,8 @@ void RosterPage::exportPerson(const std::filesystem::path& folder, const std::st
   const auto package = std::make_shared<PersonPackage>();
   shell().run(
       tr("Exporting a record"),
-      [id = person->row.person.id, folder, reason, package](SessionContext& workplace, const ProgressCallback&) {
+      [id = person->row.person.id, folder, reason, package](SessionContext& workplace,
+                                                            const ProgressCallback&) {
         *package = exportPersonPackage(workplace, id, folder, reason);
       },
       [this, package] {

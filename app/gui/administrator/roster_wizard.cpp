@@ -444,7 +444,8 @@ void RosterPreviewPage::commit(std::function<void()> done) {
   shell_.run(
       tr("Importing the roster"),
       [outcome, problem, file = *import_.file, kind = import_.kind, columns = import_.columns,
-       fingerprint = import_.preview->fingerprint](SessionContext& workplace, const ProgressCallback& progress) {
+       fingerprint = import_.preview->fingerprint](SessionContext& workplace,
+                                                   const ProgressCallback& progress) {
         try {
           *outcome = importRoster(workplace, file, kind, columns, fingerprint, RosterMode::kCommit, progress);
         } catch (const Error& error) {

@@ -207,7 +207,7 @@ QString RunDayPage::alertText(const RunDayAlert& alert) const {
       return tr("%1 does not answer since %2.")
           .arg(toQString(alert.subject), shownTime(alert.sinceUtc_us, locale()));
     case Kind::kDeviceUnfit:
-      return tr("%1: the device is not fit for scored runs: %2.")
+      return tr("%1: the device is not fit for graded runs: %2.")
           .arg(toQString(alert.subject), toQString(alert.reason));
     case Kind::kRestTooLong:
       return tr("%1 has rested longer than allowed.").arg(toQString(alert.subject));

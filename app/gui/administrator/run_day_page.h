@@ -35,7 +35,7 @@ class RunDayPage : public Page {
 
  private:
   void read();
-  /// The same away from the window's thread: what the clock does.
+  /// Reads anew away from the window's thread, as the clock asks.
   void refresh();
   void showContent();
   void showStations();

@@ -147,7 +147,7 @@ std::optional<SheetMoved> askReassignment(QWidget* parent, const ScoringMatrix& 
 std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<ReleaseState>& states) {
   Question dialog(parent, translated(QT_TRANSLATE_NOOP("Scoring", "Release marks")),
                   translated(QT_TRANSLATE_NOOP(
-                      "Scoring", "Trainees see their marks of a scoring point from the release on.")));
+                      "Scoring", "Trainees see their marks of an occasion from the release on.")));
   auto* point = new QComboBox(&dialog);
   for (const ReleaseState& state : states) {
     point->addItem(
@@ -160,7 +160,7 @@ std::optional<ReleaseChange> askRelease(QWidget* parent, const std::vector<Relea
   }
   auto* reason = new QLineEdit(&dialog);
   auto* form = new QFormLayout;
-  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&Scoring point")), point);
+  form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "Occa&sion")), point);
   form->addRow(translated(QT_TRANSLATE_NOOP("Scoring", "&Reason")), reason);
   dialog.column->addLayout(form);
   QPushButton* ok = dialog.finish(translated(QT_TRANSLATE_NOOP("Scoring", "Do it")));
@@ -213,7 +213,7 @@ void fillThirds(QComboBox* box, const ThirdRequest& request) {
 }  // namespace
 
 std::optional<ThirdChosen> askThirdRater(QWidget* parent, const std::vector<ThirdRequest>& requests) {
-  Question dialog(parent, translated(QT_TRANSLATE_NOOP("Scoring", "Assign a third rater")),
+  Question dialog(parent, translated(QT_TRANSLATE_NOOP("Scoring", "Assign an adjudicator")),
                   translated(QT_TRANSLATE_NOOP(
                       "Scoring",
                       "Physicians could not agree about these cases and ask for one more. The freest "
@@ -221,11 +221,11 @@ std::optional<ThirdChosen> askThirdRater(QWidget* parent, const std::vector<Thir
   dialog.resize(860, 460);
   auto* table = new DataTable(QString(), &dialog);
   table->setColumns({{translated(QT_TRANSLATE_NOOP("Scoring", "Trainee"))},
-                     {translated(QT_TRANSLATE_NOOP("Scoring", "Scoring point"))},
+                     {translated(QT_TRANSLATE_NOOP("Scoring", "Occasion"))},
                      {translated(QT_TRANSLATE_NOOP("Scoring", "Asked by"))},
                      {translated(QT_TRANSLATE_NOOP("Scoring", "Why"))},
                      {translated(QT_TRANSLATE_NOOP("Scoring", "Since"))}});
-  table->view().setAccessibleName(translated(QT_TRANSLATE_NOOP("Scoring", "Cases that need a third rater")));
+  table->view().setAccessibleName(translated(QT_TRANSLATE_NOOP("Scoring", "Cases that need an adjudicator")));
   std::vector<Row> rows;
   for (const ThirdRequest& request : requests) {
     rows.push_back(rowOf(request));

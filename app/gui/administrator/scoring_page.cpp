@@ -8,10 +8,10 @@
 #include <QVBoxLayout>
 
 #include "app/gui/administrator/administrator_parts.h"
+#include "app/gui/administrator/rater_calibration_dialog.h"
 #include "app/gui/administrator/scoring_dialogs.h"
 #include "app/gui/administrator/study_words.h"
 #include "app/gui/administrator/user_dialogs.h"
-#include "app/gui/administrator/rater_calibration_dialog.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/data_table.h"
 #include "app/gui/widgets/file_choice.h"
@@ -114,7 +114,7 @@ void ScoringPage::read() {
 }
 
 void ScoringPage::showContent() {
-  std::vector<Column> columns = {{tr("Trainee")}, {tr("Scoring point")}, {tr("Missing"), true, true}};
+  std::vector<Column> columns = {{tr("Trainee")}, {tr("Occasion")}, {tr("Missing"), true, true}};
   std::vector<Row> rows;
   std::size_t open = 0;
   std::size_t submitted = 0;
@@ -158,7 +158,7 @@ void ScoringPage::showButtons() {
   warmUp_->setEnabled(shell().may(Operation::kStudySetup));
   // A number that is not 0 calls; without requests there is nothing to press.
   third_->setVisible(!thirds_.empty());
-  third_->setText(tr("&Third rater (%1)\u2026").arg(thirds_.size()));
+  third_->setText(tr("Ad&judicator (%1)\u2026").arg(thirds_.size()));
 }
 
 std::string ScoringPage::rubricRevision() {
@@ -269,7 +269,7 @@ void ScoringPage::assignThirdRater() {
   attempt(shell(), [&] {
     assignThird(shell().workplace(), chosenId(cohort_), chosen->assignmentId, chosen->raterId);
     read();
-    shell().notify(tr("The third rater finds the case in their queue"));
+    shell().notify(tr("The adjudicator finds the case in their queue"));
   });
 }
 
@@ -284,7 +284,7 @@ void ScoringPage::showWarmUp() {
 void ScoringPage::retranslate() {
   heading_->setTexts(tr("Scoring"),
                      tr("Who scores whom, and how far it has come. Marks are not shown here."));
-  warmUp_->setText(tr("&Warm-up\u2026"));
+  warmUp_->setText(tr("Rater cali&bration\u2026"));
   revise_->setText(tr("Scoring &sheet\u2026"));
   revise_->setToolTip(tr("Takes the next revision of the scoring sheet from a file"));
   warmUp_->setToolTip(tr("The reference runs that every physician scores first"));

@@ -119,7 +119,7 @@ QString roleName(const std::string& code) {
     return UserDialogs::tr("Administrator");
   }
   if (code == "allocator") {
-    return UserDialogs::tr("Keeper of the allocation");
+    return UserDialogs::tr("Allocator");
   }
   if (code == "statistician") {
     return UserDialogs::tr("Statistician");

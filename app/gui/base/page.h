@@ -63,7 +63,7 @@ struct ScreenEntry {
   QString role;  ///< "trainee", "rater", "administrator": who is signed in
   PageId pageId;
   std::function<QVariant(SessionContext&)> argument;  ///< for Page::enter; may be empty
-  std::function<void(Page&)> prepare;            ///< after enter(); may be empty
+  std::function<void(Page&)> prepare;                 ///< after enter(); may be empty
 };
 
 }  // namespace torsio::gui

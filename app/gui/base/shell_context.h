@@ -71,7 +71,7 @@ class ShellContext : public QObject {
   void notify(const QString& sentence) { Q_EMIT noticed(sentence); }
   /// Says in plain words what went wrong, what to do, details folded. Call it in a catch block.
   void report(const std::exception_ptr& thrown);
-  /// The same for what no exception says.
+  /// Shows a problem that no exception reports.
   void tell(const Problem& problem);
 
   /// Work that takes time, off the GUI thread, on a connection of its own for the same actor. `work` gets
@@ -92,7 +92,7 @@ class ShellContext : public QObject {
   void pageWanted(torsio::gui::PageId id, const QVariant& argument);
   void noticed(const QString& sentence);
   void problemMet(const torsio::gui::Problem& problem);
-  /// The same in the words of this moment.
+  /// Sent with problemMet, in the present language.
   void failed(const QString& happened, const QString& remedy, const QString& details);
   void themeChanged(ThemeKind kind);
   void recordChangeWanted(const torsio::gui::RecordChange& change);

@@ -36,7 +36,7 @@ void CasePage::retranslate() {
   submit_->setText(tr("Submit"));
   submit_->setToolTip(tr("Checks the sheet and asks once more (Ctrl+Enter)"));
   bookmark_->setText(tr("Bookmark"));
-  bookmark_->setToolTip(tr("Marks this moment for yourself (B)"));
+  bookmark_->setToolTip(tr("Bookmarks this moment for yourself (B)"));
   remark_->setText(tr("Remark"));
   remark_->setToolTip(tr("Writes to the trainee at this moment (R)"));
   remarkField_->setPlaceholderText(
@@ -76,7 +76,7 @@ QString CasePage::rowName(const std::string& row) const {
 QString CasePage::stepName(const SheetChange& change) const {
   switch (change.kind) {
     case SheetChange::Kind::kScore:
-      return tr("score of %1").arg(rowName(change.row));
+      return tr("mark of %1").arg(rowName(change.row));
     case SheetChange::Kind::kCleared:
       return tr("clearing of %1").arg(rowName(change.row));
     case SheetChange::Kind::kNotAssessable:
@@ -108,7 +108,7 @@ QString CasePage::checkText(const SheetCheck& check) const {
     parts << tr("It was played at a speed that is not allowed.");
   }
   if (check.allTheSame) {
-    parts << tr("All rows have the same score. Is that meant?");
+    parts << tr("All rows have the same mark. Is that meant?");
   }
   if (check.farApart) {
     parts << tr("The rows lie far apart. Is that meant?");

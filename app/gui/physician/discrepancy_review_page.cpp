@@ -103,7 +103,7 @@ void DiscrepancyReviewPage::connectAll() {
   connect(sheet_, &SheetEditorPanel::finishWanted, this, &DiscrepancyReviewPage::startMoving);  // seals
   connect(third_, &QPushButton::clicked, this, [this] {
     decide([](SessionContext& w, const std::string& id, const std::string& why) { askForThird(w, id, why); },
-           tr("The office is asked for a third physician"));
+           tr("An adjudicator has been requested"));
   });
 }
 
@@ -133,7 +133,7 @@ void DiscrepancyReviewPage::showList() {
   for (const DiscrepancyCase& one : cases_) {
     const QString decision = one.decision == "keep"    ? tr("kept")
                              : one.decision == "move"  ? tr("moved")
-                             : one.decision == "third" ? tr("third asked for")
+                             : one.decision == "third" ? tr("adjudicator requested")
                                                        : tr("to be decided");
     rows.push_back({toQString(one.shown.assignmentId),
                     {{tr("Case %1").arg(toQString(one.shown.label)), static_cast<int>(rows.size())},
@@ -177,7 +177,7 @@ void DiscrepancyReviewPage::showCase() {
   column->setStretch(column->count() - 1, moving ? 0 : 1);
   replay_->setVisible(!one->shown.live);
   keep_->setText(moving ? tr("Leave it unchanged") : tr("&Keep my mark"));
-  move_->setText(moving ? tr("Seal the moved mark") : tr("&Move it \u2026"));
+  move_->setText(moving ? tr("Seal the amended mark") : tr("A&mend it \u2026"));
   third_->setVisible(!moving);
 }
 
@@ -190,7 +190,7 @@ void DiscrepancyReviewPage::startMoving() {
     const Sheet sheet = sheet_->editor()->sheet();
     decide([&sheet](SessionContext& w, const std::string& id,
                     const std::string& why) { moveMark(w, id, sheet, why); },
-           tr("The moved mark is sealed; the one before is kept"));
+           tr("The amended mark is sealed; the one before is kept"));
     return;
   }
   attempt(shell(), [&] {
@@ -224,15 +224,15 @@ void DiscrepancyReviewPage::decide(const Action& action, const QString& said) {
 }
 
 void DiscrepancyReviewPage::retranslate() {
-  heading_->setTexts(tr("Alignment"),
-                     tr("Only cases that all have submitted, and only where your mark lies apart. The "
-                        "others are not named; nor are you to them."));
+  heading_->setTexts(tr("Discrepancy review"),
+                     tr("Only cases that all have submitted, and only where your mark differs from the "
+                        "others. The others are not named, nor are you to them."));
   empty_->setText(tr("No disagreement waits for you."));
-  table_->view().setAccessibleName(tr("Cases where your mark lies apart"));
+  table_->view().setAccessibleName(tr("Cases where your mark differs"));
   table_->setColumns({{tr("Case")}, {tr("Apart by"), true}, {tr("Decision")}});
-  reason_->setPlaceholderText(tr("Reason (needed to move a mark or to ask for a third physician)"));
+  reason_->setPlaceholderText(tr("Reason (needed to amend a mark or to ask for an adjudicator)"));
   reason_->setAccessibleName(tr("Reason"));
-  third_->setText(tr("Ask for a &third"));
+  third_->setText(tr("Ask for an adjudica&tor"));
   replay_->setText(tr("Look at it again"));
   legend_->setText(tr("Diamond: you. Band: lowest to highest of the others. Line: their mean."));
   bars_->retranslate();

@@ -263,7 +263,7 @@ void LivePage::submit() {
   if (!sheet_->asking()) {
     sheet_->setAsking(true);
     setLook(said_, "caution", false);
-    said_->setText(check.allTheSame ? tr("All rows have the same score. Press again to seal the sheet.")
+    said_->setText(check.allTheSame ? tr("All rows have the same mark. Press again to seal the sheet.")
                    : check.farApart ? tr("The rows lie far apart. Press again to seal the sheet.")
                                     : tr("Everything is scored. Press again to seal the sheet."));
     return;

@@ -75,7 +75,9 @@ void QuestionsCard::open(const std::string& questionId) {
   const auto run = std::make_shared<Debrief>();
   shell_.run(
       tr("Opening the run"),
-      [run, questionId](SessionContext& own, const ProgressCallback&) { *run = questionedRun(own, questionId); },
+      [run, questionId](SessionContext& own, const ProgressCallback&) {
+        *run = questionedRun(own, questionId);
+      },
       [this, run, question = *found] { show(question, *run); });
 }
 

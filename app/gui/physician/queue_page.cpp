@@ -117,9 +117,9 @@ void QueuePage::retranslate() {
   time_.card->setTitle(tr("Time needed"));
   due_.card->setTitle(tr("Next deadline"));
   doors_->setTitle(tr("Also waiting"));
-  warmUp_.button->setText(tr("&Warm up"));
+  warmUp_.button->setText(tr("Rater cali&bration"));
   live_.button->setText(tr("&Live sheet"));
-  alignment_.button->setText(tr("&Alignment"));
+  alignment_.button->setText(tr("Discrep&ancy review"));
   evaluation_.button->setText(tr("&Evaluation"));
   table_->view().setAccessibleName(tr("Your cases"));
   table_->setColumns({{tr("Case")}, {tr("State")}, {tr("Length"), true}, {tr("Due")}, {tr("Minutes"), true}});
@@ -148,7 +148,7 @@ void QueuePage::showDoors() {
       tr("Before the first case: score the reference runs and see how far you are from the panel."));
   live_.text->setText(tr("Live cases on the real arm that wait for you: %1.").arg(queue_.liveWaiting));
   alignment_.text->setText(
-      tr("All have submitted. Your marks that lie apart from the others: %1.").arg(queue_.disagreements));
+      tr("All have submitted. Your marks that differ from the others: %1.").arg(queue_.disagreements));
   evaluation_.text->setText(tr("Tissue models that ask for your nine marks: %1.").arg(queue_.models));
   const std::pair<Door*, bool> all[] = {{&warmUp_, queue_.warmUpWaiting},
                                         {&live_, queue_.liveWaiting > 0},

@@ -120,7 +120,7 @@ void RaterCalibrationPage::openRun(std::size_t number) {
   sheet_->endSheet();
   showRuns();
   if (number_ == 0) {
-    replay_->showSentence(tr("The office has chosen no reference run yet. You may begin with your queue."));
+    replay_->showSentence(tr("No reference run has been chosen yet. You may begin with your queue."));
     showResult();
     return;
   }
@@ -261,7 +261,7 @@ QString RaterCalibrationPage::anchorText() const {
 }
 
 void RaterCalibrationPage::retranslate() {
-  heading_->setTexts(tr("Warm-up"),
+  heading_->setTexts(tr("Rater calibration"),
                      tr("Score the reference runs before the real cases and see your own offset from the "
                         "panel. Nobody else sees it."));
   compare_->setToolTip(tr("Ctrl+Enter"));

@@ -3,15 +3,15 @@
 
 #include <QCoreApplication>
 
-#include "app/gui/physician/discrepancy_review_page.h"
 #include "app/gui/physician/case_page.h"
+#include "app/gui/physician/discrepancy_review_page.h"
 #include "app/gui/physician/evaluation_page.h"
 #include "app/gui/physician/live_page.h"
 #include "app/gui/physician/queue_page.h"
+#include "app/gui/physician/rater_calibration_page.h"
 #include "app/gui/physician/replay_panel.h"
 #include "app/gui/physician/review_words.h"
 #include "app/gui/physician/severity_page.h"
-#include "app/gui/physician/rater_calibration_page.h"
 #include "app/gui/widgets/child.h"
 #include "app/review/review_queue.h"
 
@@ -58,7 +58,9 @@ std::vector<ScreenEntry> reviewScreens() {
        "rater",
        PageId::kWarmUp,
        {},
-       [](Page& page) { showMoment(child<ReplayPanel>(static_cast<RaterCalibrationPage&>(page), "replay")); }},
+       [](Page& page) {
+         showMoment(child<ReplayPanel>(static_cast<RaterCalibrationPage&>(page), "replay"));
+       }},
       {"review-live", "rater", PageId::kLiveSheet, {}, {}},
       {"review-alignment", "rater", PageId::kAlignment, {}, {}},
       {"review-severity", "rater", PageId::kSeverity, {}, {}},

@@ -48,14 +48,14 @@ QString key(const char* text) {
 
 std::vector<std::pair<QString, QString>> sheetKeys() {
   return {
-      {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Score the marked row; 1 and then 0 is ten")),
+      {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Give the selected row a mark; 1 and then 0 is ten")),
        QStringLiteral("0 \u2026 9")},
       {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys",
                              "Half a point less or more; with Shift the finest step")),
        QStringLiteral("\u2190 \u2192")},
       {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Another row")),
        QStringLiteral("\u2191 \u2193, Tab")},
-      {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Take the score back")), QStringLiteral("Backspace")},
+      {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Take the mark back")), QStringLiteral("Backspace")},
       {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Undo, redo")), QStringLiteral("Ctrl+Z, Ctrl+Y")},
       {key(QT_TRANSLATE_NOOP("torsio::gui::ReviewKeys", "Submit; a second time seals")),
        QStringLiteral("Ctrl+Enter")}};

@@ -30,7 +30,7 @@ class ComparePage : public Page {
   void applyTheme(const Theme& theme) override;
   /// The models are shown (they load in the background).
   [[nodiscard]] bool loaded() const noexcept { return sides_[0].scene.scene != nullptr; }
-  /// The same torque on both, N m.
+  /// Sets the torque on both models, N m.
   void setTorque(double torque_Nm);
 
  private:

@@ -331,7 +331,7 @@ void SimulatorWindow::showHint(const LiveState& state) {
         text = near && near->distance_m < kNear_m
                    ? tr("%1 mm to the surface. Wheel: nearer")
                          .arg(std::max(0.0, near->distance_m) * 1000.0, 0, 'f', 0)
-                   : tr("Bring the jaw to the marked band. Wheel: depth, right drag: look round");
+                   : tr("Bring the jaw to the marked band. Wheel: depth, right drag: turn the view");
         break;
       }
       case ExercisePhase::kContact:
@@ -485,7 +485,7 @@ std::vector<std::pair<QString, QString>> SimulatorWindow::pointerKeys() {
       {tr("Tilt the instrument"), tr("A, D, W, S")},
       {tr("Let go"), tr("Release the button, or Esc")},
       {tr("Bookmark"), tr("B")},
-      {tr("Look round"), tr("Right drag, or Ctrl + arrow keys")},
+      {tr("Turn the view"), tr("Right drag, or Ctrl + arrow keys")},
       {tr("Move the view"), tr("Middle drag")},
       {tr("Zoom"), tr("Ctrl + wheel, or + and \u2212")},
   };

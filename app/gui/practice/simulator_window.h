@@ -49,7 +49,8 @@ class SimulatorWindow : public QMainWindow {
   [[nodiscard]] SimulationController& controller() noexcept { return *controller_; }
   [[nodiscard]] const std::filesystem::path& assets() const noexcept { return setup_.assets; }
   void setThemeKind(ThemeKind kind);
-  /// The same without the application's palette and style sheet, which another window has set already.
+  /// Sets the colours without the application's palette and style sheet, which another window has set
+  /// already.
   void applyColours(ThemeKind kind);
   /// All texts anew, in the present language.
   void retranslate();

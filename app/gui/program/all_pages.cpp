@@ -27,7 +27,7 @@ std::vector<PageGroup> allPages() {
   training.push_back(comparePage());
   return {{[] { return named(QT_TRANSLATE_NOOP("Desk", "Training")); }, training},
           {[] { return named(QT_TRANSLATE_NOOP("Desk", "Review")); }, reviewPages()},
-          {[] { return named(QT_TRANSLATE_NOOP("Desk", "Office")); }, officePages()}};
+          {[] { return named(QT_TRANSLATE_NOOP("Desk", "Administration")); }, officePages()}};
 }
 
 std::vector<ScreenEntry> allScreens() {

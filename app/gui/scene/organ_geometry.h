@@ -31,7 +31,7 @@ class OrganGeometry : public MovingGeometry {
   OrganGeometry();
   /// Another organ: triangles and vertices. Without a skin nothing of it is painted.
   void setSurface(const OrganSurface& surface, const TissueSkin* skin = nullptr);
-  /// The same organ, moved.
+  /// Moves the vertices of the present organ.
   void updateVertices(const OrganSurface& surface);
 
  private:

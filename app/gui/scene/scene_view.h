@@ -89,7 +89,7 @@ class SceneView : public QWidget {
   void setInstrument(const InstrumentParts& parts);
   /// Moves the skin; does nothing when the state is the shown one.
   void setTwist(const TwistState& state);
-  /// The same with the dents under the instrument and the force that the tissue answers with.
+  /// Moves the skin, with the dents under the instrument and the force that the tissue answers with.
   void setTissue(const LiveState& state);
   /// An arrow at a world point along the force on the tool; nothing below what a hand feels.
   void setForce(const Vec3& at_m, const Vec3& force_N);

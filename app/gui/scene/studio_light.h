@@ -17,8 +17,8 @@ using Direction = std::array<float, 3>;
 /// operating lamp above, a second lamp, a wall panel at the left and a lamp behind that draws the rim.
 [[nodiscard]] Radiance studioRadiance(const Direction& direction);
 
-/// The same seen in a surface of so much roughness (0 mirror .. 1), for a mirror direction: the mean over the
-/// lobe of a GGX surface seen along its normal.
+/// Light from a mirror direction as a surface of `roughness` (0 mirror .. 1) shows it: the mean over the lobe
+/// of a GGX surface seen along its normal.
 [[nodiscard]] Radiance mirroredRadiance(const Direction& direction, float roughness, int samples);
 
 /// Irradiance over pi: what a white matt surface with this normal sends back.

@@ -13,9 +13,9 @@
 #include "app/gui/shell/about_box.h"
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/lock_panel.h"
+#include "app/gui/shell/main_window.h"
 #include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/rail.h"
-#include "app/gui/shell/main_window.h"
 #include "app/gui/shell/shortcut_sheet.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/maintenance/demonstration_removal.h"
@@ -172,7 +172,8 @@ void MainWindow::removeDemonstration() {
     }
     desk_->context().run(
         tr("Removing the demonstration"),
-        [reason = tr("Removed from the user menu").toStdString()](SessionContext& own, const ProgressCallback&) {
+        [reason = tr("Removed from the user menu").toStdString()](SessionContext& own,
+                                                                  const ProgressCallback&) {
           static_cast<void>(removeDemonstrationData(own, reason));
         },
         [this] { desk_->context().notify(tr("The demonstration data were removed")); });

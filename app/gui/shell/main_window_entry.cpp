@@ -12,8 +12,8 @@
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/job_panel.h"
 #include "app/gui/shell/lock_panel.h"
-#include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/main_window.h"
+#include "app/gui/shell/password_panel.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "app/gui/shell/trouble_panel.h"
 #include "app/recording/station_start.h"
@@ -264,7 +264,7 @@ void MainWindow::enterAsGuest() {
 }
 
 void MainWindow::changePassword(const QString& login, const QString& oldPassword,
-                                 const QString& newPassword) {
+                                const QString& newPassword) {
   background_.run(
       [this, key = key(), login, oldPassword, newPassword]() -> Background::Finish {
         SessionContext own(key);

@@ -57,7 +57,7 @@ ShortcutSheet::ShortcutSheet(Desk* desk, QWidget* parent) : QDialog(parent) {
   grid->setHorizontalSpacing(5 * kSpace);
   grid->setVerticalSpacing(4);
   addGroup(grid, tr("Everywhere"),
-           {{tr("This sheet"), tr("F1, or ?")},
+           {{tr("This list"), tr("F1, or ?")},
             {tr("Full screen"), readable(Qt::Key_F11)},
             {tr("Next field, previous field"), tr("Tab, Shift + Tab")},
             {tr("Page of the navigation"), tr("Alt + 1 to Alt + 9")},

@@ -124,7 +124,7 @@ class SimulationController : public QObject {
   void sceneChanged();
   void modeChanged();
   void problemMet(const torsio::gui::Problem& problem);
-  /// The same in the words of this moment.
+  /// Sent with problemMet, in the present language.
   void failed(const QString& happened, const QString& remedy, const QString& details);
   void noticed(const QString& sentence);
   /// hapticModel() is another one.

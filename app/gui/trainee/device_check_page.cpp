@@ -142,7 +142,7 @@ void DeviceCheckPage::fill() {
       checking_                ? tr("This takes a few seconds.")
       : light == Light::kGreen ? tr("Everything is in order. Practice and graded runs may begin.")
       : light == Light::kAmber ? tr("Good enough to practise. A graded run needs every line to be in order.")
-                               : tr("Something is wrong. Nothing is scored with this device now."));
+                               : tr("Something is wrong. No graded run with this device now."));
   again_->setEnabled(!checking_);
   mouse_->setVisible(!checking_ && light == Light::kRed);
   practise_->setVisible(desk_.graded && light == Light::kAmber);

@@ -146,7 +146,7 @@ void NextStepPage::fillNext() {
     title->setText(tr("Nothing is planned for you yet"));
     quiet->setText(
         steps_.enrolmentId.empty()
-            ? tr("You are in no cohort. Your training office adds you; free practice is open meanwhile.")
+            ? tr("You are in no cohort. An administrator has to add you; free practice is open meanwhile.")
             : tr("Your cohort follows no curriculum yet. Free practice is open meanwhile."));
     nextContent_->addWidget(quiet);
     return;

@@ -210,7 +210,7 @@ void RemarksPage::fillMarks() {
     return;
   }
   auto* hint = plainLabel(marks_, "quiet");
-  hint->setText(!gap.selfScored ? tr("Score yourself first; then you see how the physicians scored.")
+  hint->setText(!gap.selfScored ? tr("Score yourself first; then you see the physicians' marks.")
                 : gap.raters > 0
                     ? (gap.raters == 1
                            ? tr("Your own marks beside those of one physician.")

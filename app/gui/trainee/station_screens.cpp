@@ -117,21 +117,22 @@ ScreenEntry screen(const char* name, PageId page, std::function<QVariant(Session
 }  // namespace
 
 std::vector<ScreenEntry> stationScreens() {
-  return {screen("station-next-step", PageId::kNextStep, nothing),
-          screen("station-device-check", PageId::kDeviceCheck, nothing),
-          screen("station-consent", PageId::kConsent, nothing),
-          screen("station-briefing", PageId::kBriefing, later, showBriefing),
-          screen("station-run", PageId::kRun, later, showRun),
-          screen(
-              "station-debrief", PageId::kDebrief,
-              [](SessionContext& workplace) -> QVariant { return toQString(laidOut(workplace).newestTrialId); },
-              showFinding),
-          screen(
-              "station-trend", PageId::kTrend,
-              [](SessionContext& workplace) -> QVariant { return toQString(laidOut(workplace).firstModuleId); },
-              [](Page& page) { static_cast<TrendPage&>(page).chooseMetric("time.total"); }),
-          screen("station-remarks", PageId::kRemarks, nothing),
-          screen("station-transcript", PageId::kTranscript, nothing)};
+  return {
+      screen("station-next-step", PageId::kNextStep, nothing),
+      screen("station-device-check", PageId::kDeviceCheck, nothing),
+      screen("station-consent", PageId::kConsent, nothing),
+      screen("station-briefing", PageId::kBriefing, later, showBriefing),
+      screen("station-run", PageId::kRun, later, showRun),
+      screen(
+          "station-debrief", PageId::kDebrief,
+          [](SessionContext& workplace) -> QVariant { return toQString(laidOut(workplace).newestTrialId); },
+          showFinding),
+      screen(
+          "station-trend", PageId::kTrend,
+          [](SessionContext& workplace) -> QVariant { return toQString(laidOut(workplace).firstModuleId); },
+          [](Page& page) { static_cast<TrendPage&>(page).chooseMetric("time.total"); }),
+      screen("station-remarks", PageId::kRemarks, nothing),
+      screen("station-transcript", PageId::kTranscript, nothing)};
 }
 
 }  // namespace torsio::gui

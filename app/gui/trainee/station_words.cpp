@@ -152,7 +152,7 @@ QString StationLabels::why(const ModuleStep& step) {
     return tr("First master: %1").arg(titles.join(tr(", ", "between titles")));
   }
   if (step.state == StepState::kUsedUp) {
-    return tr("Ask your training office for another attempt.");
+    return tr("Ask an administrator for another attempt.");
   }
   QStringList parts;
   for (const RuleProgress& progress : step.rules) {

@@ -18,7 +18,7 @@ class StationLabels {
  public:
   /// "12.4 s", "3.1°", "62 %".
   [[nodiscard]] static QString quantity(const std::string& metric, double value);
-  /// The same without unit, for an axis; unitOf() stands beside it.
+  /// Value of a metric without its unit, for an axis; unitOf() gives the unit.
   [[nodiscard]] static double inDisplayUnit(const std::string& metric, double value);
   [[nodiscard]] static QString unitOf(const std::string& metric);
   [[nodiscard]] static QString metric(const std::string& id);

@@ -68,7 +68,7 @@ class DataTable : public QWidget {
   [[nodiscard]] QString currentId() const;  ///< empty: nothing selected
   [[nodiscard]] QStringList selectedIds() const;
   void select(const QString& id);
-  /// These rows and no others.
+  /// Selects the rows with these ids and no others.
   void selectAll(const QStringList& ids);
   [[nodiscard]] int visibleRows() const;
   /// Rows as they are shown, with a header line, tab-separated: the selection, or everything.

@@ -11,7 +11,7 @@ struct Theme;
 /// One of assets/icons in the theme's colours: text when idle, accent when switched on, border when disabled.
 [[nodiscard]] QIcon icon(const QString& name, const Theme& theme);
 
-/// The same in one colour of the caller's choice, for what must stand out (recording).
+/// One of assets/icons in one colour, for what must stand out (recording).
 [[nodiscard]] QIcon icon(const QString& name, const QColor& colour);
 
 }  // namespace torsio::gui

@@ -23,7 +23,7 @@ class SystemIdSource final : public IdSource {
   [[nodiscard]] std::string newUuid() override;
 };
 
-/// The same ids for the same seed: the demonstration and tests only.
+/// Gives the same ids for the same seed: for the demonstration and tests only.
 class SeededIdSource final : public IdSource {
  public:
   explicit SeededIdSource(std::uint64_t seed) : random_(seed) {}

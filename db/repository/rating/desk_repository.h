@@ -90,9 +90,9 @@ class DeskRepository {
   [[nodiscard]] std::vector<std::string> assignedTrials() const;
 
   void addReferenceRuns(std::span<const StoredReferenceRun> runs);
-  /// Those that raters are given, by position.
+  /// Reference runs that raters are given, by position.
   [[nodiscard]] std::vector<StoredReferenceRun> referenceRuns() const;
-  /// With those that were withdrawn, by position.
+  /// All reference runs, the withdrawn ones too, by position.
   [[nodiscard]] std::vector<StoredReferenceRun> allReferenceRuns() const;
   /// Once a run. Throws Error{kDatabase} for a run that is none or is withdrawn already.
   void withdrawReferenceRun(const StoredReferenceWithdrawal& withdrawal);

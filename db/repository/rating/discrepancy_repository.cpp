@@ -50,7 +50,7 @@ std::optional<DiscrepancyDecision> DiscrepancyRepository::latest(const std::stri
 }
 
 std::vector<DiscrepancyDecision> DiscrepancyRepository::ofCase(const std::string& enrolmentId,
-                                                           const std::string& scoringPoint) const {
+                                                               const std::string& scoringPoint) const {
   return selectAll(
       connection_,
       kDecisions +

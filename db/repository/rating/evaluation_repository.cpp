@@ -209,9 +209,9 @@ void EvaluationRepository::submit(const std::string& campaignId,
   for (const StoredEvaluationMark& mark : marks) {
     if (!isOnScale(mark.score_steps, scale)) {
       throw Error(ErrorCode::kBadData,
-                  Text("score of %1 steps lies outside %2 .. %3", mark.score_steps, scale.lo, scale.hi),
+                  Text("mark of %1 steps lies outside %2 .. %3", mark.score_steps, scale.lo, scale.hi),
                   Text("rater %1, model %2, index %3", mark.raterId, mark.modelCode, mark.indexNumber),
-                  "Correct the score");
+                  "Correct the mark");
     }
     if (isStored(connection_, campaignId, mark)) {
       continue;

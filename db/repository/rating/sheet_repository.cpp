@@ -75,12 +75,12 @@ void checkAnswer(const std::optional<std::int64_t>& score_steps, const std::stri
                  const ScoreScale& scale, const std::string& where) {
   const AnswerFault fault = faultOf({score_steps, reason}, scale);
   if (fault == AnswerFault::kMissing || fault == AnswerFault::kContradicts) {
-    throw Error(ErrorCode::kBadData, "needs either a score or a reason why there is none", where,
+    throw Error(ErrorCode::kBadData, "needs either a mark or a reason why there is none", where,
                 "Fill it in");
   }
   if (fault == AnswerFault::kOutsideScale) {
-    throw Error(ErrorCode::kBadData, Text("score of %1 steps lies outside its scale", *score_steps), where,
-                "Correct the score");
+    throw Error(ErrorCode::kBadData, Text("mark of %1 steps lies outside its scale", *score_steps), where,
+                "Correct the mark");
   }
 }
 

@@ -30,8 +30,8 @@ class FreezeRepository {
   explicit FreezeRepository(Connection& connection, std::string station = {})
       : connection_(connection), station_(std::move(station)) {}
 
-  /// The same once more is no error. Throws DbError (kUnique) when the name is taken or the id has other
-  /// content.
+  /// Stores a frozen data set; storing it once more is no error. Throws DbError (kUnique) when the name is
+  /// taken or the id has other content.
   void add(const StoredFreeze& freeze);
   [[nodiscard]] std::optional<StoredFreeze> findByName(const std::string& name) const;
   /// Of one cohort, oldest first.

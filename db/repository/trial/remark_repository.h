@@ -26,7 +26,7 @@ struct StoredRemark {
   bool demonstration = false;
 };
 
-/// That somebody has read a remark, and when first.
+/// Receipt: somebody has read a remark, and when first.
 struct StoredReceipt {
   std::string remarkId{};
   std::string reader{};          ///< as StoredRemark::author

@@ -81,7 +81,6 @@ class TrialRepository final : public TrialSink {
   void append(const TrialChunk& chunk) override;
   void finish(const TrialSummary& summary) override;
 
-
   [[nodiscard]] std::vector<TrialListing> list(const TrialFilter& filter = {});
   [[nodiscard]] std::optional<TrialHeader> find(const std::string& trialId) const;
   /// Where and for what a trial was recorded; empty: no such trial.

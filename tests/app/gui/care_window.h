@@ -14,8 +14,8 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/gui/administrator/maintenance_page.h"
 #include "app/gui/administrator/administrator_pages.h"
+#include "app/gui/administrator/maintenance_page.h"
 #include "app/gui/base/spoken.h"
 #include "app/gui/shell/main_window.h"
 #include "app/people/people_service.h"
@@ -60,7 +60,7 @@ class CarePages : public ::testing::Test {
     setup.station = "test";
     setup.locator = toQString(record());
     setup.groups = [] {
-      return std::vector<PageGroup>{{[] { return QStringLiteral("Office"); }, officePages()}};
+      return std::vector<PageGroup>{{[] { return QStringLiteral("Administration"); }, officePages()}};
     };
     setup.remember = false;
     setup.clock = &clock_;

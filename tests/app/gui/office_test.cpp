@@ -25,14 +25,14 @@
 #include <gtest/gtest.h>
 
 #include "app/gui/administrator/accounts_dialog.h"
+#include "app/gui/administrator/administrator_pages.h"
 #include "app/gui/administrator/allocation_page.h"
 #include "app/gui/administrator/audit_page.h"
 #include "app/gui/administrator/campaigns_page.h"
-#include "app/gui/administrator/maintenance_page.h"
 #include "app/gui/administrator/cohorts_page.h"
 #include "app/gui/administrator/curricula_page.h"
 #include "app/gui/administrator/curriculum_editor.h"
-#include "app/gui/administrator/administrator_pages.h"
+#include "app/gui/administrator/maintenance_page.h"
 #include "app/gui/administrator/report_preview.h"
 #include "app/gui/administrator/reports_page.h"
 #include "app/gui/administrator/results_page.h"

@@ -11,8 +11,8 @@
 #include <QSpinBox>
 
 #include "app/gui/administrator/allocation_page.h"
-#include "app/gui/administrator/maintenance_page.h"
 #include "app/gui/administrator/curricula_page.h"
+#include "app/gui/administrator/maintenance_page.h"
 #include "app/gui/administrator/roster_page.h"
 #include "app/gui/administrator/scoring_page.h"
 #include "app/gui/base/spoken.h"

@@ -12,15 +12,15 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
-#include "app/gui/administrator/scoring_page.h"
 #include "app/gui/administrator/rater_calibration_dialog.h"
+#include "app/gui/administrator/scoring_page.h"
 #include "app/gui/base/shell_context.h"
 #include "app/gui/widgets/child.h"
 #include "app/gui/widgets/data_table.h"
-#include "app/review/discrepancy_review.h"
 #include "app/review/case_sheet.h"
-#include "app/review/review_queue.h"
+#include "app/review/discrepancy_review.h"
 #include "app/review/rater_calibration.h"
+#include "app/review/review_queue.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/trial/trial_repository.h"
 #include "tests/app/session/review_centre.h"
@@ -118,7 +118,7 @@ TEST_F(ScoringOffice, ChoosesTheRunsOfTheWarmUpWithThePanelsMark) {
   }
   open();
 
-  press("Warm-up", [](QDialog& dialog) {
+  press("Rater calibration", [](QDialog& dialog) {
     auto& warmUp = static_cast<RaterCalibrationDialog&>(dialog);
     EXPECT_EQ(child<DataTable>(warmUp, "candidates").visibleRows(), 2);
     EXPECT_FALSE(buttonOf(dialog, "Add")->isEnabled());  // nothing is chosen
@@ -145,7 +145,7 @@ TEST_F(ScoringOffice, WithdrawsARunOfTheWarmUpWithAReason) {
   addReferenceRuns(*office_, {{centre_.trialIds()[0], centre_.rubricRevisionId(), 6.2, 8, false}});
   open();
 
-  press("Warm-up", [](QDialog& dialog) {
+  press("Rater calibration", [](QDialog& dialog) {
     auto& warmUp = static_cast<RaterCalibrationDialog&>(dialog);
     QPushButton* withdraw = buttonOf(dialog, "Withdraw");
     EXPECT_FALSE(withdraw->isEnabled());  // nothing is chosen

@@ -25,9 +25,9 @@
 #include "app/gui/shell/about_box.h"
 #include "app/gui/shell/dialog_lock.h"
 #include "app/gui/shell/job_panel.h"
+#include "app/gui/shell/main_window.h"
 #include "app/gui/shell/problem_panel.h"
 #include "app/gui/shell/rail.h"
-#include "app/gui/shell/main_window.h"
 #include "app/gui/shell/sign_in_panel.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/trial/station_repository.h"
@@ -73,7 +73,7 @@ PageEntry entry(PageId id) {
 std::vector<PageGroup> bareGroups() {
   return {{[] { return QStringLiteral("Training"); }, {entry(PageId::kNextStep), entry(PageId::kPractice)}},
           {[] { return QStringLiteral("Review"); }, {entry(PageId::kQueue)}},
-          {[] { return QStringLiteral("Office"); }, {entry(PageId::kUsers), entry(PageId::kAudit)}}};
+          {[] { return QStringLiteral("Administration"); }, {entry(PageId::kUsers), entry(PageId::kAudit)}}};
 }
 
 template <typename Widget>

@@ -155,7 +155,7 @@ TEST(Occasions, OfACurriculumMustBeKnownToTheRecord) {
   const std::vector<CurriculumProblem> problems = curriculumProblems(content, centre.assets(), known);
 
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_EQ(problems.front().where, Text("scoring point \"%1\"", "never heard of"));
+  EXPECT_EQ(problems.front().where, Text("occasion \"%1\"", "never heard of"));
 }
 
 }  // namespace

@@ -20,15 +20,15 @@
 #include "app/recording/trial_digests.h"
 #include "app/reporting/report_data.h"
 #include "app/reporting/report_export.h"
-#include "app/review/discrepancy_review.h"
+#include "app/review/adjudicator.h"
 #include "app/review/blinded_case.h"
 #include "app/review/case_remarks.h"
 #include "app/review/case_sheet.h"
+#include "app/review/discrepancy_review.h"
 #include "app/review/evaluation_form.h"
 #include "app/review/own_severity.h"
-#include "app/review/review_queue.h"
-#include "app/review/adjudicator.h"
 #include "app/review/rater_calibration.h"
+#include "app/review/review_queue.h"
 #include "app/study/allocation_service.h"
 #include "app/study/campaign_service.h"
 #include "app/study/coded_records.h"
@@ -71,14 +71,18 @@ std::vector<ServiceCall> officeCalls() {
       {O::kPersonViewIdentity, "namedPeople", [](SessionContext& w, Path) { (void)namedPeople(w); }},
       {O::kPersonEdit, "addPerson", [](SessionContext& w, Path) { (void)addPerson(w, {}); }},
       {O::kPersonEdit, "changePerson", [](SessionContext& w, Path) { changePerson(w, kNoSuch, {}, ""); }},
-      {O::kPersonEdit, "setPersonState", [](SessionContext& w, Path) { setPersonState(w, kNoSuch, "left", ""); }},
+      {O::kPersonEdit, "setPersonState",
+       [](SessionContext& w, Path) { setPersonState(w, kNoSuch, "left", ""); }},
       {O::kPersonEdit, "importRoster",
        [](SessionContext& w, Path) {
          (void)importRoster(w, {}, RosterKind::kTrainees, {}, "", RosterMode::kDryRun);
        }},
       {O::kPersonExport, "exportPersonPackage",
-       [](SessionContext& w, Path folder) { (void)exportPersonPackage(w, kNoSuch, folder / "package", "asked"); }},
-      {O::kPersonErase, "erasePersonRecord", [](SessionContext& w, Path) { erasePersonRecord(w, kNoSuch, ""); }},
+       [](SessionContext& w, Path folder) {
+         (void)exportPersonPackage(w, kNoSuch, folder / "package", "asked");
+       }},
+      {O::kPersonErase, "erasePersonRecord",
+       [](SessionContext& w, Path) { erasePersonRecord(w, kNoSuch, ""); }},
       {O::kConsentRecord, "recordConsent",
        [](SessionContext& w, Path) { recordConsent(w, kNoSuch, "nothing", true, "1"); }},
       {O::kReportExportCoded, "exportPeople, coded",
@@ -87,14 +91,17 @@ std::vector<ServiceCall> officeCalls() {
        [](SessionContext& w, Path folder) { (void)exportPeople(w, folder / "named.csv", true); }},
       {O::kUserManage, "users", [](SessionContext& w, Path) { (void)users(w); }},
       {O::kUserManage, "addUser", [](SessionContext& w, Path) { (void)addUser(w, {}); }},
-      {O::kUserManage, "peopleWithoutAccount", [](SessionContext& w, Path) { (void)peopleWithoutAccount(w); }},
+      {O::kUserManage, "peopleWithoutAccount",
+       [](SessionContext& w, Path) { (void)peopleWithoutAccount(w); }},
       {O::kUserManage, "addAccounts",
        [](SessionContext& w, Path) {
          std::vector<StartAccount> made;
          addAccounts(w, {}, made);
        }},
-      {O::kUserManage, "setUserActive", [](SessionContext& w, Path) { setUserActive(w, kNoSuch, false, ""); }},
-      {O::kUserManage, "resetPassword", [](SessionContext& w, Path) { resetPassword(w, kNoSuch, "short", ""); }},
+      {O::kUserManage, "setUserActive",
+       [](SessionContext& w, Path) { setUserActive(w, kNoSuch, false, ""); }},
+      {O::kUserManage, "resetPassword",
+       [](SessionContext& w, Path) { resetPassword(w, kNoSuch, "short", ""); }},
       {O::kAuditView, "auditEntries", [](SessionContext& w, Path) { (void)auditEntries(w); }},
       {O::kAuditView, "auditEntryCount", [](SessionContext& w, Path) { (void)auditEntryCount(w, 0); }},
       {O::kAuditView, "verifyAudit", [](SessionContext& w, Path) { (void)verifyAudit(w); }},
@@ -108,17 +115,21 @@ std::vector<ServiceCall> officeCalls() {
       {O::kDatabaseRestore, "checkServer", [](SessionContext& w, Path) { (void)checkServer(w, {}); }},
       {O::kDatabaseRestore, "moveToServer",
        [](SessionContext& w, Path folder) { (void)moveToServer(w, {}, {}, folder); }},
-      {O::kDatabaseRestore, "joinServer", [](SessionContext& w, Path folder) { (void)joinServer(w, {}, folder); }},
-      {O::kDatabaseRestore, "switchToServer", [](SessionContext& w, Path) { (void)switchToServer(w, {}, {}); }},
+      {O::kDatabaseRestore, "joinServer",
+       [](SessionContext& w, Path folder) { (void)joinServer(w, {}, folder); }},
+      {O::kDatabaseRestore, "switchToServer",
+       [](SessionContext& w, Path) { (void)switchToServer(w, {}, {}); }},
       {O::kRetentionManage, "retentionQueue", [](SessionContext& w, Path) { (void)retentionQueue(w); }},
       {O::kRetentionManage, "lockRecord", [](SessionContext& w, Path) { lockRecord(w, kNoSuch, ""); }},
       {O::kSettingsEdit, "setCentreSetting", [](SessionContext& w, Path) { setCentreSetting(w, "", ""); }},
       {O::kSettingsEdit, "setCentreName", [](SessionContext& w, Path) { setCentreName(w, ""); }},
-      {O::kSettingsEdit, "setCentreIdleLimits", [](SessionContext& w, Path) { setCentreIdleLimits(w, 0, 0); }},
+      {O::kSettingsEdit, "setCentreIdleLimits",
+       [](SessionContext& w, Path) { setCentreIdleLimits(w, 0, 0); }},
       {O::kSettingsEdit, "setGradedWithMouse", [](SessionContext& w, Path) { setGradedWithMouse(w, false); }},
       {O::kUserManage, "setUserRoles", [](SessionContext& w, Path) { setUserRoles(w, kNoSuch, {}, ""); }},
       {O::kAuditView, "auditActors", [](SessionContext& w, Path) { (void)auditActors(w); }},
-      {O::kPersonViewCoded, "consentHistory", [](SessionContext& w, Path) { (void)consentHistory(w, kNoSuch); }},
+      {O::kPersonViewCoded, "consentHistory",
+       [](SessionContext& w, Path) { (void)consentHistory(w, kNoSuch); }},
       {O::kPersonViewCoded, "raterClasses", [](SessionContext& w, Path) { (void)raterClasses(w); }},
       {O::kPersonEdit, "personEntry", [](SessionContext& w, Path) { (void)personEntry(w, kNoSuch); }},
       {O::kPersonEdit, "ensureRaterClasses", [](SessionContext& w, Path) { ensureRaterClasses(w); }},
@@ -137,7 +148,8 @@ std::vector<ServiceCall> officeCalls() {
        [](SessionContext& w, Path) { removeRetentionRule(w, kNoSuch); }},
       {O::kRetentionManage, "setRetentionRule",
        [](SessionContext& w, Path) { setRetentionRule(w, kNoSuch, 30, "law"); }},
-      {O::kRetentionManage, "extendRecord", [](SessionContext& w, Path) { extendRecord(w, kNoSuch, 0, "why"); }},
+      {O::kRetentionManage, "extendRecord",
+       [](SessionContext& w, Path) { extendRecord(w, kNoSuch, 0, "why"); }},
       {O::kRetentionManage, "releaseRecord", [](SessionContext& w, Path) { releaseRecord(w, kNoSuch, ""); }},
   };
 }
@@ -148,7 +160,8 @@ std::vector<ServiceCall> studyCalls() {
       {O::kMarkViewCoded, "codedMarks", [](SessionContext& w, Path) { (void)codedMarks(w, kNoSuch); }},
       {O::kMarkRelease, "releaseStates", [](SessionContext& w, Path) { (void)releaseStates(w, kNoSuch); }},
       {O::kMarkRelease, "releaseMarks", [](SessionContext& w, Path) { releaseMarks(w, kNoSuch, "never"); }},
-      {O::kMarkRelease, "retractMarks", [](SessionContext& w, Path) { retractMarks(w, kNoSuch, "pre", "why"); }},
+      {O::kMarkRelease, "retractMarks",
+       [](SessionContext& w, Path) { retractMarks(w, kNoSuch, "pre", "why"); }},
       {O::kEvaluationSetup, "campaigns", [](SessionContext& w, Path) { (void)campaigns(w); }},
       {O::kEvaluationSetup, "addCampaign", [](SessionContext& w, Path) { (void)addCampaign(w, {}); }},
       {O::kPersonViewCoded, "cohorts", [](SessionContext& w, Path) { (void)cohorts(w); }},
@@ -163,26 +176,33 @@ std::vector<ServiceCall> studyCalls() {
       {O::kCurriculumEdit, "runCurriculum", [](SessionContext& w, Path) { runCurriculum(w, kNoSuch); }},
       {O::kCurriculumEdit, "addRubric", [](SessionContext& w, Path) { (void)addRubric(w, "", {}); }},
       {O::kStudySetup, "addCohort", [](SessionContext& w, Path) { (void)addCohort(w, {}); }},
-      {O::kStudySetup, "assignCurriculum", [](SessionContext& w, Path) { assignCurriculum(w, kNoSuch, kNoSuch); }},
+      {O::kStudySetup, "assignCurriculum",
+       [](SessionContext& w, Path) { assignCurriculum(w, kNoSuch, kNoSuch); }},
       {O::kStudySetup, "createAssignments", [](SessionContext& w, Path) { (void)createAssignments(w, {}); }},
       {O::kStudySetup, "scoringMatrix", [](SessionContext& w, Path) { (void)scoringMatrix(w, kNoSuch); }},
-      {O::kStudySetup, "reassign", [](SessionContext& w, Path) { (void)reassign(w, kNoSuch, kNoSuch, "why"); }},
+      {O::kStudySetup, "reassign",
+       [](SessionContext& w, Path) { (void)reassign(w, kNoSuch, kNoSuch, "why"); }},
       {O::kStudySetup, "reportDeviation", [](SessionContext& w, Path) { (void)reportDeviation(w, {}); }},
       {O::kAllocationRun, "takeOutCards", [](SessionContext& w, Path) { (void)takeOutCards(w, kNoSuch); }},
-      {O::kStudySetup, "swapTurns", [](SessionContext& w, Path) { swapTurns(w, kNoSuch, kNoSuch, "other", ""); }},
+      {O::kStudySetup, "swapTurns",
+       [](SessionContext& w, Path) { swapTurns(w, kNoSuch, kNoSuch, "other", ""); }},
       {O::kStudySetup, "runDayBoard", [](SessionContext& w, Path) { (void)runDayBoard(w, kNoSuch); }},
       {O::kStudyEnrol, "enrolTrainees", [](SessionContext& w, Path) { (void)enrolTrainees(w, kNoSuch, {}); }},
       {O::kStudyEnrol, "setEnrolmentState",
-       [](SessionContext& w, Path) { setEnrolmentState(w, kNoSuch, kNoSuch, EnrolmentState::kCompleted, ""); }},
+       [](SessionContext& w, Path) {
+         setEnrolmentState(w, kNoSuch, kNoSuch, EnrolmentState::kCompleted, "");
+       }},
       {O::kAllocationRun, "previewBalance", [](SessionContext& w, Path) { (void)previewBalance(w, {}); }},
       {O::kAllocationRun, "lockAllocation", [](SessionContext& w, Path) { (void)lockAllocation(w, {}); }},
-      {O::kAllocationRun, "allocateOne", [](SessionContext& w, Path) { (void)allocateOne(w, kNoSuch, kNoSuch); }},
+      {O::kAllocationRun, "allocateOne",
+       [](SessionContext& w, Path) { (void)allocateOne(w, kNoSuch, kNoSuch); }},
       {O::kAllocationRun, "allocateAll", [](SessionContext& w, Path) { (void)allocateAll(w, kNoSuch); }},
       {O::kAllocationRun, "overrideAllocation",
        [](SessionContext& w, Path) { (void)overrideAllocation(w, kNoSuch, kNoSuch, kNoSuch, "why"); }},
       {O::kAllocationView, "allocationDesigns",
        [](SessionContext& w, Path) { (void)allocationDesigns(w, kNoSuch); }},
-      {O::kAllocationView, "checkAllocation", [](SessionContext& w, Path) { (void)checkAllocation(w, kNoSuch); }},
+      {O::kAllocationView, "checkAllocation",
+       [](SessionContext& w, Path) { (void)checkAllocation(w, kNoSuch); }},
       {O::kAllocationReveal, "revealSeed", [](SessionContext& w, Path) { (void)revealSeed(w, kNoSuch); }},
       {O::kResultsCompute, "freezeData", [](SessionContext& w, Path) { (void)freezeData(w, kNoSuch, ""); }},
       {O::kResultsCompute, "frozenData", [](SessionContext& w, Path) { (void)frozenData(w, kNoSuch); }},
@@ -190,10 +210,12 @@ std::vector<ServiceCall> studyCalls() {
       {O::kPersonViewCoded, "enrolments", [](SessionContext& w, Path) { (void)enrolments(w, kNoSuch); }},
       {O::kPersonViewCoded, "deviations", [](SessionContext& w, Path) { (void)deviations(w, kNoSuch); }},
       {O::kPersonViewCoded, "rubrics", [](SessionContext& w, Path) { (void)rubrics(w); }},
-      {O::kCurriculumEdit, "curriculumDraft", [](SessionContext& w, Path) { (void)curriculumDraft(w, kNoSuch); }},
+      {O::kCurriculumEdit, "curriculumDraft",
+       [](SessionContext& w, Path) { (void)curriculumDraft(w, kNoSuch); }},
       {O::kCurriculumEdit, "saveCurriculumDraft",
        [](SessionContext& w, Path) { saveCurriculumDraft(w, kNoSuch, {}); }},
-      {O::kCurriculumEdit, "closeCurriculum", [](SessionContext& w, Path) { closeCurriculum(w, kNoSuch, "why"); }},
+      {O::kCurriculumEdit, "closeCurriculum",
+       [](SessionContext& w, Path) { closeCurriculum(w, kNoSuch, "why"); }},
       {O::kCurriculumEdit, "reviseRubric",
        [](SessionContext& w, Path) { (void)reviseRubric(w, kNoSuch, {}, "why"); }},
       {O::kResultsCompute, "compareWithFrozen",
@@ -203,7 +225,8 @@ std::vector<ServiceCall> studyCalls() {
 
 std::vector<ServiceCall> reportingCalls() {
   return {
-      {O::kResultsCompute, "reportableCampaigns", [](SessionContext& w, Path) { (void)reportableCampaigns(w); }},
+      {O::kResultsCompute, "reportableCampaigns",
+       [](SessionContext& w, Path) { (void)reportableCampaigns(w); }},
       {O::kResultsCompute, "ofCohort",
        [](SessionContext& w, Path folder) { (void)TrialDigests(folder).ofCohort(w, kNoSuch); }},
       {O::kResultsCompute, "reportInputs",
@@ -246,7 +269,8 @@ std::vector<ServiceCall> reviewCalls() {
       {O::kMarkSubmit, "liveLines", [](SessionContext& w, Path) { (void)liveLines(w); }},
       {O::kMarkSubmit, "warmUp", [](SessionContext& w, Path) { (void)warmUp(w); }},
       {O::kMarkSubmit, "scoreReferenceRun", [](SessionContext& w, Path) { scoreReferenceRun(w, 1, 50); }},
-      {O::kTrialViewAssigned, "loadReferenceRun", [](SessionContext& w, Path) { (void)loadReferenceRun(w, 1); }},
+      {O::kTrialViewAssigned, "loadReferenceRun",
+       [](SessionContext& w, Path) { (void)loadReferenceRun(w, 1); }},
       {O::kStudySetup, "addReferenceRuns", [](SessionContext& w, Path) { addReferenceRuns(w, {}); }},
       {O::kStudySetup, "referenceCandidates", [](SessionContext& w, Path) { (void)referenceCandidates(w); }},
       {O::kStudySetup, "withdrawReferenceRun",
@@ -262,12 +286,15 @@ std::vector<ServiceCall> reviewCalls() {
 
 std::vector<ServiceCall> trainingCalls() {
   return {
-      {O::kTrialRecordOwn, "recoverInterrupted", [](SessionContext& w, Path) { (void)recoverInterrupted(w); }},
+      {O::kTrialRecordOwn, "recoverInterrupted",
+       [](SessionContext& w, Path) { (void)recoverInterrupted(w); }},
       {O::kTrialViewOwn, "attemptsOf", [](SessionContext& w, Path) { (void)attemptsOf(w, kNoSuch); }},
       {O::kTrialViewOwn, "attemptOf", [](SessionContext& w, Path) { (void)attemptOf(w, kNoSuch); }},
       {O::kMarkViewOwn, "scoreGap", [](SessionContext& w, Path) { (void)scoreGap(w, kNoSuch); }},
-      {O::kTrialViewOwn, "debrief", [](SessionContext& w, Path folder) { (void)debrief(w, kNoSuch, folder); }},
-      {O::kTrialViewOwn, "addBookmark", [](SessionContext& w, Path) { addBookmark(w, kNoSuch, 1.0, "here"); }},
+      {O::kTrialViewOwn, "debrief",
+       [](SessionContext& w, Path folder) { (void)debrief(w, kNoSuch, folder); }},
+      {O::kTrialViewOwn, "addBookmark",
+       [](SessionContext& w, Path) { addBookmark(w, kNoSuch, 1.0, "here"); }},
       {O::kTrialViewOwn, "nextSteps", [](SessionContext& w, Path) { (void)nextSteps(w, kNoSuch); }},
       {O::kTrialViewOwn, "transcript", [](SessionContext& w, Path) { (void)transcript(w, kNoSuch); }},
       {O::kTrialViewOwn, "trend", [](SessionContext& w, Path) { (void)trend(w, kNoSuch, kNoSuch); }},
@@ -280,8 +307,10 @@ std::vector<ServiceCall> trainingCalls() {
       {O::kTrialViewOwn, "askPhysician",
        [](SessionContext& w, Path) { (void)askPhysician(w, kNoSuch, 1.0, kNoSuch, "why?"); }},
       {O::kTrialViewAssigned, "questionsToMe", [](SessionContext& w, Path) { (void)questionsToMe(w); }},
-      {O::kTrialViewAssigned, "questionedRun", [](SessionContext& w, Path) { (void)questionedRun(w, kNoSuch); }},
-      {O::kTrialViewAssigned, "answerQuestion", [](SessionContext& w, Path) { answerQuestion(w, kNoSuch, "so"); }},
+      {O::kTrialViewAssigned, "questionedRun",
+       [](SessionContext& w, Path) { (void)questionedRun(w, kNoSuch); }},
+      {O::kTrialViewAssigned, "answerQuestion",
+       [](SessionContext& w, Path) { answerQuestion(w, kNoSuch, "so"); }},
       {O::kTrialViewOwn, "hasOwnConsent", [](SessionContext& w, Path) { (void)hasOwnConsent(w, kNoSuch); }},
       {O::kTrialRecordOwn, "decideOwnConsent",
        [](SessionContext& w, Path) { decideOwnConsent(w, kNoSuch, true, "1"); }},

@@ -108,9 +108,10 @@ TEST(PermissionMatrix, ACurriculumIsReadByWhoeverPractisesOrSeesPeople) {
   const auto allowed = access.permissions();
   for (const std::string& role : access.roles()) {
     const bool may = allowed.contains({role, "practice"}) || allowed.contains({role, "person.view_coded"});
-    const ServiceCall read{
-        Operation::kPersonViewCoded, "curriculumVersion",
-        [](SessionContext& w, const std::filesystem::path&) { static_cast<void>(curriculumVersion(w, kNoSuch)); }};
+    const ServiceCall read{Operation::kPersonViewCoded, "curriculumVersion",
+                           [](SessionContext& w, const std::filesystem::path&) {
+                             static_cast<void>(curriculumVersion(w, kNoSuch));
+                           }};
     EXPECT_EQ(refused(read, centre.as(role), centre.folder()), !may) << role;
     EXPECT_TRUE(refused(read, centre.as(""), centre.folder()));
   }

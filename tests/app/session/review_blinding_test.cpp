@@ -6,14 +6,14 @@
 
 #include <gtest/gtest.h>
 
-#include "app/review/discrepancy_review.h"
 #include "app/review/blinded_case.h"
 #include "app/review/case_remarks.h"
 #include "app/review/case_sheet.h"
+#include "app/review/discrepancy_review.h"
 #include "app/review/evaluation_form.h"
 #include "app/review/own_severity.h"
-#include "app/review/review_queue.h"
 #include "app/review/rater_calibration.h"
+#include "app/review/review_queue.h"
 #include "db/repository/rating/desk_repository.h"
 #include "db/repository/rating/evaluation_repository.h"
 #include "db/repository/system/audit_verification.h"

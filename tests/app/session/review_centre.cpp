@@ -186,9 +186,9 @@ std::unique_ptr<SessionContext> ReviewCentre::physician(std::size_t index) {
 }
 
 std::unique_ptr<SessionContext> ReviewCentre::administrator() {
-  return std::make_unique<SessionContext>(*connection_, *ids_,
-                                     WorkplaceKey{locator(), "office-1", actorIn(*connection_, "office")},
-                                     [this] { return now_us_; });
+  return std::make_unique<SessionContext>(
+      *connection_, *ids_, WorkplaceKey{locator(), "office-1", actorIn(*connection_, "office")},
+      [this] { return now_us_; });
 }
 
 std::string ReviewCentre::raterId(std::size_t index) {

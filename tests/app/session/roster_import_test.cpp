@@ -21,7 +21,8 @@ RosterOutcome commitRoster(SessionContext& workplace, const std::string& text,
   return importRoster(workplace, file, kind, columns, preview.fingerprint, mode);
 }
 
-RosterPreview look(SessionContext& workplace, const std::string& text, RosterKind kind = RosterKind::kTrainees) {
+RosterPreview look(SessionContext& workplace, const std::string& text,
+                   RosterKind kind = RosterKind::kTrainees) {
   const RosterFile file = parseRoster(text, "roster.csv");
   return previewRoster(workplace, file, kind, suggestColumns(file, kind));
 }

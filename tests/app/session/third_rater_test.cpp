@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the office does when physicians cannot agree, and before they begin: a third rater, and the reference
 // runs of the warm-up.
-#include "app/review/adjudicator.h"
-
 #include <gtest/gtest.h>
 
-#include "app/review/discrepancy_review.h"
+#include "app/review/adjudicator.h"
 #include "app/review/case_sheet.h"
-#include "app/review/review_queue.h"
+#include "app/review/discrepancy_review.h"
 #include "app/review/rater_calibration.h"
+#include "app/review/review_queue.h"
 #include "app/study/scoring_plan.h"
 #include "db/repository/people/people_repository.h"
 #include "db/repository/rating/desk_repository.h"

@@ -82,7 +82,7 @@ void TrainingCentre::open() {
   options.now_us = now_us_;
   connection_ = std::make_unique<Connection>(openRecord(locator(), OpenMode::kCreate, options));
   workplace_ = std::make_unique<SessionContext>(*connection_, *ids_, WorkplaceKey{locator(), "station 1", {}},
-                                           [this] { return now_us_; });
+                                                [this] { return now_us_; });
 }
 
 void TrainingCentre::fill(const Setup& setup) {

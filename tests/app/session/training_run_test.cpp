@@ -17,8 +17,10 @@ constexpr std::int64_t kMinute_us = 60 * kSecond_us;
 /// The second arm of the paper's study (section 6): 20 min virtual, 20 min on the real arm, 5 min of rest.
 RunPlan paperArm() {
   RunPlan plan;
-  plan.phases.push_back(
-      {.phaseId = "p1", .label = "virtual", .arm = TrainingSetting::kVirtual, .duration_us = 20 * kMinute_us});
+  plan.phases.push_back({.phaseId = "p1",
+                         .label = "virtual",
+                         .arm = TrainingSetting::kVirtual,
+                         .duration_us = 20 * kMinute_us});
   plan.phases.push_back(
       {.phaseId = "p2", .label = "real", .arm = TrainingSetting::kReal, .duration_us = 20 * kMinute_us});
   plan.restAllowance_us = 5 * kMinute_us;

@@ -251,8 +251,8 @@ TEST(CampaignService, RefusesAClassWithAWeightAndNobodyInIt) {
 
 TEST(PhaseProgress, CountsNamedUnnamedAndRestTime) {
   const StudyArm arm{.restAllowance_us = 5 * kMinute_us,
-                      .phases = {{"p1", PhaseKind::kVirtual, "first", 20 * kMinute_us, ""},
-                                 {"p2", PhaseKind::kReal, "second", 20 * kMinute_us, ""}}};
+                     .phases = {{"p1", PhaseKind::kVirtual, "first", 20 * kMinute_us, ""},
+                                {"p2", PhaseKind::kReal, "second", 20 * kMinute_us, ""}}};
   const auto spent = [](const char* kind, const char* phase, std::int64_t minutes) {
     return StoredExposure{.phaseId = phase, .kind = kind, .duration_us = minutes * kMinute_us};
   };

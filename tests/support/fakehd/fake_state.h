@@ -135,7 +135,7 @@ Fake& fake();
 int loads();
 
 void push(Fake& f, hd::ErrorCode error, std::int32_t internal);
-/// The same, and counts that a rule was broken.
+/// Pushes an error and counts that a rule was broken.
 void breakRule(Fake& f, hd::ErrorCode error);
 bool onServoThread(const Fake& f);
 /// One line into the file that FAKEHD_LOG names.
