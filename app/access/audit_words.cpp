@@ -141,6 +141,7 @@ const Words& objectWords() {
       {"assignment", Text("assignment")},
       {"audit_entry", Text("audit trail")},
       {"cohort", Text("cohort")},
+      {"occasion", Text("occasion")},
       {"consent", Text("consent")},
       {"curriculum", Text("curriculum")},
       {"curriculum_draft", Text("draft of a curriculum")},

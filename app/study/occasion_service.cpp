@@ -33,7 +33,7 @@ Occasion addOccasion(SessionContext& workplace, const std::string& label) {
   const Occasion added{"occasion-" + std::to_string(number), label, {}};
   repository.add(added);
   workplace.note({.action = "occasion.add",
-                  .objectKind = "scoring_point",
+                  .objectKind = "occasion",
                   .objectId = added.code,
                   .newJson = nlohmann::json{{"label", label}}.dump()});
   transaction.commit();

@@ -7875,6 +7875,10 @@
         <source>See torsio --help</source>
         <translation>参见 torsio --help</translation>
     </message>
+    <message>
+        <source>the estimates lie too far apart to be computed</source>
+        <translation>估计值相距过远，无法计算</translation>
+    </message>
 </context>
 <context>
     <name>StationLabels</name>

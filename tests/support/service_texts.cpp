@@ -341,6 +341,9 @@ class Reader {
     if (!speakers_.contains(name)) {
       return;
     }
+    if (name == "refuse" && open >= 2 && is(tokens_[open - 2], ".")) {
+      return;  // a member of a reader of files: what it says stands in the file's own terms
+    }
     int depth = 0;
     int argument = 0;
     for (std::size_t k = open; k < tokens_.size(); ++k) {

@@ -118,7 +118,7 @@ void CurriculaPage::read() {
   attempt(shell(), [&] {
     rows_ = torsio::curricula(shell().workplace());
     editor_->setOccasions(knownOccasions(shell().workplace()));
-    show();
+    showContent();
   });
 }
 

@@ -40,7 +40,7 @@ struct DeskSetup {
   ThemeKind theme = ThemeKind::kLight;
   bool kiosk = false;
   /// Makes everybody's pages, anew for each desk; the desk keeps what its actor may open.
-  std::function<std::vector<PageGroup>()> groups;
+  std::function<std::vector<PageGroup>()> groups = [] { return std::vector<PageGroup>(); };
 };
 
 /// What a signed-in person works at: navigation, header, and one page at a time. It dies with the sign-out,

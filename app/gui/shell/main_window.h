@@ -38,7 +38,7 @@ struct ShellSetup {
   std::filesystem::path assets;
   std::string station;
   QString locator;  ///< of the database; the station's choice of the first run overrides it
-  std::function<std::vector<PageGroup>()> groups;
+  std::function<std::vector<PageGroup>()> groups = [] { return std::vector<PageGroup>(); };
   std::optional<ThemeKind> theme;  ///< given on the command line; nothing: the user's, else the role's
   bool systemIsDark = false;
   bool kiosk = false;

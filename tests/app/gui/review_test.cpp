@@ -422,8 +422,8 @@ TEST(DiscrepancyReviewPage, MovesAMarkWithAReasonAndKeepsTheOther) {
     }
     return static_cast<QPushButton*>(nullptr);
   };
-  ASSERT_NE(button("Move"), nullptr);
-  button("Move")->click();
+  ASSERT_NE(button("mend"), nullptr);
+  button("mend")->click();
   desk.press(Qt::Key_8);
   ASSERT_NE(button("Seal"), nullptr);
   button("Seal")->click();

@@ -81,7 +81,7 @@ TEST_F(ScoringOffice, FindsAThirdRaterInTwoClicks) {
   rater.classCode = "chief";
   PeopleRepository(centre_.connection()).addRaters(std::span(&rater, 1));
   open();
-  EXPECT_EQ(buttonOf(*page_, "Third rater"), nullptr);  // nobody asks
+  EXPECT_EQ(buttonOf(*page_, "Adjudicator"), nullptr);  // nobody asks
   WatchLog log(2'000'000);
   log.played(0, 2'000'000, 1.0);
   submitSheet(*centre_.physician(0), centre_.caseAbout(0, 0), reviewSheet(2, 2, 2), log);
@@ -92,7 +92,7 @@ TEST_F(ScoringOffice, FindsAThirdRaterInTwoClicks) {
   page_->enter({});
 
   // First click: the list, with a suggestion. Second click: assigned.
-  press("Third rater (1)", [](QDialog& dialog) {
+  press("Adjudicator (1)", [](QDialog& dialog) {
     auto* table = dialog.findChild<DataTable*>();
     ASSERT_NE(table, nullptr);
     EXPECT_TRUE(table->asText().contains(QStringLiteral("I cannot explain the distance")));
@@ -101,7 +101,7 @@ TEST_F(ScoringOffice, FindsAThirdRaterInTwoClicks) {
   });
 
   EXPECT_EQ(SheetRepository(centre_.connection()).queue("rater-900").size(), 1U);
-  EXPECT_EQ(buttonOf(*page_, "Third rater"), nullptr);
+  EXPECT_EQ(buttonOf(*page_, "Adjudicator"), nullptr);
   EXPECT_TRUE(child<DataTable>(*page_, "matrix").asText().contains(QStringLiteral("CH-900")));
 }
 

@@ -117,8 +117,8 @@ TEST(CurriculumContent, NamesEveryProblemWithItsPlaceAndRemedy) {
   EXPECT_TRUE(mentions(problems, "mastery beauty", "measured by nothing"));
   EXPECT_TRUE(mentions(problems, "module S1", "given in \"kg\""));
   EXPECT_TRUE(mentions(problems, "arm G1, phase 1", "takes no time"));
-  EXPECT_TRUE(mentions(problems, "scoring point mid", "does not come after"));
-  EXPECT_TRUE(mentions(problems, "scoring point \"later\"", "not known"));
+  EXPECT_TRUE(mentions(problems, "occasion mid", "does not come after"));
+  EXPECT_TRUE(mentions(problems, "occasion \"later\"", "not known"));
 }
 
 TEST(CurriculumContent, FindsModulesThatWaitForEachOther) {
