@@ -56,37 +56,38 @@ void requireDisplay() {
 
 /// The window with the organ as it is asked for, drawn at least once.
 struct Stage {
-  Stage(const WindowSetup& setup, const ScreenshotRequest& request) : window(setup) {
+  Stage(const WindowSetup& setup, const ScreenshotRequest& request)
+      : window(setup), view(child<SceneView>(window, "view")) {
     LoadedScene loaded = setup.loader(request.scene);
     window.resize(request.size);
-    child<SceneView>(window, "view").setQuality(request.quality);
-    child<SceneView>(window, "view").setLattice(request.lattice);
-    child<SceneView>(window, "view").setWireframe(request.wireframe);
-    child<SceneView>(window, "view").setShearVisible(request.shear);
-    child<SceneView>(window, "view").setMarkersVisible(request.markers);
+    view.setQuality(request.quality);
+    view.setLattice(request.lattice);
+    view.setWireframe(request.wireframe);
+    view.setShearVisible(request.shear);
+    view.setMarkersVisible(request.markers);
     window.show();
     window.controller().adopt(request.scene, std::move(loaded));
     if (request.ghost) {
       const Scene& scene = *window.controller().scene();
       const double grasp_m = scene.pattern.graspArc * scene.lattice().length_m();
-      child<SceneView>(window, "view").setGhost(TwistState{grasp_m, window.controller().target_rad()});
+      view.setGhost(TwistState{grasp_m, window.controller().target_rad()});
     }
-    child<SceneView>(window, "view")
-        .camera()
-        .orbit({-request.orbit_deg / OrbitCamera::kDegreesPerPixel, 0.0});
-    child<SceneView>(window, "view").camera().zoom(request.zoom);
-    child<SceneView>(window, "view").applyCamera();
-    waitUntil([this] { return child<SceneView>(window, "view").framesDrawn() > 0; }, "the first frame");
+    view.camera().orbit({-request.orbit_deg / OrbitCamera::kDegreesPerPixel, 0.0});
+    view.camera().zoom(request.zoom);
+    view.applyCamera();
+    waitUntil([this] { return view.framesDrawn() > 0; }, "the first frame");
   }
   SimulatorWindow window;
+  SceneView& view;
 };
 
 void settle(SimulatorWindow& window) {
-  const std::int64_t before = child<SceneView>(window, "view").framesDrawn();
+  SceneView& view = child<SceneView>(window, "view");
+  const std::int64_t before = view.framesDrawn();
   waitUntil(
       [&] {
-        child<SceneView>(window, "view").redraw();
-        return child<SceneView>(window, "view").framesDrawn() >= before + kSettlingFrames;
+        view.redraw();
+        return view.framesDrawn() >= before + kSettlingFrames;
       },
       "the picture");
 }

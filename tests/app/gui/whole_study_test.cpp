@@ -206,7 +206,7 @@ void runTheDay(Office& office, const std::string& cohortId) {
   EXPECT_TRUE(stations.contains(QStringLiteral("Mouse and keyboard\t\u25CB not checked today, last on ")));
   EXPECT_TRUE(child<QLabel>(*page, "alerts")
                   .text()
-                  .contains(QStringLiteral("room 2: the device is not fit for scored runs")));
+                  .contains(QStringLiteral("room 2: the device is not fit for graded runs")));
   child<DataTable>(*page, "table").view().selectRow(0);
   answer([](QDialog& dialog) { dialog.accept(); });  // 20 minutes on the real arm
   press(*page, QStringLiteral("Log time"));
