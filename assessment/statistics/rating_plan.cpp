@@ -31,6 +31,7 @@ struct Bound {
   std::size_t other;
   int to;  ///< threshold that the mark of `other` has not passed
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 reads a pointer into <=>
   friend auto operator<=>(const Bound&, const Bound&) = default;
 };
 

@@ -108,8 +108,8 @@ double DebriefPlot::yOf(const Lane& lane, double value) {
 }
 
 DebriefPlot::Lane DebriefPlot::angleLane() const {
-  const double height_ = height() - kTop - kBottom - kBetween;
-  Lane lane{QRectF(kLeft, kTop, width() - kLeft - kRight, height_ * 0.66), 0.0, 0.0};
+  const double span = height() - kTop - kBottom - kBetween;
+  Lane lane{QRectF(kLeft, kTop, width() - kLeft - kRight, span * 0.66), 0.0, 0.0};
   for (const double angle : debrief_.own.angle_rad) {
     lane.low = std::min(lane.low, degrees(angle));
     lane.high = std::max(lane.high, degrees(angle));
@@ -125,9 +125,8 @@ DebriefPlot::Lane DebriefPlot::angleLane() const {
 }
 
 DebriefPlot::Lane DebriefPlot::forceLane() const {
-  const double height_ = height() - kTop - kBottom - kBetween;
-  Lane lane{QRectF(kLeft, kTop + height_ * 0.66 + kBetween, width() - kLeft - kRight, height_ * 0.34), 0.0,
-            0.5};
+  const double span = height() - kTop - kBottom - kBetween;
+  Lane lane{QRectF(kLeft, kTop + span * 0.66 + kBetween, width() - kLeft - kRight, span * 0.34), 0.0, 0.5};
   for (const double force : debrief_.own.force_N) {
     lane.high = std::max(lane.high, force);
   }

@@ -32,6 +32,22 @@ QString points(double value) {
   return QLocale().toString(value, 'f', 1);
 }
 
+/// Adds own mark, mean of the physicians and their gap to a line of the grid.
+void addGapCells(QGridLayout& grid, int line, const ScoreGapRow& row, QWidget* parent) {
+  const auto cell = [&](int column, const std::optional<double>& value, bool sign) {
+    auto* label = new QLabel(parent);
+    QString text = value ? points(*value) : QStringLiteral("\u2013");
+    if (sign && value && *value > 0.0) {
+      text.prepend(QLatin1Char('+'));
+    }
+    label->setText(text.replace(QLatin1Char('-'), QChar(0x2212)));
+    grid.addWidget(label, line, column);
+  };
+  cell(1, row.own, false);
+  cell(2, row.panel, false);
+  cell(3, row.own && row.panel ? std::optional(*row.own - *row.panel) : std::nullopt, true);
+}
+
 }  // namespace
 
 RemarksPage::RemarksPage(ShellContext& context, QWidget* parent)
@@ -248,18 +264,7 @@ void RemarksPage::fillMarks() {
       fields->emplace_back(row.code, field);
       grid->addWidget(field, line, 1);
     } else {
-      const auto cell = [&](int column, const std::optional<double>& value, bool sign) {
-        auto* label = new QLabel(marks_);
-        QString text = value ? points(*value) : QStringLiteral("\u2013");
-        if (sign && value && *value > 0.0) {
-          text.prepend(QLatin1Char('+'));
-        }
-        label->setText(text.replace(QLatin1Char('-'), QChar(0x2212)));
-        grid->addWidget(label, line, column);
-      };
-      cell(1, row.own, false);
-      cell(2, row.panel, false);
-      cell(3, row.own && row.panel ? std::optional(*row.own - *row.panel) : std::nullopt, true);
+      addGapCells(*grid, line, row, marks_);
     }
     ++line;
   }

@@ -102,6 +102,7 @@ QPalette paletteOf(const Theme& t) {
 }
 
 /// `%name` becomes the theme's colour of that name.
+// NOLINTNEXTLINE(readability-function-size): one long text
 QString styleSheetOf(const Theme& t) {
   QString sheet = QStringLiteral(R"(
 QMainWindow, QDialog { background: %window; }
