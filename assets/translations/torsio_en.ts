@@ -101,4 +101,11 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>Assets</name>
+    <message>
+        <source>Arm</source>
+        <translation>Forearm</translation>
+    </message>
+</context>
 </TS>

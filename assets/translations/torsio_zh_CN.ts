@@ -192,7 +192,7 @@
 <context>
     <name>Assets</name>
     <message>
-        <source>Forearm</source>
+        <source>Arm</source>
         <translation>前臂</translation>
     </message>
     <message>
